@@ -131,6 +131,9 @@ base::Vector SolidEnrichment::distributed_load(const model::LoadCase& load_case,
     }
   };
   for (const model::Load& load : load_case.loads) {
+    if (load.type == model::LoadType::bearing) {
+      continue; // its nodal forces stand for it
+    }
     fe::for_load_points(model_, mesh_, load, {on_side, inside});
   }
   for (std::size_t e = 0; e < mesh_.element_count() && heat.temperature.size() > 0; ++e) {

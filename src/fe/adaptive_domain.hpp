@@ -23,6 +23,31 @@ struct AdaptiveSettings {
   bool smooth = false; ///< nothing in it can jump or kink, so that little has to be doubted
 };
 
+/// What a rule may cost, as a line, an area or a volume takes the more points the more directions
+/// it has.
+struct AdaptiveCost {
+  /// Of a load's integrals over an element or a side, of its mean value times the size: jumps of
+  /// plane and solid fields cost more than those along an edge.
+  double load_tolerance;
+  /// Of a smooth field, as a part of its integral: so much the usual rule, and the finer one, may
+  /// differ; of plane and solid loads the usual rule is far better than the elements.
+  double usual_enough, finer_enough;
+  int places;        ///< that a field which is not smooth is looked at
+  int evaluations;   ///< that no more halves are made after
+  int panels;        ///< of a line to begin with, where nothing is known
+  int across_degree; ///< of the rule across the lines
+  int grid, layers;  ///< of lines that tell in which direction a field changes: grid^2 layers
+  int bisections;    ///< to a jump: to 1e-15 of a panel, in space to 1e-11
+  /// Of an additive recurrence, across the first direction: golden section, plastic number.
+  std::array<double, 2> recurrence;
+};
+/// By the dimension, less 1.
+inline constexpr std::array<AdaptiveCost, 3> adaptive_costs{
+    {{1e-9, 0.0, 0.0, 64, 20000, 8, 7, 4, 1, 50, {0.6180339887498949, 0.0}},
+     {1e-7, 1e-5, 3e-3, 256, 40000, 8, 7, 8, 1, 50, {0.6180339887498949, 0.0}},
+     {1e-4, 1e-5, 3e-3, 256, 80000, 4, 5, 4, 4, 36, {0.7548776662466927, 0.5698402909980532}}}};
+template <int dim> inline constexpr AdaptiveCost adaptive_cost = adaptive_costs[dim - 1];
+
 template <int dim> struct AdaptedRule {
   std::vector<shape::QuadraturePoint<dim>> points;
   double missed = 0.0; ///< estimate of the integral's error, where that is beyond the tolerance,

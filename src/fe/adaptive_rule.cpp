@@ -39,9 +39,7 @@ template <int dim>
 FieldOutlier outlier_of(const AdaptiveDomain<dim>& domain, const ReferenceField<dim>& value,
                         ValueRange& seen, double scale, int places) {
   constexpr double inside = 1e-6;
-  constexpr std::array<double, 2> step =
-      dim == 3 ? std::array{0.7548776662466927, 0.5698402909980532} // of the plastic number
-               : std::array{0.6180339887498949, 0.0};               // golden section
+  constexpr std::array<double, 2> step = adaptive_cost<dim>.recurrence;
   std::vector<std::pair<UnitPoint, Vec3>> looks;
   const auto look = [&](const UnitPoint& t) { looks.emplace_back(t, value(domain.map(t).r)); };
   for (int i = 0; i < places; ++i) {
@@ -78,7 +76,7 @@ FieldOutlier outlier_of(const AdaptiveDomain<dim>& domain, const ReferenceField<
 template <int dim>
 AdaptedRule<dim> adapted_rule(const AdaptiveDomain<dim>& domain, const ReferenceField<dim>& value,
                               const AdaptiveSettings& settings) {
-  const int places = dim > 1 && !settings.smooth ? 256 : 64;
+  const int places = settings.smooth ? adaptive_cost<1>.places : adaptive_cost<dim>.places;
   const double between = 1.0 / places; // the part of an element that a place tells of
   ValueRange seen;
   const RuleSums<dim> usual = sums_of<dim>(domain.usual, value, seen);
@@ -92,14 +90,13 @@ AdaptedRule<dim> adapted_rule(const AdaptiveDomain<dim>& domain, const Reference
   const FieldOutlier outlier = outlier_of<dim>(domain, value, seen, largest, places);
   const double amount = std::max(
       {size * settings.scale.mean, usual.amount, finer.amount, between * size * outlier.excess});
-  // of plane and solid loads that are smooth the usual rule is far better than the elements
-  const double usual_tolerance = dim > 1 && settings.smooth ? 1e-5 : 0.0;
-  const bool agreed = error <= std::max(settings.tolerance, usual_tolerance) * amount;
+  const double usual_enough = settings.smooth ? adaptive_cost<dim>.usual_enough : 0.0;
+  const bool agreed = error <= std::max(settings.tolerance, usual_enough) * amount;
   if (!std::isfinite(error) || (agreed && outlier.excess == 0.0)) {
     return {{domain.usual.begin(), domain.usual.end()}, 0.0, finer.amount, false};
   }
-  constexpr double finer_is_enough = 3e-3; // of smooth fields, of which it leaves far less
-  if (settings.smooth && dim > 1 && outlier.excess == 0.0 && error <= finer_is_enough * amount) {
+  if (settings.smooth && outlier.excess == 0.0 &&
+      error <= adaptive_cost<dim>.finer_enough * amount) {
     return {{domain.finer.begin(), domain.finer.end()}, 0.0, finer.amount, false};
   }
   PiecewiseRule<dim> pieces(domain, value, settings, amount, outlier);

@@ -2,15 +2,18 @@
 #include "fe/bearing.hpp"
 
 #include "fe/circle_fit.hpp"
+#include "fe/load_rule.hpp"
 #include "model/mesh_side.hpp"
 #include "model/model.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 
 namespace spricka::fe {
 
@@ -18,9 +21,24 @@ namespace {
 
 using base::Vec2;
 using base::Vec3;
-using base::Vector;
+using geometry::ElementSide;
 
+// Pressures are no polynomials, and the loaded half may end inside a face in space.
 constexpr int pressure_degree = 15;
+
+/// A pin and the circle that it touches, in a plane across its axis.
+struct Pin {
+  Eigen::Matrix<double, 3, 2> axes; ///< columns: of that plane, the x and y of what follows
+  FittedCircle circle;
+  double side = 1.0;         ///< of edges; 1: the body is outside (a bore), -1: inside (a shaft)
+  Vec2 force = Vec2::Zero(); ///< the resultant [force]
+  Vec2 d = Vec2::Zero();     ///< unit vector along it
+  bool cosine = true;        ///< p = cos(theta), else 1
+
+  [[nodiscard]] Vec2 across() const { return {-d.y(), d.x()}; }
+  /// From the centre to a place.
+  [[nodiscard]] Vec2 arm(const Vec3& x) const { return axes.transpose() * x - circle.centre; }
+};
 
 // Places on [-1, 1], both ends included, where an edge crosses the diameter across the load.
 struct Cuts {
@@ -55,57 +73,68 @@ Cuts cut_edge(double left, double middle, double right) {
   return cuts;
 }
 
-// What every edge needs to know.
-struct Pin {
-  Bore bore;
-  Vec2 d = Vec2::Zero(); ///< unit vector along the load
-  model::BearingShape shape = model::BearingShape::cosine;
-};
-
-Vec2 place_on(const geometry::ElementSide& edge, double r) {
-  return edge.position({r, 0.0}).head<2>();
-}
-
-// Calls visit(t, main, across) at points of a piece of an edge: the forces of the two unit
-// pressures p = cos(theta) or 1, and p = sin(theta).
+// Calls visit(r, push, area) at the points of a side: the unit vector that the pressure has there
+// and the area on which it acts, of the exact arc of an edge, of a face as it is seen along the
+// radius.
 template <class Visit>
-void for_piece(const Pin& pin, const geometry::ElementSide& edge, double from, double to,
-               double thickness, Visit&& visit) {
-  const Vec2 across(-pin.d.y(), pin.d.x());
-  for (const auto& point : shape::line_rule(pressure_degree)) {
-    const double r = 0.5 * (from + to) + 0.5 * (to - from) * point.r[0];
-    const Vec2 arm = place_on(edge, r) - pin.bore.centre;
-    const Vec2 tangent = edge.tangents({r, 0.0}).col(0).head<2>();
-    const double distance = arm.norm();
-    const Vec2 m = (pin.bore.side / distance) * arm; // the way the pressure pushes
-    // Length of the exact arc: R dtheta.
-    const double turn = std::abs(arm.x() * tangent.y() - arm.y() * tangent.x());
-    const double ds = pin.bore.radius * turn / (distance * distance) * 0.5 * (to - from);
-    const double cosine = m.dot(pin.d);
-    if (cosine <= 0.0) {
+void for_edge_points(const Pin& pin, const ElementSide& edge, double thickness, Visit&& visit) {
+  const auto arm_at = [&](double r) { return pin.arm(edge.position({r, 0.0})); };
+  // Along the load from the centre: its zeros are where |theta| = 90 degrees.
+  const auto distance_at = [&](double r) { return arm_at(r).dot(pin.d); };
+  const Cuts cuts = cut_edge(distance_at(-1.0), distance_at(0.0), distance_at(1.0));
+  for (std::size_t k = 0; k + 1 < cuts.count; ++k) {
+    const double middle = 0.5 * (cuts.at[k] + cuts.at[k + 1]);
+    const double half = 0.5 * (cuts.at[k + 1] - cuts.at[k]);
+    if (!(pin.side * distance_at(middle) > 0.0)) {
       continue;
     }
-    const double p = pin.shape == model::BearingShape::cosine ? cosine : 1.0;
-    const Vec2 force = point.weight * thickness * ds * m;
-    visit(r, Vec2(p * force), Vec2(m.dot(across) * force));
-  }
-}
-
-template <class Visit>
-void for_edge(const Pin& pin, const geometry::ElementSide& edge, double thickness, Visit&& visit) {
-  // Along the load from the centre: its zeros are where |theta| = 90 degrees.
-  const auto distance = [&](double r) { return (place_on(edge, r) - pin.bore.centre).dot(pin.d); };
-  const Cuts cuts = cut_edge(distance(-1.0), distance(0.0), distance(1.0));
-  for (std::size_t k = 0; k + 1 < cuts.count; ++k) {
-    if (pin.bore.side * distance(0.5 * (cuts.at[k] + cuts.at[k + 1])) > 0.0) {
-      for_piece(pin, edge, cuts.at[k], cuts.at[k + 1], thickness, visit);
+    for (const auto& point : shape::line_rule(pressure_degree)) {
+      const double r = middle + half * point.r[0];
+      const Vec2 arm = arm_at(r);
+      const Vec2 tangent = pin.axes.transpose() * edge.tangents({r, 0.0}).col(0);
+      const double distance = arm.norm();
+      // Length of the exact arc: R dtheta.
+      const double turn = std::abs(arm.x() * tangent.y() - arm.y() * tangent.x());
+      const double ds = pin.circle.radius * turn / (distance * distance) * half;
+      visit(Vec2(r, 0.0), Vec2((pin.side / distance) * arm), point.weight * thickness * ds);
     }
   }
 }
 
-} // namespace
+template <class Visit>
+void for_face_points(const Pin& pin, const ElementSide& face, Visit&& visit) {
+  face.for_quadrature_points(pressure_degree, [&](const Vec2& r, double weight) {
+    const Vec2 radial = pin.arm(face.position(r)).normalized();
+    // Against the outer normal: away from the centre of a bore, towards that of a shaft.
+    const double outward = radial.dot(pin.axes.transpose() * face.area_vector(r));
+    visit(r, Vec2((outward < 0.0 ? 1.0 : -1.0) * radial), weight * std::abs(outward));
+  });
+}
 
-Bore fit_bore(const model::Mesh& mesh, const std::vector<model::Face>& faces) {
+// Calls visit(r, main, across) at the points of the loaded half of a face: the forces of the two
+// unit pressures p = cos(theta) or 1, and p = sin(theta).
+template <class Visit>
+void for_unit_pressures(const model::Model& model, const model::Mesh& mesh, const Pin& pin,
+                        const model::Face& face, Visit&& visit) {
+  const ElementSide side = model::element_side(mesh, face);
+  const auto press = [&](const Vec2& r, const Vec2& push, double area) {
+    const double cosine = push.dot(pin.d);
+    if (cosine > 0.0) {
+      const Vec2 force = area * push;
+      visit(r, Vec2((pin.cosine ? cosine : 1.0) * force), Vec2(push.dot(pin.across()) * force));
+    }
+  };
+  if (side.is_edge()) {
+    for_edge_points(pin, side, model.element_property(mesh, face.element).thickness, press);
+  } else {
+    for_face_points(pin, side, press);
+  }
+}
+
+// In the plane: the circle through the nodes.
+Pin pin_on_edges(const model::Mesh& mesh, const std::vector<model::Face>& faces, const Vec3& F) {
+  Pin pin;
+  pin.axes.setIdentity();
   // Nodes shared by two edges count twice, which does no harm to nodes on a circle.
   std::vector<WeightedPoint> points;
   for (const model::Face& face : faces) {
@@ -113,21 +142,53 @@ Bore fit_bore(const model::Mesh& mesh, const std::vector<model::Face>& faces) {
       points.push_back({mesh.x[n.index()].head<2>(), 1.0});
     }
   }
-  const FittedCircle circle = fit_circle(points);
-  Bore bore;
-  bore.centre = circle.centre;
-  bore.radius = circle.radius;
-
+  pin.circle = fit_circle(points);
   double inward = 0.0; // outer normals of a bore point to its centre
   for (const model::Face& face : faces) {
-    const geometry::ElementSide edge = model::element_side(mesh, face);
-    const Vec3 normal = edge.area_vector(Vec2::Zero());
-    inward += normal.head<2>().dot(bore.centre - place_on(edge, 0.0));
+    const ElementSide edge = model::element_side(mesh, face);
+    inward -= edge.area_vector(Vec2::Zero()).head<2>().dot(pin.arm(edge.position(Vec2::Zero())));
   }
-  bore.side = inward > 0.0 ? 1.0 : -1.0;
-  return bore;
+  pin.side = inward > 0.0 ? 1.0 : -1.0;
+  pin.force = F.head<2>();
+  return pin;
 }
 
+// Calls f(x, a) with each integration point of the faces and its outward area vector.
+template <class F>
+void for_area_vectors(const model::Mesh& mesh, const std::vector<model::Face>& faces, F&& f) {
+  for (const model::Face& face : faces) {
+    const ElementSide side = model::element_side(mesh, face);
+    side.for_quadrature_points(load_degree, [&](const Vec2& r, double weight) {
+      f(side.position(r), Vec3(weight * side.area_vector(r)));
+    });
+  }
+}
+
+// In space: across the direction that no normal has a part in, the first axis along the load;
+// empty when that has a part along the axis.
+std::optional<Pin> pin_on_faces(const model::Mesh& mesh, const std::vector<model::Face>& faces,
+                                const Vec3& F) {
+  Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();
+  for_area_vectors(mesh, faces, [&](const Vec3& /*x*/, const Vec3& a) {
+    normals += a * a.transpose() / std::max(a.norm(), 1e-300);
+  });
+  const Vec3 axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(normals).eigenvectors().col(0);
+  if (std::abs(axis.dot(F)) > 1e-6 * F.norm()) {
+    return std::nullopt; // a pin pushes across its axis
+  }
+  Pin pin;
+  pin.axes << F.normalized(), axis.cross(F.normalized());
+  std::vector<WeightedPoint> points;
+  for_area_vectors(mesh, faces, [&](const Vec3& x, const Vec3& a) {
+    points.push_back({pin.axes.transpose() * x, a.norm()});
+  });
+  pin.circle = fit_circle(points);
+  pin.force = {F.norm(), 0.0};
+  return pin;
+}
+
+// The axes [x y z] across which planes of symmetry, of which one side is modelled, cut the faces of
+// a load: there the image balances what the pressure does across the load.
 std::array<bool, 3> mirror_cut_axes(const model::Model& model, const model::Mesh& mesh,
                                     const model::Load& load) {
   constexpr double in_plane = 1e-6; // of the faces' extent
@@ -151,54 +212,57 @@ std::array<bool, 3> mirror_cut_axes(const model::Model& model, const model::Mesh
   return cuts;
 }
 
+// Whether such a plane runs along the load and the axis; one across the axis does nothing.
+bool is_balanced(const std::array<bool, 3>& cuts, const Vec3& across) {
+  bool balanced = false;
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    balanced = balanced || (cuts.at(i) && std::abs(across[static_cast<Eigen::Index>(i)]) > 0.5);
+  }
+  return balanced;
+}
+
+} // namespace
+
 bool for_bearing_points(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
-                        const BearingVisit& visit) {
-  assert(mesh.dim == 2);
-  assert(load.value.size() >= 2);
+                        const LoadVisit::FaceVisit& visit) {
   const std::vector<model::Face>& faces = mesh.set_with_id(load.faces).faces;
-  const Vec2 F(load.value[0](Vec3::Zero()), load.value[1](Vec3::Zero()));
+  const Vec3 F = load_value(load, Vec3::Zero());
   if (F.isZero(0.0)) {
     return true;
   }
-  const Pin pin{fit_bore(mesh, faces), F.normalized(), load.shape};
-  const auto for_points = [&](auto&& point) {
-    for (const model::Face& face : faces) {
-      for_edge(
-          pin, model::element_side(mesh, face),
-          model.element_property(mesh, face.element).thickness,
-          [&](double t, const Vec2& main, const Vec2& across) { point(face, t, main, across); });
-    }
-  };
+  std::optional<Pin> pin =
+      mesh.dim == 2 ? pin_on_edges(mesh, faces, F) : pin_on_faces(mesh, faces, F);
+  if (!pin) {
+    return false;
+  }
+  pin->d = pin->force.normalized();
+  pin->cosine = load.shape == model::BearingShape::cosine;
   Eigen::Matrix2d total = Eigen::Matrix2d::Zero(); // column 0: sum of main, 1: of across
-  for_points([&](const model::Face& /*face*/, double /*t*/, const Vec2& main, const Vec2& across) {
-    total.col(0) += main;
-    total.col(1) += across;
-  });
+  for (const model::Face& face : faces) {
+    for_unit_pressures(model, mesh, *pin, face,
+                       [&](const Vec2& /*r*/, const Vec2& main, const Vec2& across) {
+                         total.col(0) += main;
+                         total.col(1) += across;
+                       });
+  }
   // p0 and p1 of (fe.19). Singular where no face lies in the loaded half.
   const Eigen::FullPivLU<Eigen::Matrix2d> lu(total);
   if (!lu.isInvertible()) {
     return false;
   }
-  const std::array<bool, 3> cuts = mirror_cut_axes(model, mesh, load);
-  const bool balanced = cuts[0] || cuts[1] || cuts[2];
-  const Vec2 p = balanced ? Vec2(F.norm() / total.col(0).dot(pin.d), 0.0) : Vec2(lu.solve(F));
-  for_points([&](const model::Face& face, double t, const Vec2& main, const Vec2& across) {
-    visit(face, t, p[0] * main + p[1] * across);
-  });
+  const bool balanced = is_balanced(mirror_cut_axes(model, mesh, load), pin->axes * pin->across());
+  const Vec2 p = balanced ? Vec2(pin->force.norm() / total.col(0).dot(pin->d), 0.0)
+                          : Vec2(lu.solve(pin->force));
+  std::vector<LoadPoint> points;
+  for (const model::Face& face : faces) {
+    points.clear();
+    for_unit_pressures(
+        model, mesh, *pin, face, [&](const Vec2& r, const Vec2& main, const Vec2& across) {
+          points.push_back({base::to_space(r), pin->axes * (p[0] * main + p[1] * across)});
+        });
+    visit(face, points);
+  }
   return true;
-}
-
-bool add_bearing(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
-                 Vector& f) {
-  return for_bearing_points(
-      model, mesh, load, [&](const model::Face& face, double t, const Vec2& force) {
-        const geometry::ElementSide side = model::element_side(mesh, face);
-        const geometry::SideValues N = side.N({t, 0.0});
-        for (std::size_t i = 0; i < side.nodes.size(); ++i) {
-          f.segment<2>(2 * static_cast<Eigen::Index>(side.nodes[i].index())) +=
-              N[static_cast<Eigen::Index>(i)] * force;
-        }
-      });
 }
 
 } // namespace spricka::fe

@@ -4,32 +4,10 @@
 #include "fe/load_rule.hpp"
 #include "model/loads.hpp"
 #include "model/mesh.hpp"
-#include "shape/topology.hpp"
 
 namespace spricka::fe {
 
 namespace {
-
-// Sides of elements all of whose nodes a load is given at.
-std::vector<model::Face> sides_inside(const model::Mesh& mesh, const model::Load& load) {
-  std::vector<bool> given(mesh.node_count(), false);
-  for (const base::NodeId n : mesh.set_with_id(load.nodes).nodes) {
-    given[n.index()] = true;
-  }
-  std::vector<model::Face> sides;
-  for (std::size_t i = 0; i < mesh.element_count(); ++i) {
-    const base::ElementId e(i);
-    const auto nodes = mesh.element_nodes(e);
-    for (int s = 0; s < base::element_info(mesh.type[i]).sides; ++s) {
-      if (std::ranges::all_of(shape::side_nodes(mesh.type[i], s), [&](int n) {
-            return given[nodes[static_cast<std::size_t>(n)].index()];
-          })) {
-        sides.push_back({e, s});
-      }
-    }
-  }
-  return sides;
-}
 
 void visit_side(const geometry::ElementSide& side, const model::Load& load,
                 InterpolationError& worst) {
@@ -62,7 +40,7 @@ InterpolationError interpolation_error(const model::Mesh& mesh, const model::Loa
   if (is_constant(load)) {
     return worst;
   }
-  for (const model::Face& face : sides_inside(mesh, load)) {
+  for (const model::Face& face : model::sides_within(mesh, mesh.set_with_id(load.nodes).nodes)) {
     visit_side(model::element_side(mesh, face), load, worst);
   }
   return worst;

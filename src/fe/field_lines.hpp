@@ -33,11 +33,6 @@ inline std::array<double, line_points> lagrange_at_low_end() {
   return values;
 }
 
-/// Evaluations of a field in an element that no more halves are made after.
-constexpr int evaluation_limit(int dim) {
-  return dim == 1 ? 20000 : (dim == 2 ? 40000 : 80000);
-}
-
 template <int dim> using Moments = Eigen::Matrix<double, 3, dim + 1>;
 
 // The field times 1 and the reference coordinates.
@@ -99,7 +94,8 @@ public:
     seen_ = ValueRange(); // what the points of no line have seen is not integrated
     // A line sees nothing of a layer that lies between its points.
     const bool hidden = outlier.excess > 0.0;
-    const int panels = (hidden ? 16 : (smooth ? 2 : 8)) / (dim == 3 ? 2 : 1);
+    constexpr int usual = adaptive_cost<dim>.panels;
+    const int panels = hidden ? 2 * usual : smooth ? usual / 4 : usual;
     for (int i = 0; i <= panels; ++i) {
       ends_.push_back(static_cast<double>(i) / panels);
     }
@@ -123,7 +119,7 @@ public:
   }
 
 private:
-  static constexpr int most_evaluations = 2 * evaluation_limit(dim);
+  static constexpr int most_evaluations = 2 * adaptive_cost<dim>.evaluations;
   static constexpr int deepest = 48; ///< halvings of a panel
 
   struct LineSample {
@@ -151,14 +147,14 @@ private:
 
   // The direction in which the field changes most, on lines through a place and on a few others.
   std::size_t steepest(const UnitPoint& place) {
-    constexpr int grid = dim == 2 ? 8 : 4;
+    constexpr int grid = adaptive_cost<dim>.grid;
     constexpr int points = 64; // of the lines through the place
     std::array<double, 3> change{};
     for (along_ = 0; along_ < dim; ++along_) {
       change[along_] = change_along(place, points);
       for (int i = 0; i < grid; ++i) {
         for (int j = 0; j < grid; ++j) {
-          for (int k = 0; k < (dim == 3 ? grid : 1); ++k) {
+          for (int k = 0; k < adaptive_cost<dim>.layers; ++k) {
             // Each line once: the places of a diagonal plane.
             if ((i + j + k) % grid == 0) {
               change[along_] +=
@@ -219,7 +215,6 @@ private:
   // A place between samples at which the field jumps; `otherwise` where it does not.
   double jump_in(const UnitPoint& line, const LinePanel& whole,
                  const std::array<LinePanel, 2>& halves, double otherwise) {
-    constexpr int steps = dim == 3 ? 36 : 50; // to 1e-11 and 1e-15 of a panel
     constexpr int first_steps = 6; // of a field that does not jump little is left after these
     constexpr double stays = 0.3;
     std::vector<LineSample> samples{whole.first, whole.last};
@@ -239,7 +234,7 @@ private:
     LineSample low = samples[at];
     LineSample high = samples[at + 1];
     double change = most_change;
-    for (int k = 0; k < steps; ++k) {
+    for (int k = 0; k < adaptive_cost<dim>.bisections; ++k) {
       const LineSample middle = sample(line, 0.5 * (low.t + high.t));
       ((middle.v - low.v).norm() > (high.v - middle.v).norm() ? high : low) = middle;
       change = (high.v - low.v).norm();

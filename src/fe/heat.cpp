@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/heat.hpp"
 
-#include "base/dense_solve.hpp"
 #include "fe/corner_rule.hpp"
 #include "fe/load_points.hpp"
 #include "fe/load_rule.hpp"
@@ -20,38 +19,6 @@ using base::Vec2;
 
 // A rest below this part of the largest temperature is round-off of the linear part.
 constexpr double heat_round_off = 1e-9;
-
-// The function that an element takes, nearest to the temperature at the points: linear in x where
-// it does not hold quadratic functions, else in its reference coordinates (thermal_kernel.hpp).
-CornerValues<2> nearest_to(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
-                           const ConstitutiveLaw& law,
-                           std::span<const ResidualTemperaturePoint> points) {
-  const Vec2 centre = X.leftCols(element.corners).rowwise().mean();
-  const bool in_x = FreeExpansion::is_required(element, X, law);
-  const auto functions = [&](const Vec2& x, const shape::Point<2>& r) {
-    CornerValues<2> f;
-    if (in_x) {
-      f = Eigen::Vector3d(1.0, x[0] - centre[0], x[1] - centre[1]);
-    } else {
-      f = element.linear_element().N(r);
-    }
-    return f;
-  };
-  const int terms = in_x ? 3 : element.corners;
-  base::Matrix G = base::Matrix::Zero(terms, terms);
-  base::Vector right = base::Vector::Zero(terms);
-  for (const ResidualTemperaturePoint& p : points) {
-    const base::Vector f = functions(X * element.N(p.r), p.r);
-    G += p.area * f * f.transpose();
-    right += p.area * p.T * f;
-  }
-  const base::Vector c = base::solve_symmetric(G, right);
-  CornerValues<2> T(element.corners);
-  for (int n = 0; n < element.corners; ++n) {
-    T[n] = c.dot(functions(X.col(n), element.node_coordinates(n)));
-  }
-  return T;
-}
 
 /// An element that has a rest.
 struct RestElement {
@@ -99,7 +66,11 @@ void add_points(const model::Model& model, const PatchedMesh& patched, const Fie
         heat.discontinuous.resize(mesh.element_count(), false);
         heat.discontinuous[i] = true;
       }
-      const CornerValues<2> T = nearest_to(element, X, law, points);
+      std::vector<TemperatureSample<2>> samples;
+      for (const ResidualTemperaturePoint& p : points) {
+        samples.push_back({p.r, p.area, p.T});
+      }
+      const CornerValues<2> T = project_temperature<2>(element, X, law, samples);
       double most = 0.0;
       for (ResidualTemperaturePoint& p : points) {
         // From here on points hold the rest, T - T_e of (fe.39).
@@ -135,11 +106,7 @@ double unresolved_temperature(const model::Model& model, const model::Mesh& mesh
   UnresolvedLoad missed;
   if (!is_constant(load)) {
     const model::LoadCase alone{"", {load}};
-    if (mesh.dim == 2) {
-      make_case_temperature(model, {mesh, mesh, nullptr, {}}, alone, &missed);
-    } else {
-      element_temperature(model, mesh, alone, &missed);
-    }
+    make_case_temperature(model, {mesh, mesh, nullptr, {}}, alone, &missed);
   }
   return missed.missed_share();
 }
@@ -182,10 +149,7 @@ void add_residual_load(const model::Model& model, const model::Mesh& mesh,
     for (const ResidualTemperaturePoint& p : own.points) {
       F += (beta * p.area * p.T) * jacobian(own.shape, own.X, p.r).dNdx.transpose();
     }
-    Eigen::Index i = 0;
-    for (const base::NodeId n : mesh.element_nodes(own.e)) {
-      f.segment<2>(2 * static_cast<Eigen::Index>(n.index())) += F.col(i++);
-    }
+    add_at_nodes(mesh, own.e, F, f);
   });
 }
 

@@ -44,8 +44,8 @@ SampledTemperature sample_temperature(const AnyElement<2>& element, const AnyNod
     };
     const auto usual = chart_rule(chart, usual_degree);
     const auto finer = chart_rule(chart, finer_degree);
-    const AdaptedRule<2> rule =
-        adapted_rule<2>({map, usual, finer}, value, {load_tolerance(2), scale, false});
+    const AdaptedRule<2> rule = adapted_rule<2>({map, usual, finer}, value,
+                                                {adaptive_cost<2>.load_tolerance, scale, false});
     double area = 0.0;
     double reference_area = 0.0;
     for (const auto& point : rule.points) {

@@ -27,16 +27,13 @@ void for_element_forces(const model::Model& model, const model::Mesh& mesh,
 void add_internal_force(const model::Model& model, const model::Mesh& mesh,
                         std::span<const base::ElementId> elements, const base::Vector& u,
                         base::Vector& r, std::vector<double>* energy) {
-  for_element_forces(
-      model, mesh, elements, u, [&](base::ElementId e, const auto& U, const auto& F) {
-        if (energy != nullptr) {
-          (*energy)[e.index()] = 0.5 * U.cwiseProduct(F).sum();
-        }
-        Eigen::Index i = 0;
-        for (const base::NodeId n : mesh.element_nodes(e)) {
-          r.segment(mesh.dim * static_cast<Eigen::Index>(n.index()), mesh.dim) += F.col(i++);
-        }
-      });
+  for_element_forces(model, mesh, elements, u,
+                     [&](base::ElementId e, const auto& U, const auto& F) {
+                       if (energy != nullptr) {
+                         (*energy)[e.index()] = 0.5 * U.cwiseProduct(F).sum();
+                       }
+                       add_at_nodes(mesh, e, F, r);
+                     });
 }
 
 double strain_energy(const model::Model& model, const model::Mesh& mesh,

@@ -78,6 +78,16 @@ NodeVectors<S> gather(const model::Mesh& mesh, base::ElementId e, const base::Ve
   return gather(S{}, mesh, e, u);
 }
 
+/// Adds vectors at the nodes of an element [dim, nodes] to their places in a nodal vector
+/// [dim * node].
+template <class Vectors>
+void add_at_nodes(const model::Mesh& mesh, base::ElementId e, const Vectors& F, base::Vector& f) {
+  Eigen::Index i = 0;
+  for (const base::NodeId n : mesh.element_nodes(e)) {
+    f.segment(F.rows() * static_cast<Eigen::Index>(n.index()), F.rows()) += F.col(i++);
+  }
+}
+
 /// The map from the reference element at one point: J = dx/dr = X dN, its determinant, and
 /// dNdx = dN J^-1. Where det is zero (the tip of a quarter-point element) dNdx is not finite.
 template <class S> struct Jacobian {

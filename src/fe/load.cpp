@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/assemble.hpp"
-#include "fe/bearing.hpp"
 #include "fe/load_points.hpp"
 #include "fe/load_rule.hpp"
-#include "fe/set_shares.hpp"
 #include "fe/thermal.hpp"
 #include "model/loads.hpp"
 
@@ -24,48 +22,6 @@ void add_at_node(const model::Mesh& mesh, base::NodeId n, const Vec3& force, Vec
 void add_nodal_forces(const model::Mesh& mesh, const model::Load& load, Vector& f) {
   for (const base::NodeId n : mesh.set_with_id(load.nodes).nodes) {
     add_at_node(mesh, n, load_value(load, mesh.x[n.index()]), f);
-  }
-}
-
-// A total spreads evenly over the volume: weight and volume by one rule, which is exact for them in
-// the plane (shape function, Jacobian and radius of quadratic elements).
-void add_body_total(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
-                    Vector& f) {
-  const int degree = mesh.dim == 2 ? 7 : load_degree;
-  Vector weight = Vector::Zero(static_cast<Eigen::Index>(mesh.node_count()));
-  double total = 0.0;
-  const SetShares shares = set_shares(model, mesh, load.elements);
-  for (const base::ElementId e : shares.elements) {
-    with_any_element(mesh, e, [&]<int dim>(const AnyElement<dim>& element) {
-      const ElementShare* share = shares.find_share(e);
-      const AnyNodeVectors<dim> X = coordinates(element, mesh, e);
-      const ConstitutiveLaw law = constitutive_law(model, mesh, e);
-      typename AnyElement<dim>::Values own = AnyElement<dim>::Values::Zero(element.nodes);
-      for (const auto& point : shape::quadrature<dim>(element.domain, degree)) {
-        const Eigen::Matrix<double, dim, dim> J = X.lazyProduct(element.dN(point.r));
-        const auto N = element.N(point.r);
-        double dV = point.weight * J.determinant() * law.depth(X.row(0) * N);
-        if (share != nullptr) {
-          Vec3 x = Vec3::Zero();
-          x.template head<dim>() = X * N;
-          dV *= (*share)(x);
-        }
-        own += dV * N;
-        total += dV;
-      }
-      const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
-      for (std::size_t i = 0; i < nodes.size(); ++i) {
-        weight[static_cast<Eigen::Index>(nodes[i].index())] += own[static_cast<Eigen::Index>(i)];
-      }
-    });
-  }
-  if (!(total > 0.0)) {
-    return;
-  }
-  const Vec3 F = load_value(load, Vec3::Zero());
-  for (std::size_t n = 0; n < mesh.node_count(); ++n) {
-    // (fe.18).
-    add_at_node(mesh, base::NodeId(n), (weight[static_cast<Eigen::Index>(n)] / total) * F, f);
   }
 }
 
@@ -95,14 +51,6 @@ void add_load(const model::Model& model, const model::Mesh& mesh, const model::L
               Vector& f) {
   if (load.type == model::LoadType::force) {
     add_nodal_forces(mesh, load, f);
-    return;
-  }
-  if (load.type == model::LoadType::bearing && mesh.dim == 3) {
-    add_solid_bearing(model, mesh, load, f);
-    return;
-  }
-  if (load.type == model::LoadType::resultant && load.elements.valid()) {
-    add_body_total(model, mesh, load, f);
     return;
   }
   LoadVisit visit;

@@ -14,9 +14,6 @@ namespace {
 
 using base::Vec3;
 
-using OnFace = std::function<void(const model::Face&, std::span<const LoadPoint>)>;
-using OnBody = std::function<void(base::ElementId, std::span<const LoadPoint>)>;
-
 /// Force at x with the area vector a: value(x) |a| is a traction, -p a a pressure.
 using FaceDensity = std::function<Vec3(const Vec3& x, const Vec3& a)>;
 using BodyDensity = std::function<Vec3(const Vec3& x)>;
@@ -29,7 +26,8 @@ struct Spread {
   UnresolvedLoad* missed = nullptr;
 };
 
-void for_face_points(const Spread& spread, const FaceDensity& density, const OnFace& visit) {
+void for_face_points(const Spread& spread, const FaceDensity& density,
+                     const LoadVisit::FaceVisit& visit) {
   // Names of their own: clang does not let lambdas take structured bindings.
   const model::Model& model = spread.model;
   const model::Mesh& mesh = spread.mesh;
@@ -60,7 +58,8 @@ void for_face_points(const Spread& spread, const FaceDensity& density, const OnF
 }
 
 // The density counts by the elements' shares where the rim of the set cuts them.
-void for_body_points(const Spread& spread, const BodyDensity& density, const OnBody& visit) {
+void for_body_points(const Spread& spread, const BodyDensity& density,
+                     const LoadVisit::BodyVisit& visit) {
   // Names of their own: clang does not let lambdas take structured bindings.
   const model::Model& model = spread.model;
   const model::Mesh& mesh = spread.mesh;
@@ -151,13 +150,7 @@ void for_load_points(const model::Model& model, const model::Mesh& mesh, const m
         spread, [&](const Vec3& x) { return load_value(load, x); }, visit.on_body);
     return;
   case model::LoadType::bearing:
-    if (mesh.dim == 2) {
-      for_bearing_points(
-          model, mesh, load, [&](const model::Face& face, double t, const base::Vec2& force) {
-            const LoadPoint point{Vec3(t, 0.0, 0.0), Vec3(force.x(), force.y(), 0.0)};
-            visit.on_face(face, std::span(&point, 1));
-          });
-    }
+    for_bearing_points(model, mesh, load, visit.on_face);
     return;
   case model::LoadType::force:
   case model::LoadType::displacement:

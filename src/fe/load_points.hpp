@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "base/vec.hpp"
+#include "fe/load_visit.hpp"
 #include "model/forward.hpp"
-#include "model/mesh.hpp"
 
 #include <algorithm>
-#include <functional>
-#include <span>
 
 /// Distributed loads as forces at integration points, for any functions that they shall work on.
 namespace spricka::fe {
@@ -26,20 +23,8 @@ struct UnresolvedLoad {
   }
 };
 
-/// A force at a point of a side or an element.
-struct LoadPoint {
-  base::Vec3 r = base::Vec3::Zero(); ///< reference coordinates, as many as there are
-  base::Vec3 force = base::Vec3::Zero();
-};
-
-/// What shall be done with the points of each side and of each element, one after the other.
-struct LoadVisit {
-  std::function<void(const model::Face&, std::span<const LoadPoint>)> on_face;
-  std::function<void(base::ElementId, std::span<const LoadPoint>)> on_body;
-};
-
 /// Visits the points of a load that is spread over faces or elements; others (at nodes, given
-/// displacements, temperatures, bearings in space) have none. The points follow the load's values
+/// displacements, temperatures) have none. The points follow the load's values
 /// (load_rule); of elements that the rim of a set cuts their share counts (set_shares.hpp). What
 /// the rules could not follow goes to `missed`.
 void for_load_points(const model::Model& model, const model::Mesh& mesh, const model::Load& load,

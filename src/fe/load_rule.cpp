@@ -64,7 +64,7 @@ AdaptedRule<dim> load_rule(const AnyElement<dim>& element, const SpaceNodes<dim>
   return adapted_rule<dim>(
       whole_domain<dim>(element.domain, load_degree),
       [&](const shape::Point<dim>& r) { return load_value(load, X * element.N(r)); },
-      {load_tolerance(dim), scale, is_smooth(load)});
+      {adaptive_cost<dim>.load_tolerance, scale, is_smooth(load)});
 }
 
 AdaptedRule<2> load_rule(const geometry::ElementSide& side, const model::Load& load,

@@ -41,12 +41,6 @@ inline bool is_smooth(const model::Load& load) {
   });
 }
 
-/// Tolerance of the integrals over an element or a side, of the load's mean value times its size:
-/// jumps of plane and solid fields cost more than those along an edge.
-constexpr double load_tolerance(int dim) {
-  return dim == 1 ? 1e-9 : (dim == 2 ? 1e-7 : 1e-4);
-}
-
 /// The rule that a load wants over a side or an element; `scale` as load_scale gives it. Compiled
 /// in load_rule.cpp for each dimension.
 template <int dim>
@@ -80,7 +74,7 @@ void add_load_places(const AnyElement<dim>& element, const SpaceNodes<dim>& X,
                      const model::Load& load, std::vector<LoadSample>& places);
 
 /// Part of a load's total magnitude that no rule could follow, 1 at most; 0 where all agree to
-/// load_tolerance.
+/// AdaptiveCost::load_tolerance.
 double unresolved_part(const model::Model& model, const model::Mesh& mesh, const model::Load& load);
 
 /// How large a load spread over faces or elements is anywhere and in the mean: what counts as

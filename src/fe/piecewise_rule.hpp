@@ -22,8 +22,8 @@ public:
   AdaptedRule<dim> build_rule() {
     std::vector<SplitCell> heap{split(cell({}, {1.0, 1.0, 1.0}))};
     double error = heap.front().error;
-    while (dim > 1 && error > tolerance_ * std::max(amount_of(heap), least_amount_) &&
-           lines_.evaluations() < evaluation_limit(dim) && std::isfinite(error)) {
+    while (heap.front().halved && error > tolerance_ * std::max(amount_of(heap), least_amount_) &&
+           lines_.evaluations() < adaptive_cost<dim>.evaluations && std::isfinite(error)) {
       std::ranges::pop_heap(heap, less);
       SplitCell worst = std::move(heap.back());
       heap.pop_back();
@@ -43,7 +43,6 @@ public:
 
 private:
   static constexpr double part_of_line = 0.1;
-  static constexpr int across_degree = dim == 3 ? 5 : line_degree;
 
   /// A part of the directions across.
   struct QuadratureCell {
@@ -52,6 +51,7 @@ private:
   };
   struct SplitCell {
     QuadratureCell whole;
+    bool halved = false; ///< a line alone has no halves
     std::array<QuadratureCell, 2> halves;
     double error = 0.0;
   };
@@ -61,36 +61,29 @@ private:
     QuadratureCell result;
     result.low = low;
     result.size = size;
-    if constexpr (dim == 1) {
-      lines_.integrate_line({}, 1.0, result.sums);
-    } else {
-      const std::size_t k = (lines_.line_direction() + 1) % dim;
-      const std::size_t l = (lines_.line_direction() + 2) % dim; // in the plane the lines' own
-      UnitPoint t{};
-      for (const auto& p : shape::line_rule(across_degree)) {
-        t[k] = low[k] + 0.5 * size[k] * (1.0 + p.r[0]);
-        const double weight = 0.5 * size[k] * p.weight;
-        if constexpr (dim == 2) {
-          lines_.integrate_line(t, weight, result.sums);
-        } else {
-          for (const auto& q : shape::line_rule(across_degree)) {
-            t[l] = low[l] + 0.5 * size[l] * (1.0 + q.r[0]);
-            lines_.integrate_line(t, 0.5 * size[l] * q.weight * weight, result.sums);
-          }
-        }
-      }
-    }
+    add_lines(result, dim - 1, {}, 1.0);
     return result;
+  }
+
+  // Adds the integrals along the lines through a cell, spread over the last `open` directions
+  // behind that of the lines.
+  void add_lines(QuadratureCell& cell, std::size_t open, UnitPoint t, double weight) {
+    if (open == 0) {
+      lines_.integrate_line(t, weight, cell.sums);
+      return;
+    }
+    const std::size_t k = (lines_.line_direction() + dim - open) % dim;
+    for (const auto& p : shape::line_rule(adaptive_cost<dim>.across_degree)) {
+      t[k] = cell.low[k] + 0.5 * cell.size[k] * (1.0 + p.r[0]);
+      add_lines(cell, open - 1, t, 0.5 * cell.size[k] * p.weight * weight);
+    }
   }
 
   // Halved across the lines in the direction that changes the integrals most.
   SplitCell split(QuadratureCell whole) {
     SplitCell result;
     result.error = -1.0;
-    if constexpr (dim == 1) {
-      result.error = whole.sums.missed;
-    }
-    for (std::size_t k = 0; k < dim && dim > 1; ++k) {
+    for (std::size_t k = 0; k < dim; ++k) {
       if (k == lines_.line_direction()) {
         continue;
       }
@@ -108,8 +101,10 @@ private:
       if (error > result.error || !std::isfinite(error)) {
         result.error = error;
         result.halves = std::move(halves);
+        result.halved = true;
       }
     }
+    result.error = result.halved ? result.error : whole.sums.missed;
     result.whole = std::move(whole);
     return result;
   }
@@ -127,7 +122,7 @@ private:
     rule.amount = amount_of(heap);
     const double room = tolerance_ * std::max(rule.amount, least_amount_);
     for (SplitCell& s : heap) {
-      const bool agreed = dim == 1 || !(s.error > 0.01 * room);
+      const bool agreed = !s.halved || !(s.error > 0.01 * room);
       for (QuadratureCell* cell :
            agreed ? std::vector<QuadratureCell*>{&s.whole}
                   : std::vector<QuadratureCell*>{s.halves.data(), &s.halves[1]}) {

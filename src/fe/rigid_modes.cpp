@@ -15,7 +15,7 @@ namespace {
 void add_piece(const model::Mesh& mesh, const std::vector<base::NodeId>& nodes,
                Eigen::Ref<base::Matrix> modes) {
   const Eigen::Index dim = mesh.dim;
-  const Eigen::Index rotations = dim == 2 ? 1 : 3;
+  const Eigen::Index rotations = dim * (dim - 1) / 2;
   base::Vec3 centre = base::Vec3::Zero();
   for (const base::NodeId n : nodes) {
     centre += mesh.x[n.index()];
@@ -30,9 +30,8 @@ void add_piece(const model::Mesh& mesh, const std::vector<base::NodeId>& nodes,
       modes(row + c, c) = unit;
     }
     for (Eigen::Index k = 0; k < rotations; ++k) {
-      // In the plane the only axis is z.
-      // (fe.28).
-      const base::Vec3 axis = base::Vec3::Unit(dim == 2 ? 2 : k);
+      // The last axes: in the plane only z (fe.28).
+      const base::Vec3 axis = base::Vec3::Unit(3 - rotations + k);
       modes.block(row, dim + k, dim, 1) = axis.cross(x).head(dim);
     }
   }
@@ -94,7 +93,8 @@ base::Matrix forbidden(const model::Mesh& mesh, const base::Matrix& modes,
 } // namespace
 
 int rigid_mode_count(const model::Model& model) {
-  return model.mesh.dim == 3 ? 6 : model::axisymmetric(model) ? 1 : 3;
+  const int dim = model.mesh.dim;
+  return model::axisymmetric(model) ? 1 : dim * (dim + 1) / 2;
 }
 
 base::Matrix rigid_modes(const model::Model& model, const model::Mesh& mesh,

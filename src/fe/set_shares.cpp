@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/set_shares.hpp"
 
+#include "fe/element_outline.hpp"
 #include "fe/jacobian.hpp"
+#include "geometry/box.hpp"
 #include "model/mesh.hpp"
 #include "model/model.hpp"
-#include "shape/topology.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -21,36 +22,9 @@ using base::Vec3;
 using Polygon = std::vector<Vec2>;
 
 constexpr std::array<double, 3> whole{1.0, 0.0, 0.0};
-constexpr int pieces_of_curve = 16; // of a curved side, whose slivers fall with the square
 constexpr int moment_degree = 5;    // squares of coordinates on curved elements
 constexpr double sliver = 1e-9;     // of an element: what is less is round-off
-constexpr double straight = 1e-12;  // bulge of a side over its length
 constexpr double curve_room = 1e-2; // largest correction for curved rims
-
-double cross2(const Vec2& u, const Vec2& v) {
-  return u.x() * v.y() - u.y() * v.x();
-}
-
-Polygon outline(const model::Mesh& mesh, ElementId e) {
-  Polygon result;
-  const auto nodes = mesh.element_nodes(e);
-  for (int s = 0; s < base::element_info(mesh.type[e.index()]).sides; ++s) {
-    const auto side = shape::side_nodes(mesh.type[e.index()], s); // ends, then the middle
-    const auto x = [&](std::size_t k) -> Vec2 {
-      return mesh.x[nodes[static_cast<std::size_t>(side[k])].index()].head<2>();
-    };
-    const Vec2 a = x(0);
-    const Vec2 chord = x(1) - a;
-    const Vec2 bow = side.size() > 2 ? Vec2(x(2) - a) : Vec2(0.5 * chord);
-    const bool curved = std::abs(cross2(chord, bow)) > straight * chord.squaredNorm();
-    for (int k = 0; k < (curved ? pieces_of_curve : 1); ++k) {
-      const double t = k / double(pieces_of_curve);
-      // The parabola through both ends and the middle.
-      result.emplace_back(a + t * (2.0 * t - 1.0) * chord + 4.0 * t * (1.0 - t) * bow);
-    }
-  }
-  return result;
-}
 
 /// A triangle, anticlockwise, with the sign it counts with.
 struct Triangle {
@@ -63,7 +37,7 @@ std::vector<Triangle> fan(const Polygon& polygon) {
   std::vector<Triangle> result;
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
     Triangle t{{polygon[0], polygon[i], polygon[i + 1]}};
-    if (cross2(t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]) < 0.0) {
+    if (base::cross(t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]) < 0.0) {
       std::swap(t.corner[1], t.corner[2]);
       t.sign = -1.0;
     }
@@ -78,8 +52,8 @@ Polygon left_of(const Polygon& polygon, const Vec2& a, const Vec2& b) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2& p = polygon[i];
     const Vec2& q = polygon[(i + 1) % polygon.size()];
-    const double dp = cross2(b - a, p - a);
-    const double dq = cross2(b - a, q - a);
+    const double dp = base::cross(b - a, p - a);
+    const double dq = base::cross(b - a, q - a);
     if (dp >= 0.0) {
       result.push_back(p);
     }
@@ -96,7 +70,7 @@ Vec3 moments_of(const Polygon& polygon, const Vec2& at) {
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
     const Vec2 u = polygon[i] - polygon[0];
     const Vec2 v = polygon[i + 1] - polygon[0];
-    const double area = 0.5 * cross2(u, v);
+    const double area = 0.5 * base::cross(u, v);
     const Vec2 centre = polygon[0] + (u + v) / 3.0 - at;
     m += area * Vec3(1.0, centre.x(), centre.y());
   }
@@ -120,19 +94,6 @@ Vec3 common_moments(const std::vector<Triangle>& one, const std::vector<Triangle
   }
   return sum;
 }
-
-struct PolygonBox {
-  Vec2 low, high;
-  explicit PolygonBox(const Polygon& polygon) : low(polygon.front()), high(polygon.front()) {
-    for (const Vec2& p : polygon) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-  }
-  [[nodiscard]] bool meets(const PolygonBox& other) const {
-    return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
-  }
-};
 
 // Integral of phi phi^T over an element, phi = 1, x, y about a point; entry 0, 0 is its area.
 Eigen::Matrix3d mass_of(const model::Mesh& mesh, ElementId e, const Vec2& at) {
@@ -182,17 +143,17 @@ private:
 Overlap::Overlap(const model::Mesh& host, const std::vector<ElementId>& replaced,
                  const model::Mesh& mesh, std::size_t first_fresh)
     : host_(host), replaced_(replaced) {
-  std::vector<PolygonBox> boxes;
+  std::vector<geometry::Box<2>> boxes;
   std::vector<std::vector<Triangle>> fans;
   for (const ElementId e : replaced_) {
-    const Polygon polygon = outline(host, e);
-    boxes.emplace_back(polygon);
+    const Polygon polygon = element_outline(host, e);
+    boxes.push_back(geometry::Box<2>::around(polygon));
     fans.push_back(fan(polygon));
   }
   for (std::size_t i = first_fresh; i < mesh.element_count(); ++i) {
     const ElementId e(i);
-    const Polygon polygon = outline(mesh, e);
-    const PolygonBox box(polygon);
+    const Polygon polygon = element_outline(mesh, e);
+    const geometry::Box<2> box = geometry::Box<2>::around(polygon);
     const std::vector<Triangle> own = fan(polygon);
     const Vec2 at = centre_of(polygon);
     Fresh found{e, at, mass_of(mesh, e, at), {}};

@@ -21,7 +21,7 @@ Stress StressElement<S>::stress_from_map(const Jacobian<S>& at,
   const double pressure = law.lambda * change.at(r, H.trace() + ring) - thermal.at(r);
   Eigen::Matrix3d s = Eigen::Matrix3d::Zero();
   s.template topLeftCorner<S::dim, S::dim>() = law.mu * (H + H.transpose());
-  s(2, 2) += S::dim == 2 ? 2.0 * law.mu * ring : 0.0;
+  s(2, 2) += 2.0 * law.mu * ring;
   s.diagonal().array() += pressure;
   if (law.plane_stress) {
     s(2, 2) = 0.0;
@@ -48,11 +48,9 @@ CornerValues<S::dim> StressElement<S>::held_temperature(const model::Mesh& mesh,
     return none;
   }
   const CornerValues<S::dim> T = corner_temperature(element, mesh, e, *field.temperature);
-  if constexpr (S::dim == 2) {
-    if (FreeExpansion::is_required(element, X, law)) {
-      U -= FreeExpansion(element, X, law, T).at_nodes(X);
-      return none;
-    }
+  if (const auto free = free_expansion<S::dim>(element, X, law, T)) {
+    U -= *free;
+    return none;
   }
   return T;
 }

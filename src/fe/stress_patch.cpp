@@ -54,32 +54,33 @@ void StressPatch::choose_axes(std::span<const StressSample* const> samples) {
       axes_.row(row) = axis.transpose() / std::sqrt(square);
     }
   };
+  Eigen::Matrix3d directions = Eigen::Matrix3d::Zero();
   if (dim_ == 2) {
-    const Eigen::Matrix2d flat = spread.topLeftCorner<2, 2>();
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
-    solver.computeDirect(flat);
-    for (int i = 0; i < 2; ++i) {
-      base::Vec3 axis = base::Vec3::Zero();
-      axis.head<2>() = solver.eigenvectors().col(i);
-      along(axis, axis.dot(spread * axis), i);
-    }
+    solver.computeDirect(Eigen::Matrix2d(spread.topLeftCorner<2, 2>()));
+    directions.topLeftCorner<2, 2>() = solver.eigenvectors();
   } else {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
-    for (int i = 0; i < 3; ++i) {
-      const base::Vec3 axis = solver.eigenvectors().col(i);
-      along(axis, axis.dot(spread * axis), i);
-    }
+    directions = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
+  }
+  for (int i = 0; i < dim_; ++i) {
+    const base::Vec3 axis = directions.col(i);
+    along(axis, axis.dot(spread * axis), i);
   }
 }
 
 StressPatch::Terms StressPatch::terms(const base::Vec3& x) const {
   const base::Vec3 d = axes_ * (x - centre_);
   Terms t = Terms::Zero();
-  if (dim_ == 2) {
-    t.head<most_flat>() << 1.0, d.x(), d.y(), d.x() * d.y(), d.x() * d.x(), d.y() * d.y();
-  } else {
-    t << 1.0, d.x(), d.y(), d.z(), d.x() * d.y(), d.y() * d.z(), d.z() * d.x(), d.x() * d.x(),
-        d.y() * d.y(), d.z() * d.z();
+  int k = 0;
+  t[k++] = 1.0;
+  for (int i = 0; i < dim_; ++i) {
+    t[k++] = d[i];
+  }
+  for (int i = 0; i < dim_ * (dim_ - 1) / 2; ++i) {
+    t[k++] = d[i] * d[(i + 1) % dim_];
+  }
+  for (int i = 0; i < dim_; ++i) {
+    t[k++] = d[i] * d[i];
   }
   return t;
 }

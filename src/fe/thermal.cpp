@@ -14,11 +14,8 @@ namespace {
 template <int dim>
 double held_energy(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
                    const ConstitutiveLaw& law, const CornerValues<dim>& T) {
-  if constexpr (dim == 2) {
-    if (FreeExpansion::is_required(element, X, law)) {
-      const AnyNodeVectors<2> U = FreeExpansion(element, X, law, T).at_nodes(X);
-      return 0.5 * element_force(element, X, law, U).cwiseProduct(U).sum();
-    }
+  if (const auto U = free_expansion<dim>(element, X, law, T)) {
+    return 0.5 * element_force(element, X, law, *U).cwiseProduct(*U).sum();
   }
   const ThermalStress<dim> stress(element, X, law, T);
   const double directions = law.heated_directions();
@@ -46,15 +43,20 @@ template <int dim>
 CornerValues<dim> taken_by(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
                            const ConstitutiveLaw& law, const model::Load& load,
                            const FieldScale& scale, RuleNews& news) {
-  const Temperature<dim> field = [&](const Eigen::Matrix<double, dim, 1>& x) {
-    base::Vec3 at = base::Vec3::Zero();
-    at.template head<dim>() = x;
-    return load.value.front()(at);
+  const auto nearest_by = [&](std::span<const shape::QuadraturePoint<dim>> rule) {
+    std::vector<TemperatureSample<dim>> samples;
+    for (const auto& point : rule) {
+      base::Vec3 x = base::Vec3::Zero();
+      x.template head<dim>() = X * element.N(point.r);
+      const double w = point.weight * jacobian(element, X, point.r).det * law.depth(x[0]);
+      samples.push_back({point.r, w, load.value.front()(x)});
+    }
+    return project_temperature<dim>(element, X, law, samples);
   };
   const auto usual = stiffness_rule(element, law);
   // Elements that bear the rest at points of their own need no better linear part here (heat.cpp).
   if (is_constant(load) || has_residual(law, dim, element.quadratic)) {
-    return project_temperature<dim>(element, X, law, usual, field);
+    return nearest_by(usual);
   }
   const AdaptedRule<dim> rule = body_load_rule<dim>(element, X, load, scale);
   const auto centre = unit_cube_point<dim>(element.domain, {0.5, 0.5, 0.5}).r;
@@ -62,9 +64,8 @@ CornerValues<dim> taken_by(const AnyElement<dim>& element, const AnyNodeVectors<
                   law.depth(X.row(0) * element.N(centre)) * jacobian(element, X, centre).det);
   news.jumps = rule.jumps;
   // A rule that was not divided tells that the usual points do.
-  return rule.points.size() == shape::quadrature<dim>(element.domain, load_degree).size()
-             ? project_temperature<dim>(element, X, law, usual, field)
-             : project_temperature<dim>(element, X, law, rule.points, field);
+  const std::size_t undivided = shape::quadrature<dim>(element.domain, load_degree).size();
+  return nearest_by(rule.points.size() == undivided ? usual : std::span(rule.points));
 }
 
 // Calls use(element, e, T) with the corner temperatures of each element that is heated.
@@ -126,12 +127,10 @@ base::Vector thermal_load(const model::Model& model, const model::Mesh& mesh,
   for_heated(
       mesh, temperature,
       [&]<int dim>(const AnyElement<dim>& element, base::ElementId e, const CornerValues<dim>& T) {
-        const AnyNodeVectors<dim> F = thermal_forces<dim>(element, coordinates(element, mesh, e),
-                                                          constitutive_law(model, mesh, e), T);
-        Eigen::Index i = 0;
-        for (const base::NodeId n : mesh.element_nodes(e)) {
-          f.segment<dim>(dim * static_cast<Eigen::Index>(n.index())) += F.col(i++);
-        }
+        add_at_nodes(mesh, e,
+                     thermal_forces<dim>(element, coordinates(element, mesh, e),
+                                         constitutive_law(model, mesh, e), T),
+                     f);
       });
   return f;
 }

@@ -134,11 +134,8 @@ ThermalStress<dim>::ThermalStress(const AnyElement<dim>& element, const AnyNodeV
 template <int dim>
 AnyNodeVectors<dim> thermal_forces(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
                                    const ConstitutiveLaw& law, const CornerValues<dim>& T) {
-  if constexpr (dim == 2) {
-    if (FreeExpansion::is_required(element, X, law)) {
-      // F = K_e u_T of (fe.38).
-      return element_force(element, X, law, FreeExpansion(element, X, law, T).at_nodes(X));
-    }
+  if (const auto U = free_expansion<dim>(element, X, law, T)) {
+    return element_force(element, X, law, *U); // F = K_e u_T of (fe.38)
   }
   const ThermalStress<dim> stress(element, X, law, T);
   AnyNodeVectors<dim> F = AnyNodeVectors<dim>::Zero(dim, element.nodes);
@@ -153,65 +150,39 @@ AnyNodeVectors<dim> thermal_forces(const AnyElement<dim>& element, const AnyNode
   return F;
 }
 
-namespace {
-
-template <int dim> using Rule = std::span<const shape::QuadraturePoint<dim>>;
 template <int dim>
-using Functions = std::function<CornerValues<dim>(const Eigen::Matrix<double, dim, 1>& x,
-                                                  const CornerValues<dim>& of_corners)>;
-
-// Corner values of the function in the span of f(x, functions of the corners) that comes nearest to
-// a temperature field(x) at the points of a rule.
-template <int dim>
-CornerValues<dim> nearest_temperature(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
-                                      const ConstitutiveLaw& law, const Rule<dim>& rule,
-                                      const Temperature<dim>& field,
-                                      const Functions<dim>& functions) {
+CornerValues<dim> project_temperature(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
+                                      const ConstitutiveLaw& law,
+                                      std::span<const TemperatureSample<dim>> samples) {
+  using Place = shape::Point<dim>;
   const TemperatureFunctions<dim> heat(element, X);
-  base::Matrix G;
-  base::Vector right;
-  for (const auto& point : rule) {
-    const Eigen::Matrix<double, dim, 1> x = X * element.N(point.r);
-    const double w = point.weight * jacobian(element, X, point.r).det * law.depth(x[0]);
-    const base::Vector f = functions(x, heat.at(point.r));
-    if (G.size() == 0) {
-      G = base::Matrix::Zero(f.size(), f.size());
-      right = base::Vector::Zero(f.size());
+  const Place centre = X.leftCols(element.corners).rowwise().mean();
+  const bool in_x = FreeExpansion::is_required(element, X, law);
+  const auto functions = [&](const Place& x, const Place& r) -> base::Vector {
+    if (!element.quadratic) {
+      return base::Vector::Ones(1); // the mean (fe.23)
     }
-    G += (w * f) * f.transpose();
-    right += (w * field(x)) * f;
+    if (in_x) {
+      base::Vector f(1 + dim);
+      f << 1.0, x - centre;
+      return f;
+    }
+    return heat.at(r);
+  };
+  const Eigen::Index terms = functions(centre, element.centre()).size();
+  base::Matrix G = base::Matrix::Zero(terms, terms);
+  base::Vector right = base::Vector::Zero(terms);
+  for (const TemperatureSample<dim>& s : samples) {
+    const base::Vector f = functions(X * element.N(s.r), s.r);
+    G += (s.weight * f) * f.transpose();
+    right += (s.weight * s.T) * f;
   }
   const base::Vector c = base::solve_symmetric(G, right);
   CornerValues<dim> T(element.corners);
   for (int n = 0; n < element.corners; ++n) {
-    T[n] = c.dot(functions(X.col(n), heat.at(element.node_coordinates(n))));
+    T[n] = c.dot(functions(X.col(n), element.node_coordinates(n)));
   }
   return T;
-}
-
-} // namespace
-
-template <int dim>
-CornerValues<dim> project_temperature(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
-                                      const ConstitutiveLaw& law,
-                                      std::span<const shape::QuadraturePoint<dim>> rule,
-                                      const Temperature<dim>& field) {
-  using Place = Eigen::Matrix<double, dim, 1>;
-  Functions<dim> functions = [](const Place&, const CornerValues<dim>& N) { return N; };
-  if (!element.quadratic) {
-    // The mean (fe.23).
-    functions = [](const Place&, const CornerValues<dim>&) {
-      return CornerValues<dim>(CornerValues<dim>::Ones(1));
-    };
-  } else if constexpr (dim == 2) {
-    if (FreeExpansion::is_required(element, X, law)) {
-      const Place centre = X.leftCols(element.corners).rowwise().mean();
-      functions = [centre](const Place& x, const CornerValues<2>&) {
-        return CornerValues<2>(Eigen::Vector3d(1.0, x[0] - centre[0], x[1] - centre[1]));
-      };
-    }
-  }
-  return nearest_temperature<dim>(element, X, law, rule, field, functions);
 }
 
 #define THERMAL(dim)                                                                               \
@@ -222,7 +193,7 @@ CornerValues<dim> project_temperature(const AnyElement<dim>& element, const AnyN
       const CornerValues<dim>&);                                                                   \
   template CornerValues<dim> project_temperature<dim>(                                             \
       const AnyElement<dim>&, const AnyNodeVectors<dim>&, const ConstitutiveLaw&,                  \
-      std::span<const shape::QuadraturePoint<dim>>, const Temperature<dim>&);
+      std::span<const TemperatureSample<dim>>);
 THERMAL(2)
 THERMAL(3)
 

@@ -3,7 +3,8 @@
 #include "fe/element.hpp"
 #include "model/mesh.hpp"
 
-#include <functional>
+#include <optional>
+#include <span>
 
 /// What a temperature does to one element, which is known when run.
 namespace spricka::fe {
@@ -36,6 +37,11 @@ public:
   /// Whether an element has to take it out beforehand.
   [[nodiscard]] static bool is_required(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
                                         const ConstitutiveLaw& law);
+  [[nodiscard]] static bool is_required(const AnyElement<3>& /*element*/,
+                                        const AnyNodeVectors<3>& /*X*/,
+                                        const ConstitutiveLaw& /*law*/) {
+    return false; // TemperatureFunctions follow linear temperatures
+  }
   /// Temperature of the plane at a place x.
   [[nodiscard]] double temperature(const base::Vec2& x) const {
     return plane_[0] + plane_.tail<2>().dot(x - centre_);
@@ -54,6 +60,20 @@ private:
   double strain_ = 0.0; ///< of a temperature of 1
   Eigen::Vector3d plane_ = Eigen::Vector3d::Zero();
 };
+
+/// Displacements [dim, nodes] of the free expansion of an element that has to take it out
+/// beforehand; empty for others.
+template <int dim>
+std::optional<AnyNodeVectors<dim>>
+free_expansion(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
+               const ConstitutiveLaw& law, const CornerValues<dim>& T) {
+  if constexpr (dim == 2) {
+    if (FreeExpansion::is_required(element, X, law)) {
+      return FreeExpansion(element, X, law, T).at_nodes(X);
+    }
+  }
+  return std::nullopt;
+}
 
 /// Functions of the corner temperatures of an element: those of its linear relative, in quadratic
 /// solids with what makes a temperature that is linear in x that in the element too, wherever the
@@ -112,18 +132,20 @@ private:
   typename Dilatation<AnyElement<dim>>::Modes projected_;
 };
 
-/// A temperature field(x) as an element takes it: constant in linear elements, linear in the
-/// reference coordinates of quadratic ones, and in x where plane ones do not hold quadratic
-/// functions, in solids by TemperatureFunctions; the nearest to the field at the points of a rule.
-template <int dim>
-using Temperature = std::function<double(const Eigen::Matrix<double, dim, 1>& x)>;
-/// The corner temperatures nearest to the field at the points of `rule`, in the functions that the
-/// element takes.
+/// A temperature at a point of an element.
+template <int dim> struct TemperatureSample {
+  shape::Point<dim> r = shape::Point<dim>::Zero();
+  double weight = 0.0; ///< volume that it stands for, or a constant times that
+  double T = 0.0;
+};
+/// Corner temperatures of what an element takes of a temperature: constant in linear elements,
+/// linear in the reference coordinates of quadratic ones, and in x where plane ones do not hold
+/// quadratic functions, in solids by TemperatureFunctions; the nearest to the samples by least
+/// squares.
 template <int dim>
 CornerValues<dim> project_temperature(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
                                       const ConstitutiveLaw& law,
-                                      std::span<const shape::QuadraturePoint<dim>> rule,
-                                      const Temperature<dim>& field);
+                                      std::span<const TemperatureSample<dim>> samples);
 
 /// Consistent forces of an element's temperatures.
 template <int dim>

@@ -125,7 +125,7 @@ private:
     Sum sum;
     add_motion(s, direction, 1.0, sum);
     if (length_ > 0.0) {
-      for (int k = mesh_.dim == 2 ? 2 : 0; k < 3; ++k) {
+      for (int k = 0; k < 3; ++k) { // in the plane only the last one is not 0
         add_rotation(k, -e_[static_cast<std::size_t>(k)].cross(at(s)).dot(direction), sum);
       }
     }

@@ -4,13 +4,15 @@
 #include "model/freedoms.hpp"
 #include "model/mesh.hpp"
 #include "model/mesh_side.hpp"
-#include "shape/topology.hpp"
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -44,16 +46,14 @@ struct FaceBall {
 };
 
 FaceBall ball_of(const model::Mesh& mesh, const model::Face& face) {
-  const auto nodes = mesh.element_nodes(face.element);
-  const auto side = shape::side_nodes(mesh.type[face.element.index()], face.side);
+  const std::vector<base::NodeId> nodes = model::side_nodes(mesh, face);
   FaceBall ball;
-  for (const int i : side) {
-    ball.centre += mesh.x[nodes[static_cast<std::size_t>(i)].index()];
+  for (const base::NodeId n : nodes) {
+    ball.centre += mesh.x[n.index()];
   }
-  ball.centre /= static_cast<double>(side.size());
-  for (const int i : side) {
-    ball.radius = std::max(
-        ball.radius, (mesh.x[nodes[static_cast<std::size_t>(i)].index()] - ball.centre).norm());
+  ball.centre /= static_cast<double>(nodes.size());
+  for (const base::NodeId n : nodes) {
+    ball.radius = std::max(ball.radius, (mesh.x[n.index()] - ball.centre).norm());
   }
   ball.radius *= 1.25; // curved sides bulge beyond their nodes
   return ball;
@@ -115,13 +115,8 @@ Hit hit_of(const model::Mesh& mesh, const model::Face& face, const Vec3& x) {
 }
 
 bool has_node(const model::Mesh& mesh, const model::Face& face, base::NodeId node) {
-  const auto nodes = mesh.element_nodes(face.element);
-  for (const int i : shape::side_nodes(mesh.type[face.element.index()], face.side)) {
-    if (nodes[static_cast<std::size_t>(i)] == node) {
-      return true;
-    }
-  }
-  return false;
+  const std::vector<base::NodeId> nodes = model::side_nodes(mesh, face);
+  return std::ranges::find(nodes, node) != nodes.end();
 }
 
 void add_ties(const model::Mesh& mesh, base::NodeId slave, const Hit& hit, std::size_t mpc,
@@ -161,27 +156,6 @@ Hit nearest(const model::Mesh& mesh, const std::vector<model::Face>& faces,
     }
   }
   return best;
-}
-
-// Sides of the mesh all of whose nodes are slaves.
-std::vector<model::Face> slave_sides(const model::Mesh& mesh,
-                                     const std::vector<base::NodeId>& slaves) {
-  std::vector<bool> slave(mesh.node_count(), false);
-  for (const base::NodeId n : slaves) {
-    slave[n.index()] = true;
-  }
-  std::vector<model::Face> sides;
-  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const auto nodes = mesh.element_nodes(base::ElementId(e));
-    for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
-      const auto local = shape::side_nodes(mesh.type[e], s);
-      if (std::all_of(local.begin(), local.end(),
-                      [&](int i) { return slave[nodes[static_cast<std::size_t>(i)].index()]; })) {
-        sides.push_back({base::ElementId(e), s});
-      }
-    }
-  }
-  return sides;
 }
 
 // A master face that ends where `best` does but hangs together with it in no node: a crack opens
@@ -235,9 +209,8 @@ void warn_of_straddling(const model::Mesh& mesh, const model::TransitionTie& tra
   base::ElementId first;
   for (const model::Face& side : sides) {
     const Hit middle = nearest(mesh, faces, balls, ball_of(mesh, side).centre);
-    const auto nodes = mesh.element_nodes(side.element);
-    for (const int i : shape::side_nodes(mesh.type[side.element.index()], side.side)) {
-      const Vec3& x = mesh.x[nodes[static_cast<std::size_t>(i)].index()];
+    for (const base::NodeId n : model::side_nodes(mesh, side)) {
+      const Vec3& x = mesh.x[n.index()];
       const double off = hit_of(mesh, middle.face, x).distance;
       if (off > nearest(mesh, faces, balls, x).distance + straddle * middle.size) {
         first = count == 0 ? side.element : first;
@@ -262,20 +235,18 @@ void add_transition(const model::Mesh& mesh, const model::TransitionTie& transit
                     std::size_t mpc, std::vector<Tie>& ties, std::vector<TieFailure>& troubles) {
   const std::vector<model::Face>& faces = mesh.set_with_id(transition.master).faces;
   std::vector<FaceBall> balls;
-  balls.reserve(faces.size());
+  std::set<base::NodeId> master;
   for (const model::Face& face : faces) {
     balls.push_back(ball_of(mesh, face));
+    std::ranges::copy(model::side_nodes(mesh, face), std::inserter(master, master.end()));
   }
   const std::vector<model::Face> sides =
-      slave_sides(mesh, mesh.set_with_id(transition.slave).nodes);
+      model::sides_within(mesh, mesh.set_with_id(transition.slave).nodes);
   double worst = 0.0;
   base::NodeId worst_node;
   for (const base::NodeId slave : mesh.set_with_id(transition.slave).nodes) {
     const Vec3& x = mesh.x[slave.index()];
-    const bool own = std::any_of(faces.begin(), faces.end(), [&](const model::Face& face) {
-      return has_node(mesh, face, slave);
-    });
-    if (own) {
+    if (master.contains(slave)) {
       continue; // it is a node of the coarse side itself
     }
     const Hit best = nearest(mesh, faces, balls, x);

@@ -2,6 +2,9 @@
 #pragma once
 #include "geometry/element_side.hpp"
 #include "model/mesh.hpp"
+#include "shape/topology.hpp"
+
+#include <algorithm>
 
 /// Sides of the elements of a mesh.
 namespace spricka::model {
@@ -18,6 +21,26 @@ inline geometry::ElementSide element_side(const Mesh& mesh, const Face& face) {
                              mesh.element_nodes(face.element), mesh.x);
   side.element = face.element;
   return side;
+}
+
+/// Sides of elements all of whose nodes are among some, element by element.
+inline std::vector<Face> sides_within(const Mesh& mesh, const std::vector<base::NodeId>& nodes) {
+  std::vector<bool> inside(mesh.node_count(), false);
+  for (const base::NodeId n : nodes) {
+    inside[n.index()] = true;
+  }
+  std::vector<Face> sides;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const std::span<const base::NodeId> own = mesh.element_nodes(base::ElementId(e));
+    for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
+      if (std::ranges::all_of(shape::side_nodes(mesh.type[e], s), [&](int i) {
+            return inside[own[static_cast<std::size_t>(i)].index()];
+          })) {
+        sides.push_back({base::ElementId(e), s});
+      }
+    }
+  }
+  return sides;
 }
 
 /// Which side of the mesh it is.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sense/half_model.hpp"
 
-#include "fe/bearing.hpp"
 #include "fe/load_points.hpp"
 #include "model/model.hpp"
 #include "sense/half_cracks.hpp"
@@ -164,13 +163,6 @@ private:
   // What of a total acts on the faces and elements that stay.
   [[nodiscard]] Vec3 own_part(const model::Load& load) const {
     Vec3 force = Vec3::Zero();
-    if (load.type == model::LoadType::bearing && model_.mesh.dim == 3) {
-      fe::for_solid_bearing_points(model_, model_.mesh, load,
-                                   [&](const model::Face& face, const Vec3& /*r*/, const Vec3& f) {
-                                     force += side_.stays(face) ? f : Vec3::Zero();
-                                   });
-      return force;
-    }
     const auto add = [&](const auto& where, std::span<const fe::LoadPoint> points) {
       for (const fe::LoadPoint& point : points) {
         force += side_.stays(where) ? point.force : Vec3::Zero();

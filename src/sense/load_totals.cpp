@@ -77,7 +77,8 @@ double permitted_change(const model::Model& model, const model::Mesh& cracked,
   constexpr double polygons = 1e-6;
   return fe::is_constant(load)
              ? polygons
-             : fe::load_tolerance(cracked.dim) + fe::unresolved_part(model, model.mesh, load) +
+             : fe::adaptive_costs.at(static_cast<std::size_t>(cracked.dim) - 1).load_tolerance +
+                   fe::unresolved_part(model, model.mesh, load) +
                    fe::unresolved_part(model, cracked, load);
 }
 
