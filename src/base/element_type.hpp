@@ -54,4 +54,13 @@ constexpr const ElementInfo& element_info(ElementType type) {
   return element_infos[static_cast<std::size_t>(type)];
 }
 
+/// The type of a name, which must be one of the library.
+constexpr ElementType element_type_named(std::string_view name) {
+  std::size_t type = 0;
+  while (element_infos[type].name != name) {
+    ++type;
+  }
+  return static_cast<ElementType>(type);
+}
+
 } // namespace spricka::base

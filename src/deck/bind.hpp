@@ -52,6 +52,10 @@ struct CheckedCard {
   [[nodiscard]] const CheckedValue* find(std::string_view key) const;
   /// Given in the deck (not by default).
   [[nodiscard]] bool has_key(std::string_view key) const;
+  /// Of the value of a key that is given in the deck, else of the card.
+  [[nodiscard]] base::SourceSpan key_span(std::string_view key) const {
+    return has_key(key) ? find(key)->span : span;
+  }
   /// Number of a key that is given or has a default.
   [[nodiscard]] double number_value(std::string_view key) const;
   /// The number of a key as an integer, cut off at the point.

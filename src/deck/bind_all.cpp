@@ -333,11 +333,7 @@ void declare_names(DeckContext& c) {
     const NameDefinition* before = c.names.define(full, definition);
     if (before != nullptr && !before->poisoned && definition.kind != EntityKind::net) {
       card.bad = true;
-      const std::size_t line = c.sources.locate(before->span.file, before->span.begin).line;
-      c.error(
-          name->span, "E302",
-          fmt::format("{} {} is defined twice", grammar::display_name(definition.kind), name->text),
-          fmt::format("first in line {}", line));
+      c.report_second(definition, name->text, *before);
     }
   }
 }

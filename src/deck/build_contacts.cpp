@@ -103,15 +103,8 @@ void master_of(DeckContext& c, const CheckedCard& card, model::Contact& contact)
 } // namespace
 
 void build_contacts(DeckContext& context) {
-  for (const CheckedCard& card : context.cards) {
-    if (card.spec->name == "RIGID" && !card.bad) {
-      rigid(context, card);
-    }
-  }
-  for (const CheckedCard& card : context.cards) {
-    if (card.spec->name != "CONTACT" || card.bad) {
-      continue;
-    }
+  context.for_sound_cards("RIGID", [&](const CheckedCard& card) { rigid(context, card); });
+  context.for_sound_cards("CONTACT", [&](const CheckedCard& card) {
     model::Contact contact;
     contact.name = card.word_value("NAME");
     contact.type = card.has_word("TYPE", "BONDED") ? model::ContactType::bonded
@@ -140,7 +133,7 @@ void build_contacts(DeckContext& context) {
                     fmt::format("SLAVE and MASTER of {} have faces in common", contact.name));
     }
     context.model.contacts.push_back(contact);
-  }
+  });
 }
 
 } // namespace spricka::deck

@@ -14,33 +14,6 @@ namespace spricka::deck {
 
 namespace {
 
-// Rows `x y` of a free crack.
-bool crack_points(DeckContext& c, const CheckedCard& card, model::CrackDefinition& crack) {
-  bool ok = !card.rows_bad;
-  for (const grammar::DataRow& row : card.rows) {
-    if (row.fields.size() != 2) {
-      c.error(row.span, "E115", "a point of a free crack is x y");
-      ok = false;
-      continue;
-    }
-    const auto x = read_field_number(row.fields[0], grammar::Quantity::length, "a coordinate",
-                                     c.scope, c.diagnostics);
-    const auto y = read_field_number(row.fields[1], grammar::Quantity::length, "a coordinate",
-                                     c.scope, c.diagnostics);
-    ok = ok && x && y;
-    if (!x || !y) {
-      continue;
-    }
-    const base::Vec3 point(*x, *y, 0.0);
-    if (!crack.points.empty() && (crack.points.back() - point).norm() == 0.0) {
-      c.error(row.span, "E115", "the same point twice in a row");
-      ok = false;
-    }
-    crack.points.push_back(point);
-  }
-  return ok;
-}
-
 // The path as ordered nodes; a face set has no order of its own.
 void crack_path(DeckContext& c, const CheckedCard& card, model::CrackDefinition& crack) {
   const NameReference reference = card.name_reference("PATH");
@@ -78,10 +51,7 @@ void crack_net(DeckContext& c, const CheckedCard& card, model::CrackDefinition& 
   if (card.has_key("NET")) {
     const NameReference reference = card.name_reference("NET");
     if (look_up(c, EntityKind::net, reference) != nullptr) {
-      const auto it =
-          std::find_if(c.model.nets.begin(), c.model.nets.end(),
-                       [&](const model::MeshNet& n) { return n.name == reference.name; });
-      crack.net = base::NetId(static_cast<std::size_t>(it - c.model.nets.begin()));
+      crack.net = c.find_net(reference.name);
     }
   } else if (c.model.nets.size() == 1) {
     crack.net = base::NetId(std::size_t{0});
@@ -92,7 +62,7 @@ void crack_net(DeckContext& c, const CheckedCard& card, model::CrackDefinition& 
 
 void free_crack(DeckContext& c, const CheckedCard& card, model::CrackDefinition& crack) {
   crack.kind = model::CrackDefinitionKind::free;
-  const bool sound = crack_points(c, card, crack);
+  const bool sound = read_crack_points(c, card, 2, "a point of a free crack is x y", crack);
   if (sound && crack.points.empty()) {
     c.error(card.span, "E106", "$CRACK needs PATH, FRONT, or points as data lines",
             "PATH with A0; points x y; or one point with ANGLE and A0");

@@ -136,8 +136,8 @@ bool load_value(DeckContext& c, const LoadForm& form, const grammar::CardField& 
                 model::Load& load) {
   using FieldKind = grammar::CardField::CardFieldKind;
   if (field.kind != FieldKind::number && field.kind != FieldKind::expression) {
-    read_field_number(field, grammar::Quantity::number, "a number or (expression)", c.scope,
-                      c.diagnostics); // says what is wrong
+    c.read_number(field, grammar::Quantity::number,
+                  "a number or (expression)"); // says what is wrong
     return false;
   }
   auto value = grammar::compile_expression(field.expression, c.scope,
@@ -362,10 +362,10 @@ void fill_in(DeckContext& c, const std::vector<NodeConstraints>& held, bool soun
     }
   }
   if (!unsaid.empty()) {
-    c.diagnostics.warning(load.span, "W312",
-                          fmt::format("TYPE={} has {} of {} values: along {} it is taken as 0",
-                                      form.word, given, most, fmt::join(unsaid, " and ")),
-                          std::string(form.values));
+    c.warning(load.span, "W312",
+              fmt::format("TYPE={} has {} of {} values: along {} it is taken as 0", form.word,
+                          given, most, fmt::join(unsaid, " and ")),
+              std::string(form.values));
   }
 }
 
@@ -373,10 +373,7 @@ void fill_in(DeckContext& c, const std::vector<NodeConstraints>& held, bool soun
 
 void build_loads(DeckContext& context) {
   std::vector<model::LoadCase>& cases = context.model.cases;
-  for (const CheckedCard& card : context.cards) {
-    if (card.spec->name != "LOAD" || card.bad) {
-      continue;
-    }
+  context.for_sound_cards("LOAD", [&](const CheckedCard& card) {
     NameDefinition definition;
     definition.kind = EntityKind::load_case;
     definition.index = cases.size();
@@ -391,7 +388,7 @@ void build_loads(DeckContext& context) {
     for (const grammar::DataRow& row : card.rows) {
       load_row(context, card, row, cases[index]);
     }
-  }
+  });
   const bool sound = context.freedom_sound && context.mesh_sound;
   const std::vector<NodeConstraints> held =
       sound ? held_nodes(context) : std::vector<NodeConstraints>();

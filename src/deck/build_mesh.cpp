@@ -21,10 +21,8 @@ namespace {
 
 constexpr double more_than_a_turn = 6.29; // radians
 
-base::ElementType element_type(std::string_view name) {
-  const auto* const it = std::find_if(base::element_infos.begin(), base::element_infos.end(),
-                                      [&](const base::ElementInfo& i) { return i.name == name; });
-  return static_cast<base::ElementType>(it - base::element_infos.begin());
+base::ElementType type_of(const CheckedCard& card) {
+  return base::element_type_named(card.word_value("TYPE"));
 }
 
 /// The set of a kind that a table adds to, made at its first use. Null after an error.
@@ -45,11 +43,7 @@ Set* table_set(DeckContext& c, const CheckedCard& card, std::string_view key,
     return &sets.emplace_back(Set{full, {}, value.span});
   }
   if (before->card) {
-    const std::size_t line = c.sources.locate(before->span.file, before->span.begin).line;
-    c.error(
-        value.span, "E302",
-        fmt::format("{} {} is defined twice", grammar::display_name(definition.kind), value.text),
-        fmt::format("first in line {}", line));
+    c.report_second(definition, value.text, *before);
     return nullptr;
   }
   return before->poisoned ? nullptr : &sets[before->index];
@@ -80,11 +74,10 @@ void coordinates(DeckContext& c, const CheckedCard& card) {
       const double* v = &table.value[i * form.columns];
       if (polar && !turned && std::abs(v[1]) > more_than_a_turn) {
         turned = true; // once for a table
-        c.diagnostics.warning(
-            grammar::table_field_span(c.sources, card.data, table.offset[i], 2), "W355",
-            fmt::format("theta = {:.6g} of node {} is in radians, more than a turn", v[1],
-                        table.label[i]),
-            fmt::format("degrees are written {:.6g}[deg]", v[1]));
+        c.warning(grammar::table_field_span(c.sources, card.data, table.offset[i], 2), "W355",
+                  fmt::format("theta = {:.6g} of node {} is in radians, more than a turn", v[1],
+                              table.label[i]),
+                  fmt::format("degrees are written {:.6g}[deg]", v[1]));
       }
       const base::Vec3 x(polar ? v[0] * std::cos(v[1]) : v[0], polar ? v[0] * std::sin(v[1]) : v[1],
                          form.columns == 3 ? v[2] : 0.0);
@@ -137,7 +130,7 @@ void report_row(DeckContext& c, const CheckedCard& card,
 }
 
 void elements(DeckContext& c, const CheckedCard& card) {
-  const base::ElementType type = element_type(card.word_value("TYPE"));
+  const base::ElementType type = type_of(card);
   const base::ElementInfo& info = base::element_info(type);
   grammar::BulkTableForm form;
   form.columns = static_cast<std::size_t>(info.nodes);
@@ -175,7 +168,7 @@ void elements(DeckContext& c, const CheckedCard& card) {
 }
 
 void generate(DeckContext& c, const CheckedCard& card) {
-  const base::ElementType type = element_type(card.word_value("TYPE"));
+  const base::ElementType type = type_of(card);
   const std::string prefix = card.net.empty() ? "" : card.net + ".";
   model::Mesh& mesh = c.model.mesh;
   const NetRefinement* finer = c.refinement(card.net);
@@ -223,7 +216,7 @@ void generate(DeckContext& c, const CheckedCard& card) {
 
 // Sizes that only together make a shape.
 bool sizes_fit(DeckContext& c, const CheckedCard& card) {
-  if (base::element_info(element_type(card.word_value("TYPE"))).dim == 3) {
+  if (base::element_info(type_of(card)).dim == 3) {
     if (!card.has_word("SHAPE", "BLOCK")) {
       c.error(card.find("TYPE")->span, "E110",
               fmt::format("{} is for SHAPE=BLOCK only", card.word_value("TYPE")));
@@ -333,8 +326,7 @@ void reserve_tables(DeckContext& c) {
     } else if (card.spec->name == "ELEMENT" && !card.bad) {
       const std::size_t lines = grammar::count_lines(c.sources, card.data);
       elements += lines;
-      entries += lines * static_cast<std::size_t>(
-                             base::element_info(element_type(card.word_value("TYPE"))).nodes);
+      entries += lines * static_cast<std::size_t>(base::element_info(type_of(card)).nodes);
     }
   }
   model::reserve(c.model.mesh, nodes, elements, entries);
@@ -360,31 +352,24 @@ void build_mesh(DeckContext& context) {
   }
   // Nodes before the elements that use them, wherever they stand; tables before meshes, which
   // number on from the highest label of their net.
-  for (const std::string_view name : {"COOR", "ELEMENT", "MESH"}) {
-    for (const CheckedCard& card : context.cards) {
-      if (card.bad) {
-        continue;
-      }
-      if (name == "COOR" && card.spec->name == "COOR") {
-        coordinates(context, card);
-      } else if (name == "ELEMENT" && card.spec->name == "ELEMENT") {
-        elements(context, card);
-      } else if (name == "MESH" && (card.spec->name == "MESH" || card.spec->name == "IMPORT")) {
-        mesh_card(context, card);
-      }
+  context.for_sound_cards("COOR", [&](const CheckedCard& card) { coordinates(context, card); });
+  context.for_sound_cards("ELEMENT", [&](const CheckedCard& card) { elements(context, card); });
+  for (const CheckedCard& card : context.cards) {
+    if (!card.bad && (card.spec->name == "MESH" || card.spec->name == "IMPORT")) {
+      mesh_card(context, card);
     }
   }
   // of the space the deck means, though a bad mesh in space was not made
-  const auto in_space = [](const CheckedCard& card) {
-    const bool typed = card.spec->name == "MESH" || card.spec->name == "ELEMENT";
-    return typed && !card.bad && base::element_info(element_type(card.word_value("TYPE"))).dim == 3;
-  };
   model::Mesh& mesh = context.model.mesh;
-  const bool solid = std::any_of(context.cards.begin(), context.cards.end(), in_space) ||
-                     std::any_of(mesh.type.begin(), mesh.type.end(), [](base::ElementType t) {
-                       return base::element_info(t).dim == 3;
-                     });
-  mesh.dim = solid ? 3 : 2;
+  mesh.dim = 2;
+  for (const std::string_view name : {"MESH", "ELEMENT"}) {
+    context.for_sound_cards(name, [&](const CheckedCard& card) {
+      mesh.dim = std::max(mesh.dim, base::element_info(type_of(card)).dim);
+    });
+  }
+  for (const base::ElementType type : mesh.type) {
+    mesh.dim = std::max(mesh.dim, base::element_info(type).dim);
+  }
   context.mesh_sound = context.mesh_sound && context.diagnostics.error_count() == errors;
 }
 

@@ -43,8 +43,8 @@ public:
 
 private:
   void term(const grammar::DataRow& row, std::size_t first) {
-    const auto coefficient = read_field_number(row.fields[first], grammar::Quantity::number,
-                                               "a coefficient", c_.scope, c_.diagnostics);
+    const auto coefficient =
+        c_.read_number(row.fields[first], grammar::Quantity::number, "a coefficient");
     if (coefficient == 0.0) {
       c_.error(row.fields[first].span, "E109", "a coefficient is not 0");
     }
@@ -70,8 +70,7 @@ private:
     if (field.kind == CardField::CardFieldKind::name) {
       return node_of_net(field);
     }
-    const auto value = read_field_number(field, grammar::Quantity::number, "a node number",
-                                         c_.scope, c_.diagnostics);
+    const auto value = c_.read_number(field, grammar::Quantity::number, "a node number");
     if (!value) {
       return std::nullopt;
     }
@@ -95,9 +94,7 @@ private:
     if (look_up(c_, EntityKind::net, {net, field.span, {}}) == nullptr) {
       return std::nullopt;
     }
-    const auto it = std::find_if(c_.model.nets.begin(), c_.model.nets.end(),
-                                 [&](const model::MeshNet& n) { return n.name == net; });
-    return find(field, base::NetId(static_cast<std::size_t>(it - c_.model.nets.begin())), label);
+    return find(field, c_.find_net(net), label);
   }
 
   std::optional<base::NodeId> find(const CardField& field, base::NetId net, base::Label label) {
@@ -153,16 +150,13 @@ void tie(DeckContext& c, const CheckedCard& card) {
 } // namespace
 
 void build_mpcs(DeckContext& context) {
-  for (const CheckedCard& card : context.cards) {
-    if (card.spec->name != "MPC" || card.bad) {
-      continue;
-    }
+  context.for_sound_cards("MPC", [&](const CheckedCard& card) {
     if (card.has_word("TYPE", "EQUATION")) {
       context.model.mpcs.emplace_back(EquationReader(context, card).run());
     } else {
       tie(context, card);
     }
-  }
+  });
 }
 
 } // namespace spricka::deck

@@ -123,11 +123,7 @@ void symmetry(DeckContext& c, const CheckedCard& card) {
 } // namespace
 
 void build_properties(DeckContext& context) {
-  for (const CheckedCard& card : context.cards) {
-    if (card.spec->name == "MATERIAL" && !card.bad) {
-      material(context, card);
-    }
-  }
+  context.for_sound_cards("MATERIAL", [&](const CheckedCard& card) { material(context, card); });
   for (const mesh::ImportedPhysics& physics : context.imported) {
     mesh::append_physics(context.model, physics);
   }

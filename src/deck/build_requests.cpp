@@ -140,10 +140,7 @@ void restart(DeckContext& c, const CheckedCard& card) {
   if (!card.has_key("READ") && !card.has_key("WRITE")) {
     c.error(card.span, "E106", "$RESTART needs READ or WRITE", "WRITE='file.rst' keeps states");
   }
-  const bool swept = std::any_of(c.cards.begin(), c.cards.end(), [](const CheckedCard& other) {
-    return other.spec->name == "SWEEP";
-  });
-  if (swept && card.has_key("READ")) {
+  if (c.first_card("SWEEP") != nullptr && card.has_key("READ")) {
     c.error(card.find("READ")->span, "E110", "READ and $SWEEP exclude each other",
             "each point keeps its own state; run --restart goes on with it");
   }
@@ -152,17 +149,13 @@ void restart(DeckContext& c, const CheckedCard& card) {
 
 // What a $TASK leaves out although cards ask for it: the chain is not cut short in this version.
 void left_out(DeckContext& c, const CheckedCard& card) {
-  const auto has_card = [&](std::string_view name) {
-    return std::any_of(c.cards.begin(), c.cards.end(),
-                       [&](const CheckedCard& other) { return other.spec->name == name; });
-  };
   struct Need {
     std::string_view processor, card;
   };
   for (const Need& need : {Need{"CONTACT", "CONTACT"}, Need{"VCE", "CRACK"}, Need{"GROW", "GROW"},
                            Need{"OUTPUT", "OUTPUT"}, Need{"STIFFNESS", "STEP"}}) {
     const std::vector<std::string>& tasks = c.model.tasks;
-    if (has_card(need.card) &&
+    if (c.first_card(need.card) != nullptr &&
         std::find(tasks.begin(), tasks.end(), need.processor) == tasks.end()) {
       c.mark_unavailable(
           fmt::format("$TASK without {} in a deck with ${}", need.processor, need.card), card.span);
@@ -233,7 +226,7 @@ std::string swept_parameter(DeckContext& c, const CheckedCard& card, std::string
 std::optional<double> sweep_value(DeckContext& c, const CardField& field, const std::string& name) {
   if (field.kind != CardField::CardFieldKind::number &&
       field.kind != CardField::CardFieldKind::expression) {
-    return read_field_number(field, grammar::Quantity::number, "a value", c.scope, c.diagnostics);
+    return c.read_number(field, grammar::Quantity::number, "a value");
   }
   const std::optional<double> value = grammar::evaluate(field.expression, c.scope, c.diagnostics);
   const auto unit = c.scope.units_of.find(grammar::to_upper(name));

@@ -71,39 +71,6 @@ void ellipse(DeckContext& c, const CheckedCard& card, model::CrackDefinition& cr
   }
 }
 
-std::optional<Vec3> row_point(DeckContext& c, const grammar::DataRow& row) {
-  if (row.fields.size() != 3) {
-    c.error(row.span, "E115", "a point of a front in space is x y z");
-    return std::nullopt;
-  }
-  Vec3 point;
-  bool ok = true;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto x = read_field_number(row.fields[i], grammar::Quantity::length, "a coordinate",
-                                     c.scope, c.diagnostics);
-    point[static_cast<Eigen::Index>(i)] = x.value_or(0.0);
-    ok = ok && x.has_value();
-  }
-  return ok ? std::optional(point) : std::nullopt;
-}
-
-bool front_points(DeckContext& c, const CheckedCard& card, model::CrackDefinition& crack) {
-  bool ok = !card.rows_bad;
-  for (const grammar::DataRow& row : card.rows) {
-    const std::optional<Vec3> point = row_point(c, row);
-    ok = ok && point.has_value();
-    if (!point) {
-      continue;
-    }
-    if (!crack.points.empty() && (crack.points.back() - *point).norm() == 0.0) {
-      c.error(row.span, "E115", "the same point twice in a row");
-      ok = false;
-    }
-    crack.points.push_back(*point);
-  }
-  return ok;
-}
-
 // The plane through all points (and the one within the crack of an open front), its normal with the
 // largest component positive.
 bool front_plane(DeckContext& c, const CheckedCard& card, model::CrackDefinition& crack) {
@@ -166,7 +133,8 @@ void drawn_front(DeckContext& c, const CheckedCard& card, model::CrackDefinition
               fmt::format("{} means nothing without A, an ellipse", key));
     }
   }
-  const bool sound = front_points(c, card, crack) && has_whole_place(c, card);
+  const bool sound = read_crack_points(c, card, 3, "a point of a front in space is x y z", crack) &&
+                     has_whole_place(c, card);
   const std::size_t least = crack.plane.closed ? 4 : 2;
   if (sound && crack.points.empty()) {
     c.error(card.span, "E106", "$CRACK in space needs A, FRONT, or points as data lines",
@@ -186,7 +154,42 @@ void drawn_front(DeckContext& c, const CheckedCard& card, model::CrackDefinition
   }
 }
 
+// The point of a line; empty after an error.
+std::optional<Vec3> row_point(DeckContext& c, const grammar::DataRow& row, std::size_t dim,
+                              std::string_view form) {
+  if (row.fields.size() != dim) {
+    c.error(row.span, "E115", std::string(form));
+    return std::nullopt;
+  }
+  Vec3 point = Vec3::Zero();
+  bool ok = true;
+  for (std::size_t i = 0; i < dim; ++i) {
+    const auto x = c.read_number(row.fields[i], grammar::Quantity::length, "a coordinate");
+    point[static_cast<Eigen::Index>(i)] = x.value_or(0.0);
+    ok = ok && x.has_value();
+  }
+  return ok ? std::optional(point) : std::nullopt;
+}
+
 } // namespace
+
+bool read_crack_points(DeckContext& context, const CheckedCard& card, std::size_t dim,
+                       std::string_view form, model::CrackDefinition& crack) {
+  bool ok = !card.rows_bad;
+  for (const grammar::DataRow& row : card.rows) {
+    const std::optional<Vec3> point = row_point(context, row, dim, form);
+    ok = ok && point.has_value();
+    if (!point) {
+      continue;
+    }
+    if (!crack.points.empty() && (crack.points.back() - *point).norm() == 0.0) {
+      context.error(row.span, "E115", "the same point twice in a row");
+      ok = false;
+    }
+    crack.points.push_back(*point);
+  }
+  return ok;
+}
 
 void read_solid_crack(DeckContext& context, const CheckedCard& card,
                       model::CrackDefinition& crack) {

@@ -9,4 +9,9 @@ namespace spricka::deck {
 /// by its points. Mistakes are reported.
 void read_solid_crack(DeckContext& context, const CheckedCard& card, model::CrackDefinition& crack);
 
+/// Reads the data lines of a crack, a point with `dim` coordinates in each, into it; `form` says
+/// what a line is. False after an error.
+bool read_crack_points(DeckContext& context, const CheckedCard& card, std::size_t dim,
+                       std::string_view form, model::CrackDefinition& crack);
+
 } // namespace spricka::deck

@@ -49,8 +49,8 @@ private:
       NumberLine line;
       line.span = row.span;
       for (const CardField& field : row.fields) {
-        const auto number = read_field_number(field, grammar::Quantity::number,
-                                              "a place t on the path", c_.scope, c_.diagnostics);
+        const auto number =
+            c_.read_number(field, grammar::Quantity::number, "a place t on the path");
         good_ = good_ && number.has_value();
         line.numbers.push_back(number.value_or(0.0));
       }
@@ -106,7 +106,7 @@ private:
   void warn_of_high_low(const NumberLine& line) {
     if (!high_low_ && line.numbers[0] > line.numbers[1]) {
       high_low_ = true;
-      c_.diagnostics.warning(
+      c_.warning(
           line.span, "W368",
           fmt::format(
               "{}low {:.6g} above high {:.6g}: it is taken as a cycle from {:.6g} to {:.6g}",
@@ -133,7 +133,7 @@ private:
       evenly = evenly && std::abs(first(i) - first(i - 1) - step) <= even * step;
     }
     if (ascends && (evenly || lines.size() >= long_enough)) {
-      c_.diagnostics.warning(
+      c_.warning(
           card_.find("FILE")->span, "W369",
           fmt::format("every line of the file has {} numbers, and the first of them ascends from "
                       "{:.6g} to {:.6g} like a time or a number: all of them count as places t",
@@ -194,11 +194,8 @@ private:
 } // namespace
 
 void build_spectra(DeckContext& context) {
-  for (const CheckedCard& card : context.cards) {
-    if (card.spec->name == "SPECTRUM" && !card.bad) {
-      SpectrumReader(context, card).read();
-    }
-  }
+  context.for_sound_cards("SPECTRUM",
+                          [&](const CheckedCard& card) { SpectrumReader(context, card).read(); });
 }
 
 } // namespace spricka::deck

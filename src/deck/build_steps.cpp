@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
+#include "deck/step_actions.hpp"
 #include "model/model.hpp"
 #include "model/spectrum_runs.hpp"
 
@@ -57,8 +58,7 @@ void action(DeckContext& c, const grammar::DataRow& row, model::Step& step) {
   const NameReference reference{row.fields[1].text, row.fields[1].span, {}};
   const NameDefinition* found =
       look_up(c, loads ? EntityKind::load_case : EntityKind::contact, reference);
-  const auto factor = factored ? read_field_number(row.fields[2], grammar::Quantity::number,
-                                                   "a factor", c.scope, c.diagnostics)
+  const auto factor = factored ? c.read_number(row.fields[2], grammar::Quantity::number, "a factor")
                                : std::optional(1.0);
   if (found == nullptr || !factor) {
     return;
@@ -118,8 +118,7 @@ base::StepId step_id(DeckContext& c, const CheckedCard& card, std::string_view k
 void lengths(DeckContext& c, const CheckedCard& card, model::CrackGrowthSettings& growth) {
   for (const grammar::DataRow& row : card.rows) {
     for (const CardField& field : row.fields) {
-      const auto a = read_field_number(field, grammar::Quantity::length, "a crack length", c.scope,
-                                       c.diagnostics);
+      const auto a = c.read_number(field, grammar::Quantity::length, "a crack length");
       if (!a) {
         continue;
       }
@@ -146,10 +145,8 @@ void law_table(DeckContext& c, const CheckedCard& card, model::GrowthLawConstant
       c.error(row.span, "E115", "a line of LAW=TABLE is delta_K da/dN");
       continue;
     }
-    const auto k = read_field_number(row.fields[0], grammar::Quantity::number, "a range of K",
-                                     c.scope, c.diagnostics);
-    const auto rate = read_field_number(row.fields[1], grammar::Quantity::number,
-                                        "a growth per cycle", c.scope, c.diagnostics);
+    const auto k = c.read_number(row.fields[0], grammar::Quantity::number, "a range of K");
+    const auto rate = c.read_number(row.fields[1], grammar::Quantity::number, "a growth per cycle");
     if (!k || !rate) {
       continue;
     }
@@ -167,12 +164,6 @@ void law_table(DeckContext& c, const CheckedCard& card, model::GrowthLawConstant
   }
 }
 
-// One unit of KUNIT or AUNIT in deck units.
-double law_unit(const DeckContext& c, const CheckedCard& card, std::string_view key) {
-  const auto unit = base::parse_unit(card.word_value(key));
-  return card.has_key(key) && unit ? base::to_deck_factor(*unit, c.scope.units) : 1.0;
-}
-
 // A K of the law in deck units: a number alone counts in KUNIT, as C does.
 double law_intensity(const CheckedCard& card, std::string_view key, double k_unit) {
   const CheckedValue* value = card.find(key);
@@ -187,8 +178,8 @@ void law_constants(const DeckContext& c, const CheckedCard& card,
   constants.q = card.number_value("Q");
   constants.alpha = card.number_value("ALPHA");
   constants.stress_ratio = card.number_value("SMAX");
-  constants.k_unit = law_unit(c, card, "KUNIT");
-  constants.a_unit = law_unit(c, card, "AUNIT");
+  constants.k_unit = c.deck_units(card, "KUNIT");
+  constants.a_unit = c.deck_units(card, "AUNIT");
   constants.threshold = law_intensity(card, "DKTH", constants.k_unit);
   if (card.has_key("KC")) {
     constants.k_c = law_intensity(card, "KC", constants.k_unit);
@@ -265,14 +256,6 @@ void grow(DeckContext& c, const CheckedCard& card) {
   cycles_of(c, card, growth);
   law(c, card, growth);
   c.model.growth = std::move(growth);
-}
-
-// Where a MOUNT or DISMOUNT lies between two steps, in deck order.
-bool changes_contacts(const model::Step& step) {
-  return std::any_of(step.actions.begin(), step.actions.end(), [](const model::Action& action) {
-    return std::holds_alternative<model::MountContact>(action) ||
-           std::holds_alternative<model::DismountContact>(action);
-  });
 }
 
 // Steps must be complete.
@@ -368,11 +351,7 @@ void build_steps(DeckContext& context) {
       grow(context, card);
     }
   }
-  for (const CheckedCard& card : context.cards) {
-    if (card.spec->name == "LOADPATH" && !card.bad) {
-      load_path(context, card);
-    }
-  }
+  context.for_sound_cards("LOADPATH", [&](const CheckedCard& card) { load_path(context, card); });
   build_spectra(context);
   paths_with_friction(context);
   build_tests(context);

@@ -48,8 +48,8 @@ public:
                                                         : model::TestRateMethod::polynomial;
     test_.window = card_.integer_value("POINTS");
     test_.ratio = card_.optional_number("RATIO");
-    test_.k_unit = unit("KUNIT");
-    test_.a_unit = unit("AUNIT");
+    test_.k_unit = c_.deck_units(card_, "KUNIT");
+    test_.a_unit = c_.deck_units(card_, "AUNIT");
     test_.on_c = card_.has_word("AXIS", "C");
     test_.span = card_.span;
     if (const NameDefinition* crack =
@@ -71,11 +71,6 @@ public:
   }
 
 private:
-  double unit(std::string_view key) {
-    const auto parsed = base::parse_unit(card_.word_value(key));
-    return card_.has_key(key) && parsed ? base::to_deck_factor(*parsed, c_.scope.units) : 1.0;
-  }
-
   // A crack in space has two half axes that can be read.
   [[nodiscard]] std::size_t most_lengths() const { return c_.known_plane() ? 1 : 2; }
 
@@ -98,17 +93,15 @@ private:
               fmt::format("with {} there are no such data lines", other));
         return;
       }
-      const auto x = read_field_number(row.fields[first], grammar::Quantity::number,
-                                       of_reference ? "a range of K" : "a number of cycles",
-                                       c_.scope, c_.diagnostics);
-      const auto y = read_field_number(
-          row.fields[first + 1],
-          of_reference ? grammar::Quantity::number : grammar::Quantity::length,
-          of_reference ? "a growth per cycle" : "a crack length", c_.scope, c_.diagnostics);
-      const auto third = count < 3
-                             ? std::optional<double>()
-                             : read_field_number(row.fields[first + 2], grammar::Quantity::length,
-                                                 "a half axis", c_.scope, c_.diagnostics);
+      const auto x = c_.read_number(row.fields[first], grammar::Quantity::number,
+                                    of_reference ? "a range of K" : "a number of cycles");
+      const auto y =
+          c_.read_number(row.fields[first + 1],
+                         of_reference ? grammar::Quantity::number : grammar::Quantity::length,
+                         of_reference ? "a growth per cycle" : "a crack length");
+      const auto third = count < 3 ? std::optional<double>()
+                                   : c_.read_number(row.fields[first + 2],
+                                                    grammar::Quantity::length, "a half axis");
       const bool sound = x && y && third.has_value() == (count == 3);
       good_ = good_ && sound;
       if (sound) {
@@ -191,9 +184,7 @@ private:
             "KUNIT='MPa*m^0.5' AUNIT='m/cycle', or those of the reference");
     }
     look_at_the_crack(lacks);
-    const bool bad_growth = std::ranges::any_of(
-        c_.cards, [](const CheckedCard& card) { return card.spec->name == "GROW" && card.bad; });
-    if (!bad_growth) {
+    if (!c_.has_bad_card("GROW")) {
       look_at_the_growth(lacks);
     }
   }
@@ -240,11 +231,8 @@ private:
 } // namespace
 
 void build_tests(DeckContext& context) {
-  for (const CheckedCard& card : context.cards) {
-    if (card.spec->name == "TEST" && !card.bad) {
-      TestReader(context, card).read();
-    }
-  }
+  context.for_sound_cards("TEST",
+                          [&](const CheckedCard& card) { TestReader(context, card).read(); });
 }
 
 } // namespace spricka::deck

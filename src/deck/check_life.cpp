@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
+#include "deck/step_actions.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -13,86 +14,56 @@ namespace spricka::deck {
 
 namespace {
 
-/// Loads and fits at the end of a step.
-struct CheckedStepFactors {
-  std::vector<double> load; ///< [case]
-  std::vector<double> fit;  ///< [contact]
-  bool operator==(const CheckedStepFactors&) const = default;
-};
-
-bool mounts(const model::Step& step) {
-  return std::ranges::any_of(step.actions, [](const model::Action& action) {
-    return std::holds_alternative<model::MountContact>(action) ||
-           std::holds_alternative<model::DismountContact>(action);
-  });
-}
-
 // Whether the deck gives a contact the number 0 as its gap; an expression may have other values.
 bool is_net_fit(const DeckContext& c, const model::Contact& contact) {
   if (contact.gap != 0.0) {
     return false;
   }
-  const auto card = std::ranges::find_if(c.cards, [&](const CheckedCard& one) {
-    return one.spec->name == "CONTACT" && one.word_value("NAME") == contact.name;
-  });
-  const bool has_gap = card != c.cards.end() && card->has_key("GAP");
+  const CheckedCard* card = c.named_card("CONTACT", contact.name);
+  const bool has_gap = card != nullptr && card->has_key("GAP");
   return has_gap && c.sources.text(card->find("GAP")->span).find('(') == std::string_view::npos;
 }
 
 // At the end of every step; what a fit of gap 0 is scaled by counts for nothing.
-std::vector<CheckedStepFactors> factors_of_steps(const DeckContext& c) {
-  const model::Model& model = c.model;
-  CheckedStepFactors now{std::vector<double>(model.cases.size(), 0.0),
-                         std::vector<double>(model.contacts.size(), 0.0)};
-  std::vector<CheckedStepFactors> all;
-  for (const model::Step& step : model.steps) {
-    for (const model::Action& action : step.actions) {
-      if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {
-        now.load[load->load_case.index()] = load->factor;
-      } else if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
-        const bool none = is_net_fit(c, model.contacts[fit->contact.index()]);
-        now.fit[fit->contact.index()] = none ? 0.0 : fit->factor;
-      }
+std::vector<StepEnd> factors_of_steps(const DeckContext& c) {
+  std::vector<StepEnd> ends = step_ends(c.model);
+  for (std::size_t i = 0; i < c.model.contacts.size(); ++i) {
+    const bool none = is_net_fit(c, c.model.contacts[i]);
+    for (StepEnd& end : ends) {
+      end.fit[i] = none ? 0.0 : end.fit[i];
     }
-    all.push_back(now);
   }
-  return all;
+  return ends;
 }
 
 void unused_cases(DeckContext& c) {
   std::vector<bool> used(c.model.cases.size(), false);
-  for (const model::Step& step : c.model.steps) {
-    for (const model::Action& action : step.actions) {
-      if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {
-        used[load->load_case.index()] = true;
-      }
-    }
-  }
+  for_actions<model::ApplyLoad>(
+      c.model.steps, [&](const model::ApplyLoad& load) { used[load.load_case.index()] = true; });
   for (std::size_t i = 0; i < used.size() && !c.model.steps.empty(); ++i) {
     const model::LoadCase& load_case = c.model.cases[i];
     if (!used[i] && !load_case.loads.empty()) {
-      c.diagnostics.warning(
-          load_case.loads.front().span, "W452",
-          fmt::format("load case {} is in no $STEP: it acts nowhere", load_case.name),
-          fmt::format("a line LOAD {} 1 below a $STEP", load_case.name));
+      c.warning(load_case.loads.front().span, "W452",
+                fmt::format("load case {} is in no $STEP: it acts nowhere", load_case.name),
+                fmt::format("a line LOAD {} 1 below a $STEP", load_case.name));
     }
   }
 }
 
 // A first step says where the others begin, with LOAD .. 0 too; one without a line solves what is
 // there from the beginning.
-void idle_steps(DeckContext& c, const std::vector<CheckedStepFactors>& factors) {
+void idle_steps(DeckContext& c, const std::vector<StepEnd>& factors) {
   for (std::size_t s = 0; s < factors.size(); ++s) {
     const model::Step& step = c.model.steps[s];
-    const bool loads = std::ranges::any_of(step.actions, [](const model::Action& action) {
-      return std::holds_alternative<model::ApplyLoad>(action);
-    });
-    const CheckedStepFactors none{std::vector<double>(c.model.cases.size(), 0.0),
-                                  std::vector<double>(c.model.contacts.size(), 0.0)};
-    const bool first = s == 0 && !loads && !step.actions.empty() && factors[s] == none;
-    const bool later = s > 0 && factors[s] == factors[s - 1];
-    if ((first || later) && !mounts(step)) {
-      c.diagnostics.warning(
+    const bool loads = has_action<model::ApplyLoad>(step);
+    const auto is_zero = [](double factor) { return factor == 0.0; };
+    const bool none = std::ranges::all_of(factors[s].load, is_zero) &&
+                      std::ranges::all_of(factors[s].fit, is_zero);
+    const bool first = s == 0 && !loads && !step.actions.empty() && none;
+    const bool later =
+        s > 0 && factors[s].load == factors[s - 1].load && factors[s].fit == factors[s - 1].fit;
+    if ((first || later) && !changes_contacts(step)) {
+      c.warning(
           step.span, "W453",
           s == 0
               ? fmt::format("step {} changes nothing: its fits have GAP=0", step.name)
@@ -103,13 +74,8 @@ void idle_steps(DeckContext& c, const std::vector<CheckedStepFactors>& factors) 
   }
 }
 
-base::SourceSpan span_of(const CheckedCard& card, std::string_view key) {
-  return card.has_key(key) ? card.find(key)->span : card.span;
-}
-
 // Where K has no other cause than the loads, more of them at KMIN is KMIN and KMAX exchanged.
-void exchanged_steps(DeckContext& c, const CheckedCard& card,
-                     const std::vector<CheckedStepFactors>& factors) {
+void exchanged_steps(DeckContext& c, const CheckedCard& card, const std::vector<StepEnd>& factors) {
   const model::CrackGrowthSettings& growth = *c.model.growth;
   if (!growth.kmax.valid() || !growth.kmin.valid() || !c.model.contacts.empty() ||
       !c.model.mpcs.empty()) {
@@ -129,7 +95,7 @@ void exchanged_steps(DeckContext& c, const CheckedCard& card,
     apart = std::max(apart, std::abs(high[i] - r * low[i]));
   }
   if (r >= 0.0 && r < 1.0 && apart <= 1e-12 * std::sqrt(square)) {
-    c.error(span_of(card, "KMAX"), "E453",
+    c.error(card.key_span("KMAX"), "E453",
             fmt::format("the loads at KMAX are {:.4g} times those at KMIN: nothing could grow", r),
             "KMAX names the step with the largest K, KMIN that with the smallest");
   }
@@ -139,29 +105,29 @@ void odd_constants(DeckContext& c, const CheckedCard& card) {
   const model::CrackGrowthSettings& growth = *c.model.growth;
   const model::GrowthLawConstants& law = growth.constants;
   if (law.k_c && *law.k_c <= law.threshold) {
-    c.error(span_of(card, "KC"), "E454",
+    c.error(card.key_span("KC"), "E454",
             fmt::format("KC = {:.4g} is not above DKTH = {:.4g} (in KUNIT): nothing could grow",
                         *law.k_c / law.k_unit, law.threshold / law.k_unit),
             "numbers without a unit are in KUNIT");
   }
   if (growth.law == model::CrackGrowthLaw::walker && (law.p < 0.0 || law.p > 1.0)) {
-    c.diagnostics.warning(
-        span_of(card, "P"), "W455",
+    c.warning(
+        card.key_span("P"), "W455",
         fmt::format("P = {:.4g} is not within 0 and 1: da/dN = C (delta K / (1-R)^(1-P))^M", law.p),
         "P = 1 is Paris' law, P = 0 knows K_max alone, metals have 0.3 to 0.8; other books write "
         "(1-R)^P or M*(1-P) as the exponent");
   }
   if (growth.law == model::CrackGrowthLaw::nasgro && (law.p < 0.0 || law.q < 0.0)) {
-    c.diagnostics.warning(span_of(card, law.p < 0.0 ? "P" : "Q"), "W455",
-                          "a negative P or Q makes the law slower towards KC, or faster towards "
-                          "DKTH",
-                          "P and Q of NASGRO are 0 to 1");
+    c.warning(card.key_span(law.p < 0.0 ? "P" : "Q"), "W455",
+              "a negative P or Q makes the law slower towards KC, or faster towards "
+              "DKTH",
+              "P and Q of NASGRO are 0 to 1");
   }
   const bool has_M = growth.law != model::CrackGrowthLaw::table;
   if (has_M && (law.m < 1.0 || law.m > 15.0)) {
-    c.diagnostics.warning(span_of(card, "M"), "W455",
-                          fmt::format("M = {:.4g}: exponents of growth laws are 2 to 5", law.m),
-                          law.C > 1.0 ? "are C and M exchanged?" : "");
+    c.warning(card.key_span("M"), "W455",
+              fmt::format("M = {:.4g}: exponents of growth laws are 2 to 5", law.m),
+              law.C > 1.0 ? "are C and M exchanged?" : "");
   }
 }
 
@@ -170,11 +136,10 @@ void shorter_lengths(DeckContext& c, const CheckedCard& card) {
   const model::CrackGrowthSettings& growth = *c.model.growth;
   for (std::size_t i = 0; i < c.model.cracks.size() && !growth.lengths.empty(); ++i) {
     const model::CrackDefinition& crack = c.model.cracks[i];
-    const bool grows = growth.cracks.empty() ||
-                       std::ranges::find(growth.cracks, base::CrackId(i)) != growth.cracks.end();
     const bool own = c.own_lengths != nullptr && c.own_lengths->contains(crack.name);
-    if (grows && !own && crack.a0 && growth.lengths.front() < *crack.a0 * (1.0 - 1e-9)) {
-      c.diagnostics.warning(
+    if (growth.grows(base::CrackId(i)) && !own && crack.a0 &&
+        growth.lengths.front() < *crack.a0 * (1.0 - 1e-9)) {
+      c.warning(
           card.rows.empty() ? card.span : card.rows.front().span, "W454",
           fmt::format("the first length, {:.6g}, is shorter than A0 = {:.6g} of crack {}: a crack "
                       "only grows",
@@ -184,7 +149,7 @@ void shorter_lengths(DeckContext& c, const CheckedCard& card) {
   }
 }
 
-void growing_cracks(DeckContext& c, const std::vector<CheckedStepFactors>& factors) {
+void growing_cracks(DeckContext& c, const std::vector<StepEnd>& factors) {
   const CheckedCard* card = c.first_card("GROW");
   if (card == nullptr || !c.model.growth) {
     return;
@@ -208,7 +173,7 @@ void check_steps_and_growth(DeckContext& context) {
   if (context.diagnostics.has_errors()) {
     return;
   }
-  const std::vector<CheckedStepFactors> factors = factors_of_steps(context);
+  const std::vector<StepEnd> factors = factors_of_steps(context);
   unused_cases(context);
   idle_steps(context, factors);
   growing_cracks(context, factors);

@@ -79,7 +79,7 @@ void tell_corners(DeckContext& c, const std::vector<mesh::FoldedCorner>& corners
     for (; j < corners.size() && corners[j].element.index() < origin.first + origin.count; ++j) {
       worst = corners[j].part < worst.part ? corners[j] : worst;
     }
-    c.diagnostics.warning(
+    c.warning(
         element_span(c, worst.element.index()), "W307",
         fmt::format("element {} folds over in its corner at node {}{}: its Jacobian there is "
                     "{:.2g} % of the mean, though positive at all integration points; stresses at "
@@ -94,19 +94,16 @@ void tell_corners(DeckContext& c, const std::vector<mesh::FoldedCorner>& corners
 
 void one_space(DeckContext& c) {
   const model::Mesh& mesh = c.model.mesh;
-  if (mesh.dim != 2) {
-    std::vector<std::size_t> plane;
-    for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-      if (base::element_info(mesh.type[e]).dim == 2) {
-        plane.push_back(e);
-      }
+  std::vector<std::size_t> plane;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    if (base::element_info(mesh.type[e]).dim < mesh.dim) {
+      plane.push_back(e);
     }
-    report_elements(c, plane, "E313", "of the plane in a model with elements in space", "");
-    return;
   }
+  report_elements(c, plane, "E313", "of the plane in a model with elements in space", "");
   const auto it =
       std::find_if(mesh.x.begin(), mesh.x.end(), [](const base::Vec3& x) { return x.z() != 0.0; });
-  if (it != mesh.x.end() && mesh.element_count() > 0) {
+  if (mesh.dim == 2 && it != mesh.x.end() && mesh.element_count() > 0) {
     const auto node = static_cast<std::size_t>(it - mesh.x.begin());
     c.error(element_origin(c, 0).card, "E313",
             fmt::format("elements of the plane, but node {} has z = {}", mesh.node_label[node],

@@ -51,9 +51,7 @@ void solid_growth_in_reach(DeckContext& c) {
     c.mark_unavailable(fmt::format("$GROW {} with a crack in space", what), growth.span);
   };
   for (std::size_t i = 0; i < c.model.cracks.size(); ++i) {
-    const bool grows = growth.cracks.empty() ||
-                       std::ranges::find(growth.cracks, base::CrackId(i)) != growth.cracks.end();
-    if (growth.law == model::CrackGrowthLaw::increment && grows &&
+    if (growth.law == model::CrackGrowthLaw::increment && growth.grows(base::CrackId(i)) &&
         c.model.cracks[i].kind != model::CrackDefinitionKind::ellipse) {
       c.mark_unavailable("$GROW LAW=INCREMENT with a crack in space that is no ellipse",
                          growth.span);
@@ -132,15 +130,12 @@ void cracks_in_reach(DeckContext& c) {
 
 void loads_in_reach(DeckContext& c) {
   const bool axial = model::axisymmetric(c.model);
-  for (const CheckedCard& card : c.cards) {
-    if (card.spec->name != "LOAD") {
-      continue;
-    }
+  c.for_sound_cards("LOAD", [&](const CheckedCard& card) {
     if (card.has_word("TYPE", "BEARING") && axial) {
       c.error(card.span, "E313",
               "TYPE=BEARING pushes to one side: it means nothing with STATE=AXI");
     }
-  }
+  });
 }
 
 // Heat that nothing feels is a forgotten key.
@@ -156,11 +151,11 @@ void heated_materials_expand(DeckContext& c) {
         const model::ElasticMaterial& material = c.model.materials[m];
         if (material.alpha == 0.0 && !reported[m]) {
           reported[m] = true;
-          c.diagnostics.warning(material.span, "W313",
-                                fmt::format("material {} is heated, but has no ALPHA: it does not "
-                                            "expand",
-                                            material.name),
-                                "ALPHA is the thermal expansion per degree");
+          c.warning(material.span, "W313",
+                    fmt::format("material {} is heated, but has no ALPHA: it does not "
+                                "expand",
+                                material.name),
+                    "ALPHA is the thermal expansion per degree");
         }
       }
     }

@@ -88,7 +88,7 @@ void unused(DeckContext& c, const std::string& name, const base::SourceSpan& spa
     c.error(span, "E486",
             fmt::format("{} has no constant {}, and nothing else uses it", scripts, name), hint);
   } else {
-    c.diagnostics.warning(
+    c.warning(
         span, "W480",
         fmt::format("nothing uses the parameter {}: no expression, and {} no such constant", name,
                     c.scripts.size() == 1 ? scripts + " has" : scripts + " have"),
@@ -116,11 +116,11 @@ void idle_sweeps(DeckContext& c, const std::map<std::string, NameOccurrences>& w
       const auto at = words.find(name);
       if (at != words.end() && at->second.count < 2 && !reaches_a_script(c, name) &&
           !belongs_to_the_report(name)) {
-        c.diagnostics.warning(card.find(key)->span, "W361",
-                              fmt::format("nothing uses the parameter {}: all points of this "
-                                          "$SWEEP are alike",
-                                          name),
-                              "a parameter works where an expression has it: THICK=(h)");
+        c.warning(card.find(key)->span, "W361",
+                  fmt::format("nothing uses the parameter {}: all points of this "
+                              "$SWEEP are alike",
+                              name),
+                  "a parameter works where an expression has it: THICK=(h)");
       }
     }
   }
@@ -129,8 +129,7 @@ void idle_sweeps(DeckContext& c, const std::map<std::string, NameOccurrences>& w
 } // namespace
 
 void check_scripts(DeckContext& c) {
-  const bool swept = std::ranges::any_of(
-      c.cards, [](const CheckedCard& card) { return card.spec->name == "SWEEP"; });
+  const bool swept = c.first_card("SWEEP") != nullptr;
   if ((c.scripts.empty() && !swept) || c.scope.incomplete || c.diagnostics.has_errors()) {
     return;
   }
@@ -149,12 +148,11 @@ void check_scripts(DeckContext& c) {
       for (const mesh::GeometryScriptConstant& constant : script.constants) {
         if (!reported && !constant.defined && constant.name == written && constant.value &&
             *constant.value != value) {
-          c.diagnostics.warning(
-              places.first, "W481",
-              fmt::format("{} = {:.6g} does not reach {}, which sets {} to {:.6g} itself", written,
-                          value, name_of(script), written, *constant.value),
-              fmt::format("write DefineConstant[ {} = {:.6g} ]; there, or another name here",
-                          written, *constant.value));
+          c.warning(places.first, "W481",
+                    fmt::format("{} = {:.6g} does not reach {}, which sets {} to {:.6g} itself",
+                                written, value, name_of(script), written, *constant.value),
+                    fmt::format("write DefineConstant[ {} = {:.6g} ]; there, or another name here",
+                                written, *constant.value));
           reported = true;
         }
       }

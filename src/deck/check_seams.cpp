@@ -5,8 +5,8 @@
 #include "mesh/boundary.hpp"
 #include "mesh/cut/coincidence.hpp"
 #include "mesh/side_index.hpp"
+#include "model/mesh_side.hpp"
 #include "model/model.hpp"
-#include "shape/topology.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -131,7 +131,7 @@ void open_seams(DeckContext& c) {
   const auto label = [&](const model::Face& face) {
     return mesh.element_label[face.element.index()];
   };
-  c.diagnostics.warning(
+  c.warning(
       element_span(c, seam.second.element.index()), "W341",
       fmt::format("elements {} and {}{} touch along a side but have nodes of their own there{}: "
                   "nothing joins them",
@@ -157,11 +157,7 @@ void hanging_nodes(DeckContext& c) {
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const base::ElementType type = mesh.type[e];
     for (int side = 0; is_linear(type) && side < base::element_info(type).sides; ++side) {
-      const auto all = mesh.element_nodes(base::ElementId(e));
-      std::vector<NodeId> corners;
-      for (const int k : shape::side_nodes(type, side)) {
-        corners.push_back(all[static_cast<std::size_t>(k)]);
-      }
+      const std::vector<NodeId> corners = model::side_nodes(mesh, {base::ElementId(e), side});
       for (const model::Face& other : sides.find(corners)) {
         if (!is_linear(mesh.type[other.element.index()]) &&
             !mesh::lies_within(mesh, other, known)) {
@@ -176,7 +172,7 @@ void hanging_nodes(DeckContext& c) {
     const auto name = [&](base::ElementId e) {
       return base::element_info(mesh.type[e.index()]).name;
     };
-    c.diagnostics.warning(
+    c.warning(
         element_span(c, first->first.index()), "W370",
         fmt::format("element {} ({}) has a side in common with element {} ({}), whose middle nodes "
                     "there hang free{}: between the corners the two part or overlap",

@@ -32,10 +32,9 @@ bool is_power_of_ten(double value) {
 
 // Whether the deck works a modulus out, as 1000 times that of another body.
 bool is_worked_out(const DeckContext& c, const model::ElasticMaterial& material) {
-  return std::ranges::any_of(c.cards, [&](const CheckedCard& card) {
-    return card.spec->name == "MATERIAL" && !card.bad && card.word_value("NAME") == material.name &&
-           c.sources.text(card.find("E")->span).find('*') != std::string_view::npos;
-  });
+  const CheckedCard* card = c.named_card("MATERIAL", material.name);
+  return card != nullptr &&
+         c.sources.text(card->find("E")->span).find('*') != std::string_view::npos;
 }
 
 // Nothing is stiffer than diamond, E = 1.2e12 Pa; bodies that stand for rigid ones may be a
@@ -56,7 +55,7 @@ void moduli(DeckContext& c) {
     const bool stiff = E > rigid || (E > stiffest && !is_power_of_ten(material.E) &&
                                      (all_stiff || !is_worked_out(c, material)));
     if (stiff || (E < softest && !is_power_of_ten(material.E))) {
-      c.diagnostics.warning(
+      c.warning(
           material.span, "W343",
           fmt::format("material {}: E = {:.4g} {} is {:.3g} {}Pa, {}", material.name, material.E,
                       units.stress_name(), stiff ? E / 1e9 : E / 1e3, stiff ? 'G' : 'k',
@@ -92,7 +91,7 @@ void crack_states(DeckContext& c) {
       if (mesh.element_net[e] != net || state == own || state == model::StressState::axisymmetric) {
         continue;
       }
-      c.diagnostics.warning(
+      c.warning(
           crack.span, "W344",
           fmt::format("crack {} has STATE={}, the elements round it STATE={}: K is found from G by "
                       "another modulus than the stresses have",
@@ -124,7 +123,7 @@ void crack_starts(DeckContext& c) {
     }
     const mesh::BoundaryPoint edge = mesh::nearest_boundary(host, crack.points.front(), crack.net);
     if (edge.distance < missed * length_of(crack)) {
-      c.diagnostics.warning(
+      c.warning(
           crack.span, "W345",
           fmt::format("crack {} starts inside the body, only {:.3g} from its surface: it has two "
                       "tips and a ligament there",
@@ -148,7 +147,7 @@ void cut_sets(DeckContext& c) {
       }
       const FaceSetCoverage& area = border->second;
       const std::string unit = c.model.units.length_name + (c.model.mesh.dim == 3 ? "^2" : "");
-      c.diagnostics.warning(
+      c.warning(
           load.span, "W372",
           fmt::format("load case {}: the border of {} runs through faces: the load acts on whole "
                       "ones, {:.4g} {} in all, and its condition holds on {:.4g} {}",

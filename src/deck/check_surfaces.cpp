@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
-#include "geometry/polyline.hpp"
-#include "model/model.hpp"
-#include "shape/topology.hpp"
+#include "deck/facing_surfaces.hpp"
+#include "deck/step_actions.hpp"
+#include "mesh/boundary.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <limits>
 #include <map>
 #include <set>
 #include <variant>
 #include <vector>
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 /// Surfaces that two cards speak of: what a contact holds already must not be held, or loaded, by
@@ -22,29 +18,9 @@ namespace spricka::deck {
 
 namespace {
 
-using Faces = std::vector<model::Face>;
-
-Faces sorted_faces(const model::Mesh& mesh, base::FaceSetId set) {
-  Faces faces = mesh.set_with_id(set).faces;
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  return faces;
-}
-
-Faces common(const Faces& a, const Faces& b) {
-  Faces both;
-  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
-  return both;
-}
-
 std::string count_of(std::size_t faces) {
   return fmt::format("{} face{}", faces, faces == 1 ? "" : "s");
 }
-
-/// Two surfaces that are to meet, faces ascending.
-struct SurfaceFacePair {
-  Faces one, two;
-};
 
 SurfaceFacePair pair_of(const model::Mesh& mesh, const model::Contact& contact) {
   return {sorted_faces(mesh, contact.slave),
@@ -82,25 +58,13 @@ private:
   // What is in force at the end of each step, or all along in a deck without steps. A contact that
   // a step mounts is absent before.
   void find_mounted() {
-    std::vector<bool> in(model_.contacts.size(), true);
+    std::vector<bool> in = mounted_at_start(model_);
     std::vector<double> load(model_.cases.size(), 0.0);
     for (const model::Step& step : model_.steps) {
-      for (const model::Action& action : step.actions) {
-        if (const auto* on = std::get_if<model::MountContact>(&action)) {
-          in[on->contact.index()] = false;
-        }
-      }
-    }
-    for (const model::Step& step : model_.steps) {
-      for (const model::Action& action : step.actions) {
-        if (const auto* on = std::get_if<model::MountContact>(&action)) {
-          in[on->contact.index()] = true;
-        } else if (const auto* off = std::get_if<model::DismountContact>(&action)) {
-          in[off->contact.index()] = false;
-        } else if (const auto* apply = std::get_if<model::ApplyLoad>(&action)) {
-          load[apply->load_case.index()] = apply->factor;
-        }
-      }
+      for_mountings(step, [&](base::ContactId contact, bool on) { in[contact.index()] = on; });
+      for_actions<model::ApplyLoad>(step, [&](const model::ApplyLoad& apply) {
+        load[apply.load_case.index()] = apply.factor;
+      });
       mounted_.push_back(in);
       loaded_.push_back(load);
     }
@@ -112,107 +76,6 @@ private:
   [[nodiscard]] bool together(std::size_t a, std::size_t b) const {
     return std::ranges::any_of(mounted_,
                                [&](const std::vector<bool>& in) { return in[a] && in[b]; });
-  }
-
-  [[nodiscard]] base::Vec3 middle(const model::Face& face) const {
-    base::Vec3 sum = base::Vec3::Zero();
-    const std::vector<base::NodeId> nodes = nodes_of(face);
-    for (const base::NodeId n : nodes) {
-      sum += mesh_.x[n.index()];
-    }
-    return sum / static_cast<double>(nodes.size());
-  }
-
-  // The corners of a side.
-  [[nodiscard]] std::vector<base::NodeId> nodes_of(const model::Face& face) const {
-    const auto all = mesh_.element_nodes(face.element);
-    const base::ElementType type = mesh_.type[face.element.index()];
-    std::vector<base::NodeId> corners;
-    for (const int local :
-         shape::side_nodes(type, face.side).first(shape::side_corners(type, face.side))) {
-      corners.push_back(all[static_cast<std::size_t>(local)]);
-    }
-    return corners;
-  }
-
-  // Faces of one pair that lie opposite the same faces in another as well: of the faces that both
-  // have, those whose nearest partner of either pair belongs to both.
-  [[nodiscard]] std::size_t doubled(const SurfaceFacePair& a, const SurfaceFacePair& b) const {
-    const Faces shared = common(a.one, b.one);
-    const Faces auxiliary = common(a.two, b.two);
-    if (shared.empty() || auxiliary.empty()) {
-      return 0;
-    }
-    Faces all;
-    std::set_union(a.two.begin(), a.two.end(), b.two.begin(), b.two.end(), std::back_inserter(all));
-    if (all.size() == auxiliary.size()) {
-      return shared.size();
-    }
-    std::vector<base::Vec3> places;
-    std::ranges::transform(all, std::back_inserter(places),
-                           [&](const model::Face& face) { return middle(face); });
-    return static_cast<std::size_t>(std::ranges::count_if(shared, [&](const model::Face& face) {
-      const base::Vec3 x = middle(face);
-      const auto nearest = std::ranges::min_element(
-          places, {}, [&](const base::Vec3& place) { return (place - x).squaredNorm(); });
-      return std::binary_search(auxiliary.begin(), auxiliary.end(),
-                                all[static_cast<std::size_t>(nearest - places.begin())]);
-    }));
-  }
-
-  // How many of some faces lie opposite a partner, not beyond its ends; all where that is rigid.
-  [[nodiscard]] std::size_t facing(const Faces& faces, const Faces& auxiliary) const {
-    if (auxiliary.empty()) {
-      return faces.size();
-    }
-    if (mesh_.dim == 3) {
-      return static_cast<std::size_t>(std::ranges::count_if(
-          faces, [&](const model::Face& face) { return lies_before(face, auxiliary); }));
-    }
-    std::map<base::NodeId, int> sides; // of the partner's nodes: one at an end
-    for (const model::Face& face : auxiliary) {
-      for (const base::NodeId n : nodes_of(face)) {
-        ++sides[n];
-      }
-    }
-    return static_cast<std::size_t>(std::ranges::count_if(faces, [&](const model::Face& face) {
-      const base::Vec3 x = middle(face);
-      double nearest = std::numeric_limits<double>::max();
-      bool opposite = false;
-      for (const model::Face& other : auxiliary) {
-        const std::vector<base::NodeId> ends = nodes_of(other);
-        const auto [t, distance] =
-            geometry::nearest_point(x, mesh_.x[ends[0].index()], mesh_.x[ends[1].index()]);
-        if (distance < nearest) {
-          nearest = distance;
-          opposite = (t > 0.0 && t < 1.0) || sides.at(ends[t > 0.5 ? 1 : 0]) > 1;
-        }
-      }
-      return opposite;
-    }));
-  }
-
-  // In space: whether the middle of a face, moved along the normal of the nearest of the partner's,
-  // is no farther from the middle of that one than its corners are.
-  [[nodiscard]] bool lies_before(const model::Face& face, const Faces& auxiliary) const {
-    const base::Vec3 x = middle(face);
-    const model::Face& other = *std::ranges::min_element(
-        auxiliary, {}, [&](const model::Face& f) { return (middle(f) - x).squaredNorm(); });
-    const std::vector<base::NodeId> corners = nodes_of(other);
-    const base::Vec3 at = middle(other);
-    const auto from_middle = [&](std::size_t i) {
-      return base::Vec3(mesh_.x[corners[i].index()] - at);
-    };
-    const base::Vec3 n = from_middle(0).cross(from_middle(1)).normalized();
-    double reach = 0.0;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      reach = std::max(reach, from_middle(i).norm());
-    }
-    return (x - at - n.dot(x - at) * n).norm() < reach;
-  }
-
-  [[nodiscard]] std::size_t line_of(base::SourceSpan span) const {
-    return c_.sources.locate(span.file, span.begin).line;
   }
 
   [[nodiscard]] std::string surfaces_of(const model::Contact& contact) const {
@@ -234,18 +97,19 @@ private:
     }
     std::size_t faces = 0;
     if (first.rigid.valid() || second.rigid.valid()) {
-      faces = first.rigid == second.rigid ? common(pairs_[a].one, pairs_[b].one).size() : 0;
+      faces = first.rigid == second.rigid ? common_faces(pairs_[a].one, pairs_[b].one).size() : 0;
     } else {
       const SurfaceFacePair swapped{pairs_[b].two, pairs_[b].one};
-      faces = std::max(doubled(pairs_[a], pairs_[b]), doubled(pairs_[a], swapped));
+      faces = std::max(doubled_faces(mesh_, pairs_[a], pairs_[b]),
+                       doubled_faces(mesh_, pairs_[a], swapped));
     }
     if (faces > 0 && alike(first, second)) {
-      c_.diagnostics.warning(
+      c_.warning(
           second.span, "W354",
           fmt::format("contact {} pairs {} that contact {} in line {} pairs already ({}): "
                       "displacements and K are those of one, how the two share the pressure is "
                       "left open",
-                      second.name, count_of(faces), first.name, line_of(first.span),
+                      second.name, count_of(faces), first.name, c_.line_of(first.span),
                       surfaces_of(first)),
           "take one of them away");
     } else if (faces > 0) {
@@ -253,26 +117,17 @@ private:
       c_.error(second.span, "E351",
                fmt::format("contact {} pairs {} that contact {} in line {} pairs already "
                            "({}){}",
-                           second.name, count_of(faces), first.name, line_of(first.span),
+                           second.name, count_of(faces), first.name, c_.line_of(first.span),
                            surfaces_of(first), types ? ": one bonds what the other lets part" : ""),
                "take one of them away; for one after the other DISMOUNT the first in the step that "
                "says MOUNT for the second");
     }
   }
 
-  // The faces of a set all of whose corners are among nodes.
-  [[nodiscard]] Faces faces_within(const Faces& faces, const std::set<base::NodeId>& nodes) const {
-    Faces within;
-    std::ranges::copy_if(faces, std::back_inserter(within), [&](const model::Face& face) {
-      return std::ranges::all_of(nodes_of(face), [&](base::NodeId n) { return nodes.contains(n); });
-    });
-    return within;
-  }
-
   void say_tied(const model::Contact& contact, base::SourceSpan tie, std::size_t faces) {
     c_.error(contact.span, "E352",
              fmt::format("contact {} pairs {} that the $MPC in line {} ties already ({})",
-                         contact.name, count_of(faces), line_of(tie), surfaces_of(contact)),
+                         contact.name, count_of(faces), c_.line_of(tie), surfaces_of(contact)),
              "tied surfaces cannot press or part: take the $CONTACT away, or the $MPC");
   }
 
@@ -285,10 +140,10 @@ private:
     const Faces master = sorted_faces(mesh_, tie.master);
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const SurfaceFacePair& pair = pairs_[i];
-      const SurfaceFacePair here{faces_within(pair.one, nodes), master};
-      const SurfaceFacePair turned{faces_within(pair.two, nodes), master};
-      const std::size_t faces =
-          std::max(doubled(pair, here), doubled({pair.two, pair.one}, turned));
+      const SurfaceFacePair here{faces_with_corners(mesh_, pair.one, nodes), master};
+      const SurfaceFacePair turned{faces_with_corners(mesh_, pair.two, nodes), master};
+      const std::size_t faces = std::max(doubled_faces(mesh_, pair, here),
+                                         doubled_faces(mesh_, {pair.two, pair.one}, turned));
       if (faces > 0) {
         say_tied(model_.contacts[i], tie.span, faces);
       }
@@ -304,8 +159,9 @@ private:
     const std::set<base::NodeId> nodes(list.begin(), list.end());
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const SurfaceFacePair& pair = pairs_[i];
-      const bool both = !pair.two.empty() && faces_within(pair.one, nodes) == pair.one &&
-                        faces_within(pair.two, nodes) == pair.two;
+      const bool both = !pair.two.empty() &&
+                        faces_with_corners(mesh_, pair.one, nodes) == pair.one &&
+                        faces_with_corners(mesh_, pair.two, nodes) == pair.two;
       if (both) {
         say_tied(model_.contacts[i], tie.span, pair.one.size());
       }
@@ -328,8 +184,8 @@ private:
       spans.emplace(high, tie->span);
     }
     for (std::size_t i = 0; i < pairs_.size() && !ties.empty(); ++i) {
-      const std::set<base::NodeId> one = nodes_of(pairs_[i].one);
-      const std::set<base::NodeId> two = nodes_of(pairs_[i].two);
+      const std::set<base::NodeId> one = corners_of(mesh_, pairs_[i].one);
+      const std::set<base::NodeId> two = corners_of(mesh_, pairs_[i].two);
       std::set<base::NodeId> tied;
       for (const auto& [nodes, dofs] : ties) {
         const bool across = (one.contains(nodes.first) && two.contains(nodes.second)) ||
@@ -338,21 +194,12 @@ private:
           tied.insert({nodes.first, nodes.second});
         }
       }
-      const Faces faces = faces_within(pairs_[i].one, tied);
+      const Faces faces = faces_with_corners(mesh_, pairs_[i].one, tied);
       if (!faces.empty()) {
-        say_tied(model_.contacts[i], spans.at(nodes_of(faces.front()).front()), faces.size());
+        say_tied(model_.contacts[i], spans.at(mesh::face_nodes(mesh_, faces.front()).all.front()),
+                 faces.size());
       }
     }
-  }
-
-  [[nodiscard]] std::set<base::NodeId> nodes_of(const Faces& faces) const {
-    std::set<base::NodeId> nodes;
-    for (const model::Face& face : faces) {
-      for (const base::NodeId n : nodes_of(face)) {
-        nodes.insert(n);
-      }
-    }
-    return nodes;
   }
 
   // The contact brings the force over; a load on the same faces brings it once more.
@@ -377,10 +224,10 @@ private:
         acts = acts || (loaded_[s][load_case] != 0.0 && mounted_[s][i]);
       }
       const SurfaceFacePair& pair = pairs_[i];
-      const std::size_t shared =
-          facing(common(faces, pair.one), pair.two) + facing(common(faces, pair.two), pair.one);
+      const std::size_t shared = facing_count(mesh_, common_faces(faces, pair.one), pair.two) +
+                                 facing_count(mesh_, common_faces(faces, pair.two), pair.one);
       if (acts && shared > 0) {
-        c_.diagnostics.warning(
+        c_.warning(
             load.span, "W351",
             fmt::format("case {} loads {} of {} that contact {} presses on as well: both "
                         "act there",

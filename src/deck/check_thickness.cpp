@@ -46,7 +46,7 @@ void thickness_is_given(DeckContext& c) {
   }
   for (const model::LoadCase& load_case : c.model.cases) {
     if (std::ranges::any_of(load_case.loads, is_total)) {
-      c.diagnostics.warning(
+      c.warning(
           properties[*c.default_thickness.begin()].span, "W432",
           fmt::format("no $PROPERTY has THICK, and load case {} gives forces: the body is taken "
                       "as 1 {} thick",
@@ -124,20 +124,19 @@ void bodies_that_meet_are_alike(DeckContext& c) {
     const double least = properties[*std::ranges::min_element(all, thin)].thickness;
     const double most = properties[*std::ranges::max_element(all, thin)].thickness;
     if (most - least > 1e-9 * most && thicknesses.insert({least, most}).second) {
-      c.diagnostics.warning(m.span, "W433",
-                            fmt::format("bodies of different thickness meet ({}): {:.6g} and "
-                                        "{:.6g} {}",
-                                        m.what, least, most, c.model.units.length_name),
-                            "meant only where they share their middle plane and the step in "
-                            "thickness may be smeared");
+      c.warning(m.span, "W433",
+                fmt::format("bodies of different thickness meet ({}): {:.6g} and "
+                            "{:.6g} {}",
+                            m.what, least, most, c.model.units.length_name),
+                "meant only where they share their middle plane and the step in "
+                "thickness may be smeared");
     }
     const bool mixed = std::ranges::any_of(
         all, [&](std::size_t p) { return properties[p].state != properties[*all.begin()].state; });
     if (mixed && !states) {
       states = true;
-      c.diagnostics.warning(m.span, "W434",
-                            fmt::format("plane stress meets plane strain ({})", m.what),
-                            "give the bodies one STATE, unless a thick one holds a thin one");
+      c.warning(m.span, "W434", fmt::format("plane stress meets plane strain ({})", m.what),
+                "give the bodies one STATE, unless a thick one holds a thin one");
     }
   }
 }

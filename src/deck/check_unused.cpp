@@ -14,7 +14,7 @@ namespace {
 void unused_spectra(DeckContext& c) {
   for (std::size_t i = 0; i < c.model.spectra.size(); ++i) {
     if (!c.model.growth || c.model.growth->spectrum != i) {
-      c.diagnostics.warning(
+      c.warning(
           c.model.spectra[i].span, "W357",
           fmt::format("no $GROW uses spectrum {}: it counts nowhere", c.model.spectra[i].name),
           fmt::format("$GROW LAW=.. SPECTRUM={} in place of KMAX and KMIN",
@@ -29,10 +29,10 @@ void unused_rigids(DeckContext& c) {
       return contact.rigid == base::RigidId(i);
     });
     if (!used) {
-      c.diagnostics.warning(c.model.rigids[i].span, "W357",
-                            fmt::format("no $CONTACT has {} as its MASTER: nothing can touch it",
-                                        c.model.rigids[i].name),
-                            fmt::format("$CONTACT SLAVE=.. MASTER={}", c.model.rigids[i].name));
+      c.warning(c.model.rigids[i].span, "W357",
+                fmt::format("no $CONTACT has {} as its MASTER: nothing can touch it",
+                            c.model.rigids[i].name),
+                fmt::format("$CONTACT SLAVE=.. MASTER={}", c.model.rigids[i].name));
     }
   }
 }
@@ -71,11 +71,10 @@ void doubled_loads(DeckContext& c) {
       const bool reported =
           i > 1 && loads[i].span.begin == loads[i - 1].span.begin; // other crack face
       if (first != last && !none && !reported && first->span.begin != loads[i].span.begin) {
-        c.diagnostics.warning(
-            loads[i].span, "W358",
-            fmt::format("case {} has this load twice, first in line {}: it acts twice",
-                        load_case.name, c.sources.locate(first->span.file, first->span.begin).line),
-            "lines of one case add up; take one of them away, or write twice the load");
+        c.warning(loads[i].span, "W358",
+                  fmt::format("case {} has this load twice, first in line {}: it acts twice",
+                              load_case.name, c.line_of(first->span)),
+                  "lines of one case add up; take one of them away, or write twice the load");
       }
     }
   }
@@ -86,11 +85,11 @@ void doubled_points(DeckContext& c) {
     for (std::size_t i = 1; i < sweep.values.size(); ++i) {
       const auto last = sweep.values.begin() + static_cast<std::ptrdiff_t>(i);
       if (std::find(sweep.values.begin(), last, sweep.values[i]) != last) {
-        c.diagnostics.warning(sweep.span, "W361",
-                              fmt::format("$SWEEP has {} = {:.6g} twice: the same point is solved "
-                                          "again",
-                                          sweep.parameters.front(), sweep.values[i].front()),
-                              "");
+        c.warning(sweep.span, "W361",
+                  fmt::format("$SWEEP has {} = {:.6g} twice: the same point is solved "
+                              "again",
+                              sweep.parameters.front(), sweep.values[i].front()),
+                  "");
         break;
       }
     }
@@ -130,7 +129,7 @@ void unmoved_freedoms(DeckContext& c) {
       return !moved[n.index()] && (bits(freedom) & ~held[n.index()]) != 0;
     });
     if (still > 0) {
-      c.diagnostics.warning(
+      c.warning(
           freedom.span, "W352",
           fmt::format("no $LOAD TYPE=DISP moves {} of these {} nodes with PRESCRIBED freedoms: "
                       "they are held fast",

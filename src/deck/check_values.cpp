@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
+#include "deck/step_actions.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -16,10 +17,8 @@ namespace {
 // Of a key of the card that made something; of that thing where there is no such card or key.
 base::SourceSpan key_span(const DeckContext& c, std::string_view card_name, std::string_view name,
                           std::string_view key, base::SourceSpan otherwise) {
-  const auto card = std::ranges::find_if(c.cards, [&](const CheckedCard& one) {
-    return one.spec->name == card_name && !one.bad && one.word_value("NAME") == name;
-  });
-  return card != c.cards.end() && card->has_key(key) ? card->find(key)->span : otherwise;
+  const CheckedCard* card = c.named_card(card_name, name);
+  return card != nullptr && card->has_key(key) ? card->find(key)->span : otherwise;
 }
 
 // Metals have 1e-5 to 3e-5 per degree, plastics and rubber 2e-4.
@@ -27,18 +26,17 @@ void odd_materials(DeckContext& c) {
   constexpr double most_expansion = 1e-3;
   for (const model::ElasticMaterial& material : c.model.materials) {
     if (std::abs(material.alpha) > most_expansion) {
-      c.diagnostics.warning(
+      c.warning(
           key_span(c, "MATERIAL", material.name, "ALPHA", material.span), "W359",
           fmt::format("material {}: ALPHA = {:.4g} per degree is more than anything solid expands",
                       material.name, material.alpha),
           "steel has 1.2e-5, aluminium 2.3e-5; tables often leave out a factor of 1e-6");
     }
     if (material.nu < 0.0) {
-      c.diagnostics.warning(
-          key_span(c, "MATERIAL", material.name, "NU", material.span), "W362",
-          fmt::format("material {}: with NU = {:.4g} it grows wider when it is pulled",
-                      material.name, material.nu),
-          "metals have 0.25 to 0.35");
+      c.warning(key_span(c, "MATERIAL", material.name, "NU", material.span), "W362",
+                fmt::format("material {}: with NU = {:.4g} it grows wider when it is pulled",
+                            material.name, material.nu),
+                "metals have 0.25 to 0.35");
     }
   }
 }
@@ -52,8 +50,8 @@ void odd_flow_stress(DeckContext& c, const CheckedCard& card) {
   }
   const std::optional<double>& flow = c.model.growth->flow_stress;
   if (flow && *flow > most * stiffest) {
-    c.diagnostics.warning(
-        card.has_key("SFLOW") ? card.find("SFLOW")->span : card.span, "W360",
+    c.warning(
+        card.key_span("SFLOW"), "W360",
         fmt::format("SFLOW = {:.4g} {} is {:.3g} times the largest modulus: it would never end a "
                     "growth",
                     *flow, c.model.units.stress_name(), *flow / stiffest),
@@ -76,8 +74,8 @@ void odd_toughness(DeckContext& c, const CheckedCard& card) {
   }
   const double bound = stiffest * std::sqrt(most / c.model.units.metre_per_length);
   if (*k_c > bound) {
-    c.diagnostics.warning(
-        card.has_key("KC") ? card.find("KC")->span : card.span, "W371",
+    c.warning(
+        card.key_span("KC"), "W371",
         fmt::format("KC = {:.4g} {}: no material of such a modulus is tougher than {:.2g}, so that "
                     "it would never end a growth",
                     *k_c, c.model.units.stress_intensity_name(), bound),
@@ -90,7 +88,7 @@ void falling_table(DeckContext& c, const CheckedCard& card) {
   const model::GrowthLawConstants& law = c.model.growth->constants;
   for (std::size_t i = 1; i < law.growth.size(); ++i) {
     if (law.growth[i] < law.growth[i - 1]) {
-      c.diagnostics.warning(
+      c.warning(
           card.rows.size() == law.growth.size() ? card.rows[i].span : card.span, "W356",
           fmt::format("da/dN falls from {:.4g} to {:.4g} where delta_K grows from {:.4g} to {:.4g}",
                       law.growth[i - 1], law.growth[i], law.delta_k[i - 1], law.delta_k[i]),
@@ -104,13 +102,12 @@ void falling_table(DeckContext& c, const CheckedCard& card) {
 void wide_checks(DeckContext& c) {
   for (const model::ResultCheck& check : c.model.checks) {
     if (check.relative && check.tolerance >= 1.0) {
-      c.diagnostics.warning(
-          check.span, "W353",
-          fmt::format("REL {:.4g} accepts anything from {:.4g} to {:.4g}, with 0 among it",
-                      check.tolerance, check.value - check.tolerance * std::abs(check.value),
-                      check.value + check.tolerance * std::abs(check.value)),
-          fmt::format("REL is a part of the value: {:.4g} per cent is REL {:.4g}", check.tolerance,
-                      0.01 * check.tolerance));
+      c.warning(check.span, "W353",
+                fmt::format("REL {:.4g} accepts anything from {:.4g} to {:.4g}, with 0 among it",
+                            check.tolerance, check.value - check.tolerance * std::abs(check.value),
+                            check.value + check.tolerance * std::abs(check.value)),
+                fmt::format("REL is a part of the value: {:.4g} per cent is REL {:.4g}",
+                            check.tolerance, 0.01 * check.tolerance));
     }
   }
 }
@@ -119,11 +116,10 @@ void odd_ratios(DeckContext& c) {
   constexpr double least = -5.0;
   for (const model::GrowthTestReadings& test : c.model.tests) {
     if (test.ratio && *test.ratio < least) {
-      c.diagnostics.warning(
-          key_span(c, "TEST", test.name, "RATIO", test.span), "W363",
-          fmt::format("RATIO = {:.4g}: the test would press {:.4g} times as hard as it pulls",
-                      *test.ratio, -*test.ratio),
-          "RATIO is K_min/K_max of the test, mostly 0 to 0.7");
+      c.warning(key_span(c, "TEST", test.name, "RATIO", test.span), "W363",
+                fmt::format("RATIO = {:.4g}: the test would press {:.4g} times as hard as it pulls",
+                            *test.ratio, -*test.ratio),
+                "RATIO is K_min/K_max of the test, mostly 0 to 0.7");
     }
   }
 }
@@ -138,7 +134,7 @@ void odd_fit(DeckContext& c, const model::Step& step, const model::ApplyFit& fit
   const double twentieths = 20.0 * fit.factor; // 0.1, 0.25, 0.5 may well be parts
   const bool round = fit.factor > 0.09 && std::abs(twentieths - std::round(twentieths)) < 1e-9;
   if (gap > 0.0 && !round && (is(gap) || is(2.0 * gap))) {
-    c.diagnostics.warning(
+    c.warning(
         step.span, "W364",
         fmt::format("step {}: FIT {} {:.6g} is the fit that the contact declares, not a part of "
                     "it: {:.3g} {} in all",
@@ -146,7 +142,7 @@ void odd_fit(DeckContext& c, const model::Step& step, const model::ApplyFit& fit
                     c.model.units.length_name),
         fmt::format("FIT {} 1 applies the whole of it", contact.name));
   } else if (fit.factor < 0.0) {
-    c.diagnostics.warning(
+    c.warning(
         step.span, "W364",
         fmt::format("step {}: FIT {} {:.6g} makes a gap of an interference, and an interference "
                     "of a gap",
@@ -160,21 +156,17 @@ void fit_of_absent(DeckContext& c) {
   std::vector<const model::Step*> early(c.model.contacts.size(), nullptr);
   std::vector<bool> mounted(c.model.contacts.size(), false);
   for (const model::Step& step : c.model.steps) {
-    for (const model::Action& action : step.actions) {
-      if (const auto* on = std::get_if<model::MountContact>(&action)) {
-        mounted[on->contact.index()] = true;
+    for_actions<model::MountContact>(
+        step, [&](const model::MountContact& on) { mounted[on.contact.index()] = true; });
+    for_actions<model::ApplyFit>(step, [&](const model::ApplyFit& fit) {
+      const std::size_t i = fit.contact.index();
+      if (fit.factor != 0.0 && !mounted[i] && early[i] == nullptr) {
+        early[i] = &step;
       }
-    }
-    for (const model::Action& action : step.actions) {
-      const auto* fit = std::get_if<model::ApplyFit>(&action);
-      if (fit != nullptr && fit->factor != 0.0 && !mounted[fit->contact.index()] &&
-          early[fit->contact.index()] == nullptr) {
-        early[fit->contact.index()] = &step;
-      }
-    }
+    });
     for (std::size_t i = 0; i < mounted.size(); ++i) {
       if (mounted[i] && early[i] != nullptr) {
-        c.diagnostics.warning(
+        c.warning(
             early[i]->span, "W367",
             fmt::format("step {}: contact {} and its fit are absent until step {} mounts it",
                         early[i]->name, c.model.contacts[i].name, step.name),
@@ -187,14 +179,7 @@ void fit_of_absent(DeckContext& c) {
 
 void odd_steps(DeckContext& c) {
   fit_of_absent(c);
-  std::vector<bool> in(c.model.contacts.size(), true);
-  for (const model::Step& step : c.model.steps) {
-    for (const model::Action& action : step.actions) {
-      if (const auto* on = std::get_if<model::MountContact>(&action)) {
-        in[on->contact.index()] = false; // absent before its first MOUNT
-      }
-    }
-  }
+  std::vector<bool> in = mounted_at_start(c.model);
   for (const model::Step& step : c.model.steps) {
     for (const model::Action& action : step.actions) {
       const auto* on = std::get_if<model::MountContact>(&action);
@@ -204,7 +189,7 @@ void odd_steps(DeckContext& c) {
       } else if (on != nullptr || off != nullptr) {
         const std::size_t i = on != nullptr ? on->contact.index() : off->contact.index();
         if (in[i] == (on != nullptr)) {
-          c.diagnostics.warning(
+          c.warning(
               step.span, "W365",
               fmt::format("step {}: contact {} is {} already", step.name, c.model.contacts[i].name,
                           in[i] ? "mounted" : "absent"),

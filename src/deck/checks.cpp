@@ -111,7 +111,7 @@ private:
 
   std::optional<double> number(std::size_t place, grammar::Quantity quantity,
                                std::string_view what) {
-    return read_field_number(row_.fields[place], quantity, what, c_.scope, c_.diagnostics);
+    return c_.read_number(row_.fields[place], quantity, what);
   }
 
   bool arguments() {
@@ -197,10 +197,8 @@ private:
 
   // By a law of $GROW, or perhaps by one that is refused already.
   [[nodiscard]] bool counts_cycles() const {
-    const bool bad = std::any_of(c_.cards.begin(), c_.cards.end(), [](const CheckedCard& card) {
-      return card.spec->name == "GROW" && card.bad;
-    });
-    return bad || (c_.model.growth && c_.model.growth->law != model::CrackGrowthLaw::increment);
+    return c_.has_bad_card("GROW") ||
+           (c_.model.growth && c_.model.growth->law != model::CrackGrowthLaw::increment);
   }
 
   // Names that go on where this one stops come first: S.XX is S.XX.MIN, S.XX.MAX or S.XX.AT.

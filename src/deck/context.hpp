@@ -62,8 +62,40 @@ struct DeckContext {
   void error(base::SourceSpan span, std::string code, std::string text, std::string hint = {}) {
     diagnostics.error(span, std::move(code), std::move(text), std::move(hint));
   }
+  /// Says what the deck hardly means at its place: code "W...", text, and a hint how to mend it.
+  void warning(base::SourceSpan span, std::string code, std::string text, std::string hint = {}) {
+    diagnostics.warning(span, std::move(code), std::move(text), std::move(hint));
+  }
+  /// Reports that a name is defined although it has a meaning already.
+  void report_second(const NameDefinition& second, std::string_view name,
+                     const NameDefinition& first);
+  /// Number of a field in a data line, see read_field_number.
+  std::optional<double> read_number(const grammar::CardField& field, grammar::Quantity quantity,
+                                    std::string_view what) {
+    return read_field_number(field, quantity, what, scope, diagnostics);
+  }
+  /// One unit of a key, as KUNIT, in those of the deck; 1 where it is not given.
+  [[nodiscard]] double deck_units(const CheckedCard& card, std::string_view key) const;
+  /// The line of its file, from 1, that a place begins in.
+  [[nodiscard]] std::size_t line_of(base::SourceSpan span) const {
+    return sources.locate(span.file, span.begin).line;
+  }
   /// The first card of a name; null: the deck has none.
   [[nodiscard]] const CheckedCard* first_card(std::string_view name) const;
+  /// Whether the header of some card of a name is refused.
+  [[nodiscard]] bool has_bad_card(std::string_view name) const;
+  /// The first sound card of a name whose NAME is this; null: there is none.
+  [[nodiscard]] const CheckedCard* named_card(std::string_view card, std::string_view name) const;
+  /// Calls f with each sound card of a name, in deck order.
+  template <class F> void for_sound_cards(std::string_view name, F&& f) const {
+    for (const CheckedCard& card : cards) {
+      if (card.spec->name == name && !card.bad) {
+        f(card);
+      }
+    }
+  }
+  /// The net of a name; the number of nets where there is none.
+  [[nodiscard]] base::NetId find_net(std::string_view name) const;
   /// Of the net that a card stands in; null: as the deck has it.
   [[nodiscard]] const NetRefinement* refinement(const std::string& net) const {
     const auto found = refine == nullptr ? std::map<std::string, NetRefinement>::const_iterator()

@@ -75,8 +75,7 @@ private:
 
   void number(const CardField& field, IndexCollection& collection) {
     const auto value =
-        read_field_number(field, grammar::Quantity::number, fmt::format("a {} number", thing()),
-                          c_.scope, c_.diagnostics);
+        c_.read_number(field, grammar::Quantity::number, fmt::format("a {} number", thing()));
     if (!value) {
       ok_ = false;
       return;

@@ -2,6 +2,8 @@
 #include "deck/mesh_limits.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -14,15 +16,11 @@ constexpr base::Label k_highest_label = 1'000'000'000'000'000; // exact in doubl
 
 constexpr double k_most_unknowns = 1e7; // some 50 GB of factor in the plane, far more in space
 
-const base::ElementInfo& info_of(std::string_view name) {
-  return *std::find_if(base::element_infos.begin(), base::element_infos.end(),
-                       [&](const base::ElementInfo& i) { return i.name == name; });
-}
-
 // Elements of one cell of the generator's grid.
 double per_cell(const base::ElementInfo& info) {
+  constexpr std::array<double, 4> simplices{1.0, 1.0, 2.0, 6.0}; // by the dimension: its factorial
   const bool simplex = info.corners == info.dim + 1;
-  return simplex ? (info.dim == 3 ? 6.0 : 2.0) : 1.0;
+  return simplex ? simplices.at(static_cast<std::size_t>(info.dim)) : 1.0;
 }
 
 // Of a large grid: those at the corners, in the edges and in the middle that a cell adds.
@@ -31,14 +29,17 @@ double nodes_per_cell(const base::ElementInfo& info) {
     return 1.0;
   }
   const bool sparse = info.nodes == 8 || info.nodes == 20; // no nodes within sides and cells
-  return info.dim == 2 ? (sparse ? 3.0 : 4.0) : (sparse ? 4.0 : 8.0);
+  return sparse ? 1.0 + info.dim : 1 << info.dim;          // one corner, an edge for each direction
 }
 
 // Cells of the generator's grid: at least as many as it will make.
 double cells_of(const CheckedCard& card, const base::ElementInfo& info) {
   if (card.has_word("SHAPE", "BLOCK")) {
-    return card.number_value("NX") * card.number_value("NY") *
-           (info.dim == 3 ? card.number_value("NZ") : 1.0);
+    double cells = 1.0;
+    for (int axis = 0; axis < info.dim; ++axis) {
+      cells *= card.number_value(std::string{'N', "XYZ"[axis]});
+    }
+    return cells;
   }
   const double round = std::max(card.number_value("NT"), 8.0);
   double cells = card.number_value("NR") * round;
@@ -56,7 +57,8 @@ double cells_of(const CheckedCard& card, const base::ElementInfo& info) {
 } // namespace
 
 bool check_mesh_card_size(DeckContext& context, const CheckedCard& card) {
-  const base::ElementInfo& info = info_of(card.word_value("TYPE"));
+  const base::ElementInfo& info =
+      base::element_info(base::element_type_named(card.word_value("TYPE")));
   const double elements = cells_of(card, info) * per_cell(info);
   const auto present = static_cast<double>(context.model.mesh.nodes.size());
   const double room = static_cast<double>(context.largest_mesh) - present;

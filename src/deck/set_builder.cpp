@@ -2,12 +2,12 @@
 #include "deck/set_builder.hpp"
 
 #include "deck/items.hpp"
+#include "geometry/box.hpp"
 #include "mesh/boundary.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <unordered_set>
 #include <utility>
 
@@ -75,65 +75,61 @@ bool sort_nodes(DeckContext& c, const CheckedCard& card, std::vector<std::size_t
   return true;
 }
 
-std::optional<std::vector<base::NodeId>> nodes_of_card(DeckContext& c, const CheckedCard& card,
-                                                       const SetFinder& sets) {
-  const model::Mesh& mesh = c.model.mesh;
+// The nodes or elements of a card, in their order; a member is asked for WHERE by its place(i).
+// `from`: the members of the set that the card takes its own from.
+template <class Members, class Place>
+std::optional<std::vector<std::size_t>>
+collected(DeckContext& c, const CheckedCard& card, EntityKind kind, const SetFinder& sets,
+          const std::vector<base::NetId>& nets, Members&& from, Place&& place) {
   if (!has_start(c, card)) {
     return std::nullopt;
   }
-  IndexCollection collection(mesh.node_count());
-  if (starts_from_all(card)) {
-    for (std::size_t i = 0; i < mesh.node_count(); ++i) {
-      if ((card.net.empty() || mesh.node_net[i] == card.net_id) && holds(card, mesh.x[i])) {
-        collection.add(i);
-      }
+  IndexCollection collection(nets.size());
+  for (std::size_t i = 0; i < nets.size() && starts_from_all(card); ++i) {
+    if (card.net.empty() || nets[i] == card.net_id) {
+      collection.add(i);
     }
   }
   bool ok = true;
   if (card.has_key("FROM")) {
-    const auto from = sets.nodes(card.name_reference("FROM"));
-    ok = from.has_value();
-    for (std::size_t i = 0; ok && i < mesh.set_with_id(*from).nodes.size(); ++i) {
-      collection.add(mesh.set_with_id(*from).nodes[i].index());
+    const auto* members = from(card.name_reference("FROM"));
+    ok = members != nullptr;
+    for (std::size_t i = 0; ok && i < members->size(); ++i) {
+      collection.add((*members)[i].index());
     }
   }
-  ok = read_items(c, card, EntityKind::node_set, sets, collection) && ok;
+  ok = read_items(c, card, kind, sets, collection) && ok;
   std::vector<std::size_t> indices = collection.collected_indices();
-  std::erase_if(indices, [&](std::size_t i) { return !holds(card, mesh.x[i]); });
-  if (!ok || !sort_nodes(c, card, indices)) {
+  std::erase_if(indices, [&](std::size_t i) { return !holds(card, place(i)); });
+  return ok ? std::optional(std::move(indices)) : std::nullopt;
+}
+
+std::optional<std::vector<base::NodeId>> nodes_of_card(DeckContext& c, const CheckedCard& card,
+                                                       const SetFinder& sets) {
+  const model::Mesh& mesh = c.model.mesh;
+  const auto from = [&](const NameReference& reference) {
+    const auto set = sets.nodes(reference);
+    return set ? &mesh.set_with_id(*set).nodes : nullptr;
+  };
+  auto indices = collected(c, card, EntityKind::node_set, sets, mesh.node_net, from,
+                           [&](std::size_t i) { return mesh.x[i]; });
+  if (!indices || !sort_nodes(c, card, *indices)) {
     return std::nullopt;
   }
-  return std::vector<base::NodeId>(indices.begin(), indices.end());
+  return std::vector<base::NodeId>(indices->begin(), indices->end());
 }
 
 std::optional<std::vector<base::ElementId>>
 elements_of_card(DeckContext& c, const CheckedCard& card, const SetFinder& sets) {
   const model::Mesh& mesh = c.model.mesh;
-  if (!has_start(c, card)) {
-    return std::nullopt;
-  }
-  IndexCollection collection(mesh.element_count());
-  if (starts_from_all(card)) {
-    for (std::size_t i = 0; i < mesh.element_count(); ++i) {
-      if (card.net.empty() || mesh.element_net[i] == card.net_id) {
-        collection.add(i);
-      }
-    }
-  }
-  bool ok = true;
-  if (card.has_key("FROM")) {
-    const auto from = sets.elements(card.name_reference("FROM"));
-    ok = from.has_value();
-    for (std::size_t i = 0; ok && i < mesh.set_with_id(*from).elements.size(); ++i) {
-      collection.add(mesh.set_with_id(*from).elements[i].index());
-    }
-  }
-  ok = read_items(c, card, EntityKind::element_set, sets, collection) && ok;
-  std::vector<std::size_t> indices = collection.collected_indices();
-  std::erase_if(indices,
-                [&](std::size_t i) { return !holds(card, centroid(mesh, base::ElementId(i))); });
-  return ok ? std::optional(std::vector<base::ElementId>(indices.begin(), indices.end()))
-            : std::nullopt;
+  const auto from = [&](const NameReference& reference) {
+    const auto set = sets.elements(reference);
+    return set ? &mesh.set_with_id(*set).elements : nullptr;
+  };
+  const auto indices = collected(c, card, EntityKind::element_set, sets, mesh.element_net, from,
+                                 [&](std::size_t i) { return centroid(mesh, base::ElementId(i)); });
+  return indices ? std::optional(std::vector<base::ElementId>(indices->begin(), indices->end()))
+                 : std::nullopt;
 }
 
 const std::vector<model::Face>& boundary(DeckContext& c) {
@@ -233,21 +229,20 @@ std::optional<std::vector<model::Face>> faces_of_card(DeckContext& c, const Chec
 // Where the nodes lie that WHERE chose none of.
 std::string extent(const DeckContext& c, const CheckedCard& card) {
   const model::Mesh& mesh = c.model.mesh;
-  base::Vec3 low = base::Vec3::Constant(std::numeric_limits<double>::infinity());
-  base::Vec3 high = -low;
+  geometry::Box<3> box;
   for (std::size_t i = 0; i < mesh.node_count(); ++i) {
     if (card.net.empty() || mesh.node_net[i] == card.net_id) {
-      low = low.cwiseMin(mesh.x[i]);
-      high = high.cwiseMax(mesh.x[i]);
+      box.extend({mesh.x[i], mesh.x[i]});
     }
   }
-  if (low.x() > high.x()) {
+  if (box.low.x() > box.high.x()) {
     return "there are no nodes";
   }
-  const std::string plane = fmt::format("WHERE holds nowhere: nodes have x = {:.6g} .. {:.6g}, "
-                                        "y = {:.6g} .. {:.6g}",
-                                        low.x(), high.x(), low.y(), high.y());
-  return mesh.dim == 2 ? plane : fmt::format("{}, z = {:.6g} .. {:.6g}", plane, low.z(), high.z());
+  std::vector<std::string> ranges;
+  for (int i = 0; i < mesh.dim; ++i) {
+    ranges.push_back(fmt::format("{} = {:.6g} .. {:.6g}", "xyz"[i], box.low[i], box.high[i]));
+  }
+  return fmt::format("WHERE holds nowhere: nodes have {}", fmt::join(ranges, ", "));
 }
 
 } // namespace

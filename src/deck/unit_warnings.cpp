@@ -53,12 +53,12 @@ void warn_of_missing_unit(DeckContext& context, base::SourceSpan at, std::string
   }
   const std::string_view word = context.sources.text(unit);
   const std::string_view written = context.sources.text(at);
-  context.diagnostics.warning(
-      at, "W464",
-      fmt::format("{} = {} counts in the deck's own units, where the deck gives {} in "
-                  "[{}]: it is {:.6g}[{}]",
-                  name, written, name, word, value / factor_of(unit, context.scope), word),
-      fmt::format("write {}[{}], or the unit that is meant", written, word));
+  context.warning(at, "W464",
+                  fmt::format("{} = {} counts in the deck's own units, where the deck gives {} in "
+                              "[{}]: it is {:.6g}[{}]",
+                              name, written, name, word, value / factor_of(unit, context.scope),
+                              word),
+                  fmt::format("write {}[{}], or the unit that is meant", written, word));
 }
 
 void warn_of_whole_radians(DeckContext& context, base::SourceSpan at, std::string_view name,
@@ -67,23 +67,21 @@ void warn_of_whole_radians(DeckContext& context, base::SourceSpan at, std::strin
       context.sources.text(at).find('[') != std::string_view::npos) {
     return;
   }
-  context.diagnostics.warning(
-      at, "W342",
-      fmt::format("{}: {} is in radians, which are {:.4g} degrees", name, value,
-                  value * 180.0 / std::numbers::pi),
-      fmt::format("degrees are written {}[deg]; {}[rad] says that radians are meant", value,
-                  value));
+  context.warning(at, "W342",
+                  fmt::format("{}: {} is in radians, which are {:.4g} degrees", name, value,
+                              value * 180.0 / std::numbers::pi),
+                  fmt::format("degrees are written {}[deg]; {}[rad] says that radians are meant",
+                              value, value));
 }
 
 void warn_of_mixed_units(DeckContext& context, base::SourceSpan at, const base::UnitSystem& units) {
   const bool inches = units.length_name == "in";
   const bool pounds = units.force_name == "lbf";
   if (inches != pounds) {
-    context.diagnostics.warning(at, "W465",
-                                fmt::format("lengths in {} and forces in {} make stresses in {}",
-                                            units.length_name, units.force_name,
-                                            units.stress_name()),
-                                inches ? "FORCE=LBF, or LENGTH=MM" : "LENGTH=IN, or FORCE=N");
+    context.warning(at, "W465",
+                    fmt::format("lengths in {} and forces in {} make stresses in {}",
+                                units.length_name, units.force_name, units.stress_name()),
+                    inches ? "FORCE=LBF, or LENGTH=MM" : "LENGTH=IN, or FORCE=N");
   }
 }
 

@@ -3,6 +3,7 @@
 #include "base/id.hpp"
 #include "base/source.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -52,6 +53,11 @@ struct CrackGrowthSettings {
   std::optional<double> flow_stress;     ///< of the ligament, whose plastic limit stops the growth
   bool corrected = false;                ///< K with the error bar's bias taken out
   base::SourceSpan span;
+
+  /// Whether a crack is one of those that grow.
+  [[nodiscard]] bool grows(base::CrackId crack) const {
+    return cracks.empty() || std::ranges::find(cracks, crack) != cracks.end();
+  }
 };
 
 } // namespace spricka::model

@@ -71,9 +71,7 @@ bool mirrored_plane(const Reflection& mirror, const model::PlanarCrack& one,
 }
 
 bool grows(const model::Model& model, std::size_t crack) {
-  return model.growth && (model.growth->cracks.empty() ||
-                          std::ranges::find(model.growth->cracks, base::CrackId(crack)) !=
-                              model.growth->cracks.end());
+  return model.growth && model.growth->grows(base::CrackId(crack));
 }
 
 bool mirrored_shape(const model::Model& model, const Reflection& mirror,
