@@ -119,7 +119,7 @@ private:
                                   ? field.text
                                   : std::string(scope_.sources->text(field.span));
     if (field.kind != CardField::CardFieldKind::name ||
-        std::find(valid.begin(), valid.end(), given) == valid.end()) {
+        std::ranges::find(valid, given) == valid.end()) {
       const std::string near = base::suggest_spelling(given, valid);
       return fail(field.span, "E108",
                   fmt::format("{}: '{}' is not one of {}", key_.name,
@@ -151,7 +151,7 @@ private:
                                     OpCode::greater_equal, OpCode::equal,      OpCode::logical_and,
                                     OpCode::logical_or};
     return last.kind == grammar::ExpressionTerm::ExpressionTermKind::op &&
-           std::find(conditions.begin(), conditions.end(), last.op) != conditions.end();
+           std::ranges::find(conditions, last.op) != conditions.end();
   }
 
   bool expression(const CardField& field, CheckedValue& value) {
@@ -333,8 +333,8 @@ private:
 } // namespace
 
 const CheckedValue* CheckedCard::find(std::string_view key) const {
-  const auto it = std::find_if(values.begin(), values.end(),
-                               [&](const CheckedValue& v) { return v.key->name == key; });
+  const auto it =
+      std::ranges::find_if(values, [&](const CheckedValue& v) { return v.key->name == key; });
   return it == values.end() ? nullptr : &*it;
 }
 

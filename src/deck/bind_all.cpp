@@ -87,9 +87,8 @@ private:
     if (!card.name.empty()) {
       c_.error(card.name_span, "E104", fmt::format("there is no card ${}", card.name), hint);
     }
-    const auto meant = std::find_if(valid.begin(), valid.end(), [&](const std::string& v) {
-      return hint.ends_with("'" + v + "'?");
-    });
+    const auto meant = std::ranges::find_if(
+        valid, [&](const std::string& v) { return hint.ends_with("'" + v + "'?"); });
     if (meant != valid.end()) {
       misspelt(card, *grammar::find_card(meant->substr(1)));
     }
@@ -149,9 +148,7 @@ private:
     }
     net_open_ = true;
     net_ = bound.word_value("NAME");
-    const bool again = std::any_of(c_.model.nets.begin(), c_.model.nets.end(),
-                                   [&](const model::MeshNet& n) { return n.name == net_; });
-    if (again && !bound.bad) {
+    if (c_.find_net(net_).index() < c_.model.nets.size() && !bound.bad) {
       c_.error(bound.find("NAME")->span, "E302", fmt::format("net {} is defined twice", net_));
       c_.property_sound = false; // which of the two a set means is not known
     }
@@ -251,7 +248,7 @@ private:
       }
       const std::vector<std::string> words = grammar::split_words(later);
       const bool hit = later == "*" || (later == ">0" && value.number > 0.0) ||
-                       std::find(words.begin(), words.end(), value.text) != words.end();
+                       std::ranges::find(words, value.text) != words.end();
       if (hit) {
         c_.mark_unavailable(fmt::format("${} {}{}{}", bound.spec->name, value.key->name,
                                         value.text.empty() || later == "*" ? "" : "=",

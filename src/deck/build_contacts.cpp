@@ -29,8 +29,8 @@ std::optional<double> declared_gap(const CheckedCard& card) {
 
 bool share_a_face(const model::FaceSet& a, const model::FaceSet& b) {
   std::vector<model::Face> sorted = a.faces;
-  std::sort(sorted.begin(), sorted.end());
-  return std::any_of(b.faces.begin(), b.faces.end(), [&](const model::Face& f) {
+  std::ranges::sort(sorted);
+  return std::ranges::any_of(b.faces, [&](const model::Face& f) {
     return std::binary_search(sorted.begin(), sorted.end(), f);
   });
 }

@@ -39,8 +39,7 @@ constexpr std::array<LoadForm, 9> forms{{
 }};
 
 const LoadForm& form_of(std::string_view word) {
-  return *std::find_if(forms.begin(), forms.end(),
-                       [&](const LoadForm& f) { return f.word == word; });
+  return *std::ranges::find_if(forms, [&](const LoadForm& f) { return f.word == word; });
 }
 
 const LoadForm& form_of(LoadType type) {
@@ -94,18 +93,12 @@ bool load_set(DeckContext& c, const NameReference& reference, model::Load& load)
   switch (load.type) {
   case LoadType::force:
   case LoadType::displacement:
-    if (const auto id = resolve_node_set(c, reference)) {
-      load.nodes = *id;
-      return true;
-    }
-    return false;
+    load.nodes = resolve_node_set(c, reference).value_or(base::NodeSetId());
+    return load.nodes.valid();
   case LoadType::body:
   case LoadType::temperature:
-    if (const auto id = resolve_element_set(c, reference)) {
-      load.elements = *id;
-      return true;
-    }
-    return false;
+    load.elements = resolve_element_set(c, reference).value_or(base::ElementSetId());
+    return load.elements.valid();
   case LoadType::traction:
   case LoadType::pressure:
     if (const auto crack_face = crack_face_set(c, reference)) {
@@ -118,18 +111,16 @@ bool load_set(DeckContext& c, const NameReference& reference, model::Load& load)
         c.names.find({EntityKind::face_set, EntityKind::node_set, EntityKind::element_set},
                      reference.name, reference.net);
     if (known != nullptr && known->kind == EntityKind::element_set) {
-      const auto id = resolve_element_set(c, reference);
-      load.elements = id.value_or(base::ElementSetId());
-      return id.has_value();
+      load.elements = resolve_element_set(c, reference).value_or(base::ElementSetId());
+      return load.elements.valid();
     }
     break;
   }
   default:
     break;
   }
-  const auto id = resolve_face_set(c, reference);
-  load.faces = id.value_or(base::FaceSetId());
-  return id.has_value();
+  load.faces = resolve_face_set(c, reference).value_or(base::FaceSetId());
+  return load.faces.valid();
 }
 
 bool load_value(DeckContext& c, const LoadForm& form, const grammar::CardField& field,

@@ -271,7 +271,7 @@ bool adopt_sets(DeckContext& c, const CheckedCard& card, EntityKind kind, std::v
       continue;
     }
     const std::vector<model::MeshNet>& nets = c.model.nets;
-    if (std::count_if(nets.begin(), nets.end(), of_net) < 2) { // else the net is said to be double
+    if (std::ranges::count_if(nets, of_net) < 2) { // else the net is said to be double
       c.error(card.span, "E302", fmt::format("there is a set {} already", sets[i].name),
               "put each mesh into a $NET of its own");
     }

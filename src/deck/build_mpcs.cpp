@@ -56,7 +56,7 @@ private:
     const auto same = [&](const model::ConstraintEquation::ConstraintTerm& t) {
       return t.node == *node && t.dof == *dof;
     };
-    if (std::any_of(equation_.terms.begin(), equation_.terms.end(), same)) {
+    if (std::ranges::any_of(equation_.terms, same)) {
       const base::SourceSpan pair{row.span.file, row.fields[first + 1].span.begin,
                                   row.fields[first + 2].span.end};
       c_.error(pair, "E107", "this freedom stands twice in the equation",

@@ -43,14 +43,12 @@ constexpr std::array<std::string_view, 16> own_files{
 std::string why_not(const DeckContext& c, const model::Output& output, const std::string& name) {
   const std::string named = name == output.file ? fmt::format("'{}'", name)
                                                 : fmt::format("'{}' ('{}')", name, output.file);
-  const bool control = std::any_of(name.begin(), name.end(), [](char letter) {
-    return static_cast<unsigned char>(letter) < 0x20U;
-  });
+  const bool control = std::ranges::any_of(
+      name, [](char letter) { return static_cast<unsigned char>(letter) < 0x20U; });
   if (name.empty() || name == "." || name == ".." || control || name.size() > 200) {
     return fmt::format("'{}' is not the name of a file", output.file);
   }
-  if (std::find(own_files.begin(), own_files.end(), name) != own_files.end() ||
-      name.starts_with(".spricka")) {
+  if (std::ranges::find(own_files, name) != own_files.end() || name.starts_with(".spricka")) {
     return fmt::format("{} is a file that every run writes", named);
   }
   if (output.format == model::OutputFormat::vtu) {
@@ -59,11 +57,9 @@ std::string why_not(const DeckContext& c, const model::Output& output, const std
   if (name.ends_with(".vtu") || name.ends_with(".pvd") || name.ends_with(".part")) {
     return fmt::format("{} is the name of a picture or of a file that is being written", named);
   }
-  const bool twice =
-      std::any_of(c.model.outputs.begin(), c.model.outputs.end(), [&](const model::Output& other) {
-        return other.format == output.format &&
-               std::filesystem::path(other.file).filename() == name;
-      });
+  const bool twice = std::ranges::any_of(c.model.outputs, [&](const model::Output& other) {
+    return other.format == output.format && std::filesystem::path(other.file).filename() == name;
+  });
   return twice ? fmt::format("{} is written by another $OUTPUT already", named) : std::string();
 }
 
@@ -87,7 +83,7 @@ void output(DeckContext& c, const CheckedCard& card) {
                                                        : model::OutputEvery::end;
   output.span = card.span;
   for (const grammar::DataRow& row : card.rows) {
-    const auto* const it = std::find_if(requests.begin(), requests.end(), [&](const Request& r) {
+    const auto* const it = std::ranges::find_if(requests, [&](const Request& r) {
       return row.fields.front().kind == CardField::CardFieldKind::name &&
              r.word == row.fields.front().text;
     });
@@ -156,7 +152,7 @@ void left_out(DeckContext& c, const CheckedCard& card) {
                            Need{"OUTPUT", "OUTPUT"}, Need{"STIFFNESS", "STEP"}}) {
     const std::vector<std::string>& tasks = c.model.tasks;
     if (c.first_card(need.card) != nullptr &&
-        std::find(tasks.begin(), tasks.end(), need.processor) == tasks.end()) {
+        std::ranges::find(tasks, need.processor) == tasks.end()) {
       c.mark_unavailable(
           fmt::format("$TASK without {} in a deck with ${}", need.processor, need.card), card.span);
     }
@@ -168,7 +164,7 @@ void task(DeckContext& c, const CheckedCard& card) {
   std::size_t last = 0;
   for (const grammar::DataRow& row : card.rows) {
     for (const CardField& field : row.fields) {
-      const auto it = std::find(valid.begin(), valid.end(), field.text);
+      const auto it = std::ranges::find(valid, field.text);
       if (field.kind != CardField::CardFieldKind::name || it == valid.end()) {
         c.error(field.span, "E108",
                 fmt::format("'{}' is not a processor", c.sources.text(field.span)),
@@ -191,9 +187,8 @@ void task(DeckContext& c, const CheckedCard& card) {
 std::string swept_parameter(DeckContext& c, const CheckedCard& card, std::string_view key) {
   const std::string name(card.word_value(key));
   const base::SourceSpan span = card.find(key)->span;
-  const auto known = std::find_if(c.parameters.begin(), c.parameters.end(), [&](const auto& p) {
-    return grammar::to_upper(p.first) == name;
-  });
+  const auto known = std::ranges::find_if(
+      c.parameters, [&](const auto& p) { return grammar::to_upper(p.first) == name; });
   if (known == c.parameters.end()) {
     if (!c.scope.poisoned.contains(name) && !c.scope.incomplete) {
       std::vector<std::string> valid;
@@ -210,11 +205,10 @@ std::string swept_parameter(DeckContext& c, const CheckedCard& card, std::string
             "leave -D out, or the card");
   }
   const auto swept = [&](const std::vector<std::string>& names) {
-    return std::find(names.begin(), names.end(), known->first) != names.end();
+    return std::ranges::find(names, known->first) != names.end();
   };
-  const bool before =
-      std::any_of(c.model.sweeps.begin(), c.model.sweeps.end(),
-                  [&](const model::ParameterSweep& s) { return swept(s.parameters); });
+  const bool before = std::ranges::any_of(
+      c.model.sweeps, [&](const model::ParameterSweep& s) { return swept(s.parameters); });
   const bool with_itself = key == "WITH" && card.word_value("PARAMETER") == name;
   if (before || with_itself) {
     c.error(span, "E391", fmt::format("parameter {} is swept twice", known->first));

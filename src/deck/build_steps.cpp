@@ -21,26 +21,21 @@ const std::vector<std::string> k_actions{"LOAD", "FIT", "MOUNT", "DISMOUNT"};
 // A second LOAD of a case, FIT of a contact .. in one step: the deck means something else.
 bool says_twice(DeckContext& c, const grammar::DataRow& row, const model::Step& step,
                 std::string_view verb, std::size_t index) {
-  const auto same = [&](const model::Action& action) {
-    if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {
-      return verb == "LOAD" && load->load_case.index() == index;
-    }
-    if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
-      return verb == "FIT" && fit->contact.index() == index;
-    }
-    if (const auto* mount = std::get_if<model::MountContact>(&action)) {
-      return (verb == "MOUNT" || verb == "DISMOUNT") && mount->contact.index() == index;
-    }
-    const auto* off = std::get_if<model::DismountContact>(&action);
-    return (verb == "MOUNT" || verb == "DISMOUNT") && off->contact.index() == index;
-  };
-  if (std::any_of(step.actions.begin(), step.actions.end(), same)) {
+  bool twice = false;
+  const auto look = [&](const auto& id) { twice = twice || id.index() == index; };
+  if (verb == "LOAD") {
+    for_actions<model::ApplyLoad>(step, [&](const auto& load) { look(load.load_case); });
+  } else if (verb == "FIT") {
+    for_actions<model::ApplyFit>(step, [&](const auto& fit) { look(fit.contact); });
+  } else {
+    for_mountings(step, [&](base::ContactId contact, bool /*on*/) { look(contact); });
+  }
+  if (twice) {
     c.error(row.span, "E320",
             fmt::format("{} {} stands twice in this step", verb, row.fields[1].text),
             "a step says how it ends; make two steps");
-    return true;
   }
-  return false;
+  return twice;
 }
 
 // The name and factor behind LOAD and FIT, the name behind MOUNT and DISMOUNT.
@@ -333,7 +328,7 @@ void paths_with_friction(DeckContext& c) {
 void read_step_row(DeckContext& context, const grammar::DataRow& row, model::Step& step) {
   const CardField& verb = row.fields.front();
   const bool known = verb.kind == CardField::CardFieldKind::name &&
-                     std::find(k_actions.begin(), k_actions.end(), verb.text) != k_actions.end();
+                     std::ranges::find(k_actions, verb.text) != k_actions.end();
   if (known) {
     action(context, row, step);
   } else {

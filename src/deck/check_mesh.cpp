@@ -101,8 +101,7 @@ void one_space(DeckContext& c) {
     }
   }
   report_elements(c, plane, "E313", "of the plane in a model with elements in space", "");
-  const auto it =
-      std::find_if(mesh.x.begin(), mesh.x.end(), [](const base::Vec3& x) { return x.z() != 0.0; });
+  const auto it = std::ranges::find_if(mesh.x, [](const base::Vec3& x) { return x.z() != 0.0; });
   if (mesh.dim == 2 && it != mesh.x.end() && mesh.element_count() > 0) {
     const auto node = static_cast<std::size_t>(it - mesh.x.begin());
     c.error(element_origin(c, 0).card, "E313",

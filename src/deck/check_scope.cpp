@@ -18,9 +18,8 @@ using model::StressState;
 
 // A plane mesh is a section through bodies about an axis as a whole, or not at all.
 void one_symmetry(DeckContext& c) {
-  const auto first =
-      std::find_if(c.model.properties.begin(), c.model.properties.end(),
-                   [](const auto& p) { return p.state == StressState::axisymmetric; });
+  const auto first = std::ranges::find_if(
+      c.model.properties, [](const auto& p) { return p.state == StressState::axisymmetric; });
   if (first == c.model.properties.end()) {
     return;
   }

@@ -97,11 +97,10 @@ void unused(DeckContext& c, const std::string& name, const base::SourceSpan& spa
 }
 
 bool reaches_a_script(const DeckContext& c, const std::string& upper) {
-  return std::any_of(c.scripts.begin(), c.scripts.end(), [&](const ImportedScript& script) {
-    return std::any_of(script.constants.begin(), script.constants.end(),
-                       [&](const mesh::GeometryScriptConstant& constant) {
-                         return constant.from_deck && grammar::to_upper(constant.name) == upper;
-                       });
+  return std::ranges::any_of(c.scripts, [&](const ImportedScript& script) {
+    return std::ranges::any_of(script.constants, [&](const mesh::GeometryScriptConstant& constant) {
+      return constant.from_deck && grammar::to_upper(constant.name) == upper;
+    });
   });
 }
 

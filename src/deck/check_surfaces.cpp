@@ -30,11 +30,14 @@ SurfaceFacePair pair_of(const model::Mesh& mesh, const model::Contact& contact) 
 class SurfaceConflictCheck {
 public:
   explicit SurfaceConflictCheck(DeckContext& context)
-      : c_(context), model_(context.model), mesh_(model_.mesh) {
+      : c_(context), model_(context.model), mesh_(model_.mesh), ends_(step_ends(model_)) {
     for (const model::Contact& contact : model_.contacts) {
       pairs_.push_back(pair_of(mesh_, contact));
     }
-    find_mounted();
+    if (ends_.empty()) { // without steps: all along
+      ends_.push_back(
+          {std::vector<double>(model_.cases.size(), 0.0), {}, mounted_at_start(model_)});
+    }
   }
 
   void look() {
@@ -55,27 +58,9 @@ public:
   }
 
 private:
-  // What is in force at the end of each step, or all along in a deck without steps. A contact that
-  // a step mounts is absent before.
-  void find_mounted() {
-    std::vector<bool> in = mounted_at_start(model_);
-    std::vector<double> load(model_.cases.size(), 0.0);
-    for (const model::Step& step : model_.steps) {
-      for_mountings(step, [&](base::ContactId contact, bool on) { in[contact.index()] = on; });
-      for_actions<model::ApplyLoad>(step, [&](const model::ApplyLoad& apply) {
-        load[apply.load_case.index()] = apply.factor;
-      });
-      mounted_.push_back(in);
-      loaded_.push_back(load);
-    }
-    if (model_.steps.empty()) {
-      mounted_.push_back(in);
-    }
-  }
-
   [[nodiscard]] bool together(std::size_t a, std::size_t b) const {
-    return std::ranges::any_of(mounted_,
-                               [&](const std::vector<bool>& in) { return in[a] && in[b]; });
+    return std::ranges::any_of(
+        ends_, [&](const StepEnd& end) { return end.mounted[a] && end.mounted[b]; });
   }
 
   [[nodiscard]] std::string surfaces_of(const model::Contact& contact) const {
@@ -219,10 +204,8 @@ private:
   void look_at_load(std::size_t load_case, const model::Load& load) {
     const Faces faces = sorted_faces(mesh_, load.faces);
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      bool acts = false;
-      for (std::size_t s = 0; s < loaded_.size(); ++s) {
-        acts = acts || (loaded_[s][load_case] != 0.0 && mounted_[s][i]);
-      }
+      const bool acts = std::ranges::any_of(
+          ends_, [&](const StepEnd& end) { return end.load[load_case] != 0.0 && end.mounted[i]; });
       const SurfaceFacePair& pair = pairs_[i];
       const std::size_t shared = facing_count(mesh_, common_faces(faces, pair.one), pair.two) +
                                  facing_count(mesh_, common_faces(faces, pair.two), pair.one);
@@ -243,9 +226,8 @@ private:
   DeckContext& c_;
   const model::Model& model_;
   const model::Mesh& mesh_;
-  std::vector<SurfaceFacePair> pairs_;      ///< [contact]
-  std::vector<std::vector<bool>> mounted_;  ///< [step][contact] at its end
-  std::vector<std::vector<double>> loaded_; ///< [step][case] at its end
+  std::vector<SurfaceFacePair> pairs_; ///< [contact]
+  std::vector<StepEnd> ends_;
 };
 
 } // namespace

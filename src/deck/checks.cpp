@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -298,6 +299,14 @@ private:
   // Names of sets become qualified.
   bool known(char letter, std::string& name, base::SourceSpan span) {
     const NameReference reference{name, span, card_.net};
+    static const std::map<char, EntityKind> kinds{{'s', EntityKind::step},
+                                                  {'o', EntityKind::load_case},
+                                                  {'m', EntityKind::material},
+                                                  {'l', EntityKind::path},
+                                                  {'t', EntityKind::test}};
+    if (const auto kind = kinds.find(letter); kind != kinds.end()) {
+      return look_up(c_, kind->second, reference) != nullptr;
+    }
     switch (letter) {
     case 'c': {
       const std::size_t dot = name.find('.');
@@ -309,16 +318,6 @@ private:
     }
     case 'p':
       return check_contact_reference(c_, reference);
-    case 's':
-      return look_up(c_, EntityKind::step, reference) != nullptr;
-    case 'o':
-      return look_up(c_, EntityKind::load_case, reference) != nullptr;
-    case 'm':
-      return look_up(c_, EntityKind::material, reference) != nullptr;
-    case 'l':
-      return look_up(c_, EntityKind::path, reference) != nullptr;
-    case 't':
-      return look_up(c_, EntityKind::test, reference) != nullptr;
     case 'e':
       return name == "*" || look_up(c_, EntityKind::net, {name, span, {}}) != nullptr;
     case 'n': {

@@ -32,7 +32,7 @@ std::string card_hint(std::string_view word) {
 }
 
 void drop_header_without_dollar(DeckContext& context, CheckedCard& card) {
-  const auto missing = std::find_if(card.rows.begin(), card.rows.end(), is_header);
+  const auto missing = std::ranges::find_if(card.rows, is_header);
   if (missing == card.rows.end()) {
     return;
   }

@@ -17,10 +17,9 @@ namespace {
 
 // Materials of a file stand behind those of the cards and are known by their names.
 void adopt_physics(DeckContext& c, const CheckedCard& card, mesh::ImportedPhysics physics) {
-  auto next = static_cast<std::size_t>(
-      std::count_if(c.cards.begin(), c.cards.end(), [](const CheckedCard& other) {
-        return other.spec->name == "MATERIAL" && !other.bad;
-      }));
+  auto next = static_cast<std::size_t>(std::ranges::count_if(c.cards, [](const CheckedCard& other) {
+    return other.spec->name == "MATERIAL" && !other.bad;
+  }));
   for (const mesh::ImportedPhysics& before : c.imported) {
     next += before.materials.size();
   }
@@ -44,9 +43,8 @@ void adopt_physics(DeckContext& c, const CheckedCard& card, mesh::ImportedPhysic
 
 bool took_too_long(const DeckContext& c) {
   const std::vector<base::Diagnostic>& all = c.diagnostics.messages();
-  return std::any_of(all.begin(), all.end(), [](const base::Diagnostic& d) {
-    return d.code == "E481" || d.code == "E482";
-  });
+  return std::ranges::any_of(
+      all, [](const base::Diagnostic& d) { return d.code == "E481" || d.code == "E482"; });
 }
 
 } // namespace

@@ -25,8 +25,8 @@ public:
 
   bool read(IndexCollection& collection) {
     for (const grammar::DataRow& row : card_.rows) {
-      const auto equal = std::find_if(row.fields.begin(), row.fields.end(),
-                                      [](const CardField& f) { return f.separator == '='; });
+      const auto equal =
+          std::ranges::find_if(row.fields, [](const CardField& f) { return f.separator == '='; });
       if (equal != row.fields.end()) {
         c_.error(equal->span, "E115", "no '=' in a list of items",
                  std::string(card_.spec->data_form));
@@ -104,7 +104,7 @@ private:
       found = steps > all_labels().size() ? sift(first, last, field.range[2])
                                           : walk(first, last, field.range[2]);
     }
-    std::for_each(found.begin(), found.end(), [&](std::size_t i) { collection.add(i); });
+    std::ranges::for_each(found, [&](std::size_t i) { collection.add(i); });
     if (found.empty()) {
       missing(field, fmt::format("there is no {} in this range", thing()));
     }
@@ -142,8 +142,7 @@ private:
         found.push_back(i);
       }
     }
-    std::sort(found.begin(), found.end(),
-              [&](std::size_t a, std::size_t b) { return labels[a] < labels[b]; });
+    std::ranges::sort(found, [&](std::size_t a, std::size_t b) { return labels[a] < labels[b]; });
     return found;
   }
 

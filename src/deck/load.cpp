@@ -121,7 +121,7 @@ private:
     const fs::path path = from.parent_path() / name->text;
     std::error_code unknown; // no such file, a name too long ..: said when it is read
     const fs::path canonical = fs::weakly_canonical(path, unknown);
-    if (!unknown && std::find(open_.begin(), open_.end(), canonical) != open_.end()) {
+    if (!unknown && std::ranges::find(open_, canonical) != open_.end()) {
       refuse(*name, fmt::format("'{}' includes itself", name->text));
     } else if (open_.size() > k_deepest_include) {
       refuse(*name, fmt::format("includes are nested more than {} deep", k_deepest_include));
@@ -171,8 +171,8 @@ void check_frame(std::vector<grammar::Card>& cards, std::int32_t file,
         cards.empty() ? base::SourceSpan{file, 0, 0} : cards.front().name_span;
     diagnostics.error(at, "E111", "the first card is $DECK", "$DECK VERSION=1 LENGTH=mm FORCE=N");
   }
-  const auto end = std::find_if(cards.begin(), cards.end(),
-                                [](const grammar::Card& c) { return c.name == "END"; });
+  const auto end =
+      std::ranges::find_if(cards, [](const grammar::Card& c) { return c.name == "END"; });
   if (end == cards.end() || end->name_span.file != file) {
     diagnostics.error(end == cards.end() ? end_of_text(sources, file) : end->name_span, "E112",
                       end == cards.end() ? "the deck does not end with $END: is it truncated?"

@@ -28,8 +28,9 @@ double nodes_per_cell(const base::ElementInfo& info) {
   if (!info.quadratic) {
     return 1.0;
   }
-  const bool sparse = info.nodes == 8 || info.nodes == 20; // no nodes within sides and cells
-  return sparse ? 1.0 + info.dim : 1 << info.dim;          // one corner, an edge for each direction
+  // Without nodes in sides and cells a cell adds a corner and an edge for each direction.
+  const bool sparse = info.nodes == 8 || info.nodes == 20;
+  return sparse ? 1.0 + info.dim : 1 << info.dim;
 }
 
 // Cells of the generator's grid: at least as many as it will make.

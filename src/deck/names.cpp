@@ -82,7 +82,7 @@ const NameDefinition* NameTable::find(const std::vector<EntityKind>& kinds, cons
 bool NameTable::is_poisoned(const std::vector<EntityKind>& kinds, const std::string& name,
                             const std::string& net) const {
   const bool kind_poisoned =
-      std::any_of(kinds.begin(), kinds.end(), [&](EntityKind k) { return kinds_.contains(k); });
+      std::ranges::any_of(kinds, [&](EntityKind k) { return kinds_.contains(k); });
   if (everything_ || kind_poisoned || words_.contains(std::string(last_part(name))) ||
       words_.contains(name)) {
     return true;
@@ -95,7 +95,7 @@ bool NameTable::is_poisoned(const std::vector<EntityKind>& kinds, const std::str
 std::string NameTable::other_meaning(const std::vector<EntityKind>& kinds,
                                      const std::string& name) const {
   for (const auto& [key, definition] : table_) {
-    if (key.second == name && std::find(kinds.begin(), kinds.end(), key.first) == kinds.end()) {
+    if (key.second == name && std::ranges::find(kinds, key.first) == kinds.end()) {
       const std::string_view word = grammar::display_name(key.first);
       const bool faces = std::ranges::find(kinds, EntityKind::face_set) != kinds.end();
       return fmt::format("'{0}' is {1} {2}{3}", name, word.front() == 'e' ? "an" : "a", word,
@@ -113,7 +113,7 @@ std::string NameTable::hint(const std::vector<EntityKind>& kinds, const std::str
   std::vector<std::string> valid;
   std::vector<std::string> same_word;
   for (const auto& [key, definition] : table_) {
-    if (std::find(kinds.begin(), kinds.end(), key.first) != kinds.end()) {
+    if (std::ranges::find(kinds, key.first) != kinds.end()) {
       valid.push_back(key.second);
       if (last_part(key.second) == last_part(name)) {
         same_word.push_back(key.second);

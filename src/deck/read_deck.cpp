@@ -22,7 +22,7 @@ void divide_elements(DeckContext& context) {
       const NetRefinement* request = context.refinement(name);
       nets[n] = request != nullptr && request->splits > round && !context.remeshed.contains(name);
     }
-    if (std::none_of(nets.begin(), nets.end(), [](bool divided) { return divided; })) {
+    if (std::ranges::none_of(nets, [](bool divided) { return divided; })) {
       return;
     }
     mesh::subdivide(model.mesh, nets);

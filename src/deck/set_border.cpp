@@ -2,6 +2,7 @@
 #include "deck/set_border.hpp"
 
 #include "model/mesh_side.hpp"
+#include "shape/shape.hpp"
 
 #include <algorithm>
 #include <map>

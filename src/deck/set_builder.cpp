@@ -30,8 +30,8 @@ base::Vec3 centroid(const model::Mesh& mesh, base::ElementId e) {
 }
 
 bool has_positive_items(const CheckedCard& card) {
-  return std::any_of(card.rows.begin(), card.rows.end(), [](const grammar::DataRow& row) {
-    return std::any_of(row.fields.begin(), row.fields.end(), [](const CardField& f) {
+  return std::ranges::any_of(card.rows, [](const grammar::DataRow& row) {
+    return std::ranges::any_of(row.fields, [](const CardField& f) {
       return f.kind != CardField::CardFieldKind::minus_name;
     });
   });
@@ -69,8 +69,7 @@ bool sort_nodes(DeckContext& c, const CheckedCard& card, std::vector<std::size_t
       return false;
     }
   }
-  std::stable_sort(keyed.begin(), keyed.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::ranges::stable_sort(keyed, [](const auto& a, const auto& b) { return a.first < b.first; });
   std::transform(keyed.begin(), keyed.end(), nodes.begin(), [](const auto& k) { return k.second; });
   return true;
 }
@@ -285,8 +284,8 @@ void build_set(DeckContext& context, const CheckedCard& card, const SetFinder& s
     keep(mesh.face_sets, faces_of_card(context, card, sets));
   }
   // where a mesh is missing, as one in space may, an empty set says nothing
-  const bool whole = std::all_of(context.node_labels.begin(), context.node_labels.end(),
-                                 [](const LabelMap& labels) { return labels.complete; });
+  const bool whole = std::ranges::all_of(context.node_labels,
+                                         [](const LabelMap& labels) { return labels.complete; });
   if (size == std::size_t{0} && context.mesh_sound && whole && !card.rows_bad) {
     context.error(name.span, "E309", fmt::format("set {} is empty", full),
                   card.has_key("WHERE") ? extent(context, card) : "");

@@ -28,7 +28,7 @@ const NameDefinition* find_set(DeckContext& c, EntityKind kind, const NameRefere
     return found;
   }
   const std::size_t card = *found->card;
-  if (std::find(c.building.begin(), c.building.end(), card) != c.building.end()) {
+  if (std::ranges::find(c.building, card) != c.building.end()) {
     c.error(reference.span, "E310", fmt::format("set {} is made of itself", reference.name));
     return nullptr;
   }

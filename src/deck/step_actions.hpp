@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <variant>
+#include <vector>
 
 namespace spricka::deck {
 
@@ -51,6 +52,30 @@ template <class F> void for_mountings(const model::Step& step, F&& f) {
       f(off->contact, false);
     }
   }
+}
+
+/// Loads, fits and contacts as a step leaves them.
+struct StepEnd {
+  std::vector<double> load;  ///< [case] factor
+  std::vector<double> fit;   ///< [contact] factor
+  std::vector<bool> mounted; ///< [contact]
+};
+/// The ends of all steps of a model, in their order.
+inline std::vector<StepEnd> step_ends(const model::Model& model) {
+  std::vector<StepEnd> ends;
+  StepEnd now{std::vector<double>(model.cases.size(), 0.0),
+              std::vector<double>(model.contacts.size(), 0.0), mounted_at_start(model)};
+  for (const model::Step& step : model.steps) {
+    for_actions<model::ApplyLoad>(step, [&](const model::ApplyLoad& load) {
+      now.load[load.load_case.index()] = load.factor;
+    });
+    for_actions<model::ApplyFit>(
+        step, [&](const model::ApplyFit& fit) { now.fit[fit.contact.index()] = fit.factor; });
+    for_mountings(step,
+                  [&](base::ContactId contact, bool on) { now.mounted[contact.index()] = on; });
+    ends.push_back(now);
+  }
+  return ends;
 }
 
 } // namespace spricka::deck

@@ -58,17 +58,24 @@ void add_coefficients(std::span<const std::int32_t> freedoms, const DofMap& dofs
   }
 }
 
+// The rows of each element.
+BlockRows element_rows(const model::Mesh& mesh, std::span<const base::ElementId> elements,
+                       const DofMap& dofs) {
+  BlockRows blocks;
+  std::array<std::int32_t, max_element_freedoms> freedoms{};
+  for (const base::ElementId e : elements) {
+    add_rows(element_freedoms(mesh, e, freedoms), dofs, blocks);
+  }
+  return blocks;
+}
+
 } // namespace
 
 base::SymmetricCsc stiffness_pattern(const model::Mesh& mesh,
                                      std::span<const base::ElementId> elements,
                                      std::span<const std::vector<std::int32_t>> super_freedoms,
                                      const DofMap& dofs) {
-  BlockRows blocks;
-  std::array<std::int32_t, max_element_freedoms> freedoms{};
-  for (const base::ElementId e : elements) {
-    add_rows(element_freedoms(mesh, e, freedoms), dofs, blocks);
-  }
+  BlockRows blocks = element_rows(mesh, elements, dofs);
   for (const std::vector<std::int32_t>& super : super_freedoms) {
     add_rows(super, dofs, blocks);
   }
@@ -78,16 +85,13 @@ base::SymmetricCsc stiffness_pattern(const model::Mesh& mesh,
 base::SymmetricCsc assemble_stiffness(const model::Model& model, const model::Mesh& mesh,
                                       std::span<const base::ElementId> elements,
                                       std::span<const Superelement> supers, const DofMap& dofs) {
-  BlockRows blocks;
-  std::array<std::int32_t, max_element_freedoms> freedoms{};
-  for (const base::ElementId e : elements) {
-    add_rows(element_freedoms(mesh, e, freedoms), dofs, blocks);
-  }
+  BlockRows blocks = element_rows(mesh, elements, dofs);
   for (const Superelement& super : supers) {
     add_rows(super.freedom, dofs, blocks);
   }
   base::SymmetricCsc K = make_pattern(dofs.size(), blocks);
 
+  std::array<std::int32_t, max_element_freedoms> freedoms{};
   // Blocks must come in the order in which their rows were added.
   std::size_t block_number = 0;
   for_shape_blocks(

@@ -77,7 +77,7 @@ Cuts cut_edge(double left, double middle, double right) {
 // and the area on which it acts, of the exact arc of an edge, of a face as it is seen along the
 // radius.
 template <class Visit>
-void for_edge_points(const Pin& pin, const ElementSide& edge, double thickness, Visit&& visit) {
+void for_points_on_edge(const Pin& pin, const ElementSide& edge, double thickness, Visit&& visit) {
   const auto arm_at = [&](double r) { return pin.arm(edge.position({r, 0.0})); };
   // Along the load from the centre: its zeros are where |theta| = 90 degrees.
   const auto distance_at = [&](double r) { return arm_at(r).dot(pin.d); };
@@ -102,7 +102,7 @@ void for_edge_points(const Pin& pin, const ElementSide& edge, double thickness, 
 }
 
 template <class Visit>
-void for_face_points(const Pin& pin, const ElementSide& face, Visit&& visit) {
+void for_points_on_face(const Pin& pin, const ElementSide& face, Visit&& visit) {
   face.for_quadrature_points(pressure_degree, [&](const Vec2& r, double weight) {
     const Vec2 radial = pin.arm(face.position(r)).normalized();
     // Against the outer normal: away from the centre of a bore, towards that of a shaft.
@@ -125,9 +125,9 @@ void for_unit_pressures(const model::Model& model, const model::Mesh& mesh, cons
     }
   };
   if (side.is_edge()) {
-    for_edge_points(pin, side, model.element_property(mesh, face.element).thickness, press);
+    for_points_on_edge(pin, side, model.element_property(mesh, face.element).thickness, press);
   } else {
-    for_face_points(pin, side, press);
+    for_points_on_face(pin, side, press);
   }
 }
 
@@ -187,8 +187,18 @@ std::optional<Pin> pin_on_faces(const model::Mesh& mesh, const std::vector<model
   return pin;
 }
 
-// The axes [x y z] across which planes of symmetry, of which one side is modelled, cut the faces of
-// a load: there the image balances what the pressure does across the load.
+// Whether a plane of symmetry that cuts the faces runs along the load and the axis; one across the
+// axis does nothing.
+bool is_balanced(const std::array<bool, 3>& cuts, const Vec3& across) {
+  bool balanced = false;
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    balanced = balanced || (cuts.at(i) && std::abs(across[static_cast<Eigen::Index>(i)]) > 0.5);
+  }
+  return balanced;
+}
+
+} // namespace
+
 std::array<bool, 3> mirror_cut_axes(const model::Model& model, const model::Mesh& mesh,
                                     const model::Load& load) {
   constexpr double in_plane = 1e-6; // of the faces' extent
@@ -211,17 +221,6 @@ std::array<bool, 3> mirror_cut_axes(const model::Model& model, const model::Mesh
   }
   return cuts;
 }
-
-// Whether such a plane runs along the load and the axis; one across the axis does nothing.
-bool is_balanced(const std::array<bool, 3>& cuts, const Vec3& across) {
-  bool balanced = false;
-  for (std::size_t i = 0; i < cuts.size(); ++i) {
-    balanced = balanced || (cuts.at(i) && std::abs(across[static_cast<Eigen::Index>(i)]) > 0.5);
-  }
-  return balanced;
-}
-
-} // namespace
 
 bool for_bearing_points(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
                         const LoadVisit::FaceVisit& visit) {

@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "fe/load_points.hpp"
+#include "fe/load_visit.hpp"
+#include "model/forward.hpp"
+
+#include <array>
 
 namespace spricka::fe {
+
+/// The axes [x y z] across which planes of symmetry, of which one side is modelled, cut the faces
+/// of a bearing load: there the image balances what the pressure does across the load.
+std::array<bool, 3> mirror_cut_axes(const model::Model& model, const model::Mesh& mesh,
+                                    const model::Load& load);
 
 /// Visits the points of the faces of a bore or a shaft, face by face, with the forces of a pin's
 /// pressure there [force], given by its resultant. With theta measured from the load on the circle

@@ -6,6 +6,8 @@
 
 namespace spricka::fe {
 
+inline constexpr int chart_degree = 7; ///< 4 x 4 points
+
 /// A part of a plane reference element as the image of the square 0 <= a, b <= 1. A collapsed one
 /// is a triangle with the side a = 0 in its first corner: roots of the distance from that corner
 /// are smooth in a, in quarter-point elements as well (Duffy 1982).
@@ -52,11 +54,11 @@ inline std::vector<ReferenceChart> charts(const AnyElement<2>& element, int tip)
   return result;
 }
 
-/// Calls visit(r, weight) at the points of a product rule on the part [a, a + h] x [b, b + h] of a
-/// chart.
+/// Calls visit(r, weight) at the points of a product rule of some degree on the part [a, a + h] x
+/// [b, b + h] of a chart.
 template <class Visit>
-void for_chart_points(const ReferenceChart& chart, const base::Vec3& cell, Visit&& visit) {
-  constexpr int degree = 7; // 4 x 4 points
+void for_chart_points(const ReferenceChart& chart, const base::Vec3& cell, Visit&& visit,
+                      int degree = chart_degree) {
   const double h = cell[2];
   for (const auto& p : shape::line_rule(degree)) {
     const double a = cell[0] + 0.5 * h * (1.0 + p.r[0]);

@@ -78,8 +78,8 @@ ConstraintTransformation::ConstraintTransformation(const std::vector<Tie>& ties,
   for (const Tie& tie : ties) {
     add(tie, cls);
   }
-  std::sort(rows_.begin(), rows_.end(),
-            [](const DependentRow& a, const DependentRow& b) { return a.freedom < b.freedom; });
+  std::ranges::sort(
+      rows_, [](const DependentRow& a, const DependentRow& b) { return a.freedom < b.freedom; });
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     row_of_[static_cast<std::size_t>(rows_[i].freedom)] = static_cast<std::int32_t>(i);
   }
@@ -197,8 +197,7 @@ void ConstraintTransformation::eliminate(std::int32_t freedom, std::size_t by) {
 }
 
 bool ConstraintTransformation::has_constants() const {
-  return std::any_of(rows_.begin(), rows_.end(),
-                     [](const DependentRow& r) { return r.constant != 0.0; });
+  return std::ranges::any_of(rows_, [](const DependentRow& r) { return r.constant != 0.0; });
 }
 
 const ConstraintTransformation::DependentRow*
@@ -228,8 +227,7 @@ void ConstraintTransformation::transfer_to_masters(base::Matrix& f) const {
 
 std::optional<ConstraintTransformation::TransformedBlock>
 ConstraintTransformation::transform_block(std::span<const std::int32_t> freedoms) const {
-  if (std::none_of(freedoms.begin(), freedoms.end(),
-                   [&](std::int32_t f) { return find_row(f) != nullptr; })) {
+  if (std::ranges::none_of(freedoms, [&](std::int32_t f) { return find_row(f) != nullptr; })) {
     return std::nullopt;
   }
   TransformedBlock block;

@@ -13,14 +13,12 @@ namespace {
 // Products of a line's rule over a chart.
 std::vector<shape::QuadraturePoint<2>> chart_rule(const ReferenceChart& chart, int degree) {
   std::vector<shape::QuadraturePoint<2>> rule;
-  for (const auto& p : shape::line_rule(degree)) {
-    const double a = 0.5 * (1.0 + p.r[0]);
-    for (const auto& q : shape::line_rule(degree)) {
-      shape::QuadraturePoint<2>& point = rule.emplace_back();
-      point.r = chart.reference_point(a, 0.5 * (1.0 + q.r[0]));
-      point.weight = 0.25 * p.weight * q.weight * chart.area_ratio(a);
-    }
-  }
+  for_chart_points(
+      chart, {0.0, 0.0, 1.0},
+      [&](const shape::Point<2>& r, double weight) {
+        rule.push_back({r, weight});
+      },
+      degree);
   return rule;
 }
 
@@ -29,7 +27,6 @@ std::vector<shape::QuadraturePoint<2>> chart_rule(const ReferenceChart& chart, i
 SampledTemperature sample_temperature(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
                                       const TemperatureField& field, base::ElementId e,
                                       const FieldScale& scale, int tip) {
-  constexpr int usual_degree = 7; // 4 x 4 points
   constexpr int finer_degree = 15;
   const auto value = [&](const shape::Point<2>& r) {
     return base::Vec3(field(e, base::Vec2(X * element.N(r))), 0.0, 0.0);
@@ -42,7 +39,7 @@ SampledTemperature sample_temperature(const AnyElement<2>& element, const AnyNod
       p.weight = chart.area_ratio(t[0]);
       return p;
     };
-    const auto usual = chart_rule(chart, usual_degree);
+    const auto usual = chart_rule(chart, chart_degree);
     const auto finer = chart_rule(chart, finer_degree);
     const AdaptedRule<2> rule = adapted_rule<2>({map, usual, finer}, value,
                                                 {adaptive_cost<2>.load_tolerance, scale, false});

@@ -48,14 +48,11 @@ double strain_energy(const model::Model& model, const model::Mesh& mesh,
 
 std::vector<double> element_energy(const model::Model& model, const model::Mesh& mesh,
                                    const base::Vector& u) {
-  std::vector<base::ElementId> all;
-  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    all.emplace_back(e);
-  }
   std::vector<double> energy(mesh.element_count(), 0.0);
-  for_element_forces(model, mesh, all, u, [&](base::ElementId e, const auto& U, const auto& F) {
-    energy[e.index()] = 0.5 * U.cwiseProduct(F).sum();
-  });
+  for_element_forces(model, mesh, model::all_elements(mesh), u,
+                     [&](base::ElementId e, const auto& U, const auto& F) {
+                       energy[e.index()] = 0.5 * U.cwiseProduct(F).sum();
+                     });
   return energy;
 }
 

@@ -53,25 +53,23 @@ void add_load(const model::Model& model, const model::Mesh& mesh, const model::L
     add_nodal_forces(mesh, load, f);
     return;
   }
+  const auto add = [&](std::span<const base::NodeId> nodes, const auto& N, const Vec3& force) {
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      add_at_node(mesh, nodes[i], N[static_cast<Eigen::Index>(i)] * force, f);
+    }
+  };
   LoadVisit visit;
   // (fe.16); on bodies (fe.17).
   visit.on_face = [&](const model::Face& face, std::span<const LoadPoint> points) {
     const geometry::ElementSide side = model::element_side(mesh, face);
     for (const LoadPoint& p : points) {
-      const geometry::SideValues N = side.N(p.r.head<2>());
-      for (std::size_t i = 0; i < side.nodes.size(); ++i) {
-        add_at_node(mesh, side.nodes[i], N[static_cast<Eigen::Index>(i)] * p.force, f);
-      }
+      add(side.nodes, side.N(p.r.head<2>()), p.force);
     }
   };
   visit.on_body = [&](base::ElementId e, std::span<const LoadPoint> points) {
-    const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
     with_any_element(mesh, e, [&]<int dim>(const AnyElement<dim>& element) {
       for (const LoadPoint& p : points) {
-        const auto N = element.N(p.r.template head<dim>());
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-          add_at_node(mesh, nodes[i], N[static_cast<Eigen::Index>(i)] * p.force, f);
-        }
+        add(mesh.element_nodes(e), element.N(p.r.template head<dim>()), p.force);
       }
     });
   };

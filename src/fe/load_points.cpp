@@ -28,11 +28,7 @@ struct Spread {
 
 void for_face_points(const Spread& spread, const FaceDensity& density,
                      const LoadVisit::FaceVisit& visit) {
-  // Names of their own: clang does not let lambdas take structured bindings.
-  const model::Model& model = spread.model;
-  const model::Mesh& mesh = spread.mesh;
-  const model::Load& load = spread.load;
-  UnresolvedLoad* const missed = spread.missed;
+  const auto& [model, mesh, load, missed] = spread;
   const FieldScale scale = load_scale(mesh, load);
   std::vector<LoadPoint> points;
   for (const model::Face& face : mesh.set_with_id(load.faces).faces) {
@@ -60,20 +56,16 @@ void for_face_points(const Spread& spread, const FaceDensity& density,
 // The density counts by the elements' shares where the rim of the set cuts them.
 void for_body_points(const Spread& spread, const BodyDensity& density,
                      const LoadVisit::BodyVisit& visit) {
-  // Names of their own: clang does not let lambdas take structured bindings.
-  const model::Model& model = spread.model;
   const model::Mesh& mesh = spread.mesh;
-  const model::Load& load = spread.load;
-  UnresolvedLoad* const missed = spread.missed;
-  const SetShares shares = set_shares(model, mesh, load.elements);
-  const FieldScale scale = load_scale(mesh, load, shares.elements);
+  const SetShares shares = set_shares(spread.model, mesh, spread.load.elements);
+  const FieldScale scale = load_scale(mesh, spread.load, shares.elements);
   std::vector<LoadPoint> points;
   for (const base::ElementId e : shares.elements) {
     with_any_element(mesh, e, [&]<int dim>(const AnyElement<dim>& element) {
       const AnyNodeVectors<dim> X = coordinates(element, mesh, e);
-      const ConstitutiveLaw law = constitutive_law(model, mesh, e);
+      const ConstitutiveLaw law = constitutive_law(spread.model, mesh, e);
       const ElementShare* share = shares.find_share(e);
-      const AdaptedRule<dim> rule = body_load_rule<dim>(element, X, load, scale);
+      const AdaptedRule<dim> rule = body_load_rule<dim>(element, X, spread.load, scale);
       points.clear();
       for (const auto& point : rule.points) {
         const Eigen::Matrix<double, dim, dim> J = X.lazyProduct(element.dN(point.r));
@@ -85,11 +77,11 @@ void for_body_points(const Spread& spread, const BodyDensity& density,
         at.force = point.weight * J.determinant() * part * law.depth(x.x()) * density(x);
       }
       visit(e, points);
-      if (missed != nullptr) {
+      if (spread.missed != nullptr) {
         const auto centre = unit_cube_point<dim>(element.domain, {0.5, 0.5, 0.5}).r;
         const Eigen::Matrix<double, dim, dim> J = X.lazyProduct(element.dN(centre));
         const double depth = law.depth(X.row(0) * element.N(centre));
-        missed->add(rule.missed, rule.amount, depth * J.determinant());
+        spread.missed->add(rule.missed, rule.amount, depth * J.determinant());
       }
     });
   }

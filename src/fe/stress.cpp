@@ -8,23 +8,10 @@
 
 namespace spricka::fe {
 
-namespace {
-
-std::vector<base::ElementId> all_elements(const model::Mesh& mesh) {
-  std::vector<base::ElementId> elements;
-  elements.reserve(mesh.element_count());
-  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    elements.emplace_back(e);
-  }
-  return elements;
-}
-
-} // namespace
-
 std::vector<Stress> element_node_stress(const model::Model& model, const model::Mesh& mesh,
                                         const StateField& field) {
   std::vector<Stress> stress(mesh.nodes.size(), Stress::Zero());
-  for_shape_blocks(mesh, all_elements(mesh),
+  for_shape_blocks(mesh, model::all_elements(mesh),
                    [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
                      for (const base::ElementId e : block) {
                        const StressElement<S> element(model, mesh, e, field);
@@ -58,7 +45,7 @@ std::vector<Stress> nodal_stress(const model::Model& /*model*/, const model::Mes
 std::vector<Stress> mean_stress(const model::Model& model, const model::Mesh& mesh,
                                 const StateField& field) {
   std::vector<Stress> mean(mesh.element_count(), Stress::Zero());
-  for_shape_blocks(mesh, all_elements(mesh),
+  for_shape_blocks(mesh, model::all_elements(mesh),
                    [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
                      for (const base::ElementId e : block) {
                        const StressElement<S> element(model, mesh, e, field);

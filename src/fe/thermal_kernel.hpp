@@ -37,10 +37,11 @@ public:
   /// Whether an element has to take it out beforehand.
   [[nodiscard]] static bool is_required(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
                                         const ConstitutiveLaw& law);
+  /// No solid has to: in it TemperatureFunctions follow linear temperatures.
   [[nodiscard]] static bool is_required(const AnyElement<3>& /*element*/,
                                         const AnyNodeVectors<3>& /*X*/,
                                         const ConstitutiveLaw& /*law*/) {
-    return false; // TemperatureFunctions follow linear temperatures
+    return false;
   }
   /// Temperature of the plane at a place x.
   [[nodiscard]] double temperature(const base::Vec2& x) const {

@@ -90,8 +90,8 @@ private:
   [[nodiscard]] Vec3 at(NodeId n) const { return mesh_.x[n.index()] - mesh_.x[a_.index()]; }
 
   template <class Measure> NodeId farthest(Measure&& measure) const {
-    return *std::max_element(nodes_.begin(), nodes_.end(),
-                             [&](NodeId p, NodeId q) { return measure(at(p)) < measure(at(q)); });
+    return *std::ranges::max_element(
+        nodes_, [&](NodeId p, NodeId q) { return measure(at(p)) < measure(at(q)); });
   }
 
   // factor * direction . (u_n - u_a)

@@ -170,8 +170,8 @@ std::optional<Hit> across_mouth(const model::Mesh& mesh, const std::vector<model
       continue;
     }
     Hit hit = hit_of(mesh, faces[f], x);
-    const bool joined = std::any_of(hit.nodes.begin(), hit.nodes.end(),
-                                    [&](base::NodeId n) { return has_node(mesh, best.face, n); });
+    const bool joined = std::ranges::any_of(
+        hit.nodes, [&](base::NodeId n) { return has_node(mesh, best.face, n); });
     if (!joined && hit.distance <= reach) {
       return hit;
     }

@@ -19,6 +19,15 @@ void reserve(Mesh& mesh, std::size_t nodes, std::size_t elements, std::size_t en
   mesh.property.reserve(elements);
 }
 
+std::vector<base::ElementId> all_elements(const Mesh& mesh) {
+  std::vector<base::ElementId> elements;
+  elements.reserve(mesh.element_count());
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    elements.emplace_back(e);
+  }
+  return elements;
+}
+
 std::vector<bool> nodes_in_use(const Mesh& mesh) {
   std::vector<bool> used(mesh.node_count(), false);
   for (const base::NodeId n : mesh.nodes) {

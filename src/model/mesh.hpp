@@ -78,6 +78,9 @@ struct Mesh {
   }
 };
 
+/// The elements of a mesh in their order.
+std::vector<base::ElementId> all_elements(const Mesh& mesh);
+
 /// Which nodes belong to an element [node]: nodes of references and what a crack patch replaced do
 /// not.
 std::vector<bool> nodes_in_use(const Mesh& mesh);

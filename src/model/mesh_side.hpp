@@ -2,7 +2,6 @@
 #pragma once
 #include "geometry/element_side.hpp"
 #include "model/mesh.hpp"
-#include "shape/topology.hpp"
 
 #include <algorithm>
 
@@ -30,13 +29,15 @@ inline std::vector<Face> sides_within(const Mesh& mesh, const std::vector<base::
     inside[n.index()] = true;
   }
   std::vector<Face> sides;
-  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const std::span<const base::NodeId> own = mesh.element_nodes(base::ElementId(e));
-    for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
-      if (std::ranges::all_of(shape::side_nodes(mesh.type[e], s), [&](int i) {
-            return inside[own[static_cast<std::size_t>(i)].index()];
-          })) {
-        sides.push_back({base::ElementId(e), s});
+  const auto is_inside = [&](base::NodeId n) { return inside[n.index()]; };
+  for (std::size_t i = 0; i < mesh.element_count(); ++i) {
+    const base::ElementId e(i);
+    if (std::ranges::none_of(mesh.element_nodes(e), is_inside)) {
+      continue;
+    }
+    for (int s = 0; s < base::element_info(mesh.type[i]).sides; ++s) {
+      if (std::ranges::all_of(side_nodes(mesh, {e, s}), is_inside)) {
+        sides.push_back({e, s});
       }
     }
   }

@@ -46,21 +46,13 @@ std::vector<model::Face> skin_of(const model::Mesh& mesh,
   return faces;
 }
 
-std::vector<base::ElementId> all_elements(const model::Mesh& mesh) {
-  std::vector<base::ElementId> all;
-  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    all.emplace_back(e);
-  }
-  return all;
-}
-
 /// What all planes ask of a model, made once.
 class Looks {
 public:
   explicit Looks(const model::Model& model) : model_(model), mesh_(model.mesh) {
     using Kind = std::tuple<std::size_t, model::StressState, double>;
     std::map<Kind, std::vector<base::ElementId>> groups;
-    for (const base::ElementId e : all_elements(mesh_)) {
+    for (const base::ElementId e : model::all_elements(mesh_)) {
       const model::ElementProperty& p = model.element_property(mesh_, e);
       groups[{p.material.index(), p.state, p.thickness}].push_back(e);
     }

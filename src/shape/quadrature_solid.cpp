@@ -16,7 +16,7 @@ using Rule3 = std::vector<QuadraturePoint<3>>;
 // All images of a point under the symmetries of the tetrahedron, by its barycentric coordinates;
 // `weight` is that of one image, as a share of the volume.
 void add_orbit(Rule3& rule, double weight, std::array<double, 4> l) {
-  std::sort(l.begin(), l.end());
+  std::ranges::sort(l);
   do {
     rule.push_back({{l[1], l[2], l[3]}, weight / 6.0});
   } while (std::next_permutation(l.begin(), l.end()));

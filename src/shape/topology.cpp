@@ -44,64 +44,39 @@ constexpr std::array<Edge, 12> hexahedron_edges{{{0, 1},
                                                  {2, 6},
                                                  {3, 7}}};
 
-std::span<const int> wedge_side(std::size_t s, bool quadratic) {
-  if (s < 2) {
-    return std::span<const int>(wedge_ends[s]).first(quadratic ? 6 : 3);
+// Side i of the richest element of a family.
+std::span<const int> richest_side(const base::ElementInfo& info, std::size_t i) {
+  switch (info.corners) {
+  case 3:
+    return triangle[i];
+  case 4:
+    return info.dim == 2 ? std::span<const int>(quadrilateral[i]) : tetrahedron[i];
+  case 6:
+    return i < 2 ? std::span<const int>(wedge_ends[i]) : wedge_flanks[i - 2];
+  default:
+    return hexahedron[i];
   }
-  return std::span<const int>(wedge_flanks[s - 2]).first(quadratic ? 8 : 4);
 }
 
 } // namespace
 
 std::span<const int> side_nodes(ElementType type, int s) {
-  assert(s >= 0 && s < base::element_info(type).sides);
-  const auto i = static_cast<std::size_t>(s);
-  switch (type) {
-  case ElementType::trim3:
-    return std::span<const int>(triangle[i]).first(2);
-  case ElementType::trimc6:
-    return triangle[i];
-  case ElementType::quam4:
-    return std::span<const int>(quadrilateral[i]).first(2);
-  case ElementType::quamc8:
-  case ElementType::quamc9:
-    return quadrilateral[i];
-  case ElementType::tet4:
-    return std::span<const int>(tetrahedron[i]).first(3);
-  case ElementType::tet10:
-    return tetrahedron[i];
-  case ElementType::penta6:
-    return wedge_side(i, false);
-  case ElementType::pentac15:
-    return wedge_side(i, true);
-  case ElementType::hexe8:
-    return std::span<const int>(hexahedron[i]).first(4);
-  case ElementType::hexec20:
-    return std::span<const int>(hexahedron[i]).first(8);
-  case ElementType::hexec27:
-    return hexahedron[i];
-  }
-  return {};
+  const base::ElementInfo& info = base::element_info(type);
+  assert(s >= 0 && s < info.sides);
+  const int of_edge = info.quadratic ? 3 : 2;
+  const int count = info.dim == 2 ? of_edge : base::element_info(solid_side_type(type, s)).nodes;
+  return richest_side(info, static_cast<std::size_t>(s)).first(static_cast<std::size_t>(count));
 }
 
 ElementType solid_side_type(ElementType type, int s) {
-  switch (type) {
-  case ElementType::tet4:
-    return ElementType::trim3;
-  case ElementType::tet10:
-    return ElementType::trimc6;
-  case ElementType::penta6:
-    return s < 2 ? ElementType::trim3 : ElementType::quam4;
-  case ElementType::pentac15:
-    return s < 2 ? ElementType::trimc6 : ElementType::quamc8;
-  case ElementType::hexe8:
-    return ElementType::quam4;
-  case ElementType::hexec20:
-    return ElementType::quamc8;
-  default:
-    assert(type == ElementType::hexec27);
-    return ElementType::quamc9;
+  const base::ElementInfo& info = base::element_info(type);
+  assert(info.dim == 3);
+  if (info.corners == 4 || (info.corners == 6 && s < 2)) {
+    return info.quadratic ? ElementType::trimc6 : ElementType::trim3;
   }
+  return type == ElementType::hexec27 ? ElementType::quamc9
+         : info.quadratic             ? ElementType::quamc8
+                                      : ElementType::quam4;
 }
 
 std::size_t side_corners(ElementType type, int s) {
