@@ -26,6 +26,19 @@ public:
     b = root(b);
     (a < b ? parent_[b] : parent_[a]) = a < b ? a : b;
   }
+  /// Numbers the sets from 0 in the order of their smallest things; the set of each [thing].
+  struct SetNumbers {
+    std::vector<std::size_t> of;
+    std::size_t count = 0;
+  };
+  SetNumbers set_numbers() {
+    SetNumbers numbers{std::vector<std::size_t>(parent_.size()), 0};
+    for (std::size_t n = 0; n < parent_.size(); ++n) {
+      const std::size_t smallest = root(n);
+      numbers.of[n] = smallest == n ? numbers.count++ : numbers.of[smallest];
+    }
+    return numbers;
+  }
 
 private:
   std::vector<std::size_t> parent_;

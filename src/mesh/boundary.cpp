@@ -2,6 +2,7 @@
 #include "mesh/boundary.hpp"
 
 #include "mesh/side_index.hpp"
+#include "model/mesh_side.hpp"
 #include "shape/topology.hpp"
 
 #include <algorithm>
@@ -106,24 +107,15 @@ std::vector<model::Face> outer_faces(const model::Mesh& mesh) {
 
 std::vector<model::Face> faces_within(const model::Mesh& mesh,
                                       const std::vector<base::NodeId>& nodes) {
-  std::vector<bool> inside(mesh.node_count(), false);
-  for (const base::NodeId n : nodes) {
-    inside[n.index()] = true;
-  }
+  const std::vector<bool> inside = model::mark_members(mesh.node_count(), nodes);
   std::vector<model::Face> result = boundary_faces(mesh);
   std::erase_if(result, [&](const model::Face& face) { return !lies_within(mesh, face, inside); });
   return result;
 }
 
 FaceNodes face_nodes(const model::Mesh& mesh, const model::Face& face) {
-  const base::ElementType type = mesh.type[face.element.index()];
-  const auto nodes = mesh.element_nodes(face.element);
-  FaceNodes result;
-  result.corners = shape::side_corners(type, face.side);
-  for (const int i : shape::side_nodes(type, face.side)) {
-    result.all.push_back(nodes[static_cast<std::size_t>(i)]);
-  }
-  return result;
+  return {model::side_nodes(mesh, face),
+          shape::side_corners(mesh.type[face.element.index()], face.side)};
 }
 
 bool lies_within(const model::Mesh& mesh, const model::Face& face,

@@ -44,6 +44,7 @@ Measures measure(const model::Mesh& mesh, base::ElementId e) {
   const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
   const auto corners = static_cast<std::size_t>(base::element_info(mesh.type[e.index()]).corners);
   Measures m;
+  m.centroid = model::corner_mean(mesh, e);
   double longest = 0.0;
   double shortest = 0.0;
   for (std::size_t i = 0; i < corners; ++i) {
@@ -57,7 +58,6 @@ Measures measure(const model::Mesh& mesh, base::ElementId e) {
         lengths > 0.0 ? std::acos(std::clamp(next.dot(last) / lengths, -1.0, 1.0)) : 0.0;
     m.smallest_angle = std::min(m.smallest_angle, angle);
     m.largest_angle = std::max(m.largest_angle, angle);
-    m.centroid += at / static_cast<double>(corners);
   }
   m.aspect = shortest > 0.0 ? longest / shortest : std::numeric_limits<double>::infinity();
   m.scaled_jacobian =

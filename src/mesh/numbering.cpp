@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/numbering.hpp"
 
+#include "mesh/label_index.hpp"
+
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 namespace spricka::mesh {
@@ -26,6 +29,14 @@ base::Label next_node_label(const model::Mesh& mesh, base::NetId net) {
 
 base::Label next_element_label(const model::Mesh& mesh, base::NetId net) {
   return next(mesh.element_label, mesh.element_net, net);
+}
+
+std::vector<base::Label> unique_labels(const std::vector<base::Label>& labels) {
+  std::vector<base::Label> result = labels;
+  if (LabelIndex(labels).has_duplicates()) {
+    std::iota(result.begin(), result.end(), base::Label{1});
+  }
+  return result;
 }
 
 } // namespace spricka::mesh

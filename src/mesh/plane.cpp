@@ -61,6 +61,15 @@ bool is_inside(const Vec2& p, const std::vector<Vec2>& polygon) {
   return in;
 }
 
+double twice_area(const std::vector<Vec2>& points, const std::vector<int>& loop) {
+  double sum = 0.0;
+  for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
+    sum +=
+        cross(points[static_cast<std::size_t>(loop[j])], points[static_cast<std::size_t>(loop[i])]);
+  }
+  return sum;
+}
+
 double distance(const std::vector<Vec2>& polygon, const std::vector<Vec2>& polyline) {
   double least = std::numeric_limits<double>::max();
   for (const Vec2& p : polyline) {

@@ -29,6 +29,9 @@ ClosestApproach closest_approach(const base::Vec2& a, const base::Vec2& b, const
 /// Whether a point lies in a polygon (even-odd rule).
 bool is_inside(const base::Vec2& p, const std::vector<base::Vec2>& polygon);
 
+/// Twice the area of a loop of points; negative if it runs clockwise.
+double twice_area(const std::vector<base::Vec2>& points, const std::vector<int>& loop);
+
 /// Distance between a filled polygon and a polyline; 0 if they meet.
 double distance(const std::vector<base::Vec2>& polygon, const std::vector<base::Vec2>& polyline);
 

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <unordered_set>
 #include <utility>
 
 namespace spricka::mesh {
@@ -272,8 +271,8 @@ private:
 
   void renew(const model::Mesh& old, const std::map<std::pair<NodeId, NodeId>, NodeId>& mids,
              model::NodeSet& set) const {
-    const std::unordered_set<std::int32_t> members = values(set.nodes);
-    const auto in = [&](NodeId n) { return members.contains(n.value); };
+    const std::vector<bool> member = model::mark_members(mesh_.node_count(), set.nodes);
+    const auto in = [&](NodeId n) { return member[n.index()]; };
     std::map<std::pair<NodeId, NodeId>, NodeId> between; // of two nodes side by side on an edge
     for (const auto& [ends, nodes] : edges_) {
       const auto mid = mids.find(ends);
@@ -310,14 +309,6 @@ private:
       }
     }
     set.nodes = std::move(grown);
-  }
-
-  static std::unordered_set<std::int32_t> values(const std::vector<NodeId>& nodes) {
-    std::unordered_set<std::int32_t> out;
-    for (const NodeId n : nodes) {
-      out.insert(n.value);
-    }
-    return out;
   }
 
   model::Mesh& mesh_;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/link/fill_solid.hpp"
 #include "mesh/link/gmsh_model.hpp"
 #include "mesh/link/grading.hpp"
 #include "mesh/link/mesher_request.hpp"
@@ -14,8 +13,7 @@ namespace spricka::mesher {
 mesh::TriangleFill fill_region(const mesh::PlaneRegion& region, const mesh::Grading& size);
 
 /// Fills a region of space by gmsh's Delaunay mesher; `trouble` has its words where it fails.
-mesh::TetrahedronFill fill_solid_region(const mesh::SolidRegion& region,
-                                        const mesh::SolidGrading& size);
+mesh::TetrahedronFill fill_region(const mesh::SolidRegion& region, const mesh::SolidGrading& size);
 
 /// Opens the file that `path` names, meshes it if it is a script without a mesh, and takes out all
 /// that is wanted. `meshing` is called when the script is read. Errors and warnings are in the

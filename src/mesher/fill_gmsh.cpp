@@ -6,29 +6,20 @@
 
 #include <gmsh.h>
 
+#include <array>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace spricka::mesher {
 namespace {
 
-using mesh::Grading;
 using mesh::PlaneRegion;
-using mesh::TriangleFill;
+using mesh::SolidRegion;
 
 namespace geo = gmsh::model::geo;
-using base::Vec2;
 
-constexpr int surface = 1;
-
-double twice_area(const PlaneRegion& region, const std::vector<int>& loop) {
-  double sum = 0.0;
-  for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
-    sum += mesh::cross(region.points[static_cast<std::size_t>(loop[j])],
-                       region.points[static_cast<std::size_t>(loop[i])]);
-  }
-  return sum;
-}
+constexpr int filled = 1; ///< the surface or the volume
 
 /// One line, and later one element edge, from a point to the next.
 int add_line(int from, int to) {
@@ -40,16 +31,16 @@ void describe(const PlaneRegion& region) {
     geo::addPoint(region.points[i].x(), region.points[i].y(), 0.0, 0.0, static_cast<int>(i) + 1);
   }
   std::vector<int> loops;
-  for (const std::vector<int>& loop : region.loops) {
+  for (const std::vector<int>& loop : region.boundaries) {
     std::vector<int> lines;
     for (std::size_t i = 0; i < loop.size(); ++i) {
       lines.push_back(add_line(loop[i], loop[(i + 1) % loop.size()]));
     }
     const int tag = geo::addCurveLoop(lines);
-    const bool outer = twice_area(region, loop) > 0.0;
+    const bool outer = mesh::twice_area(region.points, loop) > 0.0;
     loops.insert(outer ? loops.begin() : loops.end(), tag); // gmsh wants the outer one first
   }
-  geo::addPlaneSurface(loops, surface);
+  geo::addPlaneSurface(loops, filled);
   std::vector<int> inner;
   for (const std::vector<int>& chain : region.embedded) {
     for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
@@ -57,7 +48,7 @@ void describe(const PlaneRegion& region) {
     }
   }
   geo::synchronize();
-  gmsh::model::mesh::embed(1, inner, 2, surface);
+  gmsh::model::mesh::embed(1, inner, 2, filled);
   gmsh::vectorpair lines;
   gmsh::model::getEntities(lines, 1);
   for (const auto& [dim, tag] : lines) {
@@ -65,8 +56,59 @@ void describe(const PlaneRegion& region) {
   }
 }
 
-/// Points and triangles out of gmsh, in the order of its tags.
-void collect(const PlaneRegion& region, TriangleFill& filling) {
+/// Triangles given to gmsh, as surfaces that have a mesh and no geometry.
+class DiscreteSurfaces {
+public:
+  explicit DiscreteSurfaces(const SolidRegion& region)
+      : region_(region), given_(region.points.size(), false) {}
+
+  int add(const std::vector<std::array<int, 3>>& triangles) {
+    const int tag = gmsh::model::addDiscreteEntity(2);
+    std::vector<std::size_t> tags;
+    std::vector<std::size_t> corners;
+    std::vector<double> x;
+    for (const std::array<int, 3>& t : triangles) {
+      for (const int n : t) {
+        const auto i = static_cast<std::size_t>(n);
+        corners.push_back(i + 1);
+        if (!given_[i]) { // a node belongs to the first surface that has it
+          given_[i] = true;
+          tags.push_back(i + 1);
+          x.insert(x.end(), region_.points[i].begin(), region_.points[i].end());
+        }
+      }
+    }
+    gmsh::model::mesh::addNodes(2, tag, tags, x);
+    constexpr int triangle = 2;
+    gmsh::model::mesh::addElementsByType(tag, triangle, {}, corners);
+    return tag;
+  }
+
+private:
+  const SolidRegion& region_;
+  std::vector<bool> given_;
+};
+
+void describe(const SolidRegion& region) {
+  DiscreteSurfaces surfaces(region);
+  std::vector<int> loops;
+  for (const auto& shell : region.boundaries) {
+    loops.push_back(geo::addSurfaceLoop({surfaces.add(shell)}));
+  }
+  std::vector<std::array<int, 3>> cracks;
+  for (const auto& triangles : region.embedded) {
+    cracks.insert(cracks.end(), triangles.begin(), triangles.end());
+  }
+  const int crack = cracks.empty() ? 0 : surfaces.add(cracks);
+  geo::addVolume(loops, filled);
+  geo::synchronize();
+  if (crack != 0) {
+    gmsh::model::mesh::embed(2, {crack}, 3, filled);
+  }
+}
+
+/// The places in a region of its points, by gmsh's tags of their nodes.
+std::unordered_map<std::size_t, int> numbers_of_points(const PlaneRegion& region) {
   std::unordered_map<std::size_t, int> index;
   std::vector<std::size_t> tags;
   std::vector<double> x;
@@ -77,43 +119,60 @@ void collect(const PlaneRegion& region, TriangleFill& filling) {
       index[tag] = static_cast<int>(i);
     }
   }
-  gmsh::model::mesh::getNodes(tags, x, parametric, 2, surface);
+  return index;
+}
+
+std::unordered_map<std::size_t, int> numbers_of_points(const SolidRegion& region) {
+  std::unordered_map<std::size_t, int> index;
+  for (std::size_t i = 0; i < region.points.size(); ++i) {
+    index[i + 1] = static_cast<int>(i);
+  }
+  return index;
+}
+
+/// Points and cells out of gmsh, in the order of its tags.
+template <int dim> void collect(const mesh::FillRegion<dim>& region, mesh::MeshFill<dim>& filling) {
+  std::unordered_map<std::size_t, int> index = numbers_of_points(region);
+  std::vector<std::size_t> tags;
+  std::vector<double> x;
+  std::vector<double> parametric;
+  gmsh::model::mesh::getNodes(tags, x, parametric, dim, filled);
   for (std::size_t i = 0; i < tags.size(); ++i) {
     index[tags[i]] = static_cast<int>(region.points.size() + filling.added.size());
-    filling.added.emplace_back(x[3 * i], x[3 * i + 1]);
+    filling.added.emplace_back(Eigen::Map<const Eigen::Matrix<double, dim, 1>>(&x[3 * i]));
   }
   std::vector<std::size_t> elements;
   std::vector<std::size_t> nodes;
-  constexpr int triangle = 2;
-  gmsh::model::mesh::getElementsByType(triangle, elements, nodes, surface);
-  for (std::size_t i = 0; i < nodes.size(); i += 3) {
-    std::array<int, 3> t{};
-    for (std::size_t k = 0; k < 3; ++k) {
+  constexpr int type = dim == 2 ? 2 : 4; // triangles, tetrahedra
+  constexpr std::size_t corners = dim + 1;
+  gmsh::model::mesh::getElementsByType(type, elements, nodes, filled);
+  for (std::size_t i = 0; i + corners <= nodes.size(); i += corners) {
+    std::array<int, corners>& cell = filling.cells.emplace_back();
+    for (std::size_t k = 0; k < corners; ++k) {
       const auto at = index.find(nodes[i + k]);
       if (at == index.end()) {
-        filling.trouble = "an edge was divided";
+        filling.trouble = dim == 2 ? "an edge was divided" : "a side was divided";
         return;
       }
-      t[k] = at->second;
+      cell[k] = at->second;
     }
-    filling.triangles.push_back(t);
   }
 }
 
-} // namespace
-
-TriangleFill fill_region(const PlaneRegion& region, const Grading& size) {
-  TriangleFill filling;
-  const GmshSession session;
-  gmsh::option::setNumber("Mesh.Algorithm", 5); // Delaunay
+/// Describes a region to gmsh, whose options are set, and has it filled.
+template <int dim>
+mesh::MeshFill<dim> fill_described(const mesh::FillRegion<dim>& region,
+                                   const mesh::SizeGrading<dim>& size) {
+  mesh::MeshFill<dim> filling;
   gmsh::option::setNumber("Mesh.ElementOrder", 1);
   gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
   gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
   try {
     describe(region);
-    gmsh::model::mesh::setSizeCallback(
-        [&](int, int, double x, double y, double) { return size(Vec2(x, y)); });
-    gmsh::model::mesh::generate(2);
+    gmsh::model::mesh::setSizeCallback([&](int, int, double x, double y, double z) {
+      return size(base::Vec3(x, y, z).head<dim>());
+    });
+    gmsh::model::mesh::generate(dim);
     collect(region, filling);
     gmsh::model::mesh::removeSizeCallback();
   } catch (...) { // gmsh throws a string, or what its parts throw; the log has the words
@@ -123,6 +182,23 @@ TriangleFill fill_region(const PlaneRegion& region, const Grading& size) {
     filling.trouble += (filling.trouble.empty() ? "" : "; ") + line;
   }
   return filling;
+}
+
+} // namespace
+
+mesh::TriangleFill fill_region(const PlaneRegion& region, const mesh::Grading& size) {
+  const GmshSession session;
+  gmsh::option::setNumber("Mesh.Algorithm", 5); // Delaunay
+  return fill_described(region, size);
+}
+
+mesh::TetrahedronFill fill_region(const SolidRegion& region, const mesh::SolidGrading& size) {
+  const GmshSession session;
+  gmsh::option::setNumber("Mesh.Renumber", 0); // our numbers of the nodes
+  // HXT does not ask for sizes, the frontal one needs a library that is not there.
+  gmsh::option::setNumber("Mesh.Algorithm3D", 1);
+  gmsh::option::setNumber("Mesh.Optimize", 1);
+  return fill_described(region, size);
 }
 
 } // namespace spricka::mesher

@@ -78,22 +78,27 @@ std::string with_questions(const mesh::MesherImport& import) {
   return text;
 }
 
+std::string bad_request() {
+  return {static_cast<char>(MesherFrameKind::bad_request)};
+}
+
+template <int dim> std::string filling_answer(ByteReader& in) {
+  mesh::FillRegion<dim> region;
+  mesh::SizeGrading<dim> size;
+  return mesh::read_fill_request(in, region, size) ? mesh::fill_answer(fill_region(region, size))
+                                                   : bad_request();
+}
+
 std::string answer(std::string_view request, bool locked) {
   ByteReader in(request);
   const auto kind = in.read_value<MesherFrameKind>();
   if (kind == MesherFrameKind::fill) {
-    mesh::PlaneRegion region;
-    mesh::Grading size;
-    if (mesh::read_fill_request(in, region, size)) {
-      return mesh::fill_answer(fill_region(region, size));
-    }
-  } else if (kind == MesherFrameKind::fill_solid) {
-    mesh::SolidRegion region;
-    mesh::SolidGrading size;
-    if (mesh::read_fill_solid_request(in, region, size)) {
-      return mesh::fill_solid_answer(fill_solid_region(region, size));
-    }
-  } else if (kind == MesherFrameKind::import) {
+    return filling_answer<2>(in);
+  }
+  if (kind == MesherFrameKind::fill_solid) {
+    return filling_answer<3>(in);
+  }
+  if (kind == MesherFrameKind::import) {
     mesh::MesherImport import;
     const char no_sandbox = static_cast<char>(MesherFrameKind::no_sandbox);
     if (mesh::read_import_request(in, import) &&
@@ -104,7 +109,7 @@ std::string answer(std::string_view request, bool locked) {
                     : std::string(1, no_sandbox);
     }
   }
-  return {static_cast<char>(MesherFrameKind::bad_request)};
+  return bad_request();
 }
 
 /// Until nobody asks any more.

@@ -28,12 +28,17 @@ std::vector<base::ElementId> all_elements(const Mesh& mesh) {
   return elements;
 }
 
-std::vector<bool> nodes_in_use(const Mesh& mesh) {
-  std::vector<bool> used(mesh.node_count(), false);
-  for (const base::NodeId n : mesh.nodes) {
-    used[n.index()] = true;
+base::Vec3 corner_mean(const Mesh& mesh, base::ElementId e) {
+  const auto corners = static_cast<std::size_t>(base::element_info(mesh.type[e.index()]).corners);
+  base::Vec3 mean = base::Vec3::Zero();
+  for (const base::NodeId n : mesh.element_nodes(e).first(corners)) {
+    mean += mesh.x[n.index()] / static_cast<double>(corners);
   }
-  return used;
+  return mean;
+}
+
+std::vector<bool> nodes_in_use(const Mesh& mesh) {
+  return mark_members(mesh.node_count(), mesh.nodes);
 }
 
 double axis_tolerance(const Mesh& mesh) {

@@ -81,6 +81,18 @@ struct Mesh {
 /// The elements of a mesh in their order.
 std::vector<base::ElementId> all_elements(const Mesh& mesh);
 
+/// Which of `count` things, nodes or elements, are among the members of a set [thing].
+template <class Id> std::vector<bool> mark_members(std::size_t count, const std::vector<Id>& set) {
+  std::vector<bool> member(count, false);
+  for (const Id id : set) {
+    member[id.index()] = true;
+  }
+  return member;
+}
+
+/// The mean of the corners of an element.
+base::Vec3 corner_mean(const Mesh& mesh, base::ElementId e);
+
 /// Which nodes belong to an element [node]: nodes of references and what a crack patch replaced do
 /// not.
 std::vector<bool> nodes_in_use(const Mesh& mesh);

@@ -2,11 +2,40 @@
 #pragma once
 #include "model/mesh.hpp"
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 /// What stands twice at one place: slips of whoever made the mesh.
 namespace spricka::mesh {
+
+/// One number for all points within `reach` [length] of each other: that of the first such point,
+/// counted from 0. Points are kept by cells much larger than that, so that a look into one of them
+/// nearly always tells.
+class CoincidentPoints {
+public:
+  explicit CoincidentPoints(double reach) : reach_(reach), width_(1e3 * reach) {}
+
+  /// The number of the first point met within reach of x, which is x if there was none.
+  std::size_t number_of(const base::Vec3& x);
+
+private:
+  using Cell = std::array<std::int64_t, 3>;
+  struct CellHash {
+    std::size_t operator()(const Cell& cell) const;
+  };
+  [[nodiscard]] Cell cell_of(const base::Vec3& x) const;
+  [[nodiscard]] std::optional<std::size_t> find(const Cell& cell, const base::Vec3& x) const;
+
+  double reach_;
+  double width_;
+  std::vector<base::Vec3> points_;
+  std::unordered_map<Cell, std::vector<std::size_t>, CellHash> cells_;
+};
 
 /// Two sides of elements with corners at the same places but nodes of their own.
 struct CoincidentFacePair {

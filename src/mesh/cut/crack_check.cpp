@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -27,6 +28,12 @@ Vec2 flat(const Vec3& x) {
   return {x.x(), x.y()};
 }
 
+std::vector<Vec2> flat(const std::vector<Vec3>& line) {
+  std::vector<Vec2> points;
+  std::ranges::transform(line, std::back_inserter(points), [](const Vec3& x) { return flat(x); });
+  return points;
+}
+
 double length_of(const CrackLine& line) {
   return geometry::polyline_length(line.points);
 }
@@ -37,15 +44,15 @@ std::string place(const Vec2& p) {
 
 /// What is wrong with a line by itself.
 std::string own_trouble(const CrackLine& line) {
-  const std::vector<Vec3>& x = line.points;
+  const std::vector<Vec2> x = flat(line.points);
   for (std::size_t i = 1; i + 1 < x.size(); ++i) {
-    const Vec2 before = flat(x[i] - x[i - 1]);
-    const Vec2 after = flat(x[i + 1] - x[i]);
+    const Vec2 before = x[i] - x[i - 1];
+    const Vec2 after = x[i + 1] - x[i];
     const double turn = std::abs(std::atan2(cross(before, after), before.dot(after)));
     if (turn > sharpest_turn) {
       return fmt::format("{} turns back at {}, by {:.4g} degrees; at most {:.4g} leave room for "
                          "elements",
-                         line.display_name(), place(flat(x[i])), turn * 180.0 / std::numbers::pi,
+                         line.display_name(), place(x[i]), turn * 180.0 / std::numbers::pi,
                          sharpest_turn * 180.0 / std::numbers::pi);
     }
   }
@@ -53,8 +60,7 @@ std::string own_trouble(const CrackLine& line) {
   for (std::size_t i = 1; i < x.size(); ++i) {
     // Segments next to each other share a point; their turn is checked above.
     for (std::size_t k = i + 2; k < x.size(); ++k) {
-      const ClosestApproach m =
-          closest_approach(flat(x[i - 1]), flat(x[i]), flat(x[k - 1]), flat(x[k]));
+      const ClosestApproach m = closest_approach(x[i - 1], x[i], x[k - 1], x[k]);
       if (m.distance < close) {
         return fmt::format("{} crosses or touches itself at {}", line.display_name(), place(m.at));
       }
@@ -64,11 +70,12 @@ std::string own_trouble(const CrackLine& line) {
 }
 
 ClosestApproach meeting(const CrackLine& one, const CrackLine& other) {
+  const std::vector<Vec2> x = flat(one.points);
+  const std::vector<Vec2> y = flat(other.points);
   ClosestApproach best;
-  for (std::size_t i = 1; i < one.points.size(); ++i) {
-    for (std::size_t k = 1; k < other.points.size(); ++k) {
-      const ClosestApproach m = closest_approach(flat(one.points[i - 1]), flat(one.points[i]),
-                                                 flat(other.points[k - 1]), flat(other.points[k]));
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    for (std::size_t k = 1; k < y.size(); ++k) {
+      const ClosestApproach m = closest_approach(x[i - 1], x[i], y[k - 1], y[k]);
       best = m.distance < best.distance ? m : best;
     }
   }
@@ -112,12 +119,8 @@ double room_at_end(const CrackLine& line, const std::vector<Vec3>& points,
   const Vec2 tip = flat(points.back());
   double room = std::numeric_limits<double>::max();
   for (const CrackLine& other : all) {
-    if (other.crack == line.crack || other.net != line.net) {
-      continue;
-    }
-    for (std::size_t i = 1; i < other.points.size(); ++i) {
-      room = std::min(room, geometry::distance_to_segment(tip, flat(other.points[i - 1]),
-                                                          flat(other.points[i])));
+    if (other.crack != line.crack && other.net == line.net) {
+      room = std::min(room, geometry::nearest_point(tip, flat(other.points)).distance);
     }
   }
   double along = 0.0; // from the tip

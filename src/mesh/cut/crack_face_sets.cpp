@@ -117,10 +117,7 @@ CrackFaceMembership::choose_face_nodes(const std::vector<NodeId>& members) const
   if (!any) {
     return result;
   }
-  std::vector<bool> in(group_of_.size(), false);
-  for (const NodeId n : members) {
-    in[n.index()] = true;
-  }
+  std::vector<bool> in = model::mark_members(group_of_.size(), members);
   // At first all nodes of a place that the set touches stand in for its member: which of them are
   // meant is told by their sides.
   for (std::size_t g = 0; g < groups_.size(); ++g) {

@@ -130,9 +130,8 @@ private:
   void inherit_element_sets() {
     for (const model::ElementSet& old : host_.element_sets) {
       model::ElementSet set{old.name, {}, old.span};
-      std::vector<bool> member(host_.element_count(), false);
+      const std::vector<bool> member = model::mark_members(host_.element_count(), old.elements);
       for (const ElementId e : old.elements) {
-        member[e.index()] = true;
         if (kept_[e.index()].valid()) {
           set.elements.push_back(kept_[e.index()]);
         }
@@ -182,10 +181,7 @@ private:
   }
 
   void inherit_node_sets() {
-    std::vector<bool> had(host_.node_count(), false);
-    for (const NodeId n : host_.nodes) {
-      had[n.index()] = true;
-    }
+    const std::vector<bool> had = model::nodes_in_use(host_);
     for (const model::NodeSet& old : host_.node_sets) {
       NodeSetHeir heir(*this, old);
       for (const NodeId n : old.nodes) {
@@ -212,13 +208,9 @@ private:
   /// set as it was: nodes that join must not bring others in.
   struct NodeSetHeir {
     NodeSetHeir(const Grafter& of, const model::NodeSet& old)
-        : grafter(of), set{old.name, {}, old.span}, member(of.result_.mesh.node_count(), false),
-          replaced(of.host_.node_count(), false) {
-      for (const NodeId n : old.nodes) {
-        member[n.index()] = true;
-      }
-      old_member = member;
-    }
+        : grafter(of), set{old.name, {}, old.span},
+          member(model::mark_members(of.result_.mesh.node_count(), old.nodes)), old_member(member),
+          replaced(of.host_.node_count(), false) {}
 
     void join(NodeId n) {
       if (!member[n.index()]) {

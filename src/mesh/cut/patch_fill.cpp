@@ -28,7 +28,7 @@ std::string triangulate_patch(PatchNet& net, const PatchContours& contours, cons
     return result;
   };
   for (const std::vector<int>& loop : contours.loops) {
-    region.loops.push_back(points(loop));
+    region.boundaries.push_back(points(loop));
   }
   for (const std::vector<int>& line : contours.embedded) {
     region.embedded.push_back(points(line));
@@ -40,7 +40,7 @@ std::string triangulate_patch(PatchNet& net, const PatchContours& contours, cons
   for (const base::Vec2& p : filling.added) {
     node.push_back(net.new_node_at(base::to_space(p)));
   }
-  for (const std::array<int, 3>& t : filling.triangles) {
+  for (const std::array<int, 3>& t : filling.cells) {
     PatchTriangle corners{};
     std::ranges::transform(t, corners.begin(),
                            [&](int n) { return node[static_cast<std::size_t>(n)]; });

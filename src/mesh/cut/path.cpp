@@ -26,11 +26,13 @@ bool is_corner(const HostMesh& host, NodeId n) {
   });
 }
 
-std::optional<ElementEdge> edge_between(const HostMesh& host, NodeId from, NodeId to) {
-  for (const ElementId e : host.elements_around(from)) {
+/// The first edge of the elements round a node that fits.
+template <class Fits>
+std::optional<ElementEdge> find_edge(const HostMesh& host, NodeId node, Fits&& fits) {
+  for (const ElementId e : host.elements_around(node)) {
     for (int s = 0; s < base::element_info(host.mesh().type[e.index()]).sides; ++s) {
       const ElementEdge edge = element_edge(host.mesh(), {e, s});
-      if ((edge.a == from && edge.b == to) || (edge.a == to && edge.b == from)) {
+      if (fits(edge)) {
         return edge;
       }
     }
@@ -38,19 +40,18 @@ std::optional<ElementEdge> edge_between(const HostMesh& host, NodeId from, NodeI
   return std::nullopt;
 }
 
+std::optional<ElementEdge> edge_between(const HostMesh& host, NodeId from, NodeId to) {
+  return find_edge(host, from, [&](const ElementEdge& edge) {
+    return (edge.a == from && edge.b == to) || (edge.a == to && edge.b == from);
+  });
+}
+
 } // namespace
 
 bool body_on_left(const HostMesh& host, NodeId from, NodeId to) {
-  const auto around = host.elements_around(from);
-  return std::any_of(around.begin(), around.end(), [&](ElementId e) {
-    for (int s = 0; s < base::element_info(host.mesh().type[e.index()]).sides; ++s) {
-      const ElementEdge edge = element_edge(host.mesh(), {e, s});
-      if (edge.a == from && edge.b == to) {
-        return true;
-      }
-    }
-    return false;
-  });
+  return find_edge(host, from,
+                   [&](const ElementEdge& edge) { return edge.a == from && edge.b == to; })
+      .has_value();
 }
 
 std::optional<std::vector<NodeId>> path_nodes(const HostMesh& host, const CrackLine& line,

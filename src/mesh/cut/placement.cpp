@@ -88,6 +88,14 @@ CrackFrame make_crack_frame(const CrackLine& line) {
   return frame;
 }
 
+double ring_sum(int rings, double factor) {
+  double sum = 0.0;
+  for (int k = 0; k < rings; ++k) {
+    sum = sum * factor + 1.0;
+  }
+  return sum;
+}
+
 namespace {
 
 std::string text(const Vec3& p) {
@@ -196,23 +204,14 @@ double room_at_end(const HostMesh& host, const CrackPlacement& placement,
 constexpr double steepest = 6.0;
 constexpr double usual_steep = 2.0;
 
-// What rings that grow by `factor` reach, in sizes of the first.
-double reach_of(int rings, double factor) {
-  double sum = 0.0;
-  for (int k = 0; k < rings; ++k) {
-    sum = sum * factor + 1.0;
-  }
-  return sum;
-}
-
 bool rings_follow(const TipMeshParameters& tip) {
-  return tip.rings < 2 || tip.radius <= reach_of(tip.rings, steepest) * tip.size;
+  return tip.rings < 2 || tip.radius <= ring_sum(tip.rings, steepest) * tip.size;
 }
 
 void report_steep_rings(const CrackLine& line, const TipMeshParameters& tip,
                         base::Diagnostics& diagnostics, base::SourceSpan span) {
   int rings = tip.rings;
-  while (reach_of(rings, usual_steep) * tip.size < tip.radius) {
+  while (ring_sum(rings, usual_steep) * tip.size < tip.radius) {
     ++rings;
   }
   diagnostics.error(
@@ -221,7 +220,7 @@ void report_steep_rings(const CrackLine& line, const TipMeshParameters& tip,
                   "{:.0f} times from one to the next: K would be wrong",
                   line.display_name(), tip.rings, tip.size, tip.radius, steepest),
       fmt::format("SIZE={:.3g} of $TIPNET goes with these rings, or RINGS={} with that SIZE",
-                  tip.radius / reach_of(tip.rings, usual_steep), rings));
+                  tip.radius / ring_sum(tip.rings, usual_steep), rings));
 }
 
 } // namespace

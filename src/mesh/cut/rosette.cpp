@@ -11,19 +11,12 @@ namespace {
 
 /// Radii of the rings of a rosette, tip first: thicknesses grow geometrically from `size`.
 std::vector<double> ring_radii(double size, double radius, int rings) {
-  const auto sum = [&](double q) { // of 1 + q + .. q^(rings-1)
-    double s = 0.0;
-    for (int k = 0; k < rings; ++k) {
-      s = s * q + 1.0;
-    }
-    return s;
-  };
   // Bisection for the factor that fills the radius (crack.17): the sum grows with it.
   double low = 0.0;
   double high = radius / size; // (radius/size)^(rings-1) alone is enough
   for (int i = 0; i < 200 && rings > 1; ++i) {
     const double q = 0.5 * (low + high);
-    (sum(q) * size < radius ? low : high) = q;
+    (ring_sum(rings, q) * size < radius ? low : high) = q;
   }
   std::vector<double> r;
   double thickness = size;

@@ -16,6 +16,7 @@ struct Rosette {
   std::vector<int> behind;
   std::vector<int> ahead;
 };
+
 /// Adds the rosette of one tip of a crack to a patch.
 Rosette add_rosette(PatchNet& net, const CrackPlacement& placement, const PlacedTip& at,
                     const TipMeshParameters& tip);

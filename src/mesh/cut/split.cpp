@@ -60,10 +60,7 @@ std::optional<CrackFaces> split_along(model::Mesh& mesh, const std::vector<NodeI
     around[n];
   }
   std::set<NodeId> corners;
-  std::vector<bool> on_path(mesh.node_count(), false);
-  for (const NodeId n : path) {
-    on_path[n.index()] = true;
-  }
+  const std::vector<bool> on_path = model::mark_members(mesh.node_count(), path);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const auto nodes = mesh.element_nodes(ElementId(e));
     const auto count = static_cast<std::size_t>(base::element_info(mesh.type[e]).corners);
@@ -117,48 +114,49 @@ std::optional<CrackFaces> split_along(model::Mesh& mesh, const std::vector<NodeI
   return crack_faces;
 }
 
+namespace {
+
+/// Calls f(other end, middle) for the quadratic edges at a tip, element by element.
+template <class F> void for_edges_at(const model::Mesh& mesh, NodeId tip, F&& f) {
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const auto nodes = mesh.element_nodes(ElementId(e));
+    if (std::find(nodes.begin(), nodes.end(), tip) == nodes.end()) {
+      continue;
+    }
+    for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
+      const ElementEdge edge = element_edge(mesh, {ElementId(e), s});
+      if (edge.mid.valid() && (edge.a == tip || edge.b == tip)) {
+        f(edge.a == tip ? edge.b : edge.a, edge.mid);
+      }
+    }
+  }
+}
+
+} // namespace
+
 double worst_mid_node(const model::Mesh& mesh, NodeId tip) {
   double odd = 0.5;
   const auto off = [](double part) {
     return std::min(std::abs(part - 0.25), std::abs(part - 0.5));
   };
-  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const auto nodes = mesh.element_nodes(ElementId(e));
-    if (std::find(nodes.begin(), nodes.end(), tip) == nodes.end()) {
-      continue;
-    }
-    for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
-      const ElementEdge edge = element_edge(mesh, {ElementId(e), s});
-      if (edge.mid.valid() && (edge.a == tip || edge.b == tip)) {
-        const base::Vec3& x = mesh.x[tip.index()];
-        const base::Vec3 side = mesh.x[(edge.a == tip ? edge.b : edge.a).index()] - x;
-        const double part = (mesh.x[edge.mid.index()] - x).dot(side) / side.squaredNorm();
-        odd = off(part) > off(odd) ? part : odd;
-      }
-    }
-  }
+  const base::Vec3& x = mesh.x[tip.index()];
+  for_edges_at(mesh, tip, [&](NodeId other, NodeId mid) {
+    const base::Vec3 side = mesh.x[other.index()] - x;
+    const double part = (mesh.x[mid.index()] - x).dot(side) / side.squaredNorm();
+    odd = off(part) > off(odd) ? part : odd;
+  });
   return odd;
 }
 
 int move_quarter_points(model::Mesh& mesh, NodeId tip) {
   int moved = 0;
-  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    const auto nodes = mesh.element_nodes(ElementId(e));
-    if (std::find(nodes.begin(), nodes.end(), tip) == nodes.end()) {
-      continue;
-    }
-    for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
-      const ElementEdge edge = element_edge(mesh, {ElementId(e), s});
-      if (edge.mid.valid() && (edge.a == tip || edge.b == tip)) {
-        const NodeId other = edge.a == tip ? edge.b : edge.a;
-        const base::Vec3& x = mesh.x[tip.index()];
-        // On the chord: on a straight edge only the distance goes with the square (shape.13).
-        const base::Vec3 quarter = x + 0.25 * (mesh.x[other.index()] - x);
-        mesh.x[edge.mid.index()] = quarter;
-        ++moved;
-      }
-    }
-  }
+  for_edges_at(mesh, tip, [&](NodeId other, NodeId mid) {
+    const base::Vec3& x = mesh.x[tip.index()];
+    // On the chord: on a straight edge only the distance goes with the square (shape.13).
+    const base::Vec3 quarter = x + 0.25 * (mesh.x[other.index()] - x);
+    mesh.x[mid.index()] = quarter;
+    ++moved;
+  });
   return moved;
 }
 

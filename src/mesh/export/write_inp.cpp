@@ -2,7 +2,7 @@
 #include "mesh/export/write_inp.hpp"
 
 #include "mesh/inp_elements.hpp"
-#include "mesh/label_index.hpp"
+#include "mesh/numbering.hpp"
 #include "mesh/set_name.hpp"
 #include "model/model.hpp"
 
@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -32,14 +31,6 @@ std::string number(double value) {
     text = fmt::format("{:.{}g}", value, digits);
   }
   return text;
-}
-
-std::vector<Label> unique_labels(const std::vector<Label>& labels) {
-  std::vector<Label> result = labels;
-  if (LabelIndex(labels).has_duplicates()) {
-    std::iota(result.begin(), result.end(), Label{1});
-  }
-  return result;
 }
 
 class InpWriter {

@@ -2,7 +2,7 @@
 #include "mesh/export/write_msh.hpp"
 
 #include "mesh/gmsh_elements.hpp"
-#include "mesh/label_index.hpp"
+#include "mesh/numbering.hpp"
 #include "shape/topology.hpp"
 
 #include <fmt/format.h>
@@ -113,29 +113,34 @@ private:
     names_ += fmt::format("{} {} \"{}\"\n", dim, tag, name);
   }
 
+  /// Names what has a name and members, calls take(member, number of the set), and returns how many
+  /// sets that are.
+  template <class Set, class Member, class Take>
+  std::size_t name_sets(int dim, const std::vector<Set>& sets,
+                        const std::vector<Member> Set::*members, Take&& take) {
+    const std::size_t before = groups_;
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+      if (sets[s].name.empty() || (sets[s].*members).empty()) {
+        continue;
+      }
+      name_group(dim, static_cast<int>(s) + 1, sets[s].name);
+      for (const Member& member : sets[s].*members) {
+        take(member, static_cast<int>(s) + 1);
+      }
+    }
+    return groups_ - before;
+  }
+
   void number_nodes() {
     used_ = model::nodes_in_use(mesh_);
-    const bool own = LabelIndex(mesh_.node_label).has_duplicates();
-    tag_ = mesh_.node_label;
-    if (own) {
-      std::iota(tag_.begin(), tag_.end(), base::Label{1});
-    }
+    tag_ = unique_labels(mesh_.node_label);
   }
 
   Cells bodies() {
     Cells cells{mesh_.dim, Classes(mesh_.element_count()), {}, {}, {0}, {}};
-    bool grouped = false;
-    for (std::size_t s = 0; s < mesh_.element_sets.size(); ++s) {
-      const model::ElementSet& set = mesh_.element_sets[s];
-      if (set.name.empty() || set.elements.empty()) {
-        continue;
-      }
-      grouped = true;
-      name_group(mesh_.dim, static_cast<int>(s) + 1, set.name);
-      for (const base::ElementId e : set.elements) {
-        cells.classes.add(e.index(), static_cast<int>(s) + 1);
-      }
-    }
+    const std::size_t named =
+        name_sets(mesh_.dim, mesh_.element_sets, &model::ElementSet::elements,
+                  [&](base::ElementId e, int set) { cells.classes.add(e.index(), set); });
     bool rest = false;
     for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
       const auto nodes = mesh_.element_nodes(base::ElementId(e));
@@ -145,15 +150,12 @@ private:
       cells.close(form.number);
       rest = rest || cells.classes.of(e) == 0;
     }
-    if (grouped && rest) { // else a reader would drop them
+    if (named > 0 && rest) { // else a reader would drop them
       const int tag = static_cast<int>(mesh_.element_sets.size()) + 1;
       name_group(mesh_.dim, tag, "REST");
       cells.classes.sets(0).push_back(tag);
     }
-    cells.label = mesh_.element_label;
-    if (LabelIndex(mesh_.element_label).has_duplicates()) {
-      std::iota(cells.label.begin(), cells.label.end(), base::Label{1});
-    }
+    cells.label = unique_labels(mesh_.element_label);
     return cells;
   }
 
@@ -165,17 +167,11 @@ private:
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
     Cells cells{mesh_.dim - 1, Classes(all.size()), {}, {}, {0}, {}};
-    for (std::size_t s = 0; s < mesh_.face_sets.size(); ++s) {
-      const model::FaceSet& set = mesh_.face_sets[s];
-      if (set.name.empty() || set.faces.empty()) {
-        continue;
-      }
-      name_group(cells.dim, static_cast<int>(s) + 1, set.name);
-      for (const model::Face& face : set.faces) {
-        const auto at = std::lower_bound(all.begin(), all.end(), face);
-        cells.classes.add(static_cast<std::size_t>(at - all.begin()), static_cast<int>(s) + 1);
-      }
-    }
+    name_sets(cells.dim, mesh_.face_sets, &model::FaceSet::faces,
+              [&](const model::Face& face, int set) {
+                const auto at = std::lower_bound(all.begin(), all.end(), face);
+                cells.classes.add(static_cast<std::size_t>(at - all.begin()), set);
+              });
     for (const model::Face& face : all) {
       const base::ElementType type = mesh_.type[face.element.index()];
       const auto local = shape::side_nodes(type, face.side);
@@ -195,18 +191,11 @@ private:
   Cells points() {
     static constexpr int point = 15;
     Classes classes(mesh_.node_count());
-    for (std::size_t s = 0; s < mesh_.node_sets.size(); ++s) {
-      const model::NodeSet& set = mesh_.node_sets[s];
-      if (set.name.empty() || set.nodes.empty()) {
-        continue;
+    name_sets(0, mesh_.node_sets, &model::NodeSet::nodes, [&](base::NodeId n, int set) {
+      if (used_[n.index()]) {
+        classes.add(n.index(), set);
       }
-      name_group(0, static_cast<int>(s) + 1, set.name);
-      for (const base::NodeId n : set.nodes) {
-        if (used_[n.index()]) {
-          classes.add(n.index(), static_cast<int>(s) + 1);
-        }
-      }
-    }
+    });
     std::vector<std::size_t> members;
     for (std::size_t n = 0; n < mesh_.node_count(); ++n) {
       if (classes.of(n) != 0) {

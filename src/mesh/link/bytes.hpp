@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/vec.hpp"
+
 #include <cstddef>
 #include <cstring>
 #include <string>
@@ -31,11 +33,21 @@ public:
     write_value(value.size());
     bytes_ += value;
   }
+  /// Appends a list: its number of items, then of each what `write` appends.
+  template <class List, class Write> void write_items(const List& items, Write&& write) {
+    write_value(items.size());
+    for (const auto& item : items) {
+      write(item);
+    }
+  }
   /// Appends a list of texts: their number, then each.
   void write_texts(const std::vector<std::string>& values) {
-    write_value(values.size());
-    for (const std::string& value : values) {
-      write_text(value);
+    write_items(values, [&](const std::string& value) { write_text(value); });
+  }
+  /// Appends the coordinates of a point.
+  template <int dim> void write_point(const Eigen::Matrix<double, dim, 1>& x) {
+    for (const double coordinate : x) {
+      write_value(coordinate);
     }
   }
   [[nodiscard]] std::string release() { return std::move(bytes_); }
@@ -80,13 +92,25 @@ public:
     rest_.remove_prefix(count);
     return value;
   }
+  /// The next list, of items that `read` returns one after another, as far as the bytes are sound.
+  template <class Read> auto read_items(Read&& read) {
+    std::vector<decltype(read())> items;
+    for (auto count = read_value<std::size_t>(); count > 0 && sound_; --count) {
+      items.push_back(read());
+    }
+    return items;
+  }
   /// The next list of texts, as far as the bytes are sound.
   std::vector<std::string> read_texts() {
-    std::vector<std::string> values;
-    for (auto count = read_value<std::size_t>(); count > 0 && sound_; --count) {
-      values.push_back(read_text());
+    return read_items([&] { return read_text(); });
+  }
+  /// The next point.
+  template <int dim> Eigen::Matrix<double, dim, 1> read_point() {
+    Eigen::Matrix<double, dim, 1> x;
+    for (double& coordinate : x) {
+      coordinate = read_value<double>();
     }
-    return values;
+    return x;
   }
   [[nodiscard]] bool is_valid() const { return sound_; }
   [[nodiscard]] bool at_end() const { return sound_ && rest_.empty(); }

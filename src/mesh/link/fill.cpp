@@ -19,7 +19,7 @@ using base::Vec2;
 class Reversals {
 public:
   Reversals(const PlaneRegion& region, TriangleFill& filling) : region_(region), filling_(filling) {
-    for (const auto* chains : {&region.loops, &region.embedded}) {
+    for (const auto* chains : {&region.boundaries, &region.embedded}) {
       for (const std::vector<int>& chain : *chains) {
         const std::size_t count = chain.size() - (chains == &region.embedded ? 1 : 0);
         for (std::size_t i = 0; i < count; ++i) {
@@ -34,8 +34,8 @@ public:
     bool more = true;
     for (int pass = 0; pass < passes && more; ++pass) {
       more = false;
-      for (std::size_t i = 0; i < filling_.triangles.size(); ++i) {
-        more = (is_flat(filling_.triangles[i]) && reverse(i)) || more;
+      for (std::size_t i = 0; i < filling_.cells.size(); ++i) {
+        more = (is_flat(filling_.cells[i]) && reverse(i)) || more;
       }
     }
   }
@@ -65,7 +65,7 @@ private:
     return cross(side, at(t[(k + 2) % 3]) - at(t[k])) < flat * side.squaredNorm();
   }
   bool reverse(std::size_t i) {
-    Triangle& t = filling_.triangles[i];
+    Triangle& t = filling_.cells[i];
     const std::size_t k = longest(t);
     const int a = t[k];
     const int c = t[(k + 1) % 3];
@@ -73,7 +73,7 @@ private:
     if (given_.contains(std::minmax(a, c))) {
       return false;
     }
-    for (Triangle& other : filling_.triangles) {
+    for (Triangle& other : filling_.cells) {
       for (std::size_t m = 0; m < 3; ++m) {
         if (other[m] == c && other[(m + 1) % 3] == a) {
           const int d = other[(m + 2) % 3];
@@ -91,30 +91,33 @@ private:
   std::set<std::pair<int, int>> given_;
 };
 
-TriangleFill made_by_gmsh(const PlaneRegion& region, const Grading& size) {
+} // namespace
+
+template <int dim>
+MeshFill<dim> ask_for_fill(const FillRegion<dim>& region, const SizeGrading<dim>& size) {
   const MesherAnswer answer = ask_mesher(fill_request(region, size));
-  TriangleFill filling;
+  MeshFill<dim> filling;
   if (answer.end != MesherOutcome::answered) {
     filling.trouble = answer.trouble;
     return filling;
   }
   ByteReader in(answer.frame);
-  if (in.read_value<MesherFrameKind>() != MesherFrameKind::filling ||
-      !read_fill_answer(in, region, filling)) {
+  if (!read_fill_answer(in, region, filling)) {
     filling = {};
     filling.trouble = "gmsh gave no mesh";
   }
   return filling;
 }
 
-} // namespace
+template TriangleFill ask_for_fill(const PlaneRegion&, const Grading&);
+template TetrahedronFill ask_for_fill(const SolidRegion&, const SolidGrading&);
 
 TriangleFill fill_triangles(const PlaneRegion& region, const Grading& size) {
-  TriangleFill filling = made_by_gmsh(region, size);
+  TriangleFill filling = ask_for_fill(region, size);
   if (filling.trouble.empty()) {
     Reversals(region, filling).run();
   }
-  if (filling.trouble.empty() && filling.triangles.empty()) {
+  if (filling.trouble.empty() && filling.cells.empty()) {
     filling.trouble = "no triangles were made";
   }
   return filling;

@@ -3,20 +3,25 @@
 
 #include "mesh/plane.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace spricka::mesh {
 
 using base::Vec2;
 
-double Grading::operator()(const Vec2& p) const {
-  double least = std::numeric_limits<double>::max();
-  for (const SizeSource& source : sources_) {
-    least = std::min(least, source.size + growth_ * (p - source.at).norm());
+std::vector<double> divide_evenly(const std::vector<double>& s, const std::vector<double>& N) {
+  const int count = std::max(1, static_cast<int>(std::floor(N.back() + 0.5 + same)));
+  std::vector<double> ends{s.front()};
+  std::size_t k = 1;
+  for (int i = 1; i < count; ++i) {
+    const double wanted = static_cast<double>(i) / count * N.back();
+    while (N[k] < wanted) {
+      ++k;
+    }
+    ends.push_back(s[k - 1] + (wanted - N[k - 1]) / (N[k] - N[k - 1]) * (s[k] - s[k - 1]));
   }
-  return least;
+  ends.push_back(s.back());
+  return ends;
 }
 
 std::vector<double> divide(const std::function<Vec2(double)>& x, double t0, double t1,
@@ -37,18 +42,7 @@ std::vector<double> divide(const std::function<Vec2(double)>& x, double t0, doub
     N.push_back(N.back() + (x(next) - x(now)).norm() / h);
     t.push_back(next);
   }
-  const int count = std::max(1, static_cast<int>(std::floor(N.back() + 0.5 + same)));
-  std::vector<double> ends{t0};
-  std::size_t k = 1;
-  for (int i = 1; i < count; ++i) {
-    const double wanted = static_cast<double>(i) / count * N.back();
-    while (N[k] < wanted) {
-      ++k;
-    }
-    ends.push_back(t[k - 1] + (wanted - N[k - 1]) / (N[k] - N[k - 1]) * (t[k] - t[k - 1]));
-  }
-  ends.push_back(t1);
-  return ends;
+  return divide_evenly(t, N);
 }
 
 } // namespace spricka::mesh

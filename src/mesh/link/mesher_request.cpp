@@ -4,12 +4,11 @@
 #include "mesh/gmsh_elements.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace spricka::mesh {
 namespace {
-
-using base::Vec2;
 
 ByteWriter frame(MesherFrameKind kind) {
   ByteWriter out;
@@ -17,56 +16,14 @@ ByteWriter frame(MesherFrameKind kind) {
   return out;
 }
 
-void write(ByteWriter& out, const Vec2& p) {
-  out.write_value(p.x());
-  out.write_value(p.y());
-}
-
-Vec2 read_point(ByteReader& in) {
-  const auto x = in.read_value<double>();
-  const auto y = in.read_value<double>();
-  return {x, y};
-}
-
-void write(ByteWriter& out, const std::vector<Vec2>& points) {
-  out.write_value(points.size());
-  for (const Vec2& p : points) {
-    write(out, p);
-  }
-}
-
-std::vector<Vec2> read_points(ByteReader& in) {
-  std::vector<Vec2> points;
-  for (auto count = in.read_value<std::size_t>(); count > 0 && in.is_valid(); --count) {
-    points.push_back(read_point(in));
-  }
-  return points;
-}
-
-void write(ByteWriter& out, const std::vector<std::vector<int>>& chains) {
-  out.write_value(chains.size());
-  for (const std::vector<int>& chain : chains) {
-    out.write_list(chain);
-  }
-}
-
-std::vector<std::vector<int>> read_chains(ByteReader& in) {
-  std::vector<std::vector<int>> chains;
-  for (auto count = in.read_value<std::size_t>(); count > 0 && in.is_valid(); --count) {
-    chains.push_back(in.read_list<int>());
-  }
-  return chains;
-}
-
 void write(ByteWriter& out, const std::vector<GmshBlock>& blocks) {
-  out.write_value(blocks.size());
-  for (const GmshBlock& block : blocks) {
+  out.write_items(blocks, [&](const GmshBlock& block) {
     out.write_value(block.entity);
     out.write_value(block.type);
     out.write_text(block.type_name);
     out.write_list(block.tags);
     out.write_list(block.nodes);
-  }
+  });
 }
 
 /// The nodes of a block are as many as its elements have, and these are of the right dimension.
@@ -85,8 +42,7 @@ bool belong_together(const GmshBlock& block, int dim) {
 }
 
 std::vector<GmshBlock> read_blocks(ByteReader& in, int dim, bool& good) {
-  std::vector<GmshBlock> blocks;
-  for (auto count = in.read_value<std::size_t>(); count > 0 && in.is_valid(); --count) {
+  return in.read_items([&] {
     GmshBlock block;
     block.entity = in.read_value<int>();
     block.type = in.read_value<int>();
@@ -94,58 +50,88 @@ std::vector<GmshBlock> read_blocks(ByteReader& in, int dim, bool& good) {
     block.tags = in.read_list<std::size_t>();
     block.nodes = in.read_list<std::size_t>();
     good = good && belong_together(block, dim);
-    blocks.push_back(std::move(block));
-  }
-  return blocks;
+    return block;
+  });
+}
+
+/// Whether the points that parts of a boundary, or cells, name are among `points`.
+bool are_within(int point, std::size_t points) {
+  return point >= 0 && static_cast<std::size_t>(point) < points;
+}
+
+template <class List> bool are_within(const List& list, std::size_t points) {
+  return std::ranges::all_of(list, [&](const auto& item) { return are_within(item, points); });
 }
 
 } // namespace
 
-std::string fill_request(const PlaneRegion& region, const Grading& size) {
-  ByteWriter out = frame(MesherFrameKind::fill);
-  write(out, region.points);
-  write(out, region.loops);
-  write(out, region.embedded);
-  out.write_value(size.growth());
-  out.write_value(size.sources().size());
-  for (const Grading::SizeSource& source : size.sources()) {
-    write(out, source.at);
-    out.write_value(source.size);
+template <int dim>
+std::string fill_request(const FillRegion<dim>& region, const SizeGrading<dim>& size) {
+  ByteWriter out = frame(dim == 2 ? MesherFrameKind::fill : MesherFrameKind::fill_solid);
+  out.write_items(region.points, [&](const auto& x) { out.write_point(x); });
+  for (const auto* list : {&region.boundaries, &region.embedded}) {
+    out.write_items(*list, [&](const auto& boundary) { out.write_list(boundary); });
   }
+  out.write_items(size.sources(), [&](const typename SizeGrading<dim>::SizeSource& source) {
+    out.write_point(source.at);
+    out.write_value(source.size);
+    out.write_value(source.growth);
+    out.write_value(source.radius);
+  });
   return out.release();
 }
 
-bool read_fill_request(ByteReader& in, PlaneRegion& region, Grading& size) {
-  region.points = read_points(in);
-  region.loops = read_chains(in);
-  region.embedded = read_chains(in);
-  size = Grading(in.read_value<double>());
-  for (auto count = in.read_value<std::size_t>(); count > 0 && in.is_valid(); --count) {
-    const Vec2 at = read_point(in);
-    size.add_source(at, in.read_value<double>());
+template <int dim>
+bool read_fill_request(ByteReader& in, FillRegion<dim>& region, SizeGrading<dim>& size) {
+  region.points = in.read_items([&] { return in.read_point<dim>(); });
+  for (auto* list : {&region.boundaries, &region.embedded}) {
+    using Part = typename FillRegion<dim>::Boundary::value_type;
+    *list = in.read_items([&] { return in.read_list<Part>(); });
   }
-  return in.at_end();
+  const auto sources = in.read_items([&] {
+    typename SizeGrading<dim>::SizeSource source;
+    source.at = in.read_point<dim>();
+    source.size = in.read_value<double>();
+    source.growth = in.read_value<double>();
+    source.radius = in.read_value<double>();
+    return source;
+  });
+  for (const auto& source : sources) {
+    size.add_source(source);
+  }
+  return in.at_end() && are_within(region.boundaries, region.points.size()) &&
+         are_within(region.embedded, region.points.size());
 }
 
-std::string fill_answer(const TriangleFill& filling) {
-  ByteWriter out = frame(MesherFrameKind::filling);
-  write(out, filling.added);
-  out.write_list(filling.triangles);
+template <int dim> std::string fill_answer(const MeshFill<dim>& filling) {
+  ByteWriter out = frame(dim == 2 ? MesherFrameKind::filling : MesherFrameKind::solid_filling);
+  out.write_items(filling.added, [&](const auto& x) { out.write_point(x); });
+  out.write_list(filling.cells);
   out.write_text(filling.trouble);
   return out.release();
 }
 
-bool read_fill_answer(ByteReader& in, const PlaneRegion& region, TriangleFill& filling) {
-  filling.added = read_points(in);
-  filling.triangles = in.read_list<std::array<int, 3>>();
+template <int dim>
+bool read_fill_answer(ByteReader& in, const FillRegion<dim>& region, MeshFill<dim>& filling) {
+  if (in.read_value<MesherFrameKind>() !=
+      (dim == 2 ? MesherFrameKind::filling : MesherFrameKind::solid_filling)) {
+    return false;
+  }
+  filling.added = in.read_items([&] { return in.read_point<dim>(); });
+  filling.cells = in.read_list<std::array<int, dim + 1>>();
   filling.trouble = in.read_text();
-  const auto count = static_cast<int>(region.points.size() + filling.added.size());
-  return in.at_end() &&
-         std::all_of(
-             filling.triangles.begin(), filling.triangles.end(), [&](const std::array<int, 3>& t) {
-               return std::all_of(t.begin(), t.end(), [&](int n) { return n >= 0 && n < count; });
-             });
+  return in.at_end() && are_within(filling.cells, region.points.size() + filling.added.size()) &&
+         std::ranges::all_of(filling.added, [](const auto& x) { return x.allFinite(); });
 }
+
+template std::string fill_request(const PlaneRegion&, const Grading&);
+template std::string fill_request(const SolidRegion&, const SolidGrading&);
+template bool read_fill_request(ByteReader&, PlaneRegion&, Grading&);
+template bool read_fill_request(ByteReader&, SolidRegion&, SolidGrading&);
+template std::string fill_answer(const TriangleFill&);
+template std::string fill_answer(const TetrahedronFill&);
+template bool read_fill_answer(ByteReader&, const PlaneRegion&, TriangleFill&);
+template bool read_fill_answer(ByteReader&, const SolidRegion&, TetrahedronFill&);
 
 std::string import_request(const MesherImport& import) {
   ByteWriter out = frame(MesherFrameKind::import);
@@ -157,12 +143,11 @@ std::string import_request(const MesherImport& import) {
   out.write_value(static_cast<bool>(import.size));
   if (import.size) {
     out.write_value(import.size.scale);
-    out.write_value(import.size.map->requests().size());
-    for (const SizeMap::SizeRequest& request : import.size.map->requests()) {
-      write(out, request.at);
+    out.write_items(import.size.map->requests(), [&](const SizeMap::SizeRequest& request) {
+      out.write_point(request.at);
       out.write_value(request.size);
       out.write_value(request.fresh);
-    }
+    });
   }
   return out.release();
 }
@@ -175,18 +160,16 @@ bool read_import_request(ByteReader& in, MesherImport& import) {
   import.constants = in.read_texts();
   if (in.read_value<bool>()) {
     import.size.scale = in.read_value<double>();
-    std::vector<SizeMap::SizeRequest> requests;
-    for (auto count = in.read_value<std::size_t>(); count > 0 && in.is_valid(); --count) {
+    import.size.map = std::make_shared<const SizeMap>(in.read_items([&] {
       SizeMap::SizeRequest request;
-      request.at = read_point(in);
-      request.size = in.read_value<double>();
-      request.fresh = in.read_value<bool>();
-      requests.push_back(request);
-    }
-    import.size.map = std::make_shared<const SizeMap>(std::move(requests));
-  }
-  return in.at_end();
+    request.at = in.read_point<2>();
+    request.size = in.read_value<double>();
+    request.fresh = in.read_value<bool>();
+    return request;
+  }));
 }
+return in.at_end();
+} // namespace spricka::mesh
 
 std::string model_answer(const GmshModel& model) {
   ByteWriter out = frame(MesherFrameKind::model);
@@ -195,19 +178,17 @@ std::string model_answer(const GmshModel& model) {
   out.write_list(model.x);
   write(out, model.elements);
   write(out, model.sides);
-  out.write_value(model.groups.size());
-  for (const GmshGroup& group : model.groups) {
+  out.write_items(model.groups, [&](const GmshGroup& group) {
     out.write_value(group.dim);
     out.write_value(group.tag);
     out.write_text(group.name);
     out.write_list(group.entities);
     out.write_list(group.nodes);
-  }
-  out.write_value(model.constants.size());
-  for (const auto& [name, value] : model.constants) {
-    out.write_text(name);
-    out.write_value(value);
-  }
+  });
+  out.write_items(model.constants, [&](const auto& constant) {
+    out.write_text(constant.first);
+    out.write_value(constant.second);
+  });
   out.write_texts(model.errors);
   out.write_texts(model.warnings);
   out.write_value(static_cast<char>(model.gave_up ? 1 : 0));
@@ -221,19 +202,19 @@ bool read_model_answer(ByteReader& in, GmshModel& model) {
   model.x = in.read_list<double>();
   model.elements = read_blocks(in, model.dim, good);
   model.sides = read_blocks(in, model.dim - 1, good);
-  for (auto count = in.read_value<std::size_t>(); count > 0 && in.is_valid(); --count) {
+  model.groups = in.read_items([&] {
     GmshGroup group;
     group.dim = in.read_value<int>();
     group.tag = in.read_value<int>();
     group.name = in.read_text();
     group.entities = in.read_list<int>();
     group.nodes = in.read_list<std::size_t>();
-    model.groups.push_back(std::move(group));
-  }
-  for (auto count = in.read_value<std::size_t>(); count > 0 && in.is_valid(); --count) {
+    return group;
+  });
+  model.constants = in.read_items([&] {
     std::string name = in.read_text();
-    model.constants.emplace_back(std::move(name), in.read_value<double>());
-  }
+    return std::pair(std::move(name), in.read_value<double>());
+  });
   model.errors = in.read_texts();
   model.warnings = in.read_texts();
   model.gave_up = in.read_value<char>() != 0;

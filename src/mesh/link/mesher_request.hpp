@@ -18,7 +18,7 @@ namespace spricka::mesh {
 
 enum class MesherFrameKind : char {
   fill = 'f',          ///< to the mesher: a region and its sizes
-  fill_solid = 'v',    ///< to the mesher: a region of space and its sizes (fill_solid.hpp)
+  fill_solid = 'v',    ///< to the mesher: a region of space and its sizes
   import = 'i',        ///< to the mesher: a script or mesh file
   meshing = 'm',       ///< from the mesher: the script is read, its mesh begins
   filling = 'F',       ///< answer
@@ -39,16 +39,22 @@ struct MesherImport {
   std::vector<std::string> constants; ///< of a script, whose values at its end are asked for
 };
 
-/// The request that asks the mesher process for triangles in a plane region, as bytes.
-std::string fill_request(const PlaneRegion& region, const Grading& size);
-/// False if the bytes are none.
-bool read_fill_request(ByteReader& in, PlaneRegion& region, Grading& size);
+/// The request that asks the mesher process to fill a region of the plane or of space, as bytes.
+template <int dim>
+std::string fill_request(const FillRegion<dim>& region, const SizeGrading<dim>& size);
+
+/// Reads such a request behind its kind. False if the bytes are none or name points that are not
+/// there.
+template <int dim>
+bool read_fill_request(ByteReader& in, FillRegion<dim>& region, SizeGrading<dim>& size);
 
 /// The answer of the mesher process to such a request, as bytes.
-std::string fill_answer(const TriangleFill& filling);
-/// Reads the answer to a request for `region`. False if the bytes are none, or name points that are
-/// not there.
-bool read_fill_answer(ByteReader& in, const PlaneRegion& region, TriangleFill& filling);
+template <int dim> std::string fill_answer(const MeshFill<dim>& filling);
+
+/// Reads the answer to a request for `region`. False if the bytes are none, name points that are
+/// not there, or give places that are not finite.
+template <int dim>
+bool read_fill_answer(ByteReader& in, const FillRegion<dim>& region, MeshFill<dim>& filling);
 
 /// The request that asks the mesher process to read a script or mesh file, as bytes.
 std::string import_request(const MesherImport& import);

@@ -2,6 +2,7 @@
 #include "mesh/surface/chart_maps.hpp"
 
 #include "base/dense_solve.hpp"
+#include "geometry/box.hpp"
 #include "mesh/plane.hpp"
 
 #include <algorithm>
@@ -26,25 +27,9 @@ constexpr double is_cylinder = 1e-3; // of the radius
 constexpr double widest = 100.0;     // extents: a wider cylinder is unrolled by least squares
 constexpr double longest = 8.0;      // radii of a ring: sizes in its map change by e^8
 
-std::array<Vec3, 3> corners_of(const FacetNet& net, const FacetNet::SurfaceFacet& facet) {
-  return {net.vertices()[static_cast<std::size_t>(facet.vertex[0])],
-          net.vertices()[static_cast<std::size_t>(facet.vertex[1])],
-          net.vertices()[static_cast<std::size_t>(facet.vertex[2])]};
-}
-
 Vec3 area_vector(const FacetNet& net, const FacetNet::SurfaceFacet& facet) {
-  const auto [a, b, c] = corners_of(net, facet);
+  const auto [a, b, c] = net.corners(facet);
   return 0.5 * (b - a).cross(c - a);
-}
-
-double extent_of(const FacetNet& net) {
-  Vec3 low = net.vertices().front();
-  Vec3 high = low;
-  for (const Vec3& x : net.vertices()) {
-    low = low.cwiseMin(x);
-    high = high.cwiseMax(x);
-  }
-  return (high - low).norm();
 }
 
 /// What a direction has across another one, unit; what a second one has where that is little.
@@ -86,7 +71,7 @@ std::optional<Cylinder> fit_cylinder(const ChartPatch& patch) {
   axis *= along_crack(axis, patch.plane) ? 1.0 : -1.0;
   const Vec3 t1 = across(axis, patch.plane.normal, patch.plane.axis);
   const Vec3 t2 = axis.cross(t1);
-  const double extent = extent_of(patch.net);
+  const double extent = geometry::Box<3>::around(patch.net.vertices()).diagonal();
   const Vec3 middle = patch.net.vertices().front();
   std::vector<Vec2> points;
   for (const std::size_t f : patch.faces) {
@@ -225,7 +210,7 @@ public:
 
 private:
   void add(const FacetNet& net, const FacetNet::SurfaceFacet& facet) {
-    const auto [a, b, c] = corners_of(net, facet);
+    const auto [a, b, c] = net.corners(facet);
     const Vec3 normal = area_vector(net, facet);
     const Vec3 e1 = (b - a).normalized();
     const Vec3 e2 = normal.normalized().cross(e1);
@@ -270,7 +255,7 @@ std::optional<ChartPlaneFrame> fit_plane_frame(const ChartPatch& patch) {
   const ChartPlaneFrame frame = mean_frame(patch);
   const Vec3 normal = frame.e1.cross(frame.e2);
   const Vec3& first = patch.net.vertices().front();
-  const double most = is_flat * extent_of(patch.net);
+  const double most = is_flat * geometry::Box<3>::around(patch.net.vertices()).diagonal();
   const bool flat = std::ranges::all_of(patch.net.vertices(), [&](const Vec3& x) {
     return std::abs((x - first).dot(normal)) <= most;
   });
@@ -294,7 +279,7 @@ std::optional<FlatPlaces> unroll_cylinder(const ChartPatch& patch) {
   const double R = cylinder->radius;
   double sense = 0.0; // of a pin above 0
   for (const FacetNet::SurfaceFacet& facet : patch.net.facets()) {
-    const auto [a, b, c] = corners_of(patch.net, facet);
+    const auto [a, b, c] = patch.net.corners(facet);
     const Vec3 d = (a + b + c) / 3.0 - cylinder->point;
     sense += area_vector(patch.net, facet).dot(d - d.dot(cylinder->axis) * cylinder->axis);
   }

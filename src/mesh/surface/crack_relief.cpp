@@ -31,14 +31,10 @@ void begin_at(const Vec3& x, std::vector<Vec3>& line) {
 NonPlanarCrackSurface::NonPlanarCrackSurface(SuccessiveFronts fronts) : fronts_(std::move(fronts)) {
   const std::vector<std::vector<Vec3>>& lines = fronts_.points;
   assert(lines.size() >= 2 && fronts_.normals.size() == lines.back().size());
-  low_ = high_ = lines.front().front();
   for (const std::vector<Vec3>& line : lines) {
-    for (const Vec3& x : line) {
-      low_ = low_.cwiseMin(x);
-      high_ = high_.cwiseMax(x);
-    }
+    box_.extend(geometry::Box<3>::around(line));
   }
-  narrowest_ = (high_ - low_).norm();
+  narrowest_ = box_.diagonal();
   for (std::size_t k = 1; k < lines.size(); ++k) {
     double widest = 0.0;
     for (const Vec3& x : lines[k]) {
@@ -59,7 +55,7 @@ void NonPlanarCrackSurface::add(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 e1 = flat(b - a);
   const Vec3 e2 = flat(c - a);
   const double area = n.dot(e1.cross(e2));
-  if (std::abs(area) <= no_area * (high_ - low_).squaredNorm()) {
+  if (std::abs(area) <= no_area * (box_.high - box_.low).squaredNorm()) {
     return;
   }
   const Vec3 slope = (n.dot(b - a) * e2.cross(n) + n.dot(c - a) * n.cross(e1)) / area;
@@ -87,7 +83,7 @@ void NonPlanarCrackSurface::rule(std::vector<Vec3> a, std::vector<Vec3> b) {
 
 void NonPlanarCrackSurface::go_on_before() {
   const std::vector<Vec3>& line = fronts_.points.back();
-  const double far = (high_ - low_).norm();
+  const double far = box_.diagonal();
   std::vector<Vec3> ahead;
   for (std::size_t i = 0; i < line.size(); ++i) {
     ahead.emplace_back(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "base/vec.hpp"
+#include "geometry/box.hpp"
 #include "mesh/surface/triangle_tree.hpp"
 
 #include <cstddef>
@@ -41,10 +41,8 @@ public:
   using Map = std::function<base::Vec3(const base::Vec3&)>;
   /// The same crack surface elsewhere: points mapped by `place`, normals by `direction`.
   [[nodiscard]] NonPlanarCrackSurface transformed(const Map& place, const Map& direction) const;
-  /// Whether the box that holds all fronts and one of these corners have something in common.
-  [[nodiscard]] bool overlaps_box(const base::Vec3& low, const base::Vec3& high) const {
-    return (low.array() <= high_.array()).all() && (high.array() >= low_.array()).all();
-  }
+  /// The box that holds all fronts.
+  [[nodiscard]] const geometry::Box<3>& box() const { return box_; }
   /// The shortest way of the crack from one front to the next, where it is longest.
   [[nodiscard]] double narrowest_strip() const { return narrowest_; }
 
@@ -69,8 +67,7 @@ private:
   std::size_t number_ = 1;                  ///< of the strip that is made
   TriangleTree tree_{{}};                   ///< of these
   std::vector<std::vector<double>> turned_; ///< [front before the last][point] angle [rad]
-  base::Vec3 low_ = base::Vec3::Zero();
-  base::Vec3 high_ = base::Vec3::Zero();
+  geometry::Box<3> box_;                    ///< of the fronts
   double narrowest_ = 0.0;
 };
 

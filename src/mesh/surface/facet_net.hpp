@@ -32,6 +32,11 @@ public:
 
   [[nodiscard]] const std::vector<base::Vec3>& vertices() const { return x_; } ///< [vertex]
   [[nodiscard]] const std::vector<SurfaceFacet>& facets() const { return facets_; }
+  /// The places of the vertices of a facet.
+  [[nodiscard]] std::array<base::Vec3, 3> corners(const SurfaceFacet& facet) const {
+    const auto x = [&](std::size_t c) { return x_[static_cast<std::size_t>(facet.vertex[c])]; };
+    return {x(0), x(1), x(2)};
+  }
   /// The facets of the i-th face given: from first(i) up to first(i + 1).
   [[nodiscard]] std::size_t first_facet(std::size_t i) const { return first_[i]; }
   /// What lies between two vertices, if it is part of an edge.

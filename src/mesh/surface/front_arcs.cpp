@@ -7,8 +7,6 @@
 #include <cmath>
 #include <optional>
 
-#include <Eigen/LU>
-
 namespace spricka::mesh {
 
 using base::Vec2;
@@ -56,33 +54,16 @@ private:
     return {{}, {why, at}};
   }
 
-  std::optional<Crossing> refined(const CrossingGuess& guess, double s) const {
-    const geometry::ElementSide& face = surface_.face(guess.face);
-    const double L = front_.length();
-    Vec2 r = guess.r;
-    Vec3 t = Vec3::Zero();
-    for (int i = 0; i < 30; ++i) {
-      const geometry::SidePoint p = face.point(r);
-      t = front_.at(front_.closed() ? s : std::clamp(s, 0.0, L)).t;
-      Eigen::Matrix3d J;
-      J << p.tangents, -t;
-      const Vec3 step = J.inverse() * (x(s) - p.x);
-      if (!step.allFinite() || step.head<2>().norm() > 3.0) {
-        return std::nullopt;
-      }
-      r += step.head<2>();
-      s += step[2];
-      if (step.head<2>().norm() < 1e-14) {
-        break;
-      }
-    }
-    if (!(face.distance_outside(r) <= 1e-9)) {
-      return std::nullopt;
-    }
-    Crossing crossing{s, surface_.place_on_face(guess.face, face.clamp(r)), false};
-    crossing.enters = crossing.place.normal.dot(t) < 0.0;
-    const bool met = (crossing.place.x - x(s)).norm() <= 1e-8 * surface_.diagonal();
-    return met ? std::optional(crossing) : std::nullopt;
+  [[nodiscard]] std::optional<Crossing> refined(const CrossingGuess& guess, double s) const {
+    constexpr int steps = 30;
+    const auto curve = [&](double at) {
+      const double inside = front_.closed() ? at : std::clamp(at, 0.0, front_.length());
+      return CurveTangent{x(at), front_.at(inside).t};
+    };
+    const auto met = refine_crossing(surface_, guess, s, curve, steps);
+    return met ? std::optional(
+                     Crossing{met->s, met->place, met->place.normal.dot(met->tangent) < 0.0})
+               : std::nullopt;
   }
 
   /// Chords that pass the facets of the surface, and those whose ends lie on both sides of the true
@@ -188,26 +169,6 @@ private:
 
 InteriorFrontArcs arcs_inside(const SurfaceGeometry& surface, const FrontCurve& front) {
   return FrontWalk(surface, front).arcs();
-}
-
-FrontMouths find_mouths(const SurfaceGeometry& surface, const CrackReferencePlane& plane,
-                        const FrontCurve& front, const std::vector<InteriorFrontArc>& arcs) {
-  FrontMouths result;
-  std::vector<SurfacePlace> starts;
-  starts.reserve(arcs.size());
-  for (const InteriorFrontArc& arc : arcs) {
-    starts.push_back(arc.place[0]);
-  }
-  for (std::size_t i = 0; i < arcs.size() && !arcs[i].whole; ++i) {
-    // The surface is left to the crack's side, which is that of -m.
-    const SurfacePlace& end = arcs[i].place[1];
-    TraceResult traced = trace_plane(surface, plane, end, starts, -front.at(arcs[i].s[1]).m);
-    if (traced.trouble) {
-      return {{}, traced.trouble};
-    }
-    result.mouths.push_back({i, traced.reached, std::move(traced.trace.front())});
-  }
-  return result;
 }
 
 } // namespace spricka::mesh

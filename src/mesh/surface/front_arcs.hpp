@@ -29,20 +29,4 @@ inline constexpr double front_reach = 0.1;
 /// Which parts of a front the body has.
 InteriorFrontArcs arcs_inside(const SurfaceGeometry& surface, const FrontCurve& front);
 
-/// A mouth between fronts: from the end of one arc over the surface to the start of one (the same
-/// or another), with the crack on its left seen along b.
-struct FrontMouth {
-  std::size_t from = 0, to = 0; ///< into InteriorFrontArcs::arcs
-  SurfaceTrace trace;
-};
-
-struct FrontMouths {
-  std::vector<FrontMouth> mouths; ///< one for each arc, none of a whole front
-  SurfaceFailure trouble;
-};
-
-/// The mouths of a plane crack. The surface must outlive their traces.
-FrontMouths find_mouths(const SurfaceGeometry& surface, const CrackReferencePlane& plane,
-                        const FrontCurve& front, const std::vector<InteriorFrontArc>& arcs);
-
 } // namespace spricka::mesh

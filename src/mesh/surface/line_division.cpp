@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/surface/line_division.hpp"
 
-#include "mesh/plane.hpp"
+#include "mesh/link/grading.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace spricka::mesh {
 
@@ -20,18 +19,7 @@ std::vector<double> divide_length(double s0, double s1, const std::function<doub
     N.push_back(N.back() + (next - now) / size(0.5 * (now + next)));
     s.push_back(next);
   }
-  const int count = std::max(1, static_cast<int>(std::floor(N.back() + 0.5 + same)));
-  std::vector<double> ends{s0};
-  std::size_t k = 1;
-  for (int i = 1; i < count; ++i) {
-    const double wanted = static_cast<double>(i) / count * N.back();
-    while (N[k] < wanted) {
-      ++k;
-    }
-    ends.push_back(s[k - 1] + (wanted - N[k - 1]) / (N[k] - N[k - 1]) * (s[k] - s[k - 1]));
-  }
-  ends.push_back(s1);
-  return ends;
+  return divide_evenly(s, N);
 }
 
 } // namespace spricka::mesh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/surface/piece_outline.hpp"
 
+#include "geometry/box.hpp"
 #include "geometry/polyline.hpp"
 #include "mesh/plane.hpp"
 
@@ -21,7 +22,7 @@ const Vec2& point_of(const PlaneRegion& region, int i) {
 
 std::vector<Line> lines_of(const PlaneRegion& region) {
   std::vector<Line> lines;
-  for (const std::vector<int>& loop : region.loops) {
+  for (const std::vector<int>& loop : region.boundaries) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       lines.emplace_back(loop[i], loop[(i + 1) % loop.size()]);
     }
@@ -71,12 +72,7 @@ public:
       : chart_(chart), region_(region), size_(size), grading_(grading) {}
 
   void add() {
-    Vec2 low = region_.points.front();
-    Vec2 high = low;
-    for (const Vec2& p : region_.points) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
+    const auto [low, high] = geometry::Box<2>::around(region_.points);
     std::vector<Vec2> cells{0.5 * (low + high)};
     double half = 0.5 * (high - low).maxCoeff();
     for (int level = 0; level < most_levels && !cells.empty(); ++level, half *= 0.5) {
@@ -103,7 +99,7 @@ private:
   double at(const Vec2& u, double half) {
     bool within = false;
     double near = std::numeric_limits<double>::max();
-    for (const std::vector<int>& loop : region_.loops) {
+    for (const std::vector<int>& loop : region_.boundaries) {
       for (std::size_t i = 0; i < loop.size(); ++i) {
         const Vec2& a = point_of(region_, loop[i]);
         const Vec2& b = point_of(region_, loop[(i + 1) % loop.size()]);
@@ -151,17 +147,17 @@ std::optional<LineIntersection> find_intersection(const PlaneRegion& region,
       }
     }
   }
-  for (std::size_t k = first_cap; k < region.loops.size(); ++k) {
+  for (std::size_t k = first_cap; k < region.boundaries.size(); ++k) {
     bool in = false;
-    for (std::size_t other = 0; other < region.loops.size(); ++other) {
+    for (std::size_t other = 0; other < region.boundaries.size(); ++other) {
       std::vector<Vec2> polygon;
-      for (const int i : region.loops[other]) {
+      for (const int i : region.boundaries[other]) {
         polygon.push_back(point_of(region, i));
       }
-      in = in != (other != k && is_inside(point_of(region, region.loops[k].front()), polygon));
+      in = in != (other != k && is_inside(point_of(region, region.boundaries[k].front()), polygon));
     }
     if (!in) {
-      const Line at{region.loops[k][0], region.loops[k][1]};
+      const Line at{region.boundaries[k][0], region.boundaries[k][1]};
       return LineIntersection{at, at, true};
     }
   }

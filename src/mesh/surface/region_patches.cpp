@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/surface/region_patches.hpp"
 
+#include "base/disjoint_sets.hpp"
+
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -11,27 +13,23 @@ RegionPatches::RegionPatches(const SurfaceGeometry& surface, std::span<const std
     : surface_(surface), all_(faces.begin(), faces.end()) {
   std::ranges::sort(all_);
   all_.erase(std::unique(all_.begin(), all_.end()), all_.end());
-  for (const std::size_t face : all_) {
-    patch_[face] = nowhere;
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    patch_[all_[i]] = i;
   }
-  for (const std::size_t seed : all_) {
-    if (patch_[seed] != nowhere) {
-      continue;
-    }
-    std::vector<std::size_t> found{seed};
-    patch_[seed] = faces_.size();
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      for (int s = 0; s < surface_.face(found[i]).corners(); ++s) {
-        const std::size_t next = across(found[i], s);
-        if (next != nowhere && patch_containing(next) == nowhere && patch_.contains(next) &&
-            !surface_.edges()[surface_.face_edge(found[i], s)].feature) {
-          patch_[next] = faces_.size();
-          found.push_back(next);
-        }
+  base::DisjointSets smooth(all_.size());
+  for (const auto& [face, i] : patch_) {
+    for (int s = 0; s < surface_.face(face).corners(); ++s) {
+      const auto next = patch_.find(across(face, s));
+      if (next != patch_.end() && !surface_.edges()[surface_.face_edge(face, s)].feature) {
+        smooth.join_sets(i, next->second);
       }
     }
-    std::ranges::sort(found);
-    faces_.push_back(std::move(found));
+  }
+  const base::DisjointSets::SetNumbers patches = smooth.set_numbers();
+  faces_.resize(patches.count);
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    patch_[all_[i]] = patches.of[i];
+    faces_[patches.of[i]].push_back(all_[i]);
   }
   sort_edges();
   loops_.resize(faces_.size());

@@ -33,9 +33,7 @@ public:
       : surface_(surface), region_(region), patches_(surface, region.faces) {}
 
   RemeshedSurface run() {
-    if (patches_.failure()) {
-      fail(patches_.failure().why, patches_.failure().at);
-    }
+    out_.trouble = patches_.failure();
     take_caps();
     take_mouths();
     if (!out_.trouble) {
@@ -217,9 +215,9 @@ private:
       for (const PatchSide& side : sides) {
         go_along(side, chart, outline, loop);
       }
-      outline.region.loops.push_back(loop);
+      outline.region.boundaries.push_back(loop);
     }
-    const std::size_t first_cap = outline.region.loops.size();
+    const std::size_t first_cap = outline.region.boundaries.size();
     add_caps(patch, chart, outline);
     embed_mouths(patch, chart, outline);
     embed_creases(patch, chart, outline);
@@ -244,8 +242,6 @@ private:
         continue;
       }
       std::vector<int> loop;
-      loop.reserve(cap.size());
-      double area = 0.0;
       for (const int point : cap) {
         loop.push_back(outline.region_point(point, chart.at(place(point).face, place(point).r)));
       }
@@ -253,15 +249,15 @@ private:
         return outline.region.points[static_cast<std::size_t>(loop[i % loop.size()])];
       };
       for (std::size_t i = 0; i < loop.size(); ++i) {
-        area += cross(u(i), u(i + 1));
         const auto [a, b] = std::pair(cap[i], cap[(i + 1) % cap.size()]);
         add_edge(a, b, RemeshedEdgeKind::outline,
                  chart.midpoint(place(a), place(b), u(i), u(i + 1)));
       }
-      if (area > 0.0) { // the patch lies outside of it, and on the left
+      // the patch lies outside of it, and on the left
+      if (twice_area(outline.region.points, loop) > 0.0) {
         std::ranges::reverse(loop);
       }
-      outline.region.loops.push_back(loop);
+      outline.region.boundaries.push_back(loop);
     }
   }
 
@@ -302,12 +298,15 @@ private:
     if (corner.edge != nowhere && std::ranges::any_of(surface_.edges()[corner.edge].faces, has)) {
       return from_patch(patch, corner.edge, corner.t, chart);
     }
-    const int point = out_.mouths[index.first][index.second];
-    const SurfacePlace& at_cap = place(point);
-    if (patches_.patch_containing(at_cap.face) == patch) {
-      return chart.at(at_cap.face, at_cap.r);
-    }
-    const SurfacePlace near = surface_.nearest_place(at_cap.x, patches_.faces(patch));
+    return point_at(patch, out_.mouths[index.first][index.second], chart);
+  }
+
+  /// A point in the chart of a patch: where it lies on the patch, else the nearest place of it.
+  [[nodiscard]] Vec2 point_at(std::size_t patch, int point, const SurfaceChart& chart) const {
+    const SurfacePlace& own = place(point);
+    const SurfacePlace near = patches_.patch_containing(own.face) == patch
+                                  ? own
+                                  : surface_.nearest_place(own.x, patches_.faces(patch));
     return chart.at(near.face, near.r);
   }
 
@@ -324,11 +323,7 @@ private:
       }
       std::vector<int>& chain = outline.region.embedded.emplace_back();
       for (const int point : made.points) {
-        const SurfacePlace near =
-            patches_.patch_containing(place(point).face) == patch
-                ? place(point)
-                : surface_.nearest_place(place(point).x, patches_.faces(patch));
-        chain.push_back(outline.region_point(point, chart.at(near.face, near.r)));
+        chain.push_back(outline.region_point(point, point_at(patch, point, chart)));
       }
     }
   }
@@ -337,24 +332,19 @@ private:
     const auto [a, b] = std::minmax(outline.point[static_cast<std::size_t>(line.first)],
                                     outline.point[static_cast<std::size_t>(line.second)]);
     const auto at = known_.find({a, b});
-    switch (at == known_.end() ? RemeshedEdgeKind::inner
-                               : out_.edges[static_cast<std::size_t>(at->second)].kind) {
-    case RemeshedEdgeKind::rim:
-      return "the rim of the cavity";
-    case RemeshedEdgeKind::feature:
-      return "an edge of the body";
-    case RemeshedEdgeKind::outline:
-      return "an end of the tube";
-    case RemeshedEdgeKind::mouth:
-      return "the crack's mouth";
-    default:
-      return "a line";
-    }
+    static const std::map<RemeshedEdgeKind, const char*> names{
+        {RemeshedEdgeKind::rim, "the rim of the cavity"},
+        {RemeshedEdgeKind::feature, "an edge of the body"},
+        {RemeshedEdgeKind::outline, "an end of the tube"},
+        {RemeshedEdgeKind::mouth, "the crack's mouth"}};
+    const auto name = at == known_.end()
+                          ? names.end()
+                          : names.find(out_.edges[static_cast<std::size_t>(at->second)].kind);
+    return name == names.end() ? "a line" : name->second;
   }
 
   void tell(const LineIntersection& clash, const ChartOutline& outline) {
-    const int at = outline.point[static_cast<std::size_t>(clash.one.first)];
-    const Vec3& x = place(at).x;
+    const Vec3& x = place(outline.point[static_cast<std::size_t>(clash.one.first)]).x;
     if (clash.outside) {
       fail("an end of the tube lies beside the surface that the cavity takes away", x);
     } else {
@@ -372,7 +362,7 @@ private:
       u.emplace_back(rounded(p.x()), rounded(p.y()));
       point.push_back(add_point(chart.map_to_surface(u.back())));
     }
-    for (const std::array<int, 3>& corners : filling.triangles) {
+    for (const std::array<int, 3>& corners : filling.cells) {
       RemeshedTriangle triangle;
       Vec2 middle = Vec2::Zero();
       for (std::size_t k = 0; k < 3; ++k) {

@@ -56,72 +56,47 @@ void SurfaceChart::flatten_onto_plane(const CrackReferencePlane& plane) {
 }
 
 void SurfaceChart::sort_facets() {
-  Vec2 high = u_.front();
-  low_ = high;
-  for (const Vec2& u : u_) {
-    low_ = low_.cwiseMin(u);
-    high = high.cwiseMax(u);
+  std::vector<geometry::Box<2>> boxes;
+  for (const FacetNet::SurfaceFacet& facet : net_.facets()) {
+    const auto u = [&](std::size_t k) { return u_[static_cast<std::size_t>(facet.vertex[k])]; };
+    boxes.push_back(geometry::Box<2>::around(std::array{u(0), u(1), u(2)}).grown(1e-7));
   }
-  cells_ =
-      std::clamp(static_cast<int>(std::sqrt(static_cast<double>(net_.facets().size()))), 1, 200);
-  pitch_ = ((high - low_) / cells_).cwiseMax(1e-300);
-  facets_.resize(static_cast<std::size_t>(cells_) * static_cast<std::size_t>(cells_));
-  for (std::size_t f = 0; f < net_.facets().size(); ++f) {
-    Vec2 from = u_[static_cast<std::size_t>(net_.facets()[f].vertex[0])];
-    Vec2 to = from;
-    for (const int v : net_.facets()[f].vertex) {
-      from = from.cwiseMin(u_[static_cast<std::size_t>(v)]);
-      to = to.cwiseMax(u_[static_cast<std::size_t>(v)]);
-    }
-    const auto cell = [&](const Vec2& u) {
-      const Vec2 c = (u - low_).cwiseQuotient(pitch_);
-      return std::array{std::clamp(static_cast<int>(c.x()), 0, cells_ - 1),
-                        std::clamp(static_cast<int>(c.y()), 0, cells_ - 1)};
-    };
-    const Vec2 room = Vec2::Constant(1e-7);
-    const auto [i0, j0] = cell(from - room);
-    const auto [i1, j1] = cell(to + room);
-    for (int j = j0; j <= j1; ++j) {
-      for (int i = i0; i <= i1; ++i) {
-        facets_[static_cast<std::size_t>(j * cells_ + i)].push_back(f);
-      }
-    }
-  }
+  facets_ = geometry::BoxTree<2>(boxes);
+  extent_ = geometry::Box<2>::around(u_);
+  room_ = 2.0 * (extent_.high - extent_.low) / std::sqrt(static_cast<double>(boxes.size()));
 }
+
+namespace {
+
+/// Barycentric coordinates of a place in the plane of a triangle.
+Eigen::Vector3d barycentric(const Vec2& p, const Vec2& a, const Vec2& b, const Vec2& c) {
+  const double area = cross(b - a, c - a);
+  const double hb = cross(p - a, c - a) / area;
+  const double hc = cross(b - a, p - a) / area;
+  return {1.0 - hb - hc, hb, hc};
+}
+
+} // namespace
 
 Eigen::Vector3d SurfaceChart::hats(std::size_t facet, const Vec2& u) const {
   const auto& v = net_.facets()[facet].vertex;
-  const Vec2& a = u_[static_cast<std::size_t>(v[0])];
-  const Vec2& b = u_[static_cast<std::size_t>(v[1])];
-  const Vec2& c = u_[static_cast<std::size_t>(v[2])];
-  const double area = cross(b - a, c - a);
-  const double hb = cross(u - a, c - a) / area;
-  const double hc = cross(b - a, u - a) / area;
-  return {1.0 - hb - hc, hb, hc};
+  return barycentric(u, u_[static_cast<std::size_t>(v[0])], u_[static_cast<std::size_t>(v[1])],
+                     u_[static_cast<std::size_t>(v[2])]);
 }
 
 /// The facet that has u, the first of several; beyond the border the nearest, and the nearest place
 /// on it.
 SurfaceChart::BarycentricPoint SurfaceChart::find(const Vec2& u) const {
-  const Vec2 c = (u - low_).cwiseQuotient(pitch_);
-  if (c.minCoeff() >= 0.0 && c.maxCoeff() < cells_) {
-    const auto cell =
-        static_cast<std::size_t>(static_cast<int>(c.y()) * cells_ + static_cast<int>(c.x()));
-    for (const std::size_t f : facets_[cell]) {
-      const Eigen::Vector3d hat = hats(f, u);
-      if (hat.minCoeff() >= -1e-12) {
-        return {f, hat};
-      }
+  for (const std::size_t f : facets_.boxes_containing(u)) {
+    const Eigen::Vector3d hat = hats(f, u);
+    if (hat.minCoeff() >= -1e-12) {
+      return {f, hat};
     }
   }
   BarycentricPoint best;
   double least = std::numeric_limits<double>::max();
   for (std::size_t f = 0; f < net_.facets().size(); ++f) {
     const auto& v = net_.facets()[f].vertex;
-    const Eigen::Vector3d inside = hats(f, u);
-    if (inside.minCoeff() >= -1e-12) {
-      return {f, inside};
-    }
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec2& a = u_[static_cast<std::size_t>(v[k])];
       const Vec2& b = u_[static_cast<std::size_t>(v[(k + 1) % 3])];
@@ -147,16 +122,13 @@ Vec2 SurfaceChart::at(std::size_t face, const Vec2& r) const {
     double most = -std::numeric_limits<double>::max();
     for (std::size_t f = net_.first_facet(i); f < net_.first_facet(i + 1); ++f) {
       const FacetNet::SurfaceFacet& facet = net_.facets()[f];
-      const Vec2 b = facet.r[1] - facet.r[0];
-      const Vec2 c = facet.r[2] - facet.r[0];
-      const double hb = cross(r - facet.r[0], c) / cross(b, c);
-      const double hc = cross(b, r - facet.r[0]) / cross(b, c);
-      const double least = std::min({hb, hc, 1.0 - hb - hc});
+      const Eigen::Vector3d hat = barycentric(r, facet.r[0], facet.r[1], facet.r[2]);
+      const double least = std::min({hat[1], hat[2], hat[0]});
       if (least > most) {
         most = least;
-        u = (1.0 - hb - hc) * u_[static_cast<std::size_t>(facet.vertex[0])] +
-            hb * u_[static_cast<std::size_t>(facet.vertex[1])] +
-            hc * u_[static_cast<std::size_t>(facet.vertex[2])];
+        u = hat[0] * u_[static_cast<std::size_t>(facet.vertex[0])] +
+            hat[1] * u_[static_cast<std::size_t>(facet.vertex[1])] +
+            hat[2] * u_[static_cast<std::size_t>(facet.vertex[2])];
       }
     }
   }
@@ -193,21 +165,13 @@ SurfaceChart::ChartPreimage SurfaceChart::flat_place(std::size_t face, const Vec
   if (best.off <= same) {
     return best;
   }
-  const Vec2 c = (u - low_).cwiseQuotient(pitch_);
   std::set<std::size_t> near;
-  for (int j = -1; j <= 1; ++j) {
-    for (int i = -1; i <= 1; ++i) {
-      const int column = std::clamp(static_cast<int>(c.x()) + i, 0, cells_ - 1);
-      const int row = std::clamp(static_cast<int>(c.y()) + j, 0, cells_ - 1);
-      for (const std::size_t f : facets_[static_cast<std::size_t>(row * cells_ + column)]) {
-        near.insert(net_.facets()[f].face);
-      }
-    }
+  const Vec2 inside = u.cwiseMax(extent_.low).cwiseMin(extent_.high);
+  for (const std::size_t f : facets_.boxes_meeting({inside - room_, inside + room_})) {
+    near.insert(net_.facets()[f].face);
   }
   for (const std::size_t other : near) {
-    const bool triangle = surface_.face(other).corners() == 3;
-    const Vec2 centre = triangle ? Vec2(1.0 / 3.0, 1.0 / 3.0) : Vec2(0.0, 0.0);
-    const ChartPreimage there = flat_on(other, centre, u);
+    const ChartPreimage there = flat_on(other, surface_.face(other).centre(), u);
     best = there.off < best.off - same ? there : best;
   }
   return best;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "geometry/box_tree.hpp"
 #include "mesh/surface/chart_maps.hpp"
 
 #include <optional>
@@ -48,12 +49,11 @@ private:
   std::vector<std::size_t> faces_;
   FacetNet net_;
   SurfaceFailure trouble_;
-  std::optional<ChartPlaneFrame> flat_; ///< of a plane patch, whose parameters are exact
-  FlatPlaces u_;                        ///< [vertex]
-  base::Vec2 low_ = base::Vec2::Zero();
-  base::Vec2 pitch_ = base::Vec2::Ones();
-  int cells_ = 1;                                ///< of a grid, each way
-  std::vector<std::vector<std::size_t>> facets_; ///< [cell] whose boxes meet it
+  std::optional<ChartPlaneFrame> flat_;  ///< of a plane patch, whose parameters are exact
+  FlatPlaces u_;                         ///< [vertex]
+  geometry::BoxTree<2> facets_;          ///< by their parameters
+  geometry::Box<2> extent_;              ///< of all parameters
+  base::Vec2 room_ = base::Vec2::Zero(); ///< in which the facets near a place are sought
 };
 
 } // namespace spricka::mesh

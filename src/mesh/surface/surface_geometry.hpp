@@ -95,7 +95,6 @@ public:
   }
   /// Which of them have a node.
   [[nodiscard]] const std::vector<std::size_t>& node_sets(base::NodeId node) const;
-  [[nodiscard]] std::vector<FeatureChain> feature_chains() const;
 
   /// The place nearest to x; of several faces as near (an edge) that with the lowest number.
   [[nodiscard]] SurfacePlace nearest_place(const base::Vec3& x) const;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Edges of the surface, which of them are features, and the smooth pieces between these.
+#include "base/disjoint_sets.hpp"
 #include "mesh/surface/surface_geometry.hpp"
 #include "shape/topology.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -16,14 +16,6 @@ using base::NodeId;
 using base::Vec3;
 
 namespace {
-
-std::size_t root_of(std::vector<std::size_t>& parent, std::size_t i) {
-  while (parent[i] != i) {
-    parent[i] = parent[parent[i]];
-    i = parent[i];
-  }
-  return i;
-}
 
 NodeId mid_of_side(const geometry::ElementSide& face, int i) {
   return face.quadratic() ? face.nodes[static_cast<std::size_t>(face.corners() + i)] : NodeId();
@@ -124,9 +116,9 @@ void SurfaceGeometry::find_lines(const model::Mesh& mesh, std::span<const base::
   lines_.assign(edges_.size(), {});
   bare_.assign(edges_.size(), false);
   for (std::size_t s = 0; s < lines.size(); ++s) {
-    std::vector<bool> member(mesh.node_count(), false);
-    for (const NodeId n : mesh.set_with_id(lines[s]).nodes) {
-      member[n.index()] = true;
+    const std::vector<NodeId>& nodes = mesh.set_with_id(lines[s]).nodes;
+    const std::vector<bool> member = model::mark_members(mesh.node_count(), nodes);
+    for (const NodeId n : nodes) {
       line_nodes_[n].push_back(s);
     }
     const auto has = [&](NodeId n) { return member[n.index()]; };
@@ -151,8 +143,7 @@ const std::vector<std::size_t>& SurfaceGeometry::node_sets(NodeId node) const {
 
 void SurfaceGeometry::find_pieces(bool borders) {
   const double least = std::cos(most_turn);
-  std::vector<std::size_t> parent(faces_.size());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  base::DisjointSets smooth(faces_.size());
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     SurfaceEdge& edge = edges_[e];
     const auto [one, two] = edge.faces;
@@ -165,17 +156,12 @@ void SurfaceGeometry::find_pieces(bool borders) {
     edge.border = borders && !edge.feature && (sets_[one] != sets_[two] || bare_[e]);
     edge.feature = edge.feature || edge.border;
     if (!edge.feature) {
-      const std::size_t a = root_of(parent, one);
-      const std::size_t b = root_of(parent, two);
-      parent[std::max(a, b)] = std::min(a, b);
+      smooth.join_sets(one, two);
     }
   }
-  piece_.resize(faces_.size());
-  pieces_ = 0;
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
-    const std::size_t root = root_of(parent, f);
-    piece_[f] = root == f ? pieces_++ : piece_[root]; // roots come first: the least of theirs
-  }
+  base::DisjointSets::SetNumbers pieces = smooth.set_numbers();
+  piece_ = std::move(pieces.of);
+  pieces_ = pieces.count;
 }
 
 SurfacePlace SurfaceGeometry::place_on_edge(std::size_t edge, double t) const {
@@ -183,16 +169,6 @@ SurfacePlace SurfaceGeometry::place_on_edge(std::size_t edge, double t) const {
   const std::size_t way = e.faces[0] != nowhere ? 0 : 1;
   const std::size_t f = e.faces[way];
   return place_on_face(f, faces_[f].edge_coordinates(e.side[way], way == 0 ? t : -t));
-}
-
-std::vector<FeatureChain> SurfaceGeometry::feature_chains() const {
-  std::vector<std::size_t> which;
-  for (std::size_t e = 0; e < edges_.size(); ++e) {
-    if (edges_[e].feature) {
-      which.push_back(e);
-    }
-  }
-  return chain_edges(edges_, which, {});
 }
 
 std::vector<FeatureChain> chain_edges(const std::vector<SurfaceEdge>& all,

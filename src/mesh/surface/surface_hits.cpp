@@ -25,9 +25,7 @@ constexpr double on_face = 1e-9;   // outside of a face in reference coordinates
 /// Where the line x + part d passes the plane of a facet.
 std::optional<CrossingGuess> pass(const FacetNet& net, const FacetNet::SurfaceFacet& facet,
                                   const Vec3& x, const Vec3& d) {
-  const std::array<Vec3, 3> p{net.vertices()[static_cast<std::size_t>(facet.vertex[0])],
-                              net.vertices()[static_cast<std::size_t>(facet.vertex[1])],
-                              net.vertices()[static_cast<std::size_t>(facet.vertex[2])]};
+  const std::array<Vec3, 3> p = net.corners(facet);
   const Vec3 u = p[1] - p[0];
   const Vec3 v = p[2] - p[0];
   const Vec3 n = u.cross(v);
@@ -47,21 +45,27 @@ std::optional<CrossingGuess> pass(const FacetNet& net, const FacetNet::SurfaceFa
   return CrossingGuess{facet.face, r, part};
 }
 
-/// The guess made true: the line x + along d and the curved face by Newton's steps.
-std::optional<SurfaceHit> refined(const SurfaceGeometry& surface, const CrossingGuess& guess,
-                                  const Vec3& x, const Vec3& d, double along) {
+} // namespace
+
+std::optional<SurfaceCrossing> refine_crossing(const SurfaceGeometry& surface,
+                                               const CrossingGuess& guess, double s,
+                                               const std::function<CurveTangent(double)>& curve,
+                                               int steps) {
   const geometry::ElementSide& face = surface.face(guess.face);
   Vec2 r = guess.r;
-  for (int i = 0; i < 20; ++i) {
+  Vec3 tangent = Vec3::Zero();
+  for (int i = 0; i < steps; ++i) {
     const geometry::SidePoint p = face.point(r);
+    const CurveTangent at = curve(s);
+    tangent = at.tangent;
     Eigen::Matrix3d J;
-    J << p.tangents, -d;
-    const Vec3 step = J.inverse() * (x + along * d - p.x);
+    J << p.tangents, -tangent;
+    const Vec3 step = J.inverse() * (at.x - p.x);
     if (!step.allFinite() || step.head<2>().norm() > 3.0) {
       return std::nullopt;
     }
     r += step.head<2>();
-    along += step[2];
+    s += step[2];
     if (step.head<2>().norm() < 1e-14) {
       break;
     }
@@ -70,11 +74,9 @@ std::optional<SurfaceHit> refined(const SurfaceGeometry& surface, const Crossing
     return std::nullopt;
   }
   const SurfacePlace place = surface.place_on_face(guess.face, face.clamp(r));
-  const bool met = (place.x - x - along * d).norm() <= 1e-8 * surface.diagonal();
-  return met ? std::optional(SurfaceHit{place, along}) : std::nullopt;
+  const bool met = (place.x - curve(s).x).norm() <= 1e-8 * surface.diagonal();
+  return met ? std::optional(SurfaceCrossing{s, place, tangent}) : std::nullopt;
 }
-
-} // namespace
 
 std::vector<CrossingGuess> segment_guesses(const SurfaceGeometry& surface, const Vec3& from,
                                            const Vec3& to) {
@@ -94,12 +96,14 @@ std::vector<CrossingGuess> segment_guesses(const SurfaceGeometry& surface, const
 
 std::vector<SurfaceHit> find_hits(const SurfaceGeometry& surface, const Vec3& x, const Vec3& d,
                                   double most) {
+  constexpr int steps = 20;
   const double same = 1e-9 * surface.diagonal();
+  const auto line = [&](double along) { return CurveTangent{x + along * d, d}; };
   std::vector<SurfaceHit> all;
   for (const CrossingGuess& guess : segment_guesses(surface, x, x + most * d)) {
-    const auto hit = refined(surface, guess, x, d, guess.part * most);
-    if (hit && hit->along >= -same && hit->along <= most + same) {
-      all.push_back(*hit);
+    const auto hit = refine_crossing(surface, guess, guess.part * most, line, steps);
+    if (hit && hit->s >= -same && hit->s <= most + same) {
+      all.push_back({hit->place, hit->s});
     }
   }
   std::ranges::sort(all, [](const SurfaceHit& a, const SurfaceHit& b) {

@@ -2,6 +2,8 @@
 #pragma once
 #include "mesh/surface/surface_geometry.hpp"
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 /// Lines through space that meet the surface of a body.
@@ -30,6 +32,23 @@ struct CrossingGuess {
   base::Vec2 r = base::Vec2::Zero();
   double part = 0.0; ///< of the segment
 };
+/// A point of a curve with its tangent, the derivative by the parameter.
+struct CurveTangent {
+  base::Vec3 x = base::Vec3::Zero();
+  base::Vec3 tangent = base::Vec3::Zero();
+};
+/// Where a curve passes a face.
+struct SurfaceCrossing {
+  double s = 0.0; ///< parameter of the curve
+  SurfacePlace place;
+  base::Vec3 tangent = base::Vec3::Zero(); ///< of the curve
+};
+/// Where a curve passes the face of a guess, from its parameter s there on by at most `steps` of
+/// Newton's method; empty where it does not.
+std::optional<SurfaceCrossing> refine_crossing(const SurfaceGeometry& surface,
+                                               const CrossingGuess& guess, double s,
+                                               const std::function<CurveTangent(double)>& curve,
+                                               int steps);
 /// First guesses of where the segment from `from` to `to` passes the faces; those that it only
 /// comes near to are among them.
 std::vector<CrossingGuess> segment_guesses(const SurfaceGeometry& surface, const base::Vec3& from,

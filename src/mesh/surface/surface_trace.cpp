@@ -109,11 +109,12 @@ private:
                                              const CrackReferencePlane& plane) {
     std::vector<std::size_t> faces;
     for (std::size_t f = 0; f < surface.faces().size(); ++f) {
-      const auto [low, high] = surface.face(f).bounding_box();
+      const geometry::Box<3> box = surface.face(f).bounding_box();
+      const auto& [low, high] = box;
       const double middle = plane.plane_distance(0.5 * (low + high));
       const double half = 0.5 * (high - low).dot(plane.normal.cwiseAbs());
       if (std::abs(middle) <= half + 1e-6 * plane.length ||
-          (plane.relief && plane.relief->overlaps_box(low, high))) {
+          (plane.relief && plane.relief->box().meets(box))) {
         faces.push_back(f);
       }
     }
@@ -127,10 +128,10 @@ private:
     constexpr int most = 32;
     double longest = 0.0;
     for (std::size_t f = 0; f < surface.faces().size() && plane.relief; ++f) {
-      const auto [low, high] = surface.face(f).bounding_box();
-      if (plane.relief->overlaps_box(low, high)) {
+      const geometry::Box<3> box = surface.face(f).bounding_box();
+      if (plane.relief->box().meets(box)) {
         const double own = surface.face(f).quadratic() ? FacetNet::divisions : 1;
-        longest = std::max(longest, (high - low).norm() / own);
+        longest = std::max(longest, box.diagonal() / own);
       }
     }
     if (!(longest > 0.0)) {

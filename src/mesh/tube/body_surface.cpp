@@ -62,10 +62,7 @@ void BodySurface::add_node_sets(const model::Mesh& mesh, const SetUsage& use) {
   const std::vector<model::Face> boundary = boundary_faces(body_);
   for (std::size_t s = 0; s < mesh.node_sets.size(); ++s) {
     const model::NodeSet& set = mesh.node_sets[s];
-    std::vector<bool> member(mesh.node_count(), false);
-    for (const base::NodeId n : set.nodes) {
-      member[n.index()] = true;
-    }
+    const std::vector<bool> member = model::mark_members(mesh.node_count(), set.nodes);
     model::FaceSet own{set.name, {}, set.span};
     std::ranges::copy_if(boundary, std::back_inserter(own.faces),
                          [&](const model::Face& face) { return lies_within(body_, face, member); });

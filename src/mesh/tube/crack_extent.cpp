@@ -46,21 +46,11 @@ public:
 
 private:
   void find_chords() {
-    const auto add = [&](const Vec3& from, const Vec3& to) {
+    placed_.for_mouth_pieces([&](const Vec3& from, const Vec3& to) {
       if ((to - from).norm() > 0.0) {
         chords_.push_back({from, to, surface_.nearest_place(0.5 * (from + to))});
       }
-    };
-    for (const SolidFront& front : placed_.fronts) {
-      for (std::size_t i = 1; i < front.mouth.size(); ++i) {
-        add(front.mouth[i - 1], front.mouth[i]);
-      }
-    }
-    for (const CrackHole& hole : placed_.holes) {
-      for (std::size_t i = 0; i < hole.mouth.size(); ++i) {
-        add(hole.mouth[i], hole.mouth[(i + 1) % hole.mouth.size()]);
-      }
-    }
+    });
   }
 
   /// The smallest of the sets that have a face; empty: none has it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/tube/crack_reach.hpp"
 
+#include "geometry/box.hpp"
 #include "geometry/polyline.hpp"
 
 #include <algorithm>
@@ -21,22 +22,20 @@ void CrackDistanceField::add_tube(const Tube& tube) {
                        std::max(tube.radius[i], tube.radius[next]),
                        std::max(tube.size_beside(i), tube.size_beside(next))});
   }
-  Vec3 low = pieces_.front().from;
-  Vec3 high = low;
+  geometry::Box<3> box;
   double most = 0.0;
   for (const std::vector<Vec2>& outline : area_.outlines()) {
     for (const Vec2& q : outline) {
-      low = low.cwiseMin(plane().lift_to_crack(q));
-      high = high.cwiseMax(plane().lift_to_crack(q));
+      const Vec3 x = plane().lift_to_crack(q);
+      box.extend({x, x});
     }
   }
   for (const FrontSegment& piece : pieces_) {
-    low = low.cwiseMin(piece.from);
-    high = high.cwiseMax(piece.from);
+    box.extend({piece.from, piece.from});
     most = std::max(most, piece.radius);
   }
-  middle_ = 0.5 * (low + high);
-  radius_ = 0.5 * (high - low).norm() + most;
+  middle_ = 0.5 * (box.low + box.high);
+  radius_ = 0.5 * box.diagonal() + most;
 }
 
 CrackDistanceField::CrackDistances CrackDistanceField::distance(const Vec3& p) const {

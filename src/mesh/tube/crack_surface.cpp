@@ -11,19 +11,6 @@ namespace spricka::mesh {
 
 using base::Vec2;
 
-namespace {
-
-double twice_area(const std::vector<Vec2>& points, const std::vector<int>& loop) {
-  double sum = 0.0;
-  for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
-    sum +=
-        cross(points[static_cast<std::size_t>(loop[j])], points[static_cast<std::size_t>(loop[i])]);
-  }
-  return sum;
-}
-
-} // namespace
-
 CrackTriangulation mesh_crack(const CrackDistanceField& reach,
                               const std::vector<std::vector<int>>& loops, double finer,
                               PatchNet& net) {
@@ -45,10 +32,10 @@ CrackTriangulation mesh_crack(const CrackDistanceField& reach,
       const double wanted = graded_size(d, CrackDistanceField::usual_growth / finer) / finer;
       size.add_source(region.points.back(), rounded(wanted));
     }
-    if ((twice_area(region.points, loop) < 0.0) == region.loops.empty()) {
+    if ((twice_area(region.points, loop) < 0.0) == region.boundaries.empty()) {
       std::reverse(loop.begin(), loop.end());
     }
-    region.loops.push_back(std::move(loop));
+    region.boundaries.push_back(std::move(loop));
   }
   for (const KinkLine& bend : build_kink_lines(reach, finer, surface.nodes, net)) {
     std::vector<int>& chain = region.embedded.emplace_back();
@@ -73,7 +60,7 @@ CrackTriangulation mesh_crack(const CrackDistanceField& reach,
   for (const Vec2& q : filling.added) {
     surface.nodes.push_back(net.new_node_at(reach.plane().lift_to_crack(q)));
   }
-  for (const std::array<int, 3>& t : filling.triangles) {
+  for (const std::array<int, 3>& t : filling.cells) {
     PatchTriangle triangle{};
     std::ranges::transform(t, triangle.begin(),
                            [&](int n) { return surface.nodes[static_cast<std::size_t>(n)]; });

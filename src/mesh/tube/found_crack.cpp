@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/tube/found_crack.hpp"
 
+#include "mesh/boundary.hpp"
+#include "mesh/cut/coincidence.hpp"
 #include "mesh/side_index.hpp"
 #include "mesh/tube/front_points.hpp"
-#include "shape/topology.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -68,12 +69,9 @@ private:
     for (const model::Face& face : SideIndex(mesh_).unshared_sides()) {
       PlacedSide& side = sides_.emplace_back();
       side.face = face;
-      const base::ElementType type = mesh_.type[face.element.index()];
-      const std::span<const NodeId> nodes = mesh_.element_nodes(face.element);
-      for (const int k : shape::side_nodes(type, face.side)) {
-        side.nodes.push_back(nodes[static_cast<std::size_t>(k)]);
-      }
-      side.corners = shape::side_corners(type, face.side);
+      FaceNodes nodes = face_nodes(mesh_, face);
+      side.nodes = std::move(nodes.all);
+      side.corners = nodes.corners;
       for (std::size_t k = 0; k < side.corners; ++k) {
         const NodeId a = side.nodes[k];
         const NodeId b = side.nodes[(k + 1) % side.corners];
@@ -102,23 +100,14 @@ private:
     return {};
   }
 
-  // Nodes nearer to one another than `at_one_place` get one number: swept along x.
+  // Nodes nearer to one another than `at_one_place` get one number, in the order of their x.
   void number_places(std::vector<NodeId> nodes) {
     std::ranges::sort(nodes, [&](NodeId a, NodeId b) {
       return std::pair(x(a).x(), a.value) < std::pair(x(b).x(), b.value);
     });
-    const double near = at_one_place * shortest_;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      std::size_t number = count;
-      for (std::size_t k = i; k-- > 0 && x(nodes[i]).x() - x(nodes[k]).x() <= near;) {
-        if ((x(nodes[i]) - x(nodes[k])).norm() <= near) {
-          number = place_.at(nodes[k]);
-          break;
-        }
-      }
-      place_.emplace(nodes[i], number);
-      count += number == count ? 1 : 0;
+    CoincidentPoints places(at_one_place * shortest_);
+    for (const NodeId n : nodes) {
+      place_.emplace(n, places.number_of(x(n)));
     }
   }
 

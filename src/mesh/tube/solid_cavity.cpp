@@ -2,6 +2,7 @@
 #include "mesh/tube/solid_cavity.hpp"
 
 #include "base/disjoint_sets.hpp"
+#include "geometry/box.hpp"
 #include "mesh/plane.hpp"
 
 #include <algorithm>
@@ -76,10 +77,7 @@ private:
 
   void take_wanted(std::span<const ElementId> seeds) {
     std::vector<ElementId> open(seeds.begin(), seeds.end());
-    std::vector<bool> given(mesh_.element_count(), false);
-    for (const ElementId e : seeds) {
-      given[e.index()] = true;
-    }
+    const std::vector<bool> given = model::mark_members(mesh_.element_count(), open);
     std::vector<bool> met(mesh_.element_count(), false);
     while (!open.empty()) {
       const ElementId e = open.back();
@@ -202,17 +200,15 @@ private:
     std::size_t outermost = 0;
     double widest = 0.0;
     for (auto& [root, faces] : by_root) {
-      Vec3 low = Vec3::Constant(std::numeric_limits<double>::max());
-      Vec3 high = -low;
+      geometry::Box<3> box;
       for (const CavityFace& face : faces) {
         const FaceNodes nodes = face_nodes(mesh_, face.face);
         for (const NodeId n : nodes.corner_nodes()) {
-          low = low.cwiseMin(mesh_.x[n.index()]);
-          high = high.cwiseMax(mesh_.x[n.index()]);
+          box.extend({mesh_.x[n.index()], mesh_.x[n.index()]});
         }
       }
-      if ((high - low).norm() > widest) {
-        widest = (high - low).norm();
+      if (box.diagonal() > widest) {
+        widest = box.diagonal();
         outermost = result.size();
       }
       result.push_back(std::move(faces));
@@ -245,10 +241,7 @@ std::vector<SplitSet> split_sets(const SolidHost& host, const SolidCavity& cavit
   std::vector<SplitSet> found;
   for (std::size_t s = 0; s < host.mesh().element_sets.size(); ++s) {
     const model::ElementSet& set = host.mesh().element_sets[s];
-    std::vector<bool> has(host.mesh().element_count(), false);
-    for (const ElementId e : set.elements) {
-      has[e.index()] = true;
-    }
+    const std::vector<bool> has = model::mark_members(host.mesh().element_count(), set.elements);
     const ElementId first = cavity.elements.front();
     const auto other = std::ranges::find_if(
         cavity.elements, [&](ElementId e) { return has[e.index()] != has[first.index()]; });

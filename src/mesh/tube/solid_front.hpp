@@ -47,6 +47,20 @@ struct LocatedSolidCrack {
   std::vector<std::vector<base::Vec3>> outlines = {};
   /// A place of what a closed front encloses elsewhere, beyond a hole or a slot: not of the crack.
   std::optional<base::Vec3> left_out = {};
+
+  /// Calls f(from, to) for one piece after another of its mouths, those of holes all round.
+  template <class F> void for_mouth_pieces(F&& f) const {
+    for (const SolidFront& front : fronts) {
+      for (std::size_t i = 1; i < front.mouth.size(); ++i) {
+        f(front.mouth[i - 1], front.mouth[i]);
+      }
+    }
+    for (const CrackHole& hole : holes) {
+      for (std::size_t i = 0; i < hole.mouth.size(); ++i) {
+        f(hole.mouth[i], hole.mouth[(i + 1) % hole.mouth.size()]);
+      }
+    }
+  }
 };
 
 CrackReferencePlane reference_plane(const SolidCrack& crack);

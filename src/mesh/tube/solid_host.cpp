@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/tube/solid_host.hpp"
 
+#include "base/disjoint_sets.hpp"
 #include "shape/reference_element.hpp"
 #include "shape/topology.hpp"
 
@@ -59,28 +60,21 @@ SolidHost::SolidHost(const model::Mesh& mesh, SetUsage use) : HostMesh(mesh), us
 }
 
 void SolidHost::find_parts() {
-  constexpr std::size_t none = static_cast<std::size_t>(-1);
-  part_.assign(mesh().element_count(), none);
-  for (std::size_t first = 0; first < mesh().element_count(); ++first) {
-    if (part_[first] != none) {
-      continue;
-    }
-    std::vector<ElementId> members{ElementId(first)};
-    part_[first] = members_.size();
-    for (std::size_t k = 0; k < members.size(); ++k) {
-      const ElementId e = members[k];
-      for (int s = 0; s < base::element_info(mesh().type[e.index()]).sides; ++s) {
-        const auto other = neighbour({e, s});
-        if (other && part_[other->index()] == none &&
-            mesh().property[other->index()] == mesh().property[first] &&
-            mesh().element_net[other->index()] == mesh().element_net[first]) {
-          part_[other->index()] = members_.size();
-          members.push_back(*other);
-        }
+  base::DisjointSets parts(mesh().element_count());
+  for (std::size_t e = 0; e < mesh().element_count(); ++e) {
+    for (int s = 0; s < base::element_info(mesh().type[e]).sides; ++s) {
+      const auto other = neighbour({ElementId(e), s});
+      if (other && mesh().property[other->index()] == mesh().property[e] &&
+          mesh().element_net[other->index()] == mesh().element_net[e]) {
+        parts.join_sets(e, other->index());
       }
     }
-    std::sort(members.begin(), members.end());
-    members_.push_back(std::move(members));
+  }
+  base::DisjointSets::SetNumbers numbers = parts.set_numbers();
+  part_ = std::move(numbers.of);
+  members_.resize(numbers.count);
+  for (std::size_t e = 0; e < part_.size(); ++e) {
+    members_[part_[e]].emplace_back(e);
   }
 }
 
@@ -89,15 +83,11 @@ void SolidHost::find_skins() {
   for (std::size_t p = 0; p < members_.size(); ++p) {
     std::vector<CornerPlaces> triangles;
     std::vector<CornerPlaces> between;
-    for (const ElementId e : members_[p]) {
-      for (int s = 0; s < base::element_info(mesh().type[e.index()]).sides; ++s) {
-        const auto other = neighbour({e, s});
-        if (!other || part_index(*other) != p) {
-          add_triangles(mesh(), {e, s}, triangles);
-        }
-        if (other && part_index(*other) != p) {
-          add_triangles(mesh(), {e, s}, between);
-        }
+    for (const model::Face& face :
+         outline(members_[p], [&](ElementId e) { return part_index(e) == p; })) {
+      add_triangles(mesh(), face, triangles);
+      if (neighbour(face)) {
+        add_triangles(mesh(), face, between);
       }
     }
     skin_.emplace_back(std::move(triangles));
@@ -138,10 +128,7 @@ void SolidHost::find_extents() {
   for (std::size_t e = 0; e < mesh().element_count(); ++e) {
     const auto nodes = mesh().element_nodes(ElementId(e));
     ElementExtent& extent = extent_[e];
-    const auto corners = static_cast<std::size_t>(base::element_info(mesh().type[e]).corners);
-    for (const NodeId n : nodes.first(corners)) {
-      extent.middle += mesh().x[n.index()] / static_cast<double>(corners);
-    }
+    extent.middle = model::corner_mean(mesh(), ElementId(e));
     for (const NodeId n : nodes) {
       extent.radius = std::max(extent.radius, (mesh().x[n.index()] - extent.middle).norm());
     }

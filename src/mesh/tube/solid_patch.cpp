@@ -2,7 +2,7 @@
 #include "mesh/tube/solid_patch.hpp"
 
 #include "mesh/cut/folded_elements.hpp"
-#include "mesh/link/fill_solid.hpp"
+#include "mesh/link/fill.hpp"
 #include "mesh/plane.hpp"
 #include "mesh/tube/crack_surface.hpp"
 #include "mesh/tube/free_front.hpp"
@@ -55,10 +55,8 @@ private:
   /// Shells of the cavity that a tube ends on are joined by it, and their free faces meshed anew.
   void make_shells() {
     const std::vector<bool> open = find_open();
-    std::vector<bool> removed(host_.mesh().element_count(), false);
-    for (const base::ElementId e : cavity_.elements) {
-      removed[e.index()] = true;
-    }
+    const std::vector<bool> removed =
+        model::mark_members(host_.mesh().element_count(), cavity_.elements);
     std::vector<PatchTriangle> joined;
     std::vector<CavityFace> free;
     for (std::size_t s = 0; s < cavity_.shells.size(); ++s) {
@@ -267,18 +265,17 @@ private:
       return result;
     };
     for (const auto& shell : shells_) {
-      region.shells.push_back(points(shell));
+      region.boundaries.push_back(points(shell));
     }
     for (const auto& faces : faces_) {
-      const auto triangles = points(faces);
-      region.embedded.insert(region.embedded.end(), triangles.begin(), triangles.end());
+      region.embedded.push_back(points(faces));
     }
     const TetrahedronFill filling = fill_tetrahedra(region, solid_sizes(cracks_, rims_, net_));
     patch_.trouble = filling.trouble;
     for (const Vec3& p : filling.added) {
       node.push_back(net_.new_node_at(p));
     }
-    for (const std::array<int, 4>& t : filling.tetrahedra) {
+    for (const std::array<int, 4>& t : filling.cells) {
       std::array<int, 4> corners{};
       std::ranges::transform(t, corners.begin(),
                              [&](int n) { return node[static_cast<std::size_t>(n)]; });

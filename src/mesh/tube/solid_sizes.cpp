@@ -20,15 +20,13 @@ SolidGrading solid_sizes(std::span<const PatchSolidCrack> cracks,
   for (const PatchSolidCrack& crack : cracks) {
     for (const Tube& tube : crack.tubes) {
       for (std::size_t i = 0; i < tube.stations.size(); ++i) {
-        size.sources.push_back({rounded(tube.stations[i].x), rounded(tube.radius[i]),
-                                rounded(tube.size_beside(i)) / crack.finer,
-                                CrackDistanceField::usual_growth / crack.finer});
+        size.add_source({rounded(tube.stations[i].x), rounded(tube.size_beside(i)) / crack.finer,
+                         CrackDistanceField::usual_growth / crack.finer, rounded(tube.radius[i])});
       }
     }
   }
   // Faces of a finer host.
-  const std::vector<SolidGrading::SolidSizeSource> tubes = size.sources;
-  const SolidGrading own{tubes};
+  const SolidGrading own = size;
   for (const std::vector<PatchTriangle>& rim : rims) {
     for (const PatchTriangle& t : rim) {
       const Vec3 middle =
@@ -38,7 +36,7 @@ SolidGrading solid_sizes(std::span<const PatchSolidCrack> cracks,
                            (net.local_position(t[0]) - net.local_position(t[2])).norm()) /
                           3.0;
       if (edge < 0.7 * own(middle)) {
-        size.sources.push_back({middle, 0.0, edge, growth_at_rim});
+        size.add_source({middle, edge, growth_at_rim});
       }
     }
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "mesh/cut/patch_net.hpp"
-#include "mesh/link/solid_region.hpp"
+#include "mesh/link/grading.hpp"
 #include "mesh/tube/laid_crack.hpp"
 
 #include <span>

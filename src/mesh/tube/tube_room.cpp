@@ -105,21 +105,11 @@ double TubeClearance::crack_width(double s) const {
     return std::numeric_limits<double>::max();
   }
   const Vec2 end = q + *along * back;
-  const auto passes = [&](const Vec3& from, const Vec3& to) {
-    return geometry::distance_to_segment(end, plane.project(from), plane.project(to)) <
-           same * *along;
-  };
   bool at_mouth = false;
-  for (const SolidFront& front : request_.fronts) {
-    for (std::size_t i = 1; i < front.mouth.size(); ++i) {
-      at_mouth = at_mouth || passes(front.mouth[i - 1], front.mouth[i]);
-    }
-  }
-  for (const CrackHole& hole : request_.holes) {
-    for (std::size_t i = 0; i < hole.mouth.size(); ++i) {
-      at_mouth = at_mouth || passes(hole.mouth[i], hole.mouth[(i + 1) % hole.mouth.size()]);
-    }
-  }
+  request_.for_mouth_pieces([&](const Vec3& from, const Vec3& to) {
+    const double away = geometry::distance_to_segment(end, plane.project(from), plane.project(to));
+    at_mouth = at_mouth || away < same * *along;
+  });
   return at_mouth ? 2.0 * *along : *along;
 }
 

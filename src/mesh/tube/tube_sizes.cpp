@@ -84,20 +84,17 @@ double TubeSizes::radius_at(double at) const {
   return (1.0 - part) * radius[i] + part * radius[i + 1];
 }
 
-double TubeSizes::count() const {
-  double sum = 0.0;
-  for (std::size_t i = 1; i < s.size(); ++i) {
-    sum += 0.5 * (s[i] - s[i - 1]) * (1.0 / length[i] + 1.0 / length[i - 1]);
-  }
-  return sum;
-}
-
-std::vector<double> TubeSizes::stations(bool closed) const {
+std::vector<double> TubeSizes::numbers() const {
   std::vector<double> number{0.0};
   for (std::size_t i = 1; i < s.size(); ++i) {
     number.push_back(number.back() +
                      0.5 * (s[i] - s[i - 1]) * (1.0 / length[i] + 1.0 / length[i - 1]));
   }
+  return number;
+}
+
+std::vector<double> TubeSizes::stations(bool closed) const {
+  const std::vector<double> number = numbers();
   const auto wanted = static_cast<std::size_t>(std::ceil(number.back() - same));
   const std::size_t elements =
       std::max<std::size_t>(wanted, closed ? fewest_of_closed : fewest_of_open);

@@ -21,7 +21,9 @@ struct TubeSizes {
   /// Lengths along the front at which elements begin and end, of equal number for each length
   /// wanted; of an open front at least two elements, of a closed one its end is not repeated.
   [[nodiscard]] std::vector<double> stations(bool closed) const;
-  [[nodiscard]] double count() const; ///< elements along the front
+  /// Elements along the front up to each of `s`.
+  [[nodiscard]] std::vector<double> numbers() const;
+  [[nodiscard]] double count() const { return numbers().back(); } ///< of them in all
 };
 
 /// What limits a tube at a length along the front: distance from the surface of the body and from

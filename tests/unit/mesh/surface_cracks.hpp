@@ -102,19 +102,31 @@ inline SurfaceCut cut_surface(const mesh::SurfaceGeometry& surface, const Ellips
     }
     return radius + growth * std::max(0.0, away - radius);
   };
-  const mesh::FrontMouths mouths = find_mouths(surface, region.plane, front, arcs.arcs);
-  cut.trouble = mouths.trouble.why;
-  for (const mesh::FrontMouth& mouth : mouths.mouths) {
-    const mesh::InteriorFrontArc& arc = arcs.arcs[mouth.from];
-    const mesh::InteriorFrontArc& next = arcs.arcs[mouth.to];
+  std::vector<mesh::SurfacePlace> starts;
+  for (const mesh::InteriorFrontArc& arc : arcs.arcs) {
+    starts.push_back(arc.place[0]);
+  }
+  for (const mesh::InteriorFrontArc& arc : arcs.arcs) {
+    if (arc.whole) {
+      continue;
+    }
+    // The surface is left to the crack's side, which is that of -m.
+    const mesh::TraceResult mouth =
+        trace_plane(surface, region.plane, arc.place[1], starts, -front.at(arc.s[1]).m);
+    if (mouth.trouble) {
+      cut.trouble = mouth.trouble.why;
+      return cut;
+    }
+    const mesh::SurfaceTrace& trace = mouth.trace.front();
+    const mesh::InteriorFrontArc& next = arcs.arcs[mouth.reached];
     const int cap = static_cast<int>(region.caps.size());
     cut.ends.insert(cut.ends.end(), {arc.place[1].x, next.place[0].x});
-    const double L = mouth.trace.length();
-    const Vec3 a = mouth.trace.at(std::min(radius, 0.3 * L)).x;
-    const Vec3 b = mouth.trace.at(L - std::min(radius, 0.3 * L)).x;
+    const double L = trace.length();
+    const Vec3 a = trace.at(std::min(radius, 0.3 * L)).x;
+    const Vec3 b = trace.at(L - std::min(radius, 0.3 * L)).x;
     region.caps.push_back(cap_round(surface, arc.place[1], a, crack.normal()));
     region.caps.push_back(cap_round(surface, next.place[0], b, crack.normal()));
-    const Vec3 on = mouth.trace.at(0.31 * L).x - a;
+    const Vec3 on = trace.at(0.31 * L).x - a;
     const mesh::TraceResult traced =
         trace_plane(surface, region.plane, surface.nearest_place(a), surface.nearest_place(b), on);
     if (traced.trouble) {

@@ -178,7 +178,7 @@ mesh::PlaneRegion quarter() {
     loop.push_back(static_cast<int>(region.points.size()));
     region.points.emplace_back(0.4 * std::cos(t), 0.4 * std::sin(t));
   }
-  region.loops.push_back(loop);
+  region.boundaries.push_back(loop);
   return region;
 }
 
@@ -195,7 +195,7 @@ double area(const mesh::PlaneRegion& region, const mesh::TriangleFill& filling) 
     return i < region.points.size() ? region.points[i] : filling.added[i - region.points.size()];
   };
   double sum = 0.0;
-  for (const auto& t : filling.triangles) {
+  for (const auto& t : filling.cells) {
     const base::Vec2 a = at(t[1]) - at(t[0]);
     const base::Vec2 b = at(t[2]) - at(t[0]);
     sum += 0.5 * (a.x() * b.y() - a.y() * b.x());
@@ -204,7 +204,7 @@ double area(const mesh::PlaneRegion& region, const mesh::TriangleFill& filling) 
 }
 
 bool same(const mesh::TriangleFill& a, const mesh::TriangleFill& b) {
-  return a.triangles == b.triangles && a.added.size() == b.added.size() &&
+  return a.cells == b.cells && a.added.size() == b.added.size() &&
          std::equal(a.added.begin(), a.added.end(), b.added.begin(),
                     [](const base::Vec2& p, const base::Vec2& q) {
                       return p.x() == q.x() && p.y() == q.y();
@@ -216,7 +216,7 @@ TEST_F(Mesher, FillsTheSameAfterTroubleOfAnyKind) {
   const mesh::TriangleFill first = mesh::fill_triangles(region, sizes());
   ASSERT_TRUE(first.trouble.empty()) << first.trouble;
   double polygon = 0.0;
-  const std::vector<int>& loop = region.loops.front();
+  const std::vector<int>& loop = region.boundaries.front();
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const base::Vec2& p = region.points[i];
     const base::Vec2& q = region.points[(i + 1) % loop.size()];
