@@ -26,11 +26,11 @@ public:
     b = root(b);
     (a < b ? parent_[b] : parent_[a]) = a < b ? a : b;
   }
-  /// Numbers the sets from 0 in the order of their smallest things; the set of each [thing].
   struct SetNumbers {
-    std::vector<std::size_t> of;
-    std::size_t count = 0;
+    std::vector<std::size_t> of; ///< [thing] its set
+    std::size_t count = 0;       ///< of sets
   };
+  /// The sets numbered from 0 in the order of their smallest things.
   SetNumbers set_numbers() {
     SetNumbers numbers{std::vector<std::size_t>(parent_.size()), 0};
     for (std::size_t n = 0; n < parent_.size(); ++n) {

@@ -40,22 +40,24 @@ std::array<double, 3> edge_dN(int count, double xi) {
   return {xi - 0.5, xi + 0.5, -2.0 * xi};
 }
 
-Vec2 point_on(const PlaneEdge& edge, double xi) {
-  const std::array<double, 3> N = edge_N(edge, xi);
-  Vec2 x = N[0] * edge.x[0] + N[1] * edge.x[1];
+namespace {
+
+Vec2 combine_nodes(const PlaneEdge& edge, const std::array<double, 3>& factor) {
+  Vec2 sum = factor[0] * edge.x[0] + factor[1] * edge.x[1];
   if (edge.count == 3) {
-    x += N[2] * edge.x[2];
+    sum += factor[2] * edge.x[2];
   }
-  return x;
+  return sum;
+}
+
+} // namespace
+
+Vec2 point_on(const PlaneEdge& edge, double xi) {
+  return combine_nodes(edge, edge_N(edge, xi));
 }
 
 Vec2 tangent_on(const PlaneEdge& edge, double xi) {
-  const std::array<double, 3> dN = edge_dN(edge, xi);
-  Vec2 t = dN[0] * edge.x[0] + dN[1] * edge.x[1];
-  if (edge.count == 3) {
-    t += dN[2] * edge.x[2];
-  }
-  return t;
+  return combine_nodes(edge, edge_dN(edge, xi));
 }
 
 Vec2 outer_normal(const PlaneEdge& edge, double xi) {

@@ -116,8 +116,8 @@ private:
   /// Names what has a name and members, calls take(member, number of the set), and returns how many
   /// sets that are.
   template <class Set, class Member, class Take>
-  std::size_t name_sets(int dim, const std::vector<Set>& sets,
-                        const std::vector<Member> Set::*members, Take&& take) {
+  std::size_t name_sets(int dim, const std::vector<Set>& sets, std::vector<Member> Set::*members,
+                        Take&& take) {
     const std::size_t before = groups_;
     for (std::size_t s = 0; s < sets.size(); ++s) {
       if (sets[s].name.empty() || (sets[s].*members).empty()) {

@@ -27,15 +27,12 @@ TriangleTree::TriangleTree(std::vector<CornerPlaces> triangles) : triangles_(std
 std::size_t TriangleTree::make(std::vector<InputTriangle>& all, std::size_t begin,
                                std::size_t end) {
   constexpr std::size_t few = 8;
-  TriangleBox box{all[begin].x[0], all[begin].x[0], begin, end, 0, 0};
+  geometry::Box<3> box;
   for (std::size_t i = begin; i < end; ++i) {
-    for (const Vec3& p : all[i].x) {
-      box.low = box.low.cwiseMin(p);
-      box.high = box.high.cwiseMax(p);
-    }
+    box.extend(geometry::Box<3>::around(all[i].x));
   }
   const std::size_t own = boxes_.size();
-  boxes_.push_back(box);
+  boxes_.push_back({box, begin, end, 0, 0});
   if (end - begin > few) {
     Eigen::Index axis = 0;
     (box.high - box.low).maxCoeff(&axis);
@@ -55,10 +52,6 @@ std::size_t TriangleTree::make(std::vector<InputTriangle>& all, std::size_t begi
   return own;
 }
 
-double TriangleTree::away(const TriangleBox& box, const Vec3& p) {
-  return (box.low - p).cwiseMax(p - box.high).cwiseMax(0.0).norm();
-}
-
 TriangleTree::NearestTriangle TriangleTree::nearest(const Vec3& p) const {
   NearestTriangle best;
   std::vector<std::size_t> open;
@@ -68,11 +61,11 @@ TriangleTree::NearestTriangle TriangleTree::nearest(const Vec3& p) const {
   while (!open.empty()) {
     const TriangleBox& box = boxes_[open.back()];
     open.pop_back();
-    if (away(box, p) >= best.distance) {
+    if (box.box.distance(p) >= best.distance) {
       continue;
     }
     if (box.left != 0) {
-      const bool left_first = away(boxes_[box.left], p) < away(boxes_[box.right], p);
+      const bool left_first = boxes_[box.left].box.distance(p) < boxes_[box.right].box.distance(p);
       open.push_back(left_first ? box.right : box.left);
       open.push_back(left_first ? box.left : box.right);
       continue;

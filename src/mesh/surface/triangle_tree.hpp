@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "base/vec.hpp"
+#include "geometry/box.hpp"
 
 #include <array>
 #include <limits>
@@ -29,7 +29,7 @@ public:
 
 private:
   struct TriangleBox {
-    base::Vec3 low, high;
+    geometry::Box<3> box;
     std::size_t begin = 0, end = 0;  ///< of triangles
     std::size_t left = 0, right = 0; ///< boxes; 0: none
   };
@@ -38,7 +38,6 @@ private:
     std::size_t number = 0;
   };
   std::size_t make(std::vector<InputTriangle>& all, std::size_t begin, std::size_t end);
-  [[nodiscard]] static double away(const TriangleBox& box, const base::Vec3& p);
 
   std::vector<CornerPlaces> triangles_;
   std::vector<std::size_t> given_; ///< [triangle]

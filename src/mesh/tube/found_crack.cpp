@@ -41,189 +41,28 @@ struct PlacedSide {
   Vec3 normal = Vec3::Zero();      ///< outer, of the size of the side
 };
 
-class CrackFaceFinder {
+/// What is found of a crack's faces.
+struct PairedSides {
+  std::vector<PlacedSide> sides;
+  std::vector<std::size_t> twin; ///< [side] the one it lies on, or their number
+  std::vector<std::size_t> upper;
+  double shortest = 0.0; ///< edge at the front
+};
+
+/// Finds the fronts at which the faces of a crack end.
+class ExistingFrontFinder {
 public:
-  CrackFaceFinder(const ExistingCrack& crack, CrackedMesh& cracked)
-      : crack_(crack), cracked_(cracked), mesh_(cracked.mesh) {}
-
-  std::string find() {
-    for (std::string (CrackFaceFinder::*step)() :
-         {&CrackFaceFinder::place_sides, &CrackFaceFinder::pair_sides, &CrackFaceFinder::spread,
-          &CrackFaceFinder::take_faces, &CrackFaceFinder::take_fronts}) {
-      if (std::string why = (this->*step)(); !why.empty()) {
-        return why;
-      }
-    }
-    return {};
-  }
-
-private:
-  [[nodiscard]] const Vec3& x(NodeId n) const { return mesh_.x[n.index()]; }
-  [[nodiscard]] base::Label label(NodeId n) const { return mesh_.node_label[n.index()]; }
-
-  // Sides on the surface, with numbers for the places of their nodes.
-  std::string place_sides() {
-    const std::set<NodeId> front(crack_.front.begin(), crack_.front.end());
-    double shortest = std::numeric_limits<double>::infinity();
-    std::set<NodeId> used;
-    for (const model::Face& face : SideIndex(mesh_).unshared_sides()) {
-      PlacedSide& side = sides_.emplace_back();
-      side.face = face;
-      FaceNodes nodes = face_nodes(mesh_, face);
-      side.nodes = std::move(nodes.all);
-      side.corners = nodes.corners;
-      for (std::size_t k = 0; k < side.corners; ++k) {
-        const NodeId a = side.nodes[k];
-        const NodeId b = side.nodes[(k + 1) % side.corners];
-        if (front.contains(a) || front.contains(b)) {
-          shortest = std::min(shortest, (x(a) - x(b)).norm());
-        }
-      }
-      const Vec3 across = x(side.nodes[side.corners - 1]) - x(side.nodes[1]);
-      side.normal =
-          0.5 * (side.corners == 3 ? Vec3(x(side.nodes[1]) - x(side.nodes[0]))
-                                         .cross(Vec3(x(side.nodes[2]) - x(side.nodes[0])))
-                                   : Vec3(x(side.nodes[2]) - x(side.nodes[0])).cross(across));
-      used.insert(side.nodes.begin(), side.nodes.end());
-    }
-    if (!std::isfinite(shortest)) {
-      return "no node of its FRONT is a corner of an element on the surface of the body or of a "
-             "crack";
-    }
-    shortest_ = shortest;
-    number_places({used.begin(), used.end()});
-    for (PlacedSide& side : sides_) {
-      for (std::size_t k = 0; k < side.corners; ++k) {
-        side.places.push_back(place_.at(side.nodes[k]));
-      }
-    }
-    return {};
-  }
-
-  // Nodes nearer to one another than `at_one_place` get one number, in the order of their x.
-  void number_places(std::vector<NodeId> nodes) {
-    std::ranges::sort(nodes, [&](NodeId a, NodeId b) {
-      return std::pair(x(a).x(), a.value) < std::pair(x(b).x(), b.value);
-    });
-    CoincidentPoints places(at_one_place * shortest_);
-    for (const NodeId n : nodes) {
-      place_.emplace(n, places.number_of(x(n)));
-    }
-  }
-
-  // Two sides at the same places, one of each body, are faces of a crack.
-  std::string pair_sides() {
-    std::map<std::vector<std::size_t>, std::vector<std::size_t>> at;
-    for (std::size_t s = 0; s < sides_.size(); ++s) {
-      std::vector<std::size_t> key = sides_[s].places;
-      std::ranges::sort(key);
-      at[std::move(key)].push_back(s);
-    }
-    twin_.assign(sides_.size(), sides_.size());
-    for (const auto& [key, found] : at) {
-      const auto net = [&](std::size_t s) {
-        return mesh_.element_net[sides_[s].face.element.index()];
-      };
-      if (found.size() == 2 && net(found[0]) == net(found[1])) {
-        twin_[found[0]] = found[1];
-        twin_[found[1]] = found[0];
-      }
-    }
-    return {};
-  }
-
-  // From sides that end at the front over common edges, each time to the one whose normal goes on.
-  std::string spread() {
-    const std::set<NodeId> front(crack_.front.begin(), crack_.front.end());
-    std::map<std::size_t, std::vector<std::size_t>> at_place;
-    for (std::size_t s = 0; s < sides_.size(); ++s) {
-      for (const std::size_t place : sides_[s].places) {
-        if (twin_[s] < sides_.size()) {
-          at_place[place].push_back(s);
-        }
-      }
-    }
-    std::vector<bool> seen(sides_.size(), false);
-    for (std::size_t s = 0; s < sides_.size(); ++s) {
-      const bool begins =
-          twin_[s] < sides_.size() &&
-          std::any_of(sides_[s].nodes.begin(),
-                      sides_[s].nodes.begin() + static_cast<std::ptrdiff_t>(sides_[s].corners),
-                      [&](NodeId n) { return front.contains(n); });
-      if (begins && !seen[s] && !seen[twin_[s]]) {
-        grow(s, at_place, seen);
-      }
-    }
-    if (upper_.empty()) {
-      return "no faces begin at its FRONT: of a crack that is in the mesh already each face has "
-             "its own nodes, at the same places, and those of the front are common to both";
-    }
-    return {};
-  }
-
-  void grow(std::size_t first, const std::map<std::size_t, std::vector<std::size_t>>& at_place,
-            std::vector<bool>& seen) {
-    std::vector<std::size_t> open{upward(first) ? twin_[first] : first};
-    seen[first] = seen[twin_[first]] = true;
-    while (!open.empty()) {
-      const std::size_t s = open.back();
-      open.pop_back();
-      upper_.push_back(s);
-      const std::set<std::size_t> own(sides_[s].places.begin(), sides_[s].places.end());
-      for (const std::size_t place : own) {
-        for (const std::size_t next : at_place.at(place)) {
-          const auto common =
-              std::ranges::count_if(sides_[next].places, [&](auto p) { return own.contains(p); });
-          const double turn = sides_[next].normal.normalized().dot(sides_[s].normal.normalized());
-          if (common >= 2 && !seen[next] && std::abs(turn) > least_cosine) {
-            seen[next] = seen[twin_[next]] = true;
-            open.push_back(turn > 0.0 ? next : twin_[next]);
-          }
-        }
-      }
-    }
-  }
-
-  // The outer normal of an upper face points down.
-  [[nodiscard]] bool upward(std::size_t s) const {
-    Eigen::Index largest = 0;
-    sides_[s].normal.cwiseAbs().maxCoeff(&largest);
-    return sides_[s].normal[largest] > 0.0;
-  }
-
-  std::string take_faces() {
-    std::ranges::sort(upper_);
-    CrackFaces& faces = cracked_.faces[crack_.crack.index()];
-    std::map<NodeId, NodeId> pairs;
-    for (const std::size_t s : upper_) {
-      const PlacedSide& own = sides_[s];
-      const PlacedSide& other = sides_[twin_[s]];
-      faces.left_sides.push_back(own.face);
-      faces.right_sides.push_back(other.face);
-      for (const NodeId n : own.nodes) {
-        const auto twin = std::ranges::find_if(
-            other.nodes, [&](NodeId m) { return place_.at(m) == place_.at(n); });
-        if (twin == other.nodes.end()) {
-          return fmt::format("the faces at node {} have mid nodes at different places", label(n));
-        }
-        pairs.emplace(n, *twin);
-      }
-    }
-    for (const auto& [left, right] : pairs) {
-      faces.left.push_back(left);
-      faces.right.push_back(right);
-    }
-    return {};
-  }
+  ExistingFrontFinder(const ExistingCrack& crack, CrackedMesh& cracked, const PairedSides& found)
+      : crack_(crack), cracked_(cracked), mesh_(cracked.mesh), found_(found) {}
 
   // Edges between nodes of the front that end the crack, in the order of t = m x b.
-  std::string take_fronts() {
+  std::string find() {
     const std::set<NodeId> given(crack_.front.begin(), crack_.front.end());
     std::map<NodeId, NodeId> next;
     std::map<NodeId, Vec3> up;
     std::map<std::pair<NodeId, NodeId>, NodeId> middle;
-    for (const std::size_t s : upper_) {
-      const PlacedSide& side = sides_[s];
+    for (const std::size_t s : found_.upper) {
+      const PlacedSide& side = found_.sides[s];
       for (std::size_t k = 0; k < side.corners; ++k) {
         const NodeId a = side.nodes[k];
         const NodeId b = side.nodes[(k + 1) % side.corners];
@@ -252,9 +91,14 @@ private:
     return {};
   }
 
+private:
+  [[nodiscard]] const Vec3& x(NodeId n) const { return mesh_.x[n.index()]; }
+  [[nodiscard]] base::Label label(NodeId n) const { return mesh_.node_label[n.index()]; }
+
   // A node that both faces have.
   [[nodiscard]] bool single(NodeId n, std::size_t upper) const {
-    return std::ranges::find(sides_[twin_[upper]].nodes, n) != sides_[twin_[upper]].nodes.end();
+    return std::ranges::find(found_.sides[found_.twin[upper]].nodes, n) !=
+           found_.sides[found_.twin[upper]].nodes.end();
   }
 
   // Takes one line out of the edges; a closed one begins with its lowest node, which ends it, too.
@@ -318,16 +162,16 @@ private:
         fmt::format("crack {}: in the mesh already, as large as a circle of radius {:.4g}, {} "
                     "sides of elements "
                     "on each face, front of length {:.6g} with {} points, elements of {:.3g} at it",
-                    crack_.name, front.a, upper_.size(), front.curve->length(), front.points.size(),
-                    front.size));
+                    crack_.name, front.a, found_.upper.size(), front.curve->length(),
+                    front.points.size(), front.size));
     cracked_.fronts.push_back(std::move(front));
   }
 
   // The shortest edge of the crack's faces from a node of the front away from it.
   [[nodiscard]] double size_at(NodeId n, const std::set<NodeId>& front) const {
     double shortest = std::numeric_limits<double>::infinity();
-    for (const std::size_t s : upper_) {
-      const PlacedSide& side = sides_[s];
+    for (const std::size_t s : found_.upper) {
+      const PlacedSide& side = found_.sides[s];
       for (std::size_t k = 0; k < side.corners; ++k) {
         const NodeId a = side.nodes[k];
         const NodeId b = side.nodes[(k + 1) % side.corners];
@@ -336,13 +180,13 @@ private:
         }
       }
     }
-    return std::isfinite(shortest) ? shortest : shortest_;
+    return std::isfinite(shortest) ? shortest : found_.shortest;
   }
 
   [[nodiscard]] double area() const {
     double sum = 0.0;
-    for (const std::size_t s : upper_) {
-      sum += sides_[s].normal.norm();
+    for (const std::size_t s : found_.upper) {
+      sum += found_.sides[s].normal.norm();
     }
     return sum;
   }
@@ -350,11 +194,191 @@ private:
   const ExistingCrack& crack_;
   CrackedMesh& cracked_;
   const model::Mesh& mesh_;
-  double shortest_ = 0.0; ///< edge at the front
-  std::vector<PlacedSide> sides_;
+  const PairedSides& found_;
+};
+
+/// Finds the sides of the faces.
+class CrackFaceFinder {
+public:
+  CrackFaceFinder(const ExistingCrack& crack, CrackedMesh& cracked)
+      : crack_(crack), cracked_(cracked), mesh_(cracked.mesh) {}
+
+  std::string find() {
+    for (std::string (CrackFaceFinder::*step)() :
+         {&CrackFaceFinder::place_sides, &CrackFaceFinder::pair_sides, &CrackFaceFinder::spread,
+          &CrackFaceFinder::take_faces}) {
+      if (std::string why = (this->*step)(); !why.empty()) {
+        return why;
+      }
+    }
+    return ExistingFrontFinder(crack_, cracked_, found_).find();
+  }
+
+private:
+  [[nodiscard]] const Vec3& x(NodeId n) const { return mesh_.x[n.index()]; }
+  [[nodiscard]] base::Label label(NodeId n) const { return mesh_.node_label[n.index()]; }
+
+  // Sides on the surface, with numbers for the places of their nodes.
+  std::string place_sides() {
+    const std::set<NodeId> front(crack_.front.begin(), crack_.front.end());
+    double shortest = std::numeric_limits<double>::infinity();
+    std::set<NodeId> used;
+    for (const model::Face& face : SideIndex(mesh_).unshared_sides()) {
+      PlacedSide& side = found_.sides.emplace_back();
+      side.face = face;
+      FaceNodes nodes = face_nodes(mesh_, face);
+      side.nodes = std::move(nodes.all);
+      side.corners = nodes.corners;
+      for (std::size_t k = 0; k < side.corners; ++k) {
+        const NodeId a = side.nodes[k];
+        const NodeId b = side.nodes[(k + 1) % side.corners];
+        if (front.contains(a) || front.contains(b)) {
+          shortest = std::min(shortest, (x(a) - x(b)).norm());
+        }
+      }
+      const Vec3 across = x(side.nodes[side.corners - 1]) - x(side.nodes[1]);
+      side.normal =
+          0.5 * (side.corners == 3 ? Vec3(x(side.nodes[1]) - x(side.nodes[0]))
+                                         .cross(Vec3(x(side.nodes[2]) - x(side.nodes[0])))
+                                   : Vec3(x(side.nodes[2]) - x(side.nodes[0])).cross(across));
+      used.insert(side.nodes.begin(), side.nodes.end());
+    }
+    if (!std::isfinite(shortest)) {
+      return "no node of its FRONT is a corner of an element on the surface of the body or of a "
+             "crack";
+    }
+    found_.shortest = shortest;
+    number_places({used.begin(), used.end()});
+    for (PlacedSide& side : found_.sides) {
+      for (std::size_t k = 0; k < side.corners; ++k) {
+        side.places.push_back(place_.at(side.nodes[k]));
+      }
+    }
+    return {};
+  }
+
+  // Nodes nearer to one another than `at_one_place` get one number, in the order of their x.
+  void number_places(std::vector<NodeId> nodes) {
+    std::ranges::sort(nodes, [&](NodeId a, NodeId b) {
+      return std::pair(x(a).x(), a.value) < std::pair(x(b).x(), b.value);
+    });
+    CoincidentPoints places(at_one_place * found_.shortest);
+    for (const NodeId n : nodes) {
+      place_.emplace(n, places.number_of(x(n)));
+    }
+  }
+
+  // Two sides at the same places, one of each body, are faces of a crack.
+  std::string pair_sides() {
+    std::map<std::vector<std::size_t>, std::vector<std::size_t>> at;
+    for (std::size_t s = 0; s < found_.sides.size(); ++s) {
+      std::vector<std::size_t> key = found_.sides[s].places;
+      std::ranges::sort(key);
+      at[std::move(key)].push_back(s);
+    }
+    found_.twin.assign(found_.sides.size(), found_.sides.size());
+    for (const auto& [key, found] : at) {
+      const auto net = [&](std::size_t s) {
+        return mesh_.element_net[found_.sides[s].face.element.index()];
+      };
+      if (found.size() == 2 && net(found[0]) == net(found[1])) {
+        found_.twin[found[0]] = found[1];
+        found_.twin[found[1]] = found[0];
+      }
+    }
+    return {};
+  }
+
+  // From sides that end at the front over common edges, each time to the one whose normal goes on.
+  std::string spread() {
+    const std::set<NodeId> front(crack_.front.begin(), crack_.front.end());
+    std::map<std::size_t, std::vector<std::size_t>> at_place;
+    for (std::size_t s = 0; s < found_.sides.size(); ++s) {
+      for (const std::size_t place : found_.sides[s].places) {
+        if (found_.twin[s] < found_.sides.size()) {
+          at_place[place].push_back(s);
+        }
+      }
+    }
+    std::vector<bool> seen(found_.sides.size(), false);
+    for (std::size_t s = 0; s < found_.sides.size(); ++s) {
+      const bool begins = found_.twin[s] < found_.sides.size() &&
+                          std::any_of(found_.sides[s].nodes.begin(),
+                                      found_.sides[s].nodes.begin() +
+                                          static_cast<std::ptrdiff_t>(found_.sides[s].corners),
+                                      [&](NodeId n) { return front.contains(n); });
+      if (begins && !seen[s] && !seen[found_.twin[s]]) {
+        grow(s, at_place, seen);
+      }
+    }
+    if (found_.upper.empty()) {
+      return "no faces begin at its FRONT: of a crack that is in the mesh already each face has "
+             "its own nodes, at the same places, and those of the front are common to both";
+    }
+    return {};
+  }
+
+  void grow(std::size_t first, const std::map<std::size_t, std::vector<std::size_t>>& at_place,
+            std::vector<bool>& seen) {
+    std::vector<std::size_t> open{upward(first) ? found_.twin[first] : first};
+    seen[first] = seen[found_.twin[first]] = true;
+    while (!open.empty()) {
+      const std::size_t s = open.back();
+      open.pop_back();
+      found_.upper.push_back(s);
+      const std::set<std::size_t> own(found_.sides[s].places.begin(), found_.sides[s].places.end());
+      for (const std::size_t place : own) {
+        for (const std::size_t next : at_place.at(place)) {
+          const auto common = std::ranges::count_if(found_.sides[next].places,
+                                                    [&](auto p) { return own.contains(p); });
+          const double turn =
+              found_.sides[next].normal.normalized().dot(found_.sides[s].normal.normalized());
+          if (common >= 2 && !seen[next] && std::abs(turn) > least_cosine) {
+            seen[next] = seen[found_.twin[next]] = true;
+            open.push_back(turn > 0.0 ? next : found_.twin[next]);
+          }
+        }
+      }
+    }
+  }
+
+  // The outer normal of an upper face points down.
+  [[nodiscard]] bool upward(std::size_t s) const {
+    Eigen::Index largest = 0;
+    found_.sides[s].normal.cwiseAbs().maxCoeff(&largest);
+    return found_.sides[s].normal[largest] > 0.0;
+  }
+
+  std::string take_faces() {
+    std::ranges::sort(found_.upper);
+    CrackFaces& faces = cracked_.faces[crack_.crack.index()];
+    std::map<NodeId, NodeId> pairs;
+    for (const std::size_t s : found_.upper) {
+      const PlacedSide& own = found_.sides[s];
+      const PlacedSide& other = found_.sides[found_.twin[s]];
+      faces.left_sides.push_back(own.face);
+      faces.right_sides.push_back(other.face);
+      for (const NodeId n : own.nodes) {
+        const auto twin = std::ranges::find_if(
+            other.nodes, [&](NodeId m) { return place_.at(m) == place_.at(n); });
+        if (twin == other.nodes.end()) {
+          return fmt::format("the faces at node {} have mid nodes at different places", label(n));
+        }
+        pairs.emplace(n, *twin);
+      }
+    }
+    for (const auto& [left, right] : pairs) {
+      faces.left.push_back(left);
+      faces.right.push_back(right);
+    }
+    return {};
+  }
+
+  const ExistingCrack& crack_;
+  CrackedMesh& cracked_;
+  const model::Mesh& mesh_;
+  PairedSides found_;
   std::map<NodeId, std::size_t> place_;
-  std::vector<std::size_t> twin_; ///< [side] the one it lies on, or their number
-  std::vector<std::size_t> upper_;
 };
 
 } // namespace
