@@ -4,6 +4,7 @@
 #include "deck/load.hpp"
 #include "grammar/format.hpp"
 #include "grammar/lexeme.hpp"
+#include "grammar/parse.hpp"
 
 #include <algorithm>
 #include <array>
@@ -173,6 +174,23 @@ DeckCard make_card(std::string name, std::vector<std::pair<std::string, std::str
 void append_card(DeckText& text, DeckCard card) {
   const auto end = std::ranges::find(text, "END", &DeckCard::name);
   text.insert(end, std::move(card));
+}
+
+bool replace_parameter(DeckText& text, std::string_view name, std::string_view value) {
+  for (DeckCard& card : cards_named(text, "PARAMETER")) {
+    base::SourceTexts sources;
+    base::Diagnostics read_before;
+    const std::int32_t file = sources.add_text("parameters", card.data);
+    for (const grammar::Assignment& line : grammar::parse_assignments(
+             sources, {file, 0, static_cast<std::uint32_t>(card.data.size())}, read_before)) {
+      if (line.name == name) {
+        const base::SourceSpan old = line.value.span;
+        card.data.replace(old.begin, old.end - old.begin, value);
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 } // namespace spricka::deck

@@ -56,6 +56,10 @@ DeckCard make_card(std::string name, std::vector<std::pair<std::string, std::str
 /// Puts a card in front of $END, or at the end.
 void append_card(DeckText& text, DeckCard card);
 
+/// Gives a parameter of the deck, by its name in upper case, another value as a deck writes it;
+/// false: the deck does not define it.
+bool replace_parameter(DeckText& text, std::string_view name, std::string_view value);
+
 /// The cards of a name, in upper case, of a text that may be changed or not.
 template <class Text> auto cards_named(Text& text, std::string_view name) {
   return text | std::views::filter([name](const DeckCard& card) { return card.name == name; });

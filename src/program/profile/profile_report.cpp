@@ -3,12 +3,14 @@
 
 #include "base/csv.hpp"
 #include "program/profile/profile_sums.hpp"
-#include "report/drawing/table.hpp"
+#include "report/drawing/columns.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include <fmt/format.h>
@@ -26,20 +28,16 @@ struct ColumnForm {
   fmt::format_string<double> form;
   double scale = 1.0;
 
-  std::string operator()(const std::optional<double>& value) const {
-    return value ? fmt::format(form, scale * *value) : unknown;
+  template <class Value> std::string operator()(const std::optional<Value>& value) const {
+    return value ? fmt::format(form, scale * static_cast<double>(*value)) : unknown;
   }
+  std::string operator()(double value) const { return fmt::format(form, scale * value); }
 };
 constexpr ColumnForm seconds{"{:.3f}"};
 constexpr ColumnForm number{"{:.3g}"};
-constexpr ColumnForm whole{"{:.0f}"};
 constexpr ColumnForm mebibytes{"{:.0f}", 1.0 / 1048576.0}; // of bytes
 constexpr ColumnForm percent{"{:.1f}", 100.0};
 constexpr ColumnForm gigaflops{"{:.2f}", 1e-9}; // of flops a second
-
-std::optional<double> as_number(const std::optional<std::size_t>& count) {
-  return count ? std::optional(static_cast<double>(*count)) : std::nullopt;
-}
 
 std::optional<double> share_of(const std::optional<double>& part, double all) {
   return part && all > 0.0 ? std::optional(*part / all) : std::nullopt;
@@ -51,60 +49,73 @@ std::optional<double> rate(const std::optional<double>& flops, double cpu) {
 }
 
 ReportTable processor_table(const ProcessorCostTable& sums) {
-  ReportTable table = report::make_table("Profile by processor",
-                                         "<|calls|cpu [s]|wall [s]|share [%]|flops|rate [Gflop/s]|"
-                                         "resident [MiB]|peak [MiB]|raised [MiB]");
+  using Row = ProcessorCostSum;
   const double all = sums.total_cpu();
-  for (const ProcessorCostSum& row : sums.rows) {
-    const std::string at_least = row.flops && !row.all_counted ? ">" : "";
-    table.rows.push_back({row.processor, fmt::format("{}", row.calls), seconds(row.cpu),
-                          seconds(row.wall), percent(share_of(row.cpu, all)),
-                          at_least + number(row.flops), gigaflops(rate(row.flops, row.counted_cpu)),
-                          mebibytes(as_number(row.resident)), mebibytes(as_number(row.peak)),
-                          mebibytes(as_number(row.raised))});
-  }
+  ReportTable table =
+      report::Columns<Row>()
+          .words("", &Row::processor)
+          .number("calls", "", &Row::calls)
+          .number("cpu", "s", [](const Row& row) { return seconds(row.cpu); })
+          .number("wall", "s", [](const Row& row) { return seconds(row.wall); })
+          .number("share", "%", [=](const Row& row) { return percent(share_of(row.cpu, all)); })
+          .number("flops", "",
+                  [](const Row& row) {
+                    return (row.flops && !row.all_counted ? ">" : "") + number(row.flops);
+                  })
+          .number("rate", "Gflop/s",
+                  [](const Row& row) { return gigaflops(rate(row.flops, row.counted_cpu)); })
+          .number("resident", "MiB", [](const Row& row) { return mebibytes(row.resident); })
+          .number("peak", "MiB", [](const Row& row) { return mebibytes(row.peak); })
+          .number("raised", "MiB", [](const Row& row) { return mebibytes(row.raised); })
+          .table("Profile by processor", sums.rows);
   table.rows.push_back({"not accounted for", "", seconds(sums.cpu_rest), seconds(sums.wall_rest),
                         percent(share_of(sums.cpu_rest, all)), "", "", "", "", ""});
   table.rows.push_back({"all", "", (sums.mesher_cpu ? "" : ">") + seconds(all), seconds(sums.wall),
-                        "100.0", "", "", "", mebibytes(as_number(sums.peak)), ""});
+                        "100.0", "", "", "", mebibytes(sums.peak), ""});
   return table;
 }
 
 ReportTable net_table(const std::vector<NetCostSum>& nets) {
-  ReportTable table =
-      report::make_table("Nets", "<|freedoms|externals|nonzeros|condensed|reused|flops|"
-                                 "stiffness [s]|analysis [s]|numeric [s]|rate [Gflop/s]");
-  for (const NetCostSum& net : nets) {
-    table.rows.push_back({net.name, fmt::format("{}", net.freedoms),
-                          fmt::format("{}", net.externals), number(net.entries),
-                          fmt::format("{}", net.condensed), fmt::format("{}", net.reused),
-                          number(net.flops), seconds(net.stiffness_cpu), seconds(net.analysis_cpu),
-                          seconds(net.numeric_cpu), gigaflops(rate(net.flops, net.numeric_cpu))});
-  }
-  return table;
+  using Row = NetCostSum;
+  return report::Columns<Row>()
+      .words("", &Row::name)
+      .number("freedoms", "", &Row::freedoms)
+      .number("externals", "", &Row::externals)
+      .number("nonzeros", "", [](const Row& row) { return number(row.entries); })
+      .number("condensed", "", &Row::condensed)
+      .number("reused", "", &Row::reused)
+      .number("flops", "", [](const Row& row) { return number(row.flops); })
+      .number("stiffness", "s", &Row::stiffness_cpu, "{:.3f}")
+      .number("analysis", "s", &Row::analysis_cpu, "{:.3f}")
+      .number("numeric", "s", &Row::numeric_cpu, "{:.3f}")
+      .number("rate", "Gflop/s",
+              [](const Row& row) { return gigaflops(rate(row.flops, row.numeric_cpu)); })
+      .table("Nets", nets);
 }
 
 // The first of them, each once.
-std::string names(std::vector<std::string> list) {
+std::string names(const std::vector<std::string>& list) {
+  const std::set<std::string> all(list.begin(), list.end());
   constexpr std::size_t most = 4;
-  std::ranges::sort(list);
-  list.erase(std::unique(list.begin(), list.end()), list.end()); // clang 14 lacks the range's
-  const auto shown = list.begin() + static_cast<std::ptrdiff_t>(std::min(most, list.size()));
-  const std::string text = fmt::format("{}", fmt::join(list.begin(), shown, ", "));
-  return list.size() > most ? fmt::format("{}, {} more", text, list.size() - most) : text;
+  const auto end = std::next(all.begin(), static_cast<std::ptrdiff_t>(std::min(most, all.size())));
+  const std::string text = fmt::format("{}", fmt::join(all.begin(), end, ", "));
+  return all.size() > most ? fmt::format("{}, {} more", text, all.size() - most) : text;
 }
 
 ReportTable length_table(const std::vector<CrackLengthCostSum>& lengths) {
-  ReportTable table = report::make_table(
-      "Crack lengths", "<|a|cpu [s]|wall [s]|mesher [s]|flops|<condensed|<reused");
-  for (const CrackLengthCostSum& sum : lengths) {
-    const results::CrackLengthCost& work = *sum.work;
-    table.rows.push_back({sum.label, work.a ? report::six_digits(*work.a) : unknown,
-                          seconds(work.cpu), seconds(work.end - work.begin),
-                          seconds(sum.mesher_cpu), number(sum.flops), names(sum.condensed),
-                          names(sum.reused)});
-  }
-  return table;
+  using Row = CrackLengthCostSum;
+  return report::Columns<Row>()
+      .words("", &Row::label)
+      .number(
+          "a", "",
+          [](const Row& row) { return row.work->a ? report::six_digits(*row.work->a) : unknown; })
+      .number("cpu", "s", [](const Row& row) { return seconds(row.work->cpu); })
+      .number("wall", "s", [](const Row& row) { return seconds(row.work->end - row.work->begin); })
+      .number("mesher", "s", [](const Row& row) { return seconds(row.mesher_cpu); })
+      .number("flops", "", [](const Row& row) { return number(row.flops); })
+      .words("condensed", [](const Row& row) { return names(row.condensed); })
+      .words("reused", [](const Row& row) { return names(row.reused); })
+      .table("Crack lengths", lengths);
 }
 
 std::string bytes(std::uintmax_t count) {

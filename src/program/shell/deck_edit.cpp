@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -152,22 +153,16 @@ base::Trouble set_parameter(const std::string& line, DeckText& text) {
   if (diagnostics.has_errors() || typed.size() != 1) {
     return located_failure(base::Outcome::usage, sources, diagnostics);
   }
-  std::vector<std::string> names;
-  for (DeckCard& card : text) {
-    if (card.name != "PARAMETER") {
-      continue;
-    }
-    for (const grammar::Assignment& own : read(card.data)) {
-      if (own.name == typed.front().name) {
-        card.data.replace(own.value.span.begin, own.value.span.end - own.value.span.begin,
-                          sources.text(typed.front().value.span));
-        return {};
-      }
-      names.push_back(own.name);
-    }
+  const grammar::Assignment& wanted = typed.front();
+  if (deck::replace_parameter(text, wanted.name, sources.text(wanted.value.span))) {
+    return {};
   }
-  return invalid_input(fmt::format("the deck has no parameter '{}'", typed.front().written),
-                       base::suggest_spelling(typed.front().name, names));
+  std::vector<std::string> names;
+  for (const DeckCard& card : cards_named(text, "PARAMETER")) {
+    std::ranges::transform(read(card.data), std::back_inserter(names), &grammar::Assignment::name);
+  }
+  return invalid_input(fmt::format("the deck has no parameter '{}'", wanted.written),
+                       base::suggest_spelling(wanted.name, names));
 }
 
 void comment_out(DeckText& text, std::size_t card) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace spricka::program {
 
@@ -34,19 +35,10 @@ ConvergenceFit fit_of(const std::vector<ConvergencePoint>& points, double refere
   return fit;
 }
 
-// The scatter has one minimum: first a walk, then sections.
+// The scatter has one minimum, which sections find.
 double best_power(const std::vector<ConvergencePoint>& points, double reference) {
-  constexpr double least = 0.05;
-  constexpr double most = 16.0;
-  constexpr double pace = 0.25;
-  double best = least;
-  for (double power = least; power <= most; power += pace) {
-    if (fit_of(points, reference, power).scatter < fit_of(points, reference, best).scatter) {
-      best = power;
-    }
-  }
-  double low = std::max(least, best - pace);
-  double high = best + pace;
+  double low = 0.05;
+  double high = 16.0;
   constexpr double golden = 0.6180339887498949;
   for (int i = 0; i < 60; ++i) {
     const double left = high - golden * (high - low);
@@ -101,6 +93,23 @@ std::optional<ErrorPlateau> find_plateau(std::span<const ConvergencePoint> point
     return std::nullopt;
   }
   return ErrorPlateau{first, lasting[first]};
+}
+
+std::optional<std::size_t> cheapest_run(std::span<const RunCost> runs) {
+  constexpr double alike = 1.15;
+  double least = std::numeric_limits<double>::infinity();
+  for (const RunCost& run : runs) {
+    least = std::min(least, run.cpu);
+  }
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < runs.size() && std::isfinite(least); ++i) {
+    if (runs[i].cpu <= alike * least &&
+        (!best ||
+         std::pair(runs[i].rank, runs[i].cpu) < std::pair(runs[*best].rank, runs[*best].cpu))) {
+      best = i;
+    }
+  }
+  return best;
 }
 
 } // namespace spricka::program

@@ -44,4 +44,15 @@ struct ErrorPlateau {
 std::optional<ErrorPlateau> find_plateau(std::span<const ConvergencePoint> points,
                                          double nothing = 1e-12);
 
+/// What a run that could be chosen costs.
+struct RunCost {
+  double cpu = 0.0;  ///< [s] infinite: it is no good
+  double rank = 0.0; ///< of runs that take as long the least is chosen
+};
+
+/// The run to choose: of those that take the least CPU time, or as long (within 15 %, as one and
+/// the same run differs by so much), the one of the least rank, of several the quickest. Empty:
+/// none is any good.
+std::optional<std::size_t> cheapest_run(std::span<const RunCost> runs);
+
 } // namespace spricka::program

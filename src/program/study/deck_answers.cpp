@@ -47,104 +47,80 @@ std::string with_part(std::string_view quantity, std::string_view part) {
   return word;
 }
 
-/// Makes the questions that a deck has not asked.
-class Questions {
-public:
-  explicit Questions(const results::RunResult& run) : run_(run) {}
+using CheckArguments = std::vector<std::variant<std::string, double>>;
 
-  std::vector<model::ResultCheck> of_cracks() {
-    for (const results::Increment* increment : shown_increments()) {
-      for (const results::StepResult& step : increment->steps) {
-        for (const results::FrontResult& front : step.fronts) {
-          if (front.is_tip()) {
-            of_tip(step.step, front);
-          } else {
-            of_places(step.step, front);
+// A question that the deck has not asked.
+model::ResultCheck question(std::string word, CheckArguments arguments, bool relative) {
+  model::ResultCheck check;
+  check.quantity = std::move(word);
+  check.arguments = std::move(arguments);
+  check.relative = relative;
+  check.tolerance = 1.0;
+  return check;
+}
+
+// K1 and K2 of a tip, but for a mode that is next to nothing; of a front K1 at eight places.
+std::vector<model::ResultCheck> questions_of_front(const std::string& step,
+                                                   const results::FrontResult& front) {
+  std::vector<model::ResultCheck> made;
+  if (front.is_tip() && front.invalid_reason.empty()) {
+    const results::FrontPointResult& tip = front.tip();
+    constexpr double least = 1e-3; // of K
+    for (const auto& [word, value] : {std::pair{"K1", tip.K1}, std::pair{"K2", tip.K2}}) {
+      if (std::abs(value) > least * std::hypot(tip.K1, tip.K2)) {
+        made.push_back(question(word, {front.name, step}, false));
+      }
+    }
+  }
+  std::vector<base::Vec3> places;
+  for (const results::FrontPointResult& place : front.points) {
+    if (!front.is_tip() && !place.at_surface) {
+      places.push_back(place.x);
+    }
+  }
+  const std::size_t count = std::min<std::size_t>(8, places.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const base::Vec3& x = places[(2 * i + 1) * places.size() / (2 * count)];
+    made.push_back(question("K1.AT", {front.name, x.x(), x.y(), x.z(), step}, false));
+  }
+  return made;
+}
+
+// Of a long growth the first, the middle and the last length; of several lengths that one.
+std::vector<model::ResultCheck> questions_of_cracks(const results::RunResult& run) {
+  constexpr std::size_t many = 12;
+  const std::size_t n = run.increments.size();
+  std::vector<model::ResultCheck> made;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (n > many && i != 0 && i != n / 2 && i + 1 != n) {
+      continue;
+    }
+    for (const results::StepResult& step : run.increments[i].steps) {
+      for (const results::FrontResult& front : step.fronts) {
+        for (model::ResultCheck& check : questions_of_front(step.step, front)) {
+          if (n > 1) {
+            check.arguments.emplace_back(front.a);
           }
+          made.push_back(std::move(check));
         }
       }
     }
-    return std::move(made_);
   }
+  return made;
+}
 
-  std::vector<model::ResultCheck> of_bodies() {
-    if (run_.increments.empty()) {
-      return {};
-    }
-    for (const results::StepResult& step : run_.increments.back().steps) {
+std::vector<model::ResultCheck> questions_of_bodies(const results::RunResult& run) {
+  std::vector<model::ResultCheck> made;
+  if (!run.increments.empty()) {
+    for (const results::StepResult& step : run.increments.back().steps) {
       for (const results::ContactResult& contact : step.contacts) {
-        add("CPRESS.MEAN", {contact.name, step.step}, false);
+        made.push_back(question("CPRESS.MEAN", {contact.name, step.step}, false));
       }
-      add("ENERGY", {"*", step.step}, true);
-    }
-    return std::move(made_);
-  }
-
-private:
-  using CheckArguments = std::vector<std::variant<std::string, double>>;
-
-  // Of a long growth the first, the middle and the last length.
-  [[nodiscard]] std::vector<const results::Increment*> shown_increments() const {
-    constexpr std::size_t many = 12;
-    std::vector<const results::Increment*> shown;
-    const std::size_t n = run_.increments.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      if (n <= many || i == 0 || i == n / 2 || i + 1 == n) {
-        shown.push_back(&run_.increments[i]);
-      }
-    }
-    return shown;
-  }
-
-  void of_tip(const std::string& step, const results::FrontResult& front) {
-    if (!front.invalid_reason.empty()) {
-      return;
-    }
-    const results::FrontPointResult& tip = front.tip();
-    const double K = std::hypot(tip.K1, tip.K2);
-    constexpr double least = 1e-3; // of K, that a mode is asked for
-    for (const auto& [word, value] : {std::pair{"K1", tip.K1}, std::pair{"K2", tip.K2}}) {
-      if (std::abs(value) > least * K) {
-        add_K(word, {front.name, step}, front.a);
-      }
+      made.push_back(question("ENERGY", {"*", step.step}, true));
     }
   }
-
-  void of_places(const std::string& step, const results::FrontResult& front) {
-    std::vector<const results::FrontPointResult*> places;
-    for (const results::FrontPointResult& place : front.points) {
-      if (!place.at_surface) {
-        places.push_back(&place);
-      }
-    }
-    constexpr std::size_t wanted = 8;
-    const std::size_t count = std::min(wanted, places.size());
-    for (std::size_t i = 0; i < count; ++i) {
-      const base::Vec3& x = places[(2 * i + 1) * places.size() / (2 * count)]->x;
-      add_K("K1.AT", {front.name, x.x(), x.y(), x.z(), step}, front.a);
-    }
-  }
-
-  // Of several lengths that one.
-  void add_K(std::string word, CheckArguments arguments, double a) {
-    if (run_.increments.size() > 1) {
-      arguments.emplace_back(a);
-    }
-    add(std::move(word), std::move(arguments), false);
-  }
-
-  void add(std::string word, CheckArguments arguments, bool relative) {
-    model::ResultCheck check;
-    check.quantity = std::move(word);
-    check.arguments = std::move(arguments);
-    check.relative = relative;
-    check.tolerance = 1.0;
-    made_.push_back(std::move(check));
-  }
-
-  const results::RunResult& run_;
-  std::vector<model::ResultCheck> made_;
-};
+  return made;
+}
 
 // Whose answer it is, where a name stands first; places are of their group.
 std::string subject_of(const Answer& answer) {
@@ -164,24 +140,20 @@ const char* display_name(AnswerGroup group) {
 
 std::vector<Answer> collect_answers(const model::Model& model, const results::RunResult& run) {
   std::vector<Answer> answers;
-  const auto add = [&](const model::ResultCheck& check, bool own) {
-    const std::optional<AnswerGroup> group = group_of(check.quantity);
-    if (group) {
-      const bool given = own && check.relative && check.value != 0.0;
-      answers.push_back({check, "", *group, given ? std::optional(check.value) : std::nullopt});
+  const auto add = [&](const std::vector<model::ResultCheck>& checks, bool own) {
+    for (const model::ResultCheck& check : checks) {
+      if (const std::optional<AnswerGroup> group = group_of(check.quantity)) {
+        const bool given = own && check.relative && check.value != 0.0;
+        answers.push_back({check, "", *group, given ? std::optional(check.value) : std::nullopt});
+      }
     }
   };
-  for (const model::ResultCheck& check : model.checks) {
-    add(check, true);
-  }
-  const bool asks_K = std::ranges::any_of(
-      answers, [](const Answer& answer) { return answer.group == AnswerGroup::K; });
-  Questions questions(run);
-  if (!model.cracks.empty() && !asks_K) {
-    std::ranges::for_each(questions.of_cracks(), [&](const auto& check) { add(check, false); });
+  add(model.checks, true);
+  if (!model.cracks.empty() && std::ranges::count(answers, AnswerGroup::K, &Answer::group) == 0) {
+    add(questions_of_cracks(run), false);
   }
   if (answers.empty()) {
-    std::ranges::for_each(questions.of_bodies(), [&](const auto& check) { add(check, false); });
+    add(questions_of_bodies(run), false);
   }
   // What the deck itself does not find is no answer.
   model::Model asked = model;

@@ -2,6 +2,7 @@
 #include "program/study/deck_edits.hpp"
 
 #include "grammar/lexeme.hpp"
+#include "grammar/parse.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,39 +16,30 @@ namespace {
 using deck::DeckCard;
 using deck::DeckText;
 
-bool is_separator(char c) {
-  return c == ' ' || c == '\t' || c == ',' || c == '\r' || c == '\n';
-}
+/// The data lines of a card as the grammar reads them.
+struct ParsedData {
+  base::SourceTexts sources;
+  base::SourceSpan span;
 
-// Without its comment and the & of a continued one; a ! in a quoted text is none.
-std::string_view code_of(std::string_view line) {
-  const std::size_t first = line.find_first_not_of(" \t");
-  if (first != std::string_view::npos && line[first] == '&') {
-    line.remove_prefix(first + 1);
+  explicit ParsedData(const DeckCard& card) {
+    span = {sources.add_text(card.name, card.data), 0,
+            static_cast<std::uint32_t>(card.data.size())};
   }
-  bool quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    quoted = line[i] == '\'' ? !quoted : quoted;
-    if (line[i] == '!' && !quoted) {
-      return line.substr(0, i);
+  [[nodiscard]] std::vector<grammar::DataRow> rows() const {
+    base::Diagnostics read_before;
+    return grammar::parse_rows(sources, span, read_before);
+  }
+  [[nodiscard]] DataFields fields(const grammar::DataRow& row) const {
+    DataFields fields;
+    for (const grammar::CardField& field : row.fields) {
+      fields.emplace_back(sources.text(field.span));
     }
+    return fields;
   }
-  return line;
-}
+};
 
-// The end of a line with its continuations, behind its line feed.
-std::size_t end_of_line(const std::string& data, std::size_t at) {
-  const char* const last = data.data() + data.size();
-  const char* const end = grammar::logical_line_end(data.data() + at, last);
-  return static_cast<std::size_t>(end - data.data()) + (end == last ? 0 : 1);
-}
-
-bool names_net(const std::vector<std::string>& fields, const std::set<std::string>& nets) {
-  return std::ranges::any_of(fields, [&](const std::string& field) {
-    const std::string_view name =
-        field.starts_with('-') ? std::string_view(field).substr(1) : field;
-    return nets.contains(net_prefix(name));
-  });
+bool names_net(const std::string& field, const std::set<std::string>& nets) {
+  return nets.contains(net_prefix(std::string_view(field).substr(field.starts_with('-') ? 1 : 0)));
 }
 
 // A card that is nothing without what it names there.
@@ -56,37 +48,6 @@ bool stands_on(const DeckCard& card, const std::set<std::string>& nets) {
   return std::ranges::any_of(keys, [&](const char* key) {
     const std::string* value = card.find(key);
     return value != nullptr && nets.contains(net_prefix(*value));
-  });
-}
-
-bool lists_sets(std::string_view card) {
-  constexpr std::array names{"NSET", "ESET", "FSET", "FREEDOM"};
-  return std::ranges::find(names, card) != names.end();
-}
-
-// Data lines, each with its continuations, as `change` makes them of the line and its fields.
-template <class Change> void change_lines(DeckCard& card, const Change& change) {
-  std::string changed;
-  for (std::size_t at = 0; at < card.data.size();) {
-    const std::size_t end = end_of_line(card.data, at);
-    const std::string line = card.data.substr(at, end - at);
-    changed += change(line, data_fields(line));
-    at = end;
-  }
-  card.data = std::move(changed);
-}
-
-// Items of other nets stay, each in its line.
-void keep_items(DeckCard& card, const std::set<std::string>& nets) {
-  change_lines(card, [&](const std::string& line, const std::vector<std::string>& fields) {
-    if (!names_net(fields, nets)) {
-      return line;
-    }
-    std::string items;
-    for (const std::string& field : fields) {
-      items += names_net({field}, nets) ? "" : " " + field;
-    }
-    return items.empty() ? items : " " + items + "\n";
   });
 }
 
@@ -100,6 +61,27 @@ void erase_nets(DeckText& text, const std::set<std::string>& nets) {
   });
 }
 
+// Takes out lines of loads and items of lists that name the nets; false: nothing is left.
+bool keep_other_nets(DeckCard& card, const std::set<std::string>& nets) {
+  constexpr std::array names{"LOAD", "NSET", "ESET", "FSET", "FREEDOM"};
+  if (std::ranges::find(names, card.name) == names.end() || data_rows(card).empty()) {
+    return true;
+  }
+  change_lines(card, [&](const DataFields& fields, std::string& line) {
+    const auto own = [&](const std::string& field) { return names_net(field, nets); };
+    if (card.name == "LOAD") {
+      line = own(fields.front()) ? "" : line;
+    } else if (std::ranges::any_of(fields, own)) {
+      line.clear();
+      for (const std::string& field : fields) {
+        line += own(field) ? "" : " " + field;
+      }
+      line += line.empty() ? "" : "\n";
+    }
+  });
+  return !data_rows(card).empty();
+}
+
 } // namespace
 
 std::string twelve_digits(double value) {
@@ -111,65 +93,77 @@ std::string net_prefix(std::string_view name) {
   return point == std::string_view::npos ? std::string() : grammar::to_upper(name.substr(0, point));
 }
 
-std::vector<std::string> data_fields(std::string_view line) {
-  std::string code;
-  for (std::size_t at = 0; at < line.size();) {
-    const std::size_t end = std::min(line.find('\n', at), line.size() - 1) + 1;
-    code += code_of(line.substr(at, end - at));
-    code += ' ';
-    at = end;
+std::vector<DataFields> data_rows(const DeckCard& card) {
+  const ParsedData data(card);
+  std::vector<DataFields> rows;
+  for (const grammar::DataRow& row : data.rows()) {
+    rows.push_back(data.fields(row));
   }
-  std::vector<std::string> fields;
-  std::string field;
-  int depth = 0;
-  for (const char c : code) {
-    depth += c == '(' || c == '[' ? 1 : c == ')' || c == ']' ? -1 : 0;
-    if (depth == 0 && is_separator(c)) {
-      if (!field.empty()) {
-        fields.push_back(std::move(field));
-      }
-      field.clear();
-    } else {
-      field += c;
-    }
-  }
-  if (!field.empty()) {
-    fields.push_back(std::move(field));
-  }
-  return fields;
+  return rows;
 }
 
-void filter_lines(DeckCard& card,
-                  const std::function<bool(const std::vector<std::string>&)>& keep) {
-  change_lines(card, [&](const std::string& line, const std::vector<std::string>& fields) {
-    return fields.empty() || keep(fields) ? line : std::string();
-  });
+void change_lines(DeckCard& card,
+                  const std::function<void(const DataFields&, std::string& line)>& change) {
+  const ParsedData data(card);
+  const std::string text = card.data;
+  const char* const last = text.data() + text.size();
+  std::string changed;
+  std::size_t at = 0; // what is in front of it is done
+  for (const grammar::DataRow& row : data.rows()) {
+    const std::size_t begin = text.rfind('\n', row.span.begin) + 1; // behind npos: 0
+    const char* const end = grammar::logical_line_end(text.data() + row.span.begin, last);
+    const std::size_t next = static_cast<std::size_t>(end - text.data()) + (end == last ? 0 : 1);
+    std::string line = text.substr(begin, next - begin);
+    change(data.fields(row), line);
+    changed += text.substr(at, begin - at) + line;
+    at = next;
+  }
+  card.data = changed + text.substr(at);
 }
 
-void filter_actions(DeckCard& step,
+void filter_lines(DeckCard& card, const std::function<bool(const DataFields&)>& keep) {
+  change_lines(
+      card, [&](const DataFields& fields, std::string& line) { line = keep(fields) ? line : ""; });
+}
+
+void filter_actions(DeckText& text,
                     const std::function<bool(const std::string&, const std::string&)>& keep) {
-  filter_lines(step, [&](const std::vector<std::string>& fields) {
-    return keep(grammar::to_upper(fields.front()),
-                fields.size() < 2 ? std::string() : grammar::to_upper(fields[1]));
-  });
+  for (DeckCard& card : cards_named(text, "STEP")) {
+    filter_lines(card, [&](const DataFields& fields) {
+      return keep(grammar::to_upper(fields.front()),
+                  fields.size() < 2 ? std::string() : grammar::to_upper(fields[1]));
+    });
+  }
+}
+
+std::string change_names(std::string_view text,
+                         const std::function<std::string(std::string_view)>& change) {
+  std::string changed;
+  for (std::size_t i = 0; i < text.size();) {
+    const char c = text[i];
+    std::size_t end = i + 1;
+    if (grammar::is_name_char(c)) {
+      while (end < text.size() && grammar::is_name_char(text[end])) {
+        ++end;
+      }
+    } else if (c == '!') {
+      end = std::min(text.find('\n', i), text.size());
+    } else if (c == '\'' || c == '[') {
+      end = std::min(text.find(c == '[' ? ']' : c, i + 1), text.size() - 1) + 1;
+    }
+    const std::string_view piece = text.substr(i, end - i);
+    changed += grammar::is_letter(c) ? change(piece) : std::string(piece); // else of a number
+    i = end;
+  }
+  return changed;
 }
 
 void drop_mounts(DeckText& text) {
-  for (DeckCard& card : cards_named(text, "STEP")) {
-    filter_actions(card, [](const std::string& action, const std::string&) {
-      return action != "MOUNT" && action != "DISMOUNT";
-    });
-  }
+  filter_actions(text, [](const std::string& action, const std::string&) {
+    return action != "MOUNT" && action != "DISMOUNT";
+  });
   for (DeckCard& card : cards_named(text, "GROW")) {
     card.erase("MOUNTED");
-  }
-}
-
-void drop_fits(DeckText& text, const std::set<std::string>& contacts) {
-  for (DeckCard& card : cards_named(text, "STEP")) {
-    filter_actions(card, [&](const std::string& action, const std::string& contact) {
-      return action != "FIT" || !contacts.contains(contact);
-    });
   }
 }
 
@@ -181,24 +175,16 @@ std::set<std::string> remove_nets(DeckText& text, const std::set<std::string>& n
       contacts.insert(card.word_value("NAME"));
     }
   }
-  std::erase_if(text, [&](const DeckCard& card) { return stands_on(card, nets); });
+  DeckText kept;
   for (DeckCard& card : text) {
-    const bool had_lines = !data_fields(card.data).empty();
-    if (card.name == "LOAD") {
-      filter_lines(card, [&](const auto& fields) { return !names_net({fields.front()}, nets); });
-    } else if (lists_sets(card.name)) {
-      keep_items(card, nets);
-    } else {
-      continue;
+    if (!stands_on(card, nets) && keep_other_nets(card, nets)) {
+      kept.push_back(std::move(card));
     }
-    card.name = had_lines && data_fields(card.data).empty() ? "" : card.name; // nothing is left
   }
-  std::erase_if(text, [](const DeckCard& card) { return card.name.empty(); });
-  for (DeckCard& card : cards_named(text, "STEP")) {
-    filter_actions(card, [&](const std::string& action, const std::string& contact) {
-      return action == "LOAD" || !contacts.contains(contact);
-    });
-  }
+  text = std::move(kept);
+  filter_actions(text, [&](const std::string& action, const std::string& contact) {
+    return action == "LOAD" || !contacts.contains(contact);
+  });
   return contacts;
 }
 
@@ -207,25 +193,9 @@ void drop_undefined_loads(DeckText& text) {
   for (const DeckCard& card : cards_named(text, "LOAD")) {
     cases.insert(card.word_value("CASE"));
   }
-  for (DeckCard& card : cards_named(text, "STEP")) {
-    filter_actions(card, [&](const std::string& action, const std::string& load_case) {
-      return action != "LOAD" || load_case.empty() || cases.contains(load_case);
-    });
-  }
-}
-
-void apply_defines(DeckText& text,
-                   const std::vector<std::pair<std::string, std::string>>& defines) {
-  for (DeckCard& card : cards_named(text, "PARAMETER")) {
-    change_lines(card, [&](const std::string& line, const std::vector<std::string>&) {
-      const std::vector<std::string> left =
-          data_fields(line.substr(0, std::min(line.find('='), line.size())));
-      const auto own = std::ranges::find_if(defines, [&](const auto& define) {
-        return left.size() == 1 && grammar::to_upper(define.first) == grammar::to_upper(left[0]);
-      });
-      return own == defines.end() ? line : fmt::format("  {} = {}\n", left[0], own->second);
-    });
-  }
+  filter_actions(text, [&](const std::string& action, const std::string& load_case) {
+    return action != "LOAD" || load_case.empty() || cases.contains(load_case);
+  });
 }
 
 void drop_requests(DeckText& text) {

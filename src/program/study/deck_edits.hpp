@@ -8,14 +8,10 @@
 #include <set>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 /// Changes of a deck at card level that several variants of the ladder make.
 namespace spricka::program {
-
-/// Fields of one data line, as the deck writes them, comments left out.
-std::vector<std::string> data_fields(std::string_view line);
 
 /// A deck that was rewritten, or why there is none.
 struct RewrittenDeck {
@@ -23,20 +19,31 @@ struct RewrittenDeck {
   std::string reason;
 };
 
-/// Data lines for which `keep` holds; comment and blank lines stay. `keep` gets the fields.
-void filter_lines(deck::DeckCard& card,
-                  const std::function<bool(const std::vector<std::string>&)>& keep);
+/// The fields of one data line, as the deck writes them.
+using DataFields = std::vector<std::string>;
 
-/// Lines of a $STEP for which `keep` holds, given in upper case what they do and to which name;
+/// The fields of all data lines of a card; comments are left out. [line][field]
+std::vector<DataFields> data_rows(const deck::DeckCard& card);
+
+/// Lets `change` rewrite each data line of a card, with its continuations and ended by a newline,
+/// given its fields; an empty line goes. Comment and blank lines stay.
+void change_lines(deck::DeckCard& card,
+                  const std::function<void(const DataFields&, std::string& line)>& change);
+
+/// Data lines for which `keep` holds, given their fields; comment and blank lines stay.
+void filter_lines(deck::DeckCard& card, const std::function<bool(const DataFields&)>& keep);
+
+/// Lines of all $STEP for which `keep` holds, given in upper case what they do and to which name;
 /// the name is empty where there is none.
-void filter_actions(deck::DeckCard& step,
+void filter_actions(deck::DeckText& text,
                     const std::function<bool(const std::string&, const std::string&)>& keep);
+
+/// A text with its names as `change` makes them, but for those in comments, quotes and units.
+std::string change_names(std::string_view text,
+                         const std::function<std::string(std::string_view)>& change);
 
 /// Contacts stand from the beginning: MOUNT and DISMOUNT go.
 void drop_mounts(deck::DeckText& text);
-
-/// Steps no longer switch the fit of these contacts (upper case).
-void drop_fits(deck::DeckText& text, const std::set<std::string>& contacts);
 
 /// Removes nets and all that is about them alone: their meshes, sets, properties, supports, loads
 /// and contacts. Names in upper case; returns the names of contacts that went with them.
@@ -44,10 +51,6 @@ std::set<std::string> remove_nets(deck::DeckText& text, const std::set<std::stri
 
 /// Steps no longer apply load cases that no card makes.
 void drop_undefined_loads(deck::DeckText& text);
-
-/// Parameters get the values that the command line gives them (-D).
-void apply_defines(deck::DeckText& text,
-                   const std::vector<std::pair<std::string, std::string>>& defines);
 
 /// Checks, requests, tests and states of runs go: a variant is asked anew.
 void drop_requests(deck::DeckText& text);

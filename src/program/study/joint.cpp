@@ -5,6 +5,9 @@
 #include "model/model.hpp"
 
 #include <algorithm>
+#include <array>
+#include <functional>
+#include <map>
 
 namespace spricka::program {
 
@@ -55,6 +58,19 @@ void note_cracks(const model::Model& model, Joint& joint) {
   }
 }
 
+void note_supports(const model::Model& model, Joint& joint) {
+  std::map<std::string, std::array<bool, 3>> held; // by net
+  for (const model::FreedomAssignment& freedom : model.freedoms) {
+    for (const base::NodeId n : model.mesh.set_with_id(freedom.nodes).nodes) {
+      std::array<bool, 3>& own = held[net_name(model, model.mesh.node_net[n.index()])];
+      std::ranges::transform(own, freedom.dof, own.begin(), std::logical_or<>());
+      if (own[0] && own[1]) {
+        joint.supported.insert(net_name(model, model.mesh.node_net[n.index()]));
+      }
+    }
+  }
+}
+
 bool is_mounted(const model::Model& model, std::size_t contact) {
   const auto mounts = [&](const model::Action& action) {
     const auto* mount = std::get_if<model::MountContact>(&action);
@@ -72,6 +88,7 @@ bool is_mounted(const model::Model& model, std::size_t contact) {
 Joint analyse_joint(const model::Model& model) {
   Joint joint;
   note_cracks(model, joint);
+  note_supports(model, joint);
   for (const model::LoadCase& load_case : model.cases) {
     for (const model::Load& load : load_case.loads) {
       const bool hot = load.type == model::LoadType::temperature;

@@ -24,10 +24,11 @@ struct JointContact {
 
 struct Joint {
   std::vector<JointContact> contacts;
-  std::set<std::string> cracked; ///< nets with a crack
-  std::set<std::string> loaded;  ///< nets with a load of forces
-  std::set<std::string> heated;  ///< nets whose temperature changes
-  bool friction = false;         ///< also between faces of a crack
+  std::set<std::string> cracked;   ///< nets with a crack
+  std::set<std::string> loaded;    ///< nets with a load of forces
+  std::set<std::string> heated;    ///< nets whose temperature changes
+  std::set<std::string> supported; ///< nets that are held along x and along y somewhere
+  bool friction = false;           ///< also between faces of a crack
 };
 
 /// Reads off a model which nets meet in contacts, and which are cracked, loaded or heated.

@@ -16,22 +16,16 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-// Trials of the series that the reference comes from, coarse to fine.
-std::vector<std::size_t> reference_series(const std::vector<Trial>& trials) {
-  const std::vector<std::size_t> whole = series_rows(trials, SettingFamily::whole);
-  return whole.size() > 1 ? whole : series_rows(trials, SettingFamily::asked);
-}
-
 // How far the answer still moves at the fine end.
 double movement(const std::vector<Trial>& trials, const std::vector<std::size_t>& series,
                 std::size_t answer) {
   const std::size_t n = series.size();
-  double most = 0.0;
-  for (std::size_t back = 1; back <= 2 && back < n; ++back) {
+  double most = n > 1 ? 0.0 : std::numeric_limits<double>::infinity();
+  for (std::size_t back = 2; back <= std::min<std::size_t>(n, 3); ++back) {
     most = std::max(most, std::abs(trials[series[n - 1]].readings[answer].value -
-                                   trials[series[n - 1 - back]].readings[answer].value));
+                                   trials[series[n - back]].readings[answer].value));
   }
-  return n > 1 ? most : std::numeric_limits<double>::infinity();
+  return most;
 }
 
 AnswerReference reference_of(const Answer& answer, std::size_t a, const std::vector<Trial>& trials,
@@ -90,26 +84,15 @@ GroupErrors errors_of(AnswerGroup group, const Study& study, const Trial& trial,
 // energy proportional to h^3; without quarter points they lack sqrt(r), of an energy proportional
 // to h.
 std::optional<double> theory_of(AnswerGroup group, SettingFamily family, bool cracked) {
-  const bool all_sizes = family == SettingFamily::whole || family == SettingFamily::tip;
-  if (group == AnswerGroup::K && family == SettingFamily::quarter) {
-    return 1.0;
+  if (group == AnswerGroup::K) {
+    return family == SettingFamily::quarter                                 ? std::optional(1.0)
+           : family == SettingFamily::whole || family == SettingFamily::tip ? std::optional(3.0)
+                                                                            : std::nullopt;
   }
-  if (group == AnswerGroup::K && all_sizes) {
-    return 3.0;
-  }
-  if (group == AnswerGroup::energy && !cracked && family == SettingFamily::whole) {
-    return 4.0;
-  }
-  if (group == AnswerGroup::energy && !cracked && family == SettingFamily::linear) {
-    return 2.0;
-  }
-  return std::nullopt;
-}
-
-// Whether some answer is about a crack: then the energy is singular as well.
-bool asks_of_cracks(const std::vector<Answer>& answers) {
-  return std::ranges::any_of(answers,
-                             [](const Answer& answer) { return answer.group == AnswerGroup::K; });
+  const bool smooth = group == AnswerGroup::energy && !cracked;
+  return smooth && family == SettingFamily::whole    ? std::optional(4.0)
+         : smooth && family == SettingFamily::linear ? std::optional(2.0)
+                                                     : std::nullopt;
 }
 
 class GroupJudge {
@@ -123,12 +106,12 @@ public:
     for (std::size_t t = 0; t < trials_.size(); ++t) {
       found_.errors.push_back(errors_of(found_.group, study_, trials_[t], t == verdict_.finest));
     }
-    const bool any = std::ranges::any_of(
-        found_.errors, [](const GroupErrors& errors) { return std::isfinite(errors.plain); });
-    if (!any) {
+    if (std::ranges::none_of(
+            found_.errors, [](double plain) { return std::isfinite(plain); },
+            &GroupErrors::plain)) {
       return std::nullopt;
     }
-    floor();
+    find_floor();
     for (const SettingFamily family :
          {SettingFamily::whole, SettingFamily::host, SettingFamily::tip, SettingFamily::quarter,
           SettingFamily::linear, SettingFamily::asked, SettingFamily::peer}) {
@@ -143,7 +126,7 @@ public:
   }
 
 private:
-  void floor() {
+  void find_floor() {
     for (std::size_t a = 0; a < study_.answers.size(); ++a) {
       const AnswerReference& reference = verdict_.references[a];
       if (study_.answers[a].group == found_.group && reference.scale > 0.0) {
@@ -157,7 +140,7 @@ private:
     const std::vector<std::size_t> rows = series_rows(trials_, family);
     std::vector<ConvergencePoint> points;
     for (const std::size_t row : rows) {
-      const double error = corrected ? found_.errors[row].best : found_.errors[row].plain;
+      const double error = found_.errors[row].of(corrected);
       if (std::isfinite(error)) {
         points.push_back({1.0 / trials_[row].setting.fineness, error});
       }
@@ -170,8 +153,11 @@ private:
     series.family = family;
     series.corrected = corrected;
     series.plateau = find_plateau(points);
-    series.theory =
-        corrected ? std::nullopt : theory_of(found_.group, family, asks_of_cracks(study_.answers));
+    if (!corrected) {
+      // The energy is singular where some answer is about a crack.
+      const bool cracked = std::ranges::count(study_.answers, AnswerGroup::K, &Answer::group) > 0;
+      series.theory = theory_of(found_.group, family, cracked);
+    }
     // Differences to values of the finest mesh, which has an error of the same law.
     const bool alike = family == SettingFamily::whole || family == SettingFamily::asked;
     const bool to_finest = alike && own_ && !has_bars() && verdict_.finest;
@@ -187,21 +173,16 @@ private:
     found_.series.push_back(std::move(series));
   }
 
-  // The trial of the finest mesh that CalculiX has an error for.
-  [[nodiscard]] std::optional<std::size_t> finest_peer() const {
-    std::optional<std::size_t> finest;
+  // Of the finest mesh that CalculiX has an error for; both by the answers that CalculiX has: those
+  // of the first step.
+  [[nodiscard]] std::string peer_sentence() const {
+    std::optional<std::size_t> peer;
     for (const std::size_t t : series_rows(trials_, SettingFamily::peer)) {
       if (std::isfinite(found_.errors[t].plain) &&
-          (!finest || trials_[t].setting.fineness > trials_[*finest].setting.fineness)) {
-        finest = t;
+          (!peer || trials_[t].setting.fineness > trials_[*peer].setting.fineness)) {
+        peer = t;
       }
     }
-    return finest;
-  }
-
-  // Both by the answers that CalculiX has: those of the first step.
-  [[nodiscard]] std::string peer_sentence() const {
-    const std::optional<std::size_t> peer = finest_peer();
     if (!peer) {
       return {};
     }
@@ -256,7 +237,10 @@ std::vector<std::size_t> series_rows(const std::vector<Trial>& trials, SettingFa
 
 void assess_trials(Study& study) {
   StudyVerdict& verdict = study.verdict;
-  const std::vector<std::size_t> series = reference_series(study.trials);
+  std::vector<std::size_t> series = series_rows(study.trials, SettingFamily::whole);
+  if (series.size() < 2) {
+    series = series_rows(study.trials, SettingFamily::asked);
+  }
   if (series.empty()) {
     return;
   }

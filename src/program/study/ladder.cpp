@@ -4,6 +4,7 @@
 #include "base/exit_codes.hpp"
 #include "model/model.hpp"
 #include "program/checks/check_quantities.hpp"
+#include "program/study/convergence.hpp"
 #include "program/study/halves.hpp"
 #include "report/topics/result_tables.hpp"
 
@@ -42,38 +43,35 @@ std::string largest_step(const std::vector<Answer>& answers, const model::Model&
   return largest;
 }
 
-/// The largest difference of two variants and the widths of both bars there.
-struct Difference {
-  double value = std::numeric_limits<double>::quiet_NaN(); ///< with its sign
-  double bars = 0.0;
-  bool all_within = true;
-  bool any_outside = false;
-};
-
-Difference difference_of(const ModelHierarchy& ladder, const ModelVariantResult& variant) {
-  Difference found;
+// Fills difference, bar and verdict of a variant with answers: the largest of them all.
+void judge_variant(const ModelHierarchy& ladder, ModelVariantResult& variant) {
   const ModelVariantResult& richest = ladder.variants[*ladder.richest];
+  const auto finite_or_zero = [](double value) { return std::isfinite(value) ? value : 0.0; };
+  variant.difference = std::numeric_limits<double>::quiet_NaN();
+  bool within = true;
+  bool outside = false;
   for (std::size_t a = 0; a < ladder.answers.size(); ++a) {
     const AnswerReading& own = variant.readings[a];
     const AnswerReading& rich = richest.readings[a];
-    if (!(ladder.scales[a] > 0.0) || !std::isfinite(rich.value) || lacks_answer(variant, a)) {
+    const double scale = ladder.scales[a];
+    variant.bar = std::max(variant.bar, finite_or_zero(own.bar / scale));
+    if (!(scale > 0.0) || !std::isfinite(rich.value) || lacks_answer(variant, a)) {
       continue;
     }
-    const double part = (own.value - rich.value) / ladder.scales[a];
-    const double bars =
-        ((std::isfinite(own.bar) ? own.bar : 0.0) + (std::isfinite(rich.bar) ? rich.bar : 0.0)) /
-        ladder.scales[a];
-    found.all_within = found.all_within && std::abs(part) + bars <= ladder.tolerance;
-    found.any_outside = found.any_outside || std::abs(part) - bars > ladder.tolerance;
-    if (!std::isfinite(part)) {
-      found.all_within = false;
-    } else if (!std::isfinite(found.value) || std::abs(part) > std::abs(found.value)) {
-      found.value = part;
-      found.bars = bars;
+    const double part = (own.value - rich.value) / scale;
+    const double bars = (finite_or_zero(own.bar) + finite_or_zero(rich.bar)) / scale;
+    within = within && std::abs(part) + bars <= ladder.tolerance; // not where it is no number
+    outside = outside || std::abs(part) - bars > ladder.tolerance;
+    if (std::isfinite(part) && !(std::abs(part) <= std::abs(variant.difference))) {
+      variant.difference = part;
     }
   }
-  found.all_within = found.all_within && std::isfinite(found.value);
-  return found;
+  const bool any = std::isfinite(variant.difference);
+  variant.verdict = &variant == &richest ? ModelVariantVerdict::richest
+                    : outside            ? ModelVariantVerdict::outside
+                    : within && any      ? ModelVariantVerdict::within
+                    : any                ? ModelVariantVerdict::undecided
+                                         : ModelVariantVerdict::missing;
 }
 
 // It was ended before it had an answer, or fell: what it would have said is not known.
@@ -88,20 +86,14 @@ bool is_enough(const ModelVariantResult& variant) {
          (variant.verdict == ModelVariantVerdict::within && variant.variant.simpler);
 }
 
-// Rungs stand in the order of their richness.
+// Rungs stand in the order of their richness: of those that take as long the last is the simplest.
 std::optional<std::size_t> cheapest_of(const std::vector<ModelVariantResult>& variants) {
-  constexpr double alike = 1.15; // CPU of one and the same run differs so much
-  double least = std::numeric_limits<double>::infinity();
+  std::vector<RunCost> costs;
   for (const ModelVariantResult& variant : variants) {
-    least = is_enough(variant) ? std::min(least, variant.end.cpu) : least;
+    costs.push_back({is_enough(variant) ? variant.end.cpu : std::numeric_limits<double>::infinity(),
+                     -static_cast<double>(costs.size())});
   }
-  std::optional<std::size_t> found;
-  for (std::size_t r = 0; r < variants.size(); ++r) {
-    if (is_enough(variants[r]) && variants[r].end.cpu <= alike * least) {
-      found = r;
-    }
-  }
-  return found;
+  return cheapest_run(costs);
 }
 
 } // namespace
@@ -151,26 +143,11 @@ void compare(ModelHierarchy& ladder) {
     values.push_back(reading.value);
   }
   ladder.scales = answer_scales(ladder.answers, values);
-  for (std::size_t r = 0; r < ladder.variants.size(); ++r) {
-    ModelVariantResult& variant = ladder.variants[r];
-    if (variant.readings.empty()) {
-      continue;
-    }
-    const Difference found = difference_of(ladder, variant);
-    variant.difference = found.value;
-    for (std::size_t a = 0; a < ladder.answers.size(); ++a) {
-      const double bar = variant.readings[a].bar / ladder.scales[a];
-      variant.bar = std::isfinite(bar) ? std::max(variant.bar, bar) : variant.bar;
-    }
-    variant.verdict = r == *ladder.richest         ? ModelVariantVerdict::richest
-                      : found.any_outside          ? ModelVariantVerdict::outside
-                      : found.all_within           ? ModelVariantVerdict::within
-                      : std::isfinite(found.value) ? ModelVariantVerdict::undecided
-                                                   : ModelVariantVerdict::missing;
-  }
   ladder.stopped.clear();
-  for (const ModelVariantResult& variant : ladder.variants) {
-    if (was_stopped(variant)) {
+  for (ModelVariantResult& variant : ladder.variants) {
+    if (!variant.readings.empty()) {
+      judge_variant(ladder, variant);
+    } else if (was_stopped(variant)) {
       ladder.stopped.push_back(variant.variant.name);
     }
   }

@@ -24,8 +24,6 @@ const char* display_name(ModelVariantVerdict verdict);
 
 struct ModelVariantResult : VariantRun {
   ModelVariant variant;
-  /// [answer] How its deck asks for them, of a plane model of a solid; else empty.
-  std::vector<SectionCounterpart> asked = {};
   double difference = 0.0; ///< the largest, with its sign, as a part of the answer
   double bar = 0.0;        ///< the largest, as a part
   ModelVariantVerdict verdict = ModelVariantVerdict::missing;

@@ -2,11 +2,8 @@
 #include "program/study/ladder_deck.hpp"
 
 #include "model/model.hpp"
-#include "program/job/standard_streams.hpp"
-#include "program/study/halves.hpp"
 #include "program/study/ladder_report.hpp"
 #include "program/study/variant_runs.hpp"
-#include "report/drawing/file.hpp"
 
 #include <utility>
 
@@ -16,117 +13,70 @@ namespace spricka::program {
 
 namespace {
 
-class LadderRun {
-public:
-  LadderRun(const HierarchyOptions& options, VariantRuns& runs) : options_(options), runs_(runs) {
-    ladder_.tolerance = options.tolerance;
-    for (ModelVariant& variant : make_variants(runs.deck(), analyse_joint(runs.model()))) {
-      ModelVariantResult& result = ladder_.variants.emplace_back();
-      result.trouble = variant.reason;
-      result.variant = std::move(variant);
+// Decks of all rungs, that of the cheapest with checks, table and page.
+void fill_folder(VariantRuns& runs, const ModelHierarchy& ladder) {
+  for (const ModelVariantResult& result : ladder.variants) {
+    if (result.variant.text) {
+      runs.folder().add_file(
+          result.variant.deck.filename(),
+          write_deck(*result.variant.text, runs.place(), {result.variant.words}));
     }
   }
+  if (ladder.cheapest) {
+    const ModelVariantResult& cheapest = ladder.variants[*ladder.cheapest];
+    runs.folder().add_file(
+        "cheapest.deck",
+        write_deck(deck_with_checks(ladder, cheapest), runs.place(),
+                   {fmt::format("{}: {}", cheapest.variant.name, cheapest.variant.words)}));
+  }
+  runs.folder().add_file("ladder.csv", hierarchy_csv(ladder));
+  runs.folder().add_file("ladder.html",
+                         hierarchy_page(runs.deck().ready->sources, runs.model(), ladder));
+}
 
-  base::Outcome run(std::string& summary) {
-    const base::Outcome outcome = run_given();
-    if (outcome != base::Outcome::done) {
-      return outcome;
-    }
-    run_others();
-    if (runs_.children().stopped()) {
-      return base::Outcome::stopped;
-    }
-    compare(ladder_);
-    fill_folder();
-    summary = hierarchy_text(runs_.model(), ladder_) +
-              "decks of all rungs, cheapest.deck, ladder.csv and ladder.html";
+base::Outcome run_ladder(const HierarchyOptions& options, VariantRuns& runs, std::string& summary) {
+  ModelHierarchy ladder;
+  ladder.tolerance = options.tolerance;
+  for (ModelVariant& variant :
+       make_variants(runs.deck(), analyse_joint(runs.model()), runs.scratch())) {
+    ModelVariantResult& result = ladder.variants.emplace_back();
+    result.trouble = variant.reason;
+    result.variant = std::move(variant);
+  }
+  VariantRun& given = ladder.variants.front();
+  const base::Outcome outcome =
+      runs.run_given(ladder.variants.front().variant, given, hierarchy_answers);
+  if (outcome != base::Outcome::done) {
     return outcome;
   }
-
-private:
-  [[nodiscard]] ChildRun child_of(const ModelVariant& variant) const {
-    const std::filesystem::path deck = runs_.scratch() / variant.file;
-    report::write_file(deck, write_deck(*variant.text, runs_.scratch()));
-    return VariantRuns::child_of(deck);
-  }
-
-  // The deck itself decides what is compared.
-  base::Outcome run_given() {
-    return runs_.run_given(child_of(ladder_.variants.front().variant),
-                           [&](VariantRun found, const results::RunResult& run) -> std::string {
-                             ladder_.answers = hierarchy_answers(runs_.model(), run);
-                             record_run(ladder_.variants.front(), std::move(found), &run);
-                             return ladder_.answers.empty() ? "the deck has no answer to compare"
-                                                            : "";
-                           });
-  }
-
-  void run_others() {
-    std::vector<ModelVariantResult*> chosen;
-    std::vector<ChildRun> children;
-    for (std::size_t r = 1; r < ladder_.variants.size(); ++r) {
-      if (ladder_.variants[r].variant.text) {
-        chosen.push_back(&ladder_.variants[r]);
-        children.push_back(child_of(ladder_.variants[r].variant));
-      }
-    }
-    runs_.run_others(children, options_.jobs,
-                     [&](std::size_t i, VariantRun found, const results::RunResult* run) {
-                       record_run(*chosen[i], std::move(found), run);
-                     });
-  }
-
-  void record_run(ModelVariantResult& result, VariantRun found, const results::RunResult* run) {
-    static_cast<VariantRun&>(result) = std::move(found);
-    if (run != nullptr) {
-      read_results(result, *run);
-    }
-    if (!options_.deck.quiet) {
-      to_stderr(fmt::format("{}: {:.2f} s\n", result.variant.name, result.end.cpu));
+  ladder.answers = runs.answers();
+  std::vector<ModelVariantResult*> chosen;
+  std::vector<const DeckVariant*> decks;
+  for (ModelVariantResult& result : ladder.variants) {
+    if (result.variant.text && &result != &ladder.variants.front()) {
+      chosen.push_back(&result);
+      decks.push_back(&result.variant);
     }
   }
-
-  void read_results(ModelVariantResult& result, const results::RunResult& run) const {
-    if (!result.variant.section) {
-      result.readings = read_answers(runs_.model(), ladder_.answers, run);
-      convert_to_whole_model(result.readings, ladder_.answers, result.variant.mirrored);
-      return;
-    }
-    const ReadyDeck own = read_silently(runs_.scratch() / result.variant.file, {});
-    result.asked = section_counterparts(*result.variant.section, ladder_.answers);
-    result.readings = read_counterparts(own.model.value(), result.asked, run);
+  std::vector<VariantRun> found = runs.run_others(decks, options.jobs);
+  if (runs.children().stopped()) {
+    return base::Outcome::stopped;
   }
-
-  void fill_folder() const {
-    RunFolder& folder = runs_.folder();
-    const std::filesystem::path& place = runs_.place();
-    for (const ModelVariantResult& result : ladder_.variants) {
-      if (result.variant.text) {
-        folder.add_file(result.variant.file,
-                        write_deck(*result.variant.text, place, {result.variant.words}));
-      }
-    }
-    if (ladder_.cheapest) {
-      const ModelVariantResult& cheapest = ladder_.variants[*ladder_.cheapest];
-      folder.add_file("cheapest.deck", write_deck(deck_with_checks(ladder_, cheapest), place,
-                                                  {fmt::format("{}: {}", cheapest.variant.name,
-                                                               cheapest.variant.words)}));
-    }
-    folder.add_file("ladder.csv", hierarchy_csv(ladder_));
-    folder.add_file("ladder.html",
-                    hierarchy_page(runs_.deck().ready->sources, runs_.model(), ladder_));
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    static_cast<VariantRun&>(*chosen[i]) = std::move(found[i]);
   }
-
-  const HierarchyOptions& options_;
-  VariantRuns& runs_;
-  ModelHierarchy ladder_;
-};
+  compare(ladder);
+  fill_folder(runs, ladder);
+  summary = hierarchy_text(runs.model(), ladder) +
+            "decks of all rungs, cheapest.deck, ladder.csv and ladder.html";
+  return outcome;
+}
 
 } // namespace
 
 base::Outcome run_hierarchy(const HierarchyOptions& options) {
   return run_variants_of(options.deck, ".ladder", [&](VariantRuns& runs, std::string& summary) {
-    return LadderRun(options, runs).run(summary);
+    return run_ladder(options, runs, summary);
   });
 }
 

@@ -4,15 +4,22 @@
 #include "model/model.hpp"
 #include "program/study/variant_report.hpp"
 #include "report/deck_name.hpp"
+#include "report/drawing/columns.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <ranges>
 
 #include <fmt/format.h>
 
 namespace spricka::program {
 
 namespace {
+
+bool has_answers(const ModelVariantResult& variant) {
+  return !variant.readings.empty();
+}
 
 std::string unit_of(const model::Model& model, AnswerGroup group) {
   switch (group) {
@@ -27,50 +34,46 @@ std::string unit_of(const model::Model& model, AnswerGroup group) {
   }
 }
 
-std::string number_or_none(double value) {
-  return std::isfinite(value) ? fmt::format("{:.5g}", value) : "-";
-}
-
 report::ReportTable variants_table(const model::Model& model, const ModelHierarchy& ladder) {
   const std::string unit = unit_of(model, ladder.answers.front().group);
-  report::ReportTable table = report::make_table("Rungs", "<rung");
-  table.columns.push_back({ladder.answers.front().text, unit, false});
+  const auto value_of = [](std::size_t answer) {
+    return [answer](const ModelVariantResult& variant) {
+      const double value = variant.readings[answer].value;
+      return std::isfinite(value) ? fmt::format("{:.5g}", value) : "-";
+    };
+  };
+  report::Columns<ModelVariantResult> columns;
+  columns.words("rung", [](const ModelVariantResult& variant) { return variant.variant.name; })
+      .number(ladder.answers.front().text, unit, value_of(0));
   if (ladder.answers.size() > 1) {
-    table.columns.push_back({ladder.answers.back().text, unit, false});
+    columns.number(ladder.answers.back().text, unit, value_of(ladder.answers.size() - 1));
   }
-  const report::ReportTable costs = report::make_table(
-      "", fmt::format("largest difference [%]|bar [%]|CPU [s]|memory [MiB]|freedoms|<{:g} %",
-                      100.0 * ladder.tolerance));
-  table.columns.insert(table.columns.end(), costs.columns.begin(), costs.columns.end());
-  for (const ModelVariantResult& variant : ladder.variants) {
-    if (variant.readings.empty()) {
-      continue;
-    }
-    std::vector<std::string> row{variant.variant.name,
-                                 number_or_none(variant.readings.front().value)};
-    if (ladder.answers.size() > 1) {
-      row.push_back(number_or_none(variant.readings.back().value));
-    }
-    row.insert(row.end(),
-               {variant.verdict == ModelVariantVerdict::richest
-                    ? "-"
-                    : fmt::format("{:+.2g}", 100.0 * variant.difference),
-                variant.bar > 0.0 ? in_percent(variant.bar) : "-",
-                fmt::format("{:.2f}", variant.end.cpu), mebibytes(variant.end.peak_memory),
-                fmt::format("{}", variant.unknowns), display_name(variant.verdict)});
-    table.rows.push_back(std::move(row));
-  }
-  return table;
+  columns
+      .number("largest difference", "%",
+              [](const ModelVariantResult& variant) {
+                return variant.verdict == ModelVariantVerdict::richest
+                           ? "-"
+                           : fmt::format("{:+.2g}", 100.0 * variant.difference);
+              })
+      .number("bar", "%",
+              [](const ModelVariantResult& variant) {
+                return variant.bar > 0.0 ? in_percent(variant.bar) : "-";
+              })
+      .number(
+          "CPU", "s", [](const ModelVariantResult& variant) { return variant.end.cpu; }, "{:.2f}")
+      .number("memory", "MiB",
+              [](const ModelVariantResult& variant) { return mebibytes(variant.end.peak_memory); })
+      .number("freedoms", "", &ModelVariantResult::unknowns)
+      .words(fmt::format("{:g} %", 100.0 * ladder.tolerance),
+             [](const ModelVariantResult& variant) { return display_name(variant.verdict); });
+  return columns.table("Rungs", ladder.variants | std::views::filter(has_answers));
 }
 
 report::ReportTable left_out_table(const ModelHierarchy& ladder) {
-  report::ReportTable table = report::make_table("Left out", "<rung|<why");
-  for (const ModelVariantResult& variant : ladder.variants) {
-    if (variant.readings.empty()) {
-      table.rows.push_back({variant.variant.name, variant.trouble});
-    }
-  }
-  return table;
+  return report::Columns<ModelVariantResult>()
+      .words("rung", [](const ModelVariantResult& variant) { return variant.variant.name; })
+      .words("why", &ModelVariantResult::trouble)
+      .table("Left out", ladder.variants | std::views::filter(std::not_fn(has_answers)));
 }
 
 std::string ladder_sentence(const ModelHierarchy& ladder) {
@@ -102,19 +105,14 @@ report::Plot ladder_plot(const ModelHierarchy& ladder) {
       fmt::format("largest difference of {}  [%]", display_name(ladder.answers.front().group)));
   double low = 1e300;
   double high = 0.0;
-  for (const ModelVariantResult& variant : ladder.variants) {
-    if (variant.readings.empty()) {
-      continue;
-    }
+  for (const ModelVariantResult& variant : ladder.variants | std::views::filter(has_answers)) {
     low = std::min(low, variant.end.cpu);
     high = std::max(high, variant.end.cpu);
     if (variant.verdict == ModelVariantVerdict::richest || !(std::abs(variant.difference) > 0.0)) {
       continue;
     }
-    report::PlotSeries series;
-    series.name = variant.variant.name;
+    report::PlotSeries series = report::numbered_curve(variant.variant.name, plot.series.size(), 0);
     series.points = {{variant.end.cpu, 100.0 * std::abs(variant.difference)}};
-    series.colour = report::palette_colour(plot.series.size());
     series.marker = report::closed_marker(plot.series.size());
     series.joined = false;
     plot.series.push_back(std::move(series));

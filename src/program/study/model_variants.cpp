@@ -5,9 +5,11 @@
 #include "model/model.hpp"
 #include "program/study/halves.hpp"
 #include "program/study/rigid_bodies.hpp"
+#include "report/drawing/file.hpp"
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <utility>
 
 #include <fmt/format.h>
@@ -19,8 +21,21 @@ namespace {
 using deck::DeckCard;
 using deck::DeckText;
 
-RewrittenDeck no_place(std::string reason) {
+/// What may stand against a variant, and the words for it.
+using Obstacles = std::initializer_list<std::pair<bool, const char*>>;
+
+RewrittenDeck refused(std::string reason) {
   return {std::nullopt, std::move(reason)};
+}
+
+// The text, or the first obstacle there is.
+RewrittenDeck unless(Obstacles obstacles, const DeckText& text) {
+  for (const auto& [there, reason] : obstacles) {
+    if (there) {
+      return refused(reason);
+    }
+  }
+  return {text, {}};
 }
 
 void drop_friction(DeckText& text) {
@@ -34,7 +49,7 @@ void drop_friction(DeckText& text) {
 }
 
 // Contacts of these names (upper case) are net: neither fits nor clearances.
-void make_net(DeckText& text, const std::set<std::string>& contacts) {
+DeckText with_net(DeckText text, const std::set<std::string>& contacts) {
   for (DeckCard& card : cards_named(text, "CONTACT")) {
     if (contacts.contains(card.word_value("NAME"))) {
       card.erase("INTERFERENCE");
@@ -42,28 +57,28 @@ void make_net(DeckText& text, const std::set<std::string>& contacts) {
       card.set("GAP", "0");
     }
   }
-  drop_fits(text, contacts);
+  filter_actions(text, [&](const std::string& action, const std::string& contact) {
+    return action != "FIT" || !contacts.contains(contact);
+  });
+  return text;
 }
 
-// Clearances are closed as well: a bonded pair that starts apart would be pulled together.
-void bond(DeckText& text, bool keep_fits) {
-  std::set<std::string> all;
+DeckText with_bonds(DeckText text) {
   for (DeckCard& card : cards_named(text, "CONTACT")) {
     card.set("TYPE", "BONDED");
     card.erase("MU");
-    all.insert(card.word_value("NAME"));
   }
-  if (!keep_fits) {
-    make_net(text, all);
-  }
+  return text;
 }
 
 class VariantMaker {
 public:
-  VariantMaker(const StudiedDeck& deck, const Joint& joint)
-      : model_(*deck.ready->model), joint_(joint), given_(deck.text) {
+  VariantMaker(const StudiedDeck& deck, const Joint& joint, std::filesystem::path folder)
+      : model_(*deck.ready->model), joint_(joint), folder_(std::move(folder)), given_(deck.text) {
     drop_requests(given_);
-    apply_defines(given_, deck.defines);
+    for (const auto& [name, value] : deck.defines) {
+      deck::replace_parameter(given_, grammar::to_upper(name), value);
+    }
     smooth_ = given_;
     drop_friction(smooth_);
     at_once_ = smooth_;
@@ -71,14 +86,35 @@ public:
   }
 
   std::vector<ModelVariant> run() {
+    const bool presses = has_contact([](const JointContact& c) { return c.presses; });
+    const bool mounted = has_contact([](const JointContact& c) { return c.mounted; });
+    const bool loose = has_contact([](const JointContact& c) { return !c.bonded && !c.rigid; });
+    std::set<std::string> all;
+    std::set<std::string> pressing;
+    for (const JointContact& contact : joint_.contacts) {
+      all.insert(contact.name);
+      if (contact.presses) {
+        pressing.insert(contact.name);
+      }
+    }
     add("as given", "the deck itself", {given_, {}});
     add_part();
-    add("without friction", "all surfaces are smooth", friction());
-    add("all at once", "nothing is mounted later, all stands from the beginning", mounting());
-    add("bonded with its fits", "contacts can neither open nor slip; interferences press", fits());
-    add("without interference", "all fits are net", interference());
-    add("bonded", "contacts can neither open nor slip; all fits are net", bonding());
-    add("rigid pressing body", "what only presses is rigid", rigid());
+    add("without friction", "all surfaces are smooth",
+        unless({{!joint_.friction, "nothing rubs"}}, smooth_));
+    add("all at once", "nothing is mounted later, all stands from the beginning",
+        unless({{!mounted, "nothing is mounted later"}}, at_once_));
+    add("bonded with its fits", "contacts can neither open nor slip; interferences press",
+        unless({{!presses, "no contact has an interference"}, {!loose, "all contacts are bonded"}},
+               with_bonds(at_once_)));
+    add("without interference", "all fits are net",
+        unless({{!presses, "no contact has an interference"}}, with_net(at_once_, pressing)));
+    // Clearances are closed as well: a bonded pair that starts apart would be pulled together.
+    add("bonded", "contacts can neither open nor slip; all fits are net",
+        unless({{all.empty(), "there is no contact"},
+                {!loose && !presses && !mounted, "all contacts are bonded"}},
+               with_net(with_bonds(at_once_), all)));
+    add("rigid pressing body", "what only presses is rigid",
+        make_rigid(model_, joint_, at_once_, given_));
     add("cosine pressure", "a cosine pressure in place of what presses", bearing("COSINE"));
     add("uniform pressure", "a uniform pressure in place of what presses", bearing("UNIFORM"));
     if (model_.mesh.dim == 3) {
@@ -93,95 +129,42 @@ public:
   }
 
 private:
-  void add(const std::string& name, const std::string& words, RewrittenDeck made,
-           const std::optional<SectionMapping>& section = {}) {
+  ModelVariant& add(const std::string& name, const std::string& words, RewrittenDeck made) {
     ModelVariant& variant = variants_.emplace_back();
     static_cast<RewrittenDeck&>(variant) = std::move(made);
     variant.name = name;
-    variant.file = name + ".deck";
-    std::ranges::replace(variant.file, ' ', '_');
+    std::string file = name + ".deck";
+    std::ranges::replace(file, ' ', '_');
+    variant.deck = folder_ / file;
     variant.words = words;
-    variant.section = section;
-    variant.simpler = variant.section || !name.starts_with("plane");
+    variant.simpler = !name.starts_with("plane");
+    if (variant.text) {
+      report::write_file(variant.deck, write_deck(*variant.text, folder_));
+    }
+    return variant;
   }
 
   void add_part() {
-    SymmetricPart part = reduce_by_symmetry(model_, given_);
-    add(part.name, part.words, {std::move(part.text), std::move(part.reason)});
-    variants_.back().mirrored = part.mirrored;
+    const SymmetricPart part = reduce_by_symmetry(model_, given_);
+    add(part.name, part.words, part).mirrored = part.mirrored;
   }
 
   void add_section(const std::string& name, const std::string& words, const char* state) {
-    SectionDeck made = section_deck(model_, given_, state);
-    add(name, words, {made.text, made.reason}, made.text ? std::optional(made.view) : std::nullopt);
+    const SectionDeck made = section_deck(model_, given_, state);
+    ModelVariant& variant = add(name, words, made);
+    variant.simpler = true;
+    variant.section = made.view;
   }
 
-  [[nodiscard]] bool any(bool JointContact::*what) const {
-    return std::ranges::any_of(joint_.contacts,
-                               [&](const JointContact& contact) { return contact.*what; });
+  template <class Condition> [[nodiscard]] bool has_contact(const Condition& condition) const {
+    return std::ranges::any_of(joint_.contacts, condition);
   }
-
-  [[nodiscard]] RewrittenDeck friction() const {
-    return joint_.friction ? RewrittenDeck{smooth_, {}} : no_place("nothing rubs");
-  }
-
-  [[nodiscard]] RewrittenDeck mounting() const {
-    return any(&JointContact::mounted) ? RewrittenDeck{at_once_, {}}
-                                       : no_place("nothing is mounted later");
-  }
-
-  [[nodiscard]] RewrittenDeck interference() const {
-    if (!any(&JointContact::presses)) {
-      return no_place("no contact has an interference");
-    }
-    std::set<std::string> pressing;
-    for (const JointContact& contact : joint_.contacts) {
-      if (contact.presses) {
-        pressing.insert(contact.name);
-      }
-    }
-    DeckText text = at_once_;
-    make_net(text, pressing);
-    return {std::move(text), {}};
-  }
-
-  [[nodiscard]] bool can_bond() const {
-    return std::ranges::any_of(joint_.contacts, [](const JointContact& contact) {
-      return !contact.bonded && !contact.rigid;
-    });
-  }
-
-  [[nodiscard]] RewrittenDeck fits() const {
-    if (!any(&JointContact::presses)) {
-      return no_place("no contact has an interference");
-    }
-    if (!can_bond()) {
-      return no_place("all contacts are bonded");
-    }
-    DeckText text = at_once_;
-    bond(text, true);
-    return {std::move(text), {}};
-  }
-
-  [[nodiscard]] RewrittenDeck bonding() const {
-    if (joint_.contacts.empty()) {
-      return no_place("there is no contact");
-    }
-    if (!can_bond() && !any(&JointContact::presses) && !any(&JointContact::mounted)) {
-      return no_place("all contacts are bonded");
-    }
-    DeckText text = at_once_;
-    bond(text, false);
-    return {std::move(text), {}};
-  }
-
-  [[nodiscard]] RewrittenDeck rigid() const { return make_rigid(model_, joint_, at_once_, given_); }
 
   [[nodiscard]] RewrittenDeck bearing(const char* shape) const {
     const std::set<std::string> nets = pressing_nets(joint_);
     if (nets.empty()) {
-      return no_place(joint_.cracked.empty() ? "without a crack there is no body to keep"
-                                             : "no body presses on that with the crack");
+      return refused(joint_.cracked.empty() ? "without a crack there is no body to keep"
+                                            : "no body presses on that with the crack");
     }
     std::string surface;
     DeckText text = at_once_;
@@ -189,17 +172,17 @@ private:
       const bool slave = nets.contains(net_prefix(*card.find("SLAVE")));
       if (slave != nets.contains(net_prefix(*card.find("MASTER")))) {
         if (!surface.empty()) {
-          return no_place("bodies press on more than one surface");
+          return refused("bodies press on more than one surface");
         }
         surface = *card.find(slave ? "MASTER" : "SLAVE");
       }
     }
     if (surface.empty()) {
-      return no_place("the surface that is pressed on belongs to no net of its own");
+      return refused("the surface that is pressed on belongs to no net of its own");
     }
     std::vector<DeckCard> loads;
     if (const std::string reason = bearing_loads(nets, surface, shape, loads); !reason.empty()) {
-      return no_place(reason);
+      return refused(reason);
     }
     remove_nets(text, nets);
     for (DeckCard& load : loads) {
@@ -213,13 +196,10 @@ private:
   [[nodiscard]] std::string bearing_loads(const std::set<std::string>& nets,
                                           const std::string& surface, const char* shape,
                                           std::vector<DeckCard>& loads) const {
-    for (DeckCard card : cards_named(at_once_, "LOAD")) {
-      std::vector<std::vector<std::string>> lines;
-      filter_lines(card, [&](const std::vector<std::string>& fields) {
-        if (nets.contains(net_prefix(fields.front()))) {
-          lines.push_back(fields);
-        }
-        return true;
+    for (const DeckCard& card : cards_named(at_once_, "LOAD")) {
+      std::vector<DataFields> lines = data_rows(card);
+      std::erase_if(lines, [&](const DataFields& fields) {
+        return !nets.contains(net_prefix(fields.front()));
       });
       if (lines.empty()) {
         continue;
@@ -246,12 +226,13 @@ private:
       }
     }
     return changed ? RewrittenDeck{std::move(text), {}}
-                   : no_place(fmt::format("no body is in plane {}",
-                                          from == "STRESS" ? "stress" : "strain"));
+                   : refused(fmt::format("no body is in plane {}",
+                                         from == "STRESS" ? "stress" : "strain"));
   }
 
   const model::Model& model_;
   const Joint& joint_;
+  std::filesystem::path folder_;
   DeckText given_;
   DeckText smooth_;
   DeckText at_once_;
@@ -260,8 +241,9 @@ private:
 
 } // namespace
 
-std::vector<ModelVariant> make_variants(const StudiedDeck& deck, const Joint& joint) {
-  return VariantMaker(deck, joint).run();
+std::vector<ModelVariant> make_variants(const StudiedDeck& deck, const Joint& joint,
+                                        const std::filesystem::path& folder) {
+  return VariantMaker(deck, joint, folder).run();
 }
 
 } // namespace spricka::program

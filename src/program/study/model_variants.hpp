@@ -2,10 +2,9 @@
 #pragma once
 #include "program/study/deck_edits.hpp"
 #include "program/study/joint.hpp"
-#include "program/study/mesh_parameters.hpp"
-#include "program/study/section_deck.hpp"
+#include "program/study/variant_runs.hpp"
 
-#include <optional>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -13,19 +12,16 @@
 namespace spricka::program {
 
 /// One model of the joint; without a text the scene has no place for it.
-struct ModelVariant : RewrittenDeck {
-  std::string name;                      ///< "without friction": for tables
-  std::string file;                      ///< "without_friction.deck"
-  std::string words;                     ///< what is simplified, a sentence
-  std::string mirrored;                  ///< across which axes its model is a part, "XY"
-  std::optional<SectionMapping> section; ///< it is a plane model of a solid
+struct ModelVariant : RewrittenDeck, DeckVariant {
+  std::string words;   ///< what is simplified, a sentence
   bool simpler = true; ///< false: another model, no simpler one; never the one that is enough
 };
 
 /// All variants, the richest (the deck itself, without its checks and requests) first: a half by
 /// symmetry, without friction, all mounted at once, fits but bonded, without interference, bonded,
 /// stiff or rigid pressing bodies, pressures in their place, the other plane state; of solids their
-/// sections.
-std::vector<ModelVariant> make_variants(const StudiedDeck& deck, const Joint& joint);
+/// sections. Their decks are written into `folder`.
+std::vector<ModelVariant> make_variants(const StudiedDeck& deck, const Joint& joint,
+                                        const std::filesystem::path& folder);
 
 } // namespace spricka::program

@@ -19,7 +19,7 @@ struct ParameterUse {
 std::map<std::string, ParameterUse> parameter_uses(const deck::DeckText& text,
                                                    const base::SourceTexts& sources);
 
-/// Parameters that go into another one's value, by its name, directly or through others.
+/// Parameters that go into the value of one, by its name, directly or through others, and itself.
 std::map<std::string, std::set<std::string>>
 parameter_dependencies(const deck::DeckText& text, const base::SourceTexts& sources);
 

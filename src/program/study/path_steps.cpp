@@ -60,7 +60,7 @@ void drop_path_checks(deck::DeckText& text) {
     });
   }
   std::erase_if(text, [](const deck::DeckCard& card) {
-    return card.name == "CHECK" && data_fields(card.data).empty();
+    return card.name == "CHECK" && data_rows(card).empty();
   });
 }
 

@@ -92,19 +92,12 @@ std::vector<AnswerReading> peer_answers(const model::Model& model,
   return readings;
 }
 
-// Meshes of the deck as it is, coarse to fine: other ways at the tips or in elements are our own.
-std::vector<const Trial*> meshes_of(const std::vector<Trial>& own) {
-  std::vector<const Trial*> found;
-  for (const Trial& trial : own) {
-    const SettingFamily family = trial.setting.family;
-    if (!trial.readings.empty() &&
-        (family == SettingFamily::given || family == SettingFamily::whole ||
-         family == SettingFamily::asked)) {
-      found.push_back(&trial);
-    }
-  }
-  std::ranges::stable_sort(found, {}, [](const Trial* trial) { return trial->setting.fineness; });
-  return found;
+// Whether it is a mesh of the deck as it is: other ways at the tips or in elements are our own.
+bool is_plain_mesh(const Trial& trial) {
+  const SettingFamily family = trial.setting.family;
+  return !trial.readings.empty() &&
+         (family == SettingFamily::given || family == SettingFamily::whole ||
+          family == SettingFamily::asked);
 }
 
 // The first thing of a deck that an input cannot say; empty: it can say all.
@@ -114,88 +107,82 @@ std::string refusal_of(const model::Model& model) {
   return refusals.has_errors() ? refusals.messages().front().text : "";
 }
 
-class PeerRuns {
-public:
-  PeerRuns(ChildRunner& children, const PeerTask& task) : children_(children), task_(task) {}
+std::optional<NodalFields> fields_of(const fs::path& inp, const model::Model& model) {
+  const fs::path frd = fs::path(inp).replace_extension(".frd");
+  return fs::exists(frd) ? read_frd(base::read_file(frd, base::largest_mesh_file),
+                                    mesh::inp_node_numbers(model.mesh), model.mesh.dim)
+                         : std::nullopt;
+}
 
-  Trial run(const Trial& own) {
-    Trial trial;
-    trial.setting = own.setting;
-    trial.setting.name += ", CalculiX";
-    trial.setting.family = SettingFamily::peer;
-    trial.unknowns = own.unknowns;
-    const ReadyDeck ready = read_silently(own.setting.deck, {.defines = own.setting.defines});
-    if (!ready.model) { // the mesher may run out of time in the same deck
-      trial.trouble = "the mesh could not be made once more";
-      return trial;
-    }
-    base::Diagnostics refusals;
-    const fs::path inp = fs::path(own.setting.deck).replace_extension(".inp");
-    report::write_file(inp, adapt_input_for_calculix(abaqus_input_text(*ready.model, refusals),
-                                                     ready.model->mesh.dim));
-    ChildRun child = calculix_run(task_.program, inp);
-    child.cpu_seconds = std::max(task_.seconds - spent_, 1.0);
-    children_.run_all({&child, 1}, 1, [&](std::size_t, const ChildEnd& end) { trial.end = end; });
-    spent_ += trial.end.cpu;
-    const std::optional<NodalFields> fields = fields_of(inp, *ready.model);
-    if (trial.end.late) {
-      trial.trouble = "took too long";
-    } else if (trial.end.exit_code != 0 || !fields) {
-      trial.trouble = fmt::format("CalculiX gave no result, exit code {}", trial.end.exit_code);
-    } else {
-      trial.readings = peer_answers(*ready.model, *task_.answers, *fields);
-    }
+// The mesh of a trial once more, with so much CPU time [s].
+Trial run_calculix_on(ChildRunner& children, const PeerTask& task, const Trial& own,
+                      double seconds) {
+  Trial trial;
+  trial.setting = own.setting;
+  trial.setting.name += ", CalculiX";
+  trial.setting.family = SettingFamily::peer;
+  trial.unknowns = own.unknowns;
+  const ReadyDeck ready = read_silently(own.setting.deck, {.defines = own.setting.defines});
+  if (!ready.model) { // the mesher may run out of time in the same deck
+    trial.trouble = "the mesh could not be made once more";
     return trial;
   }
-
-  [[nodiscard]] double left() const { return task_.seconds - spent_; }
-
-private:
-  static std::optional<NodalFields> fields_of(const fs::path& inp, const model::Model& model) {
-    const fs::path frd = fs::path(inp).replace_extension(".frd");
-    if (!fs::exists(frd)) {
-      return std::nullopt;
-    }
-    return read_frd(base::read_file(frd, base::largest_mesh_file),
-                    mesh::inp_node_numbers(model.mesh), model.mesh.dim);
+  base::Diagnostics refusals;
+  const fs::path inp = fs::path(own.setting.deck).replace_extension(".inp");
+  report::write_file(inp, adapt_input_for_calculix(abaqus_input_text(*ready.model, refusals),
+                                                   ready.model->mesh.dim));
+  ChildRun child = calculix_run(task.program, inp);
+  child.cpu_seconds = std::max(seconds, 1.0);
+  children.run_all({&child, 1}, 1, [&](std::size_t, const ChildEnd& end) { trial.end = end; });
+  const std::optional<NodalFields> fields = fields_of(inp, *ready.model);
+  if (trial.end.late) {
+    trial.trouble = "took too long";
+  } else if (trial.end.exit_code != 0 || !fields) {
+    trial.trouble = fmt::format("CalculiX gave no result, exit code {}", trial.end.exit_code);
+  } else {
+    trial.readings = peer_answers(*ready.model, *task.answers, *fields);
   }
-
-  ChildRunner& children_;
-  const PeerTask& task_;
-  double spent_ = 0.0;
-};
+  return trial;
+}
 
 } // namespace
 
 std::vector<Trial> run_peer(ChildRunner& children, const PeerTask& task,
                             const std::vector<Trial>& own, std::vector<std::string>& notes) {
-  if (const std::string refusal = refusal_of(*task.ready->model); !refusal.empty()) {
+  const model::Model& model = *task.ready->model;
+  if (const std::string refusal = refusal_of(model); !refusal.empty()) {
     notes.push_back(fmt::format("without CalculiX: {}", refusal));
     return {};
   }
-  if (task.ready->model->steps.size() > 1) {
-    notes.push_back(fmt::format("CalculiX has the first step alone, {}",
-                                task.ready->model->steps.front().name));
+  if (model.steps.size() > 1) {
+    notes.push_back(fmt::format("CalculiX has the first step alone, {}", model.steps.front().name));
   }
-  const double power =
-      task.ready->model->mesh.dim + 1.0; // of the fineness, that its cost goes with
+  std::vector<const Trial*> meshes; // coarse to fine
+  for (const Trial& trial : own) {
+    if (is_plain_mesh(trial)) {
+      meshes.push_back(&trial);
+    }
+  }
+  std::ranges::stable_sort(meshes, {}, [](const Trial* trial) { return trial->setting.fineness; });
+  const double power = model.mesh.dim + 1.0; // of the fineness, that its cost goes with
+  double left = task.seconds;
   std::vector<Trial> trials;
-  PeerRuns runs(children, task);
-  for (const Trial* mesh : meshes_of(own)) {
-    const double fineness = mesh->setting.fineness;
+  for (const Trial* mesh : meshes) {
+    const Trial* const last = trials.empty() ? nullptr : &trials.back();
     const double guess =
-        trials.empty()
+        last == nullptr
             ? 0.0
-            : trials.back().end.cpu * std::pow(fineness / trials.back().setting.fineness, power);
+            : last->end.cpu * std::pow(mesh->setting.fineness / last->setting.fineness, power);
     if (children.stopped()) {
       break;
     }
-    if (guess > runs.left()) {
+    if (guess > left) {
       notes.push_back(
           fmt::format("CalculiX left out from {} on, as --time would not do", mesh->setting.name));
       break;
     }
-    trials.push_back(runs.run(*mesh));
+    trials.push_back(run_calculix_on(children, task, *mesh, left));
+    left -= trials.back().end.cpu;
   }
   return trials;
 }

@@ -13,82 +13,89 @@ namespace spricka::program {
 
 namespace {
 
-// The trial of the finest setting of a family that `wanted` holds for.
-template <class Wanted>
-std::optional<std::size_t> finest_of(const PlateauContext& view, SettingFamily family,
-                                     const Wanted& wanted) {
-  std::optional<std::size_t> finest;
-  for (const std::size_t t : series_rows(view.study.trials, family)) {
-    finest = view.study.trials[t].setting.family == family && wanted(t) ? t : finest;
-  }
-  return finest;
-}
-
 // The error on the finest setting of the series of all sizes.
 double least_of_whole(const PlateauContext& view) {
-  const auto finest = finest_of(view, SettingFamily::whole, [&](std::size_t t) {
-    return std::isfinite(view.group.errors[t].plain);
-  });
-  return finest ? view.group.errors[*finest].plain : std::numeric_limits<double>::infinity();
+  double error = std::numeric_limits<double>::infinity();
+  for (const std::size_t t : series_rows(view.study.trials, SettingFamily::whole)) {
+    const bool own = view.study.trials[t].setting.family == SettingFamily::whole;
+    error = own && std::isfinite(view.group.errors[t].plain) ? view.group.errors[t].plain : error;
+  }
+  return error;
 }
 
-bool is_own(const PlateauContext& view, std::size_t answer) {
-  return view.study.answers[answer].group == view.group.group &&
-         view.study.verdict.references[answer].scale > 0.0;
-}
+/// What the answers of the group say of a plateau.
+struct PlateauAnswers {
+  /// How far the deck's references lie from what the finest setting has, its error taken out where
+  /// it can be: their own uncertainty, if the plateau is as high.
+  double distance = 0.0;
+  double movement = 0.0; ///< how far answers still move between the last two points
+  double worst_error = 0.0;
+  std::optional<std::size_t> worst; ///< the largest error on the finest setting of the series
+};
 
-// How far the deck's references lie from what the finest setting has, its error taken out where it
-// can be: their own uncertainty, if the plateau is as high.
-double reference_distance(const PlateauContext& view) {
-  double largest = 0.0;
-  const Trial& finest = view.study.trials[*view.study.verdict.finest];
+PlateauAnswers assess_answers(const PlateauContext& view) {
+  const std::vector<Trial>& trials = view.study.trials;
+  const std::vector<std::size_t> rows = series_rows(trials, view.series.family);
+  std::optional<std::size_t> own_finest;
+  for (const std::size_t t : rows) {
+    own_finest = trials[t].setting.family == view.series.family ? t : own_finest;
+  }
+  PlateauAnswers found;
   for (std::size_t a = 0; a < view.study.answers.size(); ++a) {
     const AnswerReference& reference = view.study.verdict.references[a];
-    if (is_own(view, a) && reference.of_deck) {
-      const AnswerReading& reading = finest.readings[a];
-      const double limit = std::isfinite(reading.best) ? reading.best : reading.value;
-      largest = std::max(largest, std::abs(limit - reference.value) / reference.scale);
+    if (view.study.answers[a].group != view.group.group || !(reference.scale > 0.0)) {
+      continue;
     }
-  }
-  return largest;
-}
-
-// How far all answers still move between the last two points of the plateau.
-double movement_of(const PlateauContext& view) {
-  const std::vector<std::size_t> rows = series_rows(view.study.trials, view.series.family);
-  double largest = 0.0;
-  for (std::size_t a = 0; a < view.study.answers.size() && rows.size() > 1; ++a) {
-    if (is_own(view, a)) {
-      const AnswerReading& last = view.study.trials[rows.back()].readings[a];
-      const AnswerReading& before = view.study.trials[rows[rows.size() - 2]].readings[a];
+    if (reference.of_deck) {
+      const AnswerReading& reading = trials[*view.study.verdict.finest].readings[a];
+      const double limit = std::isfinite(reading.best) ? reading.best : reading.value;
+      found.distance =
+          std::max(found.distance, std::abs(limit - reference.value) / reference.scale);
+    }
+    if (rows.size() > 1) {
+      const AnswerReading& last = trials[rows.back()].readings[a];
+      const AnswerReading& before = trials[rows[rows.size() - 2]].readings[a];
       const bool best = view.series.corrected && std::isfinite(last.best);
       const double moved = best ? last.best - before.best : last.value - before.value;
-      largest = std::max(largest, std::abs(moved) / view.study.verdict.references[a].scale);
+      found.movement = std::max(found.movement, std::abs(moved) / reference.scale);
     }
-  }
-  return largest;
-}
-
-// The answer with the largest error on the finest setting of the series.
-std::optional<std::size_t> worst_answer(const PlateauContext& view) {
-  const auto finest = finest_of(view, view.series.family, [](std::size_t) { return true; });
-  std::optional<std::size_t> worst;
-  double largest = 0.0;
-  for (std::size_t a = 0; a < view.study.answers.size() && finest; ++a) {
-    const AnswerReference& reference = view.study.verdict.references[a];
     const double error =
-        std::abs(view.study.trials[*finest].readings[a].value - reference.value) / reference.scale;
-    if (is_own(view, a) && error > largest) {
-      largest = error;
-      worst = a;
+        own_finest
+            ? std::abs(trials[*own_finest].readings[a].value - reference.value) / reference.scale
+            : 0.0;
+    if (error > found.worst_error) {
+      found.worst_error = error;
+      found.worst = a;
     }
   }
-  return worst;
+  return found;
 }
 
-bool is_at_node(const std::string& quantity) {
-  return quantity.ends_with(".MAX") || quantity.ends_with(".MIN") || quantity.ends_with(".NEAR") ||
-         quantity.starts_with("ARC");
+// What the answer with the largest error is known for.
+std::string reason_of_answer(const Answer& answer) {
+  const std::string& quantity = answer.check.quantity;
+  if (quantity.ends_with(".MAX") || quantity.ends_with(".MIN") || quantity.ends_with(".NEAR") ||
+      quantity.starts_with("ARC")) {
+    return answer.text + " is the value of a single node, or has no bound where a contact ends";
+  }
+  if (quantity.starts_with("S.") && quantity.ends_with(".AT")) {
+    return answer.text + " goes up and down with where in its element the point lies";
+  }
+  return "no cause found; the largest error is that of " + answer.text;
+}
+
+// What stays as it is in a family alone; empty: nothing does.
+const char* unchanged_part(SettingFamily family) {
+  switch (family) {
+  case SettingFamily::peer:
+    return "CalculiX; the program goes below it on the same meshes";
+  case SettingFamily::host:
+    return "the nets of the tips stay as they are";
+  case SettingFamily::tip:
+    return "the meshes of the bodies stay as they are";
+  default:
+    return "";
+  }
 }
 
 } // namespace
@@ -102,26 +109,20 @@ std::string plateau_reason(const PlateauContext& view, std::span<const Convergen
   if (view.series.family == SettingFamily::peer && level < six_digits) {
     return "CalculiX writes six digits";
   }
-  if (view.series.family == SettingFamily::peer && least_of_whole(view) < 0.6 * level) {
-    return "CalculiX; the program goes below it on the same meshes";
-  }
-  if (view.series.family == SettingFamily::host && least_of_whole(view) < 0.6 * level) {
-    return "the nets of the tips stay as they are";
-  }
-  if (view.series.family == SettingFamily::tip && least_of_whole(view) < 0.6 * level) {
-    return "the meshes of the bodies stay as they are";
+  const std::string unchanged = unchanged_part(view.series.family);
+  if (!unchanged.empty() && least_of_whole(view) < 0.6 * level) {
+    return unchanged;
   }
   if (level <= 2.0 * view.group.floor) {
     return fmt::format(
         "the reference is known to {} only (bar or last change of the finest setting)",
         percent(view.group.floor));
   }
-  const double still = movement_of(view);
-  const double distance = reference_distance(view);
-  if (still < 0.5 * level && distance > 0.5 * points.back().error) {
+  const PlateauAnswers answers = assess_answers(view);
+  if (answers.movement < 0.5 * level && answers.distance > 0.5 * points.back().error) {
     return fmt::format("the reference's own uncertainty: finer meshes change by {} only and end "
                        "{} from it",
-                       percent(still), percent(distance));
+                       percent(answers.movement), percent(answers.distance));
   }
   // What stops all sizes together stops each of them.
   const auto whole = std::ranges::find_if(view.group.series, [](const SeriesVerdict& series) {
@@ -130,20 +131,7 @@ std::string plateau_reason(const PlateauContext& view, std::span<const Convergen
   if (whole != view.group.series.end() && whole->plateau->level > 0.7 * level) {
     return "as of all sizes";
   }
-  if (const auto worst = worst_answer(view)) {
-    const std::string& quantity = view.study.answers[*worst].check.quantity;
-    if (is_at_node(quantity)) {
-      return fmt::format("{} is the value of a single node, or has no bound where a contact ends",
-                         view.study.answers[*worst].text);
-    }
-    if (quantity.starts_with("S.") && quantity.ends_with(".AT")) {
-      return fmt::format("{} goes up and down with where in its element the point lies",
-                         view.study.answers[*worst].text);
-    }
-    return fmt::format("no cause found; the largest error is that of {}",
-                       view.study.answers[*worst].text);
-  }
-  return "no cause found";
+  return answers.worst ? reason_of_answer(view.study.answers[*answers.worst]) : "no cause found";
 }
 
 } // namespace spricka::program

@@ -8,7 +8,6 @@
 #include "model/model.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -119,34 +118,25 @@ public:
   }
 
 private:
+  // Not held, warmed or cracked.
+  [[nodiscard]] bool is_free(const std::string& net) const {
+    return !net.empty() && !joint_.supported.contains(net) && !joint_.heated.contains(net) &&
+           !joint_.cracked.contains(net);
+  }
+
   // Bodies without a crack that carry the load into the others.
   [[nodiscard]] std::set<std::string> pins() const {
+    const std::set<std::string> pressing = pressing_nets(joint_);
     std::set<std::string> pins;
     for (const JointContact& contact : joint_.contacts) {
       for (const std::string& net : {contact.slave_net, contact.master_net}) {
-        const bool pressing = joint_.cracked.empty() || pressing_nets(joint_).contains(net);
-        if (!net.empty() && pressing && joint_.loaded.contains(net) &&
-            !joint_.cracked.contains(net) && !is_supported(net) && !joint_.heated.contains(net)) {
+        if (is_free(net) && joint_.loaded.contains(net) &&
+            (joint_.cracked.empty() || pressing.contains(net))) {
           pins.insert(net);
         }
       }
     }
     return pins;
-  }
-
-  // Held in every direction of the plane or of space somewhere.
-  [[nodiscard]] bool is_supported(const std::string& net) const {
-    std::array<bool, 3> held{false, false, false};
-    for (const model::FreedomAssignment& freedom : model_.freedoms) {
-      for (const base::NodeId n : model_.mesh.set_with_id(freedom.nodes).nodes) {
-        const base::NetId own = model_.mesh.node_net[n.index()];
-        const bool here = own.valid() && grammar::to_upper(model_.nets[own.index()].name) == net;
-        for (std::size_t d = 0; d < 3 && here; ++d) {
-          held.at(d) = held.at(d) || freedom.dof.at(d);
-        }
-      }
-    }
-    return held[0] && held[1];
   }
 
   bool stiffen(DeckText& text) const {
@@ -159,27 +149,21 @@ private:
         card.set("MATERIAL", card.word_value("MATERIAL") + "_RIGID");
       }
     }
-    DeckText more;
-    for (DeckCard card : cards_named(text, "MATERIAL")) {
-      if (made.contains(card.word_value("NAME"))) {
-        card.set("NAME", card.word_value("NAME") + "_RIGID");
-        card.set("E", fmt::format("({}*{})", times, *card.find("E")));
-        more.push_back(std::move(card));
-      }
+    for (const std::string& name : made) {
+      DeckCard card = *find_named_card(text, "MATERIAL", "NAME", name);
+      card.set("NAME", name + "_RIGID");
+      card.set("E", fmt::format("({}*{})", times, *card.find("E")));
+      append_card(text, std::move(card));
     }
-    for (const DeckCard& card : more) {
-      append_card(text, card);
-    }
-    return !more.empty();
+    return !made.empty();
   }
 
-  // Whether a net meets others in this contact alone, is not held, loaded, warmed or cracked.
+  // Whether a net meets others in this contact alone, and is not loaded either.
   [[nodiscard]] bool only_presses(const std::string& net, const JointContact& in) const {
-    const bool elsewhere = std::ranges::any_of(joint_.contacts, [&](const JointContact& other) {
-      return other.name != in.name && (other.slave_net == net || other.master_net == net);
-    });
-    return !net.empty() && !elsewhere && !is_supported(net) && !joint_.loaded.contains(net) &&
-           !joint_.heated.contains(net) && !joint_.cracked.contains(net);
+    return is_free(net) && !joint_.loaded.contains(net) &&
+           std::ranges::none_of(joint_.contacts, [&](const JointContact& other) {
+             return other.name != in.name && (other.slave_net == net || other.master_net == net);
+           });
   }
 
   // The body that stays is the one that is loaded, cracked or met by others, else the master's.
@@ -214,12 +198,12 @@ private:
 
   // The contact went with its net, and its fit with it: as the deck has it.
   void put_back_fit(DeckText& text, const std::string& contact) const {
+    DeckText fits = given_;
+    filter_actions(fits, [&](const std::string& action, const std::string& name) {
+      return action == "FIT" && name == contact;
+    });
     for (DeckCard& card : cards_named(text, "STEP")) {
-      DeckCard lines = *find_named_card(given_, "STEP", "NAME", card.word_value("NAME"));
-      filter_actions(lines, [&](const std::string& action, const std::string& name) {
-        return action == "FIT" && name == contact;
-      });
-      card.data += lines.data;
+      card.data += find_named_card(fits, "STEP", "NAME", card.word_value("NAME"))->data;
     }
   }
 

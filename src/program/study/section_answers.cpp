@@ -4,7 +4,6 @@
 #include "program/study/section_deck.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -20,21 +19,9 @@ namespace {
 
 using CheckArguments = std::vector<std::variant<std::string, double>>;
 
-/// A word between points: "K1", "AT" of "K1.AT".
-std::vector<std::string> parts_of(const std::string& word) {
-  std::vector<std::string> parts(1);
-  for (const char c : word) {
-    if (c == '.') {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
-  }
-  return parts;
-}
-
-std::string join_words(const std::vector<std::string>& parts) {
-  return fmt::format("{}", fmt::join(parts, "."));
+// "MAX" of "S.XX.MAX"; without a point all of it.
+std::string_view last_word(const std::string& quantity) {
+  return std::string_view(quantity).substr(quantity.rfind('.') + 1);
 }
 
 class InSection {
@@ -42,19 +29,16 @@ public:
   explicit InSection(const SectionMapping& view) : view_(view) {}
 
   [[nodiscard]] SectionCounterpart of(const Answer& answer) const {
-    model::ResultCheck check = answer.check;
-    std::vector<std::string> parts = parts_of(check.quantity);
     switch (answer.group) {
     case AnswerGroup::K:
-      return of_front(std::move(check), std::move(parts));
+      return of_front(answer.check);
     case AnswerGroup::pressure:
-      return of_contact(std::move(check), parts);
+      return of_contact(answer.check);
     case AnswerGroup::displacement:
     case AnswerGroup::stress:
-      return of_field(std::move(check), std::move(parts));
+      return of_field(answer.check);
     case AnswerGroup::energy:
-      return {std::move(check),
-              view_.plane.round ? 2.0 * std::numbers::pi / view_.plane.depth() : 1.0};
+      return {answer.check, view_.plane.round ? 2.0 * std::numbers::pi / view_.plane.depth() : 1.0};
     default:
       return {};
     }
@@ -62,57 +46,52 @@ public:
 
 private:
   // All places of a front are one tip.
-  [[nodiscard]] SectionCounterpart of_front(model::ResultCheck check,
-                                            std::vector<std::string> parts) const {
-    const std::string place = parts.back();
-    const std::string mode = parts.front() == "PATH" ? parts[1] : parts.front();
+  [[nodiscard]] SectionCounterpart of_front(model::ResultCheck check) const {
+    const std::string place(last_word(check.quantity));
+    const std::size_t from = check.quantity.starts_with("PATH.") ? 5 : 0;
+    const std::string mode = check.quantity.substr(from, check.quantity.find('.', from) - from);
     const bool known = mode == "K1" || mode == "K2" || mode == "G";
-    if (!known || (place != "AT" && place != "MIN" && place != "MAX") || check.arguments.empty()) {
-      return {};
-    }
-    const auto* const crack = std::get_if<std::string>(check.arguments.data());
+    const auto* const crack =
+        check.arguments.empty() ? nullptr : std::get_if<std::string>(check.arguments.data());
     const auto sign = crack == nullptr ? view_.sign_of_K2.end() : view_.sign_of_K2.find(*crack);
-    if (sign == view_.sign_of_K2.end()) {
+    if (!known || (place != "AT" && place != "MIN" && place != "MAX") ||
+        sign == view_.sign_of_K2.end()) {
       return {};
     }
     if (place == "AT") {
       check.arguments.erase(check.arguments.begin() + 1, check.arguments.begin() + 4);
     }
-    parts.pop_back();
-    check.quantity = join_words(parts);
+    check.quantity.erase(check.quantity.rfind('.'));
     return {std::move(check), mode == "K2" ? sign->second : 1.0};
   }
 
-  [[nodiscard]] SectionCounterpart of_contact(model::ResultCheck check,
-                                              const std::vector<std::string>& parts) const {
-    const std::string& place = parts.back();
-    if (place == "MIN" || place == "MAX" || place == "MEAN") {
-      return {std::move(check), 1.0};
-    }
-    if (place != "NEAR") {
+  [[nodiscard]] SectionCounterpart of_contact(model::ResultCheck check) const {
+    const std::string place(last_word(check.quantity));
+    if (place == "NEAR") {
+      put_place(check.arguments, 1);
+    } else if (place != "MIN" && place != "MAX" && place != "MEAN") {
       return {};
     }
-    put_place(check.arguments, 1);
     return {std::move(check), 1.0};
   }
 
-  [[nodiscard]] SectionCounterpart of_field(model::ResultCheck check,
-                                            std::vector<std::string> parts) const {
-    if (parts.size() != 3) {
+  // "S.XX.AT", "U.Y.MAX": the word in the middle is of components.
+  [[nodiscard]] SectionCounterpart of_field(model::ResultCheck check) const {
+    if (std::ranges::count(check.quantity, '.') != 2) {
       return {};
     }
-    const bool at = parts[2] == "AT";
-    for (char& c : parts[1]) {
-      const std::optional<char> own = component(c, at ? &check.arguments : nullptr);
+    const bool at = last_word(check.quantity) == "AT";
+    const std::size_t end = check.quantity.rfind('.');
+    for (std::size_t i = check.quantity.find('.') + 1; i < end; ++i) {
+      const std::optional<char> own = component(check.quantity[i], at ? &check.arguments : nullptr);
       if (!own) {
         return {};
       }
-      c = *own;
+      check.quantity[i] = *own;
     }
     if (at) {
       put_place(check.arguments, 0);
     }
-    check.quantity = join_words(parts);
     return {std::move(check), 1.0};
   }
 

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -23,122 +25,116 @@ using deck::DeckText;
 
 constexpr double near = 1e-6; // of a thickness, a length or 1
 
-// Cards whose work the written mesh does, or that are about patches in space.
-bool is_replaced(std::string_view card) {
-  constexpr std::array names{"NET",  "ENDNET", "IMPORT", "MESH",    "COOR",   "ELEMENT",
-                             "NSET", "ESET",   "FSET",   "FREEDOM", "TIPNET", "VCE"};
-  return std::ranges::find(names, card) != names.end();
+bool is_one_of(std::initializer_list<std::string_view> names, std::string_view name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+// What a card names, by its name in upper case; null: the model does not have it.
+template <class Named>
+const Named* find_by_name(const std::vector<Named>& all, const std::string& name) {
+  const auto found = std::ranges::find_if(
+      all, [&](const Named& one) { return grammar::to_upper(one.name) == name; });
+  return found == all.end() ? nullptr : &*found;
 }
 
 class SectionMaker {
 public:
-  SectionMaker(const model::Model& model, const DeckText& given, sense::PlaneSection section,
-               const std::string& state)
-      : model_(model), given_(given), section_(std::move(section)), state_(state),
-        mesh_(model, section_.mesh) {
+  SectionMaker(const model::Model& model, sense::PlaneSection section, const std::string& state)
+      : model_(model), section_(std::move(section)), state_(state) {
     made_.view.plane = section_.plane;
   }
 
-  SectionDeck run() {
-    made_.reason = find_varying_load(model_, section_);
-    refuse_ties();
-    refuse_parts();
+  // Units and parameters first, then the mesh with the cards of its nets.
+  SectionDeck run(const DeckText& given) && {
+    refuse_what_varies();
+    DeckText first;
+    DeckText in_nets;
     DeckText after;
-    for (const DeckCard& card : given_) {
-      take(card, after);
+    for (const DeckCard& card : given) {
+      if (std::optional<DeckCard> flat = flattened(card)) {
+        DeckText& cards = is_one_of({"DECK", "PARAMETER"}, card.name) ? first
+                          : flat->net.empty()                         ? after
+                                                                      : in_nets;
+        cards.push_back(std::move(*flat));
+      }
     }
     hold(after);
-    if (model_.growth) {
-      refuse("fronts grow, farther in the middle than at the faces");
+    refuse_if(model_.growth.has_value(), "fronts grow, farther in the middle than at the faces");
+    if (made_.reason.empty()) {
+      const DeckText mesh = mesh_cards(model_, section_.mesh, in_nets);
+      first.insert(first.end(), mesh.begin(), mesh.end());
+      first.insert(first.end(), after.begin(), after.end());
+      made_.text = std::move(first);
     }
-    if (!made_.reason.empty()) {
-      return std::move(made_);
-    }
-    put_together(after);
     return std::move(made_);
   }
 
 private:
   [[nodiscard]] const sense::SectionPlane& plane() const { return section_.plane; }
 
-  void refuse(const std::string& reason) {
-    if (made_.reason.empty()) {
+  void refuse_if(bool condition, const std::string& reason) {
+    if (condition && made_.reason.empty()) {
       made_.reason = reason;
     }
   }
 
-  void refuse_ties() {
-    if (!model_.mpcs.empty()) {
-      refuse("$MPC ties freedoms of space");
-    }
-    if (!model_.mirrors.empty()) {
-      refuse("$SYMMETRY: the whole deck is needed");
-    }
-  }
-
-  void refuse_parts() {
+  void refuse_what_varies() {
+    made_.reason = find_varying_load(model_, section_);
+    refuse_if(!model_.mpcs.empty(), "$MPC ties freedoms of space");
+    refuse_if(!model_.mirrors.empty(), "$SYMMETRY: the whole deck is needed");
     for (const model::Contact& contact : model_.contacts) {
       for (const base::FaceSetId id : {contact.slave, contact.master}) {
-        if (id.valid() && !section_.whole[id.index()]) {
-          refuse(fmt::format("contact {}: a surface of it takes a part of the thickness, or a flat "
-                             "face",
-                             contact.name));
-        }
+        refuse_if(id.valid() && !section_.whole[id.index()],
+                  fmt::format("contact {}: a surface of it takes a part of the thickness, or a "
+                              "flat face",
+                              contact.name));
       }
     }
   }
 
-  void take(const DeckCard& card, DeckText& after) {
+  // Empty: the written mesh does its work, or it is about patches in space.
+  std::optional<DeckCard> flattened(DeckCard card) {
+    if (is_one_of({"NET", "ENDNET", "IMPORT", "MESH", "COOR", "ELEMENT", "NSET", "ESET", "FSET",
+                   "FREEDOM", "TIPNET", "VCE"},
+                  card.name)) {
+      return std::nullopt;
+    }
     if (card.name == "PROPERTY") {
-      DeckCard plane_card = card;
-      plane_card.set("STATE", state_);
+      card.set("STATE", state_);
       if (!plane().round) {
-        plane_card.set("THICK", twelve_digits(plane().depth()));
+        card.set("THICK", twelve_digits(plane().depth()));
       }
-      keep(plane_card, after);
     } else if (card.name == "LOAD") {
-      keep(load_in_section(card, plane(), made_.reason), after);
+      flatten_load(card, plane(), made_.reason);
     } else if (card.name == "RIGID") {
-      keep(rigid(card), after);
+      flatten_rigid(card);
     } else if (card.name == "CRACK") {
-      keep(crack(card), after);
+      flatten_crack(card);
     } else if (card.name == "CONTACT") {
-      DeckCard contact = card;
-      contact.erase("MULTIPLIER");
-      keep(contact, after);
-    } else if (!is_replaced(card.name)) {
-      keep(card, after);
+      card.erase("MULTIPLIER");
     }
-  }
-
-  void keep(const DeckCard& card, DeckText& after) {
-    if (card.net.empty()) {
-      after.push_back(card);
-    } else {
-      mesh_.add_card(card);
-    }
+    return card;
   }
 
   // A plane along the axis is a line, a cylinder along it a circle; about it, they are lines.
-  DeckCard rigid(const DeckCard& card) {
-    const auto own = std::ranges::find_if(model_.rigids, [&](const model::RigidTarget& rigid) {
-      return grammar::to_upper(rigid.name) == card.word_value("NAME");
-    });
+  void flatten_rigid(DeckCard& card) {
     const std::string name = card.word_value("NAME");
-    if (own != model_.rigids.end() && !plane().round) {
+    const model::RigidTarget* own = find_by_name(model_.rigids, name);
+    if (own != nullptr && !plane().round) {
       const Vec3 along = (own->second - own->first).normalized();
       const double turned = std::abs(along[plane().axis]);
       const Vec3 first = plane().section_coordinates(own->first);
       if (own->shape == model::RigidTargetShape::cylinder && turned > 1.0 - near) {
-        return rigid_circle(name, first, own->radius);
+        card = rigid_circle(name, first, own->radius);
+        return;
       }
       if (own->shape == model::RigidTargetShape::plane && turned < near) {
         const Vec3 way = half_line(first, direction(along));
-        return rigid_line(name, first - way, first + way);
+        card = rigid_line(name, first - way, first + way);
+        return;
       }
     }
-    refuse(fmt::format("the rigid target {} does not run along the axis", name));
-    return card;
+    refuse_if(true, fmt::format("the rigid target {} does not run along the axis", name));
   }
 
   // A direction of space in the section.
@@ -157,20 +153,16 @@ private:
   }
 
   // A straight front through the thickness is a tip, where the crack leaves the body its mouth.
-  DeckCard crack(const DeckCard& card) {
-    const auto own = std::ranges::find_if(model_.cracks, [&](const model::CrackDefinition& crack) {
-      return grammar::to_upper(crack.name) == card.word_value("NAME");
-    });
-    DeckCard flat = card;
-    if (own == model_.cracks.end() || plane().round || !runs_through(*own)) {
-      refuse(fmt::format("crack {} has no straight front through the thickness",
-                         card.word_value("NAME")));
-      return flat;
+  void flatten_crack(DeckCard& card) {
+    const std::string name = card.word_value("NAME");
+    const model::CrackDefinition* own = find_by_name(model_.cracks, name);
+    if (own == nullptr || plane().round || !runs_through(*own)) {
+      refuse_if(true, fmt::format("crack {} has no straight front through the thickness", name));
+      return;
     }
-    constexpr std::array of_space{"FRONT", "A",  "C",  "X0", "Y0", "Z0",     "NORMAL", "X1",
-                                  "Y1",    "Z1", "X2", "Y2", "Z2", "CLOSED", "LINE",   "STATE"};
-    for (const char* key : of_space) {
-      flat.erase(key);
+    for (const char* key : {"FRONT", "A", "C", "X0", "Y0", "Z0", "NORMAL", "X1", "Y1", "Z1", "X2",
+                            "Y2", "Z2", "CLOSED", "LINE", "STATE"}) {
+      card.erase(key);
     }
     const Vec3 tip = plane().section_coordinates(own->points.front());
     const Vec3 within = plane().section_coordinates(own->plane.place);
@@ -178,17 +170,14 @@ private:
         (within - tip).norm() > 0.0 ? sense::find_exit_point(section_.mesh, own->net, tip, within)
                                     : std::nullopt;
     if (!mouth) {
-      refuse(fmt::format("crack {} reaches no surface", card.word_value("NAME")));
-      return flat;
+      refuse_if(true, fmt::format("crack {} reaches no surface", name));
+      return;
     }
-    flat.data =
+    card.data =
         fmt::format("  {}  {}\n  {}  {}\n", twelve_digits(mouth->x()), twelve_digits(mouth->y()),
                     twelve_digits(tip.x()), twelve_digits(tip.y()));
-    const Vec3 normal = direction(own->plane.normal);
-    const Vec3 way = tip - *mouth;
-    const double left = way.x() * normal.y() - way.y() * normal.x();
-    made_.view.sign_of_K2[card.word_value("NAME")] = left > 0.0 ? 1.0 : -1.0;
-    return flat;
+    const double left = (tip - *mouth).cross(direction(own->plane.normal)).z();
+    made_.view.sign_of_K2[name] = left > 0.0 ? 1.0 : -1.0;
   }
 
   [[nodiscard]] bool runs_through(const model::CrackDefinition& crack) const {
@@ -197,67 +186,53 @@ private:
       return false;
     }
     const double room = near * plane().depth();
+    const Vec3 tip = plane().section_coordinates(crack.points.front());
     double first = plane().last;
     double last = plane().first;
     for (const Vec3& x : crack.points) {
       first = std::min(first, plane().normal_coordinate(x));
       last = std::max(last, plane().normal_coordinate(x));
-      if ((plane().section_coordinates(x) - plane().section_coordinates(crack.points.front()))
-              .norm() > room) {
+      if ((plane().section_coordinates(x) - tip).norm() > room) {
         return false;
       }
     }
     return first <= plane().first + room && last >= plane().last - room;
   }
 
+  // Supports, each by a set of its own in the section's mesh.
   void hold(DeckText& after) {
+    int supports = 0;
     for (const model::FreedomAssignment& freedom : model_.freedoms) {
-      const std::vector<base::NodeId>& nodes = model_.mesh.set_with_id(freedom.nodes).nodes;
-      std::array<bool, 2> held{freedom.dof.at(static_cast<std::size_t>(plane().space_axis(0))),
-                               freedom.dof.at(static_cast<std::size_t>(plane().space_axis(1)))};
-      if (plane().round) {
-        held[0] = holds_radius(model_, section_, freedom);
-      }
-      if (!held[0] && !held[1]) {
+      const bool x = plane().round
+                         ? holds_radius(model_, section_, freedom)
+                         : freedom.dof.at(static_cast<std::size_t>(plane().space_axis(0)));
+      const bool y = freedom.dof.at(static_cast<std::size_t>(plane().space_axis(1)));
+      if (!x && !y) {
         continue;
       }
-      const std::vector<base::NodeId> own =
-          project_nodes_onto_section(section_, model_.mesh, nodes);
+      std::vector<base::NodeId> own = project_nodes_onto_section(
+          section_, model_.mesh, model_.mesh.set_with_id(freedom.nodes).nodes);
       if (own.empty()) {
-        refuse("a support lies away from the section");
+        refuse_if(true, "a support lies away from the section");
         continue;
       }
       constexpr std::array classes{"LOCAL", "EXTERNAL", "SUPPRESSED", "PRESCRIBED", "LOCAL"};
-      DeckCard card = deck::make_card(
-          "FREEDOM", {{"CLASS", classes.at(static_cast<std::size_t>(freedom.cls))},
-                      {"DOF", std::string(held[0] ? "X" : "") + (held[1] ? "Y" : "")}});
-      for (const std::string& name : mesh_.add_node_set(fmt::format("HELD_{}", ++supports_), own)) {
-        card.data += "  " + name + "\n";
-      }
-      append_card(after, std::move(card));
+      const std::string set = unused_set_name(section_.mesh, fmt::format("HELD_{}", ++supports));
+      section_.mesh.node_sets.push_back({set, std::move(own), {}});
+      append_card(after,
+                  deck::make_card("FREEDOM",
+                                  {{"CLASS", classes.at(static_cast<std::size_t>(freedom.cls))},
+                                   {"DOF", std::string(x ? "X" : "") + (y ? "Y" : "")}},
+                                  "  " + set + "\n"));
     }
-    if (plane().round && !ends_are_held(model_, section_)) {
-      refuse("the ends of the sector are not held across");
-    }
-  }
-
-  // Units and parameters first, then the mesh.
-  void put_together(DeckText& after) {
-    const auto rest = std::stable_partition(after.begin(), after.end(), [](const DeckCard& card) {
-      return card.name == "DECK" || card.name == "PARAMETER";
-    });
-    const DeckText mesh = mesh_.text();
-    after.insert(rest, mesh.begin(), mesh.end());
-    made_.text = std::move(after);
+    refuse_if(plane().round && !ends_are_held(model_, section_),
+              "the ends of the sector are not held across");
   }
 
   const model::Model& model_;
-  const DeckText& given_;
   sense::PlaneSection section_;
   std::string state_;
-  MeshCards mesh_;
   SectionDeck made_;
-  int supports_ = 0;
 };
 
 } // namespace
@@ -280,7 +255,7 @@ SectionDeck section_deck(const model::Model& model, const DeckText& text,
                              return fits_a != fits_b ? fits_a : a.plane.depth() < b.plane.depth();
                            });
   for (sense::PlaneSection& section : sections) {
-    SectionDeck made = SectionMaker(model, text, std::move(section), state).run();
+    SectionDeck made = SectionMaker(model, std::move(section), state).run(text);
     if (made.text) {
       return made;
     }

@@ -9,8 +9,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <optional>
-#include <set>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -86,53 +85,22 @@ std::string against(const model::Load& load, const sense::PlaneSection& section)
   return gone ? "a load away from the section" : "";
 }
 
-/// Names of coordinates in a field, as the section has them; empty: it has not.
-class Renamed {
-public:
-  explicit Renamed(const sense::SectionPlane& plane) : plane_(plane) {}
-
-  [[nodiscard]] std::optional<std::string> field(const std::string& text) const {
-    std::string made;
-    int unit = 0;
-    for (std::size_t i = 0; i < text.size();) {
-      unit += text[i] == '[' ? 1 : text[i] == ']' ? -1 : 0;
-      const bool inside = i > 0 && grammar::is_name_char(text[i - 1]);
-      if (unit > 0 || inside || !grammar::is_letter(text[i])) {
-        made += text[i++];
-        continue;
-      }
-      const char* const word = text.data() + i;
-      const auto end =
-          i + static_cast<std::size_t>(grammar::scan_name(word, text.data() + text.size()) - word);
-      const std::optional<std::string> name = of(text.substr(i, end - i));
-      if (!name) {
-        return std::nullopt;
-      }
-      made += *name;
-      i = end;
-    }
-    return made;
+// A name of a field as the section has it; empty: it has not. What does not change along the axis,
+// or round it, is taken in the section, or at angle 0.
+std::string name_in_section(std::string_view word, const sense::SectionPlane& plane) {
+  const std::string name = grammar::to_upper(word);
+  if (name == "RHO" || name == "THETA") { // about z
+    return plane.axis != 2 ? "" : !plane.round ? std::string(word) : name == "RHO" ? "x" : "0";
   }
-
-private:
-  [[nodiscard]] std::optional<std::string> of(const std::string& word) const {
-    const std::string name = grammar::to_upper(word);
-    if (name == "RHO" || name == "THETA") {
-      const bool upright = plane_.axis == 2; // these are about z
-      const std::string round = name == "RHO" ? "x" : "0";
-      return upright ? std::optional(plane_.round ? round : word) : std::nullopt;
-    }
-    if (name != "X" && name != "Y" && name != "Z") {
-      return word;
-    }
-    // What does not change along the axis, or round it, is taken in the section, or at angle 0.
-    const int axis = name[0] - 'X';
-    const std::string at = plane_.round ? "0" : fmt::format("({:.15g})", plane_.first);
-    return axis == plane_.space_axis(0) ? "x" : axis == plane_.space_axis(1) ? "y" : at;
+  if (name != "X" && name != "Y" && name != "Z") {
+    return std::string(word);
   }
-
-  const sense::SectionPlane& plane_;
-};
+  const int axis = name[0] - 'X';
+  return axis == plane.space_axis(0)   ? "x"
+         : axis == plane.space_axis(1) ? "y"
+         : plane.round                 ? "0"
+                                       : fmt::format("({:.15g})", plane.first);
+}
 
 // Names of sets: all but values.
 bool is_crack_face(const std::string& set) {
@@ -153,42 +121,39 @@ std::string find_varying_load(const model::Model& model, const sense::PlaneSecti
   return {};
 }
 
-deck::DeckCard load_in_section(const deck::DeckCard& card, const sense::SectionPlane& plane,
-                               std::string& reason) {
+void flatten_load(deck::DeckCard& card, const sense::SectionPlane& plane, std::string& reason) {
   const std::string type = card.word_value("TYPE");
   const bool directed = type != "PRESSURE" && type != "TEMPERATURE" && type != "FACES";
   const bool whole_turn = plane.round && (type == "RESULTANT" || type == "BEARING");
-  const Renamed renamed(plane);
-  deck::DeckCard flat = card;
-  std::string lines;
-  filter_lines(flat, [&](const std::vector<std::string>& fields) {
+  const auto refuse = [&](const char* why) {
+    reason = reason.empty() ? fmt::format("load case {} {}", card.word_value("CASE"), why) : reason;
+  };
+  change_lines(card, [&](const DataFields& fields, std::string& line) {
     const auto value = [&](std::size_t k) {
-      const std::optional<std::string> made = renamed.field(k < fields.size() ? fields[k] : "0");
-      if (!made && reason.empty()) {
-        reason = fmt::format("load case {} depends on coordinates that the section does not have",
-                             card.word_value("CASE"));
-      }
-      return made.value_or("0");
+      return change_names(k < fields.size() ? fields[k] : "0", [&](std::string_view word) {
+        std::string name = name_in_section(word, plane);
+        if (name.empty()) {
+          refuse("depends on coordinates that the section does not have");
+        }
+        return name;
+      });
     };
-    if (reason.empty() && type != "FACES" && is_crack_face(fields.front())) {
-      reason = fmt::format("load case {} acts on one face of a crack", card.word_value("CASE"));
+    if (type != "FACES" && is_crack_face(fields.front())) {
+      refuse("acts on one face of a crack");
     }
-    lines += "  " + fields.front();
+    line = "  " + fields.front();
     if (!directed) {
-      lines += "  " + value(1) + "\n";
-      return false;
+      line += "  " + value(1) + "\n";
+      return;
     }
     for (const int d : {0, 1}) {
       const std::string own = value(1 + static_cast<std::size_t>(plane.space_axis(d)));
-      lines += whole_turn
-                   ? fmt::format("  ({:.15g}*{})", 2.0 * std::numbers::pi / plane.depth(), own)
-                   : "  " + own;
+      line += whole_turn
+                  ? fmt::format("  ({:.15g}*{})", 2.0 * std::numbers::pi / plane.depth(), own)
+                  : "  " + own;
     }
-    lines += "\n";
-    return false;
+    line += "\n";
   });
-  flat.data = lines;
-  return flat;
 }
 
 bool holds_radius(const model::Model& model, const sense::PlaneSection& section,

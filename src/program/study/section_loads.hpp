@@ -2,6 +2,7 @@
 #pragma once
 #include "deck/deck_text.hpp"
 #include "model/forward.hpp"
+#include "model/freedoms.hpp"
 #include "sense/section.hpp"
 
 #include <string>
@@ -13,9 +14,8 @@ namespace spricka::program {
 /// nothing.
 std::string find_varying_load(const model::Model& model, const sense::PlaneSection& section);
 
-/// A $LOAD card with the values of the section; what it cannot say goes to an empty `reason`.
-deck::DeckCard load_in_section(const deck::DeckCard& card, const sense::SectionPlane& plane,
-                               std::string& reason);
+/// Gives a $LOAD card the values of the section; what it cannot say goes to an empty `reason`.
+void flatten_load(deck::DeckCard& card, const sense::SectionPlane& plane, std::string& reason);
 
 /// Whether supports hold the radius of a round section in the section.
 bool holds_radius(const model::Model& model, const sense::PlaneSection& section,

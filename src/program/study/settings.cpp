@@ -10,7 +10,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <optional>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -21,16 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 using deck::DeckCard;
 using deck::DeckText;
-
-// Finenesses that are wanted, each with those that may stand for it.
-std::vector<std::vector<double>> nominals(int dim) {
-  std::vector<std::vector<double>> wanted{
-      {0.5, 0.6, 0.625}, {0.7, 0.75, 2.0 / 3.0, 0.8}, {1.4, 1.5, 1.25, 4.0 / 3.0}};
-  if (dim == 2) {
-    wanted.push_back({2.0, 1.75});
-  }
-  return wanted;
-}
 
 // Cracks whose tips the program meshes.
 std::vector<std::string> cut_cracks(const DeckText& text) {
@@ -69,32 +59,31 @@ void make_tips_finer(DeckText& text, double fineness) {
   });
 }
 
+// An edit that gives every crack's $TIPNET a key.
+auto tip_key(const char* key, const std::string& value) {
+  return [=](DeckText& text) { set_tip_nets(text, [&](DeckCard& card) { card.set(key, value); }); };
+}
+
 // Element types of $MESH and the linear ones they stand beside; false: there is nothing to change.
 bool make_linear(DeckText& text, const fs::path& folder) {
-  constexpr std::array<std::array<const char*, 2>, 5> linear_types{{{"TRIMC6", "TRIM3"},
-                                                                    {"QUAMC8", "QUAM4"},
-                                                                    {"QUAMC9", "QUAM4"},
-                                                                    {"HEXEC20", "HEXE8"},
-                                                                    {"HEXEC27", "HEXE8"}}};
+  const std::map<std::string, const char*> linear{{"TRIMC6", "TRIM3"},
+                                                  {"QUAMC8", "QUAM4"},
+                                                  {"QUAMC9", "QUAM4"},
+                                                  {"HEXEC20", "HEXE8"},
+                                                  {"HEXEC27", "HEXE8"}};
   bool changed = false;
   for (DeckCard& card : text) {
-    for (const auto& [curved, linear] : linear_types) {
-      if (card.name == "MESH" && card.word_value("TYPE") == curved) {
-        card.set("TYPE", linear);
-        changed = true;
-      }
-    }
-    if (is_script(card)) {
+    const auto linear_type = linear.find(card.word_value("TYPE"));
+    if (card.name == "MESH" && linear_type != linear.end()) {
+      card.set("TYPE", linear_type->second);
+      changed = true;
+    } else if (is_script(card)) {
       copy_script(card, "linear", "Mesh.ElementOrder = 1;", folder);
       card.erase("TYPE");
       changed = true;
     }
   }
   return changed;
-}
-
-std::string joined(const std::string& a, const std::string& b) {
-  return a.empty() ? b : b.empty() ? a : a + " " + b;
 }
 
 class Planner {
@@ -129,10 +118,12 @@ public:
 private:
   void add(const std::string& name, SettingFamily family, double fineness, const DeckText& text,
            const Defines& defines) {
-    Setting setting{name, family, fineness, merge_defines(deck_.defines, defines), {}, {}};
-    setting.deck = folder_ / fmt::format("{:02}.deck", plan_.settings.size() + 1);
-    report::write_file(setting.deck, write_deck(text, folder_, {name}));
-    plan_.settings.push_back(std::move(setting));
+    const fs::path deck = folder_ / fmt::format("{:02}.deck", plan_.settings.size() + 1);
+    report::write_file(deck, write_deck(text, folder_, {name}));
+    plan_.settings.push_back(
+        {{.name = name, .deck = deck, .defines = merge_defines(deck_.defines, defines)},
+         family,
+         fineness});
   }
 
   void add_request(const ParameterRequest& request) {
@@ -169,68 +160,70 @@ private:
         .model.has_value();
   }
 
-  // Coarse to fine, without the deck's own.
+  // Coarse to fine, without the deck's own: those that are wanted, or one that may stand for it.
   std::vector<double> finenesses() {
+    if (plan_.mesh_parameter.empty()) {
+      return {0.5, 0.7, 1.4, 2.0};
+    }
+    std::vector<std::vector<double>> wanted{
+        {0.5, 0.6, 0.625}, {0.7, 0.75, 2.0 / 3.0, 0.8}, {1.4, 1.5, 1.25, 4.0 / 3.0}};
+    if (dim_ == 2) {
+      wanted.push_back({2.0, 1.75});
+    }
+    const bool never_broken =
+        plan_.mesh_parameter.parameters.empty() && plan_.mesh_parameter.constants.empty();
     std::vector<double> found;
-    for (const std::vector<double>& nominal : nominals(dim_)) {
+    for (const std::vector<double>& several : wanted) {
       const auto sound =
-          plan_.mesh_parameter.parameters.empty() && plan_.mesh_parameter.constants.empty()
-              ? nominal.begin()
-              : std::ranges::find_if(nominal, [&](double f) { return is_readable(f); });
-      if (sound != nominal.end()) {
+          std::ranges::find_if(several, [&](double f) { return never_broken || is_readable(f); });
+      if (sound != several.end()) {
         found.push_back(*sound);
       }
     }
     return found;
   }
 
-  void add_whole(double fineness, const char* word, SettingFamily family, const FinerMesh& finer) {
-    DeckText text = finer.text;
-    make_tips_finer(text, fineness);
-    std::string name = joined(
-        finer.words, cracks_ && fineness != 1.0 ? fmt::format("FINER={:.4g}", fineness) : "");
-    name = joined(name, word);
-    add(name.empty() ? "as given" : name, family, fineness, text, finer.defines);
+  enum class Tips { finer, as_given };
+
+  // The bodies with elements of 1/fineness of their size, the deck changed by `edit` as well.
+  template <class Edit>
+  void add_route(SettingFamily family, double fineness, Tips tips, const std::string& word,
+                 const Edit& edit) {
+    FinerMesh finer = bodies(fineness);
+    edit(finer.text);
+    std::string name = finer.words;
+    if (tips == Tips::finer && cracks_ && fineness != 1.0) {
+      name += fmt::format(" FINER={:.4g}", fineness);
+    }
+    if (tips == Tips::finer) {
+      make_tips_finer(finer.text, fineness);
+    }
+    add(word.empty() ? name : name + " " + word, family, fineness, finer.text, finer.defines);
   }
 
   void add_series() {
     if (plan_.mesh_parameter.empty()) {
       plan_.notes.emplace_back("no mesh of a body can be varied: the nets round tips alone");
     }
-    sizes_of_bodies_ =
-        plan_.mesh_parameter.empty() ? std::vector<double>{0.5, 0.7, 1.4, 2.0} : finenesses();
+    sizes_of_bodies_ = finenesses();
     if (plan_.mesh_parameter.empty() && !cracks_) {
       plan_.notes.emplace_back("without cracks nothing is left to vary; name a parameter: --vary");
       return;
     }
+    const auto as_it_is = [](DeckText& /*text*/) {};
     for (const double f : sizes_of_bodies_) {
-      add_whole(f, "", SettingFamily::whole, bodies(f));
+      add_route(SettingFamily::whole, f, Tips::finer, "", as_it_is);
     }
     if (!cracks_ || plan_.mesh_parameter.empty()) {
       return;
     }
     for (const double f : sizes_of_bodies_) {
-      const FinerMesh finer = bodies(f);
-      add(finer.words, SettingFamily::host, f, finer.text, finer.defines);
+      add_route(SettingFamily::host, f, Tips::as_given, "", as_it_is);
     }
     for (const double f : {0.5, 2.0}) {
       DeckText text = sizes_;
       make_tips_finer(text, f);
       add(fmt::format("FINER={:g}", f), SettingFamily::tip, f, text, {});
-    }
-  }
-
-  void add_parts(const std::vector<double>& sizes) {
-    for (const double f : sizes) {
-      FinerMesh finer = bodies(f);
-      SymmetricPart part = reduce_by_symmetry(*deck_.ready->model, finer.text);
-      if (!part.text) {
-        plan_.notes.push_back("no part by symmetry: " + part.reason);
-        return;
-      }
-      finer.text = std::move(*part.text);
-      add_whole(f, part.name.c_str(), SettingFamily::part, finer);
-      plan_.settings.back().mirrored = part.mirrored;
     }
   }
 
@@ -249,9 +242,8 @@ private:
       plan_.notes.emplace_back("no linear elements: a crack is cut into quadratic ones");
     } else if (make_linear(linear, folder_)) {
       for (const double f : some) {
-        FinerMesh finer = bodies(f);
-        make_linear(finer.text, folder_);
-        add_whole(f, "linear", SettingFamily::linear, finer);
+        add_route(SettingFamily::linear, f, Tips::finer, "linear",
+                  [&](DeckText& text) { make_linear(text, folder_); });
       }
     } else {
       plan_.notes.emplace_back("the deck's elements have no linear partners");
@@ -262,24 +254,32 @@ private:
     }
   }
 
+  void add_parts(const std::vector<double>& sizes) {
+    const model::Model& model = *deck_.ready->model;
+    const SymmetricPart part = reduce_by_symmetry(model, sizes_);
+    if (!part.text) {
+      plan_.notes.push_back("no part by symmetry: " + part.reason);
+      return;
+    }
+    for (const double f : sizes) {
+      add_route(SettingFamily::part, f, Tips::finer, part.name,
+                [&](DeckText& text) { text = *reduce_by_symmetry(model, text).text; });
+      plan_.settings.back().mirrored = part.mirrored;
+    }
+  }
+
   void add_tip_routes(const std::vector<double>& some) {
     for (const double tolerance : {1e-2, 1e-3, 3e-4}) {
-      FinerMesh finer = bodies(some.front());
-      set_tip_nets(finer.text,
-                   [&](DeckCard& card) { card.set("TOL", fmt::format("{:g}", tolerance)); });
-      add(joined(finer.words, fmt::format("TOL={:g}", tolerance)), SettingFamily::tolerance, 1.0,
-          finer.text, finer.defines);
+      add_route(SettingFamily::tolerance, some.front(), Tips::as_given,
+                fmt::format("TOL={:g}", tolerance), tip_key("TOL", fmt::format("{:g}", tolerance)));
+      plan_.settings.back().fineness = 1.0; // what it ends with is not known
     }
     for (const double f : some) {
-      FinerMesh finer = bodies(f);
-      set_tip_nets(finer.text, [](DeckCard& card) { card.set("QUARTER", "NO"); });
-      add_whole(f, "QUARTER=NO", SettingFamily::quarter, finer);
+      add_route(SettingFamily::quarter, f, Tips::finer, "QUARTER=NO", tip_key("QUARTER", "NO"));
     }
     for (const double f : {some.front(), 1.0}) {
-      FinerMesh finer = bodies(f);
-      set_tip_nets(finer.text, [](DeckCard& card) { card.set("JOIN", "TRANSITION"); });
-      add(joined(finer.words, "JOIN=TRANSITION"), SettingFamily::transition, f, finer.text,
-          finer.defines);
+      add_route(SettingFamily::transition, f, Tips::as_given, "JOIN=TRANSITION",
+                tip_key("JOIN", "TRANSITION"));
     }
     if (dim_ == 3) {
       DeckText text = sizes_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "program/study/mesh_parameters.hpp"
+#include "program/study/variant_runs.hpp"
 
 #include <filesystem>
 #include <string>
@@ -29,13 +29,9 @@ enum class SettingFamily {
 /// For legends: "all sizes", "without quarter points".
 const char* display_name(SettingFamily family);
 
-struct Setting {
-  std::string name; ///< "fine=0.5 FINER=0.5"
+struct Setting : DeckVariant {
   SettingFamily family = SettingFamily::given;
   double fineness = 1.0; ///< elements have 1/fineness of the deck's sizes, where those vary
-  Defines defines;
-  std::filesystem::path deck;
-  std::string mirrored = {}; ///< across which axes its model is a part, "XY"
 };
 
 /// A parameter and the values that the command line wants of it.

@@ -4,12 +4,16 @@
 #include "model/model.hpp"
 #include "program/study/variant_report.hpp"
 #include "report/deck_name.hpp"
+#include "report/drawing/columns.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -41,6 +45,10 @@ constexpr std::array curves{CurveKind{SettingFamily::whole},
                             CurveKind{SettingFamily::asked, true},
                             CurveKind{SettingFamily::peer}};
 
+std::string freedoms_text(const Trial& trial) {
+  return trial.unknowns > 0 ? fmt::format("{}", trial.unknowns) : "-";
+}
+
 std::string series_name(SettingFamily family, bool corrected) {
   return fmt::format("{}{}", display_name(family), corrected ? ", corrected" : "");
 }
@@ -52,7 +60,7 @@ std::vector<report::DrawingPoint> curve_points(const Study& study, const GroupVe
   bool own = false;
   for (const std::size_t row : series_rows(study.trials, curve.family)) {
     const Trial& trial = study.trials[row];
-    const double error = curve.corrected ? group.errors[row].best : group.errors[row].plain;
+    const double error = group.errors[row].of(curve.corrected);
     const double x = against_cpu ? trial.end.cpu : static_cast<double>(trial.unknowns);
     own = own || trial.setting.family == curve.family;
     if (std::isfinite(error) && x > 0.0) {
@@ -72,10 +80,8 @@ report::Plot group_plot(const Study& study, const GroupVerdict& group, bool agai
   double high = 0.0;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const CurveKind& curve = curves.at(i);
-    report::PlotSeries series;
-    series.name = series_name(curve.family, curve.corrected);
-    series.colour = report::palette_colour(i);
-    series.dash = report::dash_pattern(i / 7 + (curve.corrected ? 1 : 0));
+    report::PlotSeries series = report::numbered_curve(series_name(curve.family, curve.corrected),
+                                                       i, i / 7 + (curve.corrected ? 1 : 0));
     series.marker = report::closed_marker(i);
     series.joined = curve.joined;
     series.points = curve_points(study, group, curve, against_cpu);
@@ -95,65 +101,83 @@ report::Plot group_plot(const Study& study, const GroupVerdict& group, bool agai
 
 // A row for each setting: freedoms, CPU, memory, the largest error of each group.
 ReportTable settings_table(const Study& study) {
-  std::string columns = "<setting|freedoms|CPU [s]|memory [MiB]";
+  const auto of = [&study](auto value) {
+    return [&study, value](std::size_t t) { return std::invoke(value, study.trials[t]); };
+  };
+  report::Columns<std::size_t> columns;
+  columns.words("setting", of([](const Trial& trial) { return trial.setting.name; }))
+      .number("freedoms", "", of(freedoms_text))
+      .number("CPU", "s", of([](const Trial& trial) { return trial.end.cpu; }), "{:.2f}")
+      .number("memory", "MiB", of([](const Trial& t) { return mebibytes(t.end.peak_memory); }));
   for (const GroupVerdict& group : study.verdict.groups) {
-    columns += fmt::format("|{} error [%]{}", display_name(group.group),
-                           group.group == AnswerGroup::K ? "|corrected [%]|bar [%]" : "");
-  }
-  ReportTable table = report::make_table("Settings", columns + "|<");
-  for (std::size_t t = 0; t < study.trials.size(); ++t) {
-    const Trial& trial = study.trials[t];
-    std::vector<std::string> row{
-        trial.setting.name, trial.unknowns > 0 ? fmt::format("{}", trial.unknowns) : "-",
-        fmt::format("{:.2f}", trial.end.cpu), mebibytes(trial.end.peak_memory)};
-    for (const GroupVerdict& group : study.verdict.groups) {
-      row.push_back(in_percent(group.errors[t].plain));
-      if (group.group == AnswerGroup::K) {
-        row.push_back(in_percent(group.errors[t].best));
-        row.push_back(in_percent(group.errors[t].bar));
-      }
+    const auto error = [&group](double GroupErrors::*kind) {
+      return [&group, kind](std::size_t t) { return in_percent(group.errors[t].*kind); };
+    };
+    columns.number(fmt::format("{} error", display_name(group.group)), "%",
+                   error(&GroupErrors::plain));
+    if (group.group == AnswerGroup::K) {
+      columns.number("corrected", "%", error(&GroupErrors::best))
+          .number("bar", "%", error(&GroupErrors::bar));
     }
-    row.push_back(trial.trouble);
-    table.rows.push_back(std::move(row));
   }
-  return table;
+  columns.words("", of(&Trial::trouble));
+  std::vector<std::size_t> rows(study.trials.size());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  return columns.table("Settings", rows);
 }
 
 // A row for each series of each group: the power that errors fall by, where they stop, and why.
 ReportTable series_table(const Study& study) {
-  ReportTable table =
-      report::make_table("Slopes and plateaus", "<answers|<series|power|theory|plateau|<why");
+  using Row = std::pair<AnswerGroup, const SeriesVerdict*>;
+  std::vector<Row> rows;
   for (const GroupVerdict& group : study.verdict.groups) {
     for (const SeriesVerdict& series : group.series) {
-      table.rows.push_back({display_name(group.group), series_name(series.family, series.corrected),
-                            series.slope ? fmt::format("{:.2f}", series.slope->power) : "-",
-                            series.theory ? fmt::format("{:g}", *series.theory) : "",
-                            series.plateau ? percent(series.plateau->level) : "", series.reason});
+      rows.emplace_back(group.group, &series);
     }
   }
-  return table;
+  return report::Columns<Row>()
+      .words("answers", [](const Row& row) { return display_name(row.first); })
+      .words("series",
+             [](const Row& row) { return series_name(row.second->family, row.second->corrected); })
+      .number("power", "",
+              [](const Row& row) {
+                return row.second->slope ? fmt::format("{:.2f}", row.second->slope->power) : "-";
+              })
+      .number(
+          "theory", "", [](const Row& row) { return row.second->theory; }, "{:g}")
+      .number("plateau", "",
+              [](const Row& row) {
+                return row.second->plateau ? percent(row.second->plateau->level) : "";
+              })
+      .words("why", [](const Row& row) { return row.second->reason; })
+      .table("Slopes and plateaus", rows);
 }
 
 // References of the deck that are not used, and what they are off by; the largest of each source.
 ReportTable distrusted_table(const Study& study) {
-  ReportTable table = report::make_table("References of the deck that finer meshes do not go to",
-                                         "<check|off by [%]|finest is sure to [%]|<source");
-  std::map<std::string, std::size_t> worst; // by source
-  for (std::size_t a = 0; a < study.verdict.references.size(); ++a) {
-    const double off = study.verdict.references[a].deck_is_off;
+  const std::vector<AnswerReference>& references = study.verdict.references;
+  std::map<std::string, std::size_t> worst; // answers by source
+  for (std::size_t a = 0; a < references.size(); ++a) {
     const auto [found, fresh] = worst.emplace(study.answers[a].check.source, a);
-    if (!fresh && off > study.verdict.references[found->second].deck_is_off) {
+    if (!fresh && references[a].deck_is_off > references[found->second].deck_is_off) {
       found->second = a;
     }
   }
+  std::vector<std::size_t> rows;
   for (const auto& [source, a] : worst) {
-    const AnswerReference& reference = study.verdict.references[a];
-    if (reference.deck_is_off > 0.0 && reference.scale > 0.0) {
-      table.rows.push_back({study.answers[a].text, in_percent(reference.deck_is_off),
-                            in_percent(reference.uncertainty / reference.scale), source});
+    if (references[a].deck_is_off > 0.0 && references[a].scale > 0.0) {
+      rows.push_back(a);
     }
   }
-  return table;
+  return report::Columns<std::size_t>()
+      .words("check", [&](std::size_t a) { return study.answers[a].text; })
+      .number("off by", "%", [&](std::size_t a) { return in_percent(references[a].deck_is_off); })
+      .number("finest is sure to", "%",
+              [&](std::size_t a) {
+                return in_percent(references[a].uncertainty / references[a].scale);
+              })
+      .words("source", [&](std::size_t a) { return study.answers[a].check.source; })
+      .table("References of the deck that finer meshes do not go to", rows);
 }
 
 std::vector<std::string> sentences(const Study& study) {

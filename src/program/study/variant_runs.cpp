@@ -7,6 +7,8 @@
 #include "program/job/file_failures.hpp"
 #include "program/job/interrupt.hpp"
 #include "program/job/standard_streams.hpp"
+#include "program/study/halves.hpp"
+#include "program/trials/deck_outcome.hpp"
 #include "results/store.hpp"
 #include "results/store_run.hpp"
 
@@ -25,37 +27,35 @@ namespace fs = std::filesystem;
 
 // The first error among the messages of a run, without its place in a deck that nobody has written.
 std::string first_trouble(const ChildEnd& end) {
-  if (end.late) {
-    return "took too long";
-  }
-  const std::size_t error = end.messages.find("error");
-  if (error != std::string::npos) {
-    const std::size_t stop = std::min(end.messages.find('\n', error), end.messages.size());
-    return end.messages.substr(error, stop - error);
-  }
-  return end.signal != 0 ? fmt::format("ended by signal {}", end.signal)
-                         : fmt::format("exit code {}", end.exit_code);
+  const std::string line = error_line(end.messages);
+  const std::size_t error = line.find("error");
+  return end.late                     ? "took too long"
+         : error != std::string::npos ? line.substr(error)
+         : end.signal != 0            ? fmt::format("ended by signal {}", end.signal)
+                                      : fmt::format("exit code {}", end.exit_code);
 }
 
-// Tells `ended` what a run has found, and removes its folder.
-void read_end(const ChildRun& variant, const ChildEnd& end, const VariantRuns::Ended& ended) {
-  VariantRun found{end, 0, {}, {}};
+// A run on one thread.
+ChildRun child_of(const DeckVariant& variant, double cpu_seconds) {
+  return {.deck = variant.deck,
+          .out = variant.deck.string() + ".run",
+          .defines = variant.defines,
+          .seconds = cpu_seconds > 0.0 ? std::max(4.0 * cpu_seconds, 60.0) : 0.0,
+          .cpu_seconds = cpu_seconds};
+}
+
+// The results in the folder of a run, which goes; empty: it has none.
+std::optional<results::RunResult> take_results(const fs::path& folder, const ChildEnd& end) {
   std::optional<results::RunResult> run;
   const std::optional<base::Outcome> outcome = base::exit_outcome(end.exit_code);
-  const bool has_results =
-      outcome && (*outcome == base::Outcome::done || *outcome == base::Outcome::check_failed);
-  if (has_results && fs::exists(variant.out / results_name)) {
-    const std::string bytes = base::read_file(variant.out / results_name, base::largest_mesh_file);
+  if ((outcome == base::Outcome::done || outcome == base::Outcome::check_failed) &&
+      fs::exists(folder / results_name)) {
+    const std::string bytes = base::read_file(folder / results_name, base::largest_mesh_file);
     run = results::read_run(results::Store::from_bytes(bytes).root());
-    for (const results::Increment& increment : run->increments) {
-      found.unknowns = std::max(found.unknowns, increment.unknowns);
-    }
-  } else {
-    found.trouble = first_trouble(end);
   }
   std::error_code ignored;
-  fs::remove_all(variant.out, ignored);
-  ended(std::move(found), run ? &*run : nullptr);
+  fs::remove_all(folder, ignored);
+  return run;
 }
 
 // The text of a deck that was read; its places are in the same sources.
@@ -76,8 +76,8 @@ base::CsvRow cost_fields(const VariantRun& run) {
 }
 
 VariantRuns::VariantRuns(const RunOptions& options, ReadyDeck& ready, const Log& log)
-    : log_(log), deck_(studied_deck(options, ready)), place_(resolved_folder(options.out)),
-      folder_(options.out), scratch_(place_) {}
+    : log_(log), quiet_(options.quiet), deck_(studied_deck(options, ready)),
+      place_(resolved_folder(options.out)), folder_(options.out), scratch_(place_) {}
 
 void VariantRuns::abandon() {
   children_.stop();
@@ -85,44 +85,68 @@ void VariantRuns::abandon() {
   folder_.abandon();
 }
 
-ChildRun VariantRuns::child_of(const fs::path& deck, const Defines& defines) {
-  ChildRun child;
-  child.deck = deck;
-  child.out = deck.string() + ".run";
-  child.defines = defines;
-  return child;
+VariantRun VariantRuns::read_variant(const DeckVariant& variant, const ChildEnd& end,
+                                     const std::optional<results::RunResult>& run) const {
+  VariantRun found{.end = end};
+  if (!run) {
+    found.trouble = first_trouble(end);
+    return found;
+  }
+  for (const results::Increment& increment : run->increments) {
+    found.unknowns = std::max(found.unknowns, increment.unknowns);
+  }
+  if (variant.section) {
+    const ReadyDeck own = read_silently(variant.deck, {});
+    found.asked = section_counterparts(*variant.section, answers_);
+    found.readings = read_counterparts(own.model.value(), found.asked, *run);
+  } else {
+    found.readings = read_answers(model(), answers_, *run);
+    convert_to_whole_model(found.readings, answers_, variant.mirrored);
+  }
+  return found;
 }
 
 base::Outcome VariantRuns::run_given(
-    const ChildRun& given,
-    const std::function<std::string(VariantRun, const results::RunResult&)>& ended) {
+    const DeckVariant& given, VariantRun& found,
+    const std::function<std::vector<Answer>(const model::Model&, const results::RunResult&)>&
+        choose) {
   base::Outcome outcome = base::Outcome::stopped;
-  run_others({given}, 1, [&](std::size_t, VariantRun found, const results::RunResult* run) {
-    std::string lack;
-    if (run == nullptr) {
-      to_stderr(found.end.messages);
-      lack = fmt::format("the deck itself has no results to compare with: {}", found.trouble);
-      outcome = base::exit_outcome(found.end.exit_code).value_or(base::Outcome::not_solvable);
-      outcome = outcome == base::Outcome::done ? base::Outcome::not_solvable : outcome;
-    } else {
-      lack = ended(std::move(found), *run);
-      outcome = lack.empty() ? base::Outcome::done : base::Outcome::not_solvable;
+  const ChildRun child = child_of(given, 0.0);
+  children_.run_all({&child, 1}, 1, [&](std::size_t, const ChildEnd& end) {
+    const std::optional<results::RunResult> run = take_results(child.out, end);
+    answers_ = run ? choose(model(), *run) : std::vector<Answer>();
+    found = read_variant(given, end, run);
+    outcome =
+        run ? base::Outcome::done : base::exit_outcome(end.exit_code).value_or(base::Outcome::done);
+    if (!answers_.empty()) {
+      return;
     }
-    if (!lack.empty()) {
-      log_.message(base::Severity::error, "E555", lack);
-    }
+    outcome = outcome == base::Outcome::done ? base::Outcome::not_solvable : outcome;
+    to_stderr(run ? "" : end.messages);
+    log_.message(
+        base::Severity::error, "E555",
+        run ? "the deck has no answer to compare"
+            : fmt::format("the deck itself has no results to compare with: {}", found.trouble));
   });
   return outcome;
 }
 
-void VariantRuns::run_others(
-    const std::vector<ChildRun>& variants, int at_once,
-    const std::function<void(std::size_t, VariantRun, const results::RunResult*)>& ended) {
-  children_.run_all(variants, at_once, [&](std::size_t i, const ChildEnd& end) {
-    read_end(variants[i], end, [&](VariantRun found, const results::RunResult* run) {
-      ended(i, std::move(found), run);
-    });
+std::vector<VariantRun> VariantRuns::run_others(const std::vector<const DeckVariant*>& variants,
+                                                int at_once, double cpu_seconds) {
+  std::vector<ChildRun> children;
+  for (const DeckVariant* variant : variants) {
+    children.push_back(child_of(*variant, cpu_seconds));
+  }
+  std::vector<VariantRun> found(variants.size());
+  std::size_t reported = 0;
+  children_.run_all(children, at_once, [&](std::size_t i, const ChildEnd& end) {
+    found[i] = read_variant(*variants[i], end, take_results(children[i].out, end));
+    if (!quiet_) {
+      to_stderr(fmt::format("{} of {}: {}, {:.2f} s\n", ++reported, variants.size(),
+                            variants[i]->name, end.cpu));
+    }
   });
+  return found;
 }
 
 base::Outcome

@@ -6,24 +6,36 @@
 #include "program/job/run_options.hpp"
 #include "program/study/deck_answers.hpp"
 #include "program/study/mesh_parameters.hpp"
+#include "program/study/section_deck.hpp"
 #include "program/trials/child_run.hpp"
 #include "program/trials/scratch_folder.hpp"
 #include "results/results.hpp"
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 /// The engine of studies and ladders: one deck run in many variants, each as a process of its own.
 namespace spricka::program {
 
+/// A deck that is run beside the one given, and how it is asked for the answers of that one.
+struct DeckVariant {
+  std::string name;           ///< "fine=0.5 FINER=0.5", "without friction": for tables
+  std::filesystem::path deck; ///< in the scratch folder
+  Defines defines = {};
+  std::string mirrored = {};                  ///< across which axes its model is a part, "XY"
+  std::optional<SectionMapping> section = {}; ///< it is a plane model of a solid
+};
+
 /// What the run of one variant took and found.
 struct VariantRun {
-  ChildEnd end;
-  std::size_t unknowns = 0;            ///< of its largest increment
-  std::vector<AnswerReading> readings; ///< [answer]; empty: the run has no results
-  std::string trouble;                 ///< why not, in one line
+  ChildEnd end = {};
+  std::size_t unknowns = 0;                   ///< of its largest increment
+  std::vector<AnswerReading> readings = {};   ///< [answer]; empty: the run has no results
+  std::vector<SectionCounterpart> asked = {}; ///< [answer] of a plane model of a solid; else empty
+  std::string trouble = {};                   ///< why there are no results, in one line
 };
 
 /// Columns of a table: freedoms,cpu,wall,memory,exit_code.
@@ -32,13 +44,12 @@ base::CsvRow cost_fields(const VariantRun& run);
 /// A deck and the folders in which its variants run.
 class VariantRuns {
 public:
-  /// Called with a variant that has ended, and its results or null.
-  using Ended = std::function<void(VariantRun, const results::RunResult*)>;
-
   VariantRuns(const RunOptions& options, ReadyDeck& ready, const Log& log);
 
   [[nodiscard]] const StudiedDeck& deck() const { return deck_; }
   [[nodiscard]] const model::Model& model() const { return *deck_.ready->model; }
+  /// What all variants are asked for, from run_given() on.
+  [[nodiscard]] const std::vector<Answer>& answers() const { return answers_; }
   /// Where decks of variants are written; gone at the end.
   [[nodiscard]] const std::filesystem::path& scratch() const { return scratch_.path(); }
   /// The folder that is left at the end, absolute.
@@ -49,29 +60,32 @@ public:
   /// Ends all that runs and removes what is written. From any thread.
   void abandon();
 
-  /// A run of a deck in the scratch folder, on one thread.
-  [[nodiscard]] static ChildRun child_of(const std::filesystem::path& deck,
-                                         const Defines& defines = {});
+  /// Runs the deck itself, which decides by `choose` what is asked for. Where it has no results, or
+  /// nothing to be asked for, it is told (E555), and the outcome is that of the run, or
+  /// not_solvable.
+  base::Outcome run_given(
+      const DeckVariant& given, VariantRun& found,
+      const std::function<std::vector<Answer>(const model::Model&, const results::RunResult&)>&
+          choose);
 
-  /// Runs the deck itself, which decides what is asked for: `ended` gives what it lacks to be
-  /// asked, or nothing. Where it has no results, or lacks that, it is told (E555), and the outcome
-  /// is that of the run, or not_solvable.
-  base::Outcome
-  run_given(const ChildRun& given,
-            const std::function<std::string(VariantRun, const results::RunResult&)>& ended);
-
-  /// Runs the others, at most `at_once` at a time; `ended` as of ChildRunner::run_all.
-  void
-  run_others(const std::vector<ChildRun>& variants, int at_once,
-             const std::function<void(std::size_t, VariantRun, const results::RunResult*)>& ended);
+  /// Runs others, at most `at_once` at a time and each with `cpu_seconds` at most, or with 0 as
+  /// long as it takes; tells of each that has ended. What is not run, as all are stopped, is empty.
+  /// [variant]
+  std::vector<VariantRun> run_others(const std::vector<const DeckVariant*>& variants, int at_once,
+                                     double cpu_seconds = 0.0);
 
 private:
+  [[nodiscard]] VariantRun read_variant(const DeckVariant& variant, const ChildEnd& end,
+                                        const std::optional<results::RunResult>& run) const;
+
   const Log& log_;
+  bool quiet_;
   StudiedDeck deck_;
   std::filesystem::path place_;
   RunFolder folder_;
   ScratchFolder scratch_;
   ChildRunner children_;
+  std::vector<Answer> answers_;
 };
 
 /// Reads the deck and lets `work` run variants of it: without a folder in `given` into one of the

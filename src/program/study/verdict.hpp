@@ -36,6 +36,9 @@ struct GroupErrors {
   double plain = 0.0;
   double best = 0.0; ///< of the corrected values
   double bar = 0.0;
+
+  /// The largest of the plain or of the corrected values.
+  [[nodiscard]] double of(bool corrected) const { return corrected ? best : plain; }
 };
 
 /// One series of a group.

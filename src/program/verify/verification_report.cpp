@@ -43,10 +43,9 @@ report::Figure error_over_cpu(const Verification& verification) {
   plot.log_x = plot.log_y = true;
   plot.legend_below = true;
   for (const bool failed : {false, true}) {
-    report::PlotSeries series;
-    series.name = failed ? "a check missed" : "all checks passed";
+    report::PlotSeries series =
+        report::numbered_curve(failed ? "a check missed" : "all checks passed", failed ? 1 : 0, 0);
     series.joined = false;
-    series.colour = report::palette_colour(failed ? 1 : 0);
     series.marker = report::closed_marker(failed ? 1 : 0);
     for (const VerifiedDeck& deck : verification.decks) {
       const std::optional<report::DrawingPoint> mark = mark_of(deck);

@@ -3,9 +3,12 @@
 
 #include "base/exit_codes.hpp"
 #include "program/trials/child_run.hpp"
+#include "report/drawing/columns.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <ranges>
 #include <utility>
 
 #include <fmt/format.h>
@@ -100,84 +103,124 @@ std::string cost_text(const VerifiedDeck& deck, const VerifiedPoint& point) {
 }
 
 report::ReportTable check_table(const VerifiedPoint& point) {
-  report::ReportTable table =
-      report::make_table("", "<check|reference|result|error|allowed|error bar|<source");
-  for (const results::CheckResult& check : point.checks) {
-    const bool found = check.trouble.empty();
-    table.rows.push_back({check.text, report::six_digits(check.wanted),
-                          found ? report::six_digits(check.found) : "-", error_of(check),
-                          error_in_words(check.tolerance, check.relative, "{:.4g}"),
-                          std::isfinite(check.bar) ? fmt::format("{:.2g}", check.bar) : "",
-                          found ? check.source : check.trouble});
-  }
-  return table;
+  using Check = results::CheckResult;
+  return report::Columns<Check>()
+      .words("check", &Check::text)
+      .number("reference", "", &Check::wanted)
+      .number("result", "",
+              [](const Check& c) { return c.trouble.empty() ? report::six_digits(c.found) : "-"; })
+      .number("error", "", error_of)
+      .number("allowed", "",
+              [](const Check& c) { return error_in_words(c.tolerance, c.relative, "{:.4g}"); })
+      .number(
+          "error bar", "",
+          [](const Check& c) { return std::isfinite(c.bar) ? fmt::format("{:.2g}", c.bar) : ""; })
+      .words("source", [](const Check& c) { return c.trouble.empty() ? c.source : c.trouble; })
+      .table("", point.checks);
 }
 
 report::ReportTable deck_table(const Verification& verification) {
-  report::ReportTable table =
-      report::make_table("", "<deck|<what|checks|passed|error / allowed|CPU, s|memory, MB");
+  struct DeckTableRow {
+    const VerifiedDeck& deck;
+    const VerifiedPoint* point; // null: it has no results
+  };
+  std::vector<DeckTableRow> rows;
   for (const VerifiedDeck& deck : verification.decks) {
-    std::string cpu = fmt::format("{:.2f}", deck.cpu);
-    std::string memory = fmt::format("{:.0f}", megabytes(deck.memory));
     for (const VerifiedPoint& point : deck.points) {
-      table.rows.push_back({deck.name, what_of(deck, point), check_count(point),
-                            passed_count(deck, point), largest_share(point), std::exchange(cpu, ""),
-                            std::exchange(memory, "")});
+      rows.push_back({deck, &point});
     }
     if (deck.points.empty()) {
-      table.rows.push_back({deck.name, deck.message, "0", end_of(deck), "", cpu, memory});
+      rows.push_back({deck, nullptr});
     }
   }
-  return table;
+  return report::Columns<DeckTableRow>()
+      .words("deck", [](const DeckTableRow& r) { return r.deck.name; })
+      .words("what",
+             [](const DeckTableRow& r) {
+               return r.point ? what_of(r.deck, *r.point) : r.deck.message;
+             })
+      .number("checks", "",
+              [](const DeckTableRow& r) { return r.point ? check_count(*r.point) : "0"; })
+      .number("passed", "",
+              [](const DeckTableRow& r) {
+                return r.point ? passed_count(r.deck, *r.point) : end_of(r.deck);
+              })
+      .number("error / allowed", "",
+              [](const DeckTableRow& r) { return r.point ? largest_share(*r.point) : ""; })
+      .where([](const DeckTableRow& r) { return !r.point || r.point == r.deck.points.data(); })
+      .number(
+          "CPU, s", "", [](const DeckTableRow& r) { return r.deck.cpu; }, "{:.2f}")
+      .number(
+          "memory, MB", "", [](const DeckTableRow& r) { return megabytes(r.deck.memory); },
+          "{:.0f}")
+      .table("", rows);
 }
+
+namespace {
+
+// Those that are covered, or that are not.
+std::vector<BenchmarkProblem> problems_that(bool covered,
+                                            const std::vector<BenchmarkProblem>& problems) {
+  std::vector<BenchmarkProblem> found;
+  std::ranges::copy_if(problems, std::back_inserter(found), [&](const BenchmarkProblem& problem) {
+    return problem.is_covered() == covered;
+  });
+  return found;
+}
+
+} // namespace
 
 report::ReportTable problem_table(const Verification& verification,
                                   const std::vector<BenchmarkProblem>& problems) {
-  report::ReportTable table =
-      report::make_table("", "<problem|<what|<decks, other tests|<|<remark");
-  for (const BenchmarkProblem& problem : problems) {
-    if (problem.is_covered()) {
-      std::vector<std::string> by = problem.decks;
-      by.insert(by.end(), problem.tests.begin(), problem.tests.end());
-      table.rows.push_back({problem.name, problem.title, fmt::format("{}", fmt::join(by, ", ")),
-                            standing(verification, problem), problem.remark});
-    }
-  }
-  return table;
+  return report::Columns<BenchmarkProblem>()
+      .words("problem", &BenchmarkProblem::name)
+      .words("what", &BenchmarkProblem::title)
+      .words("decks, other tests",
+             [](const BenchmarkProblem& problem) {
+               std::vector<std::string> by = problem.decks;
+               by.insert(by.end(), problem.tests.begin(), problem.tests.end());
+               return fmt::format("{}", fmt::join(by, ", "));
+             })
+      .words("", [&](const BenchmarkProblem& problem) { return standing(verification, problem); })
+      .words("remark", &BenchmarkProblem::remark)
+      .table("", problems_that(true, problems));
 }
 
 report::ReportTable uncovered_table(const std::vector<BenchmarkProblem>& problems) {
-  report::ReportTable table = report::make_table("", "<problem|<what|<not covered, because");
-  for (const BenchmarkProblem& problem : problems) {
-    if (!problem.is_covered()) {
-      table.rows.push_back({problem.name, problem.title, problem.remark});
-    }
-  }
-  return table;
+  return report::Columns<BenchmarkProblem>()
+      .words("problem", &BenchmarkProblem::name)
+      .words("what", &BenchmarkProblem::title)
+      .words("not covered, because", &BenchmarkProblem::remark)
+      .table("", problems_that(false, problems));
 }
 
 report::ReportTable failed_table(const Verification& verification) {
-  report::ReportTable table = report::make_table("", "<deck|<ended with|checks missed|<said last");
-  for (const VerifiedDeck& deck : verification.decks) {
-    if (!deck.failed()) {
-      continue;
-    }
-    table.rows.push_back(
-        {deck.name, end_of(deck), std::to_string(deck.missed_checks()), deck.message});
-  }
-  return table;
+  return report::Columns<VerifiedDeck>()
+      .words("deck", &VerifiedDeck::name)
+      .words("ended with", end_of)
+      .number("checks missed", "", &VerifiedDeck::missed_checks)
+      .words("said last", &VerifiedDeck::message)
+      .table("", verification.decks | std::views::filter(&VerifiedDeck::failed));
 }
 
 report::ReportTable change_table(const VerificationComparison& comparison) {
-  report::ReportTable table = report::make_table("", "<what|<deck|<check|before|now");
+  using Row = std::pair<const ChangeKind*, VerificationChange>;
+  std::vector<Row> rows;
   for (const ChangeKind& kind : change_kinds) {
     for (const VerificationChange& change : comparison.*kind.changes) {
-      table.rows.push_back({kind.in_table, change.deck, change.what,
-                            fmt::format("{:.3g}", kind.unit * change.before),
-                            fmt::format("{:.3g}", kind.unit * change.now)});
+      rows.emplace_back(&kind, change);
     }
   }
-  return table;
+  return report::Columns<Row>()
+      .words("what", [](const Row& row) { return row.first->in_table; })
+      .words("deck", [](const Row& row) { return row.second.deck; })
+      .words("check", [](const Row& row) { return row.second.what; })
+      .number(
+          "before", "", [](const Row& row) { return row.first->unit * row.second.before; },
+          "{:.3g}")
+      .number(
+          "now", "", [](const Row& row) { return row.first->unit * row.second.now; }, "{:.3g}")
+      .table("", rows);
 }
 
 } // namespace spricka::program

@@ -60,7 +60,7 @@ public:
     return cells;
   }
   /// The table of these rows.
-  template <class Rows> [[nodiscard]] ReportTable table(std::string title, const Rows& rows) const {
+  template <class Rows> [[nodiscard]] ReportTable table(std::string title, Rows&& rows) const {
     ReportTable table{std::move(title), heads_, {}};
     for (const auto& row : rows) {
       table.rows.push_back(cells(row));

@@ -38,23 +38,6 @@ void append_line(std::string& out, std::string line) {
 
 } // namespace
 
-ReportTable make_table(std::string title, std::string_view columns) {
-  ReportTable table{std::move(title), {}, {}};
-  for (std::size_t at = 0; at <= columns.size();) {
-    const std::size_t end = std::min(columns.find('|', at), columns.size());
-    std::string_view name = columns.substr(at, end - at);
-    at = end + 1;
-    const bool words = name.starts_with('<');
-    name.remove_prefix(words ? 1 : 0);
-    const std::size_t unit = name.ends_with(']') ? name.rfind(" [") : std::string_view::npos;
-    const bool none = unit == std::string_view::npos;
-    table.columns.push_back({std::string(name.substr(0, unit)),
-                             std::string(none ? "" : name.substr(unit + 2, name.size() - unit - 3)),
-                             words});
-  }
-  return table;
-}
-
 std::string to_text(const ReportTable& table) {
   const std::vector<std::size_t> width = widths(table);
   std::string names;

@@ -19,10 +19,6 @@ struct ReportTable {
   std::vector<std::vector<std::string>> rows; ///< each as long as `columns`
 };
 
-/// A table without rows. `columns`: names divided by bars, those of words with < in front, units in
-/// brackets behind them: "<deck|checks|CPU [s]".
-ReportTable make_table(std::string title, std::string_view columns);
-
 /// The table with blanks between its columns, names and units above them, ended by a newline.
 std::string to_text(const ReportTable& table);
 

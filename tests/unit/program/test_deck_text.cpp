@@ -84,9 +84,19 @@ TEST(NameUses, parameters_of_counts_are_told_from_those_of_the_model) {
 }
 
 TEST(DeckEdits, fields_keep_brackets_units_and_lose_comments) {
-  EXPECT_EQ(program::data_fields("  SHAFT.BODY  (F*(1 - x))  97.1[kN], 0 ! along x"),
-            (std::vector<std::string>{"SHAFT.BODY", "(F*(1 - x))", "97.1[kN]", "0"}));
-  EXPECT_TRUE(program::data_fields("   ! nothing").empty());
+  deck::DeckCard card;
+  card.data = "  ! nothing\n  SHAFT.BODY  (F*(1 - x))  97.1[kN], 0 ! along x\n  OTHER 1\n";
+  EXPECT_EQ(program::data_rows(card),
+            (std::vector<program::DataFields>{{"SHAFT.BODY", "(F*(1 - x))", "97.1[kN]", "0"},
+                                              {"OTHER", "1"}}));
+  program::filter_lines(card, [](const auto& fields) { return fields.size() < 4; });
+  EXPECT_EQ(card.data, "  ! nothing\n  OTHER 1\n");
+}
+
+TEST(DeckEdits, names_are_told_from_numbers_and_units) {
+  EXPECT_EQ(program::change_names("(x*1e5 + X_2)[mm] 'x' ! x",
+                                  [](std::string_view name) { return name == "x" ? "y" : "Z"; }),
+            "(y*1e5 + Z)[mm] 'x' ! x");
 }
 
 } // namespace
