@@ -22,21 +22,24 @@ struct OmittedDomain {
   std::string why;
 };
 
-/// The domains of a front.
+/// The domains of a front; in the plane of its one point, the tip, with `points` and `beyond`
+/// alone.
 struct FrontExtensions {
-  std::vector<std::vector<ExtensionField>> points; ///< [point][domain]
-  std::vector<MovedFreeSide> sides; ///< free sides with a node that some domain moves
-  std::vector<double> station;      ///< [point] place on the curve, from the first point on
-  std::vector<base::NodeId> middle; ///< [point] mid node between it and the next, or invalid
+  std::vector<std::vector<ExtensionField>> points = {}; ///< [point][domain]
+  std::vector<MovedFreeSide> sides = {}; ///< free sides with a node that some domain moves
+  std::vector<double> station = {};      ///< [point] place on the curve, from the first point on
+  std::vector<base::NodeId> middle = {}; ///< [point] mid node between it and the next, or invalid
   bool closed = false;
-  std::vector<OmittedDomain> left_out;
+  std::vector<OmittedDomain> left_out = {};
+  /// Of a tip: one ring of elements more than its largest domain, if that fits.
+  std::optional<ExtensionField> beyond = std::nullopt;
   /// Of the rule over each element that some domain strains (rule_degree).
-  std::map<base::ElementId, int> degree;
+  std::map<base::ElementId, int> degree = {};
   std::shared_ptr<AuxiliaryFieldCache> auxiliary_cache =
       nullptr; ///< what was made of them in these domains
 
   [[nodiscard]] bool empty() const;
-  /// All elements of all domains, ascending.
+  /// All elements of all domains in space, ascending.
   [[nodiscard]] std::vector<base::ElementId> elements() const;
 };
 

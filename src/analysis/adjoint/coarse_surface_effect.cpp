@@ -99,7 +99,7 @@ JoinedSurfaces joined_surfaces(const SolvedMeshState& set, const model::Transiti
   for (const base::NodeId n : mesh.set_with_id(transition.slave).nodes) {
     slave[n.index()] = true;
   }
-  for (const estimate::QuadraticEdge& edge : set.edges.edges) {
+  for (const estimate::QuadraticEdge& edge : set.edges->edges) {
     // Edges of the rim between nodes of the slave set, which has no faces.
     if (edge.elements == 1 && slave[edge.nodes[0].index()] && slave[edge.nodes[1].index()]) {
       const auto at = [&](std::size_t i) -> Vec3 { return mesh.x[edge.nodes[i].index()]; };
@@ -131,22 +131,31 @@ bool touches(const JoinedSurfaces& joined, const AdjacentSurfacePiece& side) {
          });
 }
 
-CoarseSurfaceEffect effect_of(const JoinedSurfaces& joined, const mesh::CrackedMesh& cracked,
-                              const mesh::CrackFront& front) {
-  const Vec3 x = base::to_space(front.tip_point().x.head<2>());
+double distance_to_front(const AdjacentSurfacePiece& side, const mesh::CrackFront& front) {
+  double distance = std::numeric_limits<double>::infinity();
+  for (const mesh::FrontPoint& point : front.points) {
+    distance = std::min(distance, distance_to(side, point.x));
+  }
+  return distance;
+}
+
+// Edges against their distance from a tip.
+CoarseSurfaceEffect effect_on_tip(const JoinedSurfaces& joined, const mesh::CrackedMesh& cracked,
+                                  const mesh::CrackFront& front) {
   double closest = std::numeric_limits<double>::infinity();
   for (const AdjacentSurfacePiece& side : joined.sides) {
-    closest = std::min(closest, distance_to(side, x));
+    closest = std::min(closest, distance_to_front(side, front));
   }
   const base::NodeId mouth = mouth_on(joined, cracked, front);
-  if (mouth.valid() && (cracked.mesh.x[mouth.index()] - x).norm() <= near * closest) {
+  if (mouth.valid() &&
+      (cracked.mesh.x[mouth.index()] - front.tip_point().x).norm() <= near * closest) {
     return {};
   }
   // The side that is longest against its own distance from the tip.
   const AdjacentSurfacePiece* worst = nullptr;
   double ratio = share_that_counts;
   for (const AdjacentSurfacePiece& side : joined.sides) {
-    const double distance = distance_to(side, x);
+    const double distance = distance_to_front(side, front);
     if (touches(joined, side) && distance <= near * closest && side.length > ratio * distance) {
       ratio = side.length / distance;
       worst = &side;
@@ -166,13 +175,14 @@ CoarseSurfaceEffect effect_of(const JoinedSurfaces& joined, const mesh::CrackedM
   return effect;
 }
 
-// Edges of the other body against the depth of the front under the surface that it ends on.
-CoarseSurfaceEffect effect_of(const JoinedSurfaces& joined, const FrontWithDomains& front) {
+// Faces against the depth of a front in space under the surface that it ends on.
+CoarseSurfaceEffect effect_along_front(const JoinedSurfaces& joined,
+                                       const mesh::CrackFront& front) {
   constexpr double ends_on = 0.1; // of its depth: where the first or last domain of a front ends
   constexpr double worth_a_word = 0.02;
   double closest = std::numeric_limits<double>::infinity();
   double depth = 0.0;
-  for (const mesh::FrontPoint& point : front.front.points) {
+  for (const mesh::FrontPoint& point : front.points) {
     double distance = std::numeric_limits<double>::infinity();
     for (const AdjacentSurfacePiece& side : joined.sides) {
       distance = std::min(distance, distance_to(side, point.x));
@@ -185,11 +195,8 @@ CoarseSurfaceEffect effect_of(const JoinedSurfaces& joined, const FrontWithDomai
   const AdjacentSurfacePiece* worst = nullptr;
   double ratio = 0.0;
   for (const AdjacentSurfacePiece& side : joined.sides) {
-    double distance = std::numeric_limits<double>::infinity();
-    for (const mesh::FrontPoint& point : front.front.points) {
-      distance = std::min(distance, distance_to(side, point.x));
-    }
-    if (distance <= size && side.length > ratio * size && touches(joined, side)) {
+    if (distance_to_front(side, front) <= size && side.length > ratio * size &&
+        touches(joined, side)) {
       ratio = side.length / size;
       worst = &side;
     }
@@ -211,25 +218,12 @@ CoarseSurfaceEffect effect_of(const JoinedSurfaces& joined, const FrontWithDomai
 
 } // namespace
 
-CoarseSurfaceEffect coarse_surface_effect(const Discretisation& scene, const StepState& state,
-                                          const FrontWithDomains& front) {
-  CoarseSurfaceEffect all;
-  for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
-    const contact::PairConstraints& pair = scene.pairs[c];
-    if (state.mounted[c] && !pair.faces && !pair.rigid) {
-      const CoarseSurfaceEffect one = effect_of(joined_surfaces(scene, state, c), front);
-      all.why_not = one.part > all.part ? one.why_not : all.why_not;
-      all.part = std::max(all.part, one.part);
-    }
-  }
-  return all;
-}
-
 CoarseSurfaceEffect coarse_surface_effect(const SolvedMeshState& set,
                                           const mesh::CrackFront& front) {
   CoarseSurfaceEffect all;
   const auto add = [&](const JoinedSurfaces& joined) {
-    const CoarseSurfaceEffect one = effect_of(joined, set.scene.cracked, front);
+    const CoarseSurfaceEffect one = front.is_tip() ? effect_on_tip(joined, set.scene.cracked, front)
+                                                   : effect_along_front(joined, front);
     all.part += one.part;
     all.why_not = all.why_not.empty() ? one.why_not : all.why_not;
   };
@@ -240,7 +234,8 @@ CoarseSurfaceEffect coarse_surface_effect(const SolvedMeshState& set,
     }
   }
   for (const model::Mpc& mpc : set.model.mpcs) {
-    if (const auto* transition = std::get_if<model::TransitionTie>(&mpc)) {
+    const auto* transition = std::get_if<model::TransitionTie>(&mpc);
+    if (transition != nullptr && set.edges != nullptr) {
       add(joined_surfaces(set, *transition));
     }
   }

@@ -10,34 +10,31 @@
 /// What surfaces of other bodies do to the error bars of a crack beside them.
 namespace spricka::analysis {
 
-/// A solved state and the edges of its mesh. All must outlive it.
+/// A solved state and, in the plane, the edges of its mesh. All must outlive it.
 struct SolvedMeshState {
   const model::Model& model;
   const Discretisation& scene;
   const StepState& state;
-  const estimate::EdgeTable& edges;
+  const estimate::EdgeTable* edges = nullptr; ///< null: TRANSITIONs are left out
 };
 
-/// What closed contacts and TRANSITIONs beside a tip, where its crack does not start, do to its
-/// bar. Where edges of one of the sides are long against their distance from the tip, the other
-/// body follows what the tip does to the surface too stiffly, which no error estimate of the meshes
-/// sees.
+/// What closed contacts and TRANSITIONs beside a front do to its bars. Where edges or faces of one
+/// of the sides are large the other body follows what the crack does to the surface too stiffly,
+/// which no error estimate of the meshes sees. In the plane they count against their distance from
+/// the tip, on surfaces where its crack does not start; in space against the depth of the front
+/// under the surface, also where it ends on that.
 struct CoarseSurfaceEffect {
-  double part = 0.0;   ///< of hypot(K1, K2), what it may be off by
-  std::string why_not; ///< why there can be no bar; empty: `part` is all
+  double part = 0.0; ///< of hypot(K1, K2), in space of the largest K, what it may be off by
+  /// In the plane why there can be no bar, empty: `part` is all; in space what to say of a part
+  /// that is large, as no size is too large for a bar.
+  std::string why_not;
 };
-/// Adds up over the mounted contacts and the TRANSITIONs what too coarse surfaces may do to K at a
-/// tip in the plane.
-CoarseSurfaceEffect coarse_surface_effect(const SolvedMeshState& setting,
+/// Adds up over the mounted contacts and the TRANSITIONs what too coarse surfaces may do to K of a
+/// front; the reason is that of the first that has one.
+CoarseSurfaceEffect coarse_surface_effect(const SolvedMeshState& set,
                                           const mesh::CrackFront& front);
 
-/// The same for a front in space, of the largest K along it, and of contacts alone: those that it
-/// ends on as well, where edges count against its depth under the surface, and no length is too
-/// long for a bar. `why_not` then is what to say of a part that is large.
-CoarseSurfaceEffect coarse_surface_effect(const Discretisation& scene, const StepState& state,
-                                          const FrontWithDomains& front);
-
 /// Nodes that another body or a rigid one holds by a BONDED contact, TRANSITION or RIGID. [node]
-std::vector<bool> tied_nodes(const SolvedMeshState& setting);
+std::vector<bool> tied_nodes(const SolvedMeshState& set);
 
 } // namespace spricka::analysis

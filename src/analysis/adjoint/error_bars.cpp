@@ -67,7 +67,7 @@ estimate::PointSupportChange add_corners(const model::Model& model, const Discre
                                          const estimate::CornerRequest& request,
                                          std::vector<estimate::GoalError>& errors) {
   const std::vector<base::NodeId> tips = tip_nodes(scene);
-  const std::vector<bool> tied = tied_nodes({model, scene, state, request.enrichment.edges()});
+  const std::vector<bool> tied = tied_nodes({model, scene, state});
   const estimate::CornerInput setting{.model = model,
                                       .mesh = scene.cracked.mesh,
                                       .edges = request.enrichment.edges(),
@@ -162,7 +162,7 @@ void TipErrorBars::prepare() {
   for (std::size_t t = 0; t < scene_.cracked.fronts.size(); ++t) {
     const mesh::CrackFront& front = scene_.cracked.fronts[t];
     layout.columns(goals_, t) = enrichment_->mode_functional(
-        crack::intensity_points(model_, scene_.cracked, front, scene_.tips[t].fields,
+        crack::intensity_points(model_, scene_.cracked, front, scene_.domains[t].points.front(),
                                 model_.cracks[front.crack.index()].state));
   }
 }
@@ -285,7 +285,7 @@ TipErrorBars::step_errors(const StepState& state,
 
 void TipErrorBars::estimate_bars(const StepState& state, const StepErrors& errors, std::size_t t,
                                  results::FrontResult& front, results::StepResult& step) {
-  if (scene_.tips[t].fields.empty()) {
+  if (scene_.domains[t].empty()) {
     front.no_bar = "there is no domain that K could be taken from";
     return;
   }
@@ -321,7 +321,7 @@ void TipErrorBars::estimate_bars(const StepState& state, const StepErrors& error
   if (std::max(tip.bar[0].size(), tip.bar[1].size()) > 0.0) {
     // What bodies beside the tip do that are too coarse for it.
     const CoarseSurfaceEffect effect = coarse_surface_effect(
-        {model_, scene_, state, enrichment_->edges()}, scene_.cracked.fronts[t]);
+        {model_, scene_, state, &enrichment_->edges()}, scene_.cracked.fronts[t]);
     front.no_bar = effect.why_not;
     for (results::KErrorBar& bar : tip.bar) {
       bar.mesh += bar.size() > 0.0 ? effect.part * std::hypot(tip.K1, tip.K2) : 0.0;

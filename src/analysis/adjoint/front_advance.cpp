@@ -3,7 +3,7 @@
 
 #include "analysis/scene/domain_rings.hpp"
 #include "analysis/scene/front_functionals.hpp"
-#include "analysis/scene/front_scene.hpp"
+#include "analysis/scene/front_surroundings.hpp"
 #include "analysis/scene/supported_rows.hpp"
 #include "analysis/steps/row_opening.hpp"
 #include "contact/pairing.hpp"
@@ -121,7 +121,7 @@ VirtualAxisExtension::VirtualAxisExtension(const model::Model& model, const Disc
 // [node] of the surface but for the crack's own faces, where materials meet, or kept from domains.
 std::vector<bool> VirtualAxisExtension::resting() const {
   const model::Mesh& mesh = scene_.cracked.mesh;
-  std::vector<bool> rests = front_limits(model_, scene_).node;
+  std::vector<bool> rests = domain_limits(model_, scene_, scene_.cracked.fronts.front()).node;
   std::vector<std::int32_t> property(mesh.node_count(), -1);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     for (const base::NodeId n : mesh.element_nodes(base::ElementId(e))) {
@@ -145,30 +145,32 @@ std::vector<bool> VirtualAxisExtension::resting() const {
 
 // An ellipse whose axis grows is an affine picture of itself; sections of the tube go along with
 // the front as they are, on the surface as domains do (sensitivity.15).
-std::vector<Vec3> VirtualAxisExtension::motion_of(const FrontWithDomains& at) const {
+std::vector<Vec3> VirtualAxisExtension::motion_of(std::size_t f) const {
+  const mesh::CrackFront& front = scene_.cracked.fronts[f];
+  const crack::FrontExtensions& domains = scene_.domains[f];
   const model::PlanarCrack& plane = model_.cracks[crack_.index()].plane;
   const Vec3 direction = axis_ == EllipseAxis::a ? plane.transverse_axis() : plane.along;
   const double size = axis_ == EllipseAxis::a ? plane.a : plane.c;
   const model::Mesh& mesh = scene_.cracked.mesh;
   std::vector<Vec3> velocity(mesh.node_count(), Vec3::Zero());
-  const std::set<base::NodeId> skin = skin_of(mesh, at.fields);
-  for (const auto& [node, carried] : carried_by(at.fields)) {
+  const std::set<base::NodeId> skin = skin_of(mesh, domains);
+  for (const auto& [node, carried] : carried_by(domains)) {
     const Vec3& x = mesh.x[node.index()];
-    const mesh::FrontFrame foot = at.front.curve->at(at.front.curve->nearest_length(x));
+    const mesh::FrontFrame foot = front.curve->at(front.curve->nearest_length(x));
     const Vec3 own = direction.dot(foot.x - plane.place) / size * direction;
     velocity[node.index()] =
         skin.contains(node) ? Vec3(own.dot(foot.m) * carried.along) : Vec3(carried.q * own);
   }
   // Elements beyond the domains take part, so that none is strained much.
   const std::vector<bool> rests = resting();
-  const double tube = std::ranges::max(at.front.points, {}, &mesh::FrontPoint::radius).radius;
+  const double tube = std::ranges::max(front.points, {}, &mesh::FrontPoint::radius).radius;
   const double room = share_of_axis * std::min(plane.a, plane.c);
   for (std::size_t n = 0; n < velocity.size(); ++n) {
     const Vec3& x = mesh.x[n];
     if (rests[n] || std::abs(plane.normal.dot(x - plane.place)) > tube + room) {
       continue;
     }
-    const Vec3 foot = at.front.curve->at(at.front.curve->nearest_length(x)).x;
+    const Vec3 foot = front.curve->at(front.curve->nearest_length(x)).x;
     const double part = std::clamp((tube + room - (x - foot).norm()) / room, 0.0, 1.0);
     const Vec3 own = part * direction.dot(foot - plane.place) / size * direction;
     velocity[n] = own.norm() > velocity[n].norm() ? own : velocity[n];
@@ -187,19 +189,21 @@ std::vector<Vec3> VirtualAxisExtension::motion_of(const FrontWithDomains& at) co
 void VirtualAxisExtension::shift_mesh() {
   velocity_.assign(scene_.cracked.mesh.node_count(), Vec3::Zero());
   double size = std::numeric_limits<double>::infinity();
-  for (const FrontWithDomains& at : scene_.fronts) {
-    if (at.front.crack != crack_) {
+  for (std::size_t f = 0; f < scene_.cracked.fronts.size(); ++f) {
+    const mesh::CrackFront& front = scene_.cracked.fronts[f];
+    if (front.crack != crack_) {
       continue;
     }
-    if (std::ranges::any_of(at.fields.points, [](const auto& point) { return point.empty(); })) {
+    if (std::ranges::any_of(scene_.domains[f].points,
+                            [](const auto& point) { return point.empty(); })) {
       why_never_ = "no domain fits round some points of the front";
       return;
     }
-    const std::vector<Vec3> own = motion_of(at);
+    const std::vector<Vec3> own = motion_of(f);
     for (std::size_t n = 0; n < own.size(); ++n) {
       velocity_[n] += own[n];
     }
-    size = std::min(size, at.front.size);
+    size = std::min(size, front.size);
   }
   step_ = part_of_size * size;
   for (std::size_t e = 0; e < scene_.cracked.mesh.element_count(); ++e) {
@@ -219,23 +223,24 @@ void VirtualAxisExtension::move() {
   for (std::size_t n = 0; n < velocity_.size(); ++n) {
     moved_.cracked.mesh.x[n] += step_ * velocity_[n];
   }
-  const crack::DomainLimits limits = front_limits(model_, scene_);
-  for (const FrontWithDomains& at : scene_.fronts) {
-    FrontWithDomains& moved = moved_.fronts.emplace_back(at);
-    if (at.front.crack != crack_) {
+  moved_.domains = scene_.domains;
+  for (std::size_t f = 0; f < scene_.cracked.fronts.size(); ++f) {
+    const mesh::CrackFront& front = scene_.cracked.fronts[f];
+    if (front.crack != crack_) {
       continue;
     }
-    std::vector<Vec3> points = at.front.curve->points();
+    std::vector<Vec3> points = front.curve->points();
     for (Vec3& x : points) {
       x += rate * direction.dot(x - plane.place) * direction;
     }
     const std::vector<Vec3> normals(points.size(), plane.normal);
-    moved.front.curve = std::make_shared<const mesh::FrontCurve>(std::move(points), normals,
-                                                                 at.front.curve->closed());
-    mesh::update_points(moved_.cracked.mesh, moved.front);
-    moved.fields =
-        crack::front_extensions(moved_.cracked, moved.front, domain_rings(model_, crack_), limits);
-    keep_shares(at.fields, moved.fields);
+    mesh::CrackFront& moved = moved_.cracked.fronts[f];
+    moved.curve =
+        std::make_shared<const mesh::FrontCurve>(std::move(points), normals, front.curve->closed());
+    mesh::update_points(moved_.cracked.mesh, moved);
+    moved_.domains[f] = crack::front_extensions(moved_.cracked, moved, domain_rings(model_, crack_),
+                                                domain_limits(model_, scene_, front));
+    keep_shares(scene_.domains[f], moved_.domains[f]);
   }
 }
 

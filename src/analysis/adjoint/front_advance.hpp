@@ -34,7 +34,7 @@ public:
 private:
   void shift_mesh();
   [[nodiscard]] std::vector<bool> resting() const;
-  [[nodiscard]] std::vector<base::Vec3> motion_of(const FrontWithDomains& at) const;
+  [[nodiscard]] std::vector<base::Vec3> motion_of(std::size_t f) const;
   void move();
   void move_pairs();
   [[nodiscard]] base::Vector loads(const Discretisation& side, const StepState& state) const;

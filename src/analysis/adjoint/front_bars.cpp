@@ -29,8 +29,8 @@ bool settled(const Discretisation& scene, const base::Vector& more, const base::
   double change = 0.0;
   double size = 0.0;
   Eigen::Index first = 0;
-  for (const FrontWithDomains& at : scene.fronts) {
-    for (const mesh::FrontPoint& point : at.front.points) {
+  for (const mesh::CrackFront& front : scene.cracked.fronts) {
+    for (const mesh::FrontPoint& point : front.points) {
       if (!point.at_surface) {
         change = std::max(change, more.segment<3>(first).cwiseAbs().maxCoeff());
         size = std::max(size, all.segment<3>(first).cwiseAbs().maxCoeff());
@@ -53,16 +53,17 @@ crack::SparseRows goal_rows(const model::Model& model, const Discretisation& sce
   const crack::KLayout layout = scene.k_layout();
   std::vector<Eigen::Triplet<double>> entries;
   std::size_t first = 0;
-  for (const FrontWithDomains& at : scene.fronts) {
+  for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {
+    const mesh::CrackFront& front = scene.cracked.fronts[f];
     const crack::SparseRows own =
-        crack::supplementary_front_rows(model, scene.cracked, at.front, at.fields, others);
+        crack::supplementary_front_rows(model, scene.cracked, front, scene.domains[f], others);
     for (Eigen::Index c = 0; c < own.cols(); ++c) {
       for (crack::SparseRows::InnerIterator it(own, c); it; ++it) {
         entries.emplace_back(it.row(), layout.first_index(first) + c,
                              it.value() * enrichment.free_mask()[it.row()]);
       }
     }
-    first += at.front.points.size();
+    first += front.points.size();
   }
   crack::SparseRows rows(enrichment.freedoms(), layout.count());
   rows.setFromTriplets(entries.begin(), entries.end());
@@ -201,8 +202,9 @@ void FrontErrorBars::estimate_bars(const StepState& state, const base::Vector& e
     better.segment<3>(at) += base::Vec3(place.K1, place.K2, place.K3);
     better[at] = place.closed ? 0.0 : better[at];
   }
-  const CoarseSurfaceEffect coarse = coarse_surface_effect(scene_, state, scene_.fronts[f]);
-  add_front_error_bars(eta, smooth_front_K(scene_.fronts[f], better, first), edges, first,
+  const mesh::CrackFront& is = scene_.cracked.fronts[f];
+  const CoarseSurfaceEffect coarse = coarse_surface_effect({model_, scene_, state}, is);
+  add_front_error_bars(eta, smooth_front_K(is, scene_.domains[f], better, first), edges, first,
                        coarse.part, front);
   if (!coarse.why_not.empty()) {
     result.notes.push_back(

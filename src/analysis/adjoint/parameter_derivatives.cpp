@@ -86,20 +86,21 @@ base::Matrix loads_by_materials(const KDependence& K) {
   return loads;
 }
 
-// [point] by a first element of its domains; that behind the last where it has none.
+// [point] by a first element of its front's domains; that behind the last where it has none.
 std::vector<std::size_t> point_materials(const model::Model& model, const Discretisation& scene) {
-  const auto material = [&](const std::vector<base::ElementId>& elements) {
-    return elements.empty()
-               ? model.materials.size()
-               : model.element_property(scene.cracked.mesh, elements.front()).material.index();
+  const auto material = [&](const crack::FrontExtensions& domains) {
+    for (const std::vector<crack::ExtensionField>& point : domains.points) {
+      if (!point.empty() && !point.front().elements.empty()) {
+        return model.element_property(scene.cracked.mesh, point.front().elements.front())
+            .material.index();
+      }
+    }
+    return model.materials.size();
   };
   std::vector<std::size_t> materials;
-  for (const TipDomainFields& tip : scene.tips) {
-    materials.push_back(tip.fields.empty() ? model.materials.size()
-                                           : material(tip.fields.front().elements));
-  }
-  for (const FrontWithDomains& at : scene.fronts) {
-    materials.insert(materials.end(), at.front.points.size(), material(at.fields.elements()));
+  for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {
+    materials.insert(materials.end(), scene.cracked.fronts[f].points.size(),
+                     material(scene.domains[f]));
   }
   return materials;
 }

@@ -76,7 +76,7 @@ void TipSensitivityAnalysis::prepare() {
   }
   case_load_ = loads_with_supports(model_, scene_);
   of_loads_ = K_of_cases(model_, scene_);
-  for (std::size_t t = 0; t < scene_.front_count(); ++t) {
+  for (std::size_t t = 0; t < scene_.cracked.fronts.size(); ++t) {
     advances_.push_back(std::make_unique<VirtualTipExtension>(model_, scene_, t));
   }
 }

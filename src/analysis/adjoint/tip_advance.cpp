@@ -41,8 +41,9 @@ VirtualTipExtension::VirtualTipExtension(const model::Model& model, const Discre
       a_(scene.cracked.fronts[tip].a),
       // one ring beyond the tip's domains moves all of them as one; where it does not fit, the
       // largest domain moves itself
-      motion_(estimate::tip_motion(scene.cracked, tip,
-                                   scene.tips[tip].beyond.value_or(scene.tips[tip].fields.back()))),
+      motion_(estimate::tip_motion(
+          scene.cracked, tip,
+          scene.domains[tip].beyond.value_or(scene.domains[tip].points.front().back()))),
       strained_(motion_.field.elements) {
   if (model::axisymmetric(model)) {
     strained_.insert(strained_.end(), motion_.field.inside.begin(), motion_.field.inside.end());
@@ -56,11 +57,11 @@ VirtualTipExtension::VirtualTipExtension(const model::Model& model, const Discre
   ahead_ = moved_by(1.0);
   behind_ = moved_by(-1.0);
   move_loads(moves);
-  row_rate_.resize(scene.tips.size());
-  for (std::size_t t = 0; t < scene.tips.size(); ++t) {
+  row_rate_.resize(scene.domains.size());
+  for (std::size_t t = 0; t < scene.domains.size(); ++t) {
     // About an axis what moves as one comes to other radii.
     if (model::axisymmetric(model) ||
-        !estimate::moves_as_one(scene.cracked.mesh, motion_, scene.tips[t].fields)) {
+        !estimate::moves_as_one(scene.cracked.mesh, motion_, scene.domains[t].points.front())) {
       row_rate_[t] =
           (tip_K_rows(model, *ahead_, t) - tip_K_rows(model, *behind_, t)) / (2.0 * motion_.step);
     }
@@ -106,7 +107,7 @@ std::string VirtualTipExtension::missing_reason(const std::vector<bool>& closed)
 std::unique_ptr<Discretisation> VirtualTipExtension::moved_by(double steps) const {
   auto side = std::make_unique<Discretisation>();
   side->cracked = estimate::move_tip_mesh(scene_.cracked, motion_, steps);
-  side->tips = scene_.tips;
+  side->domains = scene_.domains;
   side->case_temperature = scene_.case_temperature;
   for (std::size_t c = 0; c < model_.cases.size(); ++c) {
     side->case_heat.push_back(make_case_heat(model_, *side, model_.cases[c]));

@@ -136,12 +136,14 @@ GrowthRateEvaluator::evaluate_tips(const SolvedCrackState& at,
     if (!evaluate_place(at, to, found[i])) {
       return std::nullopt;
     }
-    for (const mesh::CrackFront& front : at.tips) {
+    for (const mesh::CrackFront& front : at.fronts) {
+      if (!front.is_tip() || !model_.growth->flow_stress) {
+        continue;
+      }
       const mesh::CrackLine& line = at.cracks.lines[growing[i].line];
       // The second tip, or the only one, stands at the last point of its line.
       const bool second = front.number == 2 || !line.embedded;
-      if (model_.growth->flow_stress && front.crack == line.crack &&
-          second != growing[i].at_first) {
+      if (front.crack == line.crack && second != growing[i].at_first) {
         plastic(at.increment, front, line, found[i]);
       }
     }

@@ -28,7 +28,7 @@ life::GrowthRateLaw growth_law(const model::CrackGrowthSettings& growth);
 /// A solved state of the cracks.
 struct SolvedCrackState {
   const results::Increment& increment;
-  const std::vector<mesh::CrackFront>& tips;
+  const std::vector<mesh::CrackFront>& fronts;
   const std::vector<double>& plastic; ///< [front] in space, of the section before it, or empty
   const growth::CrackGeometry& cracks;
   const std::optional<LoadHistoryResult>& followed; ///< where friction makes K a history

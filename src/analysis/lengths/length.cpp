@@ -39,9 +39,7 @@ CrackLengthAnalysis::PostProcessors::PostProcessors(const CrackLengthAnalysis& l
       fronts(length.model(), length.scene_, length.bodies_) {}
 
 double CrackLengthAnalysis::first_crack_size() const {
-  return !scene_.cracked.fronts.empty() ? scene_.cracked.fronts.front().a
-         : !scene_.fronts.empty()       ? scene_.fronts.front().front.a
-                                        : 0.0;
+  return scene_.cracked.fronts.empty() ? 0.0 : scene_.cracked.fronts.front().a;
 }
 
 CondensationRequest CrackLengthAnalysis::request() const {

@@ -20,16 +20,12 @@ namespace spricka::analysis {
 
 namespace {
 
-std::string tips_in_words(const Discretisation& scene) {
-  if (scene.fronts.empty()) {
-    return fmt::format("{} tips", scene.cracked.fronts.size());
-  }
-  std::size_t points = 0;
-  for (const FrontWithDomains& at : scene.fronts) {
-    points += at.front.points.size();
-  }
-  return fmt::format("{} {} of {} points", scene.fronts.size(),
-                     scene.fronts.size() == 1 ? "front" : "fronts", points);
+std::string fronts_in_words(const Discretisation& scene) {
+  const std::size_t count = scene.cracked.fronts.size();
+  return count == 0 || scene.has_tips()
+             ? fmt::format("{} tips", count)
+             : fmt::format("{} {} of {} points", count, count == 1 ? "front" : "fronts",
+                           scene.k_layout().points());
 }
 
 bool rubs(const Discretisation& scene) {
@@ -100,7 +96,7 @@ std::optional<results::Increment> CrackStateSolver::solve(const CrackStateReques
                fmt::format("{}{} nodes, {} elements, {} contact rows, {}",
                            reported > 0.0 ? fmt::format("a = {:.6g}: ", reported) : "",
                            cut.cracked.mesh.node_count(), cut.cracked.mesh.element_count(),
-                           cut.table.size(), tips_in_words(cut)));
+                           cut.table.size(), fronts_in_words(cut)));
   tell("meshed");
   results::Increment increment;
   std::vector<std::size_t> touching;
@@ -124,7 +120,7 @@ std::optional<results::Increment> CrackStateSolver::solve(const CrackStateReques
   } while (!touching.empty());
   increment.unknowns = unknowns(length->bodies());
   Discretisation scene = CrackLengthAnalysis::take_discretisation(std::move(length));
-  tips_ = scene.cracked.fronts;
+  fronts_ = scene.cracked.fronts;
   measure_sections(scene, increment);
   // From here on what was mounted stands, for MOUNTED=FIRST.
   first_ = false;
@@ -150,9 +146,9 @@ void CrackStateSolver::measure_sections(const Discretisation& scene,
     return;
   }
   const base::Vector& u = increment.steps[largest_load_step(model_)].u;
-  for (const FrontWithDomains& at : scene.fronts) {
+  for (const mesh::CrackFront& front : scene.cracked.fronts) {
     plastic_.push_back(growth::plastic_load_ratio({model_, scene.cracked, *scene.ties, scene.cls},
-                                                  at.front, u, *model_.growth->flow_stress));
+                                                  front, u, *model_.growth->flow_stress));
   }
 }
 
@@ -253,7 +249,7 @@ bool CrackStateSolver::estimate(CrackLengthAnalysis& length, const CrackStateReq
                                 const SolvedStep& solved, LogWriter& log,
                                 results::StepResult& result) {
   const model::Step& step = model_.steps[solved.step];
-  if (!length.discretisation().cracked.fronts.empty() && request.bars) {
+  if (length.discretisation().has_tips() && request.bars) {
     const std::size_t tips = length.solve_adjoints(solved.solver).size();
     log.add_line("ADJOINT", fmt::format("step {}: {} tips", step.name, tips));
     length.add_error_bars(solved.state, result);
@@ -261,7 +257,8 @@ bool CrackStateSolver::estimate(CrackLengthAnalysis& length, const CrackStateReq
     length.add_sensitivities(solved.solver, solved.state, result);
     log.add_line("SENSITIVITY", fmt::format("step {}: loads, fits, moduli, lengths", step.name));
   }
-  if (!length.discretisation().fronts.empty() && request.bars) {
+  if (!length.discretisation().cracked.fronts.empty() && !length.discretisation().has_tips() &&
+      request.bars) {
     length.add_front_estimates(solved.solver, solved.state, result);
     log.add_line("ESTIMATE", fmt::format("step {}: error bars and derivatives of K", step.name));
   }
@@ -345,7 +342,7 @@ bool CrackStateSolver::walk_steps(CrackLengthAnalysis& length, const CrackStateR
       return false;
     }
     log.add_line("VCE",
-                 fmt::format("step {}: {}, pressures, balance", step.name, tips_in_words(scene)));
+                 fmt::format("step {}: {}, pressures, balance", step.name, fronts_in_words(scene)));
     show(increment);
     tell(fmt::format("step {}: K", step.name), solved, repeated.count_solved());
     paths.record_step(s, solver, increment.steps.back());

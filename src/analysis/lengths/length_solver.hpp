@@ -44,7 +44,7 @@ public:
   std::optional<results::Increment> solve(const CrackStateRequest& request, const RegionPlan& plan);
 
   /// Of the state that was solved last.
-  [[nodiscard]] const std::vector<mesh::CrackFront>& tips() const { return tips_; }
+  [[nodiscard]] const std::vector<mesh::CrackFront>& fronts() const { return fronts_; }
 
   /// By front in space, with SFLOW: force and moments of the section before it at the growth's
   /// largest load, over their plastic limit.
@@ -114,7 +114,7 @@ private:
   std::optional<OverlapResults> free_;
   ContactMemory contact_;
   estimate::ModeMatrixCache modes_;
-  std::vector<mesh::CrackFront> tips_;
+  std::vector<mesh::CrackFront> fronts_;
   std::vector<double> plastic_;
   bool first_ = true;
 };

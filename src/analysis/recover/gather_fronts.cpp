@@ -3,8 +3,7 @@
 
 #include "analysis/recover/judge_faces.hpp"
 #include "analysis/scene/front_name.hpp"
-#include "analysis/scene/front_scene.hpp"
-#include "analysis/scene/tip_surroundings.hpp"
+#include "analysis/scene/front_surroundings.hpp"
 #include "analysis/steps/crack_face_contact.hpp"
 #include "base/tidy.hpp"
 #include "contact/space_tractions.hpp"
@@ -135,8 +134,8 @@ void gather_tip(const model::Model& model, const Discretisation& scene, std::siz
   }
   const std::optional<crack::CrackFaceForces> crack_faces = crack_face_forces(scene, front, state);
   request.crack_faces = crack_faces ? &*crack_faces : nullptr;
-  const std::vector<crack::ExtensionField>& fields = scene.tips[t].fields;
-  const crack::TipLoads loads = tip_loads(model, scene, fields, state.case_factor);
+  const std::vector<crack::ExtensionField>& fields = scene.domains[t].points.front();
+  const crack::TipLoads loads = front_loads(model, scene, scene.domains[t], state.case_factor);
   const std::vector<crack::StressIntensity> K{
       crack::stress_intensity(model, scene.cracked, front, fields, request, state.u, loads)};
   std::vector<bool> discontinuous;
@@ -151,24 +150,25 @@ void gather_tip(const model::Model& model, const Discretisation& scene, std::siz
   out.fronts.push_back(std::move(result));
 }
 
-void gather_front(const model::Model& model, const Discretisation& scene,
-                  const FrontWithDomains& at, const StepState& state, results::StepResult& out) {
-  const mesh::CrackFront& front = at.front;
+void gather_front(const model::Model& model, const Discretisation& scene, std::size_t f,
+                  const StepState& state, results::StepResult& out) {
+  const mesh::CrackFront& front = scene.cracked.fronts[f];
+  const crack::FrontExtensions& domains = scene.domains[f];
   const model::CrackDefinition& crack = model.cracks[front.crack.index()];
   const model::CrackExtensionSettings* vce = request_of(model, front.crack);
   crack::FrontIntensityRequest request;
   request.opening = vce != nullptr && vce->opening;
   crack::FrontLoads loads;
-  loads.given = front_loads(model, scene, at.fields, state.case_factor);
-  loads.contact = contact_forces(scene, at.fields, state);
+  loads.given = front_loads(model, scene, domains, state.case_factor);
+  loads.contact = contact_forces(scene, domains, state);
   const std::vector<FrontFaces> faces = front_faces(scene, front, state);
   for (const FrontFaces& point : faces) {
     loads.across.push_back(0.0 - point.pressure);
   }
   const std::vector<crack::StressIntensity> K =
-      crack::front_intensity(model, scene.cracked, front, at.fields, request, state.u, loads);
+      crack::front_intensity(model, scene.cracked, front, domains, request, state.u, loads);
   results::FrontResult result = front_of(model, scene, front, K);
-  result.is_loop = at.fields.closed;
+  result.is_loop = domains.closed;
   result.length = result.is_loop ? front.curve->length() : result.length;
   result.has_angles = crack.kind == model::CrackDefinitionKind::ellipse;
   double reach = 0.0;
@@ -187,11 +187,12 @@ void gather_front(const model::Model& model, const Discretisation& scene,
 
 void gather_fronts(const model::Model& model, const Discretisation& scene, const StepState& state,
                    results::StepResult& out) {
-  for (std::size_t t = 0; t < scene.cracked.fronts.size(); ++t) {
-    gather_tip(model, scene, t, state, out);
-  }
-  for (const FrontWithDomains& at : scene.fronts) {
-    gather_front(model, scene, at, state, out);
+  for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {
+    if (scene.cracked.fronts[f].is_tip()) {
+      gather_tip(model, scene, f, state, out);
+    } else {
+      gather_front(model, scene, f, state, out);
+    }
   }
 }
 

@@ -30,7 +30,7 @@ bool between_faces(const Discretisation& scene, std::size_t row) {
 std::vector<LoadPathSolver::FaceNodePair> LoadPathSolver::watch_faces(const model::Model& model,
                                                                       const Discretisation& scene) {
   std::vector<FaceNodePair> watches;
-  if (!scene.fronts.empty()) {
+  if (!scene.has_tips()) {
     return watches; // in space steps say where faces overlap
   }
   const bool wanted = !model.load_paths.empty() || follows_history(model);
@@ -137,7 +137,7 @@ base::Vector LoadPathSolver::evaluate_K(const contact::ContactSystem::IncrementP
   }
   look_at_faces(value);
   base::Vector free; // without the forces between faces of cracks, all others as they are
-  if (scene_.fronts.empty() && continues_below_closing(model_)) {
+  if (scene_.has_tips() && continues_below_closing(model_)) {
     free = value;
     for (std::size_t i = 0; i < problem.rows.size(); ++i) {
       if (between_faces(scene_, problem.rows[i])) {
@@ -161,9 +161,13 @@ base::Vector LoadPathSolver::evaluate_K(const contact::ContactSystem::IncrementP
 void LoadPathSolver::smooth_fronts(base::Vector& value) const {
   const crack::KLayout layout = scene_.k_layout();
   std::size_t first = 0;
-  for (const FrontWithDomains& at : scene_.fronts) {
-    const bool bear = scene_.crack_face_pairs[at.front.crack.index()].has_value();
-    const auto smooth = smooth_front_K(at, value, layout.first_index(first));
+  for (std::size_t f = 0; f < scene_.cracked.fronts.size(); ++f) {
+    const mesh::CrackFront& front = scene_.cracked.fronts[f];
+    if (front.is_tip()) {
+      continue;
+    }
+    const bool bear = scene_.crack_face_pairs[front.crack.index()].has_value();
+    const auto smooth = smooth_front_K(front, scene_.domains[f], value, layout.first_index(first));
     for (const std::array<double, 3>& K : smooth) {
       layout.point_entries(value, first++) << (bear ? std::max(0.0, K[0]) : K[0]), K[1], K[2];
     }
@@ -176,14 +180,14 @@ void LoadPathSolver::close_points(const contact::ContactSystem::IncrementProblem
                                   base::Vector& value) const {
   const crack::KLayout layout = scene_.k_layout();
   std::size_t first = 0;
-  for (std::size_t f = 0; f < scene_.front_count(); ++f) {
+  for (std::size_t f = 0; f < scene_.cracked.fronts.size(); ++f) {
     const std::vector<std::optional<std::size_t>> rows = rows_behind(f, problem.rows);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if (rows[i] && solution.contact.closed[*rows[i]]) {
         value[layout.at(first + i, 1)] = 0.0;
       }
     }
-    first += scene_.front(f).points.size();
+    first += scene_.cracked.fronts[f].points.size();
   }
 }
 

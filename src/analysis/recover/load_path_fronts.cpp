@@ -17,14 +17,15 @@ namespace spricka::analysis {
 namespace {
 
 // K1, K2, K3 of the points as a smooth curve along the front.
-void smooth_front(const FrontWithDomains& at, Eigen::Index first, const solve::SolutionPath& found,
+void smooth_front(const mesh::CrackFront& is, const crack::FrontExtensions& domains,
+                  Eigen::Index first, const solve::SolutionPath& found,
                   results::LoadPathFront& front) {
   const std::size_t n = front.points.size();
   std::vector<std::array<std::vector<double>, 3>> value(n);
   std::vector<std::array<std::vector<double>, 3>> slope(n);
   for (const solve::PathSegment& s : found.segments) {
-    const auto values = smooth_front_K(at, s.value, first);
-    const auto slopes = smooth_front_K(at, s.slope, first);
+    const auto values = smooth_front_K(is, domains, s.value, first);
+    const auto slopes = smooth_front_K(is, domains, s.slope, first);
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t k = 0; k < 3; ++k) {
         value[i][k].push_back(values[i][k]);
@@ -152,7 +153,8 @@ bool is_shifted(const model::Model& model, base::CrackId crack) {
 
 std::vector<std::optional<std::size_t>>
 LoadPathSolver::rows_behind(std::size_t f, const std::vector<std::size_t>& in_force) const {
-  std::vector<std::optional<std::size_t>> rows = rows_behind_front(scene_, scene_.front(f));
+  std::vector<std::optional<std::size_t>> rows =
+      rows_behind_front(scene_, scene_.cracked.fronts[f]);
   for (std::optional<std::size_t>& row : rows) {
     const auto at = row ? std::ranges::find(in_force, *row) : in_force.end();
     row = at != in_force.end() ? std::optional(static_cast<std::size_t>(at - in_force.begin()))
@@ -183,8 +185,8 @@ results::LoadPathFront LoadPathSolver::follow_front(std::size_t f, Eigen::Index 
     }
     point.smooth = point.K;
   }
-  if (!scene_.fronts.empty()) {
-    smooth_front(scene_.fronts[f], first, found, out);
+  if (!scene_.cracked.fronts[f].is_tip()) {
+    smooth_front(scene_.cracked.fronts[f], scene_.domains[f], first, found, out);
   }
   return out;
 }
@@ -195,9 +197,9 @@ void LoadPathSolver::fronts(const solve::SolutionPath& found, const LoadPathEnd&
   double apart = 0.0;
   const crack::KLayout layout = scene_.k_layout();
   std::size_t first = 0;
-  for (std::size_t f = 0; f < scene_.front_count(); ++f) {
+  for (std::size_t f = 0; f < scene_.cracked.fronts.size(); ++f) {
     const results::FrontResult& is = from.result.fronts[f];
-    const base::CrackId crack = scene_.front(f).crack;
+    const base::CrackId crack = scene_.cracked.fronts[f].crack;
     results::LoadPathFront front = follow_front(f, layout.first_index(first), found, is);
     first += front.points.size();
     if (is.is_tip()) { // before its faces touch

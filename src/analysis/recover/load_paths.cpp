@@ -3,7 +3,7 @@
 
 #include "analysis/recover/closed_run.hpp"
 #include "analysis/recover/path_functions.hpp"
-#include "analysis/scene/tip_surroundings.hpp"
+#include "analysis/scene/front_surroundings.hpp"
 #include "analysis/steps/crack_face_contact.hpp"
 #include "analysis/steps/history_program.hpp"
 #include "contact/slave_places.hpp"

@@ -131,8 +131,10 @@ std::vector<bool> around(const model::Mesh& mesh, std::vector<bool> node) {
 std::vector<bool> singular_elements(const model::Model& model, const Discretisation& scene) {
   const model::Mesh& mesh = scene.cracked.mesh;
   std::vector<bool> tip(mesh.node_count(), false);
-  for (const mesh::CrackFront& t : scene.cracked.fronts) {
-    tip[t.tip_point().node.index()] = true;
+  for (const mesh::CrackFront& front : scene.cracked.fronts) {
+    for (const mesh::FrontPoint& point : front.points) {
+      tip[point.node.index()] = true;
+    }
   }
   std::vector<bool> point = single_forces(model, mesh);
   mark_point_supports(scene, point);

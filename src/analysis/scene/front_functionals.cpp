@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/scene/front_functionals.hpp"
 
-#include "analysis/scene/front_scene.hpp"
-#include "analysis/scene/tip_surroundings.hpp"
+#include "analysis/scene/front_surroundings.hpp"
 #include "contact/space_tractions.hpp"
 #include "crack/front_intensity.hpp"
 #include "crack/stress_intensity.hpp"
@@ -48,36 +47,50 @@ ForcePlaces force_places(const Discretisation& scene, const crack::FrontExtensio
   return places;
 }
 
-// Of forces between the faces of plane cracks, which are nodal ones (crack.33).
-void add_K_by_face_forces(const model::Model& model, const Discretisation& scene,
-                          base::Matrix& of_row) {
-  const crack::KLayout layout = scene.k_layout();
-  for (std::size_t t = 0; t < scene.cracked.fronts.size(); ++t) {
-    const mesh::CrackFront& front = scene.cracked.fronts[t];
-    const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
-    if (!crack_face) {
-      continue;
-    }
-    // K by a nodal force on either face [dim * node, 2]; a unit of a row puts its weights there.
-    const base::Matrix weight = crack::crack_face_intensity_rows(
-        model, scene.cracked, front, scene.tips[t].fields, model.cracks[front.crack.index()].state,
-        crack_face->sides);
-    for (std::size_t r = scene.table.first[crack_face->pair];
-         r < scene.table.first[crack_face->pair + 1]; ++r) {
-      for (const contact::RowEntry& entry : scene.contact_row(r).entries) {
-        const auto at = 2 * static_cast<Eigen::Index>(entry.node.index());
-        layout.point_entries(of_row.col(static_cast<Eigen::Index>(r)), t) +=
-            weight.middleRows<2>(at).transpose() * entry.weight.head<2>();
-      }
+// Adds what rows between the faces of a plane crack do to K of its tip, which are nodal forces
+// (crack.33); `point`: of the front in the layout.
+void add_K_by_face_forces(const model::Model& model, const Discretisation& scene, std::size_t f,
+                          std::size_t point, base::Matrix& of_row) {
+  const mesh::CrackFront& front = scene.cracked.fronts[f];
+  const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
+  if (!crack_face) {
+    return;
+  }
+  // K by a nodal force on either face [dim * node, 2]; a unit of a row puts its weights there.
+  const base::Matrix weight =
+      crack::crack_face_intensity_rows(model, scene.cracked, front, scene.domains[f].points.front(),
+                                       model.cracks[front.crack.index()].state, crack_face->sides);
+  for (std::size_t r = scene.table.first[crack_face->pair];
+       r < scene.table.first[crack_face->pair + 1]; ++r) {
+    for (const contact::RowEntry& entry : scene.contact_row(r).entries) {
+      const auto at = 2 * static_cast<Eigen::Index>(entry.node.index());
+      scene.k_layout().point_entries(of_row.col(static_cast<Eigen::Index>(r)), point) +=
+          weight.middleRows<2>(at).transpose() * entry.weight.head<2>();
     }
   }
+}
+
+// The same of rows that press on the sides that the domains of a front in space move
+// (crack_space.9).
+void add_K_by_tractions(const model::Model& model, const Discretisation& scene, std::size_t f,
+                        std::size_t point, base::Matrix& of_row) {
+  const ForcePlaces places = force_places(scene, scene.domains[f]);
+  if (places.by_row.empty()) {
+    return;
+  }
+  const crack::SparseRows rows = crack::front_force_rows(
+      model, scene.cracked, scene.cracked.fronts[f], scene.domains[f], places.faces);
+  crack::SparseRows by_row(rows.rows(), of_row.cols());
+  by_row.setFromTriplets(places.by_row.begin(), places.by_row.end());
+  const crack::SparseRows product = rows.transpose() * by_row;
+  of_row.middleRows(scene.k_layout().first_index(point), product.rows()) += product;
 }
 
 } // namespace
 
 base::Matrix tip_K_rows(const model::Model& model, const Discretisation& scene, std::size_t t) {
   const mesh::CrackFront& front = scene.cracked.fronts[t];
-  return crack::intensity_rows(model, scene.cracked, front, scene.tips[t].fields,
+  return crack::intensity_rows(model, scene.cracked, front, scene.domains[t].points.front(),
                                model.cracks[front.crack.index()].state);
 }
 
@@ -85,20 +98,17 @@ crack::SparseRows K_rows(const model::Model& model, const Discretisation& scene)
   std::vector<Eigen::Triplet<double>> entries;
   const crack::KLayout layout = scene.k_layout();
   std::size_t first = 0;
-  const auto add = [&](const crack::SparseRows& own, std::size_t points) {
+  for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {
+    const mesh::CrackFront& front = scene.cracked.fronts[f];
+    const crack::SparseRows own =
+        front.is_tip() ? crack::SparseRows(tip_K_rows(model, scene, f).sparseView())
+                       : crack::front_intensity_rows(model, scene.cracked, front, scene.domains[f]);
     for (Eigen::Index c = 0; c < own.cols(); ++c) {
       for (crack::SparseRows::InnerIterator it(own, c); it; ++it) {
         entries.emplace_back(it.row(), layout.first_index(first) + c, it.value());
       }
     }
-    first += points;
-  };
-  for (std::size_t t = 0; t < scene.tips.size(); ++t) {
-    add(tip_K_rows(model, scene, t).sparseView(), 1);
-  }
-  for (const FrontWithDomains& at : scene.fronts) {
-    add(crack::front_intensity_rows(model, scene.cracked, at.front, at.fields),
-        at.front.points.size());
+    first += front.points.size();
   }
   crack::SparseRows rows(static_cast<Eigen::Index>(scene.cracked.mesh.node_count()) *
                              scene.cracked.mesh.dim,
@@ -108,22 +118,16 @@ crack::SparseRows K_rows(const model::Model& model, const Discretisation& scene)
 }
 
 base::Matrix K_by_forces(const model::Model& model, const Discretisation& scene) {
-  const crack::KLayout layout = scene.k_layout();
-  const auto count = static_cast<Eigen::Index>(scene.table.size());
-  base::Matrix of_row = base::Matrix::Zero(layout.count(), count);
-  add_K_by_face_forces(model, scene, of_row);
+  base::Matrix of_row =
+      base::Matrix::Zero(scene.k_layout().count(), static_cast<Eigen::Index>(scene.table.size()));
   std::size_t first = 0;
-  for (const FrontWithDomains& at : scene.fronts) {
-    const ForcePlaces places = force_places(scene, at.fields);
-    if (!places.by_row.empty()) {
-      const crack::SparseRows rows =
-          crack::front_force_rows(model, scene.cracked, at.front, at.fields, places.faces);
-      crack::SparseRows by_row(rows.rows(), count);
-      by_row.setFromTriplets(places.by_row.begin(), places.by_row.end());
-      const crack::SparseRows product = rows.transpose() * by_row;
-      of_row.middleRows(layout.first_index(first), product.rows()) += product;
+  for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {
+    if (scene.cracked.fronts[f].is_tip()) {
+      add_K_by_face_forces(model, scene, f, first, of_row);
+    } else {
+      add_K_by_tractions(model, scene, f, first, of_row);
     }
-    first += at.front.points.size();
+    first += scene.cracked.fronts[f].points.size();
   }
   return of_row;
 }
@@ -133,21 +137,22 @@ base::Vector K_values(const model::Model& model, const Discretisation& scene, co
   const crack::KLayout layout = scene.k_layout();
   base::Vector values = base::Vector::Zero(layout.count());
   std::size_t first = 0;
-  for (std::size_t t = 0; t < scene.tips.size(); ++t) {
-    const mesh::CrackFront& front = scene.cracked.fronts[t];
-    const std::vector<crack::ExtensionField>& fields = scene.tips[t].fields;
-    crack::TipIntensityRequest request; // without SHIFT: linear in u
-    request.state = model.cracks[front.crack.index()].state;
-    const crack::StressIntensity K =
-        crack::stress_intensity(model, scene.cracked, front, fields, request, u,
-                                tip_loads(model, scene, fields, case_factor));
-    layout.point_entries(values, first++) << K.K1, K.K2;
-  }
-  for (const FrontWithDomains& at : scene.fronts) {
+  for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {
+    const mesh::CrackFront& front = scene.cracked.fronts[f];
+    const crack::FrontExtensions& domains = scene.domains[f];
+    if (front.is_tip()) {
+      crack::TipIntensityRequest request; // without SHIFT: linear in u
+      request.state = model.cracks[front.crack.index()].state;
+      const crack::StressIntensity K =
+          crack::stress_intensity(model, scene.cracked, front, domains.points.front(), request, u,
+                                  front_loads(model, scene, domains, case_factor));
+      layout.point_entries(values, first++) << K.K1, K.K2;
+      continue;
+    }
     crack::FrontLoads loads;
-    loads.given = front_loads(model, scene, at.fields, case_factor);
+    loads.given = front_loads(model, scene, domains, case_factor);
     for (const crack::StressIntensity& K :
-         crack::front_intensity(model, scene.cracked, at.front, at.fields, {}, u, loads)) {
+         crack::front_intensity(model, scene.cracked, front, domains, {}, u, loads)) {
       layout.point_entries(values, first++) << K.K1, K.K2, K.K3;
     }
   }
@@ -183,27 +188,24 @@ bool acts_on_domains(const model::Model& model, const Discretisation& scene,
              return !acting.elements.empty() || !acting.faces.empty();
            });
   };
-  return std::ranges::any_of(scene.tips,
-                             [&](const TipDomainFields& tip) {
-                               return acts(tip_loads(model, scene, tip.fields, case_factor));
-                             }) ||
-         std::ranges::any_of(scene.fronts, [&](const FrontWithDomains& at) {
-           return acts(front_loads(model, scene, at.fields, case_factor));
-         });
+  return std::ranges::any_of(scene.domains, [&](const crack::FrontExtensions& domains) {
+    return acts(front_loads(model, scene, domains, case_factor));
+  });
 }
 
-std::vector<std::array<double, 3>> smooth_front_K(const FrontWithDomains& at, const base::Vector& K,
-                                                  Eigen::Index first) {
-  std::vector<crack::StressIntensity> points(at.front.points.size());
+std::vector<std::array<double, 3>> smooth_front_K(const mesh::CrackFront& front,
+                                                  const crack::FrontExtensions& domains,
+                                                  const base::Vector& K, Eigen::Index first) {
+  std::vector<crack::StressIntensity> points(front.points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Index k = first + 3 * static_cast<Eigen::Index>(i);
     points[i].K1 = K[k];
     points[i].K2 = K[k + 1];
     points[i].K3 = K[k + 2];
     points[i].front = crack::FrontPointIntensity();
-    points[i].domains.resize(at.fields.points[i].size());
+    points[i].domains.resize(domains.points[i].size());
   }
-  crack::smooth_along(at.front, at.fields, points);
+  crack::smooth_along(front, domains, points);
   std::vector<std::array<double, 3>> smooth;
   smooth.reserve(points.size());
   for (const crack::StressIntensity& point : points) {

@@ -35,10 +35,11 @@ base::Matrix K_of_cases(const model::Model& model, const Discretisation& scene);
 bool acts_on_domains(const model::Model& model, const Discretisation& scene,
                      const base::Vector& case_factor);
 
-/// Smooth values of K1, K2, K3 of the points of a front from those in `K` [K], of which the front's
-/// begin at `first`; at the surface what points further in go on to (crack_space.15,
+/// Smooth values of K1, K2, K3 of the points of a front in space from those in `K` [K], of which
+/// the front's begin at `first`; at the surface what points further in go on to (crack_space.15,
 /// crack_space.16). Linear in K.
-std::vector<std::array<double, 3>> smooth_front_K(const FrontWithDomains& at, const base::Vector& K,
-                                                  Eigen::Index first);
+std::vector<std::array<double, 3>> smooth_front_K(const mesh::CrackFront& front,
+                                                  const crack::FrontExtensions& domains,
+                                                  const base::Vector& K, Eigen::Index first);
 
 } // namespace spricka::analysis

@@ -13,8 +13,8 @@ inline std::string front_name(const model::Model& model, const Discretisation& s
                               const mesh::CrackFront& front) {
   const std::string& name = model.cracks[front.crack.index()].name;
   std::size_t of_crack = 0;
-  for (std::size_t f = 0; f < scene.front_count(); ++f) {
-    of_crack += scene.front(f).crack == front.crack ? 1 : 0;
+  for (const mesh::CrackFront& other : scene.cracked.fronts) {
+    of_crack += other.crack == front.crack ? 1 : 0;
   }
   return of_crack > 1 ? name + "." + std::to_string(front.number) : name;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/scene/make_scene.hpp"
 
-#include "analysis/scene/domain_rings.hpp"
 #include "analysis/scene/front_scene.hpp"
+#include "analysis/scene/front_surroundings.hpp"
 #include "analysis/scene/gone_nodes.hpp"
 #include "analysis/scene/scene_loads.hpp"
 #include "analysis/scene/scene_mouths.hpp"
@@ -10,7 +10,6 @@
 #include "analysis/scene/scene_rows.hpp"
 #include "analysis/scene/scene_ties.hpp"
 #include "analysis/scene/supported_rows.hpp"
-#include "analysis/scene/tip_surroundings.hpp"
 #include "contact/pairing.hpp"
 #include "fe/dof_map.hpp"
 #include "growth/crack_lines.hpp"
@@ -91,45 +90,6 @@ bool make_pairs(const model::Model& model, Discretisation& scene, base::Diagnost
   return good;
 }
 
-bool make_tips(const model::Model& model, Discretisation& scene, base::Diagnostics& diagnostics) {
-  if (scene.cracked.fronts.empty()) {
-    return true;
-  }
-  bool good = true;
-  const crack::TipNeighbourhood around(scene.cracked.mesh);
-  for (const mesh::CrackFront& front : scene.cracked.fronts) {
-    TipDomainFields ring;
-    const crack::DomainLimits limits = domain_limits(model, scene, front);
-    ring.fields = around.extension_fields(scene.cracked, front, domain_rings(model, front.crack),
-                                          ring.left_out, limits);
-    if (!ring.fields.empty()) {
-      std::vector<int> ignored;
-      // One ring more carries all domains along as one (sensitivity.9).
-      std::vector<crack::ExtensionField> wider = around.extension_fields(
-          scene.cracked, front, {ring.fields.back().rings + 1}, ignored, limits);
-      if (!wider.empty()) {
-        ring.beyond = std::move(wider.front());
-      }
-    }
-    const model::CrackDefinition& crack = model.cracks[front.crack.index()];
-    if (ring.fields.empty()) {
-      diagnostics.error(crack.span, "E412",
-                        fmt::format("crack {}: no ring domain fits round the tip at a = {:.6g} (it "
-                                    "would leave the body, or reach another tip, another "
-                                    "material, a support, a force or the rim of what is heated)",
-                                    crack.name, front.a),
-                        "give a smaller RADIUS on $TIPNET or other DOMAINS on $VCE");
-      good = false;
-    }
-    for (const int rings : ring.left_out) {
-      scene.notes.push_back(fmt::format("{}: domain of {} rings left out, it would leave the body",
-                                        crack.name, rings));
-    }
-    scene.tips.push_back(std::move(ring));
-  }
-  return good;
-}
-
 } // namespace
 
 std::optional<Discretisation> discretise(const model::Model& model, double a,
@@ -160,12 +120,11 @@ std::optional<Discretisation> discretise(const model::Model& model,
   // All of these are asked before the scene is given up, so that one run tells of all mistakes.
   const bool ties = eliminate_ties(model, scene, diagnostics);
   const bool pairs = make_pairs(model, scene, diagnostics);
-  const bool tips =
-      plane ? make_tips(model, scene, diagnostics) : make_fronts(model, scene, diagnostics);
+  const bool fronts = make_fronts(model, scene, diagnostics);
   const bool crack_faces = check_face_totals(model, scene, diagnostics);
   const bool held = supports_are_kept(model, scene, diagnostics);
   const bool reported = !plane || check_split_nodes(model, scene, diagnostics);
-  if (!ties || !pairs || !tips || !crack_faces || !held || !reported ||
+  if (!ties || !pairs || !fronts || !crack_faces || !held || !reported ||
       !loaded_faces_exist(model, scene, diagnostics)) {
     return std::nullopt;
   }

@@ -2,7 +2,6 @@
 #pragma once
 #include "base/diagnostics.hpp"
 #include "contact/constraint.hpp"
-#include "crack/extension.hpp"
 #include "crack/front_extension.hpp"
 #include "crack/k_layout.hpp"
 #include "fe/dependence.hpp"
@@ -40,18 +39,6 @@ struct ContactRowTable {
   [[nodiscard]] std::size_t contact_index(std::size_t row) const { return places[row].pair; }
 };
 
-struct TipDomainFields {
-  std::vector<crack::ExtensionField> fields;
-  std::vector<int> left_out;                   ///< domains that could not be used
-  std::optional<crack::ExtensionField> beyond; ///< one ring more than the largest, if it fits
-};
-
-/// A front in space and the domains round it.
-struct FrontWithDomains {
-  mesh::CrackFront front;
-  crack::FrontExtensions fields;
-};
-
 /// Contact between the faces of a crack, once they have been found to touch
 /// (analysis/steps/crack_face_contact.hpp).
 struct CrackFacePair {
@@ -69,10 +56,8 @@ struct Discretisation {
   std::vector<std::optional<CrackFacePair>>
       crack_face_pairs; ///< [crack line] empty: its faces are open
   ContactRowTable table;
-  std::vector<TipDomainFields> tips; ///< [tip]
-  std::vector<FrontWithDomains>
-      fronts;                     ///< in space, where `cracked` has none and there are no tips
-  std::vector<bool> rest_element; ///< [element] no crack of the run touches it
+  std::vector<crack::FrontExtensions> domains; ///< [front of `cracked`]
+  std::vector<bool> rest_element;              ///< [element] no crack of the run touches it
   std::vector<std::string> notes;
   /// By case; where ties have a right-hand side, what they ask for is a last column of its own.
   base::Matrix case_load;         ///< [dim * node, case] consistent loads
@@ -81,17 +66,15 @@ struct Discretisation {
   std::vector<std::shared_ptr<const fe::CaseTemperature>>
       case_heat; ///< [case] the same, and the rest
 
-  /// Fronts of cracks, in the plane their tips.
-  [[nodiscard]] std::size_t front_count() const { return cracked.fronts.size() + fronts.size(); }
-  /// Front f: in the plane the tip of that number, in space the front with its domains.
-  [[nodiscard]] const mesh::CrackFront& front(std::size_t f) const {
-    return fronts.empty() ? cracked.fronts[f] : fronts[f].front;
+  /// Whether there are cracks in the plane, whose fronts are tips.
+  [[nodiscard]] bool has_tips() const {
+    return !cracked.fronts.empty() && cracked.fronts.front().is_tip();
   }
-  /// Where K of which tip, or point of a front, stands among functionals.
+  /// Where K of which point of a front, in the plane of which tip, stands among functionals.
   [[nodiscard]] crack::KLayout k_layout() const {
-    std::size_t points = tips.size();
-    for (const FrontWithDomains& at : fronts) {
-      points += at.front.points.size();
+    std::size_t points = 0;
+    for (const mesh::CrackFront& front : cracked.fronts) {
+      points += front.points.size();
     }
     return {points, cracked.mesh.dim};
   }

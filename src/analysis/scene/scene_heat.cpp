@@ -15,7 +15,9 @@ std::shared_ptr<const fe::CaseTemperature> make_case_heat(const model::Model& mo
     patched.host = &scene.cracked.host;
   }
   for (const mesh::CrackFront& front : scene.cracked.fronts) {
-    patched.tips.push_back(front.tip_point().node);
+    if (front.is_tip()) {
+      patched.tips.push_back(front.tip_point().node);
+    }
   }
   return std::make_shared<const fe::CaseTemperature>(
       fe::make_case_temperature(model, patched, load_case));

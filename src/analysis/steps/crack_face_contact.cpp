@@ -166,7 +166,7 @@ std::optional<std::size_t> row_at_tip(const Discretisation& scene, const mesh::C
 
 std::vector<std::optional<std::size_t>> rows_behind_front(const Discretisation& scene,
                                                           const mesh::CrackFront& front) {
-  if (scene.fronts.empty()) {
+  if (front.is_tip()) {
     const std::optional<std::size_t> row = row_at_tip(scene, front);
     return row ? std::vector{row} : std::vector<std::optional<std::size_t>>();
   }

@@ -284,7 +284,7 @@ void StepSolver::balance(StepState& state) const {
   }
   // With tips internal forces are kept by material: derivatives by moduli take them
   // (sensitivity.8).
-  const bool cracked = !scene_.cracked.fronts.empty() || !scene_.fronts.empty();
+  const bool cracked = !scene_.cracked.fronts.empty();
   std::vector<std::vector<base::ElementId>> elements(cracked ? model_.materials.size() : 1);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const base::MaterialId material = model_.element_property(mesh, base::ElementId(e)).material;

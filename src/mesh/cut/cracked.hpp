@@ -94,6 +94,8 @@ struct CrackFront {
   std::shared_ptr<const FrontCurve> curve;      ///< in space: the front, with the crack's axes
   CrackConfiguration kind = CrackConfiguration::embedded; ///< in space, of the whole crack
 
+  /// Whether it is a front in the plane, of one point.
+  [[nodiscard]] bool is_tip() const { return curve == nullptr; }
   /// The one point of a front in the plane.
   [[nodiscard]] const FrontPoint& tip_point() const { return points.front(); }
   [[nodiscard]] FrontPoint& tip_point() { return points.front(); }

@@ -193,7 +193,7 @@ void CostForecast::add_length(const analysis::CondensationRequest& request,
   const double factorising = std::accumulate(
       needs.passing.begin(), needs.passing.begin() + static_cast<std::ptrdiff_t>(at_once), 0.0);
   // Error bars of K: element matrices of the modes, adjoints and what they are made of.
-  const auto tips = static_cast<double>(scene.cracked.fronts.size());
+  const auto tips = scene.has_tips() ? static_cast<double>(scene.cracked.fronts.size()) : 0.0;
   const bool barred =
       tips > 0.0 && estimate::enrichment_obstacle(request.model, scene.cracked.mesh).empty();
   const double modes = barred ? estimate::enrichment_bytes(scene.cracked.mesh) : 0.0;

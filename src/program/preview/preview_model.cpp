@@ -174,29 +174,22 @@ results::CrackLengthPreview preview_length(const model::Model& model,
   for (const mesh::CrackFront& front : cracked.fronts) {
     results::FrontPreview preview;
     preview.name = analysis::front_name(model, scene, front);
-    const mesh::CrackFaces& crack_faces = cracked.faces[front.crack.index()];
-    const std::vector<base::NodeId>& crack_face = crack_faces.meshed_face();
-    if (!crack_face.empty()) {
-      preview.mouth = cracked.mesh.x[crack_face.front().index()];
+    preview.a = front.a;
+    preview.radius = front.radius;
+    preview.size = front.size;
+    if (front.is_tip()) {
+      const std::vector<base::NodeId>& crack_face =
+          cracked.faces[front.crack.index()].meshed_face();
+      if (!crack_face.empty()) {
+        preview.mouth = cracked.mesh.x[crack_face.front().index()];
+      }
+      preview.at = front.tip_point().x;
+    } else {
+      preview.kind = mesh::configuration_name(front.kind);
+      preview.at = front.curve->at(0.5 * front.curve->length()).x;
+      preview.length = front.curve->length();
+      preview.elements = front.points.size() - (front.curve->closed() ? 0 : 1);
     }
-    preview.at = front.tip_point().x;
-    preview.a = front.a;
-    preview.radius = front.radius;
-    preview.size = front.size;
-    length.a = length.a > 0.0 ? length.a : front.a;
-    length.fronts.push_back(std::move(preview));
-  }
-  for (const analysis::FrontWithDomains& at : scene.fronts) {
-    const mesh::CrackFront& front = at.front;
-    results::FrontPreview preview;
-    preview.name = analysis::front_name(model, scene, front);
-    preview.kind = mesh::configuration_name(front.kind);
-    preview.a = front.a;
-    preview.at = front.curve->at(0.5 * front.curve->length()).x;
-    preview.length = front.curve->length();
-    preview.elements = front.points.size() - (front.curve->closed() ? 0 : 1);
-    preview.radius = front.radius;
-    preview.size = front.size;
     length.a = length.a > 0.0 ? length.a : front.a;
     length.fronts.push_back(std::move(preview));
   }

@@ -215,11 +215,11 @@ base::Trouble InteractiveSolver::solve_further_step(const model::Step& step,
 
 base::Trouble InteractiveSolver::estimate_accuracy() {
   const analysis::Discretisation& scene = length_->discretisation();
-  if (estimated_ || scene.front_count() == 0) {
+  if (estimated_ || scene.cracked.fronts.empty()) {
     return {};
   }
   results::StepResult found = current_result();
-  if (!scene.cracked.fronts.empty()) {
+  if (scene.has_tips()) {
     length_->solve_adjoints(*solver_);
     if (stopped()) {
       return interrupted();

@@ -111,7 +111,8 @@ Grown grown(const std::string& text, std::optional<analysis::EllipseAxis> axis) 
       const analysis::VirtualAxisExtension advance(model, scene, base::CrackId(0), *axis);
       out.step = advance.axis_increment();
       scene.cracked.mesh = advance.extended_model().cracked.mesh;
-      scene.fronts = advance.extended_model().fronts;
+      scene.cracked.fronts = advance.extended_model().cracked.fronts;
+      scene.domains = advance.extended_model().domains;
       scene.pairs = advance.extended_model().pairs;
       for (std::size_t c = 0; c < model.cases.size(); ++c) {
         scene.case_load.col(static_cast<Eigen::Index>(c)) =

@@ -213,7 +213,7 @@ void compare_with_moved_nodes(const std::string& deck) {
   }
   const results::FrontResult& front = last->fronts[0];
   std::vector<int> left_out;
-  const int wide = solved.scene().tips[0].fields.back().rings + 1;
+  const int wide = solved.scene().domains[0].points.front().back().rings + 1;
   const estimate::TipMotion motion =
       estimate::tip_motion(solved.scene().cracked, 0,
                            crack::TipNeighbourhood(solved.scene().cracked.mesh)

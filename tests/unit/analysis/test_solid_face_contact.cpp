@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Faces of cracks in space that bear on each other.
 #include "analysis/recover/gather_fronts.hpp"
-#include "analysis/scene/front_scene.hpp"
+#include "analysis/scene/front_surroundings.hpp"
 #include "analysis/steps/crack_face_contact.hpp"
 #include "analysis/steps/solid_face_contact.hpp"
 #include "crack/front_intensity.hpp"
@@ -128,10 +128,11 @@ TEST(SolidFaceContact, FacesThatStickAreNoCrack) {
 // The same K, with pressure and friction of the faces left out of the integrals.
 std::vector<crack::StressIntensity> without_faces(const SolvedScene& solved,
                                                   const analysis::StepState& state) {
-  const analysis::FrontWithDomains& at = solved.scene().fronts.front();
+  const mesh::CrackedMesh& cracked = solved.scene().cracked;
+  const crack::FrontExtensions& domains = solved.scene().domains.front();
   crack::FrontLoads loads;
-  loads.given = analysis::front_loads(solved.model(), solved.scene(), at.fields, state.case_factor);
-  return crack::front_intensity(solved.model(), solved.scene().cracked, at.front, at.fields, {},
+  loads.given = analysis::front_loads(solved.model(), solved.scene(), domains, state.case_factor);
+  return crack::front_intensity(solved.model(), cracked, cracked.fronts.front(), domains, {},
                                 state.u, loads);
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/scene/tip_surroundings.hpp"
+#include "analysis/scene/front_surroundings.hpp"
 
 #include "analysis/scene/scene_heat.hpp"
 #include "fe/assemble.hpp"
 #include "fe/set_shares.hpp"
+#include "mesh/boundary.hpp"
 #include "mesh/cut/crack_sides.hpp"
 #include "model/model.hpp"
 #include "shape/topology.hpp"
@@ -23,13 +24,15 @@ struct Near {
   std::set<base::ElementId> elements;
 };
 
-Near near_tip(const std::vector<crack::ExtensionField>& fields) {
+Near near_front(const crack::FrontExtensions& domains) {
   Near near;
-  for (const crack::ExtensionField& field : fields) {
-    near.elements.insert(field.elements.begin(), field.elements.end());
-    near.elements.insert(field.inside.begin(), field.inside.end());
-    for (const crack::NodeMotion& moved : field.motion) {
-      near.nodes.insert(moved.node);
+  for (const std::vector<crack::ExtensionField>& point : domains.points) {
+    for (const crack::ExtensionField& field : point) {
+      near.elements.insert(field.elements.begin(), field.elements.end());
+      near.elements.insert(field.inside.begin(), field.inside.end());
+      for (const crack::NodeMotion& moved : field.motion) {
+        near.nodes.insert(moved.node);
+      }
     }
   }
   return near;
@@ -98,8 +101,99 @@ crack::ActingLoad acting_near(const model::Model& model, const model::Mesh& mesh
   return acting;
 }
 
+constexpr double same_plane = 1e-6; // of a face's extent: it lies across an axis
+
+bool is_held(model::FreedomClass type) {
+  return type == model::FreedomClass::suppressed || type == model::FreedomClass::prescribed;
+}
+
+// Whether all nodes of a side have one coordinate.
+bool lies_across(const model::Mesh& mesh, const std::vector<base::NodeId>& nodes, int axis) {
+  base::Vec3 low = mesh.x[nodes.front().index()];
+  base::Vec3 high = low;
+  for (const base::NodeId n : nodes) {
+    low = low.cwiseMin(mesh.x[n.index()]);
+    high = high.cwiseMax(mesh.x[n.index()]);
+  }
+  return high[axis] - low[axis] <= same_plane * (high - low).norm();
+}
+
+// [3 * node] held by a support of flat sides across an axis either along that axis (a plane of
+// symmetry) or along both others but not along it (one of antisymmetry): reactions there do no work
+// with what moves in their plane, as they are at right angles to how the displacement changes in
+// it.
+std::vector<bool> held_by_planes(const model::Mesh& mesh,
+                                 const std::vector<model::FreedomClass>& cls) {
+  std::vector<bool> by_planes(cls.size(), false);
+  for (const model::Face& face : mesh::boundary_faces(mesh)) {
+    const std::vector<base::NodeId> nodes = nodes_of_side(mesh, face);
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto at = [&](base::NodeId n, int along) {
+        return 3 * n.index() + static_cast<std::size_t>((axis + along) % 3);
+      };
+      const auto rests = [&](int along) {
+        return std::ranges::all_of(nodes, [&](base::NodeId n) {
+          return cls[at(n, along)] == model::FreedomClass::suppressed;
+        });
+      };
+      if (!lies_across(mesh, nodes, axis)) {
+        continue;
+      }
+      const bool across = rests(0);
+      const bool along = !across && rests(1) && rests(2);
+      for (const base::NodeId n : nodes) {
+        for (const int c : {0, 1, 2}) {
+          by_planes[at(n, c)] = by_planes[at(n, c)] || (c == 0 ? across : along);
+        }
+      }
+    }
+  }
+  return by_planes;
+}
+
 // Part of a front's radius that domains stay off the axis, as in space off its centre.
 constexpr double near_axis = 0.2;
+
+// What a tip in the plane may move besides, or may not.
+void limit_at_tip(const model::Model& model, const model::Mesh& mesh, const mesh::CrackFront& front,
+                  std::vector<bool>& held) {
+  for (std::size_t n = 0; front.symmetric_half && n < mesh.node_count(); ++n) {
+    const base::Vec3 d = mesh.x[n] - front.tip_point().x;
+    const base::Vec3 across(-front.tip_point().growth.y(), front.tip_point().growth.x(), 0.0);
+    if (std::abs(d.dot(across)) < 1e-9 * front.a) {
+      // The line of a half model is held across it, and the virtual extension moves along it.
+      held[n] = false;
+    }
+  }
+  if (model::axisymmetric(model)) {
+    // Partners are carried round the axis with the section (crack.38): they have no place there.
+    for (std::size_t n = 0; n < mesh.node_count(); ++n) {
+      held[n] = held[n] || mesh.x[n].x() < near_axis * front.tip_point().x.x();
+    }
+  }
+}
+
+// Rims of what is heated end zones of the plane, unless terms of the domains take them.
+void limit_by_heat(const model::Model& model, const model::Mesh& mesh,
+                   std::vector<std::int64_t>& zones) {
+  if (heat_is_known_inside(mesh)) {
+    return;
+  }
+  auto zone = static_cast<std::int64_t>(model.properties.size());
+  for (const model::LoadCase& load_case : model.cases) {
+    for (const model::Load& load : load_case.loads) {
+      if (load.type != model::LoadType::temperature) {
+        continue;
+      }
+      for (const base::ElementId e : mesh.set_with_id(load.elements).elements) {
+        // The step doubles with each heated set: elements of unlike properties, or in unlike sets
+        // of those, never have the same number.
+        zones[e.index()] += zone;
+      }
+      zone = zone < (std::int64_t{1} << 50) ? 2 * zone : zone + 1;
+    }
+  }
+}
 
 } // namespace
 
@@ -124,11 +218,11 @@ std::vector<std::int64_t> material_zones(const model::Model& model, const model:
   return zones;
 }
 
-crack::TipLoads tip_loads(const model::Model& model, const Discretisation& scene,
-                          const std::vector<crack::ExtensionField>& fields,
-                          const base::Vector& case_factor) {
+crack::TipLoads front_loads(const model::Model& model, const Discretisation& scene,
+                            const crack::FrontExtensions& domains,
+                            const base::Vector& case_factor) {
   const model::Mesh& mesh = scene.cracked.mesh;
-  const Near near = near_tip(fields);
+  const Near near = near_front(domains);
   crack::TipLoads loads;
   for (std::size_t c = 0; c < model.cases.size(); ++c) {
     const double factor = case_factor[static_cast<Eigen::Index>(c)];
@@ -159,36 +253,23 @@ crack::TipLoads tip_loads(const model::Model& model, const Discretisation& scene
 
 crack::DomainLimits domain_limits(const model::Model& model, const Discretisation& scene,
                                   const mesh::CrackFront& front) {
-  using model::FreedomClass;
   const model::Mesh& mesh = scene.cracked.mesh;
   const auto dim = static_cast<std::size_t>(mesh.dim);
   crack::DomainLimits limits;
   limits.node.assign(mesh.node_count(), false);
   limits.zone = material_zones(model, mesh);
+  const std::vector<bool> by_planes =
+      front.is_tip() ? std::vector<bool>(scene.cls.size(), false) : held_by_planes(mesh, scene.cls);
   for (std::size_t i = 0; i < scene.cls.size(); ++i) {
-    const FreedomClass c = scene.cls[i];
-    if (c == FreedomClass::suppressed || c == FreedomClass::prescribed ||
-        c == FreedomClass::dependent) {
+    if ((is_held(scene.cls[i]) && !by_planes[i]) ||
+        scene.cls[i] == model::FreedomClass::dependent) {
       limits.node[i / dim] = true;
     }
   }
-  if (front.symmetric_half) {
-    for (std::size_t n = 0; n < mesh.node_count(); ++n) {
-      const base::Vec3 d = mesh.x[n] - front.tip_point().x;
-      const base::Vec3 across(-front.tip_point().growth.y(), front.tip_point().growth.x(), 0.0);
-      if (std::abs(d.dot(across)) < 1e-9 * front.a) {
-        // The line of a half model is held across it, and the virtual extension moves along it.
-        limits.node[n] = false;
-      }
-    }
+  if (front.is_tip()) {
+    limit_at_tip(model, mesh, front, limits.node);
+    limit_by_heat(model, mesh, limits.zone);
   }
-  if (model::axisymmetric(model)) {
-    // Partners are carried round the axis with the section (crack.38): they have no place there.
-    for (std::size_t n = 0; n < mesh.node_count(); ++n) {
-      limits.node[n] = limits.node[n] || mesh.x[n].x() < near_axis * front.tip_point().x.x();
-    }
-  }
-  auto zone = static_cast<std::int64_t>(model.properties.size());
   for (const model::LoadCase& load_case : model.cases) {
     for (const model::Load& load : load_case.loads) {
       // A force on a node that moves has no derivative that the domains know (crack.18).
@@ -196,13 +277,6 @@ crack::DomainLimits domain_limits(const model::Model& model, const Discretisatio
         for (const base::NodeId n : mesh.set_with_id(load.nodes).nodes) {
           limits.node[n.index()] = true;
         }
-      } else if (load.type == model::LoadType::temperature && !heat_is_known_inside(mesh)) {
-        for (const base::ElementId e : mesh.set_with_id(load.elements).elements) {
-          // The step doubles with each heated set: elements of unlike properties, or in unlike sets
-          // of those, never have the same number.
-          limits.zone[e.index()] += zone;
-        }
-        zone = zone < (std::int64_t{1} << 50) ? 2 * zone : zone + 1;
       }
     }
   }

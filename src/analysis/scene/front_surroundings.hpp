@@ -2,24 +2,26 @@
 #pragma once
 #include "analysis/scene/scene.hpp"
 #include "crack/extension.hpp"
+#include "crack/front_extension.hpp"
 #include "crack/tip_loads.hpp"
 
 #include <vector>
 
 namespace spricka::analysis {
 
-/// What acts on the elements and faces of some domains under the cases' factors [case]. The model
-/// must outlive it.
-crack::TipLoads tip_loads(const model::Model& model, const Discretisation& scene,
-                          const std::vector<crack::ExtensionField>& fields,
-                          const base::Vector& case_factor);
+/// What acts on the elements and faces of a front's domains under the cases' factors [case]. The
+/// model must outlive it.
+crack::TipLoads front_loads(const model::Model& model, const Discretisation& scene,
+                            const crack::FrontExtensions& domains, const base::Vector& case_factor);
 
 /// Elements between which a domain cannot tell apart: of properties that differ in nothing but
 /// their sets they have the same number. [element]
 std::vector<std::int64_t> material_zones(const model::Model& model, const model::Mesh& mesh);
 
-/// What the domains of a tip must keep clear of: nodes that are held, tied or loaded one by one
-/// (those of a half model's own line are not), and the rims of what is heated.
+/// What the domains of a front must keep clear of: nodes that are held, tied or loaded one by one
+/// (in the plane those of a half model's own line are not, in space not those of a flat part of the
+/// surface that is held across or along, which they move in), in the plane also the rims of what is
+/// heated and the axis.
 crack::DomainLimits domain_limits(const model::Model& model, const Discretisation& scene,
                                   const mesh::CrackFront& front);
 
