@@ -10,13 +10,6 @@
 /// What tractions between the faces of a crack add to its energy release rate and its K.
 namespace spricka::crack {
 
-/// Forces on the faces of a crack, given at their nodes.
-struct CrackFaceForces {
-  std::vector<model::Face> faces; ///< element sides that make the faces, each with its body
-  base::Vector force;             ///< [dim * node] on the faces; other nodes count as free
-  double at_tip = 0.0;            ///< stress across the faces at a closed tip [stress]
-};
-
 /// The terms by which integrals over a domain miss the tip's value (crack.31, crack.32), for
 /// tractions t on the faces, per unit thickness: of G, - integral q t1 u1,1 ds (normal tractions
 /// act where the faces do not part, and the tangential ones have no other component), and of the

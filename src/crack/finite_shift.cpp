@@ -99,7 +99,7 @@ double heated_energy(const Shift& shift, const ShiftedElement& moved) {
 
 // Strain energy less the work of what fills the elements.
 double element_energy(const Shift& shift, base::ElementId e) {
-  const TipLoads& loads = shift.set.loads;
+  const FrontLoads& loads = shift.set.loads;
   const ShiftedElement moved(shift, e);
   const double strain = loads.temperature.size() > 0 ? heated_energy(shift, moved)
                                                      : strain_energy(shift.set, moved, moved.U);

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Virtual extension along fronts in space: how far nodes move where one point of the front does.
@@ -42,6 +43,13 @@ struct FrontExtensions {
   /// All elements of all domains in space, ascending.
   [[nodiscard]] std::vector<base::ElementId> elements() const;
 };
+
+/// The domains of a tip in the plane.
+inline FrontExtensions tip_extensions(std::vector<ExtensionField> fields) {
+  FrontExtensions domains;
+  domains.points.push_back(std::move(fields));
+  return domains;
+}
 
 /// Fields for the ring counts asked for, at each point of a front: the hat of the point along the
 /// front, linear between points, times 1 on the nodes of so many layers of elements round the

@@ -19,7 +19,7 @@ namespace {
 class SolidHeat {
 public:
   /// `linear`: the temperature, if it is linear in all elements.
-  SolidHeat(const FrontSetting& set, const TipLoads& loads,
+  SolidHeat(const FrontSetting& set, const FrontLoads& loads,
             const std::optional<LinearTemperature>& linear, base::ElementId e)
       : loads_(loads), linear_(linear), e_(e) {
     if (loads.temperature.size() > 0) {
@@ -88,7 +88,7 @@ private:
     return std::ranges::any_of(loads_.heat, varies) && std::ranges::none_of(loads_.heat, jumps);
   }
 
-  const TipLoads& loads_;
+  const FrontLoads& loads_;
   const std::optional<LinearTemperature>& linear_;
   base::ElementId e_;
   fe::AnyNodeVectors<3> X_;
@@ -101,7 +101,7 @@ private:
 
 } // namespace
 
-void add_element_forces(const FrontFields& fields, const TipLoads& loads, const base::Vector& u,
+void add_element_forces(const FrontFields& fields, const FrontLoads& loads, const base::Vector& u,
                         const FrontTermSwitches& terms, ConfigurationalForces<3>& out) {
   const FrontSetting& set = fields.set();
   const std::vector<BodyForceField> body =

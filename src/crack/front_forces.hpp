@@ -13,7 +13,7 @@ struct FrontTermSwitches {
 
 /// What the elements of the domains give: energy-momentum, the divergence of the auxiliary fields'
 /// stress, forces per volume and the temperature's gradient (crack_space.6, crack_space.8).
-void add_element_forces(const FrontFields& fields, const TipLoads& loads, const base::Vector& u,
+void add_element_forces(const FrontFields& fields, const FrontLoads& loads, const base::Vector& u,
                         const FrontTermSwitches& terms, ConfigurationalForces<3>& out);
 
 } // namespace spricka::crack

@@ -36,7 +36,7 @@ public:
   FrontStress(const FrontSetting& set, const mesh::CrackFront& front, const FrontExtensions& fields)
       : set_(set), front_(front), fields_(fields) {}
 
-  [[nodiscard]] AtFront of(const TipLoads& loads) const {
+  [[nodiscard]] AtFront of(const FrontLoads& loads) const {
     AtFront at;
     at.across.assign(front_.points.size(), 0.0);
     at.thermal.assign(front_.points.size(), 0.0);
@@ -56,7 +56,7 @@ public:
 private:
   // Each side of the crack has one or two faces at a point: their mean, and the mean of both sides.
   void add_side(const MovedFreeSide& side, const geometry::ElementSide& own, std::size_t i,
-                const TipLoads& loads, double& sum) const {
+                const FrontLoads& loads, double& sum) const {
     const base::NodeId point = front_.points[i].node;
     const auto at = std::ranges::find(own.nodes, point);
     if (at == own.nodes.end()) {
@@ -87,7 +87,7 @@ private:
   }
 
   // The mean over the elements at the point, of which it is a corner.
-  void add_heat(const TipLoads& loads, std::vector<double>& thermal) const {
+  void add_heat(const FrontLoads& loads, std::vector<double>& thermal) const {
     if (loads.temperature.size() == 0) {
       return;
     }
@@ -118,8 +118,8 @@ ConfigurationalForces<3> all_forces(const FrontSetting& set, const FrontExtensio
                                     const FrontLoads& loads) {
   ConfigurationalForces<3> forces(set.mesh.node_count());
   const FrontFields fields(set, extensions);
-  add_element_forces(fields, loads.given, u, terms, forces);
-  add_face_forces(fields, forces_on_faces(set.mesh, loads.given), u, forces);
+  add_element_forces(fields, loads, u, terms, forces);
+  add_face_forces(fields, forces_on_faces(set.mesh, loads), u, forces);
   add_face_forces(fields, loads.contact, u, forces);
   if (terms.tractions) {
     add_auxiliary_tractions(fields, u, forces);
@@ -179,17 +179,22 @@ void smooth_along(const mesh::CrackFront& front, const FrontExtensions& fields,
 std::vector<StressIntensity> front_intensity(const model::Model& model,
                                              const mesh::CrackedMesh& cracked,
                                              const mesh::CrackFront& front,
-                                             const FrontExtensions& fields,
+                                             const FrontExtensions& domains,
                                              const FrontIntensityRequest& request,
                                              const base::Vector& u, const FrontLoads& loads) {
   std::vector<StressIntensity> result(front.points.size());
-  if (fields.empty()) {
+  if (domains.empty()) {
     return result;
   }
-  const FrontSetting set = front_setting(model, cracked, front, fields);
-  const ConfigurationalForces<3> forces = all_forces(set, fields, request.terms, u, loads);
-  const AtFront at_front = FrontStress(set, front, fields).of(loads.given);
-  const auto strain = strain_along(front, cracked.mesh, fields);
+  if (front.is_tip()) {
+    result.front() =
+        tip_intensity(model, cracked, front, domains.points.front(), request, u, loads);
+    return result;
+  }
+  const FrontSetting set = front_setting(model, cracked, front, domains);
+  const ConfigurationalForces<3> forces = all_forces(set, domains, request.terms, u, loads);
+  const AtFront at_front = FrontStress(set, front, domains).of(loads);
+  const auto strain = strain_along(front, cracked.mesh, domains);
   for (std::size_t i = 0; i < result.size(); ++i) {
     StressIntensity& K = result[i];
     K.E_effective = set.E_effective();
@@ -202,7 +207,7 @@ std::vector<StressIntensity> front_intensity(const model::Model& model,
     const double nu = set.body.nu;
     const double sigma = at_front.across[i] + (loads.across.empty() ? 0.0 : loads.across[i]);
     const double free = at_front.thermal[i];
-    for (const ExtensionField& field : fields.points[i]) {
+    for (const ExtensionField& field : domains.points[i]) {
       std::array<double, auxiliary_field_count<3>> sum = forces.released_energies(field);
       for (std::size_t k = 0; k < sum.size(); ++k) {
         sum[k] *= set.conversion_factor(k) / front.points[i].weight;
@@ -230,7 +235,7 @@ std::vector<StressIntensity> front_intensity(const model::Model& model,
       }
     }
   }
-  smooth_along(front, fields, result);
+  smooth_along(front, domains, result);
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include "crack/front_fields.hpp"
 #include "crack/intensity_row_builder.hpp"
+#include "crack/tip_intensity.hpp"
 
 namespace spricka::crack {
 
@@ -10,13 +11,14 @@ namespace {
 
 using Builder = IntensityRowBuilder<FrontFields>;
 
-// What `make` takes from the builder of a front; zero rows [3 * count, K] without a domain.
+// What `make` takes from the builder of a front; zero rows [dim * count, K] without a domain.
 template <class Make>
 SparseRows made_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
                      const mesh::CrackFront& front, const FrontExtensions& fields,
                      std::size_t count, const Make& make) {
   if (fields.empty()) {
-    return {3 * static_cast<Eigen::Index>(count), KLayout(front.points.size(), 3).count()};
+    const int dim = cracked.mesh.dim;
+    return {dim * static_cast<Eigen::Index>(count), KLayout(front.points.size(), dim).count()};
   }
   const FrontSetting set = front_setting(model, cracked, front, fields);
   const FrontFields source(set, fields);
@@ -27,8 +29,12 @@ SparseRows made_rows(const model::Model& model, const mesh::CrackedMesh& cracked
 } // namespace
 
 SparseRows front_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                const mesh::CrackFront& front, const FrontExtensions& fields) {
-  return made_rows(model, cracked, front, fields, cracked.mesh.node_count(),
+                                const mesh::CrackFront& front, const FrontExtensions& domains,
+                                model::TipConstraint state) {
+  if (front.is_tip() && !domains.empty()) {
+    return tip_intensity_rows(model, cracked, front, domains.points.front(), state);
+  }
+  return made_rows(model, cracked, front, domains, cracked.mesh.node_count(),
                    [](Builder& builder) { return builder.rows(); });
 }
 

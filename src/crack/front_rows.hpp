@@ -3,14 +3,17 @@
 #include "crack/front_forces.hpp"
 #include "crack/k_layout.hpp"
 #include "crack/supplementary_functions.hpp"
+#include "model/cracks.hpp"
 
 /// K along a front as linear functions.
 namespace spricka::crack {
 
-/// K1, K2 and K3 of all points as functions of u, rows^T u + what loads add: what front_intensity
-/// finds. The rows are their exact gradient, columns as in KLayout. [3 * node, 3 * points]
+/// K of all points of a front as functions of u, rows^T u + what loads add: what front_intensity
+/// finds without a shift. The rows are their exact gradient, columns as in KLayout; zero without a
+/// domain and at a tip between two materials. [dim * node, dim * points]
 SparseRows front_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                const mesh::CrackFront& front, const FrontExtensions& fields);
+                                const mesh::CrackFront& front, const FrontExtensions& domains,
+                                model::TipConstraint state = model::TipConstraint::automatic);
 
 /// K as functions of what multiplies other functions, 3 * function + direction: the same functional
 /// as front_intensity_rows. [3 * count, 3 * points]

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "crack/front_extension.hpp"
+#include "crack/front_loads.hpp"
 #include "crack/moving_field.hpp"
-#include "crack/tip_loads.hpp"
 #include "mesh/cut/cracked.hpp"
 #include "model/forward.hpp"
 
@@ -12,15 +12,6 @@
 
 /// What the terms of G, K and T along a front have in common.
 namespace spricka::crack {
-
-/// What acts on the elements and faces round a front.
-struct FrontLoads {
-  TipLoads given; ///< of the deck; its elements as a whole
-  /// On faces of the body that has the crack, of pressure and friction between surfaces in contact.
-  std::vector<FacePointForces> contact;
-  /// Of contact, the normal stress across the crack's faces at the front [point]; empty: none.
-  std::vector<double> across = {};
-};
 
 /// Everything the kernels need of one front. The material is that of all elements of its domains.
 struct FrontSetting {

@@ -173,7 +173,7 @@ private:
   bool strained_;
 };
 
-double temperature_at(const TipLoads& loads, ElementId e, const Vec2& x) {
+double temperature_at(const FrontLoads& loads, ElementId e, const Vec2& x) {
   double T = 0.0;
   for (const fe::ScaledTemperature& acting : loads.heat) {
     T += acting.factor * acting.heat->field(e, x);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "crack/configurational_forces.hpp"
-#include "crack/tip_loads.hpp"
+#include "crack/front_loads.hpp"
 #include "model/mesh_side.hpp"
 
 #include <optional>

@@ -8,7 +8,7 @@
 namespace spricka::crack {
 
 std::vector<BodyForceField> body_force_fields(const model::Model& model, const model::Mesh& mesh,
-                                              const TipLoads& loads, ScaleElements scale) {
+                                              const FrontLoads& loads, ScaleElements scale) {
   std::vector<BodyForceField> fields;
   for (const ActingLoad& acting : loads.loads) {
     if (acting.elements.empty() || acting.load->type == model::LoadType::temperature) {

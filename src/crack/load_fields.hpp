@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "crack/tip_loads.hpp"
+#include "crack/front_loads.hpp"
 #include "fe/set_shares.hpp"
 
 #include <functional>
@@ -21,7 +21,7 @@ struct BodyForceField {
 enum class ScaleElements { whole_set, near_front };
 /// The forces per volume round a front.
 std::vector<BodyForceField> body_force_fields(const model::Model& model, const model::Mesh& mesh,
-                                              const TipLoads& loads, ScaleElements scale);
+                                              const FrontLoads& loads, ScaleElements scale);
 
 /// Visits the points of an element with nodes X: reference point, weight and the forces per volume
 /// b there [force/length^3].

@@ -22,7 +22,7 @@ TipFrame frame_of(const mesh::CrackFront& front) {
 
 TipSetting tip_setting(const model::Model& model, const mesh::CrackedMesh& cracked,
                        const mesh::CrackFront& front, const std::vector<ExtensionField>& fields,
-                       const TipLoads& loads) {
+                       const FrontLoads& loads) {
   // Domains stay within the tip's property, but between two materials: any of their elements tells
   // it.
   const base::ElementId near = fields.front().elements.front();

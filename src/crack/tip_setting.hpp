@@ -2,7 +2,7 @@
 #pragma once
 #include "crack/auxiliary_field.hpp"
 #include "crack/extension.hpp"
-#include "crack/tip_loads.hpp"
+#include "crack/front_loads.hpp"
 #include "fe/element.hpp"
 #include "mesh/cut/cracked.hpp"
 #include "model/forward.hpp"
@@ -47,7 +47,7 @@ struct TipSetting {
   TipFrame tip;
   base::NodeId tip_node;
   const mesh::CrackFaces* crack_faces; ///< of the tip's crack; null: unknown
-  const TipLoads& loads;
+  const FrontLoads& loads;
   std::optional<AffineTemperature> affine = std::nullopt;
   double halves = 1.0; ///< 2: one half of the body is in the mesh
 
@@ -79,7 +79,7 @@ struct TipSetting {
 /// is that of its first element.
 TipSetting tip_setting(const model::Model& model, const mesh::CrackedMesh& cracked,
                        const mesh::CrackFront& front, const std::vector<ExtensionField>& fields,
-                       const TipLoads& loads);
+                       const FrontLoads& loads);
 
 /// Whether the elements of a field have more than one material or state.
 bool between_materials(const TipSetting& set, const ExtensionField& field);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/vec.hpp"
-#include "crack/stress_intensity.hpp"
+#include "crack/tip_intensity.hpp"
 #include "estimate/edges.hpp"
 #include "estimate/mode_kernel.hpp"
 #include "model/forward.hpp"

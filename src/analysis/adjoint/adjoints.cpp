@@ -43,7 +43,7 @@ void KAdjoints::condense_rows() {
   base::Matrix nodal(static_cast<Eigen::Index>(cracked.mesh.node_count()) * cracked.mesh.dim,
                      layout.count());
   for (std::size_t t = 0; t < cracked.fronts.size(); ++t) {
-    rows_.push_back(tip_K_rows(model_, scene_, t));
+    rows_.emplace_back(front_K_rows(model_, scene_, t));
     layout.columns(nodal, t) = rows_.back();
   }
   by_force_ = K_by_forces(model_, scene_).transpose();

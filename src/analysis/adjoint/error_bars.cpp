@@ -3,7 +3,7 @@
 
 #include "analysis/adjoint/active_set_change.hpp"
 #include "analysis/adjoint/coarse_surface_effect.hpp"
-#include "crack/stress_intensity.hpp"
+#include "crack/tip_intensity.hpp"
 #include "estimate/corner_error.hpp"
 #include "estimate/error_bar.hpp"
 #include "estimate/mode_load.hpp"

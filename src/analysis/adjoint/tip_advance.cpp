@@ -63,7 +63,8 @@ VirtualTipExtension::VirtualTipExtension(const model::Model& model, const Discre
     if (model::axisymmetric(model) ||
         !estimate::moves_as_one(scene.cracked.mesh, motion_, scene.domains[t].points.front())) {
       row_rate_[t] =
-          (tip_K_rows(model, *ahead_, t) - tip_K_rows(model, *behind_, t)) / (2.0 * motion_.step);
+          base::Matrix(front_K_rows(model, *ahead_, t) - front_K_rows(model, *behind_, t)) /
+          (2.0 * motion_.step);
     }
   }
 }

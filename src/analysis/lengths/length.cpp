@@ -9,6 +9,8 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace spricka::analysis {
 
 std::unique_ptr<CrackLengthAnalysis>
@@ -95,23 +97,29 @@ results::StepResult CrackLengthAnalysis::recover_step(const model::Step& step,
 
 const std::vector<estimate::IntensityAdjoint>&
 CrackLengthAnalysis::solve_adjoints(const StepSolver& solver) {
-  processors_->of_K = &processors_->adjoints.solve_last_step(solver);
-  return *processors_->of_K;
+  return processors_->adjoints.solve_last_step(solver);
 }
 
-void CrackLengthAnalysis::add_error_bars(const StepState& state, results::StepResult& result) {
-  processors_->bars.add_to_tips(state, *processors_->of_K, processors_->adjoints.held_contact(),
-                                result);
-}
-
-void CrackLengthAnalysis::add_sensitivities(const StepSolver& solver, const StepState& state,
-                                            results::StepResult& result) {
+bool CrackLengthAnalysis::add_K_estimates(const StepSolver& solver, const StepState& state,
+                                          results::StepResult& result,
+                                          const ProcessorEnded& ended) {
+  if (scene_.cracked.fronts.empty()) {
+    return true;
+  }
+  if (!scene_.has_tips()) {
+    processors_->fronts.add_to_fronts(solver, state, result);
+    return ended("ESTIMATE", "error bars and derivatives of K");
+  }
+  const std::vector<estimate::IntensityAdjoint>& of_K = solve_adjoints(solver);
+  if (!ended("ADJOINT", fmt::format("{} tips", of_K.size()))) {
+    return false;
+  }
+  processors_->bars.add_to_tips(state, of_K, processors_->adjoints.held_contact(), result);
+  if (!ended("ESTIMATE", "error bars of K")) {
+    return false;
+  }
   processors_->sensitivities.add_to_tips(solver, state, processors_->adjoints, result);
-}
-
-void CrackLengthAnalysis::add_front_estimates(const StepSolver& solver, const StepState& state,
-                                              results::StepResult& result) {
-  processors_->fronts.add_to_fronts(solver, state, result);
+  return ended("SENSITIVITY", "loads, fits, moduli, lengths");
 }
 
 void CrackLengthAnalysis::add_net_errors(const StepState& state,

@@ -12,8 +12,10 @@
 #include "analysis/steps/step_solver.hpp"
 #include "estimate/enrichment.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace spricka::analysis {
@@ -75,16 +77,15 @@ public:
   /// LOADPATH.
   [[nodiscard]] LoadPathSolver& load_paths() { return processors_->paths; }
 
-  /// ADJOINT: of K at the end of the step that `solver` solved last [tip].
+  /// ADJOINT: of K at the end of the step that `solver` solved last, in the plane. [tip]
   const std::vector<estimate::IntensityAdjoint>& solve_adjoints(const StepSolver& solver);
-  /// ESTIMATE: bars of K, from those adjoints.
-  void add_error_bars(const StepState& state, results::StepResult& result);
-  /// SENSITIVITY of K to loads, fits, moduli and lengths.
-  void add_sensitivities(const StepSolver& solver, const StepState& state,
-                         results::StepResult& result);
-  /// ESTIMATE and SENSITIVITY of K along fronts in space.
-  void add_front_estimates(const StepSolver& solver, const StepState& state,
-                           results::StepResult& result);
+  /// Told as a processor ends, by its name and what it did; false: go no further.
+  using ProcessorEnded = std::function<bool(const std::string& processor, const std::string& did)>;
+  /// ADJOINT, ESTIMATE and SENSITIVITY: error bars and derivatives of K at the end of the step that
+  /// `solver` solved last, in the plane by adjoints, in space by direct solutions; nothing without
+  /// a crack. False: `ended` went no further.
+  bool add_K_estimates(const StepSolver& solver, const StepState& state,
+                       results::StepResult& result, const ProcessorEnded& ended);
   /// ESTIMATE: errors of the nets in the energy norm.
   void add_net_errors(const StepState& state, results::StepResult& result) const;
 
@@ -103,7 +104,6 @@ private:
     TipErrorBars bars;
     TipSensitivityAnalysis sensitivities;
     FrontErrorsAndSensitivities fronts;
-    const std::vector<estimate::IntensityAdjoint>* of_K = nullptr; ///< [tip] of the last step
   };
 
   CrackLengthContext parts_;

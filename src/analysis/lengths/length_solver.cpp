@@ -249,18 +249,12 @@ bool CrackStateSolver::estimate(CrackLengthAnalysis& length, const CrackStateReq
                                 const SolvedStep& solved, LogWriter& log,
                                 results::StepResult& result) {
   const model::Step& step = model_.steps[solved.step];
-  if (length.discretisation().has_tips() && request.bars) {
-    const std::size_t tips = length.solve_adjoints(solved.solver).size();
-    log.add_line("ADJOINT", fmt::format("step {}: {} tips", step.name, tips));
-    length.add_error_bars(solved.state, result);
-    log.add_line("ESTIMATE", fmt::format("step {}: error bars of K", step.name));
-    length.add_sensitivities(solved.solver, solved.state, result);
-    log.add_line("SENSITIVITY", fmt::format("step {}: loads, fits, moduli, lengths", step.name));
-  }
-  if (!length.discretisation().cracked.fronts.empty() && !length.discretisation().has_tips() &&
-      request.bars) {
-    length.add_front_estimates(solved.solver, solved.state, result);
-    log.add_line("ESTIMATE", fmt::format("step {}: error bars and derivatives of K", step.name));
+  if (request.bars) {
+    length.add_K_estimates(solved.solver, solved.state, result,
+                           [&](const std::string& processor, const std::string& did) {
+                             log.add_line(processor, fmt::format("step {}: {}", step.name, did));
+                             return true;
+                           });
   }
   if (!request.pictured[solved.step] && !solved.pictured_later) {
     return true;

@@ -9,7 +9,6 @@
 #include "contact/space_tractions.hpp"
 #include "crack/front_intensity.hpp"
 #include "crack/load_jumps.hpp"
-#include "crack/stress_intensity.hpp"
 #include "mesh/tube/cracks_in_solids.hpp"
 #include "model/model.hpp"
 
@@ -97,6 +96,19 @@ results::FrontResult front_of(const model::Model& model, const Discretisation& s
   return result;
 }
 
+// [domain] whether K of a domain of a tip is no measure of the others'.
+std::vector<bool> discontinuous_domains(const model::Model& model, const Discretisation& scene,
+                                        std::size_t f, const crack::FrontLoads& loads,
+                                        const crack::StressIntensity& K) {
+  if (scene.domains[f].empty()) {
+    return {};
+  }
+  const std::vector<crack::ExtensionField>& fields = scene.domains[f].points.front();
+  return crack::load_jump_domains(
+      crack::tip_setting(model, scene.cracked, scene.cracked.fronts[f], fields, loads), fields,
+      std::hypot(K.K1, K.K2));
+}
+
 // K1 of the domains of a tip that are a measure of each other; notes where the shift of nodes or
 // jumps of loads leave G less exact.
 void compare_domains(const std::vector<bool>& discontinuous, const crack::StressIntensity& K,
@@ -123,52 +135,28 @@ void compare_domains(const std::vector<bool>& discontinuous, const crack::Stress
   }
 }
 
-void gather_tip(const model::Model& model, const Discretisation& scene, std::size_t t,
-                const StepState& state, results::StepResult& out) {
-  const mesh::CrackFront& front = scene.cracked.fronts[t];
-  crack::TipIntensityRequest request;
-  request.state = model.cracks[front.crack.index()].state;
-  if (const model::CrackExtensionSettings* vce = request_of(model, front.crack)) {
-    request.shift = vce->shift;
-    request.opening = vce->opening;
-  }
-  const std::optional<crack::CrackFaceForces> crack_faces = crack_face_forces(scene, front, state);
-  request.crack_faces = crack_faces ? &*crack_faces : nullptr;
-  const std::vector<crack::ExtensionField>& fields = scene.domains[t].points.front();
-  const crack::TipLoads loads = front_loads(model, scene, scene.domains[t], state.case_factor);
-  const std::vector<crack::StressIntensity> K{
-      crack::stress_intensity(model, scene.cracked, front, fields, request, state.u, loads)};
-  std::vector<bool> discontinuous;
-  if (!fields.empty()) {
-    discontinuous =
-        crack::load_jump_domains(crack::tip_setting(model, scene.cracked, front, fields, loads),
-                                 fields, std::hypot(K.front().K1, K.front().K2));
-  }
-  results::FrontResult result = front_of(model, scene, front, K);
-  compare_domains(discontinuous, K.front(), result, out);
-  judge_faces({model, scene, front, state, K, {}}, result, out);
-  out.fronts.push_back(std::move(result));
-}
-
-void gather_front(const model::Model& model, const Discretisation& scene, std::size_t f,
-                  const StepState& state, results::StepResult& out) {
+// What loads, contacts and the crack's own faces do to a front. faces: [point] in space.
+crack::FrontLoads loads_on(const model::Model& model, const Discretisation& scene, std::size_t f,
+                           const std::vector<FrontFaces>& faces, const StepState& state) {
   const mesh::CrackFront& front = scene.cracked.fronts[f];
-  const crack::FrontExtensions& domains = scene.domains[f];
-  const model::CrackDefinition& crack = model.cracks[front.crack.index()];
-  const model::CrackExtensionSettings* vce = request_of(model, front.crack);
-  crack::FrontIntensityRequest request;
-  request.opening = vce != nullptr && vce->opening;
-  crack::FrontLoads loads;
-  loads.given = front_loads(model, scene, domains, state.case_factor);
-  loads.contact = contact_forces(scene, domains, state);
-  const std::vector<FrontFaces> faces = front_faces(scene, front, state);
+  crack::FrontLoads loads = front_loads(model, scene, scene.domains[f], state.case_factor);
+  if (front.is_tip()) {
+    loads.crack_faces = crack_face_forces(scene, front, state);
+    return loads;
+  }
+  loads.contact = contact_forces(scene, scene.domains[f], state);
   for (const FrontFaces& point : faces) {
     loads.across.push_back(0.0 - point.pressure);
   }
-  const std::vector<crack::StressIntensity> K =
-      crack::front_intensity(model, scene.cracked, front, domains, request, state.u, loads);
-  results::FrontResult result = front_of(model, scene, front, K);
-  result.is_loop = domains.closed;
+  return loads;
+}
+
+// What the results of a front in space have beside those of a tip.
+void place_points(const model::Model& model, const Discretisation& scene, std::size_t f,
+                  results::FrontResult& result) {
+  const mesh::CrackFront& front = scene.cracked.fronts[f];
+  const model::CrackDefinition& crack = model.cracks[front.crack.index()];
+  result.is_loop = scene.domains[f].closed;
   result.length = result.is_loop ? front.curve->length() : result.length;
   result.has_angles = crack.kind == model::CrackDefinitionKind::ellipse;
   double reach = 0.0;
@@ -179,6 +167,29 @@ void gather_front(const model::Model& model, const Discretisation& scene, std::s
     point.phi = result.has_angles ? mesh::front_angle(crack, point.x) : 0.0;
     point.x = without_round_off(point.x, reach);
   }
+}
+
+void gather_front(const model::Model& model, const Discretisation& scene, std::size_t f,
+                  const StepState& state, results::StepResult& out) {
+  const mesh::CrackFront& front = scene.cracked.fronts[f];
+  crack::FrontIntensityRequest request;
+  request.state = model.cracks[front.crack.index()].state;
+  if (const model::CrackExtensionSettings* vce = request_of(model, front.crack)) {
+    request.shift = vce->shift;
+    request.opening = vce->opening;
+  }
+  const std::vector<FrontFaces> faces =
+      front.is_tip() ? std::vector<FrontFaces>() : front_faces(scene, front, state);
+  const crack::FrontLoads loads = loads_on(model, scene, f, faces, state);
+  const std::vector<crack::StressIntensity> K = crack::front_intensity(
+      model, scene.cracked, front, scene.domains[f], request, state.u, loads);
+  results::FrontResult result = front_of(model, scene, front, K);
+  if (front.is_tip()) {
+    compare_domains(discontinuous_domains(model, scene, f, loads, K.front()), K.front(), result,
+                    out);
+  } else {
+    place_points(model, scene, f, result);
+  }
   judge_faces({model, scene, front, state, K, faces}, result, out);
   out.fronts.push_back(std::move(result));
 }
@@ -188,11 +199,7 @@ void gather_front(const model::Model& model, const Discretisation& scene, std::s
 void gather_fronts(const model::Model& model, const Discretisation& scene, const StepState& state,
                    results::StepResult& out) {
   for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {
-    if (scene.cracked.fronts[f].is_tip()) {
-      gather_tip(model, scene, f, state, out);
-    } else {
-      gather_front(model, scene, f, state, out);
-    }
+    gather_front(model, scene, f, state, out);
   }
 }
 

@@ -4,7 +4,7 @@
 #include "analysis/scene/front_surroundings.hpp"
 #include "contact/space_tractions.hpp"
 #include "crack/front_intensity.hpp"
-#include "crack/stress_intensity.hpp"
+#include "crack/tip_intensity.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -88,10 +88,11 @@ void add_K_by_tractions(const model::Model& model, const Discretisation& scene, 
 
 } // namespace
 
-base::Matrix tip_K_rows(const model::Model& model, const Discretisation& scene, std::size_t t) {
-  const mesh::CrackFront& front = scene.cracked.fronts[t];
-  return crack::intensity_rows(model, scene.cracked, front, scene.domains[t].points.front(),
-                               model.cracks[front.crack.index()].state);
+crack::SparseRows front_K_rows(const model::Model& model, const Discretisation& scene,
+                               std::size_t f) {
+  const mesh::CrackFront& front = scene.cracked.fronts[f];
+  return crack::front_intensity_rows(model, scene.cracked, front, scene.domains[f],
+                                     model.cracks[front.crack.index()].state);
 }
 
 crack::SparseRows K_rows(const model::Model& model, const Discretisation& scene) {
@@ -99,16 +100,13 @@ crack::SparseRows K_rows(const model::Model& model, const Discretisation& scene)
   const crack::KLayout layout = scene.k_layout();
   std::size_t first = 0;
   for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {
-    const mesh::CrackFront& front = scene.cracked.fronts[f];
-    const crack::SparseRows own =
-        front.is_tip() ? crack::SparseRows(tip_K_rows(model, scene, f).sparseView())
-                       : crack::front_intensity_rows(model, scene.cracked, front, scene.domains[f]);
+    const crack::SparseRows own = front_K_rows(model, scene, f);
     for (Eigen::Index c = 0; c < own.cols(); ++c) {
       for (crack::SparseRows::InnerIterator it(own, c); it; ++it) {
         entries.emplace_back(it.row(), layout.first_index(first) + c, it.value());
       }
     }
-    first += front.points.size();
+    first += scene.cracked.fronts[f].points.size();
   }
   crack::SparseRows rows(static_cast<Eigen::Index>(scene.cracked.mesh.node_count()) *
                              scene.cracked.mesh.dim,
@@ -140,20 +138,12 @@ base::Vector K_values(const model::Model& model, const Discretisation& scene, co
   for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {
     const mesh::CrackFront& front = scene.cracked.fronts[f];
     const crack::FrontExtensions& domains = scene.domains[f];
-    if (front.is_tip()) {
-      crack::TipIntensityRequest request; // without SHIFT: linear in u
-      request.state = model.cracks[front.crack.index()].state;
-      const crack::StressIntensity K =
-          crack::stress_intensity(model, scene.cracked, front, domains.points.front(), request, u,
-                                  front_loads(model, scene, domains, case_factor));
-      layout.point_entries(values, first++) << K.K1, K.K2;
-      continue;
-    }
-    crack::FrontLoads loads;
-    loads.given = front_loads(model, scene, domains, case_factor);
+    crack::FrontIntensityRequest request; // without SHIFT: linear in u
+    request.state = model.cracks[front.crack.index()].state;
     for (const crack::StressIntensity& K :
-         crack::front_intensity(model, scene.cracked, front, domains, {}, u, loads)) {
-      layout.point_entries(values, first++) << K.K1, K.K2, K.K3;
+         crack::front_intensity(model, scene.cracked, front, domains, request, u,
+                                front_loads(model, scene, domains, case_factor))) {
+      layout.point_entries(values, first++) = base::Vec3(K.K1, K.K2, K.K3).head(layout.modes());
     }
   }
   return values;
@@ -182,7 +172,7 @@ base::Matrix K_of_cases(const model::Model& model, const Discretisation& scene) 
 
 bool acts_on_domains(const model::Model& model, const Discretisation& scene,
                      const base::Vector& case_factor) {
-  const auto acts = [](const crack::TipLoads& loads) {
+  const auto acts = [](const crack::FrontLoads& loads) {
     return loads.temperature.size() > 0 ||
            std::ranges::any_of(loads.loads, [](const crack::ActingLoad& acting) {
              return !acting.elements.empty() || !acting.faces.empty();

@@ -10,8 +10,9 @@
 /// add on sides that the domains move and between faces of cracks, and what loads add.
 namespace spricka::analysis {
 
-/// K1 and K2 of a tip in the plane as functions of displacements. [dim * node, 2]
-base::Matrix tip_K_rows(const model::Model& model, const Discretisation& scene, std::size_t t);
+/// K of one front as functions of displacements. [dim * node, K of its points]
+crack::SparseRows front_K_rows(const model::Model& model, const Discretisation& scene,
+                               std::size_t f);
 
 /// K as functions of displacements. [dim * node, K]
 crack::SparseRows K_rows(const model::Model& model, const Discretisation& scene);

@@ -124,12 +124,11 @@ crack::FrontExtensions tip_domains(const model::Model& model, Discretisation& sc
                                    const mesh::CrackFront& front,
                                    const crack::TipNeighbourhood& around,
                                    base::Diagnostics& diagnostics) {
-  crack::FrontExtensions domains;
   std::vector<int> left_out;
   const crack::DomainLimits limits = domain_limits(model, scene, front);
-  const std::vector<crack::ExtensionField>& fields =
-      domains.points.emplace_back(around.extension_fields(
-          scene.cracked, front, domain_rings(model, front.crack), left_out, limits));
+  crack::FrontExtensions domains = crack::tip_extensions(around.extension_fields(
+      scene.cracked, front, domain_rings(model, front.crack), left_out, limits));
+  const std::vector<crack::ExtensionField>& fields = domains.points.front();
   if (!fields.empty()) {
     std::vector<int> ignored;
     // One ring more carries all domains along as one (sensitivity.9).

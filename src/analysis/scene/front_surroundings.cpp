@@ -218,12 +218,12 @@ std::vector<std::int64_t> material_zones(const model::Model& model, const model:
   return zones;
 }
 
-crack::TipLoads front_loads(const model::Model& model, const Discretisation& scene,
-                            const crack::FrontExtensions& domains,
-                            const base::Vector& case_factor) {
+crack::FrontLoads front_loads(const model::Model& model, const Discretisation& scene,
+                              const crack::FrontExtensions& domains,
+                              const base::Vector& case_factor) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const Near near = near_front(domains);
-  crack::TipLoads loads;
+  crack::FrontLoads loads;
   for (std::size_t c = 0; c < model.cases.size(); ++c) {
     const double factor = case_factor[static_cast<Eigen::Index>(c)];
     for (const model::Load& load : model.cases[c].loads) {

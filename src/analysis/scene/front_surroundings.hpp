@@ -3,7 +3,7 @@
 #include "analysis/scene/scene.hpp"
 #include "crack/extension.hpp"
 #include "crack/front_extension.hpp"
-#include "crack/tip_loads.hpp"
+#include "crack/front_loads.hpp"
 
 #include <vector>
 
@@ -11,8 +11,9 @@ namespace spricka::analysis {
 
 /// What acts on the elements and faces of a front's domains under the cases' factors [case]. The
 /// model must outlive it.
-crack::TipLoads front_loads(const model::Model& model, const Discretisation& scene,
-                            const crack::FrontExtensions& domains, const base::Vector& case_factor);
+crack::FrontLoads front_loads(const model::Model& model, const Discretisation& scene,
+                              const crack::FrontExtensions& domains,
+                              const base::Vector& case_factor);
 
 /// Elements between which a domain cannot tell apart: of properties that differ in nothing but
 /// their sets they have the same number. [element]

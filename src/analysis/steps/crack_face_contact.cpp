@@ -7,7 +7,6 @@
 #include "analysis/steps/crack_face_overlap.hpp"
 #include "analysis/steps/solid_face_contact.hpp"
 #include "contact/crack_face_pairing.hpp"
-#include "crack/stress_intensity.hpp"
 #include "mesh/boundary.hpp"
 #include "model/model.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 #include "analysis/scene/scene.hpp"
 #include "analysis/steps/step_state.hpp"
-#include "crack/crack_face_term.hpp"
+#include "crack/front_loads.hpp"
 
 #include <vector>
 

@@ -214,26 +214,14 @@ base::Trouble InteractiveSolver::solve_further_step(const model::Step& step,
 }
 
 base::Trouble InteractiveSolver::estimate_accuracy() {
-  const analysis::Discretisation& scene = length_->discretisation();
-  if (estimated_ || scene.cracked.fronts.empty()) {
+  if (estimated_ || length_->discretisation().cracked.fronts.empty()) {
     return {};
   }
   results::StepResult found = current_result();
-  if (scene.has_tips()) {
-    length_->solve_adjoints(*solver_);
-    if (stopped()) {
-      return interrupted();
-    }
-    length_->add_error_bars(*state_, found);
-    if (stopped()) {
-      return interrupted();
-    }
-    length_->add_sensitivities(*solver_, *state_, found);
-  } else {
-    length_->add_front_estimates(*solver_, *state_, found);
-    if (stopped()) {
-      return interrupted();
-    }
+  if (!length_->add_K_estimates(
+          *solver_, *state_, found,
+          [&](const std::string&, const std::string&) { return !stopped(); })) {
+    return interrupted();
   }
   run_.increments.front().steps.front() = std::move(found);
   estimated_ = true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/crack_face_term.hpp"
-#include "crack/stress_intensity.hpp"
+#include "crack/front_intensity.hpp"
+#include "crack/tip_intensity.hpp"
 #include "mesh/boundary.hpp"
 #include "mesh/cut/patch.hpp"
 #include "mesh/cut/tip_mesh.hpp"
@@ -129,22 +130,24 @@ TEST(CrackFaceTerm, IsThatOfTractionsNextToTheTip) {
   }
 }
 
-// The term of stress_intensity is linear in the forces, with these rows.
+// The term of front_intensity is linear in the forces, with these rows.
 TEST(CrackFaceTerm, RowsAreTheTerm) {
   const Plate plate(0.3, true, 2.0);
   const base::Vector none =
       base::Vector::Zero(2 * static_cast<Eigen::Index>(plate.cracked.mesh.node_count()));
-  const crack::CrackFaceForces crack_faces{plate.faces, plate.forces(-0.7, 1.3)};
-  crack::TipIntensityRequest request;
-  request.crack_faces = &crack_faces;
+  crack::FrontLoads loads;
+  loads.crack_faces = {plate.faces, plate.forces(-0.7, 1.3)};
+  crack::FrontIntensityRequest request;
   request.state = model::TipConstraint::stress;
-  const crack::StressIntensity K = crack::stress_intensity(
-      plate.model, plate.cracked, plate.cracked.fronts[1], plate.fields, request, none, {});
+  const crack::StressIntensity K =
+      crack::front_intensity(plate.model, plate.cracked, plate.cracked.fronts[1],
+                             crack::tip_extensions(plate.fields), request, none, loads)
+          .front();
   const base::Vector of_rows =
       crack::crack_face_intensity_rows(plate.model, plate.cracked, plate.cracked.fronts[1],
                                        plate.fields, model::TipConstraint::stress, plate.faces)
           .transpose() *
-      crack_faces.force;
+      loads.crack_faces->force;
   EXPECT_NEAR(K.K1, of_rows[0], 1e-12 * std::abs(of_rows[0]));
   EXPECT_NEAR(K.K2, of_rows[1], 1e-12 * std::abs(of_rows[1]));
   EXPECT_EQ(K.G, 0.0); // the faces do not slip

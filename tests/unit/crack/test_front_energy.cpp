@@ -64,16 +64,15 @@ public:
   [[nodiscard]] crack::FrontLoads loads() const {
     crack::FrontLoads loads;
     if (acting_.pressure) {
-      loads.given.loads.push_back({&pressure_, 1.0, {}, faces_});
+      loads.loads.push_back({&pressure_, 1.0, {}, faces_});
     }
     if (acting_.body) {
-      loads.given.loads.push_back({&body_, 1.0, all_, {}});
+      loads.loads.push_back({&body_, 1.0, all_, {}});
     }
     if (acting_.heat) {
-      loads.given.temperature =
-          base::Vector::Zero(static_cast<Eigen::Index>(tube_.mesh().nodes.size()));
+      loads.temperature = base::Vector::Zero(static_cast<Eigen::Index>(tube_.mesh().nodes.size()));
       for (std::size_t i = 0; i < tube_.mesh().nodes.size(); ++i) {
-        loads.given.temperature[static_cast<Eigen::Index>(i)] =
+        loads.temperature[static_cast<Eigen::Index>(i)] =
             linear_temperature(tube_.mesh().x[tube_.mesh().nodes[i].index()]);
       }
     }

@@ -219,7 +219,7 @@ TEST_F(PressedPenny, TakesPressureBetweenItsFaces) {
   for (const model::Face& face : tube.cracked.faces.front().right_sides) {
     acting.faces.push_back(face);
   }
-  given.given.loads = {acting};
+  given.loads = {acting};
   const auto by_contact = tube.K(pressed, contact);
   const auto by_load = tube.K(pressed, given);
   for (std::size_t i = 0; i < by_load.size(); ++i) {

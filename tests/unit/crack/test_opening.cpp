@@ -58,7 +58,7 @@ struct Faces {
   }
 
   [[nodiscard]] std::optional<std::array<double, 2>> intensity() const {
-    const crack::TipLoads loads;
+    const crack::FrontLoads loads;
     const crack::TipSetting set{.model = model,
                                 .mesh = cracked.mesh,
                                 .material = model.materials[0],

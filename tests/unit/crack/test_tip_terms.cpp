@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/finite_shift.hpp"
-#include "crack/stress_intensity.hpp"
+#include "crack/front_intensity.hpp"
+#include "crack/front_rows.hpp"
+#include "crack/tip_intensity.hpp"
 #include "mesh/cut/crack_sides.hpp"
 #include "mesh/cut/patch.hpp"
 #include "mesh/cut/tip_mesh.hpp"
@@ -109,7 +111,7 @@ model::Load load_of(What what) {
 
 /// The load on all that it can act on; of tractions only one crack face, which leaves a force at
 /// the tip.
-crack::TipLoads acting(const Plate& plate, const model::Load& load, double factor) {
+crack::FrontLoads acting(const Plate& plate, const model::Load& load, double factor) {
   crack::ActingLoad a{&load, factor, {}, {}};
   if (load.type == model::LoadType::pressure || load.type == model::LoadType::traction) {
     a.faces = plate.crack_faces.left;
@@ -119,7 +121,7 @@ crack::TipLoads acting(const Plate& plate, const model::Load& load, double facto
   } else {
     a.elements = plate.all();
   }
-  crack::TipLoads loads{{a}, {}};
+  crack::FrontLoads loads{{a}, {}};
   if (load.type == model::LoadType::temperature) {
     loads.temperature =
         base::Vector::Zero(static_cast<Eigen::Index>(plate.cracked.mesh.nodes.size()));
@@ -144,18 +146,22 @@ TEST_P(TipTerm, IsTheDerivativeOfTheEnergy) {
   const auto [state, what] = GetParam();
   const Plate plate(state);
   const model::Load load = load_of(what);
-  const crack::TipLoads loads = acting(plate, load, 1e3);
+  const crack::FrontLoads loads = acting(plate, load, 1e3);
   const crack::TipSetting set =
       crack::tip_setting(plate.model, plate.cracked, plate.front(), plate.fields, loads);
-  const crack::TipLoads none;
+  const crack::FrontLoads none;
   const crack::TipSetting unloaded =
       crack::tip_setting(plate.model, plate.cracked, plate.front(), plate.fields, none);
   ASSERT_EQ(plate.fields.size(), 2U);
   for (const crack::ExtensionField& f : plate.fields) {
     const crack::StressIntensity K =
-        crack::stress_intensity(plate.model, plate.cracked, plate.front(), {f}, {}, plate.u, loads);
+        crack::front_intensity(plate.model, plate.cracked, plate.front(),
+                               crack::tip_extensions({f}), {}, plate.u, loads)
+            .front();
     const crack::StressIntensity bare =
-        crack::stress_intensity(plate.model, plate.cracked, plate.front(), {f}, {}, plate.u, {});
+        crack::front_intensity(plate.model, plate.cracked, plate.front(),
+                               crack::tip_extensions({f}), {}, plate.u, {})
+            .front();
     // The stiffness itself takes fewer points than G: what it misses is no matter of the loads, but
     // for elements that expand freely.
     const double s = 1e-4 * plate.front().size;
@@ -172,17 +178,22 @@ TEST_P(TipTerm, IsTheConstantOfK) {
   const auto [state, what] = GetParam();
   const Plate plate(state);
   const model::Load load = load_of(what);
-  const crack::TipLoads loads = acting(plate, load, 1e3);
+  const crack::FrontLoads loads = acting(plate, load, 1e3);
   const auto& [model, cracked, crack_faces, fields, u] = plate;
   for (const model::TipConstraint wish :
        {model::TipConstraint::automatic, model::TipConstraint::stress}) {
-    crack::TipIntensityRequest request;
+    crack::FrontIntensityRequest request;
     request.state = wish;
     const crack::StressIntensity K =
-        crack::stress_intensity(model, cracked, plate.front(), fields, request, u, loads);
-    const base::Matrix rows = crack::intensity_rows(model, cracked, plate.front(), fields, wish);
-    const crack::StressIntensity c = crack::stress_intensity(
-        model, cracked, plate.front(), fields, request, base::Vector::Zero(u.size()), loads);
+        crack::front_intensity(model, cracked, plate.front(), crack::tip_extensions(fields),
+                               request, u, loads)
+            .front();
+    const base::Matrix rows = crack::front_intensity_rows(model, cracked, plate.front(),
+                                                          crack::tip_extensions(fields), wish);
+    const crack::StressIntensity c =
+        crack::front_intensity(model, cracked, plate.front(), crack::tip_extensions(fields),
+                               request, base::Vector::Zero(u.size()), loads)
+            .front();
     const double size = rows.cwiseAbs().transpose().row(0).dot(u.cwiseAbs());
     EXPECT_NEAR(rows.col(0).dot(u) + c.K1, K.K1, 1e-12 * size);
     EXPECT_NEAR(rows.col(1).dot(u) + c.K2, K.K2, 1e-12 * size);

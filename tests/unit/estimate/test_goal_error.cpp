@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/dense_solve.hpp"
+#include "crack/front_rows.hpp"
 #include "estimate/goal_error.hpp"
 
 #include "estimate/mode_load.hpp"
@@ -153,8 +154,8 @@ Found estimate_of(const StripTriangle& s, const model::LoadCase& load) {
   const estimate::ModeMap map =
       estimate::mode_map(modes, estimate::mode_supports(modes, s.cls, s.ties), {});
   const mesh::CrackFront& front = s.cracked.fronts[0];
-  const base::Matrix g =
-      crack::intensity_rows(s.model, s.cracked, front, s.fields, model::TipConstraint::automatic);
+  const base::Matrix g = crack::front_intensity_rows(
+      s.model, s.cracked, front, crack::tip_extensions(s.fields), model::TipConstraint::automatic);
   const base::Matrix g_e = modes.mode_functional(crack::intensity_points(
       s.model, s.cracked, front, s.fields, model::TipConstraint::automatic));
   const base::Vector f = fe::nodal_load(s.model, s.cracked.mesh, load);

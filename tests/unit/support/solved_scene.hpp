@@ -82,8 +82,8 @@ struct SolvedScene {
       return std::nullopt;
     }
     results::StepResult out = length->recover_step(model().steps.at(step), *state);
-    length->solve_adjoints(*solver);
-    length->add_sensitivities(*solver, *state, out);
+    length->add_K_estimates(*solver, *state, out,
+                            [](const std::string&, const std::string&) { return true; });
     return out;
   }
 

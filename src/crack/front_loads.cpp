@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "crack/tip_loads.hpp"
+#include "crack/front_loads.hpp"
 
 #include "model/loads.hpp"
 #include "model/mesh_side.hpp"
@@ -8,7 +8,7 @@
 
 namespace spricka::crack {
 
-bool TipLoads::has_element_loads() const {
+bool FrontLoads::has_element_loads() const {
   return temperature.size() > 0 ||
          std::ranges::any_of(loads, [](const ActingLoad& a) { return !a.elements.empty(); });
 }
@@ -25,7 +25,7 @@ fe::FieldScale face_scale(const model::Mesh& mesh, const ActingLoad& acting) {
                                                              : fe::load_scale(mesh, *acting.load);
 }
 
-std::vector<FacePointForces> forces_on_faces(const model::Mesh& mesh, const TipLoads& loads) {
+std::vector<FacePointForces> forces_on_faces(const model::Mesh& mesh, const FrontLoads& loads) {
   std::vector<FacePointForces> forces;
   for (const ActingLoad& acting : loads.loads) {
     const fe::FieldScale scale = face_scale(mesh, acting);
