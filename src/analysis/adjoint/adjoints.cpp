@@ -38,18 +38,15 @@ KAdjoints::KAdjoints(const model::Model& model, const Discretisation& scene,
     : model_(model), scene_(scene), bodies_(bodies) {}
 
 void KAdjoints::condense_rows() {
-  const mesh::CrackedMesh& cracked = scene_.cracked;
   const crack::KLayout layout = scene_.k_layout();
-  base::Matrix nodal(static_cast<Eigen::Index>(cracked.mesh.node_count()) * cracked.mesh.dim,
-                     layout.count());
-  for (std::size_t t = 0; t < cracked.fronts.size(); ++t) {
-    rows_.emplace_back(front_K_rows(model_, scene_, t));
-    layout.columns(nodal, t) = rows_.back();
+  base::Matrix nodal(K_rows(model_, scene_));
+  for (std::size_t t = 0; t < layout.points(); ++t) {
+    rows_.emplace_back(layout.columns(nodal, t));
   }
   by_force_ = K_by_forces(model_, scene_).transpose();
   scene_.ties->transfer_to_masters(nodal);
   for (const SubstructuredBody& body : bodies_) {
-    condensed_.push_back(touches(body.body, cracked.mesh.dim, nodal)
+    condensed_.push_back(touches(body.body, scene_.cracked.mesh.dim, nodal)
                              ? condense_load(body, *scene_.ties, nodal)
                              : no_load(body, nodal.cols()));
   }

@@ -139,47 +139,29 @@ double distance_to_front(const AdjacentSurfacePiece& side, const mesh::CrackFron
   return distance;
 }
 
-// Edges against their distance from a tip.
-CoarseSurfaceEffect effect_on_tip(const JoinedSurfaces& joined, const mesh::CrackedMesh& cracked,
-                                  const mesh::CrackFront& front) {
-  double closest = std::numeric_limits<double>::infinity();
-  for (const AdjacentSurfacePiece& side : joined.sides) {
-    closest = std::min(closest, distance_to_front(side, front));
-  }
-  const base::NodeId mouth = mouth_on(joined, cracked, front);
-  if (mouth.valid() &&
-      (cracked.mesh.x[mouth.index()] - front.tip_point().x).norm() <= near * closest) {
-    return {};
-  }
-  // The side that is longest against its own distance from the tip.
-  const AdjacentSurfacePiece* worst = nullptr;
-  double ratio = share_that_counts;
-  for (const AdjacentSurfacePiece& side : joined.sides) {
-    const double distance = distance_to_front(side, front);
-    if (touches(joined, side) && distance <= near * closest && side.length > ratio * distance) {
-      ratio = side.length / distance;
-      worst = &side;
-    }
-  }
-  CoarseSurfaceEffect effect;
-  if (worst != nullptr) {
-    effect.part = part_of_K * ratio * ratio * ratio;
-  }
-  if (ratio > longest) {
-    effect.why_not = fmt::format(
-        "edges of {} near ({:.6g}, {:.6g}) are {:.3g} long, {:.2g} times their distance from the "
-        "tip: no error estimate covers how stiffly the body beyond them supports the crack; refine "
-        "both sides there, to twice that distance at most",
-        joined.name, worst->x[1].x(), worst->x[1].y(), worst->length, ratio);
-  }
-  return effect;
+std::string coarse_at_tip(const std::string& name, const AdjacentSurfacePiece& worst,
+                          double ratio) {
+  return fmt::format(
+      "edges of {} near ({:.6g}, {:.6g}) are {:.3g} long, {:.2g} times their distance from the "
+      "tip: no error estimate covers how stiffly the body beyond them supports the crack; refine "
+      "both sides there, to twice that distance at most",
+      name, worst.x[1].x(), worst.x[1].y(), worst.length, ratio);
 }
 
-// Faces against the depth of a front in space under the surface that it ends on.
-CoarseSurfaceEffect effect_along_front(const JoinedSurfaces& joined,
-                                       const mesh::CrackFront& front) {
+std::string coarse_along_front(const std::string& name, const AdjacentSurfacePiece& worst,
+                               double ratio, double part) {
+  return fmt::format(
+      "elements of {} near ({:.6g}, {:.6g}, {:.6g}) are {:.3g} large, {:.2g} times the size "
+      "of the crack: the body there follows the crack too stiffly, K may be off by {:.2g} %; "
+      "refine both sides there, to that size at most",
+      name, worst.x[0].x(), worst.x[0].y(), worst.x[0].z(), worst.length, ratio, 100.0 * part);
+}
+
+CoarseSurfaceEffect effect_of(const JoinedSurfaces& joined, const mesh::CrackedMesh& cracked,
+                              const mesh::CrackFront& front) {
   constexpr double ends_on = 0.1; // of its depth: where the first or last domain of a front ends
   constexpr double worth_a_word = 0.02;
+  const bool tip = front.is_tip();
   double closest = std::numeric_limits<double>::infinity();
   double depth = 0.0;
   for (const mesh::FrontPoint& point : front.points) {
@@ -190,28 +172,34 @@ CoarseSurfaceEffect effect_along_front(const JoinedSurfaces& joined,
     closest = std::min(closest, distance);
     depth = std::max(depth, distance);
   }
-  const bool mouth = closest <= ends_on * depth;
+  if (const base::NodeId start = tip ? mouth_on(joined, cracked, front) : base::NodeId();
+      start.valid() &&
+      (cracked.mesh.x[start.index()] - front.tip_point().x).norm() <= near * closest) {
+    return {};
+  }
+  const bool mouth = !tip && closest <= ends_on * depth;
   const double size = mouth ? depth : closest;
+  // The side that is longest against its own distance from the tip, or the size of the front.
   const AdjacentSurfacePiece* worst = nullptr;
-  double ratio = 0.0;
+  double ratio = share_that_counts;
   for (const AdjacentSurfacePiece& side : joined.sides) {
-    if (distance_to_front(side, front) <= size && side.length > ratio * size &&
+    const double distance = distance_to_front(side, front);
+    const double against = tip ? distance : size;
+    if (distance <= (tip ? near * closest : size) && side.length > ratio * against &&
         touches(joined, side)) {
-      ratio = side.length / size;
+      ratio = side.length / against;
       worst = &side;
     }
   }
-  CoarseSurfaceEffect effect;
-  if (ratio > share_that_counts) {
-    effect.part = (mouth ? part_at_mouth : part_of_K) * ratio * ratio * ratio;
+  if (worst == nullptr) {
+    return {};
   }
-  if (effect.part > worth_a_word) {
-    effect.why_not = fmt::format(
-        "elements of {} near ({:.6g}, {:.6g}, {:.6g}) are {:.3g} large, {:.2g} times the size "
-        "of the crack: the body there follows the crack too stiffly, K may be off by {:.2g} %; "
-        "refine both sides there, to that size at most",
-        joined.name, worst->x[0].x(), worst->x[0].y(), worst->x[0].z(), worst->length, ratio,
-        100.0 * effect.part);
+  CoarseSurfaceEffect effect;
+  effect.part = (mouth ? part_at_mouth : part_of_K) * ratio * ratio * ratio;
+  if (tip && ratio > longest) {
+    effect.why_not = coarse_at_tip(joined.name, *worst, ratio);
+  } else if (!tip && effect.part > worth_a_word) {
+    effect.why_not = coarse_along_front(joined.name, *worst, ratio, effect.part);
   }
   return effect;
 }
@@ -222,8 +210,7 @@ CoarseSurfaceEffect coarse_surface_effect(const SolvedMeshState& set,
                                           const mesh::CrackFront& front) {
   CoarseSurfaceEffect all;
   const auto add = [&](const JoinedSurfaces& joined) {
-    const CoarseSurfaceEffect one = front.is_tip() ? effect_on_tip(joined, set.scene.cracked, front)
-                                                   : effect_along_front(joined, front);
+    const CoarseSurfaceEffect one = effect_of(joined, set.scene.cracked, front);
     all.part += one.part;
     all.why_not = all.why_not.empty() ? one.why_not : all.why_not;
   };

@@ -36,6 +36,9 @@ struct CrackPlacement {
   int half = 0;
 };
 
+/// What rings that grow by `factor` from one to the next reach, in thicknesses of the first.
+double ring_sum(int rings, double factor);
+
 /// Puts a crack with a patch into its host. Empty, with an error at `span`, if it does not start
 /// where it should or a rosette does not fit.
 std::optional<CrackPlacement> place_crack(const HostMesh& host, const CrackLine& line,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/unit/crack/front_tube.hpp"
+#include "crack/front_intensity.hpp"
 
 #include "mesh/boundary.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How finely the integrals of K along a front are summed.
+#include "crack/front_intensity.hpp"
 #include "crack/front_rule.hpp"
 #include "crack/moving_field.hpp"
 #include "tests/unit/crack/front_tube.hpp"
