@@ -21,14 +21,8 @@ constexpr std::array load_keys{
 };
 
 constexpr std::array load_when{
-    KeyCondition{"TYPE", "FORCE", "", "SHAPE"},
-    KeyCondition{"TYPE", "RESULTANT", "", "SHAPE"},
-    KeyCondition{"TYPE", "TRACTION", "", "SHAPE"},
-    KeyCondition{"TYPE", "PRESSURE", "", "SHAPE"},
-    KeyCondition{"TYPE", "BODY", "", "SHAPE"},
-    KeyCondition{"TYPE", "DISP", "", "SHAPE"},
-    KeyCondition{"TYPE", "TEMPERATURE", "", "SHAPE"},
-    KeyCondition{"TYPE", "FACES", "", "SHAPE"},
+    KeyCondition{"TYPE", "FORCE|RESULTANT|TRACTION|PRESSURE|BODY|DISP|TEMPERATURE|FACES", "",
+                 "SHAPE"},
 };
 
 constexpr std::array contact_keys{
@@ -305,8 +299,7 @@ constexpr std::array test_keys{
 };
 
 constexpr std::array test_when{
-    KeyCondition{"METHOD", "SECANT", "", "POINTS"},
-    KeyCondition{"METHOD", "SPLINE", "", "POINTS"},
+    KeyCondition{"METHOD", "SECANT|SPLINE", "", "POINTS"},
     KeyCondition{"REFERENCE", "", "KUNIT AUNIT", ""},
 };
 

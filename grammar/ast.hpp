@@ -28,6 +28,9 @@ struct ExpressionTerm {
   double value = 0.0;
   base::SourceSpan span;
   base::SourceSpan unit; ///< the text between [ and ]; invalid where there is none
+
+  /// Whether it stands for a parameter or a variable.
+  [[nodiscard]] bool is_name() const { return kind == ExpressionTermKind::name; }
 };
 
 struct ParsedExpression {
@@ -53,6 +56,13 @@ struct CardField {
   ParsedExpression expression;
   std::vector<ParsedExpression> arguments;
   std::array<base::Label, 3> range{0, 0, 1};
+
+  /// Whether it is a name, without a minus.
+  [[nodiscard]] bool is_name() const { return kind == CardFieldKind::name; }
+  /// Whether it is a number or an expression in parentheses.
+  [[nodiscard]] bool has_value() const {
+    return kind == CardFieldKind::number || kind == CardFieldKind::expression;
+  }
 };
 
 struct HeaderParameter {

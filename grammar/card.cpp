@@ -62,26 +62,10 @@ bool take_assigned_value(const char*& p, const char* last, SyntaxBuilder& builde
   return true;
 }
 
-template <bool InRow> bool take_number(const char*& p, const char* last, SyntaxBuilder& builder) {
-  const bool ok = builder.field_number(p, last, InRow);
-  p = skip_blanks_and_comments(p, last);
-  return ok;
-}
-
-template <bool InRow> bool take_name(const char*& p, const char* last, SyntaxBuilder& builder) {
-  const bool ok = builder.field_name(p, last, InRow);
-  p = skip_blanks_and_comments(p, last);
-  return ok;
-}
-
-bool take_text(const char*& p, const char* last, SyntaxBuilder& builder) {
-  const bool ok = builder.field_text(p, last);
-  p = skip_blanks_and_comments(p, last);
-  return ok;
-}
-
-bool take_paren(const char*& p, const char* last, SyntaxBuilder& builder) {
-  const bool ok = builder.field_expression(p, last);
+// A field by a method of the builder, and the blanks behind it.
+template <auto Read, auto... InRow>
+bool take_field(const char*& p, const char* last, SyntaxBuilder& builder) {
+  const bool ok = (builder.*Read)(p, last, InRow...);
   p = skip_blanks_and_comments(p, last);
   return ok;
 }
@@ -108,12 +92,12 @@ const Terminal key{"a key", take_key};
 const Terminal key_end{"a value", end_key};
 const Terminal equals{"'='", match_character<'='>};
 const Terminal comma{"','", match_character<','>};
-const Terminal header_number{"a number", take_number<false>};
-const Terminal header_name{"a name", take_name<false>};
-const Terminal row_number{"a number", take_number<true>};
-const Terminal row_name{"a name", take_name<true>};
-const Terminal text{"a text", take_text};
-const Terminal paren{"an expression in parentheses", take_paren};
+const Terminal header_number{"a number", take_field<&SyntaxBuilder::field_number, false>};
+const Terminal header_name{"a name", take_field<&SyntaxBuilder::field_name, false>};
+const Terminal row_number{"a number", take_field<&SyntaxBuilder::field_number, true>};
+const Terminal row_name{"a name", take_field<&SyntaxBuilder::field_name, true>};
+const Terminal text{"a text", take_field<&SyntaxBuilder::field_text>};
+const Terminal paren{"an expression in parentheses", take_field<&SyntaxBuilder::field_expression>};
 const Terminal separator{"','", take_separator};
 const Terminal assigned{"the name of a parameter", take_assigned};
 const Terminal assigned_value{"an expression", take_assigned_value};

@@ -2,99 +2,74 @@
 #include "grammar/card_spec.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
 namespace spricka::grammar {
 
+namespace {
+
+// What a name of each kind is called, in the order of the enumeration.
+constexpr std::array<std::string_view, 18> kind_names{"name",
+                                                      "node set",
+                                                      "element set",
+                                                      "face set",
+                                                      "node or face set",
+                                                      "set",
+                                                      "material",
+                                                      "net",
+                                                      "load case",
+                                                      "contact",
+                                                      "crack",
+                                                      "step",
+                                                      "parameter",
+                                                      "rigid target",
+                                                      "load path",
+                                                      "spectrum",
+                                                      "test",
+                                                      "set or rigid target"};
+static_assert(kind_names.size() == static_cast<std::size_t>(EntityKind::surface) + 1);
+
+/// What is said of a quantity: its dimension in length, force and angle, its name and its formula.
+struct QuantityWords {
+  Quantity quantity;
+  base::Dimension dimension;
+  std::string_view name;
+  std::string_view formula;
+};
+constexpr std::array<QuantityWords, 9> quantity_words{{
+    {Quantity::number, {0.0, 0.0, 0.0}, "a plain number", "number"},
+    {Quantity::length, {1.0, 0.0, 0.0}, "a length", "length"},
+    {Quantity::area, {2.0, 0.0, 0.0}, "an area", "length^2"},
+    {Quantity::stress, {-2.0, 1.0, 0.0}, "a stress", "stress"},
+    {Quantity::angle, {0.0, 0.0, 1.0}, "an angle", "angle"},
+    {Quantity::stress_intensity, {-1.5, 1.0, 0.0}, "a stress intensity", "stress*length^0.5"},
+    {Quantity::force, {0.0, 1.0, 0.0}, "a force", "force"},
+    {Quantity::energy_release, {-1.0, 1.0, 0.0}, "an energy release rate", "force/length"},
+    {Quantity::energy, {1.0, 1.0, 0.0}, "an energy", "force*length"},
+}};
+
+const QuantityWords& words_for(Quantity quantity) {
+  return *std::ranges::find(quantity_words, quantity, &QuantityWords::quantity);
+}
+
+} // namespace
+
 std::string_view display_name(EntityKind kind) {
-  switch (kind) {
-  case EntityKind::node_set:
-    return "node set";
-  case EntityKind::element_set:
-    return "element set";
-  case EntityKind::face_set:
-    return "face set";
-  case EntityKind::set:
-    return "node or face set";
-  case EntityKind::any_set:
-    return "set";
-  case EntityKind::material:
-    return "material";
-  case EntityKind::net:
-    return "net";
-  case EntityKind::load_case:
-    return "load case";
-  case EntityKind::contact:
-    return "contact";
-  case EntityKind::crack:
-    return "crack";
-  case EntityKind::step:
-    return "step";
-  case EntityKind::parameter:
-    return "parameter";
-  case EntityKind::rigid:
-    return "rigid target";
-  case EntityKind::path:
-    return "load path";
-  case EntityKind::spectrum:
-    return "spectrum";
-  case EntityKind::test:
-    return "test";
-  case EntityKind::surface:
-    return "set or rigid target";
-  case EntityKind::none:
-    break;
-  }
-  return "name";
+  return kind_names[static_cast<std::size_t>(kind)];
 }
 
 base::Dimension quantity_dimension(Quantity quantity) {
-  switch (quantity) {
-  case Quantity::length:
-    return {1.0, 0.0, 0.0};
-  case Quantity::area:
-    return {2.0, 0.0, 0.0};
-  case Quantity::stress:
-    return {-2.0, 1.0, 0.0};
-  case Quantity::angle:
-    return {0.0, 0.0, 1.0};
-  case Quantity::stress_intensity:
-    return {-1.5, 1.0, 0.0};
-  case Quantity::force:
-    return {0.0, 1.0, 0.0};
-  case Quantity::energy_release:
-    return {-1.0, 1.0, 0.0};
-  case Quantity::energy:
-    return {1.0, 1.0, 0.0};
-  case Quantity::number:
-    break;
-  }
-  return {};
+  return words_for(quantity).dimension;
 }
 
 std::string_view display_name(Quantity quantity) {
-  switch (quantity) {
-  case Quantity::length:
-    return "a length";
-  case Quantity::area:
-    return "an area";
-  case Quantity::stress:
-    return "a stress";
-  case Quantity::angle:
-    return "an angle";
-  case Quantity::stress_intensity:
-    return "a stress intensity";
-  case Quantity::force:
-    return "a force";
-  case Quantity::energy_release:
-    return "an energy release rate";
-  case Quantity::energy:
-    return "an energy";
-  case Quantity::number:
-    break;
-  }
-  return "a plain number";
+  return words_for(quantity).name;
+}
+
+std::string_view dimension_phrase(Quantity quantity) {
+  return words_for(quantity).formula;
 }
 
 std::string ValueLimits::text() const {
@@ -113,8 +88,7 @@ std::string ValueLimits::text() const {
 }
 
 const KeySpec* CardSpec::find(std::string_view key) const {
-  const auto it =
-      std::find_if(keys.begin(), keys.end(), [&](const KeySpec& k) { return k.name == key; });
+  const auto it = std::ranges::find(keys, key, &KeySpec::name);
   return it == keys.end() ? nullptr : &*it;
 }
 

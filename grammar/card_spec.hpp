@@ -53,6 +53,8 @@ using base::Quantity;
 base::Dimension quantity_dimension(Quantity quantity);
 /// "a length": for messages.
 std::string_view display_name(Quantity quantity);
+/// "stress*length^0.5": how the help writes the dimension.
+std::string_view dimension_phrase(Quantity quantity);
 
 inline constexpr double k_unbounded = std::numeric_limits<double>::infinity();
 
@@ -87,10 +89,11 @@ struct KeySpec {
 /// What the data lines of a card are.
 enum class DataLineForm { none, table, assignments, rows };
 
-/// Where KEY=WORD (WORD empty: where KEY is given): the keys that must and must not be there.
+/// Where KEY is one of some words (without words: where KEY is given): the keys that must and must
+/// not be there.
 struct KeyCondition {
   std::string_view key;
-  std::string_view word;
+  std::string_view words;        ///< "AXI|SOLID"
   std::string_view needs = {};   ///< "C M"
   std::string_view forbids = {}; ///< "RI RO"
 };

@@ -137,6 +137,19 @@ constexpr std::array quantities{
     ResultQuantity{"TEST.SCATTER", "t", length, "standard deviation of the readings of a test"},
 };
 
+constexpr std::array<ResultArgument, 10> result_arguments{{
+    {'c', EntityKind::crack, "crack[.tip]"},
+    {'p', EntityKind::contact, "contact"},
+    {'s', EntityKind::step, "step"},
+    {'o', EntityKind::load_case, "case"},
+    {'m', EntityKind::material, "material"},
+    {'l', EntityKind::path, "path"},
+    {'t', EntityKind::test, "test"},
+    {'n', EntityKind::any_set, "set"},
+    {'e', EntityKind::net, "net|*"},
+    {'d', EntityKind::none, "X|Y|Z"},
+}};
+
 /// One quantity along fronts; `name` stands in front of the place.
 struct AlongFronts {
   std::string name;
@@ -227,9 +240,13 @@ std::span<const CardSpec> catalogue() {
 
 const CardSpec* find_card(std::string_view name) {
   const auto all = catalogue();
-  const auto it =
-      std::find_if(all.begin(), all.end(), [&](const CardSpec& c) { return c.name == name; });
+  const auto it = std::ranges::find(all, name, &CardSpec::name);
   return it == all.end() ? nullptr : &*it;
+}
+
+const ResultArgument* find_result_argument(char letter) {
+  const auto* const it = std::ranges::find(result_arguments, letter, &ResultArgument::letter);
+  return it == result_arguments.end() ? nullptr : it;
 }
 
 std::span<const ResultQuantity> result_quantities() {

@@ -16,15 +16,24 @@ std::span<const CardSpec> catalogue();
 /// A card by its upper-case name without $; null when unknown.
 const CardSpec* find_card(std::string_view name);
 
-/// A result that $CHECK and the prompt can name, and what its arguments are: c crack[.tip],
-/// p contact, s step, o load case, m material, l load path, t test, n set, e net or * for all, d
-/// direction X|Y|Z, a number; a letter after ? may be left out.
+/// A result that $CHECK and the prompt can name, and what its arguments are: letters of
+/// find_result_argument, and a for a number, z for one that solids need; a letter after ? may be
+/// left out.
 struct ResultQuantity {
   std::string_view name = {};
   std::string_view arguments;
   Quantity quantity = Quantity::number;
   std::string_view doc = {};
 };
+/// What a letter of ResultQuantity::arguments stands for.
+struct ResultArgument {
+  char letter = ' ';
+  EntityKind kind = EntityKind::none; ///< of a name; none: a direction
+  std::string_view form = {};         ///< as the help writes it: "crack[.tip]"
+};
+/// The argument of a letter; null for numbers.
+const ResultArgument* find_result_argument(char letter);
+
 /// All quantities, those of fronts in space behind the last one of tips.
 std::span<const ResultQuantity> result_quantities();
 /// The quantity of that name, upper case; null: there is none.

@@ -48,8 +48,7 @@ constexpr std::array<std::pair<std::string_view, OpCode>, 5> variables{{{"X", Op
                                                                         {"THETA", OpCode::theta}}};
 
 const Function* find_function(std::string_view name) {
-  const auto* const it = std::find_if(functions.begin(), functions.end(),
-                                      [&](const auto& f) { return f.name == name; });
+  const auto* const it = std::ranges::find(functions, name, &Function::name);
   return it == functions.end() ? nullptr : it;
 }
 
@@ -328,8 +327,7 @@ base::SourceSpan explicit_unit(const ParsedExpression& expression) {
 
 base::SourceSpan explicit_or_parameter_unit(const ParsedExpression& expression,
                                             const ExpressionScope& scope) {
-  if (expression.terms.size() != 1 ||
-      expression.terms.front().kind != ExpressionTerm::ExpressionTermKind::name) {
+  if (expression.terms.size() != 1 || !expression.terms.front().is_name()) {
     return explicit_unit(expression);
   }
   const auto known = scope.units_of.find(to_upper(scope.sources->text(expression.terms[0].span)));
@@ -339,7 +337,7 @@ base::SourceSpan explicit_or_parameter_unit(const ParsedExpression& expression,
 bool has_unit(const ParsedExpression& expression, const ExpressionScope& scope) {
   return std::any_of(expression.terms.begin(), expression.terms.end(),
                      [&](const ExpressionTerm& term) {
-                       if (term.kind != ExpressionTerm::ExpressionTermKind::name) {
+                       if (!term.is_name()) {
                          return term.unit.valid();
                        }
                        const std::string name = to_upper(scope.sources->text(term.span));

@@ -2,6 +2,8 @@
 #include "grammar/builder.hpp"
 #include "grammar/terminals.hpp"
 
+#include <array>
+
 namespace spricka::grammar {
 
 namespace {
@@ -20,19 +22,13 @@ bool is_word(const char* p, const char* last, std::string_view upper_word) {
   return to_upper(std::string_view(p, end)) == upper_word;
 }
 
-bool take_and(const char*& p, const char* last, SyntaxBuilder& /*builder*/) {
-  if (!is_word(p, last, "AND")) {
+template <char... Letters>
+bool take_word(const char*& p, const char* last, SyntaxBuilder& /*builder*/) {
+  constexpr std::array<char, sizeof...(Letters)> word{Letters...};
+  if (!is_word(p, last, {word.data(), word.size()})) {
     return false;
   }
-  p = skip_blanks_and_comments(p + 3, last);
-  return true;
-}
-
-bool take_or(const char*& p, const char* last, SyntaxBuilder& /*builder*/) {
-  if (!is_word(p, last, "OR")) {
-    return false;
-  }
-  p = skip_blanks_and_comments(p + 2, last);
+  p = skip_blanks_and_comments(p + word.size(), last);
   return true;
 }
 
@@ -117,8 +113,8 @@ const Terminal greater{"'>'", match_character<'>'>};
 const Terminal less_equal{"'<='", take_two<'<', '='>};
 const Terminal greater_equal{"'>='", take_two<'>', '='>};
 const Terminal equal{"'=='", take_two<'=', '='>};
-const Terminal word_and{"and", take_and};
-const Terminal word_or{"or", take_or};
+const Terminal word_and{"and", take_word<'A', 'N', 'D'>};
+const Terminal word_or{"or", take_word<'O', 'R'>};
 const Terminal call_open{"'('", open_call};
 const Terminal call_close{"')' or ','", close_call};
 const Terminal argument_end{"an argument", count_argument};

@@ -68,11 +68,7 @@ constexpr std::array mesh_when{
     KeyCondition{"SHAPE", "BLOCK", "LX LY", "RI RO W L T0 T1 NR NT"},
     KeyCondition{"SHAPE", "RING", "RI RO", "LX LY LZ Z0 W L NX NY NZ"},
     KeyCondition{"SHAPE", "LUG", "RI W L", "LX LY LZ Z0 RO T0 T1 NX NY NZ BIAS"},
-    KeyCondition{"TYPE", "TRIM3", "", "Z0 LZ NZ"},
-    KeyCondition{"TYPE", "TRIMC6", "", "Z0 LZ NZ"},
-    KeyCondition{"TYPE", "QUAM4", "", "Z0 LZ NZ"},
-    KeyCondition{"TYPE", "QUAMC8", "", "Z0 LZ NZ"},
-    KeyCondition{"TYPE", "QUAMC9", "", "Z0 LZ NZ"},
+    KeyCondition{"TYPE", "TRIM3|TRIMC6|QUAM4|QUAMC8|QUAMC9", "", "Z0 LZ NZ"},
 };
 
 constexpr std::array coor_keys{
@@ -127,8 +123,7 @@ constexpr std::array property_keys{
 };
 
 constexpr std::array property_when{
-    KeyCondition{"STATE", "AXI", "", "THICK"},
-    KeyCondition{"STATE", "SOLID", "", "THICK"},
+    KeyCondition{"STATE", "AXI|SOLID", "", "THICK"},
 };
 
 constexpr std::array freedom_keys{

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -31,20 +32,11 @@ std::string_view article(std::string_view word) {
   return std::string_view("aeiou").find(word.front()) == std::string_view::npos ? "a" : "an";
 }
 
-bool same_effect(const KeyCondition& a, const KeyCondition& b) {
-  return a.key == b.key && a.word.empty() == b.word.empty() && a.needs == b.needs &&
-         a.forbids == b.forbids;
-}
-
-std::string condition(const KeyCondition& clause, const std::vector<std::string>& words) {
-  return words.empty() ? std::string(clause.key)
-                       : fmt::format("{}={}", clause.key, fmt::join(words, "|"));
-}
-
-std::string sentence(const KeyCondition& clause, const std::vector<std::string>& words) {
+std::string sentence(const KeyCondition& clause) {
   const std::vector<std::string> needs = split_words(clause.needs);
   const std::vector<std::string> forbids = split_words(clause.forbids);
-  std::string out = condition(clause, words);
+  std::string out(clause.key);
+  out += clause.words.empty() ? "" : fmt::format("={}", clause.words);
   if (!needs.empty()) {
     out += " needs " + enumerate(needs);
   }
@@ -103,32 +95,10 @@ std::string number_name(const ResultQuantity& quantity, std::size_t before, bool
 
 std::string argument_name(const ResultQuantity& quantity, char letter, std::size_t before,
                           bool optional) {
-  switch (letter) {
-  case 'c':
-    return "crack[.tip]";
-  case 'p':
-    return "contact";
-  case 's':
-    return "step";
-  case 'o':
-    return "case";
-  case 'm':
-    return "material";
-  case 'l':
-    return "path";
-  case 't':
-    return "test";
-  case 'n':
-    return "set";
-  case 'e':
-    return "net|*";
-  case 'd':
-    return "X|Y|Z";
-  case 'z':
-    return "z";
-  default:
-    return number_name(quantity, before, optional);
+  if (const ResultArgument* argument = find_result_argument(letter)) {
+    return std::string(argument->form);
   }
+  return letter == 'z' ? "z" : number_name(quantity, before, optional);
 }
 
 } // namespace
@@ -169,22 +139,7 @@ std::vector<std::string> card_rule_sentences(const CardSpec& card) {
     out.push_back(
         fmt::format("At most one of {} may be given.", enumerate(split_words(card.exclusive))));
   }
-  std::vector<bool> reported(card.when.size(), false);
-  for (std::size_t i = 0; i < card.when.size(); ++i) {
-    if (reported[i]) {
-      continue;
-    }
-    std::vector<std::string> words;
-    for (std::size_t j = i; j < card.when.size(); ++j) {
-      if (same_effect(card.when[i], card.when[j])) {
-        reported[j] = true;
-        if (!card.when[j].word.empty()) {
-          words.emplace_back(card.when[j].word);
-        }
-      }
-    }
-    out.push_back(sentence(card.when[i], words));
-  }
+  std::ranges::transform(card.when, std::back_inserter(out), sentence);
   return out;
 }
 
@@ -203,30 +158,6 @@ std::string unavailable_phrase(const CardSpec& card) {
     }
   }
   return enumerate(parts);
-}
-
-std::string_view dimension_phrase(Quantity quantity) {
-  switch (quantity) {
-  case Quantity::length:
-    return "length";
-  case Quantity::area:
-    return "length^2";
-  case Quantity::stress:
-    return "stress";
-  case Quantity::angle:
-    return "angle";
-  case Quantity::stress_intensity:
-    return "stress*length^0.5";
-  case Quantity::force:
-    return "force";
-  case Quantity::energy_release:
-    return "force/length";
-  case Quantity::energy:
-    return "force*length";
-  case Quantity::number:
-    break;
-  }
-  return "number";
 }
 
 std::string call_form(const ResultQuantity& quantity) {

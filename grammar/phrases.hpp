@@ -21,9 +21,6 @@ std::vector<std::string> card_rule_sentences(const CardSpec& card);
 /// What is read and checked but has no analysis in this version: "MU >0"; empty where all is there.
 std::string unavailable_phrase(const CardSpec& card);
 
-/// "length/force^0.5"-like name of a quantity's dimension, "length", "stress*length^0.5".
-std::string_view dimension_phrase(Quantity quantity);
-
 /// How a result is written: "K1(crack[.tip], step [, a [, angle]])".
 std::string call_form(const ResultQuantity& quantity);
 

@@ -4,6 +4,7 @@
 #include "grammar/help.hpp"
 #include "grammar/phrases.hpp"
 
+#include <array>
 #include <cmath>
 
 #include <nlohmann/json.hpp>
@@ -14,43 +15,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string_view word_of(KeyType type) {
-  switch (type) {
-  case KeyType::integer:
-    return "integer";
-  case KeyType::real:
-    return "real";
-  case KeyType::word:
-    return "word";
-  case KeyType::name:
-    return "name";
-  case KeyType::reference:
-    return "reference";
-  case KeyType::references:
-    return "references";
-  case KeyType::integers:
-    return "integers";
-  case KeyType::text:
-    return "text";
-  case KeyType::expression:
-    return "expression";
-  }
-  return "";
-}
-
-std::string_view word_of(DataLineForm data) {
-  switch (data) {
-  case DataLineForm::table:
-    return "table";
-  case DataLineForm::assignments:
-    return "assignments";
-  case DataLineForm::rows:
-    return "rows";
-  case DataLineForm::none:
-    break;
-  }
-  return "none";
-}
+// In the order of the enumerations KeyType and DataLineForm.
+constexpr std::array type_words{"integer",    "real",     "word", "name",      "reference",
+                                "references", "integers", "text", "expression"};
+constexpr std::array data_words{"none", "table", "assignments", "rows"};
 
 Json range_of(const ValueLimits& range) {
   Json out = Json::object();
@@ -72,7 +40,7 @@ void add_text(Json& out, const char* key, std::string_view text) {
 Json key_of(const KeySpec& key) {
   Json out;
   out["name"] = key.name;
-  out["type"] = word_of(key.type);
+  out["type"] = type_words[static_cast<std::size_t>(key.type)];
   out["required"] = key.required;
   if (key.type == KeyType::word) {
     out["words"] = split_words(key.words);
@@ -92,10 +60,10 @@ Json key_of(const KeySpec& key) {
   return out;
 }
 
-Json clause_of(const KeyCondition& clause) {
+Json clause_of(const KeyCondition& clause, std::string_view word) {
   Json out;
   out["key"] = clause.key;
-  add_text(out, "word", clause.word);
+  add_text(out, "word", word);
   out["needs"] = split_words(clause.needs);
   out["excludes"] = split_words(clause.forbids);
   return out;
@@ -109,7 +77,7 @@ Json card_of(const CardSpec& card) {
   add_text(out, "notes", card.notes);
   out["once"] = card.once;
   out["available"] = card.available;
-  out["data"] = word_of(card.data);
+  out["data"] = data_words[static_cast<std::size_t>(card.data)];
   out["data_required"] = card.data_required;
   add_text(out, "data_form", card.data_form);
   out["keys"] = Json::array();
@@ -119,7 +87,13 @@ Json card_of(const CardSpec& card) {
   out["at_most_one_of"] = split_words(card.exclusive);
   out["when"] = Json::array();
   for (const KeyCondition& clause : card.when) {
-    out["when"].push_back(clause_of(clause));
+    const std::vector<std::string> words = split_words(clause.words);
+    if (words.empty()) {
+      out["when"].push_back(clause_of(clause, {}));
+    }
+    for (const std::string& word : words) {
+      out["when"].push_back(clause_of(clause, word));
+    }
   }
   out["example"] = card.example;
   return out;

@@ -115,11 +115,9 @@ private:
 
   bool word(const CardField& field, CheckedValue& value) {
     const std::vector<std::string> valid = grammar::split_words(key_.words);
-    const std::string given = field.kind == CardField::CardFieldKind::name
-                                  ? field.text
-                                  : std::string(scope_.sources->text(field.span));
-    if (field.kind != CardField::CardFieldKind::name ||
-        std::ranges::find(valid, given) == valid.end()) {
+    const std::string given =
+        field.is_name() ? field.text : std::string(scope_.sources->text(field.span));
+    if (!field.is_name() || std::ranges::find(valid, given) == valid.end()) {
       const std::string near = base::suggest_spelling(given, valid);
       return fail(field.span, "E108",
                   fmt::format("{}: '{}' is not one of {}", key_.name,
@@ -131,7 +129,7 @@ private:
   }
 
   bool name(const CardField& field, CheckedValue& value) {
-    if (field.kind != CardField::CardFieldKind::name) {
+    if (!field.is_name()) {
       return fail(field.span, "E108", fmt::format("{}: a name is expected", key_.name));
     }
     if (key_.type == KeyType::name && field.text.find('.') != std::string::npos) {
@@ -155,8 +153,7 @@ private:
   }
 
   bool expression(const CardField& field, CheckedValue& value) {
-    if (field.kind != CardField::CardFieldKind::expression &&
-        field.kind != CardField::CardFieldKind::number) {
+    if (!field.has_value()) {
       return fail(field.span, "E108",
                   fmt::format("{}: an expression in parentheses is expected", key_.name),
                   fmt::format("write {}=(...) with x y z rho theta", key_.name));
@@ -272,13 +269,14 @@ private:
 
   void when() {
     for (const grammar::KeyCondition& clause : spec_.when) {
-      const bool holds = clause.word.empty() ? bound_.has_key(clause.key)
-                                             : bound_.has_word(clause.key, clause.word);
-      if (!holds) {
+      const std::vector<std::string> words = grammar::split_words(clause.words);
+      const std::string_view word = bound_.word_value(clause.key);
+      if (words.empty() ? !bound_.has_key(clause.key)
+                        : std::ranges::find(words, word) == words.end()) {
         continue;
       }
-      const std::string where = clause.word.empty() ? std::string(clause.key)
-                                                    : fmt::format("{}={}", clause.key, clause.word);
+      const std::string where =
+          words.empty() ? std::string(clause.key) : fmt::format("{}={}", clause.key, word);
       for (const std::string& name : grammar::split_words(clause.needs)) {
         if (!bound_.has_key(name)) {
           fail(card_.name_span, "E106", fmt::format("${} {} needs {}", spec_.name, where, name),
@@ -374,11 +372,9 @@ std::optional<double> read_field_number(const grammar::CardField& field, grammar
                                         std::string_view what,
                                         const grammar::ExpressionScope& scope,
                                         base::Diagnostics& diagnostics) {
-  if (field.kind != CardField::CardFieldKind::number &&
-      field.kind != CardField::CardFieldKind::expression) {
+  if (!field.has_value()) {
     const std::string_view written = scope.sources->text(field.span);
-    const bool parameter =
-        field.kind == CardField::CardFieldKind::name && scope.values.contains(field.text);
+    const bool parameter = field.is_name() && scope.values.contains(field.text);
     const bool call = field.kind == CardField::CardFieldKind::quantity;
     const std::vector<grammar::ExpressionWord> functions = grammar::function_texts();
     const bool known =
@@ -391,20 +387,26 @@ std::optional<double> read_field_number(const grammar::CardField& field, grammar
     return std::nullopt;
   }
   const auto value = grammar::evaluate(field.expression, scope, diagnostics);
+  const bool fits = value && check_field_unit(field, grammar::quantity_dimension(quantity),
+                                              fmt::format("is not the unit of {}",
+                                                          grammar::display_name(quantity)),
+                                              scope, diagnostics);
+  return fits ? value : std::nullopt;
+}
+
+bool check_field_unit(const grammar::CardField& field, const base::Dimension& dimension,
+                      std::string_view complaint, const grammar::ExpressionScope& scope,
+                      base::Diagnostics& diagnostics) {
   const base::SourceSpan unit = grammar::explicit_or_parameter_unit(field.expression, scope);
-  if (!value || !unit.valid()) {
-    return value;
+  const auto known = unit.valid() ? base::parse_unit(scope.sources->text(unit)) : std::nullopt;
+  if (!known || known->dimension == dimension) {
+    return true;
   }
-  const auto known = base::parse_unit(scope.sources->text(unit));
-  if (known && known->dimension != grammar::quantity_dimension(quantity)) {
-    const bool written_here = grammar::explicit_unit(field.expression).valid();
-    diagnostics.error(written_here ? unit : field.span, "E205",
-                      fmt::format("'{}' is not the unit of {}", scope.sources->text(unit),
-                                  grammar::display_name(quantity)),
-                      written_here ? "" : "the parameter is given in this unit");
-    return std::nullopt;
-  }
-  return value;
+  const bool written_here = grammar::explicit_unit(field.expression).valid();
+  diagnostics.error(written_here ? unit : field.span, "E205",
+                    fmt::format("'{}' {}", scope.sources->text(unit), complaint),
+                    written_here ? "" : "the parameter is given in this unit");
+  return false;
 }
 
 } // namespace spricka::deck

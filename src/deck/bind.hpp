@@ -87,4 +87,10 @@ std::optional<double> read_field_number(const grammar::CardField& field, grammar
                                         const grammar::ExpressionScope& scope,
                                         base::Diagnostics& diagnostics);
 
+/// Whether a field has no unit, or one of a dimension; else that is reported, "'mm' " and the
+/// complaint. A unit that is none is left to the evaluation.
+bool check_field_unit(const grammar::CardField& field, const base::Dimension& dimension,
+                      std::string_view complaint, const grammar::ExpressionScope& scope,
+                      base::Diagnostics& diagnostics);
+
 } // namespace spricka::deck

@@ -21,21 +21,26 @@ using model::LoadType;
 struct LoadForm {
   std::string_view word;
   LoadType type;
-  bool per_direction; ///< one value for each direction, else a single one
+  bool per_direction;        ///< one value for each direction, else a single one
+  base::Dimension dimension; ///< of a value, in length, force and angle
   std::string_view values;
   bool of_crack = false; ///< acts on both faces of a crack
 };
 
 constexpr std::array<LoadForm, 9> forms{{
-    {"FORCE", LoadType::force, true, "a force for each direction"},
-    {"RESULTANT", LoadType::resultant, true, "the total force for each direction"},
-    {"TRACTION", LoadType::traction, true, "a stress for each direction"},
-    {"PRESSURE", LoadType::pressure, false, "a pressure against the outer normal"},
-    {"BODY", LoadType::body, true, "a force per volume for each direction"},
-    {"BEARING", LoadType::bearing, true, "the resultant for each direction"},
-    {"DISP", LoadType::displacement, true, "a displacement for each direction"},
-    {"TEMPERATURE", LoadType::temperature, false, "a temperature"},
-    {"FACES", LoadType::pressure, false, "a pressure", true},
+    {"FORCE", LoadType::force, true, {0.0, 1.0, 0.0}, "a force for each direction"},
+    {"RESULTANT", LoadType::resultant, true, {0.0, 1.0, 0.0}, "the total force for each direction"},
+    {"TRACTION", LoadType::traction, true, {-2.0, 1.0, 0.0}, "a stress for each direction"},
+    {"PRESSURE",
+     LoadType::pressure,
+     false,
+     {-2.0, 1.0, 0.0},
+     "a pressure against the outer normal"},
+    {"BODY", LoadType::body, true, {-3.0, 1.0, 0.0}, "a force per volume for each direction"},
+    {"BEARING", LoadType::bearing, true, {0.0, 1.0, 0.0}, "the resultant for each direction"},
+    {"DISP", LoadType::displacement, true, {1.0, 0.0, 0.0}, "a displacement for each direction"},
+    {"TEMPERATURE", LoadType::temperature, false, {}, "a temperature"},
+    {"FACES", LoadType::pressure, false, {-2.0, 1.0, 0.0}, "a pressure", true},
 }};
 
 const LoadForm& form_of(std::string_view word) {
@@ -44,26 +49,6 @@ const LoadForm& form_of(std::string_view word) {
 
 const LoadForm& form_of(LoadType type) {
   return *std::ranges::find(forms, type, &LoadForm::type);
-}
-
-// What the values of a type have as their unit, where one is written; BODY's has no short name.
-std::optional<base::Dimension> dimension_of(LoadType type) {
-  switch (type) {
-  case LoadType::force:
-  case LoadType::resultant:
-  case LoadType::bearing:
-    return base::Dimension{0.0, 1.0, 0.0};
-  case LoadType::traction:
-  case LoadType::pressure:
-    return base::Dimension{-2.0, 1.0, 0.0};
-  case LoadType::body:
-    return base::Dimension{-3.0, 1.0, 0.0};
-  case LoadType::displacement:
-    return base::Dimension{1.0, 0.0, 0.0};
-  case LoadType::temperature:
-    break;
-  }
-  return base::Dimension{};
 }
 
 // The face set of CRACK.LEFT or CRACK.RIGHT, invalid where the name means a set as well; none: not
@@ -126,7 +111,7 @@ bool load_set(DeckContext& c, const NameReference& reference, model::Load& load)
 bool load_value(DeckContext& c, const LoadForm& form, const grammar::CardField& field,
                 model::Load& load) {
   using FieldKind = grammar::CardField::CardFieldKind;
-  if (field.kind != FieldKind::number && field.kind != FieldKind::expression) {
+  if (!field.has_value()) {
     c.read_number(field, grammar::Quantity::number,
                   "a number or (expression)"); // says what is wrong
     return false;
@@ -139,18 +124,9 @@ bool load_value(DeckContext& c, const LoadForm& form, const grammar::CardField& 
             "give a number; TRACTION, PRESSURE and BODY take fields of x y z");
     return false;
   }
-  const base::SourceSpan unit = grammar::explicit_or_parameter_unit(field.expression, c.scope);
-  if (value && unit.valid()) {
-    const auto known = base::parse_unit(c.sources.text(unit));
-    if (known && known->dimension != dimension_of(form.type)) {
-      const bool written_here = grammar::explicit_unit(field.expression).valid();
-      c.error(written_here ? unit : field.span, "E205",
-              fmt::format("'{}' does not fit: {} is expected", c.sources.text(unit), form.values),
-              written_here ? "" : "the parameter is given in this unit");
-      return false;
-    }
-  }
-  if (!value) {
+  if (!value || !check_field_unit(field, form.dimension,
+                                  fmt::format("does not fit: {} is expected", form.values), c.scope,
+                                  c.diagnostics)) {
     return false;
   }
   load.value.push_back(std::move(*value));
@@ -365,12 +341,10 @@ void fill_in(DeckContext& c, const std::vector<NodeConstraints>& held, bool soun
 void build_loads(DeckContext& context) {
   std::vector<model::LoadCase>& cases = context.model.cases;
   context.for_sound_cards("LOAD", [&](const CheckedCard& card) {
-    NameDefinition definition;
-    definition.kind = EntityKind::load_case;
-    definition.index = cases.size();
-    definition.span = card.find("CASE")->span;
     const std::string name(card.word_value("CASE"));
-    const NameDefinition* before = context.names.define(name, definition);
+    const NameDefinition* before = context.names.define(
+        name,
+        {.kind = EntityKind::load_case, .index = cases.size(), .span = card.find("CASE")->span});
     if (before == nullptr || before->poisoned) {
       cases.push_back({name, {}});
     }

@@ -33,10 +33,8 @@ Set* table_set(DeckContext& c, const CheckedCard& card, std::string_view key,
     return nullptr;
   }
   const CheckedValue& value = *card.find(key);
-  NameDefinition definition;
-  definition.kind = value.key->kind;
-  definition.index = sets.size();
-  definition.span = value.span;
+  const NameDefinition definition{
+      .kind = value.key->kind, .index = sets.size(), .span = value.span};
   const std::string full = qualify(card.net, value.text);
   const NameDefinition* before = c.names.define(full, definition);
   if (before == nullptr) {
@@ -262,11 +260,8 @@ bool adopt_sets(DeckContext& c, const CheckedCard& card, EntityKind kind, std::v
     if (!sets[i].span.valid()) {
       sets[i].span = card.span;
     }
-    NameDefinition definition;
-    definition.kind = kind;
-    definition.index = i;
-    definition.span = card.span;
-    const NameDefinition* before = c.names.define(sets[i].name, definition);
+    const NameDefinition* before =
+        c.names.define(sets[i].name, {.kind = kind, .index = i, .span = card.span});
     if (before == nullptr || before->poisoned) {
       continue;
     }

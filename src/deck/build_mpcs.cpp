@@ -67,7 +67,7 @@ private:
 
   // 12, or NET.12 for a node of another net.
   std::optional<base::NodeId> node_of(const CardField& field) {
-    if (field.kind == CardField::CardFieldKind::name) {
+    if (field.is_name()) {
       return node_of_net(field);
     }
     const auto value = c_.read_number(field, grammar::Quantity::number, "a node number");
@@ -107,16 +107,13 @@ private:
     if (!found && labels.complete) {
       const bool several = card_.net.empty() && c_.model.nets.size() > 1;
       c_.error(field.span, "E303", fmt::format("there is no node {}", c_.sources.text(field.span)),
-               several && field.kind != CardField::CardFieldKind::name
-                   ? "write NET.12 for a node of a net"
-                   : "");
+               several && !field.is_name() ? "write NET.12 for a node of a net" : "");
     }
     return found ? std::optional(base::NodeId(*found)) : std::nullopt;
   }
 
   std::optional<int> dof_of(const CardField& field) {
-    if (field.kind != CardField::CardFieldKind::name ||
-        (field.text != "X" && field.text != "Y" && field.text != "Z")) {
+    if (!field.is_name() || (field.text != "X" && field.text != "Y" && field.text != "Z")) {
       c_.error(field.span, "E108",
                fmt::format("expected X, Y or Z, not '{}'", c_.sources.text(field.span)));
       return std::nullopt;

@@ -84,8 +84,7 @@ void output(DeckContext& c, const CheckedCard& card) {
   output.span = card.span;
   for (const grammar::DataRow& row : card.rows) {
     const auto* const it = std::ranges::find_if(requests, [&](const Request& r) {
-      return row.fields.front().kind == CardField::CardFieldKind::name &&
-             r.word == row.fields.front().text;
+      return row.fields.front().is_name() && r.word == row.fields.front().text;
     });
     if (it == requests.end()) {
       c.error(row.fields.front().span, "E115",
@@ -93,7 +92,7 @@ void output(DeckContext& c, const CheckedCard& card) {
               std::string(card.spec->data_form));
       continue;
     }
-    if (row.fields.size() != 2 || row.fields[1].kind != CardField::CardFieldKind::name) {
+    if (row.fields.size() != 2 || !row.fields[1].is_name()) {
       c.error(row.span, "E115",
               fmt::format("a line is {} {}", it->word, grammar::display_name(it->kind)));
       continue;
@@ -165,7 +164,7 @@ void task(DeckContext& c, const CheckedCard& card) {
   for (const grammar::DataRow& row : card.rows) {
     for (const CardField& field : row.fields) {
       const auto it = std::ranges::find(valid, field.text);
-      if (field.kind != CardField::CardFieldKind::name || it == valid.end()) {
+      if (!field.is_name() || it == valid.end()) {
         c.error(field.span, "E108",
                 fmt::format("'{}' is not a processor", c.sources.text(field.span)),
                 base::suggest_spelling(field.text, valid));
@@ -218,8 +217,7 @@ std::string swept_parameter(DeckContext& c, const CheckedCard& card, std::string
 
 // A parameter's value may have any unit.
 std::optional<double> sweep_value(DeckContext& c, const CardField& field, const std::string& name) {
-  if (field.kind != CardField::CardFieldKind::number &&
-      field.kind != CardField::CardFieldKind::expression) {
+  if (!field.has_value()) {
     return c.read_number(field, grammar::Quantity::number, "a value");
   }
   const std::optional<double> value = grammar::evaluate(field.expression, c.scope, c.diagnostics);

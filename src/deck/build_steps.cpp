@@ -44,7 +44,7 @@ void action(DeckContext& c, const grammar::DataRow& row, model::Step& step) {
   const bool loads = verb.text == "LOAD";
   const bool factored = loads || verb.text == "FIT";
   const std::size_t wanted = factored ? 3 : 2;
-  if (row.fields.size() != wanted || row.fields[1].kind != CardField::CardFieldKind::name) {
+  if (row.fields.size() != wanted || !row.fields[1].is_name()) {
     c.error(row.span, "E115",
             fmt::format("a line is {} {}{}", verb.text, loads ? "case" : "contact",
                         factored ? " factor" : ""));
@@ -93,12 +93,7 @@ model::CrackGrowthLaw law_of(std::string_view word) {
        {"FORMAN", model::CrackGrowthLaw::forman},
        {"NASGRO", model::CrackGrowthLaw::nasgro},
        {"TABLE", model::CrackGrowthLaw::table}}};
-  for (const auto& [name, law] : laws) {
-    if (name == word) {
-      return law;
-    }
-  }
-  return model::CrackGrowthLaw::increment;
+  return std::ranges::find(laws, word, [](const auto& law) { return law.first; })->second;
 }
 
 base::StepId step_id(DeckContext& c, const CheckedCard& card, std::string_view key) {
@@ -327,8 +322,7 @@ void paths_with_friction(DeckContext& c) {
 
 void read_step_row(DeckContext& context, const grammar::DataRow& row, model::Step& step) {
   const CardField& verb = row.fields.front();
-  const bool known = verb.kind == CardField::CardFieldKind::name &&
-                     std::ranges::find(k_actions, verb.text) != k_actions.end();
+  const bool known = verb.is_name() && std::ranges::find(k_actions, verb.text) != k_actions.end();
   if (known) {
     action(context, row, step);
   } else {

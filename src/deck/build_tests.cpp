@@ -76,8 +76,7 @@ private:
 
   void rows() {
     for (const grammar::DataRow& row : card_.rows) {
-      const bool of_reference = row.fields.front().kind == CardField::CardFieldKind::name &&
-                                row.fields.front().text == "RATE";
+      const bool of_reference = row.fields.front().is_name() && row.fields.front().text == "RATE";
       const std::string_view other = of_reference ? "REFERENCE" : "FILE";
       const std::size_t first = of_reference ? 1 : 0;
       const std::size_t count = row.fields.size() - first;

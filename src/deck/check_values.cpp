@@ -41,13 +41,18 @@ void odd_materials(DeckContext& c) {
   }
 }
 
+double largest_modulus(const model::Model& model) {
+  double largest = 0.0;
+  for (const model::ElasticMaterial& material : model.materials) {
+    largest = std::max(largest, material.E);
+  }
+  return largest;
+}
+
 // No solid bears a tenth of its modulus.
 void odd_flow_stress(DeckContext& c, const CheckedCard& card) {
   constexpr double most = 0.1;
-  double stiffest = 0.0;
-  for (const model::ElasticMaterial& material : c.model.materials) {
-    stiffest = std::max(stiffest, material.E);
-  }
+  const double stiffest = largest_modulus(c.model);
   const std::optional<double>& flow = c.model.growth->flow_stress;
   if (flow && *flow > most * stiffest) {
     c.warning(
@@ -65,10 +70,7 @@ void odd_flow_stress(DeckContext& c, const CheckedCard& card) {
 void odd_toughness(DeckContext& c, const CheckedCard& card) {
   constexpr double most = 1e-5; // [m] steel 650 MPa m^0.5, aluminium 220
   const std::optional<double>& k_c = c.model.growth->constants.k_c;
-  double stiffest = 0.0;
-  for (const model::ElasticMaterial& material : c.model.materials) {
-    stiffest = std::max(stiffest, material.E);
-  }
+  const double stiffest = largest_modulus(c.model);
   if (!k_c || std::pow(10.0, std::round(std::log10(stiffest))) == stiffest) {
     return;
   }

@@ -3,13 +3,11 @@
 
 #include "deck/sets.hpp"
 #include "deck/unit_warnings.hpp"
-#include "grammar/argument_word.hpp"
 #include "grammar/lexeme.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -68,9 +66,7 @@ private:
   // quantity = value word tolerance [SOURCE text]; the = belongs to the first field
   bool form() {
     const std::vector<CardField>& f = row_.fields;
-    const auto word = [&](std::size_t i) {
-      return f.size() > i && f[i].kind == CardField::CardFieldKind::name;
-    };
+    const auto word = [&](std::size_t i) { return f.size() > i && f[i].is_name(); };
     if (f[0].kind != CardField::CardFieldKind::quantity) {
       return wrong(f[0].span, "a result with its arguments is expected, as K(CRACK, STEP)");
     }
@@ -244,14 +240,12 @@ private:
   }
 
   [[nodiscard]] bool is_word(const grammar::ParsedExpression& e) const {
-    return e.terms.size() == 1 &&
-           e.terms[0].kind == grammar::ExpressionTerm::ExpressionTermKind::name &&
+    return e.terms.size() == 1 && e.terms[0].is_name() &&
            !c_.scope.values.contains(grammar::to_upper(c_.sources.text(e.terms[0].span)));
   }
 
   [[nodiscard]] bool is_step(const grammar::ParsedExpression& e) const {
-    return e.terms.size() == 1 &&
-           e.terms[0].kind == grammar::ExpressionTerm::ExpressionTermKind::name &&
+    return e.terms.size() == 1 && e.terms[0].is_name() &&
            c_.names.find({EntityKind::step}, grammar::to_upper(c_.sources.text(e.terms[0].span)),
                          {}) != nullptr;
   }
@@ -271,7 +265,11 @@ private:
   }
 
   static std::string word(char letter) {
-    return letter == 'd' ? "X|Y|Z" : letter == 'e' ? "net or *" : grammar::argument_word(letter);
+    const grammar::ResultArgument* argument = grammar::find_result_argument(letter);
+    return argument == nullptr ? "number"
+           : letter == 'd'     ? "X|Y|Z"
+           : letter == 'e'     ? "net or *"
+                               : std::string(grammar::display_name(argument->kind));
   }
 
   bool argument(char letter, const grammar::ParsedExpression& expression) {
@@ -283,8 +281,7 @@ private:
       }
       return value.has_value();
     }
-    if (expression.terms.size() != 1 ||
-        expression.terms[0].kind != grammar::ExpressionTerm::ExpressionTermKind::name) {
+    if (expression.terms.size() != 1 || !expression.terms[0].is_name()) {
       c_.error(
           expression.span, "E315",
           fmt::format("expected {}, not '{}'", word(letter), c_.sources.text(expression.span)));
@@ -299,14 +296,6 @@ private:
   // Names of sets become qualified.
   bool known(char letter, std::string& name, base::SourceSpan span) {
     const NameReference reference{name, span, card_.net};
-    static const std::map<char, EntityKind> kinds{{'s', EntityKind::step},
-                                                  {'o', EntityKind::load_case},
-                                                  {'m', EntityKind::material},
-                                                  {'l', EntityKind::path},
-                                                  {'t', EntityKind::test}};
-    if (const auto kind = kinds.find(letter); kind != kinds.end()) {
-      return look_up(c_, kind->second, reference) != nullptr;
-    }
     switch (letter) {
     case 'c': {
       const std::size_t dot = name.find('.');
@@ -326,12 +315,14 @@ private:
       name = c_.names.find(accepted_kinds(EntityKind::any_set), own, {}) != nullptr ? own : name;
       return ok;
     }
-    default:
+    case 'd':
       if (name == "X" || name == "Y" || name == "Z") {
         return true;
       }
       c_.error(span, "E315", fmt::format("expected X, Y or Z, not '{}'", name));
       return false;
+    default: // steps, cases, materials, paths and tests
+      return look_up(c_, grammar::find_result_argument(letter)->kind, reference) != nullptr;
     }
   }
 

@@ -16,9 +16,8 @@ using grammar::CardField;
 
 bool is_header(const grammar::DataRow& row) {
   const std::vector<CardField>& f = row.fields;
-  return f.size() > 2 && f[0].kind == CardField::CardFieldKind::name && f[0].separator == ' ' &&
-         f[1].kind == CardField::CardFieldKind::name && f[1].separator == '=' &&
-         grammar::find_card(f[0].text) != nullptr;
+  return f.size() > 2 && f[0].is_name() && f[0].separator == ' ' && f[1].is_name() &&
+         f[1].separator == '=' && grammar::find_card(f[0].text) != nullptr;
 }
 
 } // namespace

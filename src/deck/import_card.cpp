@@ -24,11 +24,8 @@ void adopt_physics(DeckContext& c, const CheckedCard& card, mesh::ImportedPhysic
     next += before.materials.size();
   }
   for (const model::ElasticMaterial& material : physics.materials) {
-    NameDefinition definition;
-    definition.kind = EntityKind::material;
-    definition.index = next++;
-    definition.span = card.span;
-    const NameDefinition* before = c.names.define(material.name, definition);
+    const NameDefinition* before = c.names.define(
+        material.name, {.kind = EntityKind::material, .index = next++, .span = card.span});
     if (before != nullptr && !before->poisoned) {
       c.error(card.span, "E302", fmt::format("there is a material {} already", material.name),
               "put each file into a $NET of its own, or rename the material");
@@ -71,10 +68,10 @@ void import_card(DeckContext& c, const CheckedCard& card) {
   for (const grammar::DataRow& row : card.rows) {
     using FieldKind = grammar::CardField::CardFieldKind;
     const auto named = [](const grammar::CardField& f) {
-      return f.kind == FieldKind::text || f.kind == FieldKind::name;
+      return f.kind == FieldKind::text || f.is_name();
     };
     if (row.fields.size() != 2 || !named(row.fields[0]) || row.fields[0].separator != '=' ||
-        row.fields[1].kind != FieldKind::name) {
+        !row.fields[1].is_name()) {
       c.error(row.span, "E115", "a line is 'name in the file' = NEW_NAME");
       continue;
     }

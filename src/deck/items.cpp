@@ -42,8 +42,8 @@ public:
 
 private:
   void item(const CardField& field, IndexCollection& collection) {
-    if (field.kind != CardField::CardFieldKind::name &&
-        field.kind != CardField::CardFieldKind::minus_name && c_.remeshed.contains(card_.net)) {
+    if (!field.is_name() && field.kind != CardField::CardFieldKind::minus_name &&
+        c_.remeshed.contains(card_.net)) {
       c_.error(field.span, "E303",
                fmt::format("{} numbers mean other places where the net is meshed finer", thing()),
                "name a set, or choose by WHERE");

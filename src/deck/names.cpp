@@ -49,10 +49,7 @@ const NameDefinition* NameTable::define(const std::string& name, const NameDefin
 }
 
 void NameTable::poison(EntityKind kind, const std::string& name) {
-  NameDefinition definition;
-  definition.kind = kind;
-  definition.poisoned = true;
-  const auto [it, fresh] = table_.try_emplace({kind, name}, definition);
+  const auto [it, fresh] = table_.try_emplace({kind, name}, NameDefinition{.kind = kind});
   it->second.poisoned = true;
 }
 

@@ -21,8 +21,8 @@ using grammar::EntityKind;
 struct NameDefinition {
   EntityKind kind = EntityKind::none;
   std::size_t index = 0;
-  std::optional<std::size_t> card;
-  base::SourceSpan span;
+  std::optional<std::size_t> card = {};
+  base::SourceSpan span = {};
   bool poisoned = false;
 };
 

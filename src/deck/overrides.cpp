@@ -73,7 +73,7 @@ std::optional<double> ParameterOverrides::value(DeckContext& context, const std:
   }
   entry.running = true;
   for (const grammar::ExpressionTerm& term : entry.expression->terms) {
-    if (term.kind != grammar::ExpressionTerm::ExpressionTermKind::name) {
+    if (!term.is_name()) {
       continue;
     }
     const std::string needed = grammar::to_upper(context.sources.text(term.span));

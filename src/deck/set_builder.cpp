@@ -152,8 +152,7 @@ bool face_items(DeckContext& c, const CheckedCard& card, const SetFinder& sets,
   }
   for (const grammar::DataRow& row : card.rows) {
     for (const CardField& field : row.fields) {
-      if (field.kind != CardField::CardFieldKind::name &&
-          field.kind != CardField::CardFieldKind::minus_name) {
+      if (!field.is_name() && field.kind != CardField::CardFieldKind::minus_name) {
         c.error(field.span, "E115", "the name of a node or face set is expected",
                 std::string(card.spec->data_form));
         ok = false;

@@ -112,7 +112,7 @@ std::optional<std::vector<base::NodeId>> collect_listed_nodes(DeckContext& conte
 
 std::optional<NameReference> read_set_reference(DeckContext& context, const CheckedCard& card,
                                                 const grammar::CardField& field) {
-  if (field.kind == grammar::CardField::CardFieldKind::name) {
+  if (field.is_name()) {
     return NameReference{field.text, field.span, card.net};
   }
   context.error(field.span, "E115", "the name of a set is expected",

@@ -17,7 +17,7 @@ base::SourceSpan find_unit(const grammar::ParsedExpression& expression,
                            const grammar::ExpressionScope& scope, const Wanted& wanted) {
   for (const grammar::ExpressionTerm& term : expression.terms) {
     base::SourceSpan unit = term.unit;
-    if (term.kind == grammar::ExpressionTerm::ExpressionTermKind::name) {
+    if (term.is_name()) {
       const auto known = scope.units_of.find(grammar::to_upper(scope.sources->text(term.span)));
       unit = known == scope.units_of.end() ? unit : known->second;
     }

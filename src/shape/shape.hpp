@@ -76,12 +76,26 @@ struct Line3 {
   static Eigen::Matrix<double, 3, 1> dN(const Point<1>& r);
 };
 
-struct Trim3 {
-  static constexpr base::ElementType type = base::ElementType::trim3;
-  static constexpr int nodes = 3;
-  static constexpr int dim = 2;
+/// The domain of the elements of a type, by their dimension and corners.
+constexpr ReferenceDomain reference_domain(base::ElementType type) {
+  const base::ElementInfo& info = base::element_info(type);
+  return info.corners == 3   ? ReferenceDomain::triangle
+         : info.corners == 6 ? ReferenceDomain::prism
+         : info.corners == 8 ? ReferenceDomain::hexahedron
+         : info.dim == 2     ? ReferenceDomain::quadrilateral
+                             : ReferenceDomain::tetrahedron;
+}
+
+/// What the table of the element library says of a shape.
+template <base::ElementType element> struct LibraryShape {
+  static constexpr base::ElementType type = element;
+  static constexpr int nodes = base::element_info(element).nodes;
+  static constexpr int dim = base::element_info(element).dim;
+  static constexpr ReferenceDomain domain = reference_domain(element);
+};
+
+struct Trim3 : LibraryShape<base::ElementType::trim3> {
   static constexpr int degree = 0; ///< constant strain
-  static constexpr ReferenceDomain domain = ReferenceDomain::triangle;
   using Side = Line2;
   static constexpr std::array<std::array<double, 2>, 3> coordinates{
       {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}};
@@ -92,15 +106,11 @@ struct Trim3 {
   static Eigen::Matrix<double, 3, 2> dN(const Point<2>& r);
 };
 
-struct Trimc6 {
-  static constexpr base::ElementType type = base::ElementType::trimc6;
-  static constexpr int nodes = 6;
-  static constexpr int dim = 2;
+struct Trimc6 : LibraryShape<base::ElementType::trimc6> {
   /// Straight sides need 2. Curved and quarter-point ones have a rational integrand: with 7 points
   /// (degree 5) the energy of a sqrt(r) field in a tip element is off by 5e-4, with these 12 by
   /// 2e-4. Constant strain passes with degree 2, as dN times the adjugate of J is a polynomial.
   static constexpr int degree = 6;
-  static constexpr ReferenceDomain domain = ReferenceDomain::triangle;
   using Side = Line3;
   static constexpr std::array<std::array<double, 2>, 6> coordinates{
       {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {0.5, 0.0}, {0.5, 0.5}, {0.0, 0.5}}};
@@ -111,12 +121,8 @@ struct Trimc6 {
   static Eigen::Matrix<double, 6, 2> dN(const Point<2>& r);
 };
 
-struct Quam4 {
-  static constexpr base::ElementType type = base::ElementType::quam4;
-  static constexpr int nodes = 4;
-  static constexpr int dim = 2;
+struct Quam4 : LibraryShape<base::ElementType::quam4> {
   static constexpr int degree = 3; ///< 2 x 2 points
-  static constexpr ReferenceDomain domain = ReferenceDomain::quadrilateral;
   using Side = Line2;
   static constexpr std::array<std::array<double, 2>, 4> coordinates{
       {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}};
@@ -128,12 +134,8 @@ struct Quam4 {
 };
 
 /// Serendipity.
-struct Quamc8 {
-  static constexpr base::ElementType type = base::ElementType::quamc8;
-  static constexpr int nodes = 8;
-  static constexpr int dim = 2;
+struct Quamc8 : LibraryShape<base::ElementType::quamc8> {
   static constexpr int degree = 5; ///< 3 x 3 points
-  static constexpr ReferenceDomain domain = ReferenceDomain::quadrilateral;
   using Side = Line3;
   static constexpr std::array<std::array<double, 2>, 8> coordinates{{{-1.0, -1.0},
                                                                      {1.0, -1.0},
@@ -152,12 +154,8 @@ struct Quamc8 {
 };
 
 /// Lagrange; the ninth node is the centre.
-struct Quamc9 {
-  static constexpr base::ElementType type = base::ElementType::quamc9;
-  static constexpr int nodes = 9;
-  static constexpr int dim = 2;
+struct Quamc9 : LibraryShape<base::ElementType::quamc9> {
   static constexpr int degree = 5; ///< 3 x 3 points
-  static constexpr ReferenceDomain domain = ReferenceDomain::quadrilateral;
   using Side = Line3;
   static constexpr std::array<std::array<double, 2>, 9> coordinates{{{-1.0, -1.0},
                                                                      {1.0, -1.0},

@@ -13,12 +13,8 @@
 /// and, in HEXEC27, the middles of the sides 0 to 5 (topology.hpp) and the centre.
 namespace spricka::shape {
 
-struct Tet4 {
-  static constexpr base::ElementType type = base::ElementType::tet4;
-  static constexpr int nodes = 4;
-  static constexpr int dim = 3;
+struct Tet4 : LibraryShape<base::ElementType::tet4> {
   static constexpr int degree = 0; ///< constant strain
-  static constexpr ReferenceDomain domain = ReferenceDomain::tetrahedron;
   static constexpr std::array<std::array<double, 3>, 4> coordinates{
       {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
 
@@ -28,13 +24,9 @@ struct Tet4 {
   static Eigen::Matrix<double, 4, 3> dN(const Point<3>& r);
 };
 
-struct Tet10 {
-  static constexpr base::ElementType type = base::ElementType::tet10;
-  static constexpr int nodes = 10;
-  static constexpr int dim = 3;
+struct Tet10 : LibraryShape<base::ElementType::tet10> {
   /// 14 points. Straight sides need 2; on curved ones the integrand is rational.
   static constexpr int degree = 5;
-  static constexpr ReferenceDomain domain = ReferenceDomain::tetrahedron;
   static constexpr std::array<std::array<double, 3>, 10> coordinates{{{0.0, 0.0, 0.0},
                                                                       {1.0, 0.0, 0.0},
                                                                       {0.0, 1.0, 0.0},
@@ -56,12 +48,8 @@ struct Tet10 {
 };
 
 /// Sides 0 and 1 are triangles, 2 to 4 quadrilaterals.
-struct Penta6 {
-  static constexpr base::ElementType type = base::ElementType::penta6;
-  static constexpr int nodes = 6;
-  static constexpr int dim = 3;
+struct Penta6 : LibraryShape<base::ElementType::penta6> {
   static constexpr int degree = 2; ///< 3 x 2 points
-  static constexpr ReferenceDomain domain = ReferenceDomain::prism;
   static constexpr std::array<std::array<double, 3>, 6> coordinates{{{0.0, 0.0, -1.0},
                                                                      {1.0, 0.0, -1.0},
                                                                      {0.0, 1.0, -1.0},
@@ -76,12 +64,8 @@ struct Penta6 {
 };
 
 /// Serendipity. Sides as Penta6.
-struct Pentac15 {
-  static constexpr base::ElementType type = base::ElementType::pentac15;
-  static constexpr int nodes = 15;
-  static constexpr int dim = 3;
+struct Pentac15 : LibraryShape<base::ElementType::pentac15> {
   static constexpr int degree = 5; ///< 7 x 3 points; straight sides need 4
-  static constexpr ReferenceDomain domain = ReferenceDomain::prism;
   static constexpr std::array<std::array<double, 3>, 15> coordinates{{{0.0, 0.0, -1.0},
                                                                       {1.0, 0.0, -1.0},
                                                                       {0.0, 1.0, -1.0},
@@ -125,12 +109,8 @@ template <std::size_t n> constexpr std::array<std::array<double, 3>, n> first_of
 
 } // namespace detail
 
-struct Hexe8 {
-  static constexpr base::ElementType type = base::ElementType::hexe8;
-  static constexpr int nodes = 8;
-  static constexpr int dim = 3;
+struct Hexe8 : LibraryShape<base::ElementType::hexe8> {
   static constexpr int degree = 3; ///< 2 x 2 x 2 points
-  static constexpr ReferenceDomain domain = ReferenceDomain::hexahedron;
   static constexpr std::array<std::array<double, 3>, 8> coordinates =
       detail::first_of_hexahedron<8>();
 
@@ -141,12 +121,8 @@ struct Hexe8 {
 };
 
 /// Serendipity.
-struct Hexec20 {
-  static constexpr base::ElementType type = base::ElementType::hexec20;
-  static constexpr int nodes = 20;
-  static constexpr int dim = 3;
+struct Hexec20 : LibraryShape<base::ElementType::hexec20> {
   static constexpr int degree = 5; ///< 3 x 3 x 3 points
-  static constexpr ReferenceDomain domain = ReferenceDomain::hexahedron;
   static constexpr std::array<std::array<double, 3>, 20> coordinates =
       detail::first_of_hexahedron<20>();
 
@@ -168,12 +144,8 @@ private:
 };
 
 /// Lagrange.
-struct Hexec27 {
-  static constexpr base::ElementType type = base::ElementType::hexec27;
-  static constexpr int nodes = 27;
-  static constexpr int dim = 3;
+struct Hexec27 : LibraryShape<base::ElementType::hexec27> {
   static constexpr int degree = 5; ///< 3 x 3 x 3 points
-  static constexpr ReferenceDomain domain = ReferenceDomain::hexahedron;
   static constexpr std::array<std::array<double, 3>, 27> coordinates = detail::hexahedron;
 
   /// Triquadratic functions: products of those of Line3 along the three coordinates.

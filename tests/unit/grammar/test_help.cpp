@@ -189,7 +189,11 @@ TEST(Schema, HoldsTheWholeCatalogue) {
     EXPECT_EQ(json["name"], card.name);
     EXPECT_EQ(json["example"], card.example);
     ASSERT_EQ(json["keys"].size(), card.keys.size());
-    EXPECT_EQ(json["when"].size(), card.when.size());
+    std::size_t conditions = 0;
+    for (const KeyCondition& clause : card.when) {
+      conditions += std::max<std::size_t>(split_words(clause.words).size(), 1);
+    }
+    EXPECT_EQ(json["when"].size(), conditions);
   }
   const auto& material = *std::find_if(schema["cards"].begin(), schema["cards"].end(),
                                        [](const auto& c) { return c["name"] == "MATERIAL"; });
