@@ -37,7 +37,6 @@ public:
 
   /// The place in the source of the bytes from `begin` to `end`.
   [[nodiscard]] base::SourceSpan span(const char* begin, const char* end) const;
-  [[nodiscard]] const char* source_start() const { return origin_; }
 
   // Expressions.
   bool read_number(const char*& p, const char* last);        ///< unsigned, with its unit

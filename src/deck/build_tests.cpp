@@ -22,20 +22,6 @@ struct DeckTestReading {
   std::string where; ///< "line 17 of 'f.txt': "; empty: the span says it
 };
 
-// Readings that a method works on.
-std::size_t fewest_readings(const model::GrowthTestReadings& test) {
-  switch (test.method) {
-  case model::TestRateMethod::secant:
-    return 2;
-  case model::TestRateMethod::spline:
-    return 8;
-  case model::TestRateMethod::polynomial:
-  case model::TestRateMethod::e647:
-    break;
-  }
-  return static_cast<std::size_t>(test.window);
-}
-
 class TestReader {
 public:
   TestReader(DeckContext& c, const CheckedCard& card) : c_(c), card_(card) {}
@@ -164,9 +150,10 @@ private:
     const auto lacks = [this](const std::string& text, std::string hint) {
       c_.error(card_.span, "E326", fmt::format("$TEST {}: {}", test_.name, text), std::move(hint));
     };
-    if (test_.readings.size() < fewest_readings(test_)) {
+    const std::size_t needed = model::readings_needed(test_.method, test_.window);
+    if (test_.readings.size() < needed) {
       lacks(fmt::format("{} readings, METHOD={} needs {}", test_.readings.size(),
-                        card_.word_value("METHOD"), fewest_readings(test_)),
+                        card_.word_value("METHOD"), needed),
             "data lines N a, or FILE");
     }
     if (test_.delta_k.size() == 1) {

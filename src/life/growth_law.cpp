@@ -13,6 +13,9 @@
 
 namespace spricka::life {
 
+using model::CrackGrowthLaw;
+using model::GrowthLawConstants;
+
 namespace {
 
 constexpr double k_infinite = std::numeric_limits<double>::infinity();
@@ -20,8 +23,8 @@ constexpr double k_infinite = std::numeric_limits<double>::infinity();
 // C for K and lengths in the units of the deck: the powers of k_unit that a law divides by are
 // taken into it, and its formula takes K as it is. Forman's has one power less, as it divides by K
 // once.
-double scaled_constant(RateEquation law, const RateConstants& constants) {
-  const double power = law == RateEquation::forman ? constants.m - 1.0 : constants.m;
+double scaled_constant(CrackGrowthLaw law, const GrowthLawConstants& constants) {
+  const double power = law == CrackGrowthLaw::forman ? constants.m - 1.0 : constants.m;
   return constants.C * constants.a_unit / std::pow(constants.k_unit, power);
 }
 
@@ -54,13 +57,13 @@ double NewmanClosure::operator()(double R) const {
   return std::max(R, A_[0] + R * (A_[1] + R * (A_[2] + R * A_[3])));
 }
 
-GrowthRateLaw::GrowthRateLaw(RateEquation law, RateConstants constants)
+GrowthRateLaw::GrowthRateLaw(CrackGrowthLaw law, GrowthLawConstants constants)
     : law_(law), constants_(std::move(constants)), scale_(scaled_constant(law, constants_)),
       closure_(constants_.alpha, constants_.stress_ratio) {
-  assert((law != RateEquation::forman && law != RateEquation::nasgro) || constants_.k_c);
-  assert(law != RateEquation::table ||
+  assert((law != CrackGrowthLaw::forman && law != CrackGrowthLaw::nasgro) || constants_.k_c);
+  assert(law != CrackGrowthLaw::table ||
          (constants_.delta_k.size() >= 2 && constants_.growth.size() == constants_.delta_k.size()));
-  for (std::size_t i = 0; law == RateEquation::table && i < constants_.delta_k.size(); ++i) {
+  for (std::size_t i = 0; law == CrackGrowthLaw::table && i < constants_.delta_k.size(); ++i) {
     log_k_.push_back(std::log(constants_.delta_k[i] * constants_.k_unit));
     log_rate_.push_back(std::log(constants_.growth[i] * constants_.a_unit));
   }
@@ -78,18 +81,19 @@ double GrowthRateLaw::growth_rate(double K_max, double K_min) const {
 double GrowthRateLaw::formula(double range, double R) const {
   const double part = 1.0 - std::max(R, 0.0); // range / K_max
   switch (law_) {
-  case RateEquation::paris:
+  case CrackGrowthLaw::increment:
+  case CrackGrowthLaw::paris:
     return scale_ * std::pow(range, constants_.m);
-  case RateEquation::walker:
+  case CrackGrowthLaw::walker:
     // (life.4) with R+: for R < 0 part is 1.
     return scale_ * std::pow(range * std::pow(part, constants_.p - 1.0), constants_.m);
-  case RateEquation::forman: {
+  case CrackGrowthLaw::forman: {
     // (life.5). The pole is where K_max reaches the toughness; beyond it the rate stays infinite,
     // not negative.
     const double left = part * *constants_.k_c - range;
     return left > 0.0 ? scale_ * std::pow(range, constants_.m) / left : k_infinite;
   }
-  case RateEquation::nasgro: {
+  case CrackGrowthLaw::nasgro: {
     const double K_max = range / part;
     const double left = 1.0 - K_max / *constants_.k_c;
     if (!(left > 0.0)) {
@@ -100,7 +104,7 @@ double GrowthRateLaw::formula(double range, double R) const {
            std::pow(1.0 - constants_.threshold / range, constants_.p) /
            std::pow(left, constants_.q);
   }
-  case RateEquation::table:
+  case CrackGrowthLaw::table:
     return tabular(range);
   }
   return no_value;
@@ -140,21 +144,22 @@ double GrowthRateLaw::K_range_for_rate(double rate, double R) const {
   }
   double found = no_value;
   switch (law_) {
-  case RateEquation::paris:
+  case CrackGrowthLaw::increment:
+  case CrackGrowthLaw::paris:
     found = std::pow(rate / scale_, 1.0 / constants_.m);
     break;
-  case RateEquation::walker:
+  case CrackGrowthLaw::walker:
     found = std::pow(rate / scale_, 1.0 / constants_.m) *
             std::pow(1.0 - std::max(R, 0.0), 1.0 - constants_.p);
     break;
-  case RateEquation::table:
+  case CrackGrowthLaw::table:
     // Rates that do not rise all the way have several ranges, or none.
     found = std::is_sorted(log_rate_.begin(), log_rate_.end(), std::less_equal<>())
                 ? tabular_range(rate)
                 : no_value;
     break;
-  case RateEquation::forman:
-  case RateEquation::nasgro:
+  case CrackGrowthLaw::forman:
+  case CrackGrowthLaw::nasgro:
     found = by_root(rate, R);
     break;
   }
@@ -162,14 +167,14 @@ double GrowthRateLaw::K_range_for_rate(double rate, double R) const {
 }
 
 std::optional<std::array<double, 2>> GrowthRateLaw::table_ends() const {
-  if (law_ != RateEquation::table) {
+  if (law_ != CrackGrowthLaw::table) {
     return std::nullopt;
   }
   return std::array{std::exp(log_k_.front()), std::exp(log_k_.back())};
 }
 
 bool GrowthRateLaw::table_covers(double delta_K) const {
-  if (law_ != RateEquation::table) {
+  if (law_ != CrackGrowthLaw::table) {
     return true;
   }
   // a row's own delta K, converted and back, still belongs to the table

@@ -1,36 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "model/crack_growth.hpp"
+
 #include <array>
 #include <optional>
 #include <vector>
 
 namespace spricka::life {
-
-/// What gives the growth of a crack in one load cycle; equations in manual/theory/life.md.
-enum class RateEquation {
-  paris,  ///< (life.3)
-  walker, ///< (life.4)
-  forman, ///< (life.5)
-  nasgro, ///< (life.6)
-  table   ///< (life.9)
-};
-
-/// Constants of a law. C and the table count K in `k_unit` and lengths in `a_unit`; threshold and
-/// toughness are in the units of K that `rate` takes.
-struct RateConstants {
-  double C = 0.0;
-  double m = 0.0;
-  double p = 0.0;              ///< Walker: gamma; NASGRO: exponent of the threshold term
-  double q = 0.0;              ///< NASGRO: exponent of the toughness term
-  double alpha = 2.0;          ///< NASGRO: constraint factor, 1 plane stress to 3 plane strain
-  double stress_ratio = 0.3;   ///< NASGRO: largest stress over flow stress
-  double threshold = 0.0;      ///< of delta K [stress intensity]
-  std::optional<double> k_c;   ///< fracture toughness [stress intensity]; Forman and NASGRO need it
-  double k_unit = 1.0;         ///< one unit of K of the constants [stress intensity]
-  double a_unit = 1.0;         ///< one unit of length of the constants [length]
-  std::vector<double> delta_k; ///< table: ascending, in k_unit
-  std::vector<double> growth;  ///< [delta_k] da/dN > 0, in a_unit per cycle
-};
 
 /// The range of K that counts (ASTM E647): what lies below K = 0 closes the crack and does nothing,
 /// delta K = K_max - max(K_min, 0) (life.1).
@@ -49,7 +25,8 @@ private:
 /// da/dN of one cycle as a function of the K it begins, turns and ends with.
 class GrowthRateLaw {
 public:
-  GrowthRateLaw(RateEquation law, RateConstants constants);
+  /// Forman and NASGRO need a toughness, a table its rows; increments go as Paris' law does.
+  GrowthRateLaw(model::CrackGrowthLaw law, model::GrowthLawConstants constants);
 
   /// da/dN [length per cycle]. 0 if delta K is not above the threshold; infinite if Forman's or
   /// NASGRO's K_max reaches the toughness, where they have their pole. The other laws go on beyond
@@ -62,7 +39,6 @@ public:
 
   [[nodiscard]] std::optional<double> toughness() const { return constants_.k_c; }
   [[nodiscard]] double threshold() const { return constants_.threshold; }
-  [[nodiscard]] RateEquation rate_equation() const { return law_; }
   /// Whether delta K lies within the rows of a table; the other laws have no such bounds.
   [[nodiscard]] bool table_covers(double delta_K) const;
   /// Delta K of the first and the last row of a table [stress intensity]; empty for other laws.
@@ -74,8 +50,8 @@ private:
   [[nodiscard]] double tabular_range(double rate) const;
   [[nodiscard]] double by_root(double rate, double R) const;
 
-  RateEquation law_;
-  RateConstants constants_;
+  model::CrackGrowthLaw law_;
+  model::GrowthLawConstants constants_;
   double scale_ = 0.0; ///< C in the units of the interface
   NewmanClosure closure_;
   std::vector<double> log_k_, log_rate_; ///< table, units of the interface

@@ -12,6 +12,8 @@
 
 namespace spricka::life {
 
+using model::TestRateMethod;
+
 namespace {
 
 // What four readings say of their scatter: |c . a| / |c| with the weights c of the third divided
@@ -145,31 +147,18 @@ MeasuredRates splines(std::span<const CrackReading> readings) {
 
 } // namespace
 
-std::size_t readings_needed(GrowthRateMethod method, int window) {
-  switch (method) {
-  case GrowthRateMethod::secant:
-    return 2;
-  case GrowthRateMethod::e647:
-  case GrowthRateMethod::polynomial:
-    return static_cast<std::size_t>(window);
-  case GrowthRateMethod::spline:
-    return 8;
-  }
-  return 0;
-}
-
-MeasuredRates measured_rates(std::span<const CrackReading> readings, GrowthRateMethod method,
+MeasuredRates measured_rates(std::span<const CrackReading> readings, TestRateMethod method,
                              int window) {
-  assert(readings.size() >= readings_needed(method, window));
+  assert(readings.size() >= model::readings_needed(method, window));
   assert(window >= 5 && window % 2 == 1);
   switch (method) {
-  case GrowthRateMethod::secant:
+  case TestRateMethod::secant:
     return secants(readings);
-  case GrowthRateMethod::e647:
-  case GrowthRateMethod::polynomial:
+  case TestRateMethod::e647:
+  case TestRateMethod::polynomial:
     return polynomials(readings, static_cast<std::size_t>(window),
-                       method == GrowthRateMethod::polynomial);
-  case GrowthRateMethod::spline:
+                       method == TestRateMethod::polynomial);
+  case TestRateMethod::spline:
     return splines(readings);
   }
   return {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include <cstddef>
+#include "model/growth_test.hpp"
+
 #include <span>
 #include <vector>
 
@@ -10,14 +11,6 @@ namespace spricka::life {
 struct CrackReading {
   double cycles = 0.0;
   double a = 0.0; ///< [length]
-};
-
-/// How da/dN is found from readings a(N); equations in manual/theory/life.md.
-enum class GrowthRateMethod {
-  secant,     ///< between neighbours (ASTM E647, X1.1; life.15)
-  e647,       ///< parabola through a(N) round each reading (ASTM E647, X1.2; life.16)
-  polynomial, ///< the same through log a(N), weighted for readings of a (life.17)
-  spline      ///< smoothing spline of log a(N) (life.19)
 };
 
 struct MeasuredRate {
@@ -33,11 +26,8 @@ struct MeasuredRates {
   double freedoms = 0.0;            ///< spline: how many parameters it is worth
 };
 
-/// How many readings a method needs; `window`: of e647 and polynomial, odd.
-std::size_t readings_needed(GrowthRateMethod method, int window);
-
-/// da/dN from readings [>= readings_needed] with ascending cycles and a > 0.
-MeasuredRates measured_rates(std::span<const CrackReading> readings, GrowthRateMethod method,
+/// da/dN from readings [>= model::readings_needed] with ascending cycles and a > 0.
+MeasuredRates measured_rates(std::span<const CrackReading> readings, model::TestRateMethod method,
                              int window = 7);
 
 } // namespace spricka::life

@@ -11,27 +11,36 @@
 /// How cracks grow: the law, the direction and what stops them.
 namespace spricka::model {
 
-enum class CrackGrowthLaw { increment, paris, walker, forman, nasgro, table };
+/// What gives the growth of a crack in one load cycle; equations in manual/theory/life.md.
+enum class CrackGrowthLaw {
+  increment, ///< none: the lengths are given
+  paris,     ///< (life.3)
+  walker,    ///< (life.4)
+  forman,    ///< (life.5)
+  nasgro,    ///< (life.6)
+  table      ///< (life.9)
+};
 enum class GrowthDirection { path, hoop, k2_zero };
 /// In space: fronts as K shapes them, or held to ellipses.
 enum class FrontShapeRule { ellipse, free };
 enum class GrowthHistoryMode { restart, carry_on };
 enum class ContactMounting { each, first };
 
-/// Constants of a growth law as the deck gives them: K in `k_unit`, lengths in `a_unit`.
+/// Constants of a growth law. C and the table count K in `k_unit` and lengths in `a_unit`;
+/// threshold and toughness are in the units of the deck.
 struct GrowthLawConstants {
   double C = 0.0;
   double m = 0.0;
-  double p = 0.0;
-  double q = 0.0;
-  double alpha = 2.0;          ///< constraint factor of NASGRO
-  double stress_ratio = 0.3;   ///< largest stress over flow stress, NASGRO
+  double p = 0.0;              ///< Walker: gamma; NASGRO: exponent of the threshold term
+  double q = 0.0;              ///< NASGRO: exponent of the toughness term
+  double alpha = 2.0;          ///< NASGRO: constraint factor, 1 plane stress to 3 plane strain
+  double stress_ratio = 0.3;   ///< NASGRO: largest stress over flow stress
   double threshold = 0.0;      ///< of delta K [stress intensity]
-  std::optional<double> k_c;   ///< fracture toughness [stress intensity]; stops the growth
-  double k_unit = 1.0;         ///< one KUNIT [stress intensity]
-  double a_unit = 1.0;         ///< one AUNIT [length]
-  std::vector<double> delta_k; ///< law table: ascending, in KUNIT
-  std::vector<double> growth;  ///< [delta_k] da/dN, in AUNIT per cycle
+  std::optional<double> k_c;   ///< fracture toughness [stress intensity]; Forman and NASGRO need it
+  double k_unit = 1.0;         ///< one unit of K of the constants [stress intensity]
+  double a_unit = 1.0;         ///< one unit of length of the constants [length]
+  std::vector<double> delta_k; ///< table: ascending, in k_unit
+  std::vector<double> growth;  ///< [delta_k] da/dN > 0, in a_unit per cycle
 };
 
 struct CrackGrowthSettings {

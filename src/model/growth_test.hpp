@@ -4,13 +4,27 @@
 #include "base/source.hpp"
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace spricka::model {
 
-enum class TestRateMethod { secant, polynomial, e647, spline };
+/// How da/dN is found from readings a(N); equations in manual/theory/life.md.
+enum class TestRateMethod {
+  secant,     ///< between neighbours (ASTM E647, X1.1; life.15)
+  polynomial, ///< parabola through log a(N) round each reading, weighted for a (life.17)
+  e647,       ///< the same through a(N) (ASTM E647, X1.2; life.16)
+  spline      ///< smoothing spline of log a(N) (life.19)
+};
+
+/// How many readings a method needs; `window`: of e647 and polynomial, odd.
+constexpr std::size_t readings_needed(TestRateMethod method, int window) {
+  return method == TestRateMethod::secant   ? 2
+         : method == TestRateMethod::spline ? 8
+                                            : static_cast<std::size_t>(window);
+}
 
 /// Readings of a crack growth test, and the reference that says at what K a crack grows so.
 struct GrowthTestReadings {

@@ -48,10 +48,10 @@ int main(int argc, char** argv) {
   const base::Stopwatch counting;
   const life::CountedSpectrum spectrum = life::CountedSpectrum::from_sequence(t);
   const double counted = counting.cpu_time();
-  life::RateConstants constants;
+  model::GrowthLawConstants constants;
   constants.C = 1e-13;
   constants.m = 3.0;
-  const life::GrowthRateLaw law(life::RateEquation::paris, constants);
+  const life::GrowthRateLaw law(model::CrackGrowthLaw::paris, constants);
   const base::Stopwatch growing;
   double sum = 0.0;
   for (const results::Increment& increment : run->increments) {

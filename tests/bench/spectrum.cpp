@@ -69,7 +69,7 @@ int main(int argc, char** argv) {
       "rainflow and sorting {:.1f} ms, {} different cycles\n",
       1e3 * best_of(repeats, [&] { spectrum = life::CountedSpectrum::from_sequence(history); }),
       spectrum.cycles().size());
-  life::RateConstants constants;
+  model::GrowthLawConstants constants;
   constants.C = 1e-12;
   constants.m = 3.1;
   constants.p = 0.5;
@@ -79,11 +79,11 @@ int main(int argc, char** argv) {
   constants.delta_k = {20.0, 100.0, 200.0, 400.0, 1000.0};
   constants.growth = {1e-8, 1e-6, 1e-5, 1e-4, 2e-3};
   const base::PiecewiseLinear K = map();
-  constexpr std::array laws{std::pair(life::RateEquation::paris, "Paris"),
-                            std::pair(life::RateEquation::walker, "Walker"),
-                            std::pair(life::RateEquation::forman, "Forman"),
-                            std::pair(life::RateEquation::nasgro, "NASGRO"),
-                            std::pair(life::RateEquation::table, "table")};
+  constexpr std::array laws{std::pair(model::CrackGrowthLaw::paris, "Paris"),
+                            std::pair(model::CrackGrowthLaw::walker, "Walker"),
+                            std::pair(model::CrackGrowthLaw::forman, "Forman"),
+                            std::pair(model::CrackGrowthLaw::nasgro, "NASGRO"),
+                            std::pair(model::CrackGrowthLaw::table, "table")};
   for (const auto& [law, name] : laws) {
     const life::GrowthRateLaw growth(law, constants);
     double da = 0.0;

@@ -24,23 +24,6 @@ constexpr double much_shear = 0.25;
 /// K1 that the mesh cannot tell from 0 where K2 rules.
 constexpr double much_less_than_K2 = 1e-3;
 
-life::RateEquation kind_of(model::CrackGrowthLaw law) {
-  switch (law) {
-  case model::CrackGrowthLaw::walker:
-    return life::RateEquation::walker;
-  case model::CrackGrowthLaw::forman:
-    return life::RateEquation::forman;
-  case model::CrackGrowthLaw::nasgro:
-    return life::RateEquation::nasgro;
-  case model::CrackGrowthLaw::table:
-    return life::RateEquation::table;
-  case model::CrackGrowthLaw::increment:
-  case model::CrackGrowthLaw::paris:
-    break;
-  }
-  return life::RateEquation::paris;
-}
-
 std::optional<life::CountedSpectrum> spectrum_of(const model::Model& model) {
   if (!model.growth->spectrum) {
     return std::nullopt;
@@ -59,20 +42,7 @@ std::optional<life::CountedSpectrum> spectrum_of(const model::Model& model) {
 } // namespace
 
 life::GrowthRateLaw growth_law(const model::CrackGrowthSettings& growth) {
-  const model::GrowthLawConstants& c = growth.constants;
-  return {kind_of(growth.law),
-          {.C = c.C,
-           .m = c.m,
-           .p = c.p,
-           .q = c.q,
-           .alpha = c.alpha,
-           .stress_ratio = c.stress_ratio,
-           .threshold = c.threshold,
-           .k_c = c.k_c,
-           .k_unit = c.k_unit,
-           .a_unit = c.a_unit,
-           .delta_k = c.delta_k,
-           .growth = c.growth}};
+  return {growth.law, growth.constants};
 }
 
 GrowthRateEvaluator::GrowthRateEvaluator(const model::Model& model)

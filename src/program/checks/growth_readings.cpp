@@ -28,12 +28,12 @@ life::GrowthRateLaw reference_of(const model::Model& model, const model::GrowthT
   if (test.delta_k.empty()) {
     return analysis::growth_law(*model.growth);
   }
-  life::RateConstants constants;
+  model::GrowthLawConstants constants;
   constants.delta_k = test.delta_k;
   constants.growth = test.growth;
   constants.k_unit = test.k_unit;
   constants.a_unit = test.a_unit;
-  return {life::RateEquation::table, constants};
+  return {model::CrackGrowthLaw::table, constants};
 }
 
 /// K that was computed at a length.
@@ -173,20 +173,6 @@ private:
   std::optional<double> constant_;
 };
 
-life::GrowthRateMethod method_of(model::TestRateMethod method) {
-  switch (method) {
-  case model::TestRateMethod::secant:
-    return life::GrowthRateMethod::secant;
-  case model::TestRateMethod::e647:
-    return life::GrowthRateMethod::e647;
-  case model::TestRateMethod::spline:
-    return life::GrowthRateMethod::spline;
-  case model::TestRateMethod::polynomial:
-    break;
-  }
-  return life::GrowthRateMethod::polynomial;
-}
-
 std::string word_of(const model::GrowthTestReadings& test) {
   switch (test.method) {
   case model::TestRateMethod::secant:
@@ -296,8 +282,7 @@ results::GrowthTestResult invert(const model::Model& model, const results::RunRe
   for (const auto& [cycles, a] : card.readings) {
     readings.push_back({cycles, a});
   }
-  const life::MeasuredRates rates =
-      life::measured_rates(readings, method_of(card.method), card.window);
+  const life::MeasuredRates rates = life::measured_rates(readings, card.method, card.window);
   test.scatter = rates.scatter;
   test.freedoms = rates.freedoms;
   const life::GrowthRateLaw reference = reference_of(model, card);

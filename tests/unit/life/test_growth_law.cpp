@@ -9,28 +9,28 @@
 namespace spricka::life::test_growth_law {
 namespace {
 
-RateConstants constants(double C, double m) {
-  RateConstants c;
+model::GrowthLawConstants constants(double C, double m) {
+  model::GrowthLawConstants c;
   c.C = C;
   c.m = m;
   return c;
 }
 
-RateConstants tough(double C, double m, double k_c) {
-  RateConstants c = constants(C, m);
+model::GrowthLawConstants tough(double C, double m, double k_c) {
+  model::GrowthLawConstants c = constants(C, m);
   c.k_c = k_c;
   return c;
 }
 
-RateConstants rows(std::vector<double> delta_k, std::vector<double> growth) {
-  RateConstants c;
+model::GrowthLawConstants rows(std::vector<double> delta_k, std::vector<double> growth) {
+  model::GrowthLawConstants c;
   c.delta_k = std::move(delta_k);
   c.growth = std::move(growth);
   return c;
 }
 
-RateConstants nasgro() {
-  RateConstants c = tough(2e-12, 3.0, 1500.0);
+model::GrowthLawConstants nasgro() {
+  model::GrowthLawConstants c = tough(2e-12, 3.0, 1500.0);
   c.p = 0.5;
   c.q = 1.0;
   c.threshold = 60.0;
@@ -40,48 +40,50 @@ RateConstants nasgro() {
 TEST(GrowthLaw, TheRangeEndsAtZeroK) {
   EXPECT_EQ(tensile_K_range(500.0, 200.0), 300.0);
   EXPECT_EQ(tensile_K_range(500.0, -200.0), 500.0);
-  const GrowthRateLaw paris(RateEquation::paris, constants(1e-11, 3.0));
+  const GrowthRateLaw paris(model::CrackGrowthLaw::paris, constants(1e-11, 3.0));
   EXPECT_EQ(paris.growth_rate(500.0, -200.0), paris.growth_rate(500.0, 0.0));
   EXPECT_EQ(paris.growth_rate(-100.0, -200.0), 0.0);
 }
 
 TEST(GrowthLaw, ParisIsAPower) {
-  const GrowthRateLaw paris(RateEquation::paris, constants(1e-11, 3.0));
+  const GrowthRateLaw paris(model::CrackGrowthLaw::paris, constants(1e-11, 3.0));
   EXPECT_NEAR(paris.growth_rate(500.0, 200.0), 1e-11 * 27e6, 1e-18);
 }
 
 // C = 1e-11 m/cycle at MPa m^0.5 is C 1000^(1 - m/2) mm/cycle at MPa mm^0.5.
 TEST(GrowthLaw, ConstantsHaveTheirOwnUnits) {
-  RateConstants in_metres = constants(1e-11, 3.2);
+  model::GrowthLawConstants in_metres = constants(1e-11, 3.2);
   in_metres.k_unit = std::sqrt(1000.0);
   in_metres.a_unit = 1000.0;
-  const GrowthRateLaw a(RateEquation::paris, in_metres);
-  const GrowthRateLaw b(RateEquation::paris, constants(1e-11 * std::pow(1000.0, 1.0 - 1.6), 3.2));
+  const GrowthRateLaw a(model::CrackGrowthLaw::paris, in_metres);
+  const GrowthRateLaw b(model::CrackGrowthLaw::paris,
+                        constants(1e-11 * std::pow(1000.0, 1.0 - 1.6), 3.2));
   EXPECT_NEAR(a.growth_rate(400.0, 100.0) / b.growth_rate(400.0, 100.0), 1.0, 1e-13);
 
-  RateConstants forman = tough(1e-9, 3.0, 2000.0); // C in m/cycle (MPa m^0.5)^-2
+  model::GrowthLawConstants forman = tough(1e-9, 3.0, 2000.0); // C in m/cycle (MPa m^0.5)^-2
   forman.k_unit = std::sqrt(1000.0);
   forman.a_unit = 1000.0;
   const double K = 400.0 / std::sqrt(1000.0);
   const double by_hand = 1000.0 * 1e-9 * K * K * K / (2000.0 / std::sqrt(1000.0) - K);
-  EXPECT_NEAR(GrowthRateLaw(RateEquation::forman, forman).growth_rate(400.0, 0.0) / by_hand, 1.0,
-              1e-13);
+  EXPECT_NEAR(GrowthRateLaw(model::CrackGrowthLaw::forman, forman).growth_rate(400.0, 0.0) /
+                  by_hand,
+              1.0, 1e-13);
 }
 
 // gamma = 1 knows no R, gamma = 0 only K_max: the two ends of Walker's law.
 TEST(GrowthLaw, WalkerLiesBetweenRangeAndMaximum) {
-  RateConstants c = constants(1e-11, 3.0);
-  const GrowthRateLaw paris(RateEquation::paris, c);
+  model::GrowthLawConstants c = constants(1e-11, 3.0);
+  const GrowthRateLaw paris(model::CrackGrowthLaw::paris, c);
   c.p = 1.0;
-  EXPECT_NEAR(GrowthRateLaw(RateEquation::walker, c).growth_rate(500.0, 200.0) /
+  EXPECT_NEAR(GrowthRateLaw(model::CrackGrowthLaw::walker, c).growth_rate(500.0, 200.0) /
                   paris.growth_rate(500.0, 200.0),
               1.0, 1e-14);
   c.p = 0.0;
-  EXPECT_NEAR(GrowthRateLaw(RateEquation::walker, c).growth_rate(500.0, 200.0) /
+  EXPECT_NEAR(GrowthRateLaw(model::CrackGrowthLaw::walker, c).growth_rate(500.0, 200.0) /
                   paris.growth_rate(500.0, 0.0),
               1.0, 1e-14);
   c.p = 0.5;
-  const GrowthRateLaw walker(RateEquation::walker, c);
+  const GrowthRateLaw walker(model::CrackGrowthLaw::walker, c);
   EXPECT_NEAR(walker.growth_rate(500.0, 200.0), 1e-11 * std::pow(std::sqrt(300.0 * 500.0), 3.0),
               1e-15);
   EXPECT_EQ(walker.growth_rate(500.0, -200.0), walker.growth_rate(500.0, 0.0));
@@ -89,7 +91,7 @@ TEST(GrowthLaw, WalkerLiesBetweenRangeAndMaximum) {
 
 // Half way to the toughness at R = 0 Forman's denominator is half of K_c.
 TEST(GrowthLaw, FormanHasAPoleAtTheToughness) {
-  const GrowthRateLaw forman(RateEquation::forman, tough(1e-8, 3.0, 1000.0));
+  const GrowthRateLaw forman(model::CrackGrowthLaw::forman, tough(1e-8, 3.0, 1000.0));
   EXPECT_NEAR(forman.growth_rate(500.0, 0.0), 1e-8 * 1.25e8 / 500.0, 1e-12);
   EXPECT_GT(forman.growth_rate(999.999, 0.0), 1e6 * forman.growth_rate(100.0, 0.0));
   EXPECT_TRUE(std::isinf(forman.growth_rate(1000.0, 0.0)));
@@ -117,19 +119,19 @@ TEST(NewmanClosure, HasItsLimits) {
 
 // A crack that is open all the time (f = R at high R) grows by Paris when p = q = 0.
 TEST(GrowthLaw, NasgroBecomesParisWithoutClosure) {
-  RateConstants c = tough(1e-11, 3.0, 1e9);
+  model::GrowthLawConstants c = tough(1e-11, 3.0, 1e9);
   c.alpha = 3.0;
-  const GrowthRateLaw paris(RateEquation::paris, constants(1e-11, 3.0));
+  const GrowthRateLaw paris(model::CrackGrowthLaw::paris, constants(1e-11, 3.0));
   EXPECT_GT(NewmanClosure(3.0, 0.3)(0.3), 0.3); // closes below R = 0.36 or so
-  EXPECT_NEAR(GrowthRateLaw(RateEquation::nasgro, c).growth_rate(500.0, 350.0) /
+  EXPECT_NEAR(GrowthRateLaw(model::CrackGrowthLaw::nasgro, c).growth_rate(500.0, 350.0) /
                   paris.growth_rate(500.0, 350.0),
               1.0, 1e-12);
-  EXPECT_LT(GrowthRateLaw(RateEquation::nasgro, c).growth_rate(500.0, 0.0),
+  EXPECT_LT(GrowthRateLaw(model::CrackGrowthLaw::nasgro, c).growth_rate(500.0, 0.0),
             paris.growth_rate(500.0, 0.0));
 }
 
 TEST(GrowthLaw, NasgroEndsAtThresholdAndToughness) {
-  const GrowthRateLaw law(RateEquation::nasgro, nasgro());
+  const GrowthRateLaw law(model::CrackGrowthLaw::nasgro, nasgro());
   EXPECT_EQ(law.growth_rate(60.0, 0.0), 0.0);
   EXPECT_EQ(law.growth_rate(90.0, 30.0), 0.0);
   EXPECT_GT(law.growth_rate(60.1, 0.0), 0.0);
@@ -139,9 +141,9 @@ TEST(GrowthLaw, NasgroEndsAtThresholdAndToughness) {
 }
 
 TEST(GrowthLaw, ThresholdStopsEveryLaw) {
-  RateConstants c = constants(1e-11, 3.0);
+  model::GrowthLawConstants c = constants(1e-11, 3.0);
   c.threshold = 100.0;
-  const GrowthRateLaw paris(RateEquation::paris, c);
+  const GrowthRateLaw paris(model::CrackGrowthLaw::paris, c);
   EXPECT_EQ(paris.growth_rate(100.0, 0.0), 0.0);
   EXPECT_EQ(paris.growth_rate(300.0, 200.0), 0.0);
   EXPECT_GT(paris.growth_rate(300.1, 200.0), 0.0);
@@ -151,7 +153,8 @@ TEST(GrowthLaw, ThresholdStopsEveryLaw) {
 
 // Two rows on a power law are that power law, between and beyond.
 TEST(GrowthLaw, TableIsStraightInItsLogarithms) {
-  const GrowthRateLaw table(RateEquation::table, rows({100.0, 200.0, 400.0}, {1e-5, 8e-5, 64e-5}));
+  const GrowthRateLaw table(model::CrackGrowthLaw::table,
+                            rows({100.0, 200.0, 400.0}, {1e-5, 8e-5, 64e-5}));
   for (const double range : {50.0, 100.0, 130.0, 200.0, 390.0, 1000.0}) {
     EXPECT_NEAR(table.growth_rate(range, 0.0) / (1e-5 * std::pow(range / 100.0, 3.0)), 1.0, 1e-12);
   }
@@ -162,15 +165,15 @@ TEST(GrowthLaw, TableIsStraightInItsLogarithms) {
 }
 
 TEST(GrowthLaw, ATableThatFallsHasNoInverse) {
-  const GrowthRateLaw table(RateEquation::table,
+  const GrowthRateLaw table(model::CrackGrowthLaw::table,
                             rows({100.0, 200.0, 400.0}, {1e-5, 0.9e-5, 64e-5}));
   EXPECT_TRUE(std::isnan(table.K_range_for_rate(2e-5, 0.0)));
 }
 
-class Inverse : public testing::TestWithParam<RateEquation> {};
+class Inverse : public testing::TestWithParam<model::CrackGrowthLaw> {};
 
 TEST_P(Inverse, GivesBackTheRange) {
-  RateConstants c = nasgro();
+  model::GrowthLawConstants c = nasgro();
   c.delta_k = {50.0, 200.0, 2000.0};
   c.growth = {1e-7, 2e-5, 1e-2};
   const GrowthRateLaw law(GetParam(), c);
@@ -191,12 +194,14 @@ TEST_P(Inverse, GivesBackTheRange) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, Inverse,
-                         testing::Values(RateEquation::paris, RateEquation::walker,
-                                         RateEquation::forman, RateEquation::nasgro,
-                                         RateEquation::table));
+                         testing::Values(model::CrackGrowthLaw::paris,
+                                         model::CrackGrowthLaw::walker,
+                                         model::CrackGrowthLaw::forman,
+                                         model::CrackGrowthLaw::nasgro,
+                                         model::CrackGrowthLaw::table));
 
 TEST(GrowthLaw, FormanWithoutThresholdHasAnInverseForTheSmallestRates) {
-  const GrowthRateLaw forman(RateEquation::forman, tough(1e-8, 3.0, 1000.0));
+  const GrowthRateLaw forman(model::CrackGrowthLaw::forman, tough(1e-8, 3.0, 1000.0));
   const double rate = forman.growth_rate(1e-3, 0.0);
   EXPECT_NEAR(forman.K_range_for_rate(rate, 0.0) / 1e-3, 1.0, 1e-12);
 }

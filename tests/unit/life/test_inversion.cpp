@@ -41,10 +41,10 @@ std::vector<CrackReading> rounded(double step) {
 }
 
 GrowthRateLaw reference() {
-  RateConstants c;
+  model::GrowthLawConstants c;
   c.C = k_C;
   c.m = 3.0;
-  return {RateEquation::paris, c};
+  return {model::CrackGrowthLaw::paris, c};
 }
 
 struct Deviation {
@@ -53,7 +53,7 @@ struct Deviation {
 };
 
 // Of beta from its value.
-Deviation deviation_of(const std::vector<CrackReading>& test, GrowthRateMethod method) {
+Deviation deviation_of(const std::vector<CrackReading>& test, model::TestRateMethod method) {
   const std::vector<MeasuredK> found =
       infer_K_from_growth(measured_rates(test, method), reference(), [](double) { return 0.0; });
   Deviation d;
@@ -69,16 +69,18 @@ Deviation deviation_of(const std::vector<CrackReading>& test, GrowthRateMethod m
 }
 
 TEST(Inversion, G02WithoutNoise) {
-  for (const GrowthRateMethod method :
-       {GrowthRateMethod::secant, GrowthRateMethod::polynomial, GrowthRateMethod::spline}) {
+  for (const model::TestRateMethod method :
+       {model::TestRateMethod::secant, model::TestRateMethod::polynomial,
+        model::TestRateMethod::spline}) {
     const Deviation d = deviation_of(readings(), method);
     EXPECT_LT(d.largest, 0.002) << static_cast<int>(method);
   }
 }
 
 TEST(Inversion, G02Rounded) {
-  for (const GrowthRateMethod method : {GrowthRateMethod::secant, GrowthRateMethod::e647,
-                                        GrowthRateMethod::polynomial, GrowthRateMethod::spline}) {
+  for (const model::TestRateMethod method :
+       {model::TestRateMethod::secant, model::TestRateMethod::e647,
+        model::TestRateMethod::polynomial, model::TestRateMethod::spline}) {
     const Deviation d = deviation_of(rounded(0.01), method);
     EXPECT_LT(d.rms, 0.03) << static_cast<int>(method);
   }
@@ -88,7 +90,7 @@ TEST(Inversion, G02Rounded) {
 // large by 7 h^2 a''' / 6 over seven readings h apart: beta by 14 / 3 (h / (N_end - N))^2 here.
 TEST(Inversion, E647HasTheErrorOfItsParabola) {
   const double h = 500.0;
-  const MeasuredRates found = measured_rates(readings(h), GrowthRateMethod::e647);
+  const MeasuredRates found = measured_rates(readings(h), model::TestRateMethod::e647);
   for (const MeasuredRate& point : found.points) {
     const double x = h * half_rate() / (1.0 - point.cycles * half_rate());
     const double true_rate = 2.0 * half_rate() * std::pow(exact_length(point.cycles), 1.5);
@@ -98,7 +100,7 @@ TEST(Inversion, E647HasTheErrorOfItsParabola) {
 
 // Readings with normal scatter: 95 % of the true rates within their bands, up to what some hundred
 // of them can tell, and the scatter itself found.
-class Noise : public testing::TestWithParam<GrowthRateMethod> {};
+class Noise : public testing::TestWithParam<model::TestRateMethod> {};
 
 TEST_P(Noise, BandsHoldTheTruth) {
   constexpr double deviation = 0.01;
@@ -128,14 +130,15 @@ TEST_P(Noise, BandsHoldTheTruth) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, Noise,
-                         testing::Values(GrowthRateMethod::secant, GrowthRateMethod::polynomial,
-                                         GrowthRateMethod::spline));
+                         testing::Values(model::TestRateMethod::secant,
+                                         model::TestRateMethod::polynomial,
+                                         model::TestRateMethod::spline));
 
 // Growth that scatter turns back has no K, and its neighbours keep theirs.
 TEST(Inversion, ShrinkingHasNoK) {
   const std::vector<CrackReading> test{{0, 1.0}, {100, 1.1}, {200, 1.09}, {300, 1.3}};
   const std::vector<MeasuredK> found = infer_K_from_growth(
-      measured_rates(test, GrowthRateMethod::secant), reference(), [](double) { return 0.0; });
+      measured_rates(test, model::TestRateMethod::secant), reference(), [](double) { return 0.0; });
   ASSERT_EQ(found.size(), 3U);
   EXPECT_GT(found[0].K_max, 0.0);
   EXPECT_TRUE(std::isnan(found[1].K_max));
@@ -144,7 +147,7 @@ TEST(Inversion, ShrinkingHasNoK) {
 
 // R of the part, not of the reference: the same delta K makes a larger K_max.
 TEST(Inversion, TheRatioOfKGivesTheMaximum) {
-  const MeasuredRates rates = measured_rates(readings(), GrowthRateMethod::secant);
+  const MeasuredRates rates = measured_rates(readings(), model::TestRateMethod::secant);
   const auto at = [&](double R) {
     return infer_K_from_growth(rates, reference(), [R](double) { return R; }).front().K_max;
   };
@@ -154,12 +157,12 @@ TEST(Inversion, TheRatioOfKGivesTheMaximum) {
 
 // A table that ends below the measured rate is gone beyond, and says so.
 TEST(Inversion, RatesBeyondTheReferenceAreMarked) {
-  RateConstants c;
+  model::GrowthLawConstants c;
   c.delta_k = {100.0, 400.0};
   c.growth = {k_C * 1e6, k_C * 64e6};
-  const std::vector<MeasuredK> found =
-      infer_K_from_growth(measured_rates(readings(), GrowthRateMethod::secant),
-                          GrowthRateLaw(RateEquation::table, c), [](double) { return 0.0; });
+  const std::vector<MeasuredK> found = infer_K_from_growth(
+      measured_rates(readings(), model::TestRateMethod::secant),
+      GrowthRateLaw(model::CrackGrowthLaw::table, c), [](double) { return 0.0; });
   EXPECT_TRUE(found.front().covered);
   EXPECT_FALSE(found.back().covered);
 }

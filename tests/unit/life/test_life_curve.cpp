@@ -25,10 +25,10 @@ double K_of(double stress, double a) {
 }
 
 GrowthRateLaw g01_law() {
-  RateConstants c;
+  model::GrowthLawConstants c;
   c.C = 1e-11;
   c.m = 3.0;
-  return {RateEquation::paris, c};
+  return {model::CrackGrowthLaw::paris, c};
 }
 
 std::vector<double> spaced(double a0, double a1, int intervals) {
@@ -107,14 +107,14 @@ double K_plate(double a) {
 
 struct Case {
   const char* name;
-  RateEquation law;
-  RateConstants constants;
+  model::CrackGrowthLaw law;
+  model::GrowthLawConstants constants;
   double R;
   Function formula; ///< da/dN of K_max
 };
 
-RateConstants make(double C, double m, double k_c, double threshold) {
-  RateConstants c;
+model::GrowthLawConstants make(double C, double m, double k_c, double threshold) {
+  model::GrowthLawConstants c;
   c.C = C;
   c.m = m;
   c.k_c = k_c;
@@ -123,16 +123,16 @@ RateConstants make(double C, double m, double k_c, double threshold) {
 }
 
 Case walker(double R) {
-  RateConstants c = make(3e-12, 3.1, 1500.0, 0.0);
+  model::GrowthLawConstants c = make(3e-12, 3.1, 1500.0, 0.0);
   c.p = 0.6;
-  return {"walker", RateEquation::walker, c, R, [R](double K) {
+  return {"walker", model::CrackGrowthLaw::walker, c, R, [R](double K) {
             const double r = std::max(R, 0.0);
             return 3e-12 * std::pow((1.0 - r) * K / std::pow(1.0 - r, 1.0 - 0.6), 3.1);
           }};
 }
 
 Case forman(double R) {
-  return {"forman", RateEquation::forman, make(2e-9, 2.9, 1500.0, 0.0), R, [R](double K) {
+  return {"forman", model::CrackGrowthLaw::forman, make(2e-9, 2.9, 1500.0, 0.0), R, [R](double K) {
             const double r = std::max(R, 0.0);
             const double range = (1.0 - r) * K;
             return 2e-9 * std::pow(range, 2.9) / ((1.0 - r) * 1500.0 - range);
@@ -150,12 +150,12 @@ double opening(double R) {
 }
 
 Case nasgro(double R) {
-  RateConstants c = make(2e-12, 3.2, 1500.0, 25.0);
+  model::GrowthLawConstants c = make(2e-12, 3.2, 1500.0, 25.0);
   c.p = 0.7;
   c.q = 0.9;
   c.alpha = 1.9;
   c.stress_ratio = 0.25;
-  return {"nasgro", RateEquation::nasgro, c, R, [R](double K) {
+  return {"nasgro", model::CrackGrowthLaw::nasgro, c, R, [R](double K) {
             const double full = (1.0 - R) * K; // K_max - K_min
             const double open = R < 0.0 ? K : full;
             return 2e-12 * std::pow((1.0 - opening(R)) / (1.0 - R) * full, 3.2) *
@@ -164,10 +164,10 @@ Case nasgro(double R) {
 }
 
 Case table(double R) {
-  RateConstants c;
+  model::GrowthLawConstants c;
   c.delta_k = {50.0, 200.0, 600.0};
   c.growth = {2e-6, 1e-4, 5e-3};
-  return {"table", RateEquation::table, c, R, [R](double K) {
+  return {"table", model::CrackGrowthLaw::table, c, R, [R](double K) {
             const double range = (1.0 - std::max(R, 0.0)) * K;
             return range < 200.0 ? 2e-6 * std::pow(range / 50.0, std::log(50.0) / std::log(4.0))
                                  : 1e-4 * std::pow(range / 200.0, std::log(50.0) / std::log(3.0));
@@ -175,7 +175,7 @@ Case table(double R) {
 }
 
 Case paris(double R) {
-  return {"paris", RateEquation::paris, make(5e-12, 2.8, 1500.0, 0.0), R,
+  return {"paris", model::CrackGrowthLaw::paris, make(5e-12, 2.8, 1500.0, 0.0), R,
           [R](double K) { return 5e-12 * std::pow((1.0 - std::max(R, 0.0)) * K, 2.8); }};
 }
 
@@ -188,7 +188,8 @@ TEST_P(EveryLaw, EqualsAnIndependentIntegration) {
   const auto published = [&](double a) { return c.formula(K_plate(a)); };
   // a table has a corner where its rows meet: its life in two parts
   double corner = 8.0;
-  while (c.law == RateEquation::table && (1.0 - std::max(c.R, 0.0)) * K_plate(corner) > 200.0) {
+  while (c.law == model::CrackGrowthLaw::table &&
+         (1.0 - std::max(c.R, 0.0)) * K_plate(corner) > 200.0) {
     corner -= 1e-4;
   }
   const double life = curve(rate, 0.8, corner, 60).cycles(0.8, corner) +

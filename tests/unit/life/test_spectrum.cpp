@@ -11,10 +11,10 @@ namespace spricka::life::test_spectrum {
 namespace {
 
 GrowthRateLaw paris(double m) {
-  RateConstants c;
+  model::GrowthLawConstants c;
   c.C = 1e-11;
   c.m = m;
-  return {RateEquation::paris, c};
+  return {model::CrackGrowthLaw::paris, c};
 }
 
 base::PiecewiseLinear map(const std::vector<double>& t, const std::vector<double>& K) {
