@@ -105,7 +105,6 @@ struct CardSpec {
   DataLineForm data = DataLineForm::none;
   bool data_required = false;
   bool once = false;               ///< at most one in a deck
-  bool available = true;           ///< false: read and checked, but no analysis behind it yet
   std::string_view data_form = {}; ///< of one data line
   std::string_view exclusive = {}; ///< of these keys at most one
   std::span<const KeyCondition> when = {};

@@ -8,6 +8,8 @@
 #include "grammar/wrap.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -38,30 +40,22 @@ std::string indented(std::string_view text, std::size_t indent) {
   return out;
 }
 
-// "MPa" in terms of m and N: "1000000 N/m^2".
-std::string size_of(const base::NamedUnit& word) {
-  const base::Dimension& d = word.unit.dimension;
-  std::string_view unit = "";
-  if (d == quantity_dimension(Quantity::length)) {
-    unit = " m";
-  } else if (d == quantity_dimension(Quantity::force)) {
-    unit = " N";
-  } else if (d == quantity_dimension(Quantity::stress)) {
-    unit = " N/m^2";
-  } else if (d == quantity_dimension(Quantity::angle)) {
-    unit = " rad";
-  }
-  return fmt::format("{:.10g}{}", word.unit.si, unit);
-}
+/// Quantities that units are named for, in terms of m and N.
+constexpr std::array<std::pair<Quantity, std::string_view>, 4> named_quantities{
+    {{Quantity::length, " m"},
+     {Quantity::force, " N"},
+     {Quantity::stress, " N/m^2"},
+     {Quantity::angle, " rad"}}};
 
-std::string kind_of(const base::NamedUnit& word) {
-  for (const Quantity quantity :
-       {Quantity::length, Quantity::force, Quantity::stress, Quantity::angle}) {
+// "stress" and "1000000 N/m^2" for MPa; a unit of none of these quantities counts.
+std::pair<std::string, std::string> kind_and_size(const base::NamedUnit& word) {
+  const std::string size = fmt::format("{:.10g}", word.unit.si);
+  for (const auto& [quantity, unit] : named_quantities) {
     if (word.unit.dimension == quantity_dimension(quantity)) {
-      return std::string(dimension_phrase(quantity));
+      return {std::string(dimension_phrase(quantity)), size + std::string(unit)};
     }
   }
-  return "count";
+  return {"count", size};
 }
 
 } // namespace
@@ -73,9 +67,7 @@ std::string cards_help(std::size_t width) {
     TextColumns table{{}, {12, 0}};
     for (const CardSpec& card : catalogue()) {
       if (card.group == group) {
-        table.rows.push_back(
-            {fmt::format("${}", card.name),
-             fmt::format("{}{}", card.doc, card.available ? "" : " (not in this version)")});
+        table.rows.push_back({fmt::format("${}", card.name), std::string(card.doc)});
       }
     }
     out += table.format_columns(width) + '\n';
@@ -258,7 +250,8 @@ std::string units_help(std::size_t width) {
   std::string out = "Units stand in [ ] behind a number or a bracket:\n";
   TextColumns table{{}, {8, 10, 0}};
   for (const base::NamedUnit& word : base::unit_words()) {
-    table.rows.push_back({std::string(word.name), kind_of(word), size_of(word)});
+    const auto [kind, size] = kind_and_size(word);
+    table.rows.push_back({std::string(word.name), kind, size});
   }
   out += table.format_columns(width);
   return out + '\n' +

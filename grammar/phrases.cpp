@@ -144,9 +144,6 @@ std::vector<std::string> card_rule_sentences(const CardSpec& card) {
 }
 
 std::string unavailable_phrase(const CardSpec& card) {
-  if (!card.available) {
-    return fmt::format("${}", card.name);
-  }
   std::vector<std::string> parts;
   for (const KeySpec& key : card.keys) {
     if (key.later == "*") {

@@ -336,24 +336,9 @@ const CheckedValue* CheckedCard::find(std::string_view key) const {
   return it == values.end() ? nullptr : &*it;
 }
 
-bool CheckedCard::has_key(std::string_view key) const {
-  const CheckedValue* value = find(key);
-  return value != nullptr && value->given;
-}
-
-double CheckedCard::number_value(std::string_view key) const {
-  const CheckedValue* value = find(key);
-  return value == nullptr ? 0.0 : value->number;
-}
-
 std::optional<double> CheckedCard::optional_number(std::string_view key) const {
   const CheckedValue* value = find(key);
   return value == nullptr ? std::nullopt : std::optional(value->number);
-}
-
-std::string_view CheckedCard::word_value(std::string_view key) const {
-  const CheckedValue* value = find(key);
-  return value == nullptr ? std::string_view() : std::string_view(value->text);
 }
 
 NameReference CheckedCard::name_reference(std::string_view key) const {

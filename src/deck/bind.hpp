@@ -51,13 +51,18 @@ struct CheckedCard {
   /// The value of a key, given or by default; null where there is neither.
   [[nodiscard]] const CheckedValue* find(std::string_view key) const;
   /// Given in the deck (not by default).
-  [[nodiscard]] bool has_key(std::string_view key) const;
+  [[nodiscard]] bool has_key(std::string_view key) const {
+    const CheckedValue* value = find(key);
+    return value != nullptr && value->given;
+  }
   /// Of the value of a key that is given in the deck, else of the card.
   [[nodiscard]] base::SourceSpan key_span(std::string_view key) const {
     return has_key(key) ? find(key)->span : span;
   }
   /// Number of a key that is given or has a default.
-  [[nodiscard]] double number_value(std::string_view key) const;
+  [[nodiscard]] double number_value(std::string_view key) const {
+    return optional_number(key).value_or(0.0);
+  }
   /// The number of a key as an integer, cut off at the point.
   [[nodiscard]] int integer_value(std::string_view key) const {
     return static_cast<int>(number_value(key));
@@ -65,7 +70,10 @@ struct CheckedCard {
   /// Number of a key; empty where it is neither given nor has a default.
   [[nodiscard]] std::optional<double> optional_number(std::string_view key) const;
   /// Word, name or text of a key; empty without one.
-  [[nodiscard]] std::string_view word_value(std::string_view key) const;
+  [[nodiscard]] std::string_view word_value(std::string_view key) const {
+    const CheckedValue* value = find(key);
+    return value == nullptr ? std::string_view() : std::string_view(value->text);
+  }
   /// Whether the value of a key is this word.
   [[nodiscard]] bool has_word(std::string_view key, std::string_view word_) const {
     return word_value(key) == word_;

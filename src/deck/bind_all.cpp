@@ -237,10 +237,6 @@ private:
 
   // What is understood, but has no analysis in this version.
   void note_unavailable(const CheckedCard& bound) {
-    if (!bound.spec->available) {
-      c_.mark_unavailable(fmt::format("${}", bound.spec->name), bound.span);
-      return;
-    }
     for (const CheckedValue& value : bound.values) {
       const std::string_view later = value.key->later;
       if (later.empty() || !value.given) {

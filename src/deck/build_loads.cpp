@@ -28,19 +28,15 @@ struct LoadForm {
 };
 
 constexpr std::array<LoadForm, 9> forms{{
-    {"FORCE", LoadType::force, true, {0.0, 1.0, 0.0}, "a force for each direction"},
-    {"RESULTANT", LoadType::resultant, true, {0.0, 1.0, 0.0}, "the total force for each direction"},
-    {"TRACTION", LoadType::traction, true, {-2.0, 1.0, 0.0}, "a stress for each direction"},
-    {"PRESSURE",
-     LoadType::pressure,
-     false,
-     {-2.0, 1.0, 0.0},
-     "a pressure against the outer normal"},
-    {"BODY", LoadType::body, true, {-3.0, 1.0, 0.0}, "a force per volume for each direction"},
-    {"BEARING", LoadType::bearing, true, {0.0, 1.0, 0.0}, "the resultant for each direction"},
-    {"DISP", LoadType::displacement, true, {1.0, 0.0, 0.0}, "a displacement for each direction"},
+    {"FORCE", LoadType::force, true, {0, 1, 0}, "a force for each direction"},
+    {"RESULTANT", LoadType::resultant, true, {0, 1, 0}, "the total force for each direction"},
+    {"TRACTION", LoadType::traction, true, {-2, 1, 0}, "a stress for each direction"},
+    {"PRESSURE", LoadType::pressure, false, {-2, 1, 0}, "a pressure against the outer normal"},
+    {"BODY", LoadType::body, true, {-3, 1, 0}, "a force per volume for each direction"},
+    {"BEARING", LoadType::bearing, true, {0, 1, 0}, "the resultant for each direction"},
+    {"DISP", LoadType::displacement, true, {1, 0, 0}, "a displacement for each direction"},
     {"TEMPERATURE", LoadType::temperature, false, {}, "a temperature"},
-    {"FACES", LoadType::pressure, false, {-2.0, 1.0, 0.0}, "a pressure", true},
+    {"FACES", LoadType::pressure, false, {-2, 1, 0}, "a pressure", true},
 }};
 
 const LoadForm& form_of(std::string_view word) {
@@ -110,7 +106,6 @@ bool load_set(DeckContext& c, const NameReference& reference, model::Load& load)
 
 bool load_value(DeckContext& c, const LoadForm& form, const grammar::CardField& field,
                 model::Load& load) {
-  using FieldKind = grammar::CardField::CardFieldKind;
   if (!field.has_value()) {
     c.read_number(field, grammar::Quantity::number,
                   "a number or (expression)"); // says what is wrong

@@ -12,8 +12,6 @@ namespace spricka::deck {
 
 namespace {
 
-using grammar::CardField;
-
 /// Numbers of a line and the place for messages about it.
 struct DeckTestReading {
   double first = 0.0, second = 0.0;
@@ -34,8 +32,8 @@ public:
                                                         : model::TestRateMethod::polynomial;
     test_.window = card_.integer_value("POINTS");
     test_.ratio = card_.optional_number("RATIO");
-    test_.k_unit = c_.deck_units(card_, "KUNIT");
-    test_.a_unit = c_.deck_units(card_, "AUNIT");
+    test_.reference.k_unit = c_.deck_units(card_, "KUNIT");
+    test_.reference.a_unit = c_.deck_units(card_, "AUNIT");
     test_.on_c = card_.has_word("AXIS", "C");
     test_.span = card_.span;
     if (const NameDefinition* crack =
@@ -136,13 +134,13 @@ private:
   }
 
   void rate(const DeckTestReading& pair) {
-    const double last_k = test_.delta_k.empty() ? 0.0 : test_.delta_k.back();
-    const double last_rate = test_.growth.empty() ? 0.0 : test_.growth.back();
+    const double last_k = test_.reference.delta_k.empty() ? 0.0 : test_.reference.delta_k.back();
+    const double last_rate = test_.reference.growth.empty() ? 0.0 : test_.reference.growth.back();
     if (pair.first <= last_k || pair.second <= last_rate) {
       wrong(pair, "E109", "delta_K and da/dN of a reference are positive and grow line by line");
     } else {
-      test_.delta_k.push_back(pair.first);
-      test_.growth.push_back(pair.second);
+      test_.reference.delta_k.push_back(pair.first);
+      test_.reference.growth.push_back(pair.second);
     }
   }
 
@@ -156,15 +154,15 @@ private:
                         card_.word_value("METHOD"), needed),
             "data lines N a, or FILE");
     }
-    if (test_.delta_k.size() == 1) {
+    if (test_.reference.delta_k.size() == 1) {
       lacks("a reference has two or more rates", "RATE delta_K da/dN");
     }
     const bool units = card_.has_key("KUNIT") || card_.has_key("AUNIT");
-    if (units && test_.delta_k.empty()) {
+    if (units && test_.reference.delta_k.empty()) {
       lacks("KUNIT and AUNIT are those of RATE and REFERENCE, and there is neither",
             "$GROW has units for its own law");
     }
-    if (!test_.delta_k.empty() && !(card_.has_key("KUNIT") && card_.has_key("AUNIT"))) {
+    if (!test_.reference.delta_k.empty() && !(card_.has_key("KUNIT") && card_.has_key("AUNIT"))) {
       lacks(fmt::format("{} is not given: the rates of a reference have units",
                         card_.has_key("KUNIT") ? "AUNIT" : "KUNIT"),
             "KUNIT='MPa*m^0.5' AUNIT='m/cycle', or those of the reference");
@@ -197,7 +195,7 @@ private:
     if (!growth->kmin.valid() && !test_.ratio) {
       lacks("K_min/K_max is not known", "KMIN in $GROW, or RATIO here");
     }
-    if (test_.delta_k.empty() && growth->law == model::CrackGrowthLaw::increment) {
+    if (test_.reference.delta_k.empty() && growth->law == model::CrackGrowthLaw::increment) {
       lacks("$GROW has no law that could be the reference",
             "lines RATE delta_K da/dN, or REFERENCE");
     }

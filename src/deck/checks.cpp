@@ -19,6 +19,60 @@ namespace {
 
 using grammar::CardField;
 
+bool is_unknown_word(const DeckContext& c, const grammar::ParsedExpression& e) {
+  return e.terms.size() == 1 && e.terms[0].is_name() &&
+         !c.scope.values.contains(grammar::to_upper(c.sources.text(e.terms[0].span)));
+}
+
+bool is_step_name(const DeckContext& c, const grammar::ParsedExpression& e) {
+  return e.terms.size() == 1 && e.terms[0].is_name() &&
+         c.names.find({EntityKind::step}, grammar::to_upper(c.sources.text(e.terms[0].span)), {}) !=
+             nullptr;
+}
+
+// The letters for these arguments: what follows ? and the number z may be left out. A lone name
+// in the place of z that is no parameter, or a step that no step follows, is the step behind it.
+std::string argument_pattern(const DeckContext& c, std::string_view letters,
+                             const std::vector<grammar::ParsedExpression>& arguments) {
+  std::string all(letters);
+  const std::size_t count = arguments.size();
+  const std::size_t z = all.find('z');
+  if (z != std::string::npos && z < count &&
+      (is_unknown_word(c, arguments[z]) ||
+       (is_step_name(c, arguments[z]) && !(z + 1 < count && is_step_name(c, arguments[z + 1]))))) {
+    all.erase(z, 1);
+  }
+  const std::size_t mark = all.find('?');
+  if (mark != std::string::npos) {
+    all.erase(mark, 1);
+    all.resize(std::clamp(count, mark, all.size()));
+  }
+  return all;
+}
+
+std::string argument_word(char letter) {
+  const grammar::ResultArgument* argument = grammar::find_result_argument(letter);
+  return argument == nullptr ? "number"
+         : letter == 'd'     ? "X|Y|Z"
+         : letter == 'e'     ? "net or *"
+                             : std::string(grammar::display_name(argument->kind));
+}
+
+std::string argument_usage(std::string_view letters) {
+  std::string text = "(";
+  bool optional = false;
+  for (const char letter : letters) {
+    if (letter == '?') {
+      optional = true;
+      continue;
+    }
+    text += text.size() > 1 ? ", " : "";
+    text += optional || letter == 'z' ? fmt::format("[{}]", argument_word(letter))
+                                      : argument_word(letter);
+  }
+  return text + ")";
+}
+
 /// Reads one line: QUANTITY(arguments) = value REL|ABS tolerance [SOURCE 'text'].
 class CheckReader {
 public:
@@ -127,10 +181,10 @@ private:
     if (!is_of_this_dimension(*spec, quantity)) {
       return false;
     }
-    const std::string pattern = pattern_for(spec->arguments, quantity.arguments);
+    const std::string pattern = argument_pattern(c_, spec->arguments, quantity.arguments);
     if (pattern.size() != quantity.arguments.size()) {
       c_.error(quantity.span, "E315",
-               fmt::format("{} takes {}", quantity.text, usage(spec->arguments)),
+               fmt::format("{} takes {}", quantity.text, argument_usage(spec->arguments)),
                row_.fields.size() == 1 ? "the step may be NOW, the present state" : "");
       return false;
     }
@@ -218,60 +272,6 @@ private:
                  : std::move(hint));
   }
 
-  // The letters for these arguments: what follows ? and the number z may be left out. A lone name
-  // in the place of z that is no parameter, or a step that no step follows, is the step behind it.
-  [[nodiscard]] std::string
-  pattern_for(std::string_view letters,
-              const std::vector<grammar::ParsedExpression>& arguments) const {
-    std::string all(letters);
-    const std::size_t count = arguments.size();
-    const std::size_t z = all.find('z');
-    if (z != std::string::npos && z < count &&
-        (is_word(arguments[z]) ||
-         (is_step(arguments[z]) && !(z + 1 < count && is_step(arguments[z + 1]))))) {
-      all.erase(z, 1);
-    }
-    const std::size_t mark = all.find('?');
-    if (mark != std::string::npos) {
-      all.erase(mark, 1);
-      all.resize(std::clamp(count, mark, all.size()));
-    }
-    return all;
-  }
-
-  [[nodiscard]] bool is_word(const grammar::ParsedExpression& e) const {
-    return e.terms.size() == 1 && e.terms[0].is_name() &&
-           !c_.scope.values.contains(grammar::to_upper(c_.sources.text(e.terms[0].span)));
-  }
-
-  [[nodiscard]] bool is_step(const grammar::ParsedExpression& e) const {
-    return e.terms.size() == 1 && e.terms[0].is_name() &&
-           c_.names.find({EntityKind::step}, grammar::to_upper(c_.sources.text(e.terms[0].span)),
-                         {}) != nullptr;
-  }
-
-  static std::string usage(std::string_view letters) {
-    std::string text = "(";
-    bool optional = false;
-    for (const char letter : letters) {
-      if (letter == '?') {
-        optional = true;
-        continue;
-      }
-      text += text.size() > 1 ? ", " : "";
-      text += optional || letter == 'z' ? fmt::format("[{}]", word(letter)) : word(letter);
-    }
-    return text + ")";
-  }
-
-  static std::string word(char letter) {
-    const grammar::ResultArgument* argument = grammar::find_result_argument(letter);
-    return argument == nullptr ? "number"
-           : letter == 'd'     ? "X|Y|Z"
-           : letter == 'e'     ? "net or *"
-                               : std::string(grammar::display_name(argument->kind));
-  }
-
   bool argument(char letter, const grammar::ParsedExpression& expression) {
     if (letter == 'a' || letter == 'z') {
       const auto value = grammar::evaluate(expression, c_.scope, c_.diagnostics);
@@ -282,9 +282,9 @@ private:
       return value.has_value();
     }
     if (expression.terms.size() != 1 || !expression.terms[0].is_name()) {
-      c_.error(
-          expression.span, "E315",
-          fmt::format("expected {}, not '{}'", word(letter), c_.sources.text(expression.span)));
+      c_.error(expression.span, "E315",
+               fmt::format("expected {}, not '{}'", argument_word(letter),
+                           c_.sources.text(expression.span)));
       return false;
     }
     std::string name = grammar::to_upper(c_.sources.text(expression.terms[0].span));

@@ -248,10 +248,7 @@ std::string extent(const DeckContext& c, const CheckedCard& card) {
 std::vector<model::Face> boundary_within(DeckContext& context,
                                          const std::vector<base::NodeId>& nodes) {
   const model::Mesh& mesh = context.model.mesh;
-  std::vector<bool> inside(mesh.node_count(), false);
-  for (const base::NodeId n : nodes) {
-    inside[n.index()] = true;
-  }
+  const std::vector<bool> inside = model::mark_members(mesh.node_count(), nodes);
   std::vector<model::Face> result;
   for (const model::Face& face : boundary(context)) {
     if (mesh::lies_within(mesh, face, inside)) {

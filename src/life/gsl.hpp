@@ -22,4 +22,9 @@ private:
   gsl_function function_;
 };
 
+/// Gives an object of GSL back by its own function, for std::unique_ptr.
+template <auto free_object> struct GslDeleter {
+  template <class Object> void operator()(Object* object) const { free_object(object); }
+};
+
 } // namespace spricka::life

@@ -11,10 +11,6 @@ namespace spricka::life {
 
 namespace {
 
-struct FreeWorkspace {
-  void operator()(gsl_integration_workspace* work) const { gsl_integration_workspace_free(work); }
-};
-
 constexpr std::size_t k_most_parts = 200;
 
 } // namespace
@@ -26,7 +22,7 @@ Integral integrate(const std::function<double(double)>& f, double begin, double 
     return found;
   }
   quiet_gsl();
-  const std::unique_ptr<gsl_integration_workspace, FreeWorkspace> work(
+  const std::unique_ptr<gsl_integration_workspace, GslDeleter<gsl_integration_workspace_free>> work(
       gsl_integration_workspace_alloc(k_most_parts));
   const GslFunction function(f);
   // What it returns is not asked for: a tolerance that was not reached stands in the error, which

@@ -10,14 +10,6 @@
 
 namespace spricka::life {
 
-namespace {
-
-struct FreeSolver {
-  void operator()(gsl_root_fsolver* solver) const { gsl_root_fsolver_free(solver); }
-};
-
-} // namespace
-
 std::optional<double> increasing_root(const std::function<double(double)>& f, double begin,
                                       double end) {
   // y / (1 + |y|) has f's root and is finite where f is not
@@ -34,7 +26,7 @@ std::optional<double> increasing_root(const std::function<double(double)>& f, do
     return first == 0.0 ? begin : end;
   }
   quiet_gsl();
-  const std::unique_ptr<gsl_root_fsolver, FreeSolver> solver(
+  const std::unique_ptr<gsl_root_fsolver, GslDeleter<gsl_root_fsolver_free>> solver(
       gsl_root_fsolver_alloc(gsl_root_fsolver_brent));
   const GslFunction function(bounded);
   gsl_root_fsolver_set(solver.get(), const_cast<gsl_function*>(function.get()), begin, end);

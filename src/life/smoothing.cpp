@@ -22,11 +22,6 @@ constexpr std::size_t k_most_intervals = 50;
 // The factor of Kim and Gu in (life.19).
 constexpr double k_freedom_cost = 1.4;
 
-struct FreeSpline {
-  void operator()(gsl_bspline_workspace* work) const { gsl_bspline_free(work); }
-  void operator()(gsl_matrix* matrix) const { gsl_matrix_free(matrix); }
-};
-
 // Cubic B-splines over [0, 1] between ascending breaks.
 class Basis {
 public:
@@ -51,8 +46,8 @@ public:
   }
 
 private:
-  std::unique_ptr<gsl_bspline_workspace, FreeSpline> work_;
-  std::unique_ptr<gsl_matrix, FreeSpline> values_;
+  std::unique_ptr<gsl_bspline_workspace, GslDeleter<gsl_bspline_free>> work_;
+  std::unique_ptr<gsl_matrix, GslDeleter<gsl_matrix_free>> values_;
 };
 
 // From 0 to 1, at points of x (scaled to that), as many points in every interval but for one.

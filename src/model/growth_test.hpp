@@ -2,6 +2,7 @@
 #pragma once
 #include "base/id.hpp"
 #include "base/source.hpp"
+#include "model/crack_growth.hpp"
 
 #include <array>
 #include <cstddef>
@@ -37,11 +38,8 @@ struct GrowthTestReadings {
   bool on_c = false;
   std::vector<double> other;   ///< [reading, or none]
   std::optional<double> ratio; ///< K_min / K_max of the test; else from the steps
-  double k_unit = 1.0;         ///< of delta_k [stress intensity]
-  double a_unit = 1.0;         ///< of growth [length]
-  /// Rates of the reference, ascending, in those units; empty: the law of $GROW.
-  std::vector<double> delta_k;
-  std::vector<double> growth; ///< [delta_k]
+  /// Units and rates of the reference, both ascending; without rates it is the law of $GROW.
+  GrowthLawConstants reference;
   base::SourceSpan span;
 };
 

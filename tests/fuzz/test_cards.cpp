@@ -114,11 +114,11 @@ TEST(Cards, AGrowthTestIsInTheModel) {
   ASSERT_EQ(test.readings.size(), 5U);
   EXPECT_EQ(test.readings[4][0], 400.0);
   EXPECT_EQ(test.readings[4][1], 0.96);
-  EXPECT_EQ(test.delta_k, (std::vector<double>{5.0, 20.0, 60.0})); // tests/fuzz/rates.inc
-  EXPECT_EQ(test.growth[2], 1e-5);
+  EXPECT_EQ(test.reference.delta_k, (std::vector<double>{5.0, 20.0, 60.0})); // tests/fuzz/rates.inc
+  EXPECT_EQ(test.reference.growth[2], 1e-5);
   EXPECT_EQ(test.ratio, 0.1);
-  EXPECT_DOUBLE_EQ(test.k_unit, std::sqrt(1000.0));
-  EXPECT_EQ(test.a_unit, 1000.0);
+  EXPECT_DOUBLE_EQ(test.reference.k_unit, std::sqrt(1000.0));
+  EXPECT_EQ(test.reference.a_unit, 1000.0);
 }
 
 TEST(Cards, WhatHasNoAnalysisIsNamedWithItsLine) {

@@ -25,15 +25,9 @@ constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
 
 // The test's own rates, or the law of $GROW.
 life::GrowthRateLaw reference_of(const model::Model& model, const model::GrowthTestReadings& test) {
-  if (test.delta_k.empty()) {
-    return analysis::growth_law(*model.growth);
-  }
-  model::GrowthLawConstants constants;
-  constants.delta_k = test.delta_k;
-  constants.growth = test.growth;
-  constants.k_unit = test.k_unit;
-  constants.a_unit = test.a_unit;
-  return {model::CrackGrowthLaw::table, constants};
+  return test.reference.delta_k.empty()
+             ? analysis::growth_law(*model.growth)
+             : life::GrowthRateLaw(model::CrackGrowthLaw::table, test.reference);
 }
 
 /// K that was computed at a length.
@@ -189,9 +183,9 @@ std::string word_of(const model::GrowthTestReadings& test) {
 
 std::string reference_words(const model::Model& model, const model::GrowthTestReadings& test) {
   constexpr std::array names{"", "Paris", "Walker", "Forman", "NASGRO", "table"};
-  return test.delta_k.empty()
+  return test.reference.delta_k.empty()
              ? fmt::format("{} law of $GROW", names[static_cast<std::size_t>(model.growth->law)])
-             : fmt::format("{} rates of a reference specimen", test.delta_k.size());
+             : fmt::format("{} rates of a reference specimen", test.reference.delta_k.size());
 }
 
 // Cycles over the lengths that test and computation share.
