@@ -13,7 +13,6 @@
 namespace spricka::contact {
 
 using Edge = mesh::PlaneEdge;
-using mesh::edge_dN;
 using mesh::edge_N;
 using mesh::outer_normal;
 using mesh::point_on;

@@ -121,15 +121,15 @@ void crack_starts(DeckContext& c) {
                              mesh::CrackStart::inside) {
       continue;
     }
-    const mesh::BoundaryPoint edge = mesh::nearest_boundary(host, crack.points.front(), crack.net);
+    const mesh::NearestMouth edge = mesh::find_mouth(host, crack.points.front(), crack.net);
     if (edge.distance < missed * length_of(crack)) {
       c.warning(
           crack.span, "W345",
           fmt::format("crack {} starts inside the body, only {:.3g} from its surface: it has two "
                       "tips and a ligament there",
                       crack.name, edge.distance),
-          fmt::format("a crack from the surface starts on it, at ({:.9g}, {:.9g})", edge.x.x(),
-                      edge.x.y()));
+          fmt::format("a crack from the surface starts on it, at ({:.9g}, {:.9g})", edge.at.x(),
+                      edge.at.y()));
     }
   }
 }

@@ -13,12 +13,6 @@
 namespace spricka::mesh {
 namespace {
 
-std::pair<base::NodeId, base::NodeId> ends(const model::Mesh& mesh, const model::Face& face) {
-  const std::span<const int> local = shape::side_nodes(mesh.type[face.element.index()], face.side);
-  const std::span<const base::NodeId> nodes = mesh.element_nodes(face.element);
-  return {nodes[static_cast<std::size_t>(local[0])], nodes[static_cast<std::size_t>(local[1])]};
-}
-
 /// Triangles that lie on the other side of quadrilaterals of a mesh of solids.
 class FacesThatMeet {
 public:
@@ -140,8 +134,9 @@ std::vector<FaceChain> build_chains(const model::Mesh& mesh,
                                     const std::vector<model::Face>& faces) {
   std::multimap<base::NodeId, std::size_t> leaving; // equal keys keep the order of insertion
   std::map<base::NodeId, int> surplus;              // edges that leave minus edges that arrive
+  std::vector<std::pair<base::NodeId, base::NodeId>> ends;
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    const auto [a, b] = ends(mesh, faces[i]);
+    const auto [a, b] = ends.emplace_back(face_nodes(mesh, faces[i]).edge(0));
     leaving.emplace(a, i);
     ++surplus[a];
     --surplus[b];
@@ -150,12 +145,12 @@ std::vector<FaceChain> build_chains(const model::Mesh& mesh,
   std::vector<FaceChain> result;
   const auto walk = [&](std::size_t start) {
     FaceChain chain;
-    const base::NodeId first = ends(mesh, faces[start]).first;
+    const base::NodeId first = ends[start].first;
     std::size_t at = start;
     for (bool more = true; more;) {
       used[at] = true;
       chain.faces.push_back(faces[at]);
-      const base::NodeId end = ends(mesh, faces[at]).second;
+      const base::NodeId end = ends[at].second;
       chain.closed = end == first;
       more = false;
       const auto [begin, stop] = leaving.equal_range(end);
@@ -169,7 +164,7 @@ std::vector<FaceChain> build_chains(const model::Mesh& mesh,
     result.push_back(std::move(chain));
   };
   for (std::size_t i = 0; i < faces.size(); ++i) { // open chains from their ends
-    int& left = surplus[ends(mesh, faces[i]).first];
+    int& left = surplus[ends[i].first];
     if (!used[i] && left > 0) {
       --left;
       walk(i);

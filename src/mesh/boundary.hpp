@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace spricka::mesh {
@@ -27,6 +28,10 @@ struct FaceNodes {
 
   [[nodiscard]] std::span<const base::NodeId> corner_nodes() const {
     return std::span(all).first(corners);
+  }
+  /// Corner i and the next.
+  [[nodiscard]] std::pair<base::NodeId, base::NodeId> edge(std::size_t i) const {
+    return {all[i], all[(i + 1) % corners]};
   }
   /// The middle of the edge from corner i to the next; invalid in linear elements. An edge has one.
   [[nodiscard]] base::NodeId mid_node(std::size_t i) const {

@@ -26,21 +26,22 @@ PlaneEdge plane_edge(const model::Mesh& mesh, const model::Face& face) {
   return edge;
 }
 
-std::array<double, 3> edge_N(int count, double xi) {
-  if (count == 2) {
+std::array<double, 3> edge_N(const PlaneEdge& edge, double xi) {
+  if (edge.count == 2) {
     return {0.5 * (1.0 - xi), 0.5 * (1.0 + xi), 0.0};
   }
   return {0.5 * xi * (xi - 1.0), 0.5 * xi * (xi + 1.0), 1.0 - xi * xi};
 }
 
-std::array<double, 3> edge_dN(int count, double xi) {
-  if (count == 2) {
+namespace {
+
+/// Derivatives of the shape functions by xi; entry 2 is zero for straight edges.
+std::array<double, 3> edge_dN(const PlaneEdge& edge, double xi) {
+  if (edge.count == 2) {
     return {-0.5, 0.5, 0.0};
   }
   return {xi - 0.5, xi + 0.5, -2.0 * xi};
 }
-
-namespace {
 
 Vec2 combine_nodes(const PlaneEdge& edge, const std::array<double, 3>& factor) {
   Vec2 sum = factor[0] * edge.x[0] + factor[1] * edge.x[1];

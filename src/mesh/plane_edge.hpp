@@ -19,19 +19,8 @@ struct PlaneEdge {
 /// The edge of a plane element at a side, with nodes, coordinates and length.
 PlaneEdge plane_edge(const model::Mesh& mesh, const model::Face& face);
 
-/// Shape functions of an edge of `count` nodes and their derivatives at xi; entry 2 is zero for
-/// straight edges.
-std::array<double, 3> edge_N(int count, double xi);
-/// Derivatives of the shape functions by xi; entry 2 is zero for straight edges.
-std::array<double, 3> edge_dN(int count, double xi);
 /// Values of the shape functions of an edge at xi; entry 2 is zero for straight edges.
-inline std::array<double, 3> edge_N(const PlaneEdge& edge, double xi) {
-  return edge_N(edge.count, xi);
-}
-/// Derivatives of the shape functions of an edge by xi.
-inline std::array<double, 3> edge_dN(const PlaneEdge& edge, double xi) {
-  return edge_dN(edge.count, xi);
-}
+std::array<double, 3> edge_N(const PlaneEdge& edge, double xi);
 
 /// The place on an edge at xi, from -1 to 1.
 base::Vec2 point_on(const PlaneEdge& edge, double xi);

@@ -173,15 +173,15 @@ private:
   void look_at_mouth(const model::CrackDefinition& crack, const mesh::HostMesh& host) {
     const base::Vec3& start = crack.points.front();
     double near = 0.0;
-    const mesh::BoundaryPoint at = mesh::nearest_boundary(host, start, crack.net);
+    const mesh::NearestMouth mouth = mesh::find_mouth(host, start, crack.net);
     for (const model::Face& face : host.boundary()) {
       const mesh::ElementEdge edge = mesh::element_edge(mesh_, face);
       const double length = (mesh_.x[edge.b.index()] - mesh_.x[edge.a.index()]).norm();
       // The given mouth may lie a little off the side that it is moved onto.
       const bool here =
           (!crack.net.valid() || mesh_.element_net[face.element.index()] == crack.net) &&
-          mesh::nearest_on(mesh_, edge, at.x).distance <= 1e-6 * length &&
-          at.distance <= 1e-3 * length;
+          mesh::nearest_on(mesh_, edge, mouth.at).distance <= 1e-6 * length &&
+          mouth.distance <= 1e-3 * length;
       if (!here) {
         continue;
       }

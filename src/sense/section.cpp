@@ -378,7 +378,7 @@ std::optional<Vec3> find_exit_point(const model::Mesh& section, base::NetId net,
     return std::nullopt;
   }
   const Vec3 out = from + nearest * Vec3(way.x(), way.y(), 0.0);
-  return mesh::nearest_boundary(host, out, net).x;
+  return mesh::find_mouth(host, out, net).at;
 }
 
 } // namespace spricka::sense

@@ -59,11 +59,6 @@ base::ElementId element_at(const model::Mesh& mesh, const Vec3& point, base::Net
   return {};
 }
 
-BoundaryPoint nearest_boundary(const HostMesh& host, const Vec3& point, base::NetId net) {
-  const NearestMouth found = find_mouth(host, point, net);
-  return {found.at, found.distance};
-}
-
 CrackStart locate_crack_start(const HostMesh& host, const Vec3& point, base::NetId net) {
   const NearestMouth found = find_mouth(host, point, net);
   if (found.on_boundary()) {

@@ -13,7 +13,7 @@ struct MouthPosition {
   base::NodeId node;
 };
 
-/// The boundary point nearest to the start of a crack.
+/// The boundary point nearest to the start of a crack, or to any other point.
 struct NearestMouth {
   MouthPosition mouth;
   base::Vec3 at = base::Vec3::Zero();
@@ -32,13 +32,6 @@ NearestMouth find_mouth(const HostMesh& host, const base::Vec3& start, base::Net
 
 /// The element of a net (any net: invalid) that a point lies in, or an invalid one.
 base::ElementId element_at(const model::Mesh& mesh, const base::Vec3& point, base::NetId net);
-
-/// The nearest point of a net's boundary (any net: invalid) and how far it is.
-struct BoundaryPoint {
-  base::Vec3 x = base::Vec3::Zero();
-  double distance = 0.0;
-};
-BoundaryPoint nearest_boundary(const HostMesh& host, const base::Vec3& point, base::NetId net);
 
 /// Where the first point of a free crack lies: on the boundary of the net (any net if invalid),
 /// inside it, or neither.

@@ -42,11 +42,7 @@ public:
         }
       }
     }
-    model::ElementSet body{prefix + "BODY", {}, {}};
-    for (std::size_t e = first; e < mesh_.element_count(); ++e) {
-      body.elements.emplace_back(e);
-    }
-    mesh_.element_sets.push_back(std::move(body));
+    append_body_set(mesh_, prefix, first);
     static constexpr std::array<const char*, 6> names{"XMIN", "XMAX", "YMIN",
                                                       "YMAX", "ZMIN", "ZMAX"};
     for (std::size_t s = 0; s < names.size(); ++s) {

@@ -76,15 +76,19 @@ std::array<model::Face, 4> Lattice::add_cell(int i, int j, const Map& map) {
 }
 
 void Lattice::add_body_set(const std::string& prefix) {
-  model::ElementSet set{prefix + "BODY", {}, {}};
-  for (std::size_t e = first_element_; e < mesh_.element_count(); ++e) {
-    set.elements.emplace_back(e);
-  }
-  mesh_.element_sets.push_back(std::move(set));
+  append_body_set(mesh_, prefix, first_element_);
 }
 
 void Lattice::add_face_set(std::string name, std::vector<model::Face> faces) {
   mesh_.face_sets.push_back({std::move(name), std::move(faces), {}});
+}
+
+void append_body_set(model::Mesh& mesh, const std::string& prefix, std::size_t first) {
+  model::ElementSet set{prefix + "BODY", {}, {}};
+  for (std::size_t e = first; e < mesh.element_count(); ++e) {
+    set.elements.emplace_back(e);
+  }
+  mesh.element_sets.push_back(std::move(set));
 }
 
 base::Vec3 unit_direction(double angle) {

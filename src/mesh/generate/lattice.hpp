@@ -53,6 +53,9 @@ private:
   std::map<Key, base::NodeId> known_;
 };
 
+/// Appends the element set `prefix` + BODY of all elements of the mesh from `first` on.
+void append_body_set(model::Mesh& mesh, const std::string& prefix, std::size_t first);
+
 /// Unit vector at an angle [rad] from x; multiples of a right angle are exact, so that nodes meant
 /// to lie on an axis do.
 base::Vec3 unit_direction(double angle);

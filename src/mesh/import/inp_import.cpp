@@ -21,6 +21,17 @@ namespace {
 using base::ElementId;
 using base::NodeId;
 
+/// The first place of a list whose number stands before it, too.
+std::optional<std::size_t> find_duplicate(const std::vector<base::Label>& labels,
+                                          const LabelIndex& index) {
+  for (std::size_t i = 0; index.has_duplicates() && i < labels.size(); ++i) {
+    if (index.find(labels[i]) != i) {
+      return i;
+    }
+  }
+  return std::nullopt;
+}
+
 class InpImport {
 public:
   InpImport(model::Mesh& mesh, const ImportRequest& request, base::Diagnostics& diagnostics)
@@ -73,13 +84,9 @@ private:
   /// Labels of nodes become places in the file's list, those of no element drop out.
   bool look_up_nodes() {
     node_index_.emplace(data_.node);
-    if (node_index_->has_duplicates()) {
-      for (std::size_t i = 0; i < data_.node.size(); ++i) {
-        if (node_index_->find(data_.node[i]) != i) {
-          error({}, "E304", fmt::format("node {} is defined twice", data_.node[i]));
-          return false;
-        }
-      }
+    if (const auto i = find_duplicate(data_.node, *node_index_)) {
+      error({}, "E304", fmt::format("node {} is defined twice", data_.node[*i]));
+      return false;
     }
     std::vector<bool> used(data_.node.size(), false);
     connectivity_.reserve(data_.connectivity.size());
@@ -106,14 +113,12 @@ private:
 
   bool look_up_elements() {
     element_index_.emplace(data_.element);
-    for (std::size_t e = 0; element_index_->has_duplicates() && e < data_.element.size(); ++e) {
-      if (element_index_->find(data_.element[e]) != e) {
-        error(data_.element_place[e], "E304",
-              fmt::format("element {} is defined twice", data_.element[e]));
-        return false;
-      }
+    const auto e = find_duplicate(data_.element, *element_index_);
+    if (e) {
+      error(data_.element_place[*e], "E304",
+            fmt::format("element {} is defined twice", data_.element[*e]));
     }
-    return true;
+    return !e;
   }
 
   /// All in the plane or all in space.
@@ -178,20 +183,35 @@ private:
     }
   }
 
-  std::vector<NodeId> nodes_of(const InpData::Named<base::Label>& set) {
-    std::vector<NodeId> nodes;
-    std::vector<bool> met(node_.size(), false);
+  /// The places in the file's list of what a set names, each once, without elements that are bars.
+  std::vector<std::size_t> places_of(const InpData::Named<base::Label>& set,
+                                     const LabelIndex& index, std::string_view kind) {
+    std::vector<std::size_t> places;
+    std::vector<bool> met(std::max(data_.node.size(), data_.element.size()), false);
     for (const base::Label label : set.members) {
-      const auto at = node_index_->find(label);
+      const auto at = index.find(label);
+      if (!at && kind == "element" && data_.bar.contains(label)) {
+        continue;
+      }
       if (!at) {
         error(set.place, "E303",
-              fmt::format("set {} has node {}, which is not there", set.name, label));
+              fmt::format("set {} has {} {}, which is not there", set.name, kind, label));
         return {};
       }
-      if (node_[*at].valid() && !met[*at]) {
-        nodes.push_back(node_[*at]);
+      if (!met[*at]) {
+        places.push_back(*at);
       }
       met[*at] = true;
+    }
+    return places;
+  }
+
+  std::vector<NodeId> nodes_of(const InpData::Named<base::Label>& set) {
+    std::vector<NodeId> nodes;
+    for (const std::size_t at : places_of(set, *node_index_, "node")) {
+      if (node_[at].valid()) {
+        nodes.push_back(node_[at]);
+      }
     }
     return nodes;
   }
@@ -205,21 +225,8 @@ private:
 
   std::vector<ElementId> elements_of(const InpData::Named<base::Label>& set) {
     std::vector<ElementId> elements;
-    std::vector<bool> met(data_.element.size(), false);
-    for (const base::Label label : set.members) {
-      const auto at = element_index_->find(label);
-      if (!at && data_.bar.contains(label)) {
-        continue;
-      }
-      if (!at) {
-        error(set.place, "E303",
-              fmt::format("set {} has element {}, which is not there", set.name, label));
-        return {};
-      }
-      if (!met[*at]) {
-        elements.emplace_back(first_element_ + *at);
-      }
-      met[*at] = true;
+    for (const std::size_t at : places_of(set, *element_index_, "element")) {
+      elements.emplace_back(first_element_ + at);
     }
     return elements;
   }

@@ -30,6 +30,12 @@ bool InpKeywordReader::needs(std::string_view key, std::string& value) const {
   return true;
 }
 
+InpLabelSet* InpKeywordReader::set_named_by(std::string_view key, std::vector<InpLabelSet>& sets,
+                                            std::map<std::string, std::size_t>& index) const {
+  const std::string* name = key_.find(key);
+  return name == nullptr ? nullptr : &sets[set_of(sets, index, *name)];
+}
+
 std::size_t InpKeywordReader::set_of(std::vector<InpLabelSet>& sets,
                                      std::map<std::string, std::size_t>& index,
                                      const std::string& name) const {

@@ -49,6 +49,10 @@ protected:
   bool only(std::initializer_list<std::string_view> known) const;
   /// The value of a parameter; a complaint without one.
   bool needs(std::string_view key, std::string& value) const;
+  /// The set that a parameter of the keyword names, made at its first use; null without one. The
+  /// pointer holds until another set is made.
+  InpLabelSet* set_named_by(std::string_view key, std::vector<InpLabelSet>& sets,
+                            std::map<std::string, std::size_t>& index) const;
   /// A set by its name, made at its first use; its place in `sets`.
   std::size_t set_of(std::vector<InpLabelSet>& sets, std::map<std::string, std::size_t>& index,
                      const std::string& name) const;

@@ -22,10 +22,7 @@ class NodeLines : public InpKeywordReader {
 public:
   NodeLines(InpReaderContext& shared, const InpKeyword& key) : InpKeywordReader(shared, key) {
     sound_ = only({"NSET"}) && in_part(shared, key);
-    const std::string* set = key_.find("NSET");
-    if (sound_ && set != nullptr) {
-      set_ = &data_.node_sets[set_of(data_.node_sets, shared.node_sets, *set)];
-    }
+    set_ = sound_ ? set_named_by("NSET", data_.node_sets, shared.node_sets) : nullptr;
   }
   void read_line() override {
     InpFields fields(text_.data_line());
@@ -75,9 +72,7 @@ public:
     if (type_.special) {
       data_.special.try_emplace(name_, key_.place);
     }
-    if (const std::string* set = key_.find("ELSET")) {
-      set_ = &data_.element_sets[set_of(data_.element_sets, shared.element_sets, *set)];
-    }
+    set_ = set_named_by("ELSET", data_.element_sets, shared.element_sets);
   }
   /// One line of an element; those with many nodes go on over several.
   void read_line() override {
@@ -126,9 +121,7 @@ private:
     InpData::InpSkippedItems& left = data_.bars[name_];
     left.first = left.count == 0 ? key_.place : left.first;
     bars_ = &left;
-    if (const std::string* set = key_.find("ELSET")) {
-      set_ = &data_.element_sets[set_of(data_.element_sets, shared_.element_sets, *set)];
-    }
+    set_ = set_named_by("ELSET", data_.element_sets, shared_.element_sets);
   }
   bool start(InpFields& fields) {
     const auto label = fields.next_integer();

@@ -22,6 +22,10 @@ constexpr std::array<std::string_view, 21> harmless{
     "CONTACTPRINT", "CONTACTFILE", "ENERGYPRINT", "ENERGYFILE", "SECTIONPRINT",  "MONITOR",
     "FILEFORMAT",   "ENDPART",     "ENDSTEP"};
 
+bool is_harmless(std::string_view keyword) {
+  return std::ranges::find(harmless, keyword) != harmless.end();
+}
+
 /// Where the deck says what a keyword of the file says.
 struct Advice {
   std::string_view keywords; ///< each between blanks
@@ -42,19 +46,21 @@ constexpr std::string_view skip_words = "; $IMPORT SKIP=LOADS passes over them";
 /// How many of the above SKIP=LOADS passes over, from the first one on.
 constexpr std::size_t skippable = 3;
 
-bool is_load(const std::string& name) {
+/// The advice for a keyword; the end of the table without one.
+const Advice* find_advice(const std::string& name) {
   const std::string word = fmt::format(" {} ", name);
+  return std::find_if(advices.begin(), advices.end(), [&](const Advice& a) {
+    return a.keywords.find(word) != std::string_view::npos;
+  });
+}
+
+bool is_load(const std::string& name) {
   return name == "AMPLITUDE" || name == "INITIALCONDITIONS" || name == "TEMPERATURE" ||
-         std::any_of(advices.begin(), advices.begin() + skippable, [&](const Advice& a) {
-           return a.keywords.find(word) != std::string_view::npos;
-         });
+         find_advice(name) < advices.begin() + skippable;
 }
 
 std::string advice(const std::string& name) {
-  const std::string word = fmt::format(" {} ", name);
-  const auto* const at = std::find_if(advices.begin(), advices.end(), [&](const Advice& a) {
-    return a.keywords.find(word) != std::string_view::npos;
-  });
+  const Advice* const at = find_advice(name);
   std::string words(at == advices.end() ? "take it out of the file if it has no say" : at->words);
   return is_load(name) ? words.append(skip_words) : words;
 }
@@ -117,7 +123,7 @@ private:
     if (!inside && !is_load(key.name)) {
       return false;
     }
-    if (std::find(harmless.begin(), harmless.end(), key.name) == harmless.end()) {
+    if (!is_harmless(key.name)) {
       InpData::InpSkippedItems& left = shared_.data.keywords[key.shown];
       left.first = left.count++ == 0 ? key.place : left.first;
     }
@@ -133,8 +139,7 @@ private:
         return lines;
       }
     }
-    const bool skipped = std::find(harmless.begin(), harmless.end(), key.name) != harmless.end();
-    if (!frame(key) && !skipped) {
+    if (!frame(key) && !is_harmless(key.name)) {
       Refused& refused = refused_[key.name];
       if (refused.count++ == 0) {
         refused.shown = key.shown;

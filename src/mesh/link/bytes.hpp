@@ -15,44 +15,44 @@ namespace spricka::mesh {
 /// Values as bytes for another process of the same program on the same machine.
 class ByteWriter {
 public:
-  /// Appends the bytes of a value without pointers.
-  template <class T> void write_value(const T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
-  }
-  /// Appends a list: its number of values, then their bytes.
-  template <class T> void write_list(const std::vector<T>& values) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    write_value(values.size());
-    if (!values.empty()) {
-      bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
-    }
-  }
-  /// Appends a text: its number of bytes, then these.
-  void write_text(std::string_view value) {
-    write_value(value.size());
-    bytes_ += value;
-  }
+  /// Appends fields one after another, each by its type: the bytes of a value without pointers; of
+  /// a text or a list the number of its members, then these; the coordinates of a point.
+  template <class... Field> void fields(const Field&... values) { (append(values), ...); }
   /// Appends a list: its number of items, then of each what `write` appends.
-  template <class List, class Write> void write_items(const List& items, Write&& write) {
-    write_value(items.size());
-    for (const auto& item : items) {
+  template <class List, class Write> void items(const List& list, Write&& write) {
+    append(list.size());
+    for (const auto& item : list) {
       write(item);
-    }
-  }
-  /// Appends a list of texts: their number, then each.
-  void write_texts(const std::vector<std::string>& values) {
-    write_items(values, [&](const std::string& value) { write_text(value); });
-  }
-  /// Appends the coordinates of a point.
-  template <int dim> void write_point(const Eigen::Matrix<double, dim, 1>& x) {
-    for (const double coordinate : x) {
-      write_value(coordinate);
     }
   }
   [[nodiscard]] std::string release() { return std::move(bytes_); }
 
 private:
+  template <class T> void append(const T& value) {
+    static_assert(!std::is_pointer_v<T> && !std::is_convertible_v<T, std::string_view>);
+    if constexpr (std::is_trivially_copyable_v<T>) {
+      bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+    } else {
+      for (const double coordinate : value) {
+        append(coordinate);
+      }
+    }
+  }
+  template <class T> void append(const std::vector<T>& list) {
+    if constexpr (!std::is_trivially_copyable_v<T>) {
+      items(list, [&](const T& item) { append(item); });
+    } else {
+      append(list.size());
+      if (!list.empty()) {
+        bytes_.append(reinterpret_cast<const char*>(list.data()), list.size() * sizeof(T));
+      }
+    }
+  }
+  void append(const std::string& text) {
+    append(text.size());
+    bytes_ += text;
+  }
+
   std::string bytes_;
 };
 
@@ -68,54 +68,54 @@ public:
     copy(&value, sizeof value);
     return value;
   }
-  /// The next list; empty where its number of values does not fit what is left.
-  template <class T> std::vector<T> read_list() {
-    const auto count = read_value<std::size_t>();
-    if (count > rest_.size() / sizeof(T)) {
-      sound_ = false;
-      return {};
-    }
-    std::vector<T> values(count);
-    if (count > 0) {
-      copy(values.data(), count * sizeof(T));
-    }
-    return values;
-  }
-  /// The next text; empty where its length does not fit what is left.
-  std::string read_text() {
-    const auto count = read_value<std::size_t>();
-    if (count > rest_.size()) {
-      sound_ = false;
-      return {};
-    }
-    std::string value(rest_.substr(0, count));
-    rest_.remove_prefix(count);
-    return value;
-  }
-  /// The next list, of items that `read` returns one after another, as far as the bytes are sound.
-  template <class Read> auto read_items(Read&& read) {
-    std::vector<decltype(read())> items;
+  /// Reads fields as ByteWriter appends them: values as read_value; texts and lists are empty where
+  /// their length does not fit what is left, lists of lists, texts or points end there.
+  template <class... Field> void fields(Field&... values) { (read(values), ...); }
+  /// Reads a list, of items that `read_item` fills one after another, as far as the bytes are
+  /// sound.
+  template <class List, class ReadItem> void items(List& list, ReadItem&& read_item) {
+    list.clear();
     for (auto count = read_value<std::size_t>(); count > 0 && sound_; --count) {
-      items.push_back(read());
+      read_item(list.emplace_back());
     }
-    return items;
   }
-  /// The next list of texts, as far as the bytes are sound.
-  std::vector<std::string> read_texts() {
-    return read_items([&] { return read_text(); });
-  }
-  /// The next point.
-  template <int dim> Eigen::Matrix<double, dim, 1> read_point() {
-    Eigen::Matrix<double, dim, 1> x;
-    for (double& coordinate : x) {
-      coordinate = read_value<double>();
-    }
-    return x;
-  }
-  [[nodiscard]] bool is_valid() const { return sound_; }
   [[nodiscard]] bool at_end() const { return sound_ && rest_.empty(); }
 
 private:
+  template <class T> void read(T& value) {
+    if constexpr (std::is_same_v<T, bool>) {
+      value = read_value<char>() != 0;
+    } else if constexpr (std::is_trivially_copyable_v<T>) {
+      value = read_value<T>();
+    } else {
+      for (double& coordinate : value) {
+        read(coordinate);
+      }
+    }
+  }
+  template <class T> void read(std::vector<T>& list) {
+    if constexpr (!std::is_trivially_copyable_v<T>) {
+      items(list, [&](T& item) { read(item); });
+    } else {
+      list.resize(read_count(sizeof(T)));
+      if (!list.empty()) {
+        copy(list.data(), list.size() * sizeof(T));
+      }
+    }
+  }
+  void read(std::string& text) {
+    const std::size_t count = read_count(1);
+    text = rest_.substr(0, count);
+    rest_.remove_prefix(count);
+  }
+
+  /// The next number of members of `size` bytes each; 0 where they do not fit what is left.
+  std::size_t read_count(std::size_t size) {
+    const auto count = read_value<std::size_t>();
+    const bool fits = count <= rest_.size() / size;
+    sound_ = sound_ && fits;
+    return fits ? count : 0;
+  }
   void copy(void* into, std::size_t size) {
     if (!sound_ || size > rest_.size()) {
       sound_ = false;

@@ -231,16 +231,11 @@ public:
   TraceWalk(const SurfaceGeometry& surface, const CrackReferencePlane& plane)
       : surface_(surface), plane_(plane), line_(surface, plane) {}
 
-  TraceResult go(const SurfacePlace& from, std::span<const SurfacePlace> to, const Vec3& towards) {
+  TraceResult go(const SurfacePlace& from, const SurfacePlace& to, const Vec3& towards) {
     const std::size_t first = line_.nearest(from.x);
-    std::vector<std::size_t> last;
-    bool on_line = first != nowhere && near(first, from.x);
-    for (const SurfacePlace& end : to) {
-      last.push_back(line_.nearest(end.x));
-      on_line = on_line && near(last.back(), end.x);
-    }
-    if (!on_line) {
-      return {{}, 0, {"the crack's mouth does not begin and end on the surface", from.x}};
+    const std::size_t last = line_.nearest(to.x);
+    if (first == nowhere || !near(first, from.x) || !near(last, to.x)) {
+      return {{}, {"the crack's mouth does not begin and end on the surface", from.x}};
     }
     points_.push_back({from, nowhere, 0.0});
     const auto& sides = line_.passings()[first].sides;
@@ -249,54 +244,31 @@ public:
     std::size_t at = first;
     Vec2 r =
         surface_.face(line_.facet(at).face).nearest_point(from.x, geometry::BorderFoot::replaced);
-    std::size_t end = ahead(to, last, {at, from.x, false}, line_.x(side));
-    while (end == nowhere) {
+    // In its own stretch the end may lie behind the start; one that is entered is all ahead.
+    bool ends = at == last && (to.x - from.x).dot(line_.x(side) - from.x) > 0.0;
+    while (!ends) {
       add(at, r, line_.point(at, side), line_.r(at, side));
       const std::size_t next = line_.beyond(at, side);
       if (next == nowhere || visited_++ > line_.passings().size()) {
         return {{},
-                0,
                 {"the crack's plane leaves the surface without reaching the mouth's end",
                  points_.back().place.x}};
       }
-      const Vec3 entry = line_.x(side);
       r = line_.r(next, side);
       const auto& both = line_.passings()[next].sides;
       side = both[0] == side ? both[1] : both[0];
       at = next;
-      end = ahead(to, last, {at, entry, true}, line_.x(side));
+      ends = at == last;
     }
-    add(at, r, {to[end], nowhere, 0.0},
-        surface_.face(line_.facet(at).face)
-            .nearest_point(to[end].x, geometry::BorderFoot::replaced));
+    add(at, r, {to, nowhere, 0.0},
+        surface_.face(line_.facet(at).face).nearest_point(to.x, geometry::BorderFoot::replaced));
     if (points_.size() < 2) {
-      return {{}, 0, {"the crack's mouth has no length", from.x}};
+      return {{}, {"the crack's mouth has no length", from.x}};
     }
-    return {{SurfaceTrace(surface_, plane_, std::move(points_), std::move(segments_))}, end, {}};
+    return {{SurfaceTrace(surface_, plane_, std::move(points_), std::move(segments_))}, {}};
   }
 
 private:
-  struct Start {
-    std::size_t passing = nowhere;
-    Vec3 x;
-    bool entered = false; ///< from another stretch, so that all of it is ahead
-  };
-  /// Of the places to go to the first in a stretch, seen from its start towards `side`.
-  [[nodiscard]] static std::size_t ahead(std::span<const SurfacePlace> to,
-                                         const std::vector<std::size_t>& passing,
-                                         const Start& start, const Vec3& side) {
-    std::size_t best = nowhere;
-    double least = std::numeric_limits<double>::max();
-    for (std::size_t i = 0; i < to.size(); ++i) {
-      const double way = (to[i].x - start.x).dot(side - start.x);
-      if (passing[i] == start.passing && (start.entered || way > 0.0) && way < least) {
-        least = way;
-        best = i;
-      }
-    }
-    return best;
-  }
-
   [[nodiscard]] bool near(std::size_t passing, const Vec3& x) const {
     const auto& sides = line_.passings()[passing].sides;
     const double reach = (line_.x(sides[1]) - line_.x(sides[0])).norm();
@@ -353,12 +325,6 @@ SurfacePlace SurfaceTrace::at(double s) const {
 
 TraceResult trace_plane(const SurfaceGeometry& surface, const CrackReferencePlane& plane,
                         const SurfacePlace& from, const SurfacePlace& to, const Vec3& towards) {
-  return TraceWalk(surface, plane).go(from, std::span(&to, 1), towards);
-}
-
-TraceResult trace_plane(const SurfaceGeometry& surface, const CrackReferencePlane& plane,
-                        const SurfacePlace& from, std::span<const SurfacePlace> to,
-                        const Vec3& towards) {
   return TraceWalk(surface, plane).go(from, to, towards);
 }
 

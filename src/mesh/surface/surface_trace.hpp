@@ -87,7 +87,6 @@ private:
 
 struct TraceResult {
   std::vector<SurfaceTrace> trace; ///< one, or none with trouble
-  std::size_t reached = 0;         ///< which of several places it ends at
   SurfaceFailure trouble;
 };
 
@@ -95,11 +94,6 @@ struct TraceResult {
 /// `from` to the side of `towards`. The surface must outlive the trace.
 TraceResult trace_plane(const SurfaceGeometry& surface, const CrackReferencePlane& plane,
                         const SurfacePlace& from, const SurfacePlace& to,
-                        const base::Vec3& towards);
-
-/// The same to whichever of some places the line comes to first.
-TraceResult trace_plane(const SurfaceGeometry& surface, const CrackReferencePlane& plane,
-                        const SurfacePlace& from, std::span<const SurfacePlace> to,
                         const base::Vec3& towards);
 
 /// A size of elements wanted at a point of space [length].

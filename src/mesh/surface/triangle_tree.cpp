@@ -73,7 +73,7 @@ TriangleTree::NearestTriangle TriangleTree::nearest(const Vec3& p) const {
     for (std::size_t i = box.begin; i < box.end; ++i) {
       const Vec3 at = geometry::nearest_point(p, triangles_[i]).x;
       if (const double d = (at - p).norm(); d < best.distance) {
-        best = {d, at, i, given_[i]};
+        best = {d, at, given_[i]};
       }
     }
   }

@@ -17,13 +17,13 @@ public:
   explicit TriangleTree(std::vector<CornerPlaces> triangles);
 
   struct NearestTriangle {
+    static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
     double distance = std::numeric_limits<double>::max();
-    base::Vec3 at = base::Vec3::Zero();
-    std::size_t triangle = 0; ///< of triangles()
-    std::size_t given = 0;    ///< of those the tree was made of
+    base::Vec3 at = base::Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+    std::size_t given = none; ///< of the triangles the tree was made of
   };
-  /// The triangle nearest to a point and the place on it; of no triangles the largest distance
-  /// there is.
+  /// The triangle nearest to a point and the place on it. An empty tree has none: the largest
+  /// distance there is, no place (NaN), the number `none`.
   [[nodiscard]] NearestTriangle nearest(const base::Vec3& p) const;
   [[nodiscard]] const std::vector<CornerPlaces>& triangles() const { return triangles_; }
 

@@ -33,10 +33,8 @@ constexpr double least_cosine = 0.5;
 constexpr double rings_of_front = 3.0;
 
 /// A side of the body with its corners by the places they lie at.
-struct PlacedSide {
+struct PlacedSide : FaceNodes {
   model::Face face;
-  std::vector<NodeId> nodes;       ///< corners, then mid nodes
-  std::size_t corners = 0;         ///< so many of them
   std::vector<std::size_t> places; ///< [corner]
   Vec3 normal = Vec3::Zero();      ///< outer, of the size of the side
 };
@@ -64,8 +62,7 @@ public:
     for (const std::size_t s : found_.upper) {
       const PlacedSide& side = found_.sides[s];
       for (std::size_t k = 0; k < side.corners; ++k) {
-        const NodeId a = side.nodes[k];
-        const NodeId b = side.nodes[(k + 1) % side.corners];
+        const auto [a, b] = side.edge(k);
         if (!single(a, s) || !single(b, s) || !given.contains(a) || !given.contains(b)) {
           continue;
         }
@@ -76,8 +73,8 @@ public:
         }
         up.try_emplace(a, Vec3::Zero()).first->second -= side.normal;
         up.try_emplace(b, Vec3::Zero()).first->second -= side.normal;
-        if (side.nodes.size() > side.corners) {
-          middle.emplace(std::pair(a, b), side.nodes[side.corners + k]);
+        if (side.mid_node(k).valid()) {
+          middle.emplace(std::pair(a, b), side.mid_node(k));
         }
       }
     }
@@ -97,8 +94,8 @@ private:
 
   // A node that both faces have.
   [[nodiscard]] bool single(NodeId n, std::size_t upper) const {
-    return std::ranges::find(found_.sides[found_.twin[upper]].nodes, n) !=
-           found_.sides[found_.twin[upper]].nodes.end();
+    return std::ranges::find(found_.sides[found_.twin[upper]].all, n) !=
+           found_.sides[found_.twin[upper]].all.end();
   }
 
   // Takes one line out of the edges; a closed one begins with its lowest node, which ends it, too.
@@ -173,8 +170,7 @@ private:
     for (const std::size_t s : found_.upper) {
       const PlacedSide& side = found_.sides[s];
       for (std::size_t k = 0; k < side.corners; ++k) {
-        const NodeId a = side.nodes[k];
-        const NodeId b = side.nodes[(k + 1) % side.corners];
+        const auto [a, b] = side.edge(k);
         if ((a == n && !front.contains(b)) || (b == n && !front.contains(a))) {
           shortest = std::min(shortest, (x(a) - x(b)).norm());
         }
@@ -224,24 +220,20 @@ private:
     double shortest = std::numeric_limits<double>::infinity();
     std::set<NodeId> used;
     for (const model::Face& face : SideIndex(mesh_).unshared_sides()) {
-      PlacedSide& side = found_.sides.emplace_back();
-      side.face = face;
-      FaceNodes nodes = face_nodes(mesh_, face);
-      side.nodes = std::move(nodes.all);
-      side.corners = nodes.corners;
+      PlacedSide& side = found_.sides.emplace_back(PlacedSide{face_nodes(mesh_, face), face, {}});
       for (std::size_t k = 0; k < side.corners; ++k) {
-        const NodeId a = side.nodes[k];
-        const NodeId b = side.nodes[(k + 1) % side.corners];
+        const auto [a, b] = side.edge(k);
         if (front.contains(a) || front.contains(b)) {
           shortest = std::min(shortest, (x(a) - x(b)).norm());
         }
       }
-      const Vec3 across = x(side.nodes[side.corners - 1]) - x(side.nodes[1]);
+      const Vec3 across = x(side.all[side.corners - 1]) - x(side.all[1]);
       side.normal =
-          0.5 * (side.corners == 3 ? Vec3(x(side.nodes[1]) - x(side.nodes[0]))
-                                         .cross(Vec3(x(side.nodes[2]) - x(side.nodes[0])))
-                                   : Vec3(x(side.nodes[2]) - x(side.nodes[0])).cross(across));
-      used.insert(side.nodes.begin(), side.nodes.end());
+          0.5 *
+          (side.corners == 3
+               ? Vec3(x(side.all[1]) - x(side.all[0])).cross(Vec3(x(side.all[2]) - x(side.all[0])))
+               : Vec3(x(side.all[2]) - x(side.all[0])).cross(across));
+      used.insert(side.all.begin(), side.all.end());
     }
     if (!std::isfinite(shortest)) {
       return "no node of its FRONT is a corner of an element on the surface of the body or of a "
@@ -251,7 +243,7 @@ private:
     number_places({used.begin(), used.end()});
     for (PlacedSide& side : found_.sides) {
       for (std::size_t k = 0; k < side.corners; ++k) {
-        side.places.push_back(place_.at(side.nodes[k]));
+        side.places.push_back(place_.at(side.all[k]));
       }
     }
     return {};
@@ -303,8 +295,8 @@ private:
     std::vector<bool> seen(found_.sides.size(), false);
     for (std::size_t s = 0; s < found_.sides.size(); ++s) {
       const bool begins = found_.twin[s] < found_.sides.size() &&
-                          std::any_of(found_.sides[s].nodes.begin(),
-                                      found_.sides[s].nodes.begin() +
+                          std::any_of(found_.sides[s].all.begin(),
+                                      found_.sides[s].all.begin() +
                                           static_cast<std::ptrdiff_t>(found_.sides[s].corners),
                                       [&](NodeId n) { return front.contains(n); });
       if (begins && !seen[s] && !seen[found_.twin[s]]) {
@@ -358,10 +350,10 @@ private:
       const PlacedSide& other = found_.sides[found_.twin[s]];
       faces.left_sides.push_back(own.face);
       faces.right_sides.push_back(other.face);
-      for (const NodeId n : own.nodes) {
-        const auto twin = std::ranges::find_if(
-            other.nodes, [&](NodeId m) { return place_.at(m) == place_.at(n); });
-        if (twin == other.nodes.end()) {
+      for (const NodeId n : own.all) {
+        const auto twin =
+            std::ranges::find_if(other.all, [&](NodeId m) { return place_.at(m) == place_.at(n); });
+        if (twin == other.all.end()) {
           return fmt::format("the faces at node {} have mid nodes at different places", label(n));
         }
         pairs.emplace(n, *twin);

@@ -53,8 +53,8 @@ Tube make_tubeless_front(const FrontCurve& curve, const TubeSizes& sizes,
     // On the curve: with chords K1 of a penny scatters by 1.7 % in place of 0.9 %.
     tube.front_mid.push_back(add(curve.at(0.5 * (at[i] + end)).x));
   }
-  tube.upper = {tube.front, tube.front_mid};
-  tube.lower = tube.upper;
+  tube.upper = tube.front;
+  tube.lower = tube.front;
   if (!tube.closed) {
     tube.ends[0].corner = {tube.front.front()};
     tube.ends[1].corner = {tube.front.back()};

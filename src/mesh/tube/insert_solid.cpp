@@ -364,12 +364,4 @@ std::optional<CrackedMesh> insert_solid_cracks(const SolidHost& host,
   return SolidInserter(host, diagnostics).insert(cracks, tubes, spans);
 }
 
-std::optional<CrackedMesh> insert_solid_cracks(const model::Mesh& host,
-                                               std::span<const SolidCrack> cracks,
-                                               std::span<const TubeMeshParameters> tubes,
-                                               std::span<const base::SourceSpan> spans,
-                                               base::Diagnostics& diagnostics) {
-  return insert_solid_cracks(SolidHost(host), cracks, tubes, spans, diagnostics);
-}
-
 } // namespace spricka::mesh

@@ -22,11 +22,4 @@ std::optional<CrackedMesh> insert_solid_cracks(const SolidHost& host,
                                                std::span<const base::SourceSpan> spans,
                                                base::Diagnostics& diagnostics);
 
-/// The same for one cut of a host, of which all sets are used and none is held.
-std::optional<CrackedMesh> insert_solid_cracks(const model::Mesh& host,
-                                               std::span<const SolidCrack> cracks,
-                                               std::span<const TubeMeshParameters> tubes,
-                                               std::span<const base::SourceSpan> spans,
-                                               base::Diagnostics& diagnostics);
-
 } // namespace spricka::mesh

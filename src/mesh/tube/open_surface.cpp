@@ -2,6 +2,7 @@
 #include "mesh/tube/open_surface.hpp"
 
 #include "mesh/surface/remesh_surface.hpp"
+#include "mesh/tube/solid_front.hpp"
 #include "shape/topology.hpp"
 
 #include <fmt/format.h>
@@ -45,8 +46,7 @@ public:
     surface_ = remesh_surface(geometry_, region_);
     if (surface_.trouble) {
       made_.trouble =
-          fmt::format("{}, at ({:.6g}, {:.6g}, {:.6g})", surface_.trouble.why,
-                      surface_.trouble.at.x(), surface_.trouble.at.y(), surface_.trouble.at.z());
+          fmt::format("{}, at {}", surface_.trouble.why, coordinate_text(surface_.trouble.at));
       made_.at_border = has_borders();
       return std::move(made_);
     }
@@ -101,8 +101,8 @@ private:
       for (std::size_t i = 0; i < surface_.caps[k].size(); ++i) {
         // The first corner lies on the crack: its upper node until the fill is split.
         const int corner = i > 0    ? tube.ends[e].corner[i]
-                           : e == 0 ? tube.upper.corner.front()
-                                    : tube.upper.corner.back();
+                           : e == 0 ? tube.upper.front()
+                                    : tube.upper.back();
         node_[static_cast<std::size_t>(surface_.caps[k][i])] = node_of(c, t, corner);
       }
     }

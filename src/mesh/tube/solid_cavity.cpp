@@ -119,8 +119,7 @@ private:
     for (std::size_t f = 0; f < outline_.size(); ++f) {
       const FaceNodes nodes = face_nodes(mesh_, outline_[f].face);
       for (std::size_t i = 0; i < nodes.corners; ++i) {
-        const NodeId a = nodes.all[i];
-        const NodeId b = nodes.all[(i + 1) % nodes.corners];
+        const auto [a, b] = nodes.edge(i);
         by_edge_[std::minmax(a, b)].push_back(f);
         by_node_[a].push_back(f);
       }
@@ -172,8 +171,7 @@ private:
     for (std::size_t k = 0; k < faces.size(); ++k) {
       const FaceNodes nodes = face_nodes(mesh_, outline_[faces[k]].face);
       for (std::size_t i = 0; i < nodes.corners; ++i) {
-        const NodeId a = nodes.all[i];
-        const NodeId b = nodes.all[(i + 1) % nodes.corners];
+        const auto [a, b] = nodes.edge(i);
         if (a == node || b == node) {
           const auto [at, fresh] = first.try_emplace(a == node ? b : a, k);
           sets.join_sets(at->second, k);

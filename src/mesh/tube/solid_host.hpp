@@ -18,7 +18,8 @@ namespace spricka::mesh {
 /// (surface of the body, other properties) is its skin.
 class SolidHost : public HostMesh {
 public:
-  explicit SolidHost(const model::Mesh& mesh, SetUsage use = {});
+  /// By default all sets are used and none is held.
+  SolidHost(const model::Mesh& mesh, SetUsage use = {});
 
   [[nodiscard]] const SetUsage& set_usage() const { return use_; }
   [[nodiscard]] std::size_t part_index(base::ElementId e) const { return part_[e.index()]; }

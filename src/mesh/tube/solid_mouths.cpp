@@ -18,7 +18,7 @@ bool find_mouths(const SolidHost& host, const CrackFrame& frame, const LocatedSo
   };
   const auto corner = [&](std::size_t tube, std::size_t end) {
     const Tube& t = crack.tubes[tube];
-    const int node = end == 0 ? t.lower.corner.front() : t.lower.corner.back();
+    const int node = end == 0 ? t.lower.front() : t.lower.back();
     return surface.nearest_place(frame.global(t.x[static_cast<std::size_t>(node)]));
   };
   const auto fail = [&](const SurfaceFailure& trouble) {

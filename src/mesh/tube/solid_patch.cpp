@@ -6,6 +6,7 @@
 #include "mesh/plane.hpp"
 #include "mesh/tube/crack_surface.hpp"
 #include "mesh/tube/free_front.hpp"
+#include "mesh/tube/solid_front.hpp"
 #include "mesh/tube/solid_sizes.hpp"
 #include "mesh/tube/solid_split.hpp"
 
@@ -160,8 +161,8 @@ private:
           quarter_.insert(front.begin(), front.end());
         }
       }
-      for (std::size_t i = 0; i < tube.upper.corner.size() && !tube.free; ++i) {
-        lower_[at(tube.upper.corner[i])] = at(tube.lower.corner[i]);
+      for (std::size_t i = 0; i < tube.upper.size() && !tube.free; ++i) {
+        lower_[at(tube.upper[i])] = at(tube.lower[i]);
       }
     }
   }
@@ -227,7 +228,7 @@ private:
       std::vector<int> loop;
       for (std::size_t t = first; !done[t];) {
         done[t] = true;
-        for (const int n : crack.tubes[t].upper.corner) {
+        for (const int n : crack.tubes[t].upper) {
           loop.push_back(tubes_[c][t].node[static_cast<std::size_t>(n)]);
         }
         const auto mouth = std::ranges::find(crack.mouths, t, &CrackMouth::from);
@@ -348,9 +349,9 @@ private:
       patch_.folded_at.assign(of_host.begin(), of_host.end());
       const InvalidElement& worst = worst_element(folded);
       patch_.trouble =
-          fmt::format("{} elements are folded, a {} at ({:.6g}, {:.6g}, {:.6g})", folded.size(),
+          fmt::format("{} elements are folded, a {} at {}", folded.size(),
                       base::element_info(net_.elements[worst.element.index()].type).name,
-                      worst.at.x(), worst.at.y(), worst.at.z());
+                      coordinate_text(worst.at));
     }
   }
 

@@ -117,8 +117,7 @@ public:
 private:
   /// The node in the middle of the edge from corner i to the next.
   int middle(const FaceNodes& nodes, std::size_t i) {
-    const NodeId a = nodes.all[i];
-    const NodeId b = nodes.all[(i + 1) % nodes.corners];
+    const auto [a, b] = nodes.edge(i);
     const int na = net_.host_node(a);
     const int nb = net_.host_node(b);
     if (const auto known = net_.known_mid_node(na, nb)) {

@@ -219,18 +219,13 @@ private:
     const int end = 2 * given_.sectors;
     for (int i = 0; i < static_cast<int>(tube_.stations.size()); ++i) {
       tube_.front.push_back(node(2 * i, 0, 0));
-      tube_.upper.corner.push_back(node(2 * i, end, l));
-      tube_.lower.corner.push_back(node(2 * i, 0, l));
-    }
-    for (int i = 0; i < segments_; ++i) {
-      tube_.upper.mid.push_back(node(2 * i + 1, end, l));
-      tube_.lower.mid.push_back(node(2 * i + 1, 0, l));
+      tube_.upper.push_back(node(2 * i, end, l));
+      tube_.lower.push_back(node(2 * i, 0, l));
     }
     for (const std::size_t e : {0U, 1U}) {
       const int i = e == 0 ? 0 : 2 * segments_;
       for (int j = 0; j < end && !tube_.closed; j += 2) {
         tube_.ends[e].corner.push_back(node(i, j, l));
-        tube_.ends[e].mid.push_back(node(i, j + 1, l));
       }
     }
     // All nodes at the first angle, and those at the last.

@@ -31,11 +31,6 @@ struct Tube {
     std::size_t element = 0;
     int side = 0;
   };
-  /// A line of the crack along the outside of the tube: corner nodes [station], nodes between them.
-  struct TubeCrackLine {
-    std::vector<int> corner;
-    std::vector<int> mid;
-  };
 
   bool closed = true;
   /// No elements: the front alone, round which tetrahedra are as large as `size` up to `radius`.
@@ -50,14 +45,15 @@ struct Tube {
   std::vector<int> front;           ///< [station] corner nodes
   std::vector<int> front_mid;       ///< of a free one: nodes behind these
   std::vector<TubeQuad> outer;      ///< seen from outside in anticlockwise order
-  TubeCrackLine upper, lower;
+  /// The lines of the crack along the outside of the tube: corner nodes. [station]
+  std::vector<int> upper, lower;
   std::vector<std::pair<int, int>> twins; ///< nodes of the faces, upper and lower; of the front one
   std::vector<TubeSide> upper_sides, lower_sides;
-  /// Of an open front, for each end: sides on the surface, the outline with the nodes in the middle
-  /// of its edges, from the crack on (lower nodes).
+  /// Of an open front, for each end: sides on the surface, the corners of the outline from the
+  /// crack on (lower nodes).
   struct TubeEnd {
     std::vector<TubeSide> sides;
-    std::vector<int> corner, mid;
+    std::vector<int> corner;
   };
   std::array<TubeEnd, 2> ends;
   std::optional<base::Vec3> off_surface; ///< a place of an end that finds no surface: no tube

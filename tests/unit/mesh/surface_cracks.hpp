@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -102,23 +103,29 @@ inline SurfaceCut cut_surface(const mesh::SurfaceGeometry& surface, const Ellips
     }
     return radius + growth * std::max(0.0, away - radius);
   };
-  std::vector<mesh::SurfacePlace> starts;
-  for (const mesh::InteriorFrontArc& arc : arcs.arcs) {
-    starts.push_back(arc.place[0]);
-  }
   for (const mesh::InteriorFrontArc& arc : arcs.arcs) {
     if (arc.whole) {
       continue;
     }
     // The surface is left to the crack's side, which is that of -m.
-    const mesh::TraceResult mouth =
-        trace_plane(surface, region.plane, arc.place[1], starts, -front.at(arc.s[1]).m);
+    // It ends at the first arc that it comes to.
+    mesh::TraceResult mouth;
+    std::size_t reached = 0;
+    for (std::size_t k = 0; k < arcs.arcs.size(); ++k) {
+      mesh::TraceResult traced = trace_plane(surface, region.plane, arc.place[1],
+                                             arcs.arcs[k].place[0], -front.at(arc.s[1]).m);
+      if (k == 0 || (!traced.trouble && (mouth.trouble || traced.trace.front().length() <
+                                                              mouth.trace.front().length()))) {
+        mouth = std::move(traced);
+        reached = k;
+      }
+    }
     if (mouth.trouble) {
       cut.trouble = mouth.trouble.why;
       return cut;
     }
     const mesh::SurfaceTrace& trace = mouth.trace.front();
-    const mesh::InteriorFrontArc& next = arcs.arcs[mouth.reached];
+    const mesh::InteriorFrontArc& next = arcs.arcs[reached];
     const int cap = static_cast<int>(region.caps.size());
     cut.ends.insert(cut.ends.end(), {arc.place[1].x, next.place[0].x});
     const double L = trace.length();
