@@ -90,7 +90,7 @@ void add_domain_terms(const TipFields& fields, const base::Vector& u,
       body_force_fields(set.model, set.mesh, set.loads, ScaleElements::whole_set);
   const auto add = [&](base::ElementId e, bool strained) {
     const SectionHeat heat(set, e);
-    ElementForces<TipFields, SectionHeat>(fields, heat, body, e, u).add(strained, true, out);
+    ElementForces<TipFields, SectionHeat>(fields, heat, body, e, u).add(strained, out);
   };
   for (const base::ElementId e : fields.strained()) {
     add(e, true);

@@ -45,9 +45,8 @@ public:
         X_(fe::coordinates(element_, mesh(), e)), U_(fe::gather(element_, mesh(), e, u)),
         elasticity_(source.elasticity(e)) {}
 
-  /// Adds all terms; `strained`: the extension is not constant in the element; `divergence`: that
-  /// of auxiliary fields counts.
-  void add(bool strained, bool divergence, ConfigurationalForces<dim>& out) const {
+  /// Adds all terms; `strained`: the extension is not constant in the element.
+  void add(bool strained, ConfigurationalForces<dim>& out) const {
     OfNodes P;
     const auto nodes = static_cast<std::size_t>(element_.nodes);
     for (std::size_t n = 0; n < nodes; ++n) {
@@ -55,7 +54,7 @@ public:
     }
     std::size_t number = 0;
     for (const auto& point : source_.rule(e_)) {
-      add_point(point, number++, strained, divergence, P);
+      add_point(point, number++, strained, P);
     }
     add_body_forces(P);
     for (std::size_t n = 0; n < nodes; ++n) {
@@ -74,7 +73,7 @@ private:
   [[nodiscard]] const model::Mesh& mesh() const { return source_.set().mesh; }
 
   void add_point(const shape::QuadraturePoint<dim>& point, std::size_t number, bool strained,
-                 bool divergence, OfNodes& P) const {
+                 OfNodes& P) const {
     const fe::Jacobian<fe::AnyElement<dim>> at = fe::jacobian(element_, X_, point.r);
     const fe::NodeValues<fe::AnyElement<dim>> N = element_.N(point.r);
     const Vector x = X_ * N;
@@ -93,9 +92,7 @@ private:
         const AuxiliaryField<dim> v = source_.field(e_, number, x, k, elasticity_);
         M = momentum_of_both(met, v);
         c = v.dilatation() * met.beta_grad_T;
-        if (divergence) {
-          c += met.nodal.transpose() * v.divergence;
-        }
+        c += met.nodal.transpose() * v.divergence;
       }
       // About an axis the way outwards (crack.37).
       c += source_.set().hoop_force(M.hoop, x);

@@ -102,7 +102,7 @@ private:
 } // namespace
 
 void add_element_forces(const FrontFields& fields, const FrontLoads& loads, const base::Vector& u,
-                        const FrontTermSwitches& terms, ConfigurationalForces<3>& out) {
+                        ConfigurationalForces<3>& out) {
   const FrontSetting& set = fields.set();
   const std::vector<BodyForceField> body =
       body_force_fields(set.model, set.mesh, loads, ScaleElements::near_front);
@@ -110,8 +110,7 @@ void add_element_forces(const FrontFields& fields, const FrontLoads& loads, cons
       exact_linear_temperature(set.mesh, fields.strained(), loads.temperature);
   for (const base::ElementId e : fields.strained()) {
     const SolidHeat heat(set, loads, linear, e);
-    ElementForces<FrontFields, SolidHeat>(fields, heat, body, e, u)
-        .add(true, terms.divergence, out);
+    ElementForces<FrontFields, SolidHeat>(fields, heat, body, e, u).add(true, out);
   }
 }
 

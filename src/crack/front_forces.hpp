@@ -5,15 +5,9 @@
 
 namespace spricka::crack {
 
-/// Terms that tests leave out one by one to see that they are needed.
-struct FrontTermSwitches {
-  bool divergence = true; ///< of the auxiliary fields' stress (crack_space.8)
-  bool tractions = true;  ///< of the auxiliary fields on free sides
-};
-
 /// What the elements of the domains give: energy-momentum, the divergence of the auxiliary fields'
 /// stress, forces per volume and the temperature's gradient (crack_space.6, crack_space.8).
 void add_element_forces(const FrontFields& fields, const FrontLoads& loads, const base::Vector& u,
-                        const FrontTermSwitches& terms, ConfigurationalForces<3>& out);
+                        ConfigurationalForces<3>& out);
 
 } // namespace spricka::crack

@@ -114,16 +114,13 @@ private:
 };
 
 ConfigurationalForces<3> all_forces(const FrontSetting& set, const FrontExtensions& extensions,
-                                    const FrontTermSwitches& terms, const base::Vector& u,
-                                    const FrontLoads& loads) {
+                                    const base::Vector& u, const FrontLoads& loads) {
   ConfigurationalForces<3> forces(set.mesh.node_count());
   const FrontFields fields(set, extensions);
-  add_element_forces(fields, loads, u, terms, forces);
+  add_element_forces(fields, loads, u, forces);
   add_face_forces(fields, forces_on_faces(set.mesh, loads), u, forces);
   add_face_forces(fields, loads.contact, u, forces);
-  if (terms.tractions) {
-    add_auxiliary_tractions(fields, u, forces);
-  }
+  add_auxiliary_tractions(fields, u, forces);
   return forces;
 }
 
@@ -192,7 +189,7 @@ std::vector<StressIntensity> front_intensity(const model::Model& model,
     return result;
   }
   const FrontSetting set = front_setting(model, cracked, front, domains);
-  const ConfigurationalForces<3> forces = all_forces(set, domains, request.terms, u, loads);
+  const ConfigurationalForces<3> forces = all_forces(set, domains, u, loads);
   const AtFront at_front = FrontStress(set, front, domains).of(loads);
   const auto strain = strain_along(front, cracked.mesh, domains);
   for (std::size_t i = 0; i < result.size(); ++i) {

@@ -70,20 +70,4 @@ Eigen::Matrix2d near_tip_gradient(const TipFrame& tip, const Polar& at, std::siz
 base::Vec2 near_tip_displacement(const TipFrame& tip, const Polar& at, std::size_t auxiliary,
                                  const SectionBody& body);
 
-/// The gradient of K = 1 in `mode` 1 or 2 at a point given by its coordinates.
-inline Eigen::Matrix2d near_tip_gradient(const TipFrame& tip, const base::Vec2& at, int mode,
-                                         const model::ElasticMaterial& material,
-                                         model::StressState state) {
-  return near_tip_gradient(tip, polar(tip, at), static_cast<std::size_t>(mode),
-                           section_body(material, state));
-}
-
-/// The near-tip displacement [length] for K = 1 at a point given by its coordinates.
-inline base::Vec2 near_tip_displacement(const TipFrame& tip, const base::Vec2& at, int mode,
-                                        const model::ElasticMaterial& material,
-                                        model::StressState state) {
-  return near_tip_displacement(tip, polar(tip, at), static_cast<std::size_t>(mode),
-                               section_body(material, state));
-}
-
 } // namespace spricka::crack

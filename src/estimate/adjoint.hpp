@@ -23,15 +23,4 @@ struct IntensityAdjoint {
   [[nodiscard]] bool is_available() const { return why_not.empty(); }
 };
 
-/// What K is a sum of (manual, sensitivity.5): loads [dim * node] on independent freedoms, less
-/// what prescribed displacements [dim * node] (zero elsewhere) pull; gaps [contact row] at those.
-struct IntensityCauses {
-  const base::Vector& load;
-  const base::Vector& prescribed;
-  const base::Vector& gap;
-};
-
-/// z^T load + rows^T prescribed + w^T gap: equals K1 and K2.
-base::Vec2 adjoint_intensity(const IntensityAdjoint& adjoint, const IntensityCauses& causes);
-
 } // namespace spricka::estimate

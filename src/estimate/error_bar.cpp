@@ -19,13 +19,18 @@ constexpr double floor_share = 1e-4; // of hypot(K1, K2)
 constexpr double cancelled = 0.2;    // |eta| below this share of the sum says little
 constexpr double share_of_sum = 0.4;
 
-// Measured by tests/stability/coverage.py on its calibration half (manual, error_bar.md).
+// What eta is multiplied by, measured by tests/stability/coverage.py on its calibration half
+// (manual, error_bar.md).
+struct ErrorBarFactors {
+  double bar = 1.8;
+  double best = 1.2;
+};
+
 ErrorBarFactors of_type(base::ElementType type) {
   return type == base::ElementType::quamc9 ? ErrorBarFactors{1.8, 1.15} : ErrorBarFactors{1.8, 1.2};
 }
 
-} // namespace
-
+// The constants of a mesh: those of its element types, by their share of sum |eta_e|.
 ErrorBarFactors bar_constants(const model::Mesh& mesh, const GoalError& error) {
   ErrorBarFactors mean{0.0, 0.0};
   double total = 0.0;
@@ -43,28 +48,28 @@ ErrorBarFactors bar_constants(const model::Mesh& mesh, const GoalError& error) {
   return {mean.bar / total, mean.best / total};
 }
 
-std::array<ErrorBar, 2> error_bars(const model::Mesh& mesh, const std::array<double, 2>& K,
-                                   const std::array<const GoalError*, 2>& errors,
-                                   const std::array<ActiveSetChange, 2>& set_change, bool coarse) {
-  std::array<ErrorBar, 2> bars;
-  const double size = std::hypot(K[0], K[1]);
+} // namespace
+
+results::KErrorBar error_bar(const model::Mesh& mesh, double K, double size, const GoalError& error,
+                             const ActiveSetChange& change, bool coarse) {
   const Shares share = coarse ? when_coarse : Shares{};
-  for (std::size_t k = 0; k < 2; ++k) {
-    const GoalError& error = *errors[k];
-    const ErrorBarFactors constants = bar_constants(mesh, error);
-    ErrorBar& bar = bars[k];
-    bar.floor = floor_share * size;
-    bar.mesh = constants.bar * std::abs(error.eta);
-    bar.edge = share.end * set_change[k].end + share.sharp * set_change[k].sharp;
-    bar.best = K[k] + constants.best * error.eta;
-    // Parts below the floor are noise and may cancel as they like (estimate.12).
-    const bool counts = share_of_sum * error.sum > bar.floor;
-    bar.cancels = counts && std::abs(error.eta) < cancelled * error.sum;
-    if (bar.cancels || coarse) {
-      bar.mesh = std::max(bar.mesh, share_of_sum * error.sum);
-    }
+  const ErrorBarFactors constants = bar_constants(mesh, error);
+  results::KErrorBar bar;
+  bar.eta = error.eta;
+  bar.sum = error.sum;
+  bar.of_element = error.of_element;
+  bar.set_change = change.end;
+  bar.floor = floor_share * size;
+  bar.mesh = constants.bar * std::abs(error.eta);
+  bar.edge = share.end * change.end + share.sharp * change.sharp;
+  bar.best = K + constants.best * error.eta;
+  // Parts below the floor are noise and may cancel as they like (estimate.12).
+  const bool counts = share_of_sum * error.sum > bar.floor;
+  bar.cancels = counts && std::abs(error.eta) < cancelled * error.sum;
+  if (bar.cancels || coarse) {
+    bar.mesh = std::max(bar.mesh, share_of_sum * error.sum);
   }
-  return bars;
+  return bar;
 }
 
 } // namespace spricka::estimate

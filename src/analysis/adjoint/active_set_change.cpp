@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/adjoint/active_set_change.hpp"
 
+#include "analysis/steps/row_opening.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -106,22 +108,14 @@ void add_candidates(const Discretisation& scene, const StepState& state, std::si
   }
 }
 
-double opening(const contact::ConstraintRow& row, int dim, const base::Matrix& z, Eigen::Index k) {
-  double sum = 0.0;
-  for (const contact::RowEntry& entry : row.entries) {
-    sum += entry.weight.head(dim).dot(
-        z.col(k).segment(static_cast<Eigen::Index>(entry.node.index()) * dim, dim));
-  }
-  return sum;
-}
-
 } // namespace
 
-std::vector<ActiveSetKChange>
-active_set_K_changes(const Discretisation& scene, const StepState& state,
-                     const std::vector<estimate::IntensityAdjoint>& adjoints,
-                     const contact::FixedActiveSet* held) {
-  std::vector<ActiveSetKChange> set_changes(adjoints.size());
+ContactEdgeKChange active_set_K_changes(const Discretisation& scene, const StepState& state,
+                                        const std::vector<estimate::IntensityAdjoint>& adjoints,
+                                        const contact::FixedActiveSet* held) {
+  const crack::KLayout layout = scene.k_layout();
+  ContactEdgeKChange changes{base::Vector::Zero(layout.count()),
+                             base::Vector::Zero(layout.count())};
   std::vector<ActiveSetCandidate> candidates;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     // Bonded rows have no other state, and with friction there is no adjoint.
@@ -130,7 +124,7 @@ active_set_K_changes(const Discretisation& scene, const StepState& state,
     }
   }
   if (candidates.empty() || held == nullptr || !held->is_consistent()) {
-    return set_changes;
+    return changes;
   }
   std::vector<std::size_t> rows;
   rows.reserve(candidates.size());
@@ -145,7 +139,7 @@ active_set_K_changes(const Discretisation& scene, const StepState& state,
   }
   // What a unit of force on an open row does to K (sensitivity.13).
   const auto by_force = [&](const ActiveSetCandidate& c, std::size_t t, Eigen::Index k) {
-    return opening(scene.contact_row(c.row), scene.cracked.mesh.dim, adjoints[t].z, k) +
+    return row_opening(scene.contact_row(c.row), scene.cracked.mesh.dim, adjoints[t].z.col(k)) +
            adjoints[t].by_force(static_cast<Eigen::Index>(c.row), k);
   };
   for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -161,16 +155,17 @@ active_set_K_changes(const Discretisation& scene, const StepState& state,
         const double change = c.closed ? adjoints[t].w(static_cast<Eigen::Index>(c.row), k) *
                                              state.pair_lambda[c.pair][local] / p
                                        : -state.pair_gap[c.pair][local] / p * by_force(c, t, k);
+        const Eigen::Index at = layout.first_index(t) + k;
         if (c.end) {
-          set_changes[t].ends[k] = std::max(set_changes[t].ends[k], std::abs(change));
+          changes.ends[at] = std::max(changes.ends[at], std::abs(change));
         }
         if (c.sharp) {
-          set_changes[t].sharp[k] += std::abs(change);
+          changes.sharp[at] += std::abs(change);
         }
       }
     }
   }
-  return set_changes;
+  return changes;
 }
 
 } // namespace spricka::analysis

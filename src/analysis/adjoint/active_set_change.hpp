@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "analysis/adjoint/edge_changes.hpp"
 #include "analysis/scene/scene.hpp"
 #include "analysis/steps/step_state.hpp"
 #include "contact/held_contact.hpp"
@@ -9,16 +10,12 @@
 
 namespace spricka::analysis {
 
-/// How K1 and K2 of a tip change when one pair is opened or closed at the end of a step (manual,
-/// estimate.13): exact, one pivot each.
-struct ActiveSetKChange {
-  base::Vec2 ends = base::Vec2::Zero(); ///< the largest, of pairs beside an end of a closed stretch
-  base::Vec2 sharp = base::Vec2::Zero(); ///< sum over closed pairs at edges of one surface (mouths)
-};
-/// [tip]. `held`: the rows closed at the end of the step, or null where there is no contact.
-std::vector<ActiveSetKChange>
-active_set_K_changes(const Discretisation& scene, const StepState& state,
-                     const std::vector<estimate::IntensityAdjoint>& adjoints,
-                     const contact::FixedActiveSet* held);
+/// How K1 and K2 of tips change when one pair is opened or closed at the end of a step (manual,
+/// estimate.13): exact, one pivot each. `ends`: the largest, of pairs beside an end of a closed
+/// stretch; `sharp`: the sum over closed pairs at edges of one surface (mouths). `held`: the rows
+/// closed at the end of the step, or null where there is no contact.
+ContactEdgeKChange active_set_K_changes(const Discretisation& scene, const StepState& state,
+                                        const std::vector<estimate::IntensityAdjoint>& adjoints,
+                                        const contact::FixedActiveSet* held);
 
 } // namespace spricka::analysis

@@ -80,19 +80,6 @@ estimate::PointSupportChange add_corners(const model::Model& model, const Discre
   return estimate::point_support_change(setting, corners, state.reaction, request.goal.z);
 }
 
-results::KErrorBar k_bar(const estimate::GoalError& error, double set_change,
-                         const estimate::ErrorBar& bar) {
-  return {.eta = error.eta,
-          .sum = error.sum,
-          .set_change = set_change,
-          .mesh = bar.mesh,
-          .edge = bar.edge,
-          .floor = bar.floor,
-          .best = bar.best,
-          .cancels = bar.cancels,
-          .of_element = error.of_element};
-}
-
 // K that is 0 whatever the mesh has no bar: K1 where faces touch, both where nothing loads the
 // body.
 void clear_exact(std::size_t elements, results::FrontPointResult& tip) {
@@ -254,8 +241,8 @@ void TipErrorBars::tell_of_cancelling(const results::FrontResult& front,
 
 /// What the bars of all tips at the end of a step are made of.
 struct TipErrorBars::StepErrors {
-  std::vector<estimate::GoalError> goal;    ///< by the layout
-  std::vector<ActiveSetKChange> set_change; ///< [tip]
+  std::vector<estimate::GoalError> goal; ///< by the layout
+  ContactEdgeKChange set_change;
   estimate::PointSupportChange giving;
 };
 
@@ -298,18 +285,12 @@ void TipErrorBars::estimate_bars(const StepState& state, const StepErrors& error
               step);
   }
   results::FrontPointResult& tip = front.tip();
-  const crack::KLayout layout = scene_.k_layout();
-  const std::array<const estimate::GoalError*, 2> own{
-      &errors.goal[static_cast<std::size_t>(layout.at(t, 1))],
-      &errors.goal[static_cast<std::size_t>(layout.at(t, 2))]};
-  const ActiveSetKChange& set_change = errors.set_change[t];
-  const std::array<estimate::ErrorBar, 2> bars = estimate::error_bars(
-      scene_.cracked.mesh, {tip.K1, tip.K2}, own,
-      {estimate::ActiveSetChange{.end = set_change.ends[0], .sharp = set_change.sharp[0]},
-       estimate::ActiveSetChange{.end = set_change.ends[1], .sharp = set_change.sharp[1]}},
-      coarse);
-  for (std::size_t k = 0; k < 2; ++k) {
-    tip.bar[k] = k_bar(*own[k], set_change.ends[static_cast<Eigen::Index>(k)], bars[k]);
+  for (const int mode : {1, 2}) {
+    const Eigen::Index at = scene_.k_layout().at(t, mode);
+    tip.bar[static_cast<std::size_t>(mode - 1)] = estimate::error_bar(
+        scene_.cracked.mesh, mode == 1 ? tip.K1 : tip.K2, std::hypot(tip.K1, tip.K2),
+        errors.goal[static_cast<std::size_t>(at)],
+        {.end = errors.set_change.ends[at], .sharp = errors.set_change.sharp[at]}, coarse);
   }
   clear_exact(scene_.cracked.mesh.element_count(), tip);
   front.no_bar = why_no_limit(scene_, errors.giving, t, tip);

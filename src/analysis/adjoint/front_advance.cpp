@@ -12,7 +12,6 @@
 #include "mesh/tube/front_points.hpp"
 #include "model/mesh_side.hpp"
 #include "model/model.hpp"
-#include "shape/topology.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -102,6 +101,9 @@ bool acts_by_place(const model::Model& model) {
 VirtualAxisExtension::VirtualAxisExtension(const model::Model& model, const Discretisation& scene,
                                            base::CrackId crack, EllipseAxis axis)
     : model_(model), scene_(scene), crack_(crack), axis_(axis) {
+  const model::PlanarCrack& plane = model.cracks[crack.index()].plane;
+  direction_ = axis == EllipseAxis::a ? plane.transverse_axis() : plane.along;
+  size_ = axis == EllipseAxis::a ? plane.a : plane.c;
   if (acts_by_place(model)) {
     why_never_ = "there are temperatures";
     return;
@@ -134,10 +136,8 @@ std::vector<bool> VirtualAxisExtension::resting() const {
   std::set<model::Face> own(faces.left_sides.begin(), faces.left_sides.end());
   own.insert(faces.right_sides.begin(), faces.right_sides.end());
   for (const model::Face& face : mesh::boundary_faces(mesh)) {
-    const std::span<const base::NodeId> nodes = mesh.element_nodes(face.element);
-    for (const int k : shape::side_nodes(mesh.type[face.element.index()], face.side)) {
-      const std::size_t n = nodes[static_cast<std::size_t>(k)].index();
-      rests[n] = rests[n] || !own.contains(face);
+    for (const base::NodeId n : model::side_nodes(mesh, face)) {
+      rests[n.index()] = rests[n.index()] || !own.contains(face);
     }
   }
   return rests;
@@ -149,15 +149,13 @@ std::vector<Vec3> VirtualAxisExtension::motion_of(std::size_t f) const {
   const mesh::CrackFront& front = scene_.cracked.fronts[f];
   const crack::FrontExtensions& domains = scene_.domains[f];
   const model::PlanarCrack& plane = model_.cracks[crack_.index()].plane;
-  const Vec3 direction = axis_ == EllipseAxis::a ? plane.transverse_axis() : plane.along;
-  const double size = axis_ == EllipseAxis::a ? plane.a : plane.c;
   const model::Mesh& mesh = scene_.cracked.mesh;
   std::vector<Vec3> velocity(mesh.node_count(), Vec3::Zero());
   const std::set<base::NodeId> skin = skin_of(mesh, domains);
   for (const auto& [node, carried] : carried_by(domains)) {
     const Vec3& x = mesh.x[node.index()];
     const mesh::FrontFrame foot = front.curve->at(front.curve->nearest_length(x));
-    const Vec3 own = direction.dot(foot.x - plane.place) / size * direction;
+    const Vec3 own = direction_.dot(foot.x - plane.place) / size_ * direction_;
     velocity[node.index()] =
         skin.contains(node) ? Vec3(own.dot(foot.m) * carried.along) : Vec3(carried.q * own);
   }
@@ -172,7 +170,7 @@ std::vector<Vec3> VirtualAxisExtension::motion_of(std::size_t f) const {
     }
     const Vec3 foot = front.curve->at(front.curve->nearest_length(x)).x;
     const double part = std::clamp((tube + room - (x - foot).norm()) / room, 0.0, 1.0);
-    const Vec3 own = part * direction.dot(foot - plane.place) / size * direction;
+    const Vec3 own = part * direction_.dot(foot - plane.place) / size_ * direction_;
     velocity[n] = own.norm() > velocity[n].norm() ? own : velocity[n];
   }
   // Where rows tie nodes of the patch, they still hold of the mesh that moves.
@@ -217,8 +215,7 @@ void VirtualAxisExtension::shift_mesh() {
 
 void VirtualAxisExtension::move() {
   const model::PlanarCrack& plane = model_.cracks[crack_.index()].plane;
-  const Vec3 direction = axis_ == EllipseAxis::a ? plane.transverse_axis() : plane.along;
-  const double rate = step_ / (axis_ == EllipseAxis::a ? plane.a : plane.c);
+  const double rate = step_ / size_;
   moved_.cracked = scene_.cracked;
   for (std::size_t n = 0; n < velocity_.size(); ++n) {
     moved_.cracked.mesh.x[n] += step_ * velocity_[n];
@@ -231,7 +228,7 @@ void VirtualAxisExtension::move() {
     }
     std::vector<Vec3> points = front.curve->points();
     for (Vec3& x : points) {
-      x += rate * direction.dot(x - plane.place) * direction;
+      x += rate * direction_.dot(x - plane.place) * direction_;
     }
     const std::vector<Vec3> normals(points.size(), plane.normal);
     mesh::CrackFront& moved = moved_.cracked.fronts[f];
@@ -354,12 +351,11 @@ base::Vector VirtualAxisExtension::change(const FrozenContactStep& step,
 
 ParameterDerivative VirtualAxisExtension::axis_derivative(const FrozenContactStep& step,
                                                           const FrontKFunctionals& K) const {
-  const model::CrackDefinition& crack = model_.cracks[crack_.index()];
   ParameterDerivative out;
   out.is.cause = axis_ == EllipseAxis::a ? results::SensitivityParameter::length
                                          : results::SensitivityParameter::axis;
-  out.is.name = crack.name;
-  out.is.value = axis_ == EllipseAxis::a ? crack.plane.a : crack.plane.c;
+  out.is.name = crack_name();
+  out.is.value = size_;
   out.load = (loads(moved_, step.state) - loads(scene_, step.state)) / step_;
   if (!pairs_.empty()) {
     out.gap = (openings(moved_, step) - openings(scene_, step)) / step_;

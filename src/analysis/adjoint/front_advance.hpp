@@ -47,9 +47,11 @@ private:
   const Discretisation& scene_;
   base::CrackId crack_;
   EllipseAxis axis_;
-  std::vector<base::Vec3> velocity_;      ///< [node] of the mesh, by the length of the axis
-  std::vector<base::ElementId> strained_; ///< elements with a node that moves
-  double step_ = 0.0;                     ///< [length] of the axis
+  base::Vec3 direction_ = base::Vec3::Zero(); ///< of the axis
+  double size_ = 0.0;                         ///< its length
+  std::vector<base::Vec3> velocity_;          ///< [node] of the mesh, by the length of the axis
+  std::vector<base::ElementId> strained_;     ///< elements with a node that moves
+  double step_ = 0.0;                         ///< [length] of the axis
   Discretisation moved_;
   crack::SparseRows rows_;         ///< K of the moved scene by displacements
   base::Matrix of_force_;          ///< the same by contact forces; empty: no pair moves

@@ -116,9 +116,14 @@ void FrontSensitivityAnalysis::add_to_fronts(const FrozenContactStep& step,
     return;
   }
   prepare();
-  const KDependence of =
-      k_dependence(model_, scene_, step.solver, step.state, case_load_, of_loads_,
-                   [&K](const base::Vector& u) -> base::Vector { return K.rows.transpose() * u; });
+  const KDependence of{
+      model_,
+      scene_,
+      step.solver,
+      step.state,
+      case_load_,
+      of_loads_,
+      [&K](const base::Vector& u) -> base::Vector { return K.rows.transpose() * u; }};
   std::vector<ParameterDerivative> causes = load_and_fit_derivatives(of);
   if ((step.solver.mount_offset().array() != 0.0).any()) {
     add_sensitivity_note("no derivatives by moduli: parts were mounted on deformed ones", result);

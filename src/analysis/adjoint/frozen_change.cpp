@@ -8,10 +8,65 @@ namespace spricka::analysis {
 
 namespace {
 
-// Loads on motions that nothing holds, over the largest load: more than round-off.
-constexpr double unheld_load = 1e-6;
+// Zero loads in the shape that condense_load() gives: a body that no K feels needs no half solve.
+CondensedLoad no_load(const SubstructuredBody& body, Eigen::Index columns) {
+  CondensedLoad load;
+  load.region = base::Matrix::Zero(body.region.map.size(), columns);
+  for (const std::unique_ptr<Substructure>& part : body.parts) {
+    load.part.emplace_back(base::Matrix::Zero(part->map.size(), columns));
+  }
+  load.external = base::Matrix::Zero(body.contact_unknowns(), columns);
+  return load;
+}
+
+bool touches(const fe::Body& body, int dim, const base::Matrix& nodal) {
+  return std::ranges::any_of(body.nodes, [&](base::NodeId n) {
+    return (nodal.middleRows(static_cast<Eigen::Index>(n.index()) * dim, dim).array() != 0.0).any();
+  });
+}
+
+// The closed rows of the table [row] held; null where no body has externals.
+std::unique_ptr<contact::FixedActiveSet> constrain_rows(const StepSolver& solver,
+                                                        const std::vector<bool>& closed) {
+  if (solver.contact_system() == nullptr) {
+    return nullptr;
+  }
+  std::vector<std::size_t> rows;
+  for (std::size_t r = 0; r < closed.size(); ++r) {
+    if (closed[r]) {
+      rows.push_back(r);
+    }
+  }
+  return std::make_unique<contact::FixedActiveSet>(*solver.contact_system(), std::move(rows));
+}
 
 } // namespace
+
+ClosedContactRows closed_rows(const StepSolver& solver, const Discretisation& scene) {
+  ClosedContactRows rows;
+  rows.closed.assign(scene.table.size(), false);
+  if (solver.contact_system() != nullptr) {
+    const contact::ContactSystem::IncrementProblem problem = solver.contact_problem();
+    rows.rubs = !problem.friction.empty();
+    for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+      // A next problem would begin with the rows that the last one ended with.
+      rows.closed[problem.rows[i]] = problem.start.empty() ? problem.equality[i] : problem.start[i];
+    }
+  }
+  return rows;
+}
+
+CondensedLoads condense_loads(const Discretisation& scene,
+                              const std::vector<SubstructuredBody>& bodies, base::Matrix loads) {
+  CondensedLoads condensed{.freedoms = loads.rows(), .columns = loads.cols()};
+  scene.ties->transfer_to_masters(loads);
+  for (const SubstructuredBody& body : bodies) {
+    condensed.of_body.push_back(touches(body.body, scene.cracked.mesh.dim, loads)
+                                    ? condense_load(body, *scene.ties, loads)
+                                    : no_load(body, loads.cols()));
+  }
+  return condensed;
+}
 
 FrozenContactSystem::FrozenContactSystem(const StepSolver& solver, const Discretisation& scene,
                                          const std::vector<SubstructuredBody>& bodies,
@@ -20,44 +75,50 @@ FrozenContactSystem::FrozenContactSystem(const StepSolver& solver, const Discret
 
 FrozenContactResponse FrozenContactSystem::solve_response(base::Matrix loads,
                                                           const base::Matrix& gaps) const {
+  CondensedLoads condensed = condense_loads(scene_, bodies_, std::move(loads));
+  FrozenContactResponse out = solve_response(condensed, gaps, {});
+  out.free = std::move(condensed.free);
+  return out;
+}
+
+FrozenContactResponse FrozenContactSystem::solve_response(CondensedLoads& loads,
+                                                          const base::Matrix& gaps,
+                                                          const UnheldLoadLimit& unheld) const {
   FrozenContactResponse out;
   if (held_ && !held_->is_consistent()) {
     out.why_not = "the closed contacts contradict each other";
     return out;
   }
-  const Eigen::Index columns = loads.cols();
-  scene_.ties->transfer_to_masters(loads);
-  std::vector<CondensedLoad> condensed;
-  for (const SubstructuredBody& body : bodies_) {
-    condensed.push_back(condense_load(body, *scene_.ties, loads));
-  }
   std::vector<base::Matrix> external(bodies_.size());
-  out.force = base::Matrix::Zero(static_cast<Eigen::Index>(scene_.table.size()), columns);
+  out.force = base::Matrix::Zero(static_cast<Eigen::Index>(scene_.table.size()), loads.columns);
   if (held_) {
-    std::vector<base::Matrix> load;
-    double size = 0.0;
-    for (const std::size_t b : solver_.condensed_bodies()) {
-      load.push_back(condensed[b].external);
-      size = std::max(size, load.back().size() > 0 ? load.back().cwiseAbs().maxCoeff() : 0.0);
+    if (loads.free.u.empty()) {
+      for (const std::size_t b : solver_.condensed_bodies()) {
+        loads.external.push_back(loads.of_body[b].external);
+      }
+      loads.free = contact::unconstrained_response(*solver_.contact_system(), loads.external);
     }
-    out.free = contact::unconstrained_response(*solver_.contact_system(), load);
     const contact::FixedActiveSet::ActiveSetResponse found = held_->solve_response(
-        gaps.cols() > 0 ? base::Matrix(out.free.opening + gaps) : out.free.opening,
-        out.free.on_mode);
-    if (found.left_over > unheld_load * size) {
-      out.why_not = "no closed contact holds a body against it";
+        gaps.cols() > 0 ? base::Matrix(loads.free.opening + gaps) : loads.free.opening,
+        loads.free.on_mode);
+    double size = 0.0;
+    for (const base::Matrix& load : loads.external) {
+      size = std::max(size, load.size() > 0 ? load.cwiseAbs().maxCoeff() : 0.0);
+    }
+    if (found.left_over > unheld.part * size) {
+      out.why_not = unheld.why_not;
       return out;
     }
     out.force = found.force;
-    std::vector<base::Matrix> u = held_->displacement(load, found);
+    std::vector<base::Matrix> u = held_->displacement(loads.external, found);
     for (std::size_t i = 0; i < u.size(); ++i) {
       external[solver_.condensed_bodies()[i]] = std::move(u[i]);
     }
   }
-  out.u = base::Matrix::Zero(loads.rows(), columns);
+  out.u = base::Matrix::Zero(loads.freedoms, loads.columns);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     // A change of displacements: constants of ties have no part in it.
-    recover_body(bodies_[b], external[b], condensed[b], 0.0, out.u);
+    recover_body(bodies_[b], external[b], loads.of_body[b], 0.0, out.u);
   }
   return out;
 }

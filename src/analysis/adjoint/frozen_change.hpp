@@ -1,11 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "analysis/adjoint/adjoints.hpp"
+#include "analysis/bodies/condense_bodies.hpp"
+#include "analysis/scene/scene.hpp"
+#include "analysis/steps/step_solver.hpp"
+#include "contact/held_contact.hpp"
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace spricka::analysis {
+
+/// Which rows of the table the step that was solved last ended with closed, and whether some rub.
+struct ClosedContactRows {
+  std::vector<bool> closed; ///< [row of the table]
+  bool rubs = false;
+};
+/// Contact rows that are closed at the end of the last step, equality rows among them; all open
+/// where nothing is in contact.
+ClosedContactRows closed_rows(const StepSolver& solver, const Discretisation& scene);
+/// Why K has neither bars nor derivatives where some rub.
+inline constexpr const char* depends_on_history =
+    "contacts rub: the change of K depends on the load history";
+
+/// Loads, or other linear functionals of the displacements, condensed on the bodies once.
+struct CondensedLoads {
+  Eigen::Index freedoms = 0, columns = 0;
+  std::vector<CondensedLoad> of_body;  ///< [body]
+  std::vector<base::Matrix> external;  ///< [body of the contact system], at first use
+  contact::UnconstrainedResponse free; ///< to those, likewise
+};
+/// Of loads [dim * node, k], of which only those on independent freedoms count once ties are
+/// reduced.
+CondensedLoads condense_loads(const Discretisation& scene,
+                              const std::vector<SubstructuredBody>& bodies, base::Matrix loads);
+
+/// How much of the largest load may be left on motions that nothing holds, and what more means.
+struct UnheldLoadLimit {
+  double part = 1e-6; ///< more than round-off
+  const char* why_not = "no closed contact holds a body against it";
+};
 
 /// What displacements and contact forces change by as loads and gaps do, rows that are closed
 /// staying so and open ones open: one back-substitution for each column.
@@ -23,10 +57,14 @@ public:
                       const std::vector<SubstructuredBody>& bodies,
                       const std::vector<bool>& closed);
 
-  /// Loads [dim * node, k], of which only those on independent freedoms count once ties are
-  /// reduced; gaps [row, k], or no columns.
+  /// Loads [dim * node, k] as condense_loads takes them; gaps [row, k], or no columns.
   [[nodiscard]] FrozenContactResponse solve_response(base::Matrix loads,
                                                      const base::Matrix& gaps) const;
+  /// The same of condensed loads, which keep what does not depend on the rows; without `free`.
+  [[nodiscard]] FrozenContactResponse solve_response(CondensedLoads& loads,
+                                                     const base::Matrix& gaps,
+                                                     const UnheldLoadLimit& unheld) const;
+  /// The closed rows held; null where no body has externals.
   [[nodiscard]] const contact::FixedActiveSet* held_contact() const { return held_.get(); }
 
 private:

@@ -86,7 +86,8 @@ base::Matrix loads_by_materials(const KDependence& K) {
   return loads;
 }
 
-// [point] by a first element of its front's domains; that behind the last where it has none.
+// [point] whose modulus K goes with: that of a first element of its front's domains; that behind
+// the last where it has none.
 std::vector<std::size_t> point_materials(const model::Model& model, const Discretisation& scene) {
   const auto material = [&](const crack::FrontExtensions& domains) {
     for (const std::vector<crack::ExtensionField>& point : domains.points) {
@@ -105,32 +106,19 @@ std::vector<std::size_t> point_materials(const model::Model& model, const Discre
   return materials;
 }
 
-} // namespace
-
-KDependence k_dependence(const model::Model& model, const Discretisation& scene,
-                         const StepSolver& solver, const StepState& state,
-                         const base::Matrix& case_load, const base::Matrix& of_loads,
-                         std::function<base::Vector(const base::Vector&)> of_displacements) {
-  // What loads add is a constant and a part that goes with E: twice the modulus shows that.
-  const auto of_modulus = [&model, &scene, &state](std::size_t m) -> base::Vector {
-    if (!acts_on_domains(model, scene, state.case_factor)) {
-      return base::Vector::Zero(scene.k_layout().count());
-    }
-    model::Model stiffer = model;
-    stiffer.materials[m].E *= 2.0;
-    return K_of_loads(stiffer, scene, state.case_factor) -
-           K_of_loads(model, scene, state.case_factor);
-  };
-  return {.model = model,
-          .scene = scene,
-          .solver = solver,
-          .state = state,
-          .case_load = case_load,
-          .of_loads = of_loads,
-          .material = point_materials(model, scene),
-          .of_displacements = std::move(of_displacements),
-          .of_modulus = of_modulus};
+// [K] E d/dE of what the loads of the step add to K, at points in that material: a constant and a
+// part that goes with E, which twice the modulus shows.
+base::Vector load_terms_by_modulus(const KDependence& K, std::size_t material) {
+  const base::Vector& case_factor = K.state.case_factor;
+  if (!acts_on_domains(K.model, K.scene, case_factor)) {
+    return base::Vector::Zero(K.scene.k_layout().count());
+  }
+  model::Model stiffer = K.model;
+  stiffer.materials[material].E *= 2.0;
+  return K_of_loads(stiffer, K.scene, case_factor) - K_of_loads(K.model, K.scene, case_factor);
 }
+
+} // namespace
 
 std::vector<ParameterDerivative> load_and_fit_derivatives(const KDependence& K) {
   std::vector<ParameterDerivative> causes;
@@ -144,15 +132,16 @@ void add_modulus_derivatives(const KDependence& K, std::vector<ParameterDerivati
   // What displacements make of K goes with the modulus at the point.
   const base::Vector own = K.of_displacements(K.state.u);
   const crack::KLayout layout = K.scene.k_layout();
+  const std::vector<std::size_t> material = point_materials(K.model, K.scene);
   for (std::size_t m = 0; m < K.model.materials.size(); ++m) {
     const double E = K.model.materials[m].E;
     ParameterDerivative one =
         derivative_by(K, results::SensitivityParameter::modulus, K.model.materials[m].name, E);
     one.load = loads.col(index(m)) / E;
-    if (std::ranges::find(K.material, m) != K.material.end()) {
-      const base::Vector constant = K.of_modulus(m);
-      for (std::size_t p = 0; p < K.material.size(); ++p) {
-        if (K.material[p] == m) {
+    if (std::ranges::find(material, m) != material.end()) {
+      const base::Vector constant = load_terms_by_modulus(K, m);
+      for (std::size_t p = 0; p < material.size(); ++p) {
+        if (material[p] == m) {
           layout.point_entries(one.direct, p) =
               (layout.point_entries(own, p) + layout.point_entries(constant, p)) / E;
         }

@@ -29,21 +29,11 @@ struct KDependence {
   const Discretisation& scene;
   const StepSolver& solver;
   const StepState& state;
-  const base::Matrix& case_load;     ///< [dim * node, case] with the pull of supports
-  const base::Matrix& of_loads;      ///< [K, case] what loads add to K themselves
-  std::vector<std::size_t> material; ///< [point] whose modulus K goes with
+  const base::Matrix& case_load; ///< [dim * node, case] with the pull of supports
+  const base::Matrix& of_loads;  ///< [K, case] what loads add to K themselves (K_of_cases)
   /// [K] of displacements [dim * node].
   std::function<base::Vector(const base::Vector&)> of_displacements;
-  /// [K] E d/dE of what the loads of the step add to K, at points in that material.
-  std::function<base::Vector(std::size_t)> of_modulus;
 };
-
-/// That of a step, with the material of the first element of each point's domains; `case_load` and
-/// `of_loads` (K_of_cases) must outlive it.
-KDependence k_dependence(const model::Model& model, const Discretisation& scene,
-                         const StepSolver& solver, const StepState& state,
-                         const base::Matrix& case_load, const base::Matrix& of_loads,
-                         std::function<base::Vector(const base::Vector&)> of_displacements);
 
 /// The derivatives by loads, then those by fits.
 std::vector<ParameterDerivative> load_and_fit_derivatives(const KDependence& K);

@@ -149,7 +149,7 @@ void TipSensitivityAnalysis::one_sided(const StepSolver& solver, const FrozenCon
                                        results::StepResult& result) {
   const LoadAndGapRates all = all_rates(solver, causes);
   struct Side {
-    std::unique_ptr<contact::FixedActiveSet> held;
+    std::optional<FrozenContactSystem> system;
     std::vector<estimate::IntensityAdjoint> adjoint;
   };
   std::map<std::vector<bool>, Side> sides;
@@ -163,14 +163,14 @@ void TipSensitivityAnalysis::one_sided(const StepSolver& solver, const FrozenCon
       }
       // Causes that leave the same rows closed share one factorisation and one adjoint.
       Side& side = sides[*closed];
-      if (!side.held) {
-        side.held = constrain_rows(solver, *closed);
-        side.adjoint = adjoints.solve_closed_set(solver, *closed, side.held.get());
+      if (!side.system) {
+        side.system.emplace(solver, scene_, bodies_, *closed);
+        side.adjoint = adjoints.solve_closed_set(*side.system, *closed);
       }
       if (!side.adjoint.front().is_available()) {
         continue;
       }
-      range[up ? 1 : 0] += contact.linear_ranges(*side.held, all)[i][up ? 1 : 0];
+      range[up ? 1 : 0] += contact.linear_ranges(*side.system->held_contact(), all)[i][up ? 1 : 0];
       store_derivative(scene_.k_layout(), slopes(scene_, causes[i], side.adjoint), i,
                        up ? &Sensitivity::above : &Sensitivity::below, result);
     }
@@ -203,8 +203,7 @@ void TipSensitivityAnalysis::add_to_tips(const StepSolver& solver, const StepSta
     }
     return out;
   };
-  const KDependence K =
-      k_dependence(model_, scene_, solver, state, case_load_, of_loads_, of_displacements);
+  const KDependence K{model_, scene_, solver, state, case_load_, of_loads_, of_displacements};
   std::vector<ParameterDerivative> causes = load_and_fit_derivatives(K);
   const std::size_t with_range = causes.size();
   if ((solver.mount_offset().array() != 0.0).any()) {

@@ -194,11 +194,10 @@ crack::FrontExtensions Tube::fields(const std::vector<int>& rings) const {
   return crack::front_extensions(cracked, front(), rings);
 }
 
-std::vector<crack::StressIntensity> Tube::K(const base::Vector& u, const crack::FrontLoads& loads,
-                                            const crack::FrontTermSwitches& terms) const {
+std::vector<crack::StressIntensity> Tube::K(const base::Vector& u,
+                                            const crack::FrontLoads& loads) const {
   crack::FrontIntensityRequest request;
   request.opening = true;
-  request.terms = terms;
   return crack::front_intensity(model, cracked, front(), fields(), request, u, loads);
 }
 

@@ -36,9 +36,8 @@ struct Tube {
   /// Values without a pattern, a reproducible part of one.
   [[nodiscard]] base::Vector rough() const;
   [[nodiscard]] crack::FrontExtensions fields(const std::vector<int>& rings = {1, 2}) const;
-  [[nodiscard]] std::vector<crack::StressIntensity>
-  K(const base::Vector& u, const crack::FrontLoads& loads = {},
-    const crack::FrontTermSwitches& terms = {}) const;
+  [[nodiscard]] std::vector<crack::StressIntensity> K(const base::Vector& u,
+                                                      const crack::FrontLoads& loads = {}) const;
 };
 
 /// The front from the origin along the z axis, m = x, b = y.

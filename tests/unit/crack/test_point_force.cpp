@@ -5,6 +5,7 @@
 #include "fe/element.hpp"
 #include "mesh/generate/generate.hpp"
 #include "model/model.hpp"
+#include "tests/unit/crack/near_tip.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -108,8 +109,8 @@ TEST_P(PointForce, FindsTheTOfAKnownField) {
     const base::Vec2 x = model.mesh.x[n].head<2>();
     field.motion.push_back({.node = base::NodeId(n), .q = (1.0 - x.norm()) / 0.5});
     u.segment<2>(2 * static_cast<Eigen::Index>(n)) =
-        K1 * crack::near_tip_displacement({}, x, 1, material, GetParam()) +
-        K2 * crack::near_tip_displacement({}, x, 2, material, GetParam()) +
+        K1 * test::near_tip_displacement({}, x, 1, material, GetParam()) +
+        K2 * test::near_tip_displacement({}, x, 2, material, GetParam()) +
         T / (8.0 * mu) * base::Vec2((kappa + 1.0) * x.x(), (kappa - 3.0) * x.y());
   }
   for (std::size_t e = 0; e < model.mesh.element_count(); ++e) {

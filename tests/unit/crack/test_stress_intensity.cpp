@@ -5,6 +5,7 @@
 #include "fe/elasticity.hpp"
 #include "mesh/generate/generate.hpp"
 #include "model/model.hpp"
+#include "tests/unit/crack/near_tip.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -60,8 +61,8 @@ struct Annulus {
     for (std::size_t n = 0; n < model.mesh.node_count(); ++n) {
       const base::Vec2 x = model.mesh.x[n].head<2>();
       u.segment<2>(2 * static_cast<Eigen::Index>(n)) =
-          K1 * crack::near_tip_displacement(frame, x, 1, model.materials[0], state) +
-          K2 * crack::near_tip_displacement(frame, x, 2, model.materials[0], state);
+          K1 * test::near_tip_displacement(frame, x, 1, model.materials[0], state) +
+          K2 * test::near_tip_displacement(frame, x, 2, model.materials[0], state);
     }
   }
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/williams.hpp"
 #include "fe/element.hpp"
+#include "tests/unit/crack/near_tip.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -25,7 +26,7 @@ protected:
   [[nodiscard]] int mode() const { return std::get<0>(GetParam()); }
   [[nodiscard]] model::StressState state() const { return std::get<1>(GetParam()); }
   [[nodiscard]] Eigen::Matrix2d stress(const TipFrame& tip, const base::Vec2& x) const {
-    const Eigen::Matrix2d H = crack::near_tip_gradient(tip, x, mode(), material, state());
+    const Eigen::Matrix2d H = test::near_tip_gradient(tip, x, mode(), material, state());
     const fe::Strain<2> s = fe::elasticity<2>(material, state()) * fe::strain<2>(H);
     return fe::stress_tensor<2>(s);
   }
@@ -36,13 +37,13 @@ TEST_P(Williams, GradientIsTheDerivativeOfTheDisplacement) {
   const TipFrame tip = turned(0.7);
   for (const double angle : {-2.9, -1.0, 0.2, 1.7, 3.0}) {
     const base::Vec2 x = tip.x + 0.8 * (std::cos(angle) * tip.e1 + std::sin(angle) * tip.e2);
-    const Eigen::Matrix2d H = crack::near_tip_gradient(tip, x, mode(), material, state());
+    const Eigen::Matrix2d H = test::near_tip_gradient(tip, x, mode(), material, state());
     const double h = 1e-6;
     for (int j = 0; j < 2; ++j) {
       const base::Vec2 d = h * base::Vec2::Unit(j);
       const base::Vec2 difference =
-          (crack::near_tip_displacement(tip, x + d, mode(), material, state()) -
-           crack::near_tip_displacement(tip, x - d, mode(), material, state())) /
+          (test::near_tip_displacement(tip, x + d, mode(), material, state()) -
+           test::near_tip_displacement(tip, x - d, mode(), material, state())) /
           (2.0 * h);
       EXPECT_LT((difference - H.col(j)).norm(), 1e-8 * H.norm());
     }

@@ -87,7 +87,7 @@ struct SolvedScene {
     return out;
   }
 
-  /// What z and w turn into K, at the end of the last step.
+  /// What z and w turn into K (manual, sensitivity.5), at the end of the last step.
   [[nodiscard]] base::Vec2 intensity(const estimate::IntensityAdjoint& adjoint) const {
     const base::Vector& factor = solver->factors().case_factor;
     base::Vector gap = base::Vector::Zero(static_cast<Eigen::Index>(scene().table.size()));
@@ -97,9 +97,10 @@ struct SolvedScene {
         gap[static_cast<Eigen::Index>(problem.rows[i])] = problem.gap[static_cast<Eigen::Index>(i)];
       }
     }
-    return estimate::adjoint_intensity(adjoint,
-                                       {analysis::loads_with_supports(model(), scene()) * factor,
-                                        scene().case_displacement * factor, gap});
+    const base::Vector load = analysis::loads_with_supports(model(), scene()) * factor;
+    const base::Vector prescribed = scene().case_displacement * factor;
+    return adjoint.z.transpose() * load + adjoint.rows.transpose() * prescribed +
+           adjoint.w.transpose() * gap;
   }
 };
 
