@@ -95,8 +95,7 @@ void for_faces(const TipSetting& tip, const ExtensionField& field,
   for (const ElementSide& edge : edges) {
     SideValues moved = SideValues::Zero(static_cast<Eigen::Index>(edge.nodes.size()));
     for (std::size_t i = 0; i < edge.nodes.size(); ++i) {
-      const auto at = q.find(edge.nodes[i]);
-      moved[static_cast<Eigen::Index>(i)] = at == q.end() ? 0.0 : at->second;
+      moved[static_cast<Eigen::Index>(i)] = extension_of(q, edge.nodes[i]);
     }
     if (!(moved.array() > 0.0).any()) {
       continue;

@@ -18,8 +18,7 @@ struct Shift {
   const std::vector<BodyForceField>& fields;
 
   [[nodiscard]] base::Vec2 step_of(base::NodeId n) const {
-    const auto at = q.find(n);
-    return at == q.end() ? base::Vec2(base::Vec2::Zero()) : base::Vec2(s * at->second * set.tip.e1);
+    return s * extension_of(q, n) * set.tip.e1;
   }
 };
 

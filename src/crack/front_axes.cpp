@@ -66,6 +66,18 @@ std::array<double, around> slope_weights(const std::array<double, around>& s, st
   return weight;
 }
 
+// Hermite's cubic between a station and the next, h farther on; p: part of the way.
+template <class Value>
+InterpolatedValue<Value> hermite(const Value& from, const Value& to, const Value& d0,
+                                 const Value& d1, double h, double p) {
+  const Value rise = to - from;
+  const Value second = 3.0 * rise - h * (2.0 * d0 + d1);
+  const Value third = h * (d0 + d1) - 2.0 * rise;
+  return {from + p * (h * d0 + p * (second + p * third)),
+          d0 + p / h * (2.0 * second + 3.0 * p * third),
+          (2.0 * second + 6.0 * p * third) / (h * h)};
+}
+
 } // namespace
 
 // The curve is a cubic: its second derivatives are chords of the true ones, and the third ones go
@@ -151,40 +163,20 @@ std::size_t FrontAxes::nearest_station(const Vec3& x) const {
   return station;
 }
 
-// Hermite's cubic between a station and the next.
-FrontAxes::InterpolatedAxes FrontAxes::turned(std::size_t i, double part) const {
-  const double h = s_[i + 1] - s_[i];
-  const double p = part;
-  const Axes rise = axes_[i + 1] - axes_[i];
-  const Axes& d0 = turn_[i];
-  const Axes& d1 = turn_[i + 1];
-  const Axes second = 3.0 * rise - h * (2.0 * d0 + d1);
-  const Axes third = h * (d0 + d1) - 2.0 * rise;
-  InterpolatedAxes result;
-  result.at = axes_[i] + p * (h * d0 + p * (second + p * third));
-  result.by_s = d0 + p / h * (2.0 * second + 3.0 * p * third);
-  result.by_ss = (2.0 * second + 6.0 * p * third) / (h * h);
-  return result;
+InterpolatedValue<FrontAxes::Axes> FrontAxes::turned(std::size_t i, double part) const {
+  return hermite(axes_[i], axes_[i + 1], turn_[i], turn_[i + 1], s_[i + 1] - s_[i], part);
 }
 
-FrontAxes::FrontCurvePoint FrontAxes::point(std::size_t i, double part) const {
-  const double h = s_[i + 1] - s_[i];
-  const double p = part;
-  const Vec3 rise = axes_[i + 1].col(0) - axes_[i].col(0);
-  const Vec3 d0 = turn_[i].col(0);
-  const Vec3 d1 = turn_[i + 1].col(0);
-  const Vec3 second = 3.0 * rise - h * (2.0 * d0 + d1);
-  const Vec3 third = h * (d0 + d1) - 2.0 * rise;
-  return {axes_[i].col(0) + p * (h * d0 + p * (second + p * third)),
-          d0 + p / h * (2.0 * second + 3.0 * p * third),
-          (2.0 * second + 6.0 * p * third) / (h * h)};
+InterpolatedValue<Vec3> FrontAxes::point(std::size_t i, double part) const {
+  return hermite<Vec3>(axes_[i].col(0), axes_[i + 1].col(0), turn_[i].col(0), turn_[i + 1].col(0),
+                       s_[i + 1] - s_[i], part);
 }
 
 FrontCoordinates FrontAxes::locate_point(const Vec3& x, CrackFaceSide side) const {
   const std::size_t last = s_.size() - 2; // of the intervals
   std::size_t i = std::min(nearest_station(x), last);
   double part = 0.0;
-  FrontCurvePoint on = point(i, part);
+  InterpolatedValue<Vec3> on = point(i, part);
   double beyond = 0.0; // an open end, along its tangent
   // Newton's steps for d . t = 0, across stations where they lead there.
   for (int step = 0; step < 20; ++step) {
@@ -214,7 +206,7 @@ FrontCoordinates FrontAxes::locate_point(const Vec3& x, CrackFaceSide side) cons
       break;
     }
   }
-  const InterpolatedAxes f = turned(i, part);
+  const InterpolatedValue<Axes> f = turned(i, part);
   FrontCoordinates place;
   mesh::FrontFrame& frame = place.frame;
   frame.s = s_[i] + part * (s_[i + 1] - s_[i]);

@@ -18,6 +18,9 @@ struct FrontCoordinates {
   double r = 0.0, theta = 0.0;
 };
 
+/// A value along a front and its derivatives by length.
+template <class Value> struct InterpolatedValue { Value at, by_s, by_ss; };
+
 /// Places along a front. Integrals ask for millions: axes are kept at stations, the knots of the
 /// curve, and are cubic in between, so that their derivatives are exactly those of what is used.
 /// Beyond an open end they go on turning as they do there, by a radian at most, then straight on:
@@ -34,18 +37,12 @@ public:
 
 private:
   using Axes = Eigen::Matrix<double, 3, 4>; ///< x, m, b, t
-  struct InterpolatedAxes {
-    Axes at, by_s, by_ss;
-  };
   [[nodiscard]] std::size_t nearest_station(const base::Vec3& x) const;
   /// Between station i and the next, part: of the way, 0 to 1.
-  [[nodiscard]] InterpolatedAxes turned(std::size_t i, double part) const;
+  [[nodiscard]] InterpolatedValue<Axes> turned(std::size_t i, double part) const;
+  /// The place alone.
+  [[nodiscard]] InterpolatedValue<base::Vec3> point(std::size_t i, double part) const;
   void go_on_beyond_ends();
-  /// The place alone, and its derivatives by s.
-  struct FrontCurvePoint {
-    base::Vec3 at, by_s, by_ss;
-  };
-  [[nodiscard]] FrontCurvePoint point(std::size_t i, double part) const;
 
   std::vector<double> s_;  ///< [station] ascending, of a closed front from 0 to its length
   std::vector<Axes> axes_; ///< [station]

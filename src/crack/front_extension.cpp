@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/front_extension.hpp"
 
+#include "crack/curvature_limit.hpp"
+#include "crack/front_hats.hpp"
 #include "crack/front_rule.hpp"
 #include "crack/surface_motion.hpp"
+#include "model/mesh_side.hpp"
 #include "shape/topology.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
 
 namespace spricka::crack {
@@ -20,24 +22,9 @@ using base::ElementId;
 using base::NodeId;
 using base::Vec3;
 
-// Part of the way to the centre of curvature that elements of a domain may take: there places along
-// the front run together, and what the auxiliary fields' derivatives grow by (the third power of
-// what is left) no rule of such wide elements follows.
-constexpr double to_centre = 0.6;
-// The front may turn within an element of a domain by twice as much as from a point to the next,
-// and by this more [rad].
-constexpr double more_turn = 0.35;
-using std::numbers::pi;
-
-// Which points a place of the front belongs to, and how much.
-struct Hat {
-  std::size_t low = 0, high = 0; ///< points on both sides of it
-  double part = 0.0;             ///< of `high`; the rest is that of `low`
-};
-
 // Where a node goes that moves with the front.
 struct Follower {
-  Hat hat;
+  FrontHat hat;
   Vec3 along = Vec3::UnitX();
   bool stays = false; ///< no motion is possible
   const char* why = "";
@@ -50,10 +37,12 @@ public:
       : cracked_(cracked), mesh_(cracked.mesh), front_(front), limits_(limits),
         elements_(cracked.mesh), line_(front_mid_nodes(mesh_, elements_, front)),
         layers_(front_layers(mesh_, elements_, front, line_, most + 1)), curve_(*front.curve),
+        hats_(front, line_.closed), curvature_(mesh_, front, line_.closed),
         sides_(free_sides(mesh_, reached())), surface_(mesh_, sides_, off_own_front()) {
+    out_.points.resize(front_.points.size());
     out_.closed = line_.closed;
     out_.middle = line_.middle;
-    set_stations();
+    out_.station = hats_.stations();
     mark_others();
   }
 
@@ -78,7 +67,7 @@ public:
       if (why[i].empty() && leaves_material(i, fields[i])) {
         why[i] = "it meets elements of another material or state";
       }
-      if (why[i].empty() && (comes_to_centre(fields[i]) || turns_too_much(i, fields[i]))) {
+      if (why[i].empty() && curvature_.is_exceeded(i, fields[i])) {
         why[i] = "it reaches as far as the front's centre of curvature";
       }
       if (why[i].empty() && !fields[i].motion.empty()) {
@@ -102,10 +91,8 @@ public:
     const std::set<model::Face> upper(own.left_sides.begin(), own.left_sides.end());
     const std::set<model::Face> lower(own.right_sides.begin(), own.right_sides.end());
     for (const model::Face& face : sides_) {
-      const std::span<const NodeId> nodes = mesh_.element_nodes(face.element);
-      const auto side = shape::side_nodes(mesh_.type[face.element.index()], face.side);
-      if (std::any_of(side.begin(), side.end(),
-                      [&](int i) { return moved.contains(nodes[static_cast<std::size_t>(i)]); })) {
+      if (std::ranges::any_of(model::side_nodes(mesh_, face),
+                              [&](NodeId n) { return moved.contains(n); })) {
         out_.sides.push_back({face, upper.contains(face)   ? CrackFaceSide::upper
                                     : lower.contains(face) ? CrackFaceSide::lower
                                                            : CrackFaceSide::none});
@@ -135,22 +122,6 @@ private:
     return all;
   }
 
-  void set_stations() {
-    out_.points.resize(front_.points.size());
-    origin_ = curve_.nearest_length(front_.points.front().x);
-    for (const mesh::FrontPoint& point : front_.points) {
-      out_.station.push_back(along_front(curve_.nearest_length(point.x)));
-    }
-    out_.station.front() = 0.0;
-  }
-
-  // From the first point on; of a curve that is closed always ahead of it.
-  [[nodiscard]] double along_front(double s) const {
-    const double way = s - origin_;
-    const double whole = curve_.length();
-    return curve_.closed() ? way - whole * std::floor(way / whole) : way;
-  }
-
   void mark_others() {
     fixed_.assign(mesh_.node_count(), false);
     for (std::size_t n = 0; n < limits_.node.size(); ++n) {
@@ -174,35 +145,6 @@ private:
     }
   }
 
-  // Between which points a place is; round-off takes no node of one point's section to the next.
-  [[nodiscard]] Hat hat_at(double s) const {
-    const std::vector<double>& at = out_.station;
-    const std::size_t last = at.size() - 1;
-    if (at.size() == 1) {
-      return {0, 0, 0.0};
-    }
-    const double whole = curve_.length();
-    double way = along_front(s);
-    if (curve_.closed() && !out_.closed && way > 0.5 * (at[last] + whole)) {
-      way = 0.0; // before the first point
-    }
-    if (out_.closed && way >= at[last]) {
-      return {last, 0, snapped((way - at[last]) / (whole - at[last]))};
-    }
-    const auto above = std::upper_bound(at.begin(), at.end(), way) - at.begin();
-    const std::size_t low = static_cast<std::size_t>(
-        std::clamp<std::ptrdiff_t>(above - 1, 0, static_cast<std::ptrdiff_t>(last) - 1));
-    return {low, low + 1, snapped((way - at[low]) / (at[low + 1] - at[low]))};
-  }
-
-  static double snapped(double part) {
-    constexpr double round_off = 1e-9;
-    if (part < round_off) {
-      return 0.0;
-    }
-    return part > 1.0 - round_off ? 1.0 : part;
-  }
-
   const Follower& follow(NodeId n) {
     const auto [at, fresh] = followers_.try_emplace(n);
     Follower& f = at->second;
@@ -211,7 +153,7 @@ private:
     }
     const Vec3& x = mesh_.x[n.index()];
     const mesh::FrontFrame frame = curve_.at(curve_.nearest_length(x));
-    f.hat = hat_at(frame.s);
+    f.hat = hats_.hat_at(frame.s);
     f.along = frame.m;
     if (fixed_[n.index()]) {
       f.stays = true;
@@ -243,7 +185,7 @@ private:
     const auto corner = [&](NodeId n) -> const std::vector<std::pair<std::size_t, double>>& {
       const auto [at, fresh] = q.try_emplace(n);
       if (fresh && layers_.extension_factor(n, rings) > 0.0) {
-        const Hat hat = follow(n).hat;
+        const FrontHat hat = follow(n).hat;
         add(at->second, hat.low, 1.0 - hat.part);
         add(at->second, hat.high, hat.part);
       }
@@ -344,53 +286,6 @@ private:
     return std::ranges::any_of(field.elements, [&](ElementId e) { return zone(e) != own; });
   }
 
-  // Elements that a domain strains reach farther than the nodes that it moves: to where places
-  // along the front run together, or across to where another part of it is nearer.
-  [[nodiscard]] bool turns_too_much(std::size_t point, const ExtensionField& field) {
-    const double least = std::cos(std::min(2.0 * turn_beside(point) + more_turn, 0.5 * pi));
-    return std::ranges::any_of(field.elements, [&](ElementId e) {
-      const std::span<const NodeId> nodes = mesh_.element_nodes(e);
-      const Vec3 first = place_at(nodes.front()).m;
-      return std::ranges::any_of(nodes, [&](NodeId n) { return place_at(n).m.dot(first) < least; });
-    });
-  }
-  [[nodiscard]] bool comes_to_centre(const ExtensionField& field) {
-    return std::ranges::any_of(field.elements, [&](ElementId e) {
-      return std::ranges::any_of(mesh_.element_nodes(e),
-                                 [&](NodeId n) { return place_at(n).to_centre > to_centre; });
-    });
-  }
-  // How much the front turns from a point to its neighbours [rad].
-  [[nodiscard]] double turn_beside(std::size_t point) const {
-    const std::size_t count = front_.points.size();
-    double turn = 0.0;
-    for (const std::size_t next : {(point + 1) % count, (point + count - 1) % count}) {
-      const bool beside = next + 1 == point || point + 1 == next;
-      if (out_.closed || beside) {
-        const double cosine = front_.points[point].growth.dot(front_.points[next].growth);
-        turn = std::max(turn, std::acos(std::clamp(cosine, -1.0, 1.0)));
-      }
-    }
-    return turn;
-  }
-  // How a node lies to the place of the front nearest to it.
-  struct NearFront {
-    Vec3 m = Vec3::UnitX();
-    double to_centre = 0.0; ///< part of the way to the centre of curvature, below 0 away from it
-  };
-  [[nodiscard]] const NearFront& place_at(NodeId n) {
-    const auto [at, fresh] = near_front_.try_emplace(n);
-    if (fresh) {
-      // Beyond an open end axes turn as they do there.
-      const Vec3& x = mesh_.x[n.index()];
-      const double s = curve_.nearest_length(x);
-      const mesh::FrontFrame frame =
-          curve_.at(curve_.closed() ? s : std::clamp(s, 0.0, curve_.length()));
-      at->second = {frame.m, (x - frame.x).dot(frame.dt)};
-    }
-    return at->second;
-  }
-
   const mesh::CrackedMesh& cracked_;
   const model::Mesh& mesh_;
   const mesh::CrackFront& front_;
@@ -399,12 +294,12 @@ private:
   FrontMidNodes line_;
   FrontLayers layers_;
   const mesh::FrontCurve& curve_;
+  FrontHats hats_;
+  CurvatureLimit curvature_;
   std::vector<model::Face> sides_;
   SurfaceNodeMotion surface_;
   std::vector<bool> fixed_; ///< [node]
   std::map<NodeId, Follower> followers_;
-  std::map<NodeId, NearFront> near_front_;
-  double origin_ = 0.0; ///< of the stations, on the curve
   FrontExtensions out_;
 };
 

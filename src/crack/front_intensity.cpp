@@ -6,7 +6,6 @@
 #include "crack/smooth_front.hpp"
 #include "fe/heat.hpp"
 #include "model/mesh_side.hpp"
-#include "shape/topology.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -77,12 +76,8 @@ private:
 
   [[nodiscard]] std::ptrdiff_t faces_at(CrackFaceSide on, base::NodeId point) const {
     return std::ranges::count_if(fields_.sides, [&](const MovedFreeSide& side) {
-      const std::span<const base::NodeId> nodes = set_.mesh.element_nodes(side.face.element);
-      const auto local =
-          shape::side_nodes(set_.mesh.type[side.face.element.index()], side.face.side);
-      return side.on == on && std::any_of(local.begin(), local.end(), [&](int k) {
-               return nodes[static_cast<std::size_t>(k)] == point;
-             });
+      const std::vector<base::NodeId> nodes = model::side_nodes(set_.mesh, side.face);
+      return side.on == on && std::ranges::find(nodes, point) != nodes.end();
     });
   }
 
@@ -196,7 +191,6 @@ std::vector<StressIntensity> front_intensity(const model::Model& model,
     StressIntensity& K = result[i];
     K.E_effective = set.E_effective();
     K.front = FrontPointIntensity();
-    K.front->at_surface = front.points[i].at_surface;
     double e_tt = 0.0;
     for (const NodeWeight& entry : strain[i]) {
       e_tt += entry.weight.dot(u.segment<3>(3 * static_cast<Eigen::Index>(entry.node.index())));
@@ -222,14 +216,9 @@ std::vector<StressIntensity> front_intensity(const model::Model& model,
       continue;
     }
     summarise_domains(set.body.mu, 3, K); // (crack_space.14)
-    K.front->T_along = set.material.E * (e_tt - free) + nu * (K.T + sigma);
     if (request.opening) {
-      const auto opening =
+      K.opening =
           front_opening_intensity(set, cracked.faces[front.crack.index()], front.points[i], K.G, u);
-      if (opening) {
-        K.opening = std::array{(*opening)[0], (*opening)[1]};
-        K.front->opening_K3 = (*opening)[2];
-      }
     }
   }
   smooth_along(front, domains, result);

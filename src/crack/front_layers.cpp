@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/front_layers.hpp"
 
+#include "mesh/boundary.hpp"
 #include "mesh/side_index.hpp"
 #include "shape/topology.hpp"
 
@@ -33,17 +34,6 @@ NodeId middle_of_edge(const model::Mesh& mesh, const mesh::NodeElements& element
     }
   }
   return {};
-}
-
-std::vector<NodeId> corners_of(const model::Mesh& mesh, const model::Face& face) {
-  const base::ElementType type = mesh.type[face.element.index()];
-  const std::span<const NodeId> nodes = mesh.element_nodes(face.element);
-  std::vector<NodeId> corners;
-  for (const int i :
-       shape::side_nodes(type, face.side).first(shape::side_corners(type, face.side))) {
-    corners.push_back(nodes[static_cast<std::size_t>(i)]);
-  }
-  return corners;
 }
 
 } // namespace
@@ -125,15 +115,14 @@ std::vector<model::Face> free_sides(const model::Mesh& mesh,
   for (const ElementId e : elements) {
     for (int s = 0; s < base::element_info(mesh.type[e.index()]).sides; ++s) {
       const model::Face face{e, s};
-      const std::vector<NodeId> c = corners_of(mesh, face);
-      if (index.find(c).size() != 1) {
-        continue;
+      if (index.find(mesh::face_nodes(mesh, face).corner_nodes()).size() == 1) {
+        sides.push_back(face);
       }
-      sides.push_back(face);
     }
   }
   const auto look = [&](const model::Face& face) {
-    const std::vector<NodeId> c = corners_of(mesh, face);
+    const mesh::FaceNodes nodes = mesh::face_nodes(mesh, face);
+    const std::span<const NodeId> c = nodes.corner_nodes();
     for (std::size_t k = 0; k < 2 && c.size() == 4; ++k) {
       const auto one = alone({c[k], c[k + 1], c[k + 2]});
       const auto other = alone({c[k + 2], c[(k + 3) % 4], c[k]});

@@ -117,11 +117,7 @@ constexpr double of_heat = 0.05;
 
 double heat_invalid_reason(const TipSetting& set, const ExtensionField& field) {
   const double E = fe::effective_modulus(set.material, set.state());
-  // The free strain along the crack, alpha' T of (crack.26).
-  const double strain = set.state() == model::StressState::plane_stress
-                            ? set.material.alpha
-                            : (1.0 + set.material.nu) * set.material.alpha;
-  const double stress = E * strain * largest_jump(set, field);
+  const double stress = E * set.thermal_strain() * largest_jump(set, field);
   return of_heat * stress * stress * size_of(set, field) / E;
 }
 

@@ -22,7 +22,7 @@ base::Vec2 at(const base::Vector& u, base::NodeId n) {
 
 } // namespace
 
-std::optional<std::array<double, 2>> opening_intensity(const TipSetting& set,
+std::optional<std::array<double, 3>> opening_intensity(const TipSetting& set,
                                                        const mesh::CrackedMesh& cracked,
                                                        const mesh::CrackFront& front,
                                                        const base::Vector& u) {
@@ -59,7 +59,7 @@ std::optional<std::array<double, 2>> opening_intensity(const TipSetting& set,
   const double shear = set.material.E / (2.0 * (1.0 + set.material.nu));
   const double factor =
       shear * std::sqrt(2.0 * std::numbers::pi) / (kolosov(set.material.nu, set.state()) + 1.0);
-  return std::array<double, 2>{factor * A.y(), factor * A.x()};
+  return std::array{factor * A.y(), factor * A.x(), 0.0};
 }
 
 } // namespace spricka::crack

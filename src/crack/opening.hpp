@@ -7,10 +7,10 @@
 
 namespace spricka::crack {
 
-/// K1 and K2 from the displacements of the crack faces against each other at the two nodes behind
-/// the tip (Shih, deLorenzi, German 1976; manual, crack.27): a coarse value by a way that has
-/// nothing in common with the domains. Empty where the mesh has no crack faces.
-std::optional<std::array<double, 2>> opening_intensity(const TipSetting& set,
+/// K1 and K2, K3 = 0, from the displacements of the crack faces against each other at the two nodes
+/// behind the tip (Shih, deLorenzi, German 1976; manual, crack.27): a coarse value by a way that
+/// has nothing in common with the domains. Empty where the mesh has no crack faces.
+std::optional<std::array<double, 3>> opening_intensity(const TipSetting& set,
                                                        const mesh::CrackedMesh& cracked,
                                                        const mesh::CrackFront& front,
                                                        const base::Vector& u);

@@ -18,13 +18,10 @@ struct DomainIntensity {
 
 /// What a point of a front in space has beside the values of a tip.
 struct FrontPointIntensity {
-  bool at_surface = false; ///< the front leaves the body there: K is a number of the mesh
-  double T_along = 0.0;    ///< stress along the front that K leaves [stress]
   /// K1, K2, K3 by a smooth curve through the values of all points (manual, crack_space.15).
   std::array<double, 3> smooth{};
   /// Of a point at the surface: K1, K2, K3 as those farther inside go on to it (crack_space.16).
   std::optional<std::array<double, 3>> from_inside;
-  std::optional<double> opening_K3; ///< beside StressIntensity::opening
 };
 
 struct StressIntensity {
@@ -39,7 +36,7 @@ struct StressIntensity {
   bool two_materials = false;
   std::vector<DomainIntensity> domains;
   std::optional<double> shift_error;            ///< G by finite shift over analytic G, minus 1
-  std::optional<std::array<double, 2>> opening; ///< K1, K2 by the opening of the crack faces
+  std::optional<std::array<double, 3>> opening; ///< K1, K2, K3 by the opening of the crack faces
   std::optional<FrontPointIntensity> front;     ///< in space
 };
 

@@ -148,8 +148,7 @@ StressIntensity tip_intensity(const model::Model& model, const mesh::CrackedMesh
   if (request.opening) {
     result.opening = opening_intensity(set, cracked, front, u);
     if (result.opening) {
-      (*result.opening)[0] *= restate;
-      (*result.opening)[1] *= restate;
+      std::ranges::for_each(*result.opening, [&](double& K) { K *= restate; });
     }
   }
   summarise_domains(set.material.E / (2.0 * (1.0 + set.material.nu)), 1, result);

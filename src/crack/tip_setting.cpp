@@ -68,13 +68,17 @@ base::Vec2 auxiliary_field_displacement(const TipSetting& set, const Polar& at,
                                section_body(set.material, set.state(), set.tip.x.x()));
 }
 
+double extension_of(const std::map<base::NodeId, double>& q, base::NodeId n) {
+  const auto at = q.find(n);
+  return at == q.end() ? 0.0 : at->second;
+}
+
 PlaneValues extension_at(const model::Mesh& mesh, base::ElementId e,
                          const std::map<base::NodeId, double>& q) {
   const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
   PlaneValues moved = PlaneValues::Zero(static_cast<Eigen::Index>(nodes.size()));
   for (std::size_t n = 0; n < nodes.size(); ++n) {
-    const auto at = q.find(nodes[n]);
-    moved[static_cast<Eigen::Index>(n)] = at == q.end() ? 0.0 : at->second;
+    moved[static_cast<Eigen::Index>(n)] = extension_of(q, nodes[n]);
   }
   return moved;
 }

@@ -66,6 +66,11 @@ struct TipSetting {
   [[nodiscard]] base::Vec2 hoop_force(double stress, const base::Vec2& x) const {
     return {is_axisymmetric() ? stress / x.x() : 0.0, 0.0};
   }
+  /// Free strain along the crack by a unit of temperature, alpha' of (crack.26).
+  [[nodiscard]] double thermal_strain() const {
+    return state() == model::StressState::plane_stress ? material.alpha
+                                                       : (1.0 + material.nu) * material.alpha;
+  }
   /// Of an element's own, in the section.
   [[nodiscard]] fe::Elasticity<2> elasticity(base::ElementId e) const;
   /// What turns the product of an extension and the forces of an auxiliary field into G, K1, K2 and
@@ -93,6 +98,8 @@ Eigen::Matrix2d auxiliary_field_gradient(const TipSetting& set, const Polar& at,
 base::Vec2 auxiliary_field_displacement(const TipSetting& set, const Polar& at,
                                         std::size_t auxiliary);
 
+/// The q of a node; 0 where it rests.
+double extension_of(const std::map<base::NodeId, double>& q, base::NodeId n);
 /// The q of a field at the nodes of an element.
 PlaneValues extension_at(const model::Mesh& mesh, base::ElementId e,
                          const std::map<base::NodeId, double>& q);

@@ -47,10 +47,8 @@ double thermal_stress_at_tip(const TipSetting& set, const mesh::CrackFront& fron
       ++count;
     }
   }
-  const double strain = set.state() == model::StressState::plane_stress
-                            ? set.material.alpha
-                            : (1.0 + set.material.nu) * set.material.alpha;
-  return fe::effective_modulus(set.material, set.state()) * strain * sum / std::max(count, 1);
+  return fe::effective_modulus(set.material, set.state()) * set.thermal_strain() * sum /
+         std::max(count, 1);
 }
 
 } // namespace spricka::crack

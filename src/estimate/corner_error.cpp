@@ -13,36 +13,10 @@ namespace spricka::estimate {
 
 namespace {
 
-/// Residuals of the modes, and how many element freedoms each unknown is.
-struct Residuals {
-  base::Vector u;         ///< [unknowns]
-  base::Matrix z;         ///< [unknowns, goals]
-  std::vector<int> users; ///< [unknown]
-};
-
-// r_u = f_e - K_ep u and r_z = g_e - K_ep z (estimate.3) on the unknowns.
-Residuals residuals_of(const CornerRequest& request) {
-  base::Matrix f = request.goal.load;
-  request.enrichment.subtract_nodal_part(request.goal.u, f);
-  base::Matrix g = request.goal.goals;
-  request.enrichment.subtract_nodal_part(request.goal.z, g);
-  Residuals r{request.map.reduce(f).col(0), request.map.reduce(g), {}};
-  r.users.assign(static_cast<std::size_t>(request.map.unknowns), 0);
-  for (std::size_t e = 0; e < request.enrichment.mesh().element_count(); ++e) {
-    for (const std::int32_t freedom : request.enrichment.element_freedoms(base::ElementId(e))) {
-      const std::int32_t u = request.map.unknown[static_cast<std::size_t>(freedom)];
-      if (u >= 0) {
-        ++r.users[static_cast<std::size_t>(u)];
-      }
-    }
-  }
-  return r;
-}
-
 /// Modes and nodes inside the elements about a corner, on which nothing outside them acts.
 class CornerPatch {
 public:
-  CornerPatch(const CornerRequest& request, const Residuals& residuals,
+  CornerPatch(const CornerRequest& request, const ModeResiduals& residuals,
               const SingularCorner& corner)
       : request_(request), residuals_(residuals), corner_(corner) {
     count_modes();
@@ -198,7 +172,7 @@ private:
   }
 
   const CornerRequest& request_;
-  const Residuals& residuals_;
+  const ModeResiduals& residuals_;
   const SingularCorner& corner_;
   std::map<std::int32_t, Eigen::Index> modes_; ///< unknown to place
   std::map<std::size_t, Eigen::Index> nodes_;  ///< freedom of a node to place
@@ -258,14 +232,14 @@ void raise_corner_errors(const CornerRequest& request, const std::vector<Singula
     // As modes alone have found them: what one corner changes does not decide on the next.
     sums.push_back(error.sum);
   }
-  std::optional<Residuals> residuals;
+  std::optional<ModeResiduals> residuals;
   std::vector<bool> found_anew(request.enrichment.mesh().element_count(), false);
   for (const SingularCorner& corner : corners) {
     if (!counts(request, corner, errors, sums)) {
       continue;
     }
     if (!residuals) {
-      residuals = residuals_of(request);
+      residuals = mode_residuals(request.enrichment, request.map, request.goal);
     }
     const base::Matrix found = CornerPatch(request, *residuals, corner).errors();
     const double factor = corner_error_factor(corner.exponent);
@@ -284,11 +258,7 @@ void raise_corner_errors(const CornerRequest& request, const std::vector<Singula
     }
   }
   for (GoalError& error : errors) {
-    error.eta = error.sum = 0.0;
-    for (const double part : error.of_element) {
-      error.eta += part;
-      error.sum += std::abs(part);
-    }
+    error.add_up();
   }
 }
 

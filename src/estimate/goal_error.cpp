@@ -112,41 +112,53 @@ base::Vector solve_modes(const CubicEnrichment& enrichment, const ModeMap& map,
 
 } // namespace
 
-std::vector<GoalError> goal_errors(const CubicEnrichment& enrichment, const ModeMap& map,
-                                   const GoalRequest& request) {
+void GoalError::add_up() {
+  eta = sum = 0.0;
+  for (const double part : of_element) {
+    eta += part;
+    sum += std::abs(part);
+  }
+}
+
+ModeResiduals mode_residuals(const CubicEnrichment& enrichment, const ModeMap& map,
+                             const GoalRequest& request) {
   base::Matrix f = request.load;
   enrichment.subtract_nodal_part(request.u, f);
   base::Matrix g = request.goals;
   enrichment.subtract_nodal_part(request.z, g);
-  const base::Matrix r_z = map.reduce(g);
-  const base::Vector x = solve_modes(enrichment, map, map.reduce(f).col(0), r_z);
-
-  // An unknown's part of eta goes to all elements that have it, in equal shares.
-  const model::Mesh& mesh = enrichment.mesh();
-  std::vector<int> users(static_cast<std::size_t>(map.unknowns), 0);
-  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+  ModeResiduals r{map.reduce(f).col(0), map.reduce(g), {}};
+  r.users.assign(static_cast<std::size_t>(map.unknowns), 0);
+  for (std::size_t e = 0; e < enrichment.mesh().element_count(); ++e) {
     for (const std::int32_t freedom : enrichment.element_freedoms(base::ElementId(e))) {
       const std::int32_t u = map.unknown[static_cast<std::size_t>(freedom)];
       if (u >= 0) {
-        ++users[static_cast<std::size_t>(u)];
+        ++r.users[static_cast<std::size_t>(u)];
       }
     }
   }
-  std::vector<GoalError> errors(static_cast<std::size_t>(r_z.cols()));
+  return r;
+}
+
+std::vector<GoalError> goal_errors(const CubicEnrichment& enrichment, const ModeMap& map,
+                                   const GoalRequest& request) {
+  const ModeResiduals r = mode_residuals(enrichment, map, request);
+  const base::Vector x = solve_modes(enrichment, map, r.u, r.z);
+
+  // An unknown's part of eta goes to all elements that have it, in equal shares.
+  const std::size_t count = enrichment.mesh().element_count();
+  std::vector<GoalError> errors(static_cast<std::size_t>(r.z.cols()));
   for (std::size_t k = 0; k < errors.size(); ++k) {
-    GoalError& error = errors[k];
-    error.of_element.assign(mesh.element_count(), 0.0);
-    for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    errors[k].of_element.assign(count, 0.0);
+    for (std::size_t e = 0; e < count; ++e) {
       for (const std::int32_t freedom : enrichment.element_freedoms(base::ElementId(e))) {
         const std::int32_t u = map.unknown[static_cast<std::size_t>(freedom)];
         if (u >= 0) {
-          error.of_element[e] +=
-              r_z(u, static_cast<Eigen::Index>(k)) * x[u] / users[static_cast<std::size_t>(u)];
+          errors[k].of_element[e] +=
+              r.z(u, static_cast<Eigen::Index>(k)) * x[u] / r.users[static_cast<std::size_t>(u)];
         }
       }
-      error.eta += error.of_element[e];
-      error.sum += std::abs(error.of_element[e]);
     }
+    errors[k].add_up();
   }
   return errors;
 }

@@ -136,7 +136,7 @@ void add_thermal(const CubicEnrichment& enrichment, const fe::CaseTemperature& h
 } // namespace
 
 base::Vector mode_load(const CubicEnrichment& enrichment, const model::LoadCase& load_case,
-                       const fe::CaseTemperature* heat) {
+                       const fe::CaseTemperature& heat) {
   const model::Model& model = enrichment.model();
   const model::Mesh& mesh = enrichment.mesh();
   base::Vector f = base::Vector::Zero(enrichment.freedoms());
@@ -155,12 +155,8 @@ base::Vector mode_load(const CubicEnrichment& enrichment, const model::LoadCase&
   for (const model::Load& load : load_case.loads) {
     fe::for_load_points(model, mesh, load, {on_side, inside});
   }
-  const fe::CaseTemperature own =
-      heat == nullptr ? fe::make_case_temperature(model, {mesh, mesh, nullptr, {}}, load_case)
-                      : fe::CaseTemperature();
-  const fe::CaseTemperature& all = heat == nullptr ? own : *heat;
-  if (all.temperature.size() > 0) {
-    add_thermal(enrichment, all, f);
+  if (heat.temperature.size() > 0) {
+    add_thermal(enrichment, heat, f);
   }
   return f;
 }

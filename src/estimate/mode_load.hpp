@@ -12,6 +12,6 @@ namespace spricka::estimate {
 /// bearings and body forces at the points that nodal_load takes them at, and what its temperatures
 /// press. Forces at nodes do no work there.
 base::Vector mode_load(const CubicEnrichment& enrichment, const model::LoadCase& load_case,
-                       const fe::CaseTemperature* heat = nullptr);
+                       const fe::CaseTemperature& heat);
 
 } // namespace spricka::estimate

@@ -2,6 +2,7 @@
 #include "estimate/wedge.hpp"
 
 #include "base/vec.hpp"
+#include "shape/quadrature.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -21,13 +22,9 @@ constexpr double widest = std::numbers::pi / 4.0; // of an element; 1e-6 of an e
 constexpr double no_exponent = 0.02;
 constexpr double regular = 0.995;
 
-// Gauss-Legendre, exact for degree 11: products of shape functions have 8, the rest goes to the
-// sines and cosines of the strains.
-constexpr std::array<double, 6> gauss_at{-0.932469514203152, -0.661209386466265, -0.238619186083197,
-                                         0.238619186083197,  0.661209386466265,  0.932469514203152};
-constexpr std::array<double, 6> gauss_weight{0.171324492379170, 0.360761573048139,
-                                             0.467913934572691, 0.467913934572691,
-                                             0.360761573048139, 0.171324492379170};
+// Of the rule: products of shape functions have 8, the rest goes to the sines and cosines of the
+// strains.
+constexpr int rule_exactness = 11;
 
 struct Shapes {
   std::array<double, nodes> N{};
@@ -68,9 +65,9 @@ void add_element(double from, double to, const fe::ConstitutiveLaw& law,
   C(2, 2) = law.mu;
   C *= law.thickness;
   const double half = 0.5 * (to - from);
-  for (std::size_t g = 0; g < gauss_at.size(); ++g) {
-    const Shapes s = shapes(gauss_at[g]);
-    const double angle = from + half * (1.0 + gauss_at[g]);
+  for (const auto& point : shape::line_rule(rule_exactness)) {
+    const Shapes s = shapes(point.r[0]);
+    const double angle = from + half * (1.0 + point.r[0]);
     const double c = std::cos(angle);
     const double n = std::sin(angle);
     Eigen::Matrix<double, 3, 2> B1;
@@ -82,7 +79,7 @@ void add_element(double from, double to, const fe::ConstitutiveLaw& law,
     const Eigen::Matrix2d K11 = B1.transpose() * C * B1;
     for (std::size_t i = 0; i < nodes; ++i) {
       for (std::size_t j = 0; j < nodes; ++j) {
-        const double w = gauss_weight[g] * half;
+        const double w = point.weight * half;
         const double di = s.dN[i] / half;
         const double dj = s.dN[j] / half;
         // (estimate.15) by powers of lambda: 1, lambda and, on the other side, lambda^2.

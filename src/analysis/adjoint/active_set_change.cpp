@@ -111,11 +111,10 @@ void add_candidates(const Discretisation& scene, const StepState& state, std::si
 } // namespace
 
 ContactEdgeKChange active_set_K_changes(const Discretisation& scene, const StepState& state,
-                                        const std::vector<estimate::IntensityAdjoint>& adjoints,
+                                        const IntensityAdjoint& adjoint,
                                         const contact::FixedActiveSet* held) {
-  const crack::KLayout layout = scene.k_layout();
-  ContactEdgeKChange changes{base::Vector::Zero(layout.count()),
-                             base::Vector::Zero(layout.count())};
+  const Eigen::Index count = scene.k_layout().count();
+  ContactEdgeKChange changes{base::Vector::Zero(count), base::Vector::Zero(count)};
   std::vector<ActiveSetCandidate> candidates;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     // Bonded rows have no other state, and with friction there is no adjoint.
@@ -138,9 +137,9 @@ ContactEdgeKChange active_set_K_changes(const Discretisation& scene, const StepS
     most = std::max(most, pivot[static_cast<Eigen::Index>(i)]);
   }
   // What a unit of force on an open row does to K (sensitivity.13).
-  const auto by_force = [&](const ActiveSetCandidate& c, std::size_t t, Eigen::Index k) {
-    return row_opening(scene.contact_row(c.row), scene.cracked.mesh.dim, adjoints[t].z.col(k)) +
-           adjoints[t].by_force(static_cast<Eigen::Index>(c.row), k);
+  const auto by_force = [&](const ActiveSetCandidate& c, Eigen::Index k) {
+    return row_opening(scene.contact_row(c.row), scene.cracked.mesh.dim, adjoint.z.col(k)) +
+           adjoint.by_force(static_cast<Eigen::Index>(c.row), k);
   };
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const ActiveSetCandidate& c = candidates[i];
@@ -149,19 +148,16 @@ ContactEdgeKChange active_set_K_changes(const Discretisation& scene, const StepS
       continue;
     }
     const auto local = static_cast<Eigen::Index>(c.local);
-    for (std::size_t t = 0; t < adjoints.size(); ++t) {
-      // Exact while all other rows stay as they are (estimate.13).
-      for (Eigen::Index k = 0; k < 2; ++k) {
-        const double change = c.closed ? adjoints[t].w(static_cast<Eigen::Index>(c.row), k) *
-                                             state.pair_lambda[c.pair][local] / p
-                                       : -state.pair_gap[c.pair][local] / p * by_force(c, t, k);
-        const Eigen::Index at = layout.first_index(t) + k;
-        if (c.end) {
-          changes.ends[at] = std::max(changes.ends[at], std::abs(change));
-        }
-        if (c.sharp) {
-          changes.sharp[at] += std::abs(change);
-        }
+    // Exact while all other rows stay as they are (estimate.13).
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const double change = c.closed ? adjoint.w(static_cast<Eigen::Index>(c.row), k) *
+                                           state.pair_lambda[c.pair][local] / p
+                                     : -state.pair_gap[c.pair][local] / p * by_force(c, k);
+      if (c.end) {
+        changes.ends[k] = std::max(changes.ends[k], std::abs(change));
+      }
+      if (c.sharp) {
+        changes.sharp[k] += std::abs(change);
       }
     }
   }

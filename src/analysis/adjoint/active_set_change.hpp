@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "analysis/adjoint/adjoints.hpp"
 #include "analysis/adjoint/edge_changes.hpp"
 #include "analysis/scene/scene.hpp"
 #include "analysis/steps/step_state.hpp"
 #include "contact/held_contact.hpp"
-#include "estimate/adjoint.hpp"
-
-#include <vector>
 
 namespace spricka::analysis {
 
@@ -15,7 +13,7 @@ namespace spricka::analysis {
 /// stretch; `sharp`: the sum over closed pairs at edges of one surface (mouths). `held`: the rows
 /// closed at the end of the step, or null where there is no contact.
 ContactEdgeKChange active_set_K_changes(const Discretisation& scene, const StepState& state,
-                                        const std::vector<estimate::IntensityAdjoint>& adjoints,
+                                        const IntensityAdjoint& adjoint,
                                         const contact::FixedActiveSet* held);
 
 } // namespace spricka::analysis

@@ -1,13 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "analysis/adjoint/frozen_change.hpp"
-#include "estimate/adjoint.hpp"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 /// The adjoint of K on the condensed bodies: no large matrix is factorised again.
 namespace spricka::analysis {
+
+/// K of all fronts (columns, by the scene's k_layout) at the end of one step as functions of loads
+/// and gaps while the contact stays as it is: what is closed stays closed, what is open stays open
+/// (manual, sensitivity.1 to 5).
+struct IntensityAdjoint {
+  std::string why_not;   ///< why there is none; empty: there is one
+  base::Matrix rows;     ///< [dim * node, K] K = rows^T u + by_force^T lambda
+  base::Matrix by_force; ///< [contact row, K] what forces between crack faces add to K themselves
+  base::Matrix z;        ///< [dim * node, K] displacements under the load `rows`, closed rows held
+                  ///< at the gap -by_force, open ones free; zero on supports, tied where u is
+  base::Matrix w;           ///< [contact row, K] their contact forces, dK/dgap; zero on open rows
+  std::vector<bool> closed; ///< [contact row] what was held; rows that are not in force: false
+
+  [[nodiscard]] bool is_available() const { return why_not.empty(); }
+};
 
 class KAdjoints {
 public:
@@ -15,29 +30,27 @@ public:
   KAdjoints(const model::Model& model, const Discretisation& scene,
             const std::vector<SubstructuredBody>& bodies);
 
-  /// [tip] of the step that was solved last, its contact frozen as it ended; steps that end with
-  /// the same rows closed share the answer. The rows are those of the tips' fields.
-  const std::vector<estimate::IntensityAdjoint>& solve_last_step(const StepSolver& solver);
+  /// Of the step that was solved last, its contact frozen as it ended; steps that end with the same
+  /// rows closed share the answer.
+  const IntensityAdjoint& solve_last_step(const StepSolver& solver);
   /// The contact of that answer; null where there is none or contacts rub.
   [[nodiscard]] const contact::FixedActiveSet* held_contact() const {
     return held_ ? held_->held_contact() : nullptr;
   }
 
-  /// [tip] with these rows of the table closed, which `system` holds.
-  std::vector<estimate::IntensityAdjoint> solve_closed_set(const FrozenContactSystem& system,
-                                                           const std::vector<bool>& closed);
+  /// With these rows of the table closed, which `system` holds.
+  IntensityAdjoint solve_closed_set(const FrozenContactSystem& system,
+                                    const std::vector<bool>& closed);
 
 private:
-  void condense_rows();
-
   const model::Model& model_;
   const Discretisation& scene_;
   const std::vector<SubstructuredBody>& bodies_;
-  std::vector<base::Matrix> rows_; ///< [tip][dim * node, 2]
-  CondensedLoads condensed_;       ///< columns: K1 and K2 of the first tip, of the next ..
-  base::Matrix by_force_;          ///< [table row, crack::KLayout] of forces between crack faces
+  base::Matrix rows_;        ///< [dim * node, K]
+  CondensedLoads condensed_; ///< those
+  base::Matrix by_force_;    ///< [table row, K] of forces between crack faces
   std::optional<FrozenContactSystem> held_;
-  std::vector<estimate::IntensityAdjoint> last_;
+  std::optional<IntensityAdjoint> last_;
 };
 
 } // namespace spricka::analysis

@@ -114,11 +114,6 @@ TipErrorBars::TipErrorBars(const model::Model& model, const Discretisation& scen
                            estimate::ModeMatrixCache* memory)
     : ErrorBarAnalysis(model, scene), memory_(memory) {}
 
-bool TipErrorBars::is_bonded(std::size_t contact) const {
-  return contact < model_.contacts.size() &&
-         model_.contacts[contact].type == model::ContactType::bonded;
-}
-
 void TipErrorBars::prepare() {
   prepared_ = true;
   const model::Mesh& mesh = scene_.cracked.mesh;
@@ -158,7 +153,8 @@ estimate::ModeMap TipErrorBars::modes(const StepState& state) const {
   std::vector<estimate::ClosedEdge> closed;
   for (std::size_t c = 0; c < contact_edges_.size(); ++c) {
     if (state.mounted[c]) {
-      const bool bonded = is_bonded(c);
+      const bool bonded =
+          c < model_.contacts.size() && model_.contacts[c].type == model::ContactType::bonded;
       estimate::add_closed_edges(contact_edges_[c], scene_.pairs[c], state.pair_closed[c], bonded,
                                  closed);
     }
@@ -168,8 +164,7 @@ estimate::ModeMap TipErrorBars::modes(const StepState& state) const {
 
 // What the multipliers do to the modes of target edges that lie opposite none: of the solution, and
 // of the adjoints.
-void TipErrorBars::add_pressures(const StepState& state,
-                                 const std::vector<estimate::IntensityAdjoint>& adjoints,
+void TipErrorBars::add_pressures(const StepState& state, const IntensityAdjoint& adjoint,
                                  base::Vector& f, base::Matrix& g) const {
   for (std::size_t c = 0; c < mode_weights_.size(); ++c) {
     for (const estimate::ModeWeight& m : mode_weights_[c]) {
@@ -178,10 +173,8 @@ void TipErrorBars::add_pressures(const StepState& state,
       }
       const auto mode = static_cast<Eigen::Index>(m.freedom);
       f[mode] += m.weight * state.pair_lambda[c][static_cast<Eigen::Index>(m.row)];
-      for (std::size_t t = 0; t < adjoints.size(); ++t) {
-        scene_.k_layout().point_entries(g.row(mode), t) +=
-            m.weight * adjoints[t].w.row(static_cast<Eigen::Index>(scene_.table.first[c] + m.row));
-      }
+      g.row(mode) +=
+          m.weight * adjoint.w.row(static_cast<Eigen::Index>(scene_.table.first[c] + m.row));
     }
   }
 }
@@ -246,27 +239,22 @@ struct TipErrorBars::StepErrors {
   estimate::PointSupportChange giving;
 };
 
-TipErrorBars::StepErrors
-TipErrorBars::step_errors(const StepState& state,
-                          const std::vector<estimate::IntensityAdjoint>& adjoints,
-                          const contact::FixedActiveSet* held) {
-  base::Matrix z(state.u.size(), goals_.cols());
-  for (std::size_t t = 0; t < adjoints.size(); ++t) {
-    scene_.k_layout().columns(z, t) = adjoints[t].z;
-  }
+TipErrorBars::StepErrors TipErrorBars::step_errors(const StepState& state,
+                                                   const IntensityAdjoint& adjoint,
+                                                   const contact::FixedActiveSet* held) {
   base::Vector f = sum_case_loads(state.case_factor, enrichment_->freedoms(), [&](std::size_t c) {
-    return estimate::mode_load(*enrichment_, model_.cases[c], scene_.case_heat[c].get());
+    return estimate::mode_load(*enrichment_, model_.cases[c], *scene_.case_heat[c]);
   });
   base::Matrix g = goals_;
-  add_pressures(state, adjoints, f, g);
+  add_pressures(state, adjoint, f, g);
   const estimate::ModeMap map = modes(state);
-  const estimate::GoalRequest request{.u = state.u, .z = z, .load = f, .goals = g};
+  const estimate::GoalRequest request{.u = state.u, .z = adjoint.z, .load = f, .goals = g};
   StepErrors errors;
   errors.goal = estimate::goal_errors(*enrichment_, map, request);
   errors.giving =
       add_corners(model_, scene_, state,
                   {*enrichment_, map, request, fixed_freedoms(scene_, state)}, errors.goal);
-  errors.set_change = active_set_K_changes(scene_, state, adjoints, held);
+  errors.set_change = active_set_K_changes(scene_, state, adjoint, held);
   return errors;
 }
 
@@ -315,19 +303,15 @@ void TipErrorBars::estimate_bars(const StepState& state, const StepErrors& error
   tell_of_cancelling(front, step);
 }
 
-void TipErrorBars::add_to_tips(const StepState& state,
-                               const std::vector<estimate::IntensityAdjoint>& adjoints,
+void TipErrorBars::add_to_tips(const StepState& state, const IntensityAdjoint& adjoint,
                                const contact::FixedActiveSet* held, results::StepResult& step) {
   if (!prepared_) {
     prepare();
   }
-  std::string why_not = why_not_;
-  for (const estimate::IntensityAdjoint& adjoint : adjoints) {
-    why_not = why_not.empty() ? adjoint.why_not : why_not;
-  }
+  const std::string& why_not = why_not_.empty() ? adjoint.why_not : why_not_;
   StepErrors errors;
   if (why_not.empty()) {
-    errors = step_errors(state, adjoints, held);
+    errors = step_errors(state, adjoint, held);
     tell_of_meshes(state, step);
   }
   give_bars(why_not, step, [&](std::size_t t, std::size_t, results::FrontResult& front) {

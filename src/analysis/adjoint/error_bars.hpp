@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "analysis/adjoint/adjoints.hpp"
 #include "analysis/adjoint/error_bar_analysis.hpp"
 #include "analysis/scene/scene.hpp"
 #include "analysis/steps/step_state.hpp"
 #include "contact/held_contact.hpp"
-#include "estimate/adjoint.hpp"
 #include "estimate/contact_load.hpp"
 #include "estimate/goal_error.hpp"
 #include "results/results.hpp"
@@ -24,20 +24,17 @@ public:
 
   /// Gives the fronts of a step, each a tip, which was solved last, their bars, or says why they
   /// have none. `held`: the contact that the adjoints keep, null where there is none.
-  void add_to_tips(const StepState& state, const std::vector<estimate::IntensityAdjoint>& adjoints,
+  void add_to_tips(const StepState& state, const IntensityAdjoint& adjoint,
                    const contact::FixedActiveSet* held, results::StepResult& step);
 
 private:
   void prepare();
-  [[nodiscard]] bool is_bonded(std::size_t contact) const;
   [[nodiscard]] estimate::ModeMap modes(const StepState& state) const;
-  void add_pressures(const StepState& state,
-                     const std::vector<estimate::IntensityAdjoint>& adjoints, base::Vector& f,
+  void add_pressures(const StepState& state, const IntensityAdjoint& adjoint, base::Vector& f,
                      base::Matrix& g) const;
   [[nodiscard]] bool coarse_contact(const StepState& state, const mesh::CrackFront& front) const;
   struct StepErrors;
-  [[nodiscard]] StepErrors step_errors(const StepState& state,
-                                       const std::vector<estimate::IntensityAdjoint>& adjoints,
+  [[nodiscard]] StepErrors step_errors(const StepState& state, const IntensityAdjoint& adjoint,
                                        const contact::FixedActiveSet* held);
   void estimate_bars(const StepState& state, const StepErrors& errors, std::size_t t,
                      results::FrontResult& front, results::StepResult& step);

@@ -108,13 +108,6 @@ void FrontErrorBars::prepare() {
   goals_ = goal_rows(model_, scene_, *enrichment_);
 }
 
-std::string FrontErrorBars::why_not(const FrozenContactStep& step) const {
-  if (!why_not_.empty()) {
-    return why_not_;
-  }
-  return step.contact.rubs ? depends_on_history : "";
-}
-
 base::Vector FrontErrorBars::load(const StepState& state) {
   base::Vector f = sum_case_loads(state.case_factor, enrichment_->freedoms(), [&](std::size_t c) {
     return enrichment_->distributed_load(model_.cases[c], *scene_.case_heat[c]);
@@ -217,7 +210,7 @@ void FrontErrorBars::add_to_fronts(const FrozenContactStep& step, const FrontKFu
   if (!prepared_) {
     prepare();
   }
-  std::string reason = why_not(step);
+  std::string reason = why_not_.empty() && step.contact.rubs ? depends_on_history : why_not_;
   std::optional<base::Vector> eta;
   if (reason.empty()) {
     eta = changes(step, K);

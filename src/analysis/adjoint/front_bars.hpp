@@ -27,7 +27,6 @@ private:
   void prepare();
   /// Loads of a step and pressures of its contacts on the modes.
   [[nodiscard]] base::Vector load(const StepState& state);
-  [[nodiscard]] std::string why_not(const FrozenContactStep& step) const;
   /// What cubic elements add to K. [K]; empty: a solution failed
   [[nodiscard]] std::optional<base::Vector> changes(const FrozenContactStep& step,
                                                     const FrontKFunctionals& K);

@@ -58,7 +58,9 @@ ClosedContactRows closed_rows(const StepSolver& solver, const Discretisation& sc
 
 CondensedLoads condense_loads(const Discretisation& scene,
                               const std::vector<SubstructuredBody>& bodies, base::Matrix loads) {
-  CondensedLoads condensed{.freedoms = loads.rows(), .columns = loads.cols()};
+  CondensedLoads condensed;
+  condensed.freedoms = loads.rows();
+  condensed.columns = loads.cols();
   scene.ties->transfer_to_masters(loads);
   for (const SubstructuredBody& body : bodies) {
     condensed.of_body.push_back(touches(body.body, scene.cracked.mesh.dim, loads)

@@ -5,7 +5,7 @@
 #include "analysis/scene/scene_heat.hpp"
 #include "analysis/steps/row_opening.hpp"
 #include "base/index.hpp"
-#include "estimate/modulus.hpp"
+#include "fe/thermal.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -69,12 +69,31 @@ void add_fit_derivatives(const KDependence& K, std::vector<ParameterDerivative>&
   }
 }
 
+// Thermal loads by material [dim * node, material] of a temperature field [connectivity index].
+// With K u they make what a stiffer material amounts to as loads, E d/dE (f - K u) (sensitivity.8).
+base::Matrix thermal_loads(const model::Model& model, const model::Mesh& mesh,
+                           const base::Vector& temperature) {
+  std::vector<base::Vector> own(model.materials.size(), base::Vector::Zero(temperature.size()));
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const std::size_t m = model.element_property(mesh, base::ElementId(e)).material.index();
+    const auto first = static_cast<Eigen::Index>(mesh.first[e]);
+    const auto count = static_cast<Eigen::Index>(mesh.element_nodes(base::ElementId(e)).size());
+    own[m].segment(first, count) = temperature.segment(first, count);
+  }
+  base::Matrix out(static_cast<Eigen::Index>(mesh.node_count()) * mesh.dim,
+                   static_cast<Eigen::Index>(own.size()));
+  for (std::size_t m = 0; m < own.size(); ++m) {
+    out.col(static_cast<Eigen::Index>(m)) = fe::thermal_load(model, mesh, own[m]);
+  }
+  return out;
+}
+
 // Thermal loads less internal forces, f^T - K_m u (sensitivity.8). [dim * node, material]
 base::Matrix loads_by_materials(const KDependence& K) {
   base::Matrix loads = -K.state.internal;
   if (K.state.temperature.size() > 0) {
     const model::Mesh& mesh = K.scene.cracked.mesh;
-    loads += estimate::thermal_loads(K.model, mesh, K.state.temperature);
+    loads += thermal_loads(K.model, mesh, K.state.temperature);
     for (const fe::ScaledTemperature& acting : acting_heat(K.scene, K.state.case_factor)) {
       for (std::size_t m = 0; m < K.model.materials.size(); ++m) {
         base::Vector f = base::Vector::Zero(loads.rows());

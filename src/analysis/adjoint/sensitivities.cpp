@@ -23,19 +23,18 @@ constexpr double same = 1e-10; ///< of the larger: two derivatives are one
 
 // dK of all tips by a cause (sensitivity.6). K1 stays 0 while the faces touch at the tip.
 base::Vector slopes(const Discretisation& scene, const ParameterDerivative& cause,
-                    const std::vector<estimate::IntensityAdjoint>& adjoints) {
-  const crack::KLayout layout = scene.k_layout();
+                    const IntensityAdjoint& adjoint) {
   base::Vector out = cause.direct;
-  for (std::size_t t = 0; t < adjoints.size(); ++t) {
-    auto dK = layout.point_entries(out, t);
-    if (cause.load.size() > 0) {
-      dK += adjoints[t].z.transpose() * cause.load;
-    }
-    if (cause.gap.size() > 0) {
-      dK += adjoints[t].w.transpose() * cause.gap;
-    }
+  if (cause.load.size() > 0) {
+    out += adjoint.z.transpose() * cause.load;
+  }
+  if (cause.gap.size() > 0) {
+    out += adjoint.w.transpose() * cause.gap;
+  }
+  for (std::size_t t = 0; t < scene.cracked.fronts.size(); ++t) {
     const std::optional<std::size_t> row = row_at_tip(scene, scene.cracked.fronts[t]);
-    dK[0] = row && adjoints[t].closed[*row] ? 0.0 : dK[0];
+    double& dK1 = out[scene.k_layout().at(t, 1)];
+    dK1 = row && adjoint.closed[*row] ? 0.0 : dK1;
   }
   return out;
 }
@@ -150,7 +149,7 @@ void TipSensitivityAnalysis::one_sided(const StepSolver& solver, const FrozenCon
   const LoadAndGapRates all = all_rates(solver, causes);
   struct Side {
     std::optional<FrozenContactSystem> system;
-    std::vector<estimate::IntensityAdjoint> adjoint;
+    IntensityAdjoint adjoint;
   };
   std::map<std::vector<bool>, Side> sides;
   for (std::size_t i = 0; i < causes.size(); ++i) {
@@ -167,7 +166,7 @@ void TipSensitivityAnalysis::one_sided(const StepSolver& solver, const FrozenCon
         side.system.emplace(solver, scene_, bodies_, *closed);
         side.adjoint = adjoints.solve_closed_set(*side.system, *closed);
       }
-      if (!side.adjoint.front().is_available()) {
+      if (!side.adjoint.is_available()) {
         continue;
       }
       range[up ? 1 : 0] += contact.linear_ranges(*side.system->held_contact(), all)[i][up ? 1 : 0];
@@ -186,24 +185,20 @@ void TipSensitivityAnalysis::one_sided(const StepSolver& solver, const FrozenCon
 
 void TipSensitivityAnalysis::add_to_tips(const StepSolver& solver, const StepState& state,
                                          KAdjoints& adjoints, results::StepResult& result) {
-  const std::vector<estimate::IntensityAdjoint>& adjoint = adjoints.solve_last_step(solver);
-  if (adjoint.empty()) {
-    return;
-  }
-  if (!adjoint.front().is_available()) {
-    add_sensitivity_note(adjoint.front().why_not, result);
+  const IntensityAdjoint& adjoint = adjoints.solve_last_step(solver);
+  if (!adjoint.is_available()) {
+    add_sensitivity_note(adjoint.why_not, result);
     return;
   }
   prepare();
-  const crack::KLayout layout = scene_.k_layout();
-  const auto of_displacements = [&adjoint, layout](const base::Vector& u) {
-    base::Vector out(layout.count());
-    for (std::size_t t = 0; t < adjoint.size(); ++t) {
-      layout.point_entries(out, t) = adjoint[t].rows.transpose() * u;
-    }
-    return out;
-  };
-  const KDependence K{model_, scene_, solver, state, case_load_, of_loads_, of_displacements};
+  const KDependence K{
+      model_,
+      scene_,
+      solver,
+      state,
+      case_load_,
+      of_loads_,
+      [&adjoint](const base::Vector& u) -> base::Vector { return adjoint.rows.transpose() * u; }};
   std::vector<ParameterDerivative> causes = load_and_fit_derivatives(K);
   const std::size_t with_range = causes.size();
   if ((solver.mount_offset().array() != 0.0).any()) {
@@ -211,7 +206,7 @@ void TipSensitivityAnalysis::add_to_tips(const StepSolver& solver, const StepSta
         "no derivatives by moduli and crack lengths: parts were mounted on deformed ones", result);
   } else {
     add_modulus_derivatives(K, causes);
-    add_lengths(state, adjoint.front().closed, causes, result);
+    add_lengths(state, adjoint.closed, causes, result);
   }
   list_causes(causes, result);
   // Without contact there is nothing to end any range.

@@ -95,8 +95,7 @@ results::StepResult CrackLengthAnalysis::recover_step(const model::Step& step,
   return collect_results(parts_.model, scene_, bodies_, step, state);
 }
 
-const std::vector<estimate::IntensityAdjoint>&
-CrackLengthAnalysis::solve_adjoints(const StepSolver& solver) {
+const IntensityAdjoint& CrackLengthAnalysis::solve_adjoints(const StepSolver& solver) {
   return processors_->adjoints.solve_last_step(solver);
 }
 
@@ -110,8 +109,8 @@ bool CrackLengthAnalysis::add_K_estimates(const StepSolver& solver, const StepSt
     processors_->fronts.add_to_fronts(solver, state, result);
     return ended("ESTIMATE", "error bars and derivatives of K");
   }
-  const std::vector<estimate::IntensityAdjoint>& of_K = solve_adjoints(solver);
-  if (!ended("ADJOINT", fmt::format("{} tips", of_K.size()))) {
+  const IntensityAdjoint& of_K = solve_adjoints(solver);
+  if (!ended("ADJOINT", fmt::format("{} tips", scene_.cracked.fronts.size()))) {
     return false;
   }
   processors_->bars.add_to_tips(state, of_K, processors_->adjoints.held_contact(), result);

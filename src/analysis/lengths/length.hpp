@@ -77,8 +77,8 @@ public:
   /// LOADPATH.
   [[nodiscard]] LoadPathSolver& load_paths() { return processors_->paths; }
 
-  /// ADJOINT: of K at the end of the step that `solver` solved last, in the plane. [tip]
-  const std::vector<estimate::IntensityAdjoint>& solve_adjoints(const StepSolver& solver);
+  /// ADJOINT: of K at the end of the step that `solver` solved last, in the plane.
+  const IntensityAdjoint& solve_adjoints(const StepSolver& solver);
   /// Told as a processor ends, by its name and what it did; false: go no further.
   using ProcessorEnded = std::function<bool(const std::string& processor, const std::string& did)>;
   /// ADJOINT, ESTIMATE and SENSITIVITY: error bars and derivatives of K at the end of the step that

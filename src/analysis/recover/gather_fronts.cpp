@@ -72,11 +72,7 @@ results::FrontPointResult point_of(const mesh::FrontPoint& point, const crack::S
   result.at_surface = point.at_surface;
   result.smooth =
       K.front ? K.front->from_inside.value_or(K.front->smooth) : std::array{K.K1, K.K2, K.K3};
-  const std::optional<double> opening_K3 =
-      K.front ? K.front->opening_K3 : std::optional<double>(0.0);
-  if (K.opening && opening_K3) {
-    result.opening = {(*K.opening)[0], (*K.opening)[1], *opening_K3};
-  }
+  result.opening = K.opening;
   return result;
 }
 

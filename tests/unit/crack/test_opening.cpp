@@ -57,7 +57,7 @@ struct Faces {
     }
   }
 
-  [[nodiscard]] std::optional<std::array<double, 2>> intensity() const {
+  [[nodiscard]] std::optional<std::array<double, 3>> intensity() const {
     const crack::FrontLoads loads;
     const crack::TipSetting set{.model = model,
                                 .mesh = cracked.mesh,
@@ -75,7 +75,7 @@ TEST(OpeningIntensity, OfTheNearTipFieldIsItsOwnK) {
   for (const model::StressState state :
        {model::StressState::plane_stress, model::StressState::plane_strain}) {
     for (const bool tip_first : {false, true}) {
-      const std::optional<std::array<double, 2>> K = Faces(state, tip_first).intensity();
+      const std::optional<std::array<double, 3>> K = Faces(state, tip_first).intensity();
       ASSERT_TRUE(K.has_value());
       EXPECT_NEAR((*K)[0], K1, 1e-12);
       EXPECT_NEAR((*K)[1], K2, 1e-12);
@@ -88,7 +88,7 @@ TEST(OpeningIntensity, OfASymmetricHalfCountsBothFaces) {
   Faces half(model::StressState::plane_strain, false);
   half.cracked.faces[0].right.clear();
   half.front.symmetric_half = true;
-  const std::optional<std::array<double, 2>> K = half.intensity();
+  const std::optional<std::array<double, 3>> K = half.intensity();
   ASSERT_TRUE(K.has_value());
   EXPECT_NEAR((*K)[0], K1, 1e-12);
   EXPECT_EQ((*K)[1], 0.0);

@@ -5,6 +5,7 @@
 
 #include "estimate/mode_load.hpp"
 #include "fe/assemble.hpp"
+#include "fe/heat.hpp"
 #include "mesh/cut/patch.hpp"
 #include "mesh/generate/generate.hpp"
 #include "model/model.hpp"
@@ -159,7 +160,9 @@ Found estimate_of(const StripTriangle& s, const model::LoadCase& load) {
   const base::Matrix g_e = modes.mode_functional(crack::intensity_points(
       s.model, s.cracked, front, s.fields, model::TipConstraint::automatic));
   const base::Vector f = fe::nodal_load(s.model, s.cracked.mesh, load);
-  const base::Vector f_e = estimate::mode_load(modes, load);
+  const base::Vector f_e = estimate::mode_load(
+      modes, load,
+      fe::make_case_temperature(s.model, {s.cracked.mesh, s.cracked.mesh, nullptr, {}}, load));
   const Eigen::LDLT<base::Matrix> factor(s.K);
   const base::Matrix F = s.on_unknowns(f);
   const base::Matrix G = s.on_unknowns(g);
@@ -297,7 +300,9 @@ TEST_P(GoalError, IsNothingWhereTheMeshIsExact) {
     }
     load.loads.push_back(one);
   }
-  base::Matrix r = estimate::mode_load(modes, load);
+  base::Matrix r = estimate::mode_load(
+      modes, load,
+      fe::make_case_temperature(modes.model(), {modes.mesh(), modes.mesh(), nullptr, {}}, load));
   const double size = r.cwiseAbs().maxCoeff();
   EXPECT_GT(size, 1e-3);
   modes.subtract_nodal_part(u, r);

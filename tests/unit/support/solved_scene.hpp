@@ -88,7 +88,7 @@ struct SolvedScene {
   }
 
   /// What z and w turn into K (manual, sensitivity.5), at the end of the last step.
-  [[nodiscard]] base::Vec2 intensity(const estimate::IntensityAdjoint& adjoint) const {
+  [[nodiscard]] base::Vector intensity(const analysis::IntensityAdjoint& adjoint) const {
     const base::Vector& factor = solver->factors().case_factor;
     base::Vector gap = base::Vector::Zero(static_cast<Eigen::Index>(scene().table.size()));
     if (solver->contact_system() != nullptr) {
