@@ -46,12 +46,15 @@ enum ContactPointOutput : unsigned {
 
 /// One quantity of a contact point: a number, or the word of a state.
 struct ContactPointQuantity {
+  /// How a quantity follows from the record of a point.
+  using Function = double(const ContactPoint&);
+
   const char* name; ///< as columns have it: "p_lumped"; $OUTPUT P_LUMPED
   base::Quantity kind;
   std::string_view doc;
-  double ContactPoint::*member = nullptr;            ///< where the record has it, or
-  double (*computed)(const ContactPoint&) = nullptr; ///< how it follows from the record, or
-  ContactState ContactPoint::*state = nullptr;       ///< it is a word
+  double ContactPoint::*member = nullptr;      ///< where the record has it, or
+  Function* computed = nullptr;                ///< how it follows from the record, or
+  ContactState ContactPoint::*state = nullptr; ///< it is a word
   unsigned places = in_all_pressures;
   bool friction = false; ///< shown where there is some; results.h5 has it always
   bool space = false;    ///< in pressure.csv only between solids
@@ -65,24 +68,43 @@ struct ContactPointQuantity {
   }
 };
 
+/// A coordinate x, y or z (c = 0, 1, 2) of the node.
+template <int c> double node_coordinate(const ContactPoint& point) {
+  return point.x[c];
+}
+/// A component (c = 0, 1, 2) of the shear traction on the slave.
+template <int c> double shear_component(const ContactPoint& point) {
+  return point.shear[c];
+}
+
+/// A quantity that is a coordinate of the node; of the third only between solids.
+constexpr ContactPointQuantity node_quantity(const char* name,
+                                             ContactPointQuantity::Function* computed, bool space) {
+  return {.name = name,
+          .kind = base::Quantity::length,
+          .doc = "the node, undeformed",
+          .computed = computed,
+          .places = in_pressure_csv | in_pressure_h5,
+          .space = space};
+}
+
+/// A quantity that is a component of the shear traction.
+constexpr ContactPointQuantity shear_quantity(const char* name,
+                                              ContactPointQuantity::Function* computed) {
+  return {.name = name,
+          .kind = base::Quantity::stress,
+          .doc = "shear traction on the slave, between solids",
+          .computed = computed,
+          .places = in_pressure_csv,
+          .friction = true,
+          .space = true};
+}
+
 /// In the order of pressure.csv: name of the contact and increment stand in front of them.
 inline constexpr std::array point_quantities{
-    ContactPointQuantity{.name = "x",
-                         .kind = base::Quantity::length,
-                         .doc = "the node, undeformed",
-                         .computed = [](const ContactPoint& point) { return point.x[0]; },
-                         .places = in_pressure_csv | in_pressure_h5},
-    ContactPointQuantity{.name = "y",
-                         .kind = base::Quantity::length,
-                         .doc = "the node, undeformed",
-                         .computed = [](const ContactPoint& point) { return point.x[1]; },
-                         .places = in_pressure_csv | in_pressure_h5},
-    ContactPointQuantity{.name = "z",
-                         .kind = base::Quantity::length,
-                         .doc = "the node, undeformed",
-                         .computed = [](const ContactPoint& point) { return point.x[2]; },
-                         .places = in_pressure_csv | in_pressure_h5,
-                         .space = true},
+    node_quantity("x", node_coordinate<0>, false),
+    node_quantity("y", node_coordinate<1>, false),
+    node_quantity("z", node_coordinate<2>, true),
     ContactPointQuantity{
         .name = "theta",
         .kind = base::Quantity::angle,
@@ -113,27 +135,9 @@ inline constexpr std::array point_quantities{
                          .doc = "shear traction on the slave, recovered as p_consistent",
                          .member = &ContactPoint::q_consistent,
                          .friction = true},
-    ContactPointQuantity{.name = "q_x",
-                         .kind = base::Quantity::stress,
-                         .doc = "shear traction on the slave, between solids",
-                         .computed = [](const ContactPoint& point) { return point.shear[0]; },
-                         .places = in_pressure_csv,
-                         .friction = true,
-                         .space = true},
-    ContactPointQuantity{.name = "q_y",
-                         .kind = base::Quantity::stress,
-                         .doc = "shear traction on the slave, between solids",
-                         .computed = [](const ContactPoint& point) { return point.shear[1]; },
-                         .places = in_pressure_csv,
-                         .friction = true,
-                         .space = true},
-    ContactPointQuantity{.name = "q_z",
-                         .kind = base::Quantity::stress,
-                         .doc = "shear traction on the slave, between solids",
-                         .computed = [](const ContactPoint& point) { return point.shear[2]; },
-                         .places = in_pressure_csv,
-                         .friction = true,
-                         .space = true},
+    shear_quantity("q_x", shear_component<0>),
+    shear_quantity("q_y", shear_component<1>),
+    shear_quantity("q_z", shear_component<2>),
     ContactPointQuantity{.name = "slip",
                          .kind = base::Quantity::length,
                          .doc = "what the slave has slipped while in contact",

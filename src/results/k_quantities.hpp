@@ -39,12 +39,15 @@ enum class KQuantityDigits { six, six_beside_largest, two };
 
 /// One quantity of a point of a front.
 struct KQuantity {
+  /// How a quantity follows from the records of a front and of a point of it.
+  using Function = double(const FrontResult&, const FrontPointResult&);
+
   const char* name; ///< as columns have it: "K1_bar"; $OUTPUT K1_BAR, $CHECK K1.BAR
   base::Quantity kind;
   std::string_view doc;
   double FrontPointResult::*member = nullptr; ///< where the record has it, or
   /// how it follows from the records.
-  double (*computed)(const FrontResult&, const FrontPointResult&) = nullptr;
+  Function* computed = nullptr;
   unsigned tip_places = 0;   ///< where it is found of a tip in the plane
   unsigned front_places = 0; ///< where it is found of a front in space
   KQuantityCondition given = KQuantityCondition::always;
@@ -85,6 +88,21 @@ struct KQuantity {
   [[nodiscard]] std::string check_word() const; ///< "K1.BAR"
 };
 
+/// A coordinate x, y or z (c = 0, 1, 2) of a point.
+template <int c>
+double front_coordinate(const FrontResult& /*front*/, const FrontPointResult& point) {
+  return point.x[c];
+}
+/// K1, K2 or K3 (k = 0, 1, 2) as a smooth function along the front, at a point.
+template <std::size_t k>
+double smooth_k(const FrontResult& /*front*/, const FrontPointResult& point) {
+  return point.smooth[k];
+}
+/// K1 or K2 (k = 0, 1) by the opening of the faces behind a point that has it.
+template <std::size_t k>
+double k_by_opening(const FrontResult& /*front*/, const FrontPointResult& point) {
+  return (*point.opening)[k];
+}
 /// Half width of the error bar of K1, K2 or K3 (k = 0, 1, 2) at a point.
 template <std::size_t k>
 double error_bar_size(const FrontResult& /*front*/, const FrontPointResult& point) {
@@ -96,11 +114,45 @@ double error_bar_part(const FrontResult& /*front*/, const FrontPointResult& poin
   return point.bar[k].*part;
 }
 
+/// A quantity that is a coordinate of the point.
+constexpr KQuantity place_quantity(const char* name, KQuantity::Function* computed) {
+  return {.name = name,
+          .kind = base::Quantity::length,
+          .doc = "place",
+          .computed = computed,
+          .tip_places = in_results_h5,
+          .front_places = in_files | in_listing};
+}
+
+/// A quantity that is K1, K2 or K3 (mode 0, 1, 2) itself.
+constexpr KQuantity mode_quantity(const char* name, std::string_view doc,
+                                  double FrontPointResult::*member, int mode, unsigned tip_places) {
+  return {.name = name,
+          .kind = base::Quantity::stress_intensity,
+          .doc = doc,
+          .member = member,
+          .tip_places = tip_places,
+          .front_places = in_files | in_listing | in_output | in_check,
+          .given = KQuantityCondition::in_one_material,
+          .mode = mode,
+          .digits = KQuantityDigits::six_beside_largest};
+}
+
+/// A quantity that is the smooth curve of a mode (0, 1, 2) along the front.
+constexpr KQuantity smooth_quantity(const char* name, std::string_view doc,
+                                    KQuantity::Function* computed, int mode) {
+  return {.name = name,
+          .kind = base::Quantity::stress_intensity,
+          .doc = doc,
+          .computed = computed,
+          .front_places = in_files,
+          .mode = mode};
+}
+
 /// A quantity that is the error bar of K1, K2 or K3, or a part of it: given with a bar alone.
 constexpr KQuantity error_bar_quantity(const char* name, std::string_view doc,
-                                       double (*computed)(const FrontResult&,
-                                                          const FrontPointResult&),
-                                       unsigned tip_places, unsigned front_places) {
+                                       KQuantity::Function* computed, unsigned tip_places,
+                                       unsigned front_places) {
   return {.name = name,
           .kind = base::Quantity::stress_intensity,
           .doc = doc,
@@ -109,6 +161,19 @@ constexpr KQuantity error_bar_quantity(const char* name, std::string_view doc,
           .front_places = front_places,
           .given = KQuantityCondition::with_bar,
           .judges = true};
+}
+
+/// A quantity that is K of a mode by the opening of the faces.
+constexpr KQuantity opening_quantity(const char* name, std::string_view doc,
+                                     KQuantity::Function* computed, std::string_view heading) {
+  return {.name = name,
+          .kind = base::Quantity::stress_intensity,
+          .doc = doc,
+          .computed = computed,
+          .tip_places = in_k_csv | in_listing,
+          .given = KQuantityCondition::with_opening,
+          .judges = true,
+          .heading = heading};
 }
 
 /// In the order of k.csv: increment, step and crack stand before them.
@@ -150,53 +215,12 @@ inline constexpr std::array k_quantities{
               .member = &FrontPointResult::phi,
               .front_places = in_files | in_listing,
               .given = KQuantityCondition::with_angles},
-    KQuantity{
-        .name = "x",
-        .kind = base::Quantity::length,
-        .doc = "place",
-        .computed = [](const FrontResult&, const FrontPointResult& point) { return point.x.x(); },
-        .tip_places = in_results_h5,
-        .front_places = in_files | in_listing},
-    KQuantity{
-        .name = "y",
-        .kind = base::Quantity::length,
-        .doc = "place",
-        .computed = [](const FrontResult&, const FrontPointResult& point) { return point.x.y(); },
-        .tip_places = in_results_h5,
-        .front_places = in_files | in_listing},
-    KQuantity{
-        .name = "z",
-        .kind = base::Quantity::length,
-        .doc = "place",
-        .computed = [](const FrontResult&, const FrontPointResult& point) { return point.x.z(); },
-        .tip_places = in_results_h5,
-        .front_places = in_files | in_listing},
-    KQuantity{.name = "K1",
-              .kind = base::Quantity::stress_intensity,
-              .doc = "stress intensity of mode I",
-              .member = &FrontPointResult::K1,
-              .tip_places = everywhere,
-              .front_places = in_files | in_listing | in_output | in_check,
-              .given = KQuantityCondition::in_one_material,
-              .mode = 0,
-              .digits = KQuantityDigits::six_beside_largest},
-    KQuantity{.name = "K2",
-              .kind = base::Quantity::stress_intensity,
-              .doc = "stress intensity of mode II",
-              .member = &FrontPointResult::K2,
-              .tip_places = everywhere,
-              .front_places = in_files | in_listing | in_output | in_check,
-              .given = KQuantityCondition::in_one_material,
-              .mode = 1,
-              .digits = KQuantityDigits::six_beside_largest},
-    KQuantity{.name = "K3",
-              .kind = base::Quantity::stress_intensity,
-              .doc = "stress intensity of mode III",
-              .member = &FrontPointResult::K3,
-              .front_places = in_files | in_listing | in_output | in_check,
-              .given = KQuantityCondition::in_one_material,
-              .mode = 2,
-              .digits = KQuantityDigits::six_beside_largest},
+    place_quantity("x", front_coordinate<0>),
+    place_quantity("y", front_coordinate<1>),
+    place_quantity("z", front_coordinate<2>),
+    mode_quantity("K1", "stress intensity of mode I", &FrontPointResult::K1, 0, everywhere),
+    mode_quantity("K2", "stress intensity of mode II", &FrontPointResult::K2, 1, everywhere),
+    mode_quantity("K3", "stress intensity of mode III", &FrontPointResult::K3, 2, 0),
     KQuantity{.name = "G",
               .kind = base::Quantity::energy_release,
               .doc = "energy release rate",
@@ -229,27 +253,9 @@ inline constexpr std::array k_quantities{
               .tip_places = everywhere & ~(in_output | in_sweep),
               .front_places = in_files | in_listing | in_output | in_check,
               .given = KQuantityCondition::in_one_material},
-    KQuantity{.name = "K1_smooth",
-              .kind = base::Quantity::stress_intensity,
-              .doc = "K1 as a smooth function along the front",
-              .computed = [](const FrontResult&,
-                             const FrontPointResult& point) { return point.smooth[0]; },
-              .front_places = in_files,
-              .mode = 0},
-    KQuantity{.name = "K2_smooth",
-              .kind = base::Quantity::stress_intensity,
-              .doc = "K2 as a smooth function along the front",
-              .computed = [](const FrontResult&,
-                             const FrontPointResult& point) { return point.smooth[1]; },
-              .front_places = in_files,
-              .mode = 1},
-    KQuantity{.name = "K3_smooth",
-              .kind = base::Quantity::stress_intensity,
-              .doc = "K3 as a smooth function along the front",
-              .computed = [](const FrontResult&,
-                             const FrontPointResult& point) { return point.smooth[2]; },
-              .front_places = in_files,
-              .mode = 2},
+    smooth_quantity("K1_smooth", "K1 as a smooth function along the front", smooth_k<0>, 0),
+    smooth_quantity("K2_smooth", "K2 as a smooth function along the front", smooth_k<1>, 1),
+    smooth_quantity("K3_smooth", "K3 as a smooth function along the front", smooth_k<2>, 2),
     error_bar_quantity("K1_bar", "error bar of K1, half its width", error_bar_size<0>,
                        everywhere & ~in_listing, in_files | in_output | in_check),
     error_bar_quantity("K1_best", "K1 with its estimated error taken out",
@@ -276,24 +282,10 @@ inline constexpr std::array k_quantities{
                        in_files | in_output | in_check),
     error_bar_quantity("K3_best", "K3 with its estimated error taken out",
                        error_bar_part<2, &KErrorBar::best>, 0, in_files | in_output | in_check),
-    KQuantity{.name = "K1_opening",
-              .kind = base::Quantity::stress_intensity,
-              .doc = "K1 by the opening of the faces behind the tip",
-              .computed = [](const FrontResult&,
-                             const FrontPointResult& point) { return (*point.opening)[0]; },
-              .tip_places = in_k_csv | in_listing,
-              .given = KQuantityCondition::with_opening,
-              .judges = true,
-              .heading = "K1 by opening"},
-    KQuantity{.name = "K2_opening",
-              .kind = base::Quantity::stress_intensity,
-              .doc = "K2 by the opening of the faces behind the tip",
-              .computed = [](const FrontResult&,
-                             const FrontPointResult& point) { return (*point.opening)[1]; },
-              .tip_places = in_k_csv | in_listing,
-              .given = KQuantityCondition::with_opening,
-              .judges = true,
-              .heading = "K2 by opening"},
+    opening_quantity("K1_opening", "K1 by the opening of the faces behind the tip", k_by_opening<0>,
+                     "K1 by opening"),
+    opening_quantity("K2_opening", "K2 by the opening of the faces behind the tip", k_by_opening<1>,
+                     "K2 by opening"),
 };
 
 /// The quantity that $CHECK calls so ("K1.BAR"; "K" is K1) in `dim` dimensions, or null.
