@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "archive/checkpoint_list.hpp"
+#include "archive/checkpoint_writer.hpp"
 #include "base/clock.hpp"
 #include "base/source.hpp"
 #include "model/forward.hpp"
 #include "results/named_arrays.hpp"
 #include "results/results.hpp"
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -57,7 +58,6 @@ public:
   /// Opens both places. Throws FileFailure for files that cannot be used.
   Checkpoint(CheckpointOptions place, const std::filesystem::path& deck,
              const base::SourceTexts& sources, const model::Model& model);
-  ~Checkpoint();
   Checkpoint(const Checkpoint&) = delete;
   Checkpoint& operator=(const Checkpoint&) = delete;
 
@@ -95,21 +95,14 @@ public:
   [[nodiscard]] const std::filesystem::path& source_file() const { return place_.read; }
   /// Seconds and increments of the limit in words, for messages.
   [[nodiscard]] std::string limit_text() const;
-  [[nodiscard]] bool writes() const { return !place_.write.empty(); }
+  [[nodiscard]] bool writes() const { return writer_.has_value(); }
   [[nodiscard]] const std::filesystem::path& file() const { return place_.write; }
 
 private:
-  struct PendingFile {
-    std::string file, bytes;
-  };
-
   [[nodiscard]] CheckpointList read_newest();
-  [[nodiscard]] std::string list_bytes() const;
+  [[nodiscard]] std::string list_bytes(const std::vector<CheckpointEntry>& entries) const;
   std::optional<CheckpointMismatch> misfit_of_steps();
   std::optional<CheckpointMismatch> misfit_of_growth() const;
-  void open_to_write();
-  void put_on_disk();
-  void sweep_folder() const;
   [[nodiscard]] const CheckpointEntry* find(int number) const;
   void tell(const std::string& code, const std::string& text);
 
@@ -123,15 +116,8 @@ private:
   std::size_t dropped_steps_ = 0; ///< of the earlier deck, at its end
   std::vector<std::pair<std::string, std::string>> reported_;
   Listener listener_;
-
-  std::mutex guard_;                     ///< of all below
-  std::vector<CheckpointEntry> entries_; ///< to be listed
-  std::vector<PendingFile> pending_;     ///< listed, not yet on disk
-  std::string pending_list_;             ///< that lists them: HDF5 is used by one thread only
-  std::size_t taken_ = 0;                ///< from an earlier run
-  std::size_t on_disk_ = 0;              ///< entries in the list on disk
-  std::vector<std::string> before_;      ///< files of the list before
-  int lock_ = -1;                        ///< folder, locked against a second run
+  std::atomic<std::size_t> taken_ = 0; ///< from an earlier run
+  std::optional<CheckpointWriter> writer_;
 };
 
 } // namespace spricka::archive

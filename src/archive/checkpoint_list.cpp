@@ -2,110 +2,76 @@
 #include "archive/checkpoint_list.hpp"
 
 #include "model/model.hpp"
-#include "results/store_run.hpp"
+#include "results/store_fields.hpp"
 
 #include <limits>
 #include <optional>
-#include <variant>
+#include <utility>
 
 #include <fmt/format.h>
 
 namespace spricka::archive {
 
+/// The columns of a card in the table cards; the place in the deck that is read now is not kept.
+template <class V, results::Of<CardFingerprint> T> void fields(V& v, T& card) {
+  v("name", card.name);
+  v("hash", card.hash);
+  v("uses", card.uses);
+  v("file", card.file);
+  v("line", card.line);
+}
+
 namespace {
 
-results::ColumnTable card_table(const std::vector<CardFingerprint>& cards) {
-  std::vector<std::string> name;
-  std::vector<std::string> hash;
-  std::vector<std::string> uses;
-  std::vector<std::string> file;
-  std::vector<std::int64_t> line;
-  for (const CardFingerprint& card : cards) {
-    name.push_back(card.name);
-    hash.push_back(card.hash);
-    uses.push_back(card.uses);
-    file.push_back(card.file);
-    line.push_back(card.line);
-  }
-  return {{{"name", name}, {"hash", hash}, {"uses", uses}, {"file", file}, {"line", line}}};
+/// An entry as the table increments has it: all logs stand in one table beside it, one increment's
+/// lines behind the other's.
+struct EntryRow {
+  CheckpointEntry entry;
+  std::int64_t log_lines = 0;
+};
+
+template <class V, results::Of<EntryRow> T> void fields(V& v, T& row) {
+  v("round", row.entry.round);
+  v("number", row.entry.number);
+  v("a", row.entry.asked);
+  v("file", row.entry.file);
+  v("hash", row.entry.hash);
+  v("cpu", row.entry.cpu);
+  v("wall", row.entry.wall);
+  v("log_lines", row.log_lines);
 }
 
-template <class T>
-const std::vector<T>& column(const results::ColumnTable& table, std::size_t c, const char* name) {
-  const std::vector<T>* values = c < table.columns.size() && table.columns[c].name == name
-                                     ? std::get_if<std::vector<T>>(&table.columns[c].values)
-                                     : nullptr;
-  if (values == nullptr) {
-    throw results::StoreError(fmt::format("column {} is missing", name));
+/// A table that every list has. Throws StoreError where it is missing.
+template <class Row>
+std::vector<Row> read_table(const results::StoreGroup& group, const std::string& name) {
+  if (!group.has_member(name)) {
+    throw results::StoreError(fmt::format("table {} is missing", name));
   }
-  return *values;
+  return results::read_record_list<Row>(group, name);
 }
 
-std::vector<CardFingerprint> cards_from(const results::ColumnTable& table) {
-  std::vector<CardFingerprint> cards(table.rows());
-  for (std::size_t i = 0; i < cards.size(); ++i) {
-    cards[i].name = column<std::string>(table, 0, "name")[i];
-    cards[i].hash = column<std::string>(table, 1, "hash")[i];
-    cards[i].uses = column<std::string>(table, 2, "uses")[i];
-    cards[i].file = column<std::string>(table, 3, "file")[i];
-    cards[i].line = static_cast<int>(column<std::int64_t>(table, 4, "line")[i]);
-  }
-  return cards;
-}
-
-void write_entries(results::StoreGroup group, const std::vector<CheckpointEntry>& entries) {
-  std::vector<std::int64_t> round;
-  std::vector<std::int64_t> number;
-  std::vector<double> asked;
-  std::vector<std::string> file;
-  std::vector<std::string> hash;
-  std::vector<double> cpu;
-  std::vector<double> wall;
-  std::vector<std::int64_t> lines;
+void write_entries(const results::StoreGroup& group, const std::vector<CheckpointEntry>& entries) {
+  std::vector<EntryRow> rows;
   std::vector<results::LogLine> log;
   for (const CheckpointEntry& e : entries) {
-    round.push_back(e.round);
-    number.push_back(e.number);
-    asked.push_back(e.asked);
-    file.push_back(e.file);
-    hash.push_back(e.hash);
-    cpu.push_back(e.cpu);
-    wall.push_back(e.wall);
-    lines.push_back(static_cast<std::int64_t>(e.log.size()));
+    rows.push_back({e, static_cast<std::int64_t>(e.log.size())});
     log.insert(log.end(), e.log.begin(), e.log.end());
   }
-  group.write("increments", results::ColumnTable{{{"round", round},
-                                                  {"number", number},
-                                                  {"a", asked},
-                                                  {"file", file},
-                                                  {"hash", hash},
-                                                  {"cpu", cpu},
-                                                  {"wall", wall},
-                                                  {"log_lines", lines}}});
-  results::write_log(group, "log", log);
+  results::write_record_list(group, "increments", rows);
+  results::write_record_list(group, "log", log);
 }
 
 std::vector<CheckpointEntry> entries_from(const results::StoreGroup& group) {
-  const results::ColumnTable table = group.read_table("increments");
-  const std::vector<results::LogLine> log = results::read_log(group, "log");
+  const auto log = results::read_record_list<results::LogLine>(group, "log");
   auto line = log.begin();
-  std::vector<CheckpointEntry> entries(table.rows());
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    CheckpointEntry& e = entries[i];
-    e.round = static_cast<int>(column<std::int64_t>(table, 0, "round")[i]);
-    e.number = static_cast<int>(column<std::int64_t>(table, 1, "number")[i]);
-    e.asked = column<double>(table, 2, "a")[i];
-    e.file = column<std::string>(table, 3, "file")[i];
-    e.hash = column<std::string>(table, 4, "hash")[i];
-    e.cpu = column<double>(table, 5, "cpu")[i];
-    e.wall = column<double>(table, 6, "wall")[i];
-    const std::int64_t lines = column<std::int64_t>(table, 7, "log_lines")[i];
-    if (lines < 0 || lines > log.end() - line) {
+  std::vector<CheckpointEntry> entries;
+  for (EntryRow& row : read_table<EntryRow>(group, "increments")) {
+    if (row.log_lines < 0 || row.log_lines > log.end() - line) {
       throw results::StoreError("the log is incomplete");
     }
-    // All logs stand in one table, one increment's lines behind the other's.
-    e.log.assign(line, line + lines);
-    line += lines;
+    row.entry.log.assign(line, line + row.log_lines);
+    line += row.log_lines;
+    entries.push_back(std::move(row.entry));
   }
   return entries;
 }
@@ -132,13 +98,13 @@ void write_checkpoint_list(results::StoreGroup root, const CheckpointList& list)
   root.set_attribute("growth", list.growth);
   root.set_attribute("amax", list.ends[0]);
   root.set_attribute("cycles", list.ends[1]);
-  root.write("cards", card_table(list.cards));
+  results::write_record_list(root, "cards", list.cards);
   write_entries(root, list.entries);
 }
 
 CheckpointList read_checkpoint_list(const results::StoreGroup& root) {
   CheckpointList list;
-  list.cards = cards_from(root.read_table("cards"));
+  list.cards = read_table<CardFingerprint>(root, "cards");
   list.entries = entries_from(root);
   list.growth = root.text_attribute("growth");
   list.ends = {root.real_attribute("amax"), root.real_attribute("cycles")};

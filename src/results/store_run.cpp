@@ -237,14 +237,6 @@ NamedArrays read_arrays(const StoreGroup& group) {
   return arrays;
 }
 
-void write_log(const StoreGroup& group, const std::string& name, const std::vector<LogLine>& log) {
-  write_record_list(group, name, log);
-}
-
-std::vector<LogLine> read_log(const StoreGroup& group, const std::string& name) {
-  return read_record_list<LogLine>(group, name);
-}
-
 namespace {
 
 // Tables of fronts, contacts and balances stay.

@@ -34,11 +34,6 @@ void write_arrays(const StoreGroup& group, const NamedArrays& arrays);
 /// Reads back what write_arrays has written. Throws StoreError.
 NamedArrays read_arrays(const StoreGroup& group);
 
-/// The lines of a log as the table NAME.
-void write_log(const StoreGroup& group, const std::string& name, const std::vector<LogLine>& log);
-/// Reads back the lines of a log; empty where there is no such table.
-std::vector<LogLine> read_log(const StoreGroup& group, const std::string& name);
-
 /// The tables that people ask for first, of all increments and steps in one piece: k, pressure,
 /// load_path.
 void write_summary_tables(StoreGroup group, const RunResult& run);

@@ -2,6 +2,7 @@
 #pragma once
 #include "base/source.hpp"
 #include "base/vec.hpp"
+#include "model/cracks.hpp"
 #include "model/forward.hpp"
 #include "model/mirror_plane.hpp"
 

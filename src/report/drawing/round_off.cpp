@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/drawing/round_off.hpp"
 
+#include "geometry/box.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -12,14 +13,11 @@ namespace {
 
 /// Diagonal of the box round the nodes that elements have.
 double size_of(const model::Mesh& mesh) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  base::Vec3 low = base::Vec3::Constant(infinite);
-  base::Vec3 high = -low;
+  geometry::Box<3> box;
   for (const base::NodeId n : mesh.nodes) {
-    low = low.cwiseMin(mesh.x[n.index()]);
-    high = high.cwiseMax(mesh.x[n.index()]);
+    box.extend({mesh.x[n.index()], mesh.x[n.index()]});
   }
-  return mesh.nodes.empty() ? 0.0 : (high - low).norm();
+  return mesh.nodes.empty() ? 0.0 : box.diagonal();
 }
 
 /// E times displacement [stress * length].

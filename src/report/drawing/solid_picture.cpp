@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/drawing/solid_picture.hpp"
 
+#include "geometry/box.hpp"
 #include "model/property_points.hpp"
 #include "report/drawing/colour_scale.hpp"
 #include "report/drawing/picture_frame.hpp"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace spricka::report {
 namespace {
@@ -27,15 +27,13 @@ struct DrawnFace {
 
 /// Largest extent of the surface.
 double size_of(const results::Increment& increment) {
-  base::Vec3 low = base::Vec3::Constant(std::numeric_limits<double>::infinity());
-  base::Vec3 high = -low;
+  geometry::Box<3> box;
   for (const results::OuterSurfaceFace& face : increment.surface) {
     for (const base::NodeId n : face.outline) {
-      low = low.cwiseMin(increment.mesh.x[n.index()]);
-      high = high.cwiseMax(increment.mesh.x[n.index()]);
+      box.extend({increment.mesh.x[n.index()], increment.mesh.x[n.index()]});
     }
   }
-  return (high - low).maxCoeff();
+  return (box.high - box.low).maxCoeff();
 }
 
 /// So that the largest displacement is at most a fifteenth of the size; 0: none.

@@ -28,19 +28,18 @@ namespace {
 using base::Vec3;
 using results::FrontAxisEnd;
 
-/// Factors of load cases and fits at the end of a step.
-struct BetaCsvFactors {
-  std::vector<double> of_case, of_fit;
-};
+/// Factors of load cases, then of fits, at one moment.
+using BetaCsvFactors = std::vector<double>;
 
 // A fit that no step names is there from the beginning.
 std::vector<BetaCsvFactors> factors_of_steps(const model::Model& model) {
-  BetaCsvFactors now{std::vector<double>(model.cases.size(), 0.0),
-                     std::vector<double>(model.contacts.size(), 1.0)};
+  const std::size_t first_fit = model.cases.size();
+  BetaCsvFactors now(first_fit, 0.0);
+  now.resize(first_fit + model.contacts.size(), 1.0);
   for (const model::Step& step : model.steps) {
     for (const model::Action& action : step.actions) {
       if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
-        now.of_fit[fit->contact.index()] = 0.0;
+        now[first_fit + fit->contact.index()] = 0.0;
       }
     }
   }
@@ -48,9 +47,9 @@ std::vector<BetaCsvFactors> factors_of_steps(const model::Model& model) {
   for (const model::Step& step : model.steps) {
     for (const model::Action& action : step.actions) {
       if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
-        now.of_fit[fit->contact.index()] = fit->factor;
+        now[first_fit + fit->contact.index()] = fit->factor;
       } else if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {
-        now.of_case[load->load_case.index()] = load->factor;
+        now[load->load_case.index()] = load->factor;
       }
     }
     out.push_back(now);
@@ -60,11 +59,8 @@ std::vector<BetaCsvFactors> factors_of_steps(const model::Model& model) {
 
 BetaCsvFactors between(const BetaCsvFactors& from, const BetaCsvFactors& to, double t) {
   BetaCsvFactors out = from;
-  for (std::size_t i = 0; i < out.of_case.size(); ++i) {
-    out.of_case[i] += t * (to.of_case[i] - from.of_case[i]);
-  }
-  for (std::size_t i = 0; i < out.of_fit.size(); ++i) {
-    out.of_fit[i] += t * (to.of_fit[i] - from.of_fit[i]);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out[i] += t * (to[i] - from[i]);
   }
   return out;
 }
@@ -159,13 +155,15 @@ Columns<BetaRow> beta_columns(const model::Model& model) {
   columns.where({});
   columns.exact("where", [](const BetaRow& row) { return row.moment->where; });
   columns.exact("t", [](const BetaRow& row) { return row.moment->t; });
-  for (std::size_t i = 0; i < model.cases.size(); ++i) {
-    columns.exact("load_" + model.cases[i].name,
-                  [i](const BetaRow& row) { return row.moment->factors.of_case[i]; });
+  std::size_t factor = 0;
+  const auto add_factor = [&](const std::string& name) {
+    columns.exact(name, [i = factor++](const BetaRow& row) { return row.moment->factors[i]; });
+  };
+  for (const model::LoadCase& load_case : model.cases) {
+    add_factor("load_" + load_case.name);
   }
-  for (std::size_t i = 0; i < model.contacts.size(); ++i) {
-    columns.exact("fit_" + model.contacts[i].name,
-                  [i](const BetaRow& row) { return row.moment->factors.of_fit[i]; });
+  for (const model::Contact& contact : model.contacts) {
+    add_factor("fit_" + contact.name);
   }
   columns.exact("K1", [](const BetaRow& row) { return row.K[0]; });
   columns.exact("K2", [](const BetaRow& row) { return row.K[1]; });
