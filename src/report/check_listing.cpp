@@ -194,13 +194,9 @@ std::string check_listing(const DeckPreview& preview) {
        {nets(preview), quality(preview), pairs(preview), bodies(preview),
         load_table(preview.loads, {preview.length_unit, preview.force_unit, preview.dim}),
         cracks(preview)}) {
-    if (!table.rows.empty()) {
-      out += "\n" + to_text(table);
-    }
+    out += to_text_below(table);
   }
-  if (!preview.scripts.empty()) {
-    out += "\n" + to_text(script_table(preview.scripts));
-  }
+  out += to_text_below(script_table(preview.scripts));
   // Of cracks in space notes tell more: rings and sectors, patches that are shared, ties.
   for (const results::CrackLengthPreview& length : preview.lengths) {
     for (const std::string& note : preview.dim == 3 ? length.notes : std::vector<std::string>()) {

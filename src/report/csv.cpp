@@ -8,7 +8,6 @@
 #include "report/units_line.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -16,10 +15,8 @@ namespace spricka::report {
 
 namespace {
 
-constexpr double degree = 180.0 / std::numbers::pi;
-
 double printed_unit(base::Quantity kind) {
-  return kind == base::Quantity::angle ? degree : 1.0;
+  return kind == base::Quantity::angle ? degrees_per_radian : 1.0;
 }
 
 /// A node of a contact surface at the end of a step.

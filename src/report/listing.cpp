@@ -54,18 +54,8 @@ std::string model_summary(const model::Model& model,
     out += note + "\n\n";
   }
   out += to_text(net_table(model)) + "\n" + to_text(property_table(model));
-  const ReportTable contacts = contact_pair_table(model);
-  if (!contacts.rows.empty()) {
-    (out += '\n') += to_text(contacts);
-  }
-  if (!model.rigids.empty()) {
-    (out += '\n') += to_text(rigid_table(model));
-  }
-  const ReportTable loads =
-      load_table(totals, {model.units.length_name, model.units.force_name, model.mesh.dim});
-  if (!loads.rows.empty()) {
-    (out += '\n') += to_text(loads);
-  }
+  out += to_text_below(contact_pair_table(model)) + to_text_below(rigid_table(model));
+  out += to_text_below(load_table(totals, {units.length_name, units.force_name, model.mesh.dim}));
   if (!model.steps.empty()) {
     out += "\nSteps:";
     for (const model::Step& step : model.steps) {
@@ -116,9 +106,7 @@ std::string increment_text(const model::Model& model, const results::Increment& 
         friction_table(model, increment), k_table(model, increment),
         sensitivity_table(model, increment), load_path_table(model, increment),
         opening_table(increment)}) {
-    if (!table.rows.empty()) {
-      (out += '\n') += to_text(table);
-    }
+    out += to_text_below(table);
   }
   for (const ReportTable& table : front_tables(model, increment)) {
     (out += '\n') += to_text(table);

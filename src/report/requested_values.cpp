@@ -4,6 +4,7 @@
 #include "model/property_points.hpp"
 #include "results/k_quantities.hpp"
 #include "results/output_word.hpp"
+#include "results/stress_component.hpp"
 
 #include <algorithm>
 #include <array>
@@ -123,15 +124,13 @@ private:
   }
 
   void add_stress(const Where& where, const results::Stress& stress) {
-    static constexpr std::array components{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
-    static constexpr std::array principal{"P1", "P2", "P3"};
-    for (std::size_t c = 0; c < components.size(); ++c) {
-      values_.push_back({where, components[c], stress[c]});
+    for (std::size_t c = 0; c < stress.size(); ++c) {
+      values_.push_back({where, std::string(results::stress_component_names[c]), stress[c]});
     }
     values_.push_back({where, "MISES", results::von_mises(stress)});
     const std::array<double, 3> p = results::principal_stresses(stress);
-    for (std::size_t c = 0; c < principal.size(); ++c) {
-      values_.push_back({where, principal[c], p[c]});
+    for (std::size_t c = 0; c < p.size(); ++c) {
+      values_.push_back({where, std::string(results::principal_stress_names[c]), p[c]});
     }
   }
 

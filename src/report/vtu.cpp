@@ -5,6 +5,7 @@
 #include "report/drawing/vtu_grid.hpp"
 #include "report/report.hpp"
 #include "results/k_quantities.hpp"
+#include "results/stress_component.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,9 +14,6 @@
 
 namespace spricka::report {
 namespace {
-
-constexpr std::array<std::string_view, 6> stress_components{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
-constexpr std::array<std::string_view, 3> principal_components{"P1", "P2", "P3"};
 
 /// Stresses as arrays: the components, von Mises, principal ones.
 template <class Real> class StressArrays {
@@ -31,9 +29,10 @@ public:
   }
   void write(VtuDocument& document, const std::string& prefix) const {
     const char* const type = sizeof(Real) == sizeof(double) ? "Float64" : "Float32";
-    document.add_array(prefix + "stress", type, 6, stress_, stress_components);
+    document.add_array(prefix + "stress", type, 6, stress_, results::stress_component_names);
     document.add_array(prefix + "von_mises", type, 1, mises_);
-    document.add_array(prefix + "principal", "Float32", 3, principal_, principal_components);
+    document.add_array(prefix + "principal", "Float32", 3, principal_,
+                       results::principal_stress_names);
   }
 
 private:

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "results/stress_component.hpp"
 
-#include <array>
-
 namespace spricka::results {
 
 std::optional<double> stress_component(const Stress& s, std::string_view name) {
-  static constexpr std::array<std::string_view, 6> names{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (name == names.at(i)) {
+  for (std::size_t i = 0; i < stress_component_names.size(); ++i) {
+    if (name == stress_component_names.at(i)) {
       return s.at(i);
     }
   }

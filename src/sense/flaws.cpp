@@ -76,12 +76,8 @@ private:
                                     const CrackInBody& extent) const {
     std::string text =
         fmt::format("crack {}: {} crack", crack.name, mesh::configuration_name(extent.kind));
-    std::vector<std::string> along;
-    for (const CrackMouthFace& face : extent.open) {
-      along.push_back(length(face.length) + " along " + name_of_face(face) +
-                      (held_across(face) ? " (held as a plane of symmetry)" : ""));
-    }
-    text += along.empty() ? "" : ", " + join(along);
+    const std::string along = lengths_of(extent, " (held as a plane of symmetry)");
+    text += along.empty() ? "" : ", " + along;
     if (extent.kind == CrackConfiguration::surface) {
       text += ", " + length(extent.depth) + " deep";
     } else if (extent.kind == CrackConfiguration::embedded) {
@@ -130,17 +126,19 @@ private:
                               "that the body has all of the ellipse. The flaw is a {} crack of "
                               "{:.3g} % of the ellipse, {}",
                               crack.name, join(off), mesh::configuration_name(extent.kind),
-                              100.0 * extent.drawn, lengths_of(extent)),
+                              100.0 * extent.drawn, lengths_of(extent, "")),
                   through ? "a through crack is drawn by its front, two points beyond the body, or "
                             "by an ellipse much longer than the body is thick"
                           : "put X0 Y0 Z0 on the edge of a corner crack, on the face of a surface "
                             "crack");
   }
 
-  [[nodiscard]] std::string lengths_of(const CrackInBody& extent) const {
+  // `held`: what is said of faces that are held across.
+  [[nodiscard]] std::string lengths_of(const CrackInBody& extent, const char* held) const {
     std::vector<std::string> along;
     for (const CrackMouthFace& face : extent.open) {
-      along.push_back(length(face.length) + " along " + name_of_face(face));
+      along.push_back(length(face.length) + " along " + name_of_face(face) +
+                      (held_across(face) ? held : ""));
     }
     return join(along);
   }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sense/half_cracks.hpp"
 
+#include "geometry/box.hpp"
 #include "mesh/cut/path_gap.hpp"
 #include "model/model.hpp"
+#include "sense/mirrored_cracks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,17 +45,8 @@ Depths depths_of(const model::Model& model, const model::CrackDefinition& crack,
     depths.add(plane.signed_distance(e.place) + extent);
     return depths;
   }
-  for (const Vec3& x : crack.points) {
+  for (const Vec3& x : crack_line(model, crack, 0.0)) {
     depths.add(plane.signed_distance(x));
-  }
-  if (crack.path.valid()) {
-    for (const base::NodeId n : model.mesh.set_with_id(crack.path).nodes) {
-      depths.add(plane.signed_distance(model.mesh.x[n.index()]));
-    }
-  }
-  if (crack.angle && !crack.points.empty()) {
-    const Vec3 ahead(std::cos(*crack.angle), std::sin(*crack.angle), 0.0);
-    depths.add(plane.signed_distance(crack.points.front() + crack.a0.value_or(0.0) * ahead));
   }
   return depths;
 }
@@ -166,14 +159,8 @@ void keep_about(std::vector<T>& list, const std::vector<base::CrackId>& now,
 
 HalfModelPlane make_half_model_plane(const model::Mesh& mesh, const model::MirrorPlane& request,
                                      double at) {
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
-  Vec3 high = -low;
-  for (const Vec3& x : mesh.x) {
-    low = low.cwiseMin(x);
-    high = high.cwiseMax(x);
-  }
-  return {request.axis, at, request.above ? 1.0 : -1.0, in_plane * (high - low).norm(),
-          request.span};
+  return {request.axis, at, request.above ? 1.0 : -1.0,
+          in_plane * geometry::Box<3>::around(mesh.x).diagonal(), request.span};
 }
 
 std::string find_crack_without_half(const model::Model& model, const HalfModelPlane& plane) {

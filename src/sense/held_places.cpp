@@ -7,9 +7,11 @@
 #include "mesh/cut/host.hpp"
 #include "mesh/cut/mouth.hpp"
 #include "model/model.hpp"
+#include "sense/mirrored_cracks.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -76,10 +78,10 @@ public:
 
 private:
   [[nodiscard]] bool on_a_crack(const model::Load& load) const {
-    return std::ranges::any_of(model_.cracks, [&](const model::CrackDefinition& crack) {
-      return load.faces.valid() && (load.faces == crack.left || load.faces == crack.right ||
-                                    lies_on_path(mesh_.set_with_id(load.faces), crack));
-    });
+    return find_loaded_crack(model_, load) != nullptr ||
+           std::ranges::any_of(model_.cracks, [&](const model::CrackDefinition& crack) {
+             return load.faces.valid() && lies_on_path(mesh_.set_with_id(load.faces), crack);
+           });
   }
 
   // On a line of symmetry, which is held until the crack runs along it.
@@ -96,14 +98,13 @@ private:
     });
   }
 
-  [[nodiscard]] bool held(base::NodeId n) const {
+  [[nodiscard]] std::span<const model::FreedomClass> freedoms_of(base::NodeId n) const {
     const auto dim = static_cast<std::size_t>(mesh_.dim);
-    for (std::size_t c = 0; c < dim; ++c) {
-      if (!is_held(cls_[dim * n.index() + c])) {
-        return false;
-      }
-    }
-    return true;
+    return std::span(cls_).subspan(dim * n.index(), dim);
+  }
+
+  [[nodiscard]] bool held(base::NodeId n) const {
+    return std::ranges::all_of(freedoms_of(n), is_held);
   }
 
   void look_at(const model::LoadCase& load_case, const model::Load& load) {
@@ -160,13 +161,9 @@ private:
 
   // What a case prescribes may draw the crack faces apart.
   [[nodiscard]] bool suppressed(base::NodeId node) const {
-    for (int c = 0; c < mesh_.dim; ++c) {
-      const auto freedom = node.index() * static_cast<std::size_t>(mesh_.dim) + std::size_t(c);
-      if (cls_[freedom] != model::FreedomClass::suppressed) {
-        return false;
-      }
-    }
-    return true;
+    return std::ranges::all_of(freedoms_of(node), [](model::FreedomClass cls) {
+      return cls == model::FreedomClass::suppressed;
+    });
   }
 
   // The boundary side that the mouth opens in, with both its ends held.

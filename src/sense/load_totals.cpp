@@ -6,6 +6,7 @@
 #include "fe/heat.hpp"
 #include "fe/load_rule.hpp"
 #include "model/model.hpp"
+#include "sense/mirrored_cracks.hpp"
 
 #include <Eigen/Geometry>
 
@@ -48,13 +49,6 @@ void tidy(results::LoadTotal& total, const model::Mesh& mesh) {
     total.moment[k] =
         std::abs(total.moment[k]) < round_off * total.spread * size ? 0.0 : total.moment[k];
   }
-}
-
-// Whether a load stands on sets of the deck: faces of a crack are there once it is cut only.
-bool on_the_deck(const model::Model& model, const model::Load& load) {
-  return std::ranges::none_of(model.cracks, [&](const model::CrackDefinition& crack) {
-    return load.faces.valid() && (load.faces == crack.left || load.faces == crack.right);
-  });
 }
 
 bool is_number(const base::Vector& f, const model::LoadCase& load_case, const model::Load& load,
@@ -193,7 +187,8 @@ bool check_load_totals(const model::Model& model, const model::Mesh& cracked,
       if (!is_number(f, load_case, load, diagnostics)) {
         sound = false;
       } else if (model::is_force(load)) {
-        if (!model.cracks.empty() && on_the_deck(model, load)) {
+        // Faces of a crack are there once it is cut only.
+        if (!model.cracks.empty() && find_loaded_crack(model, load) == nullptr) {
           sound = keeps_its_total(model, cracked, f, load_case, load, diagnostics) && sound;
         }
       }

@@ -19,21 +19,7 @@ namespace {
 
 constexpr double same_spot = 1e-6; // of the model's size
 constexpr double same_axis = 1e-9;
-
-std::vector<base::Vec3> points_of(const model::Model& model, const model::CrackDefinition& crack) {
-  std::vector<base::Vec3> points = crack.points;
-  if (crack.path.valid()) {
-    for (const base::NodeId n : model.mesh.set_with_id(crack.path).nodes) {
-      points.push_back(model.mesh.x[n.index()]);
-    }
-  }
-  if (crack.angle) { // any second point tells the direction
-    const double a = crack.a0.value_or(1.0);
-    points.push_back(points.front() +
-                     a * base::Vec3(std::cos(*crack.angle), std::sin(*crack.angle), 0.0));
-  }
-  return points;
-}
+constexpr double any_length = 1.0; // any second point tells the direction
 
 double off_line(const base::Vec3& x, const std::vector<base::Vec3>& line) {
   return std::min((x - line.front()).norm(), geometry::nearest_point(x, line).distance);
@@ -82,7 +68,8 @@ bool mirrored_shape(const model::Model& model, const Reflection& mirror,
   }
   return one.kind == model::CrackDefinitionKind::ellipse
              ? mirrored_plane(mirror, one.plane, other.plane)
-             : mirrored_line(mirror, points_of(model, one), points_of(model, other));
+             : mirrored_line(mirror, crack_line(model, one, any_length),
+                             crack_line(model, other, any_length));
 }
 
 // From the right face to the left one, in space from the lower to the upper; zero: not known.
@@ -91,7 +78,7 @@ base::Vec3 normal_of(const model::Model& model, const model::CrackDefinition& cr
     const bool drawn = crack.kind != model::CrackDefinitionKind::front;
     return drawn ? crack.plane.normal : base::Vec3(base::Vec3::Zero());
   }
-  const std::vector<base::Vec3> points = points_of(model, crack);
+  const std::vector<base::Vec3> points = crack_line(model, crack, any_length);
   const base::Vec3 along = points.back() - points.front();
   return {-along.y(), along.x(), 0.0};
 }
@@ -118,7 +105,7 @@ std::vector<fe::LoadSample> face_places(const model::Model& model,
     }
     return places;
   }
-  const std::vector<base::Vec3> points = points_of(model, crack);
+  const std::vector<base::Vec3> points = crack_line(model, crack, any_length);
   fe::SpaceNodes<1> X(3, 2);
   for (std::size_t i = 1; i < points.size(); ++i) {
     X << points[i - 1], points[i];
@@ -128,6 +115,22 @@ std::vector<fe::LoadSample> face_places(const model::Model& model,
 }
 
 } // namespace
+
+std::vector<base::Vec3> crack_line(const model::Model& model, const model::CrackDefinition& crack,
+                                   double otherwise) {
+  std::vector<base::Vec3> points = crack.points;
+  if (crack.path.valid()) {
+    for (const base::NodeId n : model.mesh.set_with_id(crack.path).nodes) {
+      points.push_back(model.mesh.x[n.index()]);
+    }
+  }
+  if (crack.angle && !points.empty()) {
+    const double a = crack.a0.value_or(otherwise);
+    points.push_back(points.front() +
+                     a * base::Vec3(std::cos(*crack.angle), std::sin(*crack.angle), 0.0));
+  }
+  return points;
+}
 
 const model::CrackDefinition* find_loaded_crack(const model::Model& model,
                                                 const model::Load& load) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <functional>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -12,6 +13,9 @@
 #include <vector>
 
 namespace spricka::report {
+
+/// Records have angles in radians, tables and figures in degrees.
+inline constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
 /// A value as the text of a cell: words as they are, nothing of an empty optional, a number as the
 /// format of fmt says; without one six digits, whole numbers in full.

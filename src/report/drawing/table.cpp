@@ -61,6 +61,10 @@ std::string to_text(const ReportTable& table) {
   return out;
 }
 
+std::string to_text_below(const ReportTable& table) {
+  return table.rows.empty() ? std::string() : "\n" + to_text(table);
+}
+
 ReportTable untitled(ReportTable table) {
   table.title.clear();
   return table;

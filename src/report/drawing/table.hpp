@@ -21,6 +21,8 @@ struct ReportTable {
 
 /// The table with blanks between its columns, names and units above them, ended by a newline.
 std::string to_text(const ReportTable& table);
+/// The same behind an empty line; empty where the table has no rows.
+std::string to_text_below(const ReportTable& table);
 
 /// The table as an HTML element, with units in print style.
 std::string to_html(const ReportTable& table);

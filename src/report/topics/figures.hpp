@@ -22,6 +22,9 @@ struct Figure {
   std::string caption;
 };
 
+/// Adds a figure where there is one.
+void add_figure(std::vector<Figure>& figures, std::optional<Figure> figure);
+
 /// A value of K1 that a $CHECK compares with.
 struct KReference {
   std::string tip;

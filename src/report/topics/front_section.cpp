@@ -3,6 +3,7 @@
 
 #include "model/model.hpp"
 #include "report/drawing/beach_marks.hpp"
+#include "report/drawing/columns.hpp"
 #include "report/drawing/crack_picture.hpp"
 #include "report/drawing/plot.hpp"
 #include "report/topics/result_rows.hpp"
@@ -13,14 +14,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 
 namespace spricka::report {
 namespace {
-
-constexpr double degrees_of_front = 180.0 / std::numbers::pi;
 
 constexpr double nothing_beside = 5e-3; // of the largest K: not worth a curve
 
@@ -36,7 +34,7 @@ std::vector<double> abscissas(const results::FrontResult& front) {
       at.push_back(place.s);
       continue;
     }
-    const double phi = place.phi * degrees_of_front;
+    const double phi = place.phi * degrees_per_radian;
     // Angles go on over half a turn.
     at.push_back(at.empty() ? phi : at.back() + std::remainder(phi - at.back(), 360.0));
   }
@@ -175,9 +173,7 @@ std::vector<Figure> front_figures(const model::Model& model, const results::RunR
   }
   for (const results::FrontResult* front : fronts_in_space(run.increments.back())) {
     figures.push_back(front_figure(model, run.increments.back(), front->name));
-    if (std::optional<Figure> figure = crack_pictures(model, run.increments.back(), front->name)) {
-      figures.push_back(std::move(*figure));
-    }
+    add_figure(figures, crack_pictures(model, run.increments.back(), front->name));
   }
   return figures;
 }

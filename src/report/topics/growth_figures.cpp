@@ -360,12 +360,9 @@ std::vector<Figure> growth_figures(const model::Model& model, const results::Run
   }
   const GrowthResult& growth = *run.growth;
   std::vector<Figure> figures{life_figure(model, run), range_figure(model, run)};
-  for (std::optional<Figure> figure : {law_figure(model, growth), exceedance_figure(model, growth),
-                                       path_figure(model, run, growth)}) {
-    if (figure) {
-      figures.push_back(std::move(*figure));
-    }
-  }
+  add_figure(figures, law_figure(model, growth));
+  add_figure(figures, exceedance_figure(model, growth));
+  add_figure(figures, path_figure(model, run, growth));
   std::ranges::move(beach_mark_figures(model, run), std::back_inserter(figures));
   return figures;
 }

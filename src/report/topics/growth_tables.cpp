@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <ranges>
 #include <string>
@@ -19,8 +18,6 @@
 namespace spricka::report {
 
 namespace {
-
-constexpr double degree = 180.0 / std::numbers::pi;
 
 // Smallest and largest K_min / K_max of what the law was given; empty where nothing is open.
 std::optional<std::pair<double, double>> range_of_R(const results::GrowthResult& growth) {
@@ -126,7 +123,7 @@ void write_life_csv(const std::filesystem::path& file, const model::Model& model
       .exact("delta_K", [](const StationRow& row) { return row.front.K_max - row.front.K_min; })
       .exact("K2_max", grown(&Grown::K2_max))
       .exact("da_dN", grown(&Grown::rate))
-      .exact("turn", grown(&Grown::turn, degree));
+      .exact("turn", grown(&Grown::turn, degrees_per_radian));
   for (int c = 0; c < model.mesh.dim; ++c) {
     columns.exact(std::string(1, "xyz"[c]), [c](const StationRow& row) { return row.front.x[c]; });
   }
@@ -179,7 +176,7 @@ ReportTable life_table(const model::Model& model, const results::RunResult& run)
       .number("K min", K, grown(&Grown::K_min))
       .number("K2", K, grown(&Grown::K2_max))
       .number("da/dN", units.length_name + "/" + growth.unit, grown(&Grown::rate), "{:.4g}")
-      .number("turn", "deg", grown(&Grown::turn, degree), "{:.3f}");
+      .number("turn", "deg", grown(&Grown::turn, degrees_per_radian), "{:.3f}");
   if (growth.followed) {
     columns.number("K max first", K, grown(&Grown::first_max))
         .number("K min first", K, grown(&Grown::first_min))

@@ -161,6 +161,12 @@ ReportTable normalised_table(const NominalStressState& state,
 
 } // namespace
 
+void add_figure(std::vector<Figure>& figures, std::optional<Figure> figure) {
+  if (figure) {
+    figures.push_back(std::move(*figure));
+  }
+}
+
 double NominalStressState::k0(double a) const {
   return sigma * std::sqrt(std::numbers::pi * a);
 }

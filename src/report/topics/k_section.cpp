@@ -191,11 +191,8 @@ KSection k_section(const model::Model& model, const results::RunResult& run) {
   for (std::string& words : missing_bars(run, shown)) {
     section.remarks.push_back(std::move(words));
   }
-  for (std::optional<Figure> figure : {k_figure(model, run), normalised_figure(model, run)}) {
-    if (figure) {
-      section.curves.push_back(std::move(*figure));
-    }
-  }
+  add_figure(section.curves, k_figure(model, run));
+  add_figure(section.curves, normalised_figure(model, run));
   return section;
 }
 

@@ -13,14 +13,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <span>
 #include <string>
 
 namespace spricka::report {
 namespace {
-
-constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
 /// What K and G are beside which only round-off is left.
 struct CrackScale {

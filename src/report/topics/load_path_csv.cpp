@@ -8,15 +8,12 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numbers>
 
 #include <fmt/format.h>
 
 namespace spricka::report {
 
 namespace {
-
-constexpr double degrees_of_place = 180.0 / std::numbers::pi;
 
 // "-PIN@152.3 +BUSH@90": pairs that open and close at this t; between solids "-PIN@36/0/7", the
 // node's place.
@@ -135,7 +132,7 @@ std::vector<std::string> contact_names(const model::Model& model, const results:
 } // namespace
 
 double printed_place(const results::LoadPathContact& contact, double place) {
-  return contact.round ? place * degrees_of_place : place;
+  return contact.round ? place * degrees_per_radian : place;
 }
 
 void write_load_path_csv(const std::filesystem::path& file, const model::Model& model,
@@ -173,7 +170,7 @@ void write_load_path_fronts_csv(const std::filesystem::path& file, const model::
   columns.exact("at_surface", [](const PathRow& row) { return row.point->is.at_surface ? 1 : 0; });
   columns.exact("s", [](const PathRow& row) { return row.point->is.s; });
   columns.where([](const PathRow& row) { return row.front->is.has_angles; });
-  columns.exact("phi", [](const PathRow& row) { return row.point->is.phi * degrees_of_place; });
+  columns.exact("phi", [](const PathRow& row) { return row.point->is.phi * degrees_per_radian; });
   columns.where({});
   for (const Eigen::Index c : {0, 1, 2}) {
     columns.exact(std::string(1, "xyz"[c]), [c](const PathRow& row) { return row.point->is.x[c]; });

@@ -332,14 +332,10 @@ std::vector<Figure> mesh_figures(const model::Model& model, const results::RunRe
   }
   const results::Increment& last = run.increments.back();
   figures.push_back(whole_mesh(model, last));
-  if (std::optional<Figure> figure = field_figure(model, last)) {
-    figures.push_back(std::move(*figure));
-  }
+  add_figure(figures, field_figure(model, last));
   if (const results::StepResult* const step = leading_result(model, last)) {
     for (const results::FrontResult& tip : step->fronts) {
-      if (std::optional<Figure> figure = crack_figure(model, run, tip.name)) {
-        figures.push_back(std::move(*figure));
-      }
+      add_figure(figures, crack_figure(model, run, tip.name));
     }
   }
   return figures;

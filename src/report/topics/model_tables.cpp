@@ -179,7 +179,7 @@ ReportTable script_table(const std::vector<results::ReportedScriptConstant>& con
 }
 
 std::string script_section(const std::vector<results::ReportedScriptConstant>& constants) {
-  return constants.empty() ? "" : "\n" + to_text(script_table(constants));
+  return to_text_below(script_table(constants));
 }
 
 } // namespace spricka::report
