@@ -114,7 +114,7 @@ CLI::App& CommandTree::add(const std::string& name, const std::string& doc, std:
 }
 
 void CommandTree::add_deck_options(CLI::App& command) {
-  command.add_option("DECK", run_.deck, "the deck file")->required()->type_name("");
+  add_path_option(command, "DECK", run_.deck, "the deck file", "").required();
   command
       .add_option_function<std::vector<std::string>>(
           "-D",
@@ -139,12 +139,9 @@ void CommandTree::add_deck_options(CLI::App& command) {
 }
 
 void CommandTree::add_mesh_limits(CLI::App& command) {
-  command
-      .add_option_function<double>(
-          "--mesh-time", [](const double& seconds) { mesh::mesher_limits().seconds = seconds; },
-          "processor time that meshing one imported file may take (default: 12)")
-      ->check(positive_validator())
-      ->type_name("SECONDS");
+  add_positive_option(command, "--mesh-time", mesh::mesher_limits().seconds,
+                      "processor time that meshing one imported file may take (default: 12)",
+                      "SECONDS");
   command
       .add_option_function<double>(
           "--mesh-memory",
@@ -169,8 +166,8 @@ void CommandTree::add_run() {
                           "  spricka run lug.deck --restart --time 3500   in a job queue",
                           [this] { return run_deck(run_); });
   add_deck_options(command);
-  command.add_option("--out", run_.out, "run folder (default: the deck's name with .run)")
-      ->type_name("FOLDER");
+  add_path_option(command, "--out", run_.out, "run folder (default: the deck's name with .run)",
+                  "FOLDER");
   add_threads(command, "threads, 0: all cores; no result depends on it");
   command.add_flag("--quiet", run_.quiet, "print messages only");
   command.add_flag("--restart", run_.restart,
@@ -179,11 +176,9 @@ void CommandTree::add_run() {
       "--profile", run_.profile,
       "measure time, flops and memory by stage, net and crack length, beside one plain "
       "factorisation; writes profile.csv and trace.json");
-  command
-      .add_option("--time", run_.seconds,
-                  "limit of wall time: a crack length that would not fit is not begun, exit code 6")
-      ->check(positive_validator())
-      ->type_name("SECONDS");
+  add_positive_option(
+      command, "--time", run_.seconds,
+      "limit of wall time: a crack length that would not fit is not begun, exit code 6", "SECONDS");
 }
 
 void CommandTree::add_check() {
@@ -231,11 +226,9 @@ void CommandTree::add_convert() {
   add_deck_options(command);
   command.get_option("DECK")->description("a deck, or a mesh .msh, .geo or .inp");
   command.add_flag("--replace", convert_.replace, "overwrite OUT if it exists");
-  command
-      .add_option("OUT", convert_.out,
-                  "the file to write; its ending is the format: .msh, .vtu or .inp")
-      ->required()
-      ->type_name("");
+  add_path_option(command, "OUT", convert_.out,
+                  "the file to write; its ending is the format: .msh, .vtu or .inp", "")
+      .required();
 }
 
 void CommandTree::add_verify() {
@@ -251,22 +244,17 @@ void CommandTree::add_verify() {
       .add_option("WHAT", verify_.asked,
                   "a tier, quick or all, names of decks or shell patterns (default: quick)")
       ->type_name("");
-  command
-      .add_option("--out", verify_.out,
-                  "folder of verification.html and verification.csv (default: verification)")
-      ->type_name("FOLDER");
-  command
-      .add_option("--before", verify_.before,
-                  "table to compare with (default: the one that is in the folder)")
-      ->type_name("FILE");
+  add_path_option(command, "--out", verify_.out,
+                  "folder of verification.html and verification.csv (default: verification)",
+                  "FOLDER");
+  add_path_option(command, "--before", verify_.before,
+                  "table to compare with (default: the one that is in the folder)", "FILE");
   command.add_option("--jobs", verify_.at_once, "decks at a time (default: as many as cores)")
       ->check(whole_number())
       ->type_name("NUMBER");
-  command.add_option("--decks", verify_.decks, "another folder of decks")->type_name("FOLDER");
-  command
-      .add_option("--markdown", verify_.markdown,
-                  "write the page of the manual, too, and its table beside it, as .csv")
-      ->type_name("FILE");
+  add_path_option(command, "--decks", verify_.decks, "another folder of decks", "FOLDER");
+  add_path_option(command, "--markdown", verify_.markdown,
+                  "write the page of the manual, too, and its table beside it, as .csv", "FILE");
   command.add_flag("--list", verify_.list, "print the decks and run none");
   command.add_flag("--keep", verify_.keep, "keep the run folders, beside the page");
   command.add_flag("--costs", verify_.costs,
@@ -307,9 +295,8 @@ void CommandTree::add_format() {
           "  spricka format --check lug.deck       for scripts: 1 if it would change\n"
           "  spricka format - < lug.deck           as a filter, for editors",
           [this] { return format_command(format_); });
-  command.add_option("DECK", format_.deck, "the deck file, - for standard input")
-      ->required()
-      ->type_name("");
+  add_path_option(command, "DECK", format_.deck, "the deck file, - for standard input", "")
+      .required();
   CLI::Option* in_place = command.add_flag("--in-place", format_.in_place, "rewrite the file");
   command.add_flag("--check", format_.check, "write nothing; end with 1 if the file would change")
       ->excludes(in_place);
@@ -347,22 +334,20 @@ void CommandTree::add_for_the_system() {
   });
 }
 
+const CommandTree::Command* CommandTree::find_parsed() const {
+  const auto found =
+      std::ranges::find_if(commands_, [](const Command& command) { return command.app->parsed(); });
+  return found == commands_.end() ? nullptr : &*found;
+}
+
 const CLI::App* CommandTree::parsed_command() const {
-  for (const Command& command : commands_) {
-    if (command.app->parsed()) {
-      return command.app;
-    }
-  }
-  return nullptr;
+  const Command* command = find_parsed();
+  return command != nullptr ? command->app : nullptr;
 }
 
 base::Outcome CommandTree::execute_command() const {
-  for (const Command& command : commands_) {
-    if (command.app->parsed()) {
-      return command.act();
-    }
-  }
-  return base::Outcome::usage;
+  const Command* command = find_parsed();
+  return command != nullptr ? command->act() : base::Outcome::usage;
 }
 
 ProgramText CommandTree::describe_program() const {

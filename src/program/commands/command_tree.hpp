@@ -42,6 +42,8 @@ private:
     std::function<base::Outcome()> act;
   };
 
+  /// The command that was parsed; null without one.
+  [[nodiscard]] const Command* find_parsed() const;
   CLI::App& add(const std::string& name, const std::string& doc, std::string examples,
                 std::function<base::Outcome()> act);
   void add_deck_options(CLI::App& command);

@@ -32,10 +32,8 @@ ParameterRequest request_of(const std::string& text) {
 
 void CommandTree::add_variant_options(CLI::App& command, const std::string& extension, int& jobs) {
   add_deck_options(command);
-  command
-      .add_option("--out", run_.out,
-                  fmt::format("folder (default: the deck's name with {})", extension))
-      ->type_name("FOLDER");
+  add_path_option(command, "--out", run_.out,
+                  fmt::format("folder (default: the deck's name with {})", extension), "FOLDER");
   command
       .add_option("--jobs", jobs,
                   "runs at the same time; CPU times are reliable with 1 only (default)")
@@ -66,9 +64,8 @@ void CommandTree::add_study() {
           "a parameter and its values, in place of what is found; may be given again")
       ->type_name("NAME=V,V,..")
       ->allow_extra_args(false);
-  command.add_option("--time", study_.budget, "CPU time of all runs together (default: 600)")
-      ->check(positive_validator())
-      ->type_name("SECONDS");
+  add_positive_option(command, "--time", study_.budget,
+                      "CPU time of all runs together (default: 600)", "SECONDS");
 }
 
 void CommandTree::add_ladder() {
@@ -82,11 +79,8 @@ void CommandTree::add_ladder() {
             return run_hierarchy(ladder_);
           });
   add_variant_options(command, ".ladder", ladder_.jobs);
-  command
-      .add_option("--tol", ladder_.tolerance,
-                  "relative difference that the answers may have (default: 0.02)")
-      ->check(positive_validator())
-      ->type_name("NUMBER");
+  add_positive_option(command, "--tol", ladder_.tolerance,
+                      "relative difference that the answers may have (default: 0.02)", "NUMBER");
 }
 
 } // namespace spricka::program

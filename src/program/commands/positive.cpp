@@ -3,7 +3,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <string>
 
 #include <fmt/format.h>
 
@@ -19,6 +18,17 @@ CLI::Validator positive_validator() {
             return good ? std::string() : fmt::format("a number above 0, not '{}'", given);
           },
           ""};
+}
+
+void add_positive_option(CLI::App& command, const std::string& name, double& value,
+                         const std::string& doc, const std::string& unit) {
+  command.add_option(name, value, doc)->check(positive_validator())->type_name(unit);
+}
+
+CLI::Option& add_path_option(CLI::App& command, const std::string& name,
+                             std::filesystem::path& path, const std::string& doc,
+                             const std::string& kind) {
+  return *command.add_option(name, path, doc)->type_name(kind);
 }
 
 } // namespace spricka::program

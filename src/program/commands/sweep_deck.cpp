@@ -27,6 +27,7 @@
 #include <optional>
 #include <set>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -36,6 +37,74 @@ namespace {
 
 namespace fs = std::filesystem;
 using results::SweepPoint;
+
+/// The folder of a sweep: it is locked from open() on, and knows which tables in it are of sweeps.
+class SweepFolder {
+public:
+  explicit SweepFolder(fs::path path) : path_(std::move(path)) {}
+  ~SweepFolder() {
+    if (lock_) {
+      close();
+    }
+  }
+  SweepFolder(const SweepFolder&) = delete;
+  SweepFolder& operator=(const SweepFolder&) = delete;
+
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+  // A folder of a sweep is gone on with, any other refused but for an empty one.
+  void open() {
+    check_folder(path_, true);
+    fs::create_directories(path_);
+    lock_ = archive::FolderLock::acquire_lock(path_, path_);
+    check_folder(path_, true); // another run may have ended meanwhile
+    if (!lock_) {
+      throw std::system_error(std::make_error_code(std::errc::no_such_file_or_directory),
+                              path_.string());
+    }
+    if (!archive::read_mark(path_)) {
+      archive::write_mark(path_, {archive::FolderKind::sweep, {}});
+    }
+    archive::write_owner(path_);
+  }
+
+  // Folders of points that the sweep does not have.
+  void remove_others(const std::set<std::string>& wanted) const {
+    std::vector<fs::path> others;
+    for (const fs::directory_entry& entry : fs::directory_iterator(path_)) {
+      const std::string name = entry.path().filename().string();
+      if (name.find_first_not_of("0123456789") == std::string::npos && !wanted.contains(name)) {
+        others.push_back(entry.path());
+      }
+    }
+    std::ranges::for_each(others, archive::remove_own_files);
+  }
+
+  // Nobody works in it any more.
+  void close() const {
+    std::error_code ignored;
+    fs::remove(path_ / archive::owner_name, ignored);
+  }
+
+  // A table of ours, new or to be replaced.
+  [[nodiscard]] fs::path table_file(const std::string& name) const {
+    const archive::FolderMark mark = archive::read_mark(path_).value_or(archive::FolderMark{});
+    if (std::ranges::find(mark.files, name) == mark.files.end()) {
+      if (fs::exists(fs::symlink_status(path_ / name))) {
+        throw archive::FileFailure("E464",
+                                   fmt::format("{} is there, and no sweep wrote it; name another "
+                                               "folder with --out",
+                                               (path_ / name).string()));
+      }
+      archive::add_to_mark(path_, name);
+    }
+    return path_ / name;
+  }
+
+private:
+  fs::path path_;
+  std::optional<archive::FolderLock> lock_;
+};
 
 class SweepRun {
 public:
@@ -48,23 +117,16 @@ public:
     }
   }
 
-  ~SweepRun() {
-    if (lock_) {
-      close_folder();
-    }
-  }
-  SweepRun(const SweepRun&) = delete;
-  SweepRun& operator=(const SweepRun&) = delete;
-
   base::Outcome run() {
-    open_folder();
+    out_.open();
     const InterruptHandler interrupt([this](int signal) { return last_words(signal); });
     return run_points();
   }
 
 private:
   base::Outcome run_points() {
-    if (!fs::exists(out_ / sweep_table_name)) { // else of an earlier sweep, until there is a point
+    // Else it is of an earlier sweep, until there is a point.
+    if (!fs::exists(out_.path() / sweep_table_name)) {
       write_tables();
     }
     base::Outcome worst = base::Outcome::done;
@@ -82,7 +144,11 @@ private:
       write_tables();
       ++done_;
     }
-    remove_others();
+    std::set<std::string> wanted;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      wanted.insert(folder_name(i));
+    }
+    out_.remove_others(wanted);
     if (!options_.quiet) {
       to_stdout(fmt::format("{} points; results in {}\n", points_.size(),
                             base::printable(options_.out.string())));
@@ -95,46 +161,9 @@ private:
     return fmt::format("{:0{}}", i + 1, digits);
   }
 
-  // A folder of a sweep is gone on with, any other refused but for an empty one.
-  void open_folder() {
-    check_folder(out_, true);
-    fs::create_directories(out_);
-    lock_ = archive::FolderLock::acquire_lock(out_, out_);
-    check_folder(out_, true); // another run may have ended meanwhile
-    if (!lock_) {
-      throw std::system_error(std::make_error_code(std::errc::no_such_file_or_directory),
-                              out_.string());
-    }
-    if (!archive::read_mark(out_)) {
-      archive::write_mark(out_, {archive::FolderKind::sweep, {}});
-    }
-    archive::write_owner(out_);
-  }
-
-  // Points that this sweep does not have.
-  void remove_others() const {
-    std::set<std::string> wanted;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      wanted.insert(folder_name(i));
-    }
-    std::vector<fs::path> others;
-    for (const fs::directory_entry& entry : fs::directory_iterator(out_)) {
-      const std::string name = entry.path().filename().string();
-      if (name.find_first_not_of("0123456789") == std::string::npos && !wanted.contains(name)) {
-        others.push_back(entry.path());
-      }
-    }
-    std::ranges::for_each(others, archive::remove_own_files);
-  }
-
-  void close_folder() const {
-    std::error_code ignored;
-    fs::remove(out_ / archive::owner_name, ignored);
-  }
-
   SweepPoint take_over(std::size_t i) {
     const std::string digest = archive::deck_digest(deck_.sources, *deck_.model, points_[i]);
-    const std::optional<SweepPoint> known = read_point_record(out_ / folder_name(i), digest);
+    const std::optional<SweepPoint> known = read_point_record(out_.path() / folder_name(i), digest);
     SweepPoint point = known.value_or(SweepPoint{});
     point.number = i + 1;
     point.folder = folder_name(i);
@@ -184,7 +213,7 @@ private:
     } else if (folder_->replaces_earlier_run()) {
       log_.message(base::Severity::note, "E467",
                    fmt::format("{} still holds the results of an earlier run",
-                               (out_ / point.folder).string()));
+                               (out_.path() / point.folder).string()));
     }
   }
 
@@ -198,7 +227,7 @@ private:
   // Made and ended where last_words() knows of it.
   void open_point(const SweepPoint& point) {
     const std::scoped_lock lock(current_guard_);
-    folder_.emplace(out_ / point.folder);
+    folder_.emplace(out_.path() / point.folder);
   }
   void close_point() {
     const std::scoped_lock lock(current_guard_);
@@ -208,7 +237,7 @@ private:
   // Each point keeps its state in a folder of its own, beside its run folder.
   RunOutcome solve(const RunOptions& options, const ReadyDeck& deck, const SweepPoint& point) {
     const OpenCheckpoint opened =
-        open_checkpoint(options, deck, out_ / (point.folder + ".restart"), log_);
+        open_checkpoint(options, deck, out_.path() / (point.folder + ".restart"), log_);
     if (opened.refusal) {
       return *opened.refusal;
     }
@@ -251,26 +280,12 @@ private:
       const std::string name = fs::path(output.file).filename().string();
       if (output.format == model::OutputFormat::csv && output.every == model::OutputEvery::end &&
           name != sweep_table_name) {
-        report::write_sweep_request_csv(table_file(name), model, sweep_);
+        report::write_sweep_request_csv(out_.table_file(name), model, sweep_);
       }
     }
-    report::write_sweep_csv(table_file(sweep_table_name), model, sweep_);
-    report::write_file(table_file("sweep.html"), report::sweep_page(deck_.sources, model, sweep_));
-  }
-
-  // A table of ours, new or to be replaced.
-  [[nodiscard]] fs::path table_file(const std::string& name) const {
-    const archive::FolderMark mark = archive::read_mark(out_).value_or(archive::FolderMark{});
-    if (std::ranges::find(mark.files, name) == mark.files.end()) {
-      if (fs::exists(fs::symlink_status(out_ / name))) {
-        throw archive::FileFailure("E464",
-                                   fmt::format("{} is there, and no sweep wrote it; name another "
-                                               "folder with --out",
-                                               (out_ / name).string()));
-      }
-      archive::add_to_mark(out_, name);
-    }
-    return out_ / name;
+    report::write_sweep_csv(out_.table_file(sweep_table_name), model, sweep_);
+    report::write_file(out_.table_file("sweep.html"),
+                       report::sweep_page(deck_.sources, model, sweep_));
   }
 
   // One line for each point: failures to stderr, the others to stdout.
@@ -324,7 +339,7 @@ private:
       kept = stop_with_checkpoint(*current_, signal_name(signal), log_);
     }
     [[maybe_unused]] const bool whole = tables_guard_.try_lock_for(10s);
-    close_folder();
+    out_.close();
     log_.message(base::Severity::note, "E551",
                  fmt::format("stopped by {}; {} of {} points are finished, run again to go on",
                              signal_name(signal), done_.load(), points_.size()));
@@ -334,8 +349,7 @@ private:
   const RunOptions& options_;
   const ReadyDeck& deck_;
   const Log& log_;
-  fs::path out_;
-  std::optional<archive::FolderLock> lock_;
+  SweepFolder out_;
   std::vector<PointValues> points_;
   results::SweepResult sweep_;
   std::atomic<std::size_t> done_{0};
