@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/singular_edges.hpp"
 
+#include "base/disjoint_sets.hpp"
 #include "base/index.hpp"
 #include "contact/pair_points.hpp"
 #include "contact/rigid_target.hpp"
@@ -11,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -219,34 +219,24 @@ std::vector<SurfaceEnd> ends_of_faces(const PairConstraints& pair) {
 std::vector<SingularContactEdge> joined(const std::vector<SurfaceEnd>& places,
                                         std::optional<double> near) {
   std::map<base::NodeId, std::size_t> edge_of;
-  std::vector<std::size_t> root(places.size());
-  std::iota(root.begin(), root.end(), std::size_t{0});
-  const auto find = [&](std::size_t i) {
-    while (root[i] != i) {
-      i = root[i] = root[root[i]];
-    }
-    return i;
-  };
-  const auto unite = [&](std::size_t i, std::size_t k) {
-    const auto [first, second] = std::minmax({find(i), find(k)});
-    root[second] = first;
-  };
+  base::DisjointSets sets(places.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
     for (std::size_t k = 0; near && k < i; ++k) {
       if ((places[k].x - places[i].x).norm() < *near) {
-        unite(k, i);
+        sets.join_sets(k, i);
       }
     }
     for (std::size_t n = 0; !near && n < places[i].nodes.size(); ++n) {
-      unite(edge_of.try_emplace(places[i].nodes[n], i).first->second, i);
+      sets.join_sets(edge_of.try_emplace(places[i].nodes[n], i).first->second, i);
     }
   }
   std::map<std::size_t, SingularContactEdge> ends;
   std::map<std::size_t, std::set<base::NodeId>> nodes;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto end = ends.try_emplace(find(i), SingularContactEdge{places[i].x, {}, true}).first;
+    const auto end =
+        ends.try_emplace(sets.root(i), SingularContactEdge{places[i].x, {}, true}).first;
     end->second.bounded = end->second.bounded && places[i].bounded;
-    nodes[find(i)].insert(places[i].nodes.begin(), places[i].nodes.end());
+    nodes[sets.root(i)].insert(places[i].nodes.begin(), places[i].nodes.end());
   }
   std::vector<SingularContactEdge> all;
   for (auto& [at, end] : ends) {

@@ -49,10 +49,6 @@ TemperatureField::TemperatureField(const PatchedMesh& patched, const model::Load
   }
 }
 
-bool TemperatureField::cuts_patches() const {
-  return std::ranges::any_of(parts_, [](const HeatedSet& part) { return part.by_place; });
-}
-
 bool TemperatureField::varies(ElementId e) const {
   return std::ranges::any_of(parts_, [&](const HeatedSet& part) {
     return (part.by_place && is_new_[e.index()]) ||

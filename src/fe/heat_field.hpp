@@ -23,8 +23,6 @@ public:
   [[nodiscard]] double operator()(base::ElementId e, const base::Vec2& x) const {
     return (*this)(e, base::Vec3(x.x(), x.y(), 0.0));
   }
-  /// Whether the rim of a heated set crosses the patches.
-  [[nodiscard]] bool cuts_patches() const;
 
 private:
   struct HeatedSet {

@@ -135,18 +135,6 @@ base::Vector thermal_load(const model::Model& model, const model::Mesh& mesh,
   return f;
 }
 
-double thermal_energy(const model::Model& model, const model::Mesh& mesh,
-                      const base::Vector& temperature) {
-  double energy = 0.0;
-  for_heated(
-      mesh, temperature,
-      [&]<int dim>(const AnyElement<dim>& element, base::ElementId e, const CornerValues<dim>& T) {
-        energy += held_energy<dim>(element, coordinates(element, mesh, e),
-                                   constitutive_law(model, mesh, e), T);
-      });
-  return energy;
-}
-
 void add_thermal_energy(const model::Model& model, const model::Mesh& mesh,
                         const base::Vector& temperature, const base::Vector& u,
                         std::vector<double>& energy) {

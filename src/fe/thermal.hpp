@@ -33,11 +33,6 @@ bool has_residual(const ConstitutiveLaw& law, int dim, bool quadratic);
 base::Vector thermal_load(const model::Model& model, const model::Mesh& mesh,
                           const base::Vector& temperature);
 
-/// 1/2 integral of (alpha T)^T D (alpha T) dV, over the strain components the state has: what
-/// 1/2 u^T K u - u^T f of a thermal field lacks to the elastic energy.
-double thermal_energy(const model::Model& model, const model::Mesh& mesh,
-                      const base::Vector& temperature);
-
 /// Adds to 1/2 u^T K u of every element what its temperatures make of it: its elastic energy.
 void add_thermal_energy(const model::Model& model, const model::Mesh& mesh,
                         const base::Vector& temperature, const base::Vector& u,

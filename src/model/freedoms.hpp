@@ -13,6 +13,11 @@ namespace spricka::model {
 /// Dependent freedoms follow others by an MPC; no card says so, the ties do.
 enum class FreedomClass { local, external, suppressed, prescribed, dependent };
 
+/// Whether a support gives the freedom its displacement: suppressed or prescribed.
+constexpr bool holds_freedom(FreedomClass cls) {
+  return cls == FreedomClass::suppressed || cls == FreedomClass::prescribed;
+}
+
 struct FreedomAssignment {
   FreedomClass cls = FreedomClass::suppressed;
   std::array<bool, 3> dof{}; ///< x y z

@@ -103,10 +103,6 @@ crack::ActingLoad acting_near(const model::Model& model, const model::Mesh& mesh
 
 constexpr double same_plane = 1e-6; // of a face's extent: it lies across an axis
 
-bool is_held(model::FreedomClass type) {
-  return type == model::FreedomClass::suppressed || type == model::FreedomClass::prescribed;
-}
-
 // Whether all nodes of a side have one coordinate.
 bool lies_across(const model::Mesh& mesh, const std::vector<base::NodeId>& nodes, int axis) {
   base::Vec3 low = mesh.x[nodes.front().index()];
@@ -261,7 +257,7 @@ crack::DomainLimits domain_limits(const model::Model& model, const Discretisatio
   const std::vector<bool> by_planes =
       front.is_tip() ? std::vector<bool>(scene.cls.size(), false) : held_by_planes(mesh, scene.cls);
   for (std::size_t i = 0; i < scene.cls.size(); ++i) {
-    if ((is_held(scene.cls[i]) && !by_planes[i]) ||
+    if ((model::holds_freedom(scene.cls[i]) && !by_planes[i]) ||
         scene.cls[i] == model::FreedomClass::dependent) {
       limits.node[i / dim] = true;
     }

@@ -215,8 +215,7 @@ std::optional<NodeId> unassigned_reaction(const model::Model& model, const model
   const std::vector<bool> inside = marked(host.node_count(), asked->nodes);
   std::vector<bool> held(host.node_count(), false);
   for (const model::FreedomAssignment& freedom : model.freedoms) {
-    if (freedom.cls == model::FreedomClass::suppressed ||
-        freedom.cls == model::FreedomClass::prescribed) {
+    if (model::holds_freedom(freedom.cls)) {
       for (const NodeId n : host.set_with_id(freedom.nodes).nodes) {
         held[n.index()] = true;
       }

@@ -100,9 +100,7 @@ bool supports_are_kept(const model::Model& model, const Discretisation& scene,
     return false;
   };
   for (const model::FreedomAssignment& freedom : model.freedoms) {
-    const bool holds = freedom.cls == model::FreedomClass::suppressed ||
-                       freedom.cls == model::FreedomClass::prescribed;
-    if (holds && !keeps(freedom.nodes, freedom.span, "held")) {
+    if (model::holds_freedom(freedom.cls) && !keeps(freedom.nodes, freedom.span, "held")) {
       return false;
     }
   }

@@ -20,10 +20,8 @@ void drop_held_slips(contact::PairConstraints& pair, const std::vector<model::Fr
   const auto is_held = [&](const contact::RowEntry& entry) {
     double held = 0.0;
     for (int c = 0; c < 3; ++c) {
-      const model::FreedomClass type = cls[3 * entry.node.index() + static_cast<std::size_t>(c)];
-      const bool free =
-          type != model::FreedomClass::suppressed && type != model::FreedomClass::prescribed;
-      held += free ? 0.0 : entry.weight[c] * entry.weight[c];
+      const std::size_t freedom = 3 * entry.node.index() + static_cast<std::size_t>(c);
+      held += model::holds_freedom(cls[freedom]) ? entry.weight[c] * entry.weight[c] : 0.0;
     }
     return held >= most * entry.weight.squaredNorm();
   };
@@ -42,9 +40,7 @@ void mark_held_functions(contact::PairConstraints& pair,
                          const std::vector<model::FreedomClass>& cls) {
   for (contact::MultiplierFunction& function : pair.functions) {
     for (std::size_t c = 0; c < function.held.size(); ++c) {
-      const model::FreedomClass type = cls[3 * function.node.index() + c];
-      function.held[c] =
-          type == model::FreedomClass::suppressed || type == model::FreedomClass::prescribed;
+      function.held[c] = model::holds_freedom(cls[3 * function.node.index() + c]);
     }
   }
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/space/patches.hpp"
 
+#include "base/disjoint_sets.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 namespace spricka::contact {
@@ -22,19 +23,10 @@ Vec3 normal_on_edge(const geometry::ElementSide& face, int corner, int next) {
   return face.area_vector(r).normalized();
 }
 
-std::size_t root_of(std::vector<std::size_t>& parent, std::size_t i) {
-  while (parent[i] != i) {
-    parent[i] = parent[parent[i]];
-    i = parent[i];
-  }
-  return i;
-}
-
 } // namespace
 
 std::vector<std::size_t> smooth_parts(const std::vector<geometry::ElementSide>& faces) {
-  std::vector<std::size_t> parent(faces.size());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  base::DisjointSets smooth(faces.size());
   struct Side {
     std::size_t face = 0;
     Vec3 normal = Vec3::Zero();
@@ -49,19 +41,11 @@ std::vector<std::size_t> smooth_parts(const std::vector<geometry::ElementSide>& 
       const Side side{f, normal_on_edge(faces[f], i, next)};
       const auto [at, fresh] = met.try_emplace(std::minmax(a, b), side);
       if (!fresh && at->second.normal.dot(side.normal) > most_turn) {
-        const std::size_t one = root_of(parent, at->second.face);
-        const std::size_t two = root_of(parent, f);
-        parent[std::max(one, two)] = std::min(one, two);
+        smooth.join_sets(at->second.face, f);
       }
     }
   }
-  std::vector<std::size_t> part(faces.size());
-  std::size_t count = 0;
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const std::size_t root = root_of(parent, f);
-    part[f] = root == f ? count++ : part[root]; // roots come first: they are the least of theirs
-  }
-  return part;
+  return smooth.set_numbers().of;
 }
 
 } // namespace spricka::contact
