@@ -42,7 +42,7 @@ public:
   CrackKinematics& operator=(const CrackKinematics&) = delete;
   virtual ~CrackKinematics() = default;
 
-  [[nodiscard]] virtual const std::vector<TrackedTip>& tips() const = 0;
+  [[nodiscard]] const std::vector<TrackedTip>& tips() const { return tips_; }
   /// Whether the way on follows from K.
   [[nodiscard]] virtual bool can_kink() const = 0;
   /// What headings scatter by from mesh to mesh [rad]: no advance is too long for that.
@@ -89,6 +89,9 @@ public:
                                                       double /*advance*/) const {
     return {};
   }
+
+protected:
+  std::vector<TrackedTip> tips_;
 };
 
 } // namespace spricka::growth

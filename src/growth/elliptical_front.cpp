@@ -38,11 +38,6 @@ constexpr double same_rate = 1e-9;
 /// Points of an ellipse that are looked at.
 constexpr int looks_round = 72;
 
-Vec3 on_ellipse(const model::CrackDefinition& crack, double phi) {
-  const model::PlanarCrack& p = crack.plane;
-  return p.place + p.c * std::cos(phi) * p.along + p.a * std::sin(phi) * p.transverse_axis();
-}
-
 Vec3 outwards(const model::CrackDefinition& crack, double phi) {
   const model::PlanarCrack& p = crack.plane;
   return (std::cos(phi) / p.c * p.along + std::sin(phi) / p.a * p.transverse_axis()).normalized();
@@ -76,8 +71,8 @@ void EllipticalFront::find_tips() {
       for (const double sign : {1.0, -1.0}) {
         const double phi = end_angle(on_a, sign);
         const bool in_body = std::ranges::any_of(beside_end, [&](double off) {
-          return around_.inside(on_ellipse(crack, phi + off), crack.net) ||
-                 around_.inside(on_ellipse(crack, phi - off), crack.net);
+          return around_.inside(crack.plane.ellipse_point(phi + off), crack.net) ||
+                 around_.inside(crack.plane.ellipse_point(phi - off), crack.net);
         });
         if (in_body) {
           ends.push_back(sign);
@@ -103,7 +98,7 @@ void EllipticalFront::find_tips() {
 double EllipticalFront::angle_inside(const model::CrackDefinition& crack, double end,
                                      double sign) const {
   const auto inside = [&](double angle) {
-    return around_.inside(on_ellipse(crack, end + sign * angle), crack.net);
+    return around_.inside(crack.plane.ellipse_point(end + sign * angle), crack.net);
   };
   const double step = 0.5 * std::numbers::pi / steps_inside;
   double within = step;
@@ -137,7 +132,7 @@ CrackGeometry EllipticalFront::state_of(const Ellipses& ellipses) const {
   const std::vector<model::CrackDefinition>& cracks = ellipses.cracks;
   CrackGeometry state{.lines = {}, .solids = cracks};
   for (const GrownTip& arm : ellipses.arms) {
-    state.aims.push_back(on_ellipse(cracks[arm.crack], aim_of(ellipses, arm)));
+    state.aims.push_back(cracks[arm.crack].plane.ellipse_point(aim_of(ellipses, arm)));
     state.fronts.push_back(arm.crack);
   }
   return state;
@@ -162,7 +157,7 @@ std::optional<SurfaceLigament> EllipticalFront::ligament(std::size_t tip) const 
   const model::CrackDefinition& crack = now_.cracks[arm.crack];
   const double end = end_angle(arm.on_a, arm.sign);
   const auto in_body = [&](double phi) {
-    return around_.inside(on_ellipse(crack, phi), crack.net);
+    return around_.inside(crack.plane.ellipse_point(phi), crack.net);
   };
   // At an end on the surface the way is measured a little beside it, within the body.
   std::optional<double> from;
@@ -176,7 +171,7 @@ std::optional<SurfaceLigament> EllipticalFront::ligament(std::size_t tip) const 
     return std::nullopt;
   }
   const auto left =
-      around_.surface_ahead(on_ellipse(crack, *from), outwards(crack, *from), crack.net);
+      around_.surface_ahead(crack.plane.ellipse_point(*from), outwards(crack, *from), crack.net);
   if (!left) {
     return std::nullopt;
   }
@@ -193,7 +188,7 @@ std::vector<bool> places_reached(const model::CrackDefinition& crack, const Soli
   constexpr int looks_along = 20;
   const Vec3& middle = crack.plane.place;
   const auto inside = [&](int k, int i) {
-    const Vec3 x = on_ellipse(crack, 2.0 * std::numbers::pi * k / places);
+    const Vec3 x = crack.plane.ellipse_point(2.0 * std::numbers::pi * k / places);
     return around.inside(middle + (x - middle) * i / looks_along, crack.net);
   };
   bool at_body = false;
@@ -226,7 +221,7 @@ std::optional<SurfaceLigament> EllipticalFront::left_in_corner(std::size_t tip) 
   SurfaceLigament longest{.behind = behind(tip), .left = 0.0};
   for (int k = 0; k < places; ++k) {
     const double phi = 2.0 * std::numbers::pi * k / places;
-    const Vec3 x = on_ellipse(crack, phi);
+    const Vec3 x = crack.plane.ellipse_point(phi);
     const auto left = reached[static_cast<std::size_t>(k)]
                           ? around_.surface_ahead(x, outwards(crack, phi), crack.net)
                           : std::nullopt;
@@ -249,7 +244,7 @@ bool EllipticalFront::goes_on_behind(std::size_t tip, const SurfaceLigament& bef
 std::optional<FrontKinematics::NeighbourCrack> EllipticalFront::neighbour(std::size_t tip) const {
   const GrownTip& arm = now_.arms[tip];
   const model::CrackDefinition& own = now_.cracks[arm.crack];
-  const Vec3 end = on_ellipse(own, end_angle(arm.on_a, arm.sign));
+  const Vec3 end = own.plane.ellipse_point(end_angle(arm.on_a, arm.sign));
   double nearest = std::numeric_limits<double>::infinity();
   std::size_t other = arm.crack;
   for (std::size_t c = 0; c < now_.cracks.size(); ++c) {
@@ -268,7 +263,7 @@ std::optional<FrontKinematics::NeighbourCrack> EllipticalFront::neighbour(std::s
       continue;
     }
     for (int k = 0; k < looks_round; ++k) {
-      look(on_ellipse(crack, 2.0 * std::numbers::pi * k / looks_round));
+      look(crack.plane.ellipse_point(2.0 * std::numbers::pi * k / looks_round));
     }
   }
   if (other == arm.crack) {

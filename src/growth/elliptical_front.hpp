@@ -20,8 +20,6 @@ public:
   /// Takes the ellipses and what the tips move of them out of the state.
   void resume_from(const GrowthState& state) override;
   [[nodiscard]] CrackGeometry current_state() override;
-  /// Half axis of the deck's ellipse that ends at a tip [length].
-  [[nodiscard]] double initial_extent(std::size_t tip) const override { return first_arm_[tip]; }
   /// The ellipses with longer axes: an arm whose opposite end lies in the body too shifts the
   /// centre by half. Empty, with an error, where no ellipse is about two that meet.
   std::optional<CrackGeometry> advance_cracks(const GrowthState& state, const TrialAdvance& advance,
@@ -61,8 +59,7 @@ private:
   [[nodiscard]] double moved_by(const GrownTip& arm, const model::CrackDefinition& crack,
                                 const base::Vec3& x) const;
 
-  std::vector<double> first_arm_; ///< [tip] of the deck's crack, whatever it has become
-  Ellipses now_, trial_;          ///< at the last station that counts; to be solved
+  Ellipses now_, trial_; ///< at the last station that counts; to be solved
 };
 
 } // namespace spricka::growth

@@ -60,7 +60,7 @@ FreeFrontShape::FreeFrontShape(const model::Model& model)
     }
     std::size_t number = 0;
     for (BodyFrontArc& arc : arcs) {
-      const std::size_t count = arc.is_closed() ? closed_points : open_points;
+      const std::size_t count = arc.is_closed() ? closed_front_points : open_front_points;
       GrowingFront& of = now_.growing.emplace_back(GrowingFront{c, {}, std::move(arc)});
       for (std::size_t i = 0; i < count; ++i) {
         of.tips.push_back(tips_.size() + i);

@@ -20,10 +20,6 @@ namespace spricka::growth {
 /// plane meet, they go on as one, which has the tips of both.
 class FreeFrontShape final : public FrontKinematics {
 public:
-  /// Points of an open front and of one that is closed at first.
-  static constexpr std::size_t open_points = 17;
-  static constexpr std::size_t closed_points = 32;
-
   explicit FreeFrontShape(const model::Model& model);
 
   /// Takes the fronts and their history out of the state and finds their arcs in the body anew.
@@ -35,8 +31,6 @@ public:
   [[nodiscard]] AdvanceLimit step_limit(const GrowthState& state, std::size_t tip, double share,
                                         double ds) const override;
   [[nodiscard]] CrackGeometry current_state() override;
-  /// Length of a tip's arm in the deck's front, from the place of its crack [length].
-  [[nodiscard]] double initial_extent(std::size_t tip) const override { return first_arm_[tip]; }
   /// Replaces the advances of each front by those of its smooth shape, with their mean kept. Fronts
   /// that do not grow, or without a bound, are left as they are. Always true.
   bool smooth_front(const GrowthState& state, std::vector<double>& by) const override;
@@ -111,7 +105,6 @@ private:
                                                      const TrialAdvance& advance) const;
   bool join(const TrialAdvance& advance);
 
-  std::vector<double> first_arm_; ///< [tip]
   FrontKinks kinks_;
   FrontLigaments ligaments_;
   MovingFronts now_, trial_; ///< at the last station that counts; to be solved

@@ -22,7 +22,6 @@ constexpr int points_of_front = 120; // of a front that is handed on: a spline t
 constexpr int steps_out = 60;        // out of the body, each a fiftieth of the arc
 constexpr double step_out = 0.02;
 constexpr double still_apart = 0.25; // of two points before they went on
-constexpr std::size_t fewest_kept = 4;
 
 // All of the front as the deck or an advance drew it, m out of the crack.
 mesh::FrontCurve whole_front(const model::CrackDefinition& crack) {
@@ -32,9 +31,7 @@ mesh::FrontCurve whole_front(const model::CrackDefinition& crack) {
   if (ellipse) {
     points.clear();
     for (int i = 0; i < looks_along; ++i) {
-      const double phi = -2.0 * std::numbers::pi * i / looks_along;
-      points.emplace_back(plane.place + plane.c * std::cos(phi) * plane.along +
-                          plane.a * std::sin(phi) * plane.transverse_axis());
+      points.push_back(plane.ellipse_point(-2.0 * std::numbers::pi * i / looks_along));
     }
   }
   const bool closed = ellipse || plane.closed;
@@ -169,7 +166,7 @@ std::vector<Vec3> without_crossings(const std::vector<mesh::FrontFrame>& from,
                                     const std::vector<Vec3>& to, bool closed) {
   std::vector<std::size_t> kept(from.size());
   std::iota(kept.begin(), kept.end(), std::size_t{0});
-  for (bool more = true; more && kept.size() > fewest_kept;) {
+  for (bool more = true; more && kept.size() > fewest_front_points;) {
     const std::size_t n = kept.size();
     std::vector<bool> crosses(n, false);
     // Of the two sides of a notch neither may pass the point between them.

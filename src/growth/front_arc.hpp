@@ -4,12 +4,16 @@
 #include "mesh/front_curve.hpp"
 #include "model/cracks.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
 /// The fronts of cracks in space that take their own shape: the part of a front in the body, and
 /// the front that follows when its points go on.
 namespace spricka::growth {
+
+/// A front has so many points at least.
+inline constexpr std::size_t fewest_front_points = 4;
 
 /// What of a crack's front lies in the body.
 struct BodyFrontArc {

@@ -27,8 +27,10 @@ inline void mark_merged(model::CrackDefinition& crack) {
 /// when a front goes through in one go, and when it ends there.
 class FrontKinematics : public CrackKinematics {
 public:
-  [[nodiscard]] const std::vector<TrackedTip>& tips() const override { return tips_; }
   [[nodiscard]] bool can_kink() const override { return false; }
+  /// Of the deck's crack, whatever it has become: the half axis that ends at a tip of an ellipse,
+  /// else from the place of its crack to a tip [length].
+  [[nodiscard]] double initial_extent(std::size_t tip) const override { return first_arm_[tip]; }
   /// What is left to the largest length that $GROW allows, unbounded without one [length].
   [[nodiscard]] double remaining_ligament(const GrowthState& state, std::size_t tip) const override;
   /// Limits the advance by surfaces ahead, by other fronts and by the front's own size.
@@ -77,7 +79,7 @@ protected:
 
   const model::Model& model_;
   SolidBodyQuery around_;
-  std::vector<TrackedTip> tips_;
+  std::vector<double> first_arm_; ///< [tip]
 
 private:
   bool must_break_through_early_ =

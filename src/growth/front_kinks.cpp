@@ -28,9 +28,7 @@ void FrontKinks::update(const GrowthState& state) {
     // curvature, and a breakthrough has nothing in common with what was before.
     if (count > 3 && state.stations[count - 1].breakthroughs == 0 &&
         state.stations[count - 2].breakthroughs == 0) {
-      const TipStation& last = state.stations[count - 3].tips[tip];
-      turning_[tip].curvature =
-          here.a > last.a ? (here.heading - last.heading) / (here.a - last.a) : 0.0;
+      turning_[tip].curvature = way_curvature(state.stations[count - 3].tips[tip], here);
     }
   }
 }

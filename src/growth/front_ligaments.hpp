@@ -12,8 +12,6 @@ namespace spricka::growth {
 
 /// Points of a front one after another by their numbers, or places between them.
 using PointRun = std::vector<double>;
-/// A front has so many points at least.
-inline constexpr std::size_t fewest_front_points = 4;
 
 /// The ways to surfaces before free fronts at one state of the cracks.
 class FrontLigaments {

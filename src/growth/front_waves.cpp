@@ -21,8 +21,6 @@ struct FrontFitOrders {
 };
 constexpr FrontFitOrders rates{.round = 8, .straight = 4, .harmonics = 12};
 constexpr FrontFitOrders turns{.round = 8, .straight = 2, .harmonics = 10};
-constexpr int points_open = 17;
-constexpr int points_closed = 32;
 /// Ends of a front through a plate answer to falling behind more steeply than a wave of an endless
 /// front does, by up to so many times: a decay that is taken as too steep only slows the steps'
 /// corrections, one that is too flat lets ends swing from step to step.
@@ -66,9 +64,9 @@ std::vector<double> fitted(const base::Vector& values, FrontKind kind, const Fro
   const int degree = kind == FrontKind::straight ? fit.straight : fit.round;
   const Eigen::Index n = values.size();
   const Eigen::Index count =
-      closed ? 2 * std::max<Eigen::Index>(1, n * fit.harmonics / points_closed) + 1
-             : (n > points_closed || n < points_open
-                    ? std::max<Eigen::Index>(2, n * degree / points_open)
+      closed ? 2 * std::max<Eigen::Index>(1, n * fit.harmonics / closed_front_points) + 1
+             : (n > closed_front_points || n < open_front_points
+                    ? std::max<Eigen::Index>(2, n * degree / open_front_points)
                     : degree) +
                    1;
   if (n <= count) {

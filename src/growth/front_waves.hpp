@@ -10,6 +10,10 @@ namespace spricka::growth {
 /// nearly straight, as one behind the faces of a plate, with few points of the mesh along it.
 enum class FrontKind { closed, round, straight };
 
+/// Points of an open front and of one that is closed at first.
+inline constexpr int open_front_points = 17;
+inline constexpr int closed_front_points = 32;
+
 /// Values [point] along an arc, all above 0, without their scatter from mesh to mesh: their
 /// logarithms as the polynomial of degree 8 (round; straight: 4) or by twelve harmonics (closed)
 /// that fits best; and what that leaves, as far as it is more than `scatter` (rms of a logarithm):

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "growth/growth_ends.hpp"
 
+#include "geometry/box.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -125,13 +125,7 @@ std::size_t GrowthEnds::most_stations() const {
   if (!longest) {
     return futility_policy.stations;
   }
-  base::Vec3 low = base::Vec3::Constant(std::numeric_limits<double>::infinity());
-  base::Vec3 high = -low;
-  for (const base::Vec3& x : model.mesh.x) {
-    low = low.cwiseMin(x);
-    high = high.cwiseMax(x);
-  }
-  const double advances = 2.0 * (high - low).norm() / *longest;
+  const double advances = 2.0 * geometry::Box<3>::around(model.mesh.x).diagonal() / *longest;
   return futility_policy.stations + static_cast<std::size_t>(std::min(advances, 1e6));
 }
 

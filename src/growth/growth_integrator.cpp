@@ -2,7 +2,6 @@
 #include "growth/growth_integrator.hpp"
 
 #include "base/damaged_field.hpp"
-#include "growth/planar_tips.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -39,11 +38,6 @@ GrowthIntegrator::GrowthIntegrator(const model::Model& model, Law law,
     end_ = ends().find_end(trajectory());
   }
 }
-
-GrowthIntegrator::GrowthIntegrator(const model::Model& model, Law law,
-                                   std::vector<mesh::CrackLine> lines, GrowthState state)
-    : GrowthIntegrator(model, std::move(law), std::make_unique<PlanarTips>(model, std::move(lines)),
-                       std::move(state)) {}
 
 const model::CrackGrowthSettings& GrowthIntegrator::rules() const {
   return *model_.growth;

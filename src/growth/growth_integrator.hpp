@@ -5,7 +5,6 @@
 #include "growth/growth_ends.hpp"
 #include "growth/state.hpp"
 #include "growth/trajectory.hpp"
-#include "mesh/cut/cracked.hpp"
 #include "model/forward.hpp"
 
 #include <cstddef>
@@ -24,9 +23,6 @@ public:
   /// they are first. `state`: of a run that goes on, else new; throws base::DamagedField for one of
   /// other cracks.
   GrowthIntegrator(const model::Model& model, Law law, std::unique_ptr<CrackKinematics> kinematics,
-                   GrowthState state);
-  /// The same for cracks in the plane.
-  GrowthIntegrator(const model::Model& model, Law law, std::vector<mesh::CrackLine> lines,
                    GrowthState state);
 
   /// The cracks to be solved next; empty when the growth has ended.

@@ -4,6 +4,7 @@
 #include "base/damaged_field.hpp"
 #include "geometry/polyline.hpp"
 #include "growth/crack_lines.hpp"
+#include "growth/smooth_line.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -18,8 +19,7 @@ namespace spricka::growth {
 
 namespace {
 
-/// Turns [rad] of a piece of a curved advance, and of an advance.
-constexpr double turn_of_piece = 0.05;
+/// Turn [rad] of an advance.
 constexpr double turn_of_advance = 0.3;
 
 double angle_of(const base::Vec3& d) {
@@ -64,8 +64,9 @@ std::vector<TrackedTip> growing_tips(const model::Model& model,
 } // namespace
 
 PlanarTips::PlanarTips(const model::Model& model, std::vector<mesh::CrackLine> lines)
-    : model_(model), lines_(std::move(lines)), tips_(growing_tips(model, lines_)),
-      around_(model.mesh) {}
+    : model_(model), lines_(std::move(lines)), around_(model.mesh) {
+  tips_ = growing_tips(model, lines_);
+}
 
 const model::CrackGrowthSettings& PlanarTips::rules() const {
   return *model_.growth;
@@ -136,8 +137,7 @@ AdvanceLimit PlanarTips::step_limit(const GrowthState& state, std::size_t tip, d
   limit.ds = std::min(limit.ds, left / share);
   if (can_kink() && state.stations.size() > 1) {
     const TipStation& before = state.stations[state.stations.size() - 2].tips[tip];
-    const double turned = std::remainder(here.heading - before.heading, 2.0 * std::numbers::pi);
-    const double curvature = std::abs(turned) / std::max(here.a - before.a, 1e-300);
+    const double curvature = std::abs(way_curvature(before, here));
     // The curvature of the last advance is no guess of the way for a larger turn.
     limit.ds = curvature * limit.ds * share > turn_of_advance
                    ? turn_of_advance / (curvature * share)
@@ -216,7 +216,7 @@ void PlanarTips::extend(const GrowthState& state, std::size_t tip, double by,
     curvature = way_curvature(state.stations[state.stations.size() - 2].tips[tip], here);
   }
   const int pieces =
-      std::max(1, static_cast<int>(std::ceil(std::abs(curvature) * by / turn_of_piece)));
+      std::max(1, static_cast<int>(std::ceil(std::abs(curvature) * by / turn_of_chord)));
   for (int k = 0; k < pieces; ++k) {
     // The heading in the middle of a piece, so that chords follow the arc (growth.10).
     const double angle = here.heading + curvature * by * (k + 0.5) / pieces;

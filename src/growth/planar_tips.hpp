@@ -14,7 +14,6 @@ public:
   /// `lines`: the cracks as they are first.
   PlanarTips(const model::Model& model, std::vector<mesh::CrackLine> lines);
 
-  [[nodiscard]] const std::vector<TrackedTip>& tips() const override { return tips_; }
   [[nodiscard]] bool can_kink() const override;
   /// Takes the lines of all cracks out of the state.
   void resume_from(const GrowthState& state) override;
@@ -54,7 +53,6 @@ private:
   const model::Model& model_;
   std::vector<mesh::CrackLine> lines_; ///< at the last station that counts
   std::vector<mesh::CrackLine> trial_; ///< to be solved
-  std::vector<TrackedTip> tips_;
   PlaneBoundaryAhead around_;
 };
 

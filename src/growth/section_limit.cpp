@@ -3,6 +3,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "fe/assemble.hpp"
+#include "geometry/box.hpp"
 #include "mesh/front_curve.hpp"
 #include "model/model.hpp"
 
@@ -137,13 +138,7 @@ private:
   }
 
   void measure_heights() {
-    Vec3 low = mesh_.x.front();
-    Vec3 high = low;
-    for (const Vec3& x : mesh_.x) {
-      low = low.cwiseMin(x);
-      high = high.cwiseMax(x);
-    }
-    const double nothing = in_plane * (high - low).norm();
+    const double nothing = in_plane * geometry::Box<3>::around(mesh_.x).diagonal();
     height_.reserve(mesh_.node_count());
     for (const Vec3& x : mesh_.x) {
       const double h = (x - origin_).dot(normal_);

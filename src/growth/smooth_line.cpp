@@ -10,9 +10,8 @@ using base::Vec3;
 
 namespace {
 
-/// Angles [rad] that the curve may turn by over one piece of the polyline and over the piece at a
-/// tip: K follows the direction at the tip to first order, kinks farther away to second order.
-constexpr double turn_of_chord = 0.05;
+/// Angle [rad] that the curve may turn by over the piece at a tip: K follows the direction at the
+/// tip to first order, kinks farther away (turn_of_chord) to second order.
 constexpr double turn_at_tip = 0.02;
 /// The straight piece at a tip as a part of the crack's length, at most.
 constexpr double tip_part = 0.25;

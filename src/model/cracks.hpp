@@ -26,6 +26,8 @@ struct PlanarCrack {
   bool closed = false;                     ///< drawn: the last point joins the first
 
   [[nodiscard]] base::Vec3 transverse_axis() const;
+  /// The point of the ellipse at a parametric angle `phi` [rad], 0 at the end of `along`.
+  [[nodiscard]] base::Vec3 ellipse_point(double phi) const;
 };
 
 /// What a crack in space has left behind where it has turned out of its plane: ruled strips between

@@ -61,17 +61,12 @@ public:
       return growth::GrowthIntegrator(model_, law, std::move(kinematics),
                                       kept ? state_from(*kept) : growth::GrowthState());
     });
-    GrowthRegion region(model_, integrator);
+    GrowthRegion region(model_);
     if (kept) {
       restore_checked([&] { region.restore_state(*kept); });
     }
     mark_.emplace(run_.log);
-    if (options_.progress) {
-      options_.progress({.increment = run_.increments.size(),
-                         .increments = run_.increments.size() + 1,
-                         .open_end = true,
-                         .stage = "read"});
-    }
+    tell_progress("read");
     while (!integrator.end()) {
       if (is_time_up(options_.checkpoint, trouble_)) {
         return false;
@@ -209,12 +204,18 @@ private:
                              so_far.cycles(integrator.growth_state().stations.front().s, here.s)));
     hand_on_warnings();
     keep(integrator, region);
+    tell_progress("");
+    return true;
+  }
+
+  // That a stage is done; empty: an increment is.
+  void tell_progress(std::string stage) const {
     if (options_.progress) {
       options_.progress({.increment = run_.increments.size(),
                          .increments = run_.increments.size() + 1,
-                         .open_end = true});
+                         .open_end = true,
+                         .stage = std::move(stage)});
     }
-    return true;
   }
 
   // Of a state that counts.

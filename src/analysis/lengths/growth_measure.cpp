@@ -17,9 +17,8 @@ namespace spricka::analysis {
 
 namespace {
 
-/// K2 beyond this part of K1 on a given path is worth a word.
-constexpr double much_K2 = 0.25;
-/// The same of K2 or K3 along a front in space, which would leave its plane.
+/// K2 beyond this part of K1 on a given path is worth a word, and K2 or K3 along a front in space,
+/// which would leave its plane.
 constexpr double much_shear = 0.25;
 /// K1 that the mesh cannot tell from 0 where K2 rules.
 constexpr double much_less_than_K2 = 1e-3;
@@ -229,7 +228,7 @@ void GrowthRateEvaluator::note_order(const std::string& name, bool upside_down) 
 void GrowthRateEvaluator::look_at(const std::string& name, const base::Vec2& K, bool upside_down) {
   note_order(name, upside_down);
   if (model_.growth->direction == model::GrowthDirection::path && K[0] > 0.0 &&
-      std::abs(K[1]) > much_K2 * K[0]) {
+      std::abs(K[1]) > much_shear * K[0]) {
     warnings_.insert(
         {"W456", fmt::format("{} grows along its path although K2 is {:.2f} of K1; the law is "
                              "given K1 alone",

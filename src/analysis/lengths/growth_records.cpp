@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/lengths/growth_records.hpp"
 
-#include "analysis/lengths/scaled_lives.hpp"
 #include "analysis/steps/history_program.hpp"
 #include "base/tidy.hpp"
 #include "model/model.hpp"
@@ -65,6 +64,28 @@ results::GrownTipResult record_of(const std::string& name, const growth::TipStat
 
 } // namespace
 
+std::vector<results::LifeCurvePoint> life_curve(const growth::GrowthIntegrator& integrator,
+                                                const growth::GrowthTrajectory& counted,
+                                                std::size_t tips) {
+  constexpr int points = 16; // between two stations
+  const std::vector<growth::SolvedStation>& stations = integrator.growth_state().stations;
+  const growth::GrowthTrajectory between = integrator.trajectory();
+  const double end = integrator.end() ? integrator.end()->s : stations.back().s;
+  std::vector<results::LifeCurvePoint> curve;
+  curve.push_back(point_at(between, stations.front().s, 0.0, tips));
+  for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
+    const double last = std::min(stations[i + 1].s, end);
+    double before = stations[i].s;
+    for (int k = 1; k <= points && before < last; ++k) {
+      const double s = k == points ? last : stations[i].s + (last - stations[i].s) * k / points;
+      const double cycles = curve.back().cycles + counted.cycles(before, s);
+      curve.push_back(point_at(between, s, cycles, tips));
+      before = s;
+    }
+  }
+  return curve;
+}
+
 results::GrowthResult growth_records(const model::Model& model,
                                      const growth::GrowthIntegrator& integrator,
                                      const GrowthRateEvaluator& measure) {
@@ -84,10 +105,8 @@ results::GrowthResult growth_records(const model::Model& model,
   }
   const std::vector<growth::SolvedStation>& stations = integrator.growth_state().stations;
   const growth::GrowthTrajectory between = integrator.trajectory();
-  const double end = integrator.end() ? integrator.end()->s : stations.back().s;
-  double cycles = 0.0;
   double at_station = 0.0; // also behind the end
-  out.curve.push_back(point_at(between, stations.front().s, 0.0, out.tips.size()));
+  out.curve = life_curve(integrator, between, out.tips.size());
   for (std::size_t i = 0; i < stations.size(); ++i) {
     results::GrowthStation station;
     station.increment = static_cast<int>(i) + 1;
@@ -109,16 +128,6 @@ results::GrowthResult growth_records(const model::Model& model,
       station.change = std::max(station.change, t.change);
     }
     out.stations.push_back(std::move(station));
-    const double last = i + 1 < stations.size() ? std::min(stations[i + 1].s, end) : stations[i].s;
-    double before = stations[i].s;
-    for (int k = 1; k <= points_of_interval && before < last; ++k) {
-      const double s = k == points_of_interval
-                           ? last
-                           : stations[i].s + (last - stations[i].s) * k / points_of_interval;
-      cycles += between.cycles(before, s);
-      out.curve.push_back(point_at(between, s, cycles, out.tips.size()));
-      before = s;
-    }
   }
   if (integrator.end()) {
     out.ended = integrator.end()->word();

@@ -5,9 +5,16 @@
 #include "results/growth.hpp"
 #include "results/results.hpp"
 
+#include <cstddef>
 #include <vector>
 
 namespace spricka::analysis {
+
+/// Arms of the first tips against cycles, from the first station to the end of the growth, with
+/// cycles counted by `counted`.
+std::vector<results::LifeCurvePoint> life_curve(const growth::GrowthIntegrator& integrator,
+                                                const growth::GrowthTrajectory& counted,
+                                                std::size_t tips);
 
 /// What an integrator found, as records: stations, the dense curve up to the end, how it ended.
 results::GrowthResult growth_records(const model::Model& model,

@@ -21,9 +21,6 @@ constexpr double farthest = 8.0;
 
 } // namespace
 
-GrowthRegion::GrowthRegion(const model::Model& model, const growth::GrowthIntegrator&)
-    : model_(model) {}
-
 // Along the way ahead as it is known now: straight on from every tip, to AMAX or the next edge.
 void GrowthRegion::choose(const std::vector<mesh::CrackLine>& lines,
                           const growth::GrowthIntegrator& integrator) {

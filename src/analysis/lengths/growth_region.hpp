@@ -13,7 +13,7 @@ namespace spricka::analysis {
 /// touch. Where a crack leaves it a new one is chosen, and what that costs is told.
 class GrowthRegion {
 public:
-  GrowthRegion(const model::Model& model, const growth::GrowthIntegrator& integrator);
+  explicit GrowthRegion(const model::Model& model) : model_(model) {}
 
   /// Before these cracks are solved: are they still within?
   void update_region(const std::vector<mesh::CrackLine>& lines,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/lengths/scaled_lives.hpp"
 
+#include "analysis/lengths/growth_records.hpp"
 #include "analysis/lengths/place_on_front.hpp"
 #include "analysis/steps/history_program.hpp"
 #include "analysis/steps/step_factors.hpp"
@@ -78,19 +79,8 @@ std::optional<results::ScaledLife> life(const std::string& name,
   const growth::GrowthTrajectory between = integrator.trajectory();
   results::ScaledLife out;
   out.name = name;
-  double cycles = 0.0;
-  out.curve.push_back({0.0, {between.crack_extent(0, stations.front().s)}});
-  for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
-    const double last = std::min(stations[i + 1].s, end);
-    double before = stations[i].s;
-    for (int k = 1; k <= points_of_interval && before < last; ++k) {
-      const double s = stations[i].s + (last - stations[i].s) * k / points_of_interval;
-      cycles += other.cycles(before, s);
-      out.curve.push_back({cycles, {between.crack_extent(0, s)}});
-      before = s;
-    }
-  }
-  out.ratio = cycles / between.cycles(stations.front().s, end);
+  out.curve = life_curve(integrator, other, 1);
+  out.ratio = out.curve.back().cycles / between.cycles(stations.front().s, end);
   const bool tells = std::isfinite(out.ratio) && std::abs(out.ratio - 1.0) > same_life;
   return tells ? std::optional(std::move(out)) : std::nullopt;
 }

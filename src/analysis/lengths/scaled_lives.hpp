@@ -9,9 +9,6 @@
 
 namespace spricka::analysis {
 
-/// Points of a curve that is recorded between two stations.
-inline constexpr int points_of_interval = 16;
-
 /// The growth once more by what one K of each length makes of it, for comparison: "scaled", K
 /// proportional to the load through the largest one, and of a spectrum "line", K on a line from
 /// the beginning of its load path to the largest load. Left out: what is the growth itself (K is

@@ -22,11 +22,8 @@ constexpr int ellipse_points = 360; // a spline through them is exact to 1e-9 of
 // t = m x b with m outwards: clockwise, seen from where the normal points to.
 std::vector<Vec3> ellipse_front(const model::PlanarCrack& plane) {
   std::vector<Vec3> front;
-  const Vec3 across = plane.transverse_axis();
   for (int i = 0; i < ellipse_points; ++i) {
-    const double phi = -2.0 * std::numbers::pi * i / ellipse_points;
-    front.emplace_back(plane.place + plane.c * std::cos(phi) * plane.along +
-                       plane.a * std::sin(phi) * across);
+    front.push_back(plane.ellipse_point(-2.0 * std::numbers::pi * i / ellipse_points));
   }
   return front;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/damaged_field.hpp"
 #include "growth/growth_integrator.hpp"
+#include "growth/planar_tips.hpp"
 #include "model/model.hpp"
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <numbers>
 
 namespace spricka::test_growth_integrator {
@@ -59,8 +61,7 @@ struct Plate {
     model.cracks.push_back(crack);
   }
 
-  std::vector<mesh::CrackLine> lines() {
-    base::Diagnostics none;
+  std::unique_ptr<growth::CrackKinematics> kinematics() {
     std::vector<mesh::CrackLine> out;
     for (std::size_t c = 0; c < model.cracks.size(); ++c) {
       mesh::CrackLine line;
@@ -71,7 +72,7 @@ struct Plate {
       line.embedded = std::abs(line.points.front().x() - model.mesh.x.front().x()) > 1e-9;
       out.push_back(line);
     }
-    return out;
+    return std::make_unique<growth::PlanarTips>(model, std::move(out));
   }
 };
 
@@ -110,7 +111,7 @@ TEST(GrowthIntegrator, LifeOfTheBenchmark) {
   const growth::Law paris = [](double K_max, double K_min) {
     return 1e-11 * std::pow(K_max - K_min, 3);
   };
-  growth::GrowthIntegrator march(plate.model, paris, plate.lines(), {});
+  growth::GrowthIntegrator march(plate.model, paris, plate.kinematics(), {});
   run(march, [&](const auto&, const auto& lines, auto& tips) {
     tips[0].K_max = 112.0 * std::sqrt(pi * tip_x(lines[0]));
     tips[0].rate = paris(tips[0].K_max, 0.0);
@@ -143,7 +144,7 @@ TEST(GrowthIntegrator, KeepsItsTolerance) {
     plate.crack("C", 0.0, 1.0);
     plate.model.growth->last_length = 16.0;
     plate.model.growth->tolerance = tolerance;
-    growth::GrowthIntegrator march(plate.model, paris, plate.lines(), {});
+    growth::GrowthIntegrator march(plate.model, paris, plate.kinematics(), {});
     run(march, [&](const auto&, const auto& lines, auto& tips) {
       tips[0].K_max = K(tip_x(lines[0]));
       tips[0].rate = paris(tips[0].K_max, 0.0);
@@ -163,7 +164,7 @@ TEST(GrowthIntegrator, TipsGrowAtTheirOwnRates) {
   Plate plate(-100.0, 200.0, 50.0, 10);
   plate.crack("C", -1.0, 1.0);
   plate.model.growth->last_length = 6.0;
-  growth::GrowthIntegrator march(plate.model, {}, plate.lines(), {});
+  growth::GrowthIntegrator march(plate.model, {}, plate.kinematics(), {});
   run(march, [&](const auto&, const auto& lines, auto& tips) {
     tips[0].rate = 1e-4 * -lines[0].points.front().x();
     tips[1].rate = 2e-4 * tip_x(lines[0]);
@@ -185,7 +186,7 @@ TEST(GrowthIntegrator, EndsAtToughness) {
     return K_max < 500.0 ? 1e-9 * std::pow(K_max, 3) / (500.0 - K_max)
                          : std::numeric_limits<double>::infinity();
   };
-  growth::GrowthIntegrator march(plate.model, forman, plate.lines(), {});
+  growth::GrowthIntegrator march(plate.model, forman, plate.kinematics(), {});
   run(march, [&](const auto&, const auto& lines, auto& tips) {
     tips[0].K_max = 100.0 * std::sqrt(tip_x(lines[0]));
     tips[0].rate = forman(tips[0].K_max, 0.0);
@@ -201,7 +202,7 @@ TEST(GrowthIntegrator, EndsAfterItsCycles) {
   plate.crack("C", 0.0, 1.0);
   plate.model.growth->cycles = 1e4;
   const growth::Law law = [](double K_max, double) { return 1e-4 * K_max * K_max; };
-  growth::GrowthIntegrator march(plate.model, law, plate.lines(), {});
+  growth::GrowthIntegrator march(plate.model, law, plate.kinematics(), {});
   run(march, [&](const auto&, const auto& lines, auto& tips) {
     tips[0].K_max = std::sqrt(tip_x(lines[0]));
     tips[0].rate = law(tips[0].K_max, 0.0);
@@ -215,7 +216,7 @@ TEST(GrowthIntegrator, EndsAtTheThreshold) {
   Plate plate(0.0, 1000.0, 50.0, 10);
   plate.crack("C", 0.0, 1.0);
   const growth::Law law = [](double K_max, double) { return K_max > 0.5 ? 1e-4 * K_max : 0.0; };
-  growth::GrowthIntegrator march(plate.model, law, plate.lines(), {});
+  growth::GrowthIntegrator march(plate.model, law, plate.kinematics(), {});
   run(march, [&](const auto&, const auto& lines, auto& tips) {
     tips[0].K_max = 1.0 / tip_x(lines[0]);
     tips[0].rate = law(tips[0].K_max, 0.0);
@@ -229,7 +230,7 @@ TEST(GrowthIntegrator, NothingGrows) {
   Plate plate(0.0, 10.0, 5.0, 10);
   plate.crack("C", 0.0, 1.0);
   for (const double K : {1.0, 0.0}) {
-    growth::GrowthIntegrator march(plate.model, {}, plate.lines(), {});
+    growth::GrowthIntegrator march(plate.model, {}, plate.kinematics(), {});
     run(march, [&](const auto&, const auto&, auto& tips) { tips[0].K_max = K; });
     EXPECT_EQ(march.end()->word(), K > 0.0 ? "THRESHOLD" : "CLOSED");
     EXPECT_EQ(cycles_of(march), 0.0);
@@ -241,7 +242,7 @@ TEST(GrowthIntegrator, EndsWhereTheCrackCloses) {
   Plate plate(0.0, 1000.0, 50.0, 10);
   plate.crack("C", 0.0, 1.0);
   const growth::Law law = [](double K_max, double) { return K_max > 0.0 ? 1e-4 : 0.0; };
-  growth::GrowthIntegrator march(plate.model, law, plate.lines(), {});
+  growth::GrowthIntegrator march(plate.model, law, plate.kinematics(), {});
   run(march, [&](const auto&, const auto& lines, auto& tips) {
     tips[0].K_max = std::max(0.0, 2.0 - tip_x(lines[0]));
     tips[0].rate = law(tips[0].K_max, 0.0);
@@ -254,7 +255,7 @@ TEST(GrowthIntegrator, EndsWhereTheCrackCloses) {
 TEST(GrowthIntegrator, ComesToRest) {
   Plate plate(0.0, 1000.0, 50.0, 10);
   plate.crack("C", 0.0, 1.0);
-  growth::GrowthIntegrator march(plate.model, {}, plate.lines(), {});
+  growth::GrowthIntegrator march(plate.model, {}, plate.kinematics(), {});
   run(march, [&](const auto&, const auto& lines, auto& tips) {
     tips[0].K_max = 1.0;
     tips[0].rate = 1e-3 * std::exp(-10.0 * (tip_x(lines[0]) - 1.0));
@@ -269,7 +270,7 @@ TEST(GrowthIntegrator, EndsWhereTheCrackCurls) {
   plate.crack("C", -40.0, 2.0);
   plate.model.growth->direction = model::GrowthDirection::hoop;
   plate.model.growth->largest_advance = 2.0;
-  growth::GrowthIntegrator march(plate.model, {}, plate.lines(), {});
+  growth::GrowthIntegrator march(plate.model, {}, plate.kinematics(), {});
   run(march, [](const auto&, const auto& lines, auto& tips) {
     const std::vector<Vec3>& p = lines[0].points;
     const Vec3 radius = p.back() - Vec3(2.0, 20.0, 0.0);
@@ -294,7 +295,7 @@ TEST(GrowthIntegrator, MeetsTheEdge) {
     right.faces.push_back({base::ElementId(e), 1});
   }
   plate.model.mesh.face_sets.push_back(right);
-  growth::GrowthIntegrator march(plate.model, {}, plate.lines(), {});
+  growth::GrowthIntegrator march(plate.model, {}, plate.kinematics(), {});
   run(march, [](const auto&, const auto& lines, auto& tips) {
     tips[0].K_max = 1.0;
     tips[0].rate = 1e-3 / (10.0 - tip_x(lines[0]));
@@ -309,7 +310,7 @@ TEST(GrowthIntegrator, CracksLinkUp) {
   Plate plate(0.0, 20.0, 5.0, 10);
   plate.crack("LEFT", 0.0, 2.0);
   plate.crack("RIGHT", 8.0, 14.0);
-  growth::GrowthIntegrator march(plate.model, {}, plate.lines(), {});
+  growth::GrowthIntegrator march(plate.model, {}, plate.kinematics(), {});
   run(march, [](const auto&, const auto&, auto& tips) {
     for (TipStation& tip : tips) {
       tip.K_max = 1.0;
@@ -332,7 +333,7 @@ TEST(GrowthIntegrator, FollowsACurve) {
     plate.model.growth->direction = model::GrowthDirection::hoop;
     plate.model.growth->largest_advance = da;
     plate.model.growth->last_length = 40.0;
-    growth::GrowthIntegrator march(plate.model, {}, plate.lines(), {});
+    growth::GrowthIntegrator march(plate.model, {}, plate.kinematics(), {});
     run(march, [](const auto&, const auto& lines, auto& tips) {
       // circles about (2, 20): the way on at any point is across its radius
       const std::vector<Vec3>& p = lines[0].points;
@@ -365,9 +366,9 @@ TEST(GrowthIntegrator, GoesOnFromItsState) {
   Plate plate(0.0, 100.0, 50.0, 10);
   plate.crack("C", 0.0, 1.0);
   plate.model.growth->last_length = 10.0;
-  growth::GrowthIntegrator whole(plate.model, paris, plate.lines(), {});
+  growth::GrowthIntegrator whole(plate.model, paris, plate.kinematics(), {});
   run(whole, measure);
-  growth::GrowthIntegrator first(plate.model, paris, plate.lines(), {});
+  growth::GrowthIntegrator first(plate.model, paris, plate.kinematics(), {});
   base::Diagnostics diagnostics;
   for (int k = 0; k < 4; ++k) {
     std::vector<TipStation> found(1);
@@ -375,7 +376,7 @@ TEST(GrowthIntegrator, GoesOnFromItsState) {
     first.accept_station(std::move(found));
   }
   const growth::GrowthState read = growth::from_arrays(growth::to_arrays(first.growth_state()));
-  growth::GrowthIntegrator second(plate.model, paris, plate.lines(), read);
+  growth::GrowthIntegrator second(plate.model, paris, plate.kinematics(), read);
   run(second, measure);
   ASSERT_EQ(second.growth_state().stations.size(), whole.growth_state().stations.size());
   for (std::size_t i = 0; i < whole.growth_state().stations.size(); ++i) {

@@ -21,9 +21,8 @@ constexpr double last_arm = 3.0;
 /// ellipse that waits outside of the body and then jumps.
 class JumpingKinematics final : public growth::CrackKinematics {
 public:
-  explicit JumpingKinematics(double least) : least_(least) {}
+  explicit JumpingKinematics(double least) : least_(least) { tips_.push_back({.name = "C"}); }
 
-  [[nodiscard]] const std::vector<growth::TrackedTip>& tips() const override { return tips_; }
   [[nodiscard]] bool can_kink() const override { return false; }
   void resume_from(const growth::GrowthState& /*state*/) override {}
   [[nodiscard]] growth::CrackGeometry current_state() override { return at(initial_arm); }
@@ -61,7 +60,6 @@ private:
   }
 
   double least_;
-  std::vector<growth::TrackedTip> tips_{{"C"}};
 };
 
 struct Marched {
