@@ -103,7 +103,7 @@ std::optional<Obstacle> PlaneBoundaryAhead::edge_ahead(const mesh::CrackLine& li
   if (nearest == nullptr) {
     return std::nullopt;
   }
-  return Obstacle{least, false, 0, name_of(*nearest, from + least * way)};
+  return Obstacle{least, name_of(*nearest, from + least * way)};
 }
 
 std::optional<Obstacle> PlaneBoundaryAhead::crack_ahead(std::span<const mesh::CrackLine> lines,
@@ -111,8 +111,8 @@ std::optional<Obstacle> PlaneBoundaryAhead::crack_ahead(std::span<const mesh::Cr
                                                         const TipGrowthDirection& tip) {
   const Vec2 from = plane(tip.x);
   const Vec2 way = plane(tip.direction);
-  Obstacle found;
-  found.distance = std::numeric_limits<double>::max();
+  std::optional<Obstacle> found;
+  double least = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::vector<base::Vec3>& points = lines[i].points;
     for (std::size_t k = 1; k < points.size(); ++k) {
@@ -139,12 +139,13 @@ std::optional<Obstacle> PlaneBoundaryAhead::crack_ahead(std::span<const mesh::Cr
         // What is passed at the side: its distance counts double.
         distance = std::min(distance, geometry::distance_to_segment(from, a, b) / beside);
       }
-      if (distance < found.distance) {
-        found = {distance, true, i, lines[i].display_name()};
+      if (distance < least) {
+        least = distance;
+        found = Obstacle{least, lines[i].display_name()};
       }
     }
   }
-  return found.crack ? std::optional(found) : std::nullopt;
+  return found;
 }
 
 } // namespace spricka::growth

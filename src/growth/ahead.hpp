@@ -13,8 +13,6 @@ namespace spricka::growth {
 /// What a tip would run into.
 struct Obstacle {
   double distance = 0.0; ///< [length]
-  bool crack = false;    ///< another crack, or an earlier part of its own; else the body's edge
-  std::size_t line = 0;  ///< of a crack
   std::string what;      ///< "edge set PLATE.XMAX", "the edge at (3, 4)", "crack C2"
 };
 
@@ -33,8 +31,8 @@ public:
   /// edge there and meets the next one.
   [[nodiscard]] std::optional<Obstacle> edge_ahead(const mesh::CrackLine& line,
                                                    const TipGrowthDirection& tip) const;
-  /// The nearest other crack: straight ahead, or so near to the tip on either side that the two run
-  /// together. `own` is the tip's line.
+  /// The nearest other crack, or an earlier part of its own: straight ahead, or so near to the tip
+  /// on either side that the two run together. `own` is the tip's line.
   [[nodiscard]] static std::optional<Obstacle> crack_ahead(std::span<const mesh::CrackLine> lines,
                                                            std::size_t own,
                                                            const TipGrowthDirection& tip);

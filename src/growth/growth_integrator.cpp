@@ -39,10 +39,6 @@ GrowthIntegrator::GrowthIntegrator(const model::Model& model, Law law,
   }
 }
 
-const model::CrackGrowthSettings& GrowthIntegrator::rules() const {
-  return *model_.growth;
-}
-
 // Parts of the next advance by tip: rates extrapolated to its middle (Adams and Bashforth), once
 // there are two stations.
 std::vector<double> GrowthIntegrator::shares() const {
@@ -154,8 +150,8 @@ std::optional<double> GrowthIntegrator::next_advance(const std::vector<double>& 
     if (!(share[tip] > 0.0)) {
       continue;
     }
-    if (rules().largest_advance) {
-      ds = std::min(ds, *rules().largest_advance / share[tip]);
+    if (model_.growth->largest_advance) {
+      ds = std::min(ds, *model_.growth->largest_advance / share[tip]);
     }
     AdvanceLimit limit = kinematics_->step_limit(state_, tip, share[tip], ds);
     ds = limit.ds;

@@ -46,7 +46,6 @@ public:
   }
 
 private:
-  [[nodiscard]] const model::CrackGrowthSettings& rules() const;
   [[nodiscard]] std::vector<double> shares() const;
   bool plan();
   void stop_at_last_length(bool planned);

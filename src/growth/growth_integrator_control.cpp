@@ -140,7 +140,7 @@ bool GrowthIntegrator::good_enough() {
       good = good && error <= limit;
     }
   };
-  const double tolerance = rules().tolerance;
+  const double tolerance = model_.growth->tolerance;
   // three stations: the error is that of a straight line, a parabola is used
   const double missed = cycles_missed() * (n > 3 ? 1.0 : of_straight_line);
   judge(missed, aimed_part * tolerance, still_good * tolerance, n > 3 ? 3.0 : 2.0);

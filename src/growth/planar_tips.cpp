@@ -68,12 +68,8 @@ PlanarTips::PlanarTips(const model::Model& model, std::vector<mesh::CrackLine> l
   tips_ = growing_tips(model, lines_);
 }
 
-const model::CrackGrowthSettings& PlanarTips::rules() const {
-  return *model_.growth;
-}
-
 bool PlanarTips::can_kink() const {
-  return rules().direction != model::GrowthDirection::path;
+  return model_.growth->direction != model::GrowthDirection::path;
 }
 
 void PlanarTips::resume_from(const GrowthState& state) {
@@ -111,7 +107,7 @@ TipGrowthDirection PlanarTips::heading_of(const GrowthState& state, std::size_t 
 // To AMAX and to the last node of a path.
 double PlanarTips::remaining_ligament(const GrowthState& state, std::size_t tip) const {
   const mesh::CrackLine& line = lines_[tips_[tip].line];
-  double longest = rules().last_length.value_or(std::numeric_limits<double>::infinity());
+  double longest = model_.growth->last_length.value_or(std::numeric_limits<double>::infinity());
   if (!line.path.empty() && !can_kink()) {
     std::vector<base::Vec3> path;
     for (const base::NodeId n : line.path) {

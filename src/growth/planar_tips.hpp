@@ -44,7 +44,6 @@ public:
                                               double advance) const override;
 
 private:
-  [[nodiscard]] const model::CrackGrowthSettings& rules() const;
   [[nodiscard]] TipGrowthDirection heading_of(const GrowthState& state, std::size_t tip) const;
   void limit_by_obstacles(const GrowthState& state, std::size_t tip, double share,
                           AdvanceLimit& limit) const;

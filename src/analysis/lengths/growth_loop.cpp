@@ -222,7 +222,7 @@ private:
   void hand_on_warnings() {
     for (const base::Diagnostic& d : trial_.messages()) {
       if (d.severity == base::Severity::warning) {
-        measure_.warn_of_mesh(d.code, d.text, run_.increments.size());
+        measure_.warnings().warn_of_mesh(d.code, d.text, run_.increments.size());
       }
     }
   }
@@ -255,7 +255,7 @@ private:
         "GROW", fmt::format("{}: {}; {} stations, {} solutions did not count", run_.growth->ended,
                             run_.growth->reason, integrator.growth_state().stations.size(),
                             integrator.growth_state().rejected));
-    std::ranges::copy(measure_.warnings(), std::back_inserter(run_.warnings));
+    std::ranges::copy(measure_.warnings().all(), std::back_inserter(run_.warnings));
     for (std::string& text : life_concerns(*run_.growth, measure_.law())) {
       run_.warnings.push_back({"W456", std::move(text)});
     }

@@ -17,9 +17,6 @@ namespace spricka::analysis {
 
 namespace {
 
-/// K2 beyond this part of K1 on a given path is worth a word, and K2 or K3 along a front in space,
-/// which would leave its plane.
-constexpr double much_shear = 0.25;
 /// K1 that the mesh cannot tell from 0 where K2 rules.
 constexpr double much_less_than_K2 = 1e-3;
 
@@ -46,16 +43,7 @@ life::GrowthRateLaw growth_law(const model::CrackGrowthSettings& growth) {
 
 GrowthRateEvaluator::GrowthRateEvaluator(const model::Model& model)
     : model_(model), law_(growth_law(*model.growth)), spectrum_(spectrum_of(model)),
-      around_(model.mesh) {}
-
-void GrowthRateEvaluator::warn_of_mesh(const std::string& code, const std::string& text,
-                                       std::size_t station) {
-  const bool known = std::ranges::any_of(
-      warnings_, [&](const results::Warning& warning) { return warning.code == code; });
-  if (!known) {
-    warnings_.insert({code, fmt::format("{} (station {})", text, station)});
-  }
-}
+      around_(model.mesh), warnings_(*model.growth) {}
 
 bool GrowthRateEvaluator::no_rate(std::string why) {
   trouble_ = base::OperationFailure{
@@ -89,7 +77,7 @@ GrowthRateEvaluator::evaluate_tips(const SolvedCrackState& at,
   std::vector<growth::TipStation> found(growing.size());
   upside_down_ = true;
   if (at.followed && !at.followed->none.empty()) {
-    warnings_.insert(
+    warnings_.add(
         {"W456", fmt::format("with friction K depends on the load history, but the loads were "
                              "not repeated: {}; K is that of the steps as they were run once",
                              at.followed->none)});
@@ -155,34 +143,11 @@ void GrowthRateEvaluator::look_at_front(const SolvedCrackState& at, const Growin
     found.plastic = at.plastic[place.front];
   }
   if (model_.growth->corrected) {
-    warn_of_no_bar(front.name, front.no_bar);
+    warnings_.warn_of_no_bar(front.name, front.no_bar);
   }
   const base::Vec3 K = smooth_K(front, place, model_.growth->corrected);
-  warn_of_invalid_result(front, K[0]);
-  look_at_shear(to.front, K);
-}
-
-void GrowthRateEvaluator::warn_of_no_bar(const std::string& name, const std::string& why) {
-  if (!why.empty()) {
-    warnings_.insert(
-        {"W456", fmt::format("CORRECT=YES, but {} has no error bar everywhere ({}): there K is "
-                             "as computed",
-                             name, why)});
-  }
-}
-
-void GrowthRateEvaluator::warn_of_invalid_result(const results::FrontResult& front, double K1) {
-  if (!front.invalid_reason.empty() && K1 > 0.0) {
-    warnings_.insert(
-        {"W508", fmt::format("{}: K at KMAX is in doubt: {}", front.name, front.invalid_reason)});
-  }
-}
-
-void GrowthRateEvaluator::warn_of_no_bar(const results::FrontResult& end) {
-  // A tip whose faces touch there needs none.
-  if (!end.is_tip() || !end.tip().closed) {
-    warn_of_no_bar(end.name, end.no_bar);
-  }
+  warnings_.warn_of_invalid_result(front, K[0]);
+  warnings_.note_shear(to.front, K);
 }
 
 base::Vec2 GrowthRateEvaluator::intensity(const results::FrontResult& front,
@@ -192,7 +157,7 @@ base::Vec2 GrowthRateEvaluator::intensity(const results::FrontResult& front,
     return smooth_K(front, place, corrected).head<2>();
   }
   if (corrected) {
-    warn_of_no_bar(front);
+    warnings_.warn_of_no_bar(front);
   }
   const results::FrontPointResult& tip = front.tip();
   return corrected && front.has_error_bar() ? base::Vec2(tip.bar[0].best, tip.bar[1].best)
@@ -221,51 +186,8 @@ base::Vec2 GrowthRateEvaluator::turn(const base::Vec2& K, bool straight,
 void GrowthRateEvaluator::note_order(const std::string& name, bool upside_down) {
   upside_down_ = upside_down_ && upside_down;
   if (upside_down) {
-    warnings_.insert({"W456", fmt::format("{}: K at KMIN is larger than at KMAX", name)});
+    warnings_.add({"W456", fmt::format("{}: K at KMIN is larger than at KMAX", name)});
   }
-}
-
-void GrowthRateEvaluator::look_at(const std::string& name, const base::Vec2& K, bool upside_down) {
-  note_order(name, upside_down);
-  if (model_.growth->direction == model::GrowthDirection::path && K[0] > 0.0 &&
-      std::abs(K[1]) > much_shear * K[0]) {
-    warnings_.insert(
-        {"W456", fmt::format("{} grows along its path although K2 is {:.2f} of K1; the law is "
-                             "given K1 alone",
-                             name, K[1] / K[0])});
-  }
-}
-
-void GrowthRateEvaluator::look_at_shear(const std::string& crack, const base::Vec3& K) {
-  const bool stays = model_.growth->direction == model::GrowthDirection::path;
-  const double K2 = stays ? std::abs(K[1]) : 0.0;
-  const double part = std::max(K2, std::abs(K[2])) / K[0];
-  if (K[0] > 0.0 && part > std::max(much_shear, shear_[crack].part)) {
-    shear_[crack] = {K2 > std::abs(K[2]) ? "K2" : "K3", part};
-  }
-}
-
-std::set<results::Warning> GrowthRateEvaluator::warnings() const {
-  std::set<results::Warning> all = warnings_;
-  const bool stays = model_.growth->direction == model::GrowthDirection::path;
-  for (const auto& [crack, shear] : shear_) {
-    if (shear.part > 0.0) {
-      all.insert(
-          {"W456", fmt::format("{} grows {} although {} is up to {:.2f} of K1; the law is given K1 "
-                               "{}",
-                               crack, stays ? "in its plane" : "as K1 and K2 turn it", shear.what,
-                               shear.part, stays ? "alone" : "of the turned crack alone")});
-    }
-  }
-  return all;
-}
-
-void GrowthRateEvaluator::warn_of_closing(const std::string& name, double a) {
-  warnings_.insert(
-      {"W456", fmt::format("{}: at a = {:.6g} its faces close and there is no solution with "
-                           "faces that overlap: K_min is 0 there, though the law knows R < 0; "
-                           "the life may come out too long",
-                           name, a)});
 }
 
 double GrowthRateEvaluator::at_smallest(const SolvedCrackState& at, const GrowingPlace& to,
@@ -279,7 +201,7 @@ double GrowthRateEvaluator::at_smallest(const SolvedCrackState& at, const Growin
       tip_with_overlap(at.free, model_.growth->kmin.index(), front.name);
   if (free == nullptr) {
     if (front.points[place.from].closed) {
-      warn_of_closing(to.name, front.a);
+      warnings_.warn_of_closing(to.name, front.a);
     }
     return K;
   }
@@ -299,7 +221,7 @@ bool GrowthRateEvaluator::by_steps(const SolvedCrackState& at, const GrowingPlac
   }
   const results::FrontResult& low = smallest.fronts[there.front];
   if (high.is_tip()) {
-    warn_of_invalid_result(high, high.tip().K1);
+    warnings_.warn_of_invalid_result(high, high.tip().K1);
   }
   const base::Vec2 K = intensity(high, place);
   const base::Vec2 part = turn(K, to.straight, found);
@@ -307,7 +229,8 @@ bool GrowthRateEvaluator::by_steps(const SolvedCrackState& at, const GrowingPlac
   found.K_min = at_smallest(at, to, part, low, there);
   found.rate = found.K_max > found.K_min ? law_.growth_rate(found.K_max, found.K_min) : 0.0;
   if (high.is_tip()) {
-    look_at(to.name, K, low.tip().K1 > high.tip().K1 && low.tip().K1 > 0.0);
+    note_order(to.name, low.tip().K1 > high.tip().K1 && low.tip().K1 > 0.0);
+    warnings_.warn_of_K2(to.name, K);
   } else {
     note_order(to.name, found.K_min > K[0] && found.K_min > 0.0);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "analysis/lengths/growth_warnings.hpp"
 #include "analysis/lengths/load_history.hpp"
 #include "analysis/lengths/place_on_front.hpp"
 #include "analysis/scene/free_faces.hpp"
@@ -14,9 +15,7 @@
 #include "results/results.hpp"
 
 #include <functional>
-#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -60,38 +59,21 @@ public:
   [[nodiscard]] const base::Trouble& trouble() const { return trouble_; }
   /// Whether of the last state K at KMIN was above K at KMAX, and above 0, at all tips that grow.
   [[nodiscard]] bool is_load_reversed() const { return upside_down_; }
-  /// What a reader must not miss, each once.
-  [[nodiscard]] std::set<results::Warning> warnings() const;
-  /// Keeps what was said of the mesh of a station, the first time of each code.
-  void warn_of_mesh(const std::string& code, const std::string& text, std::size_t station);
+  /// What a reader must not miss.
+  [[nodiscard]] GrowthWarnings& warnings() { return warnings_; }
   [[nodiscard]] const life::GrowthRateLaw& law() const { return law_; }
   [[nodiscard]] const std::optional<life::CountedSpectrum>& spectrum() const { return spectrum_; }
   [[nodiscard]] bool counted_on_K() const { return counted_on_K_; }
 
   /// What it remembers of earlier states, as arrays "growth..." for a restart file.
   void save_state(results::NamedArrays& arrays) const {
-    arrays.texts["growth.warnings"] =
-        results::text_with_code(std::vector<results::Warning>(warnings_.begin(), warnings_.end()));
+    warnings_.save_state(arrays);
     arrays.integers["growth.counted_on_K"] = {counted_on_K_ ? 1 : 0};
-    for (const auto& [crack, shear] : shear_) {
-      arrays.texts["growth.shear"].insert(arrays.texts["growth.shear"].end(), {crack, shear.what});
-      arrays.reals["growth.shear"].push_back(shear.part);
-    }
   }
   /// Back from a restart file. Throws base::DamagedField where an array is missing.
   void restore_state(const results::NamedArrays& arrays) {
-    for (results::Warning& warning :
-         results::parse_warnings(results::required_array(arrays.texts, "growth.warnings"))) {
-      warnings_.insert(std::move(warning));
-    }
+    warnings_.restore_state(arrays);
     counted_on_K_ = results::required_array(arrays.integers, "growth.counted_on_K", 1)[0] != 0;
-    if (const auto parts = arrays.reals.find("growth.shear"); parts != arrays.reals.end()) {
-      const std::vector<std::string>& names =
-          results::required_array(arrays.texts, "growth.shear", 2 * parts->second.size());
-      for (std::size_t i = 0; i < parts->second.size(); ++i) {
-        shear_[names[2 * i]] = {names[2 * i + 1], parts->second[i]};
-      }
-    }
   }
 
 private:
@@ -122,16 +104,7 @@ private:
   [[nodiscard]] double at_smallest(const SolvedCrackState& at, const GrowingPlace& to,
                                    const base::Vec2& part, const results::FrontResult& front,
                                    const PlaceOnFront& place);
-  /// Warns of K2 and K3 at KMAX that the growth does not follow.
-  void look_at_shear(const std::string& crack, const base::Vec3& K);
-  void warn_of_closing(const std::string& name, double a);
-  /// `why` there is no error bar to correct K by; empty: there is one.
-  void warn_of_no_bar(const std::string& name, const std::string& why);
-  /// The same of the ends of the spectrum's path.
-  void warn_of_no_bar(const results::FrontResult& end);
   void warn_of_bars_on_path(const SolvedCrackState& at, const GrowingPlace& to);
-  /// Of K at KMAX, where K1 is open.
-  void warn_of_invalid_result(const results::FrontResult& front, double K1);
   /// The K that the law is given, out of those of all tips [crack::KLayout].
   using KOfLaw = std::function<double(const base::Vector&)>;
   /// Rate and extremes of K in a pass of the spectrum that was followed.
@@ -139,12 +112,8 @@ private:
   /// Rate and extremes of the loads that were followed, of the first cycle and of those that repeat
   /// themselves.
   void of_loads(const LoadHistoryResult& loads, const KOfLaw& K, growth::TipStation& found) const;
-  /// Warns of loads that do not repeat themselves, and of K that is apart by two ways.
-  void look_at(const LoadHistoryResult& loads, double a);
   /// Warns where K at KMIN is larger than at KMAX, which all tips together may not have.
   void note_order(const std::string& name, bool upside_down);
-  /// Warns of what a reader of a rate by KMAX and KMIN must know; K1 and K2 at KMAX.
-  void look_at(const std::string& name, const base::Vec2& K, bool upside_down);
   /// K1 and K2 of a place at the end of a step, corrected where the law is to have that.
   [[nodiscard]] base::Vec2 intensity(const results::FrontResult& front, const PlaceOnFront& place);
   /// Sets the turn and gives the K to the law: of the crack before the turn, first and second.
@@ -161,14 +130,8 @@ private:
   growth::PlaneBoundaryAhead around_;
   base::Trouble trouble_;
   bool upside_down_ = false;
-  std::set<results::Warning> warnings_;
+  GrowthWarnings warnings_;
   bool counted_on_K_ = false;
-  /// The largest K2 or K3 that the growth of a crack does not follow, as a part of K1.
-  struct NeglectedShearK {
-    std::string what; ///< "K2", "K3"
-    double part = 0.0;
-  };
-  std::map<std::string, NeglectedShearK> shear_; ///< [crack]
 };
 
 } // namespace spricka::analysis

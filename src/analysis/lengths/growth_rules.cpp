@@ -41,8 +41,8 @@ bool keeps_own_mesh(const model::Model& model, std::size_t crack) {
           }));
 }
 
-} // namespace
-
+// Whether the cracks as they are at first can grow by the law of $GROW; why not is an error at the
+// card.
 bool growth_can_begin(const model::Model& model, const growth::CrackKinematics& kinematics,
                       base::Diagnostics& diagnostics) {
   const auto no = [&](const std::string& why) {
@@ -85,8 +85,6 @@ bool growth_can_begin(const model::Model& model, const growth::CrackKinematics& 
   }
   return ligament_can_yield(model, no);
 }
-
-namespace {
 
 // A rate at which a single cycle is no small part of the crack any more.
 constexpr double much_of_length = 0.01;

@@ -13,11 +13,6 @@
 /// What a growth by a law must have, and what its life must not look like.
 namespace spricka::analysis {
 
-/// Whether the cracks as they are at first can grow by the law of $GROW; why not is an error at the
-/// card.
-bool growth_can_begin(const model::Model& model, const growth::CrackKinematics& kinematics,
-                      base::Diagnostics& diagnostics);
-
 /// The cracks of $GROW as they are at first, in the plane or in space; null: they cannot grow.
 std::unique_ptr<growth::CrackKinematics> initial_kinematics(const model::Model& model,
                                                             base::Diagnostics& diagnostics);

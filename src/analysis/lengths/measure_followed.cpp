@@ -14,8 +14,6 @@ namespace spricka::analysis {
 
 namespace {
 
-constexpr double worst_mismatch = 1e-6; // of K against that of recovered displacements
-
 // K1 and K2 where K1 is largest in a pass, of the place that `K_of` takes them of.
 template <class KOf> base::Vec2 largest(const LoadPassResult& pass, const KOf& K_of) {
   base::Vec2 best(-std::numeric_limits<double>::infinity(), 0.0);
@@ -81,26 +79,6 @@ void GrowthRateEvaluator::of_loads(const LoadHistoryResult& loads, const KOfLaw&
   found.change = loads.change;
 }
 
-void GrowthRateEvaluator::look_at(const LoadHistoryResult& loads, double a) {
-  if (!(loads.change <= repeats_to)) {
-    warnings_.insert(
-        {"W507",
-         fmt::format(
-             "K did not repeat itself within {} passes of the loads: at a = {:.6g} it still "
-             "changes by {:.1e} of the largest K from one to the next",
-             loads.passes, a, loads.change)});
-  }
-  if (!(loads.mismatch <= worst_mismatch)) {
-    warnings_.insert({"W507", fmt::format("K of the loads that were followed differs from K of the "
-                                          "displacements by {:.1e} of the largest",
-                                          loads.mismatch)});
-  }
-  if (model_.growth->corrected) {
-    warnings_.insert(
-        {"W456", "CORRECT=YES, but with friction K has no error bar: K is as computed"});
-  }
-}
-
 bool GrowthRateEvaluator::by_history(const SolvedCrackState& at, const GrowingPlace& to,
                                      const PlaceOnFront& place, growth::TipStation& found) {
   const LoadHistoryResult& loads = *at.followed;
@@ -119,19 +97,20 @@ bool GrowthRateEvaluator::by_history(const SolvedCrackState& at, const GrowingPl
       loads, [&](const base::Vector& all) { return part.dot(K_of(all)); }, found);
   if (front.is_tip()) {
     if (!spectrum_) {
-      look_at(to.name, K, found.K_min > found.K_max);
+      note_order(to.name, found.K_min > found.K_max);
+      warnings_.warn_of_K2(to.name, K);
     }
-    look_at(loads, at.increment.a);
+    warnings_.warn_of_history(loads, at.increment.a);
   } else {
     found.K2_max = grown[1];
     // Only faces that touch have K1 = 0 to the last bit.
     if (continues_below_closing(model_) && found.K_min == 0.0) {
-      warn_of_closing(to.name, front.a);
+      warnings_.warn_of_closing(to.name, front.a);
     }
     if (!spectrum_) {
       note_order(to.name, found.K_min > found.K_max && found.K_min > 0.0);
     }
-    look_at(loads, front.a);
+    warnings_.warn_of_history(loads, front.a);
   }
   return !std::isnan(found.rate) ||
          no_rate(fmt::format("the growth of a pass of the loads is not a number at {}", to.name));

@@ -39,7 +39,7 @@ base::PiecewiseLinear GrowthRateEvaluator::on_path(const SolvedCrackState& at,
     below = continue_below_zero(K, K_on_path(*free, place, part), spectrum_->highest());
   }
   if (!below) {
-    warn_of_closing(front.is.name, front.is.a);
+    warnings_.warn_of_closing(front.is.name, front.is.a);
   }
   return below ? std::move(*below) : std::move(K);
 }
@@ -51,7 +51,7 @@ void GrowthRateEvaluator::warn_of_bars_on_path(const SolvedCrackState& at, const
     for (const results::FrontResult& end : at.increment.steps[step.index()].fronts) {
       // In space look_at_front() has told of the largest load.
       if (end.is_tip() ? end.name == to.front : step == path.from) {
-        warn_of_no_bar(end);
+        warnings_.warn_of_no_bar(end);
       }
     }
   }
@@ -73,8 +73,8 @@ bool GrowthRateEvaluator::by_spectrum(const SolvedCrackState& at, const GrowingP
   const results::LoadPathFront& front = path.fronts[place.front];
   const bool tip = front.points.size() == 1;
   if (tip && !front.is.invalid_reason.empty()) {
-    warnings_.insert({"W508", fmt::format("{}: K on load path {} is in doubt: {}", to.name,
-                                          path.name, front.is.invalid_reason)});
+    warnings_.add({"W508", fmt::format("{}: K on load path {} is in doubt: {}", to.name, path.name,
+                                       front.is.invalid_reason)});
   }
   // The way on is that at the largest load; K of the whole path is then taken at the tip of that
   // kink (growth.8).
