@@ -116,8 +116,6 @@ private:
   [[nodiscard]] bool accept(const contact::ContactSystem::IncrementSolution& solution,
                             const contact::ContactSystem::IncrementProblem& problem,
                             StepState& state, base::Trouble& trouble);
-  void balance(StepState& state) const;
-  [[nodiscard]] base::Vector tie_forces(const base::Vector& left_over) const;
 
   const model::Model& model_;
   const Discretisation& scene_;
