@@ -77,7 +77,7 @@ void SyntaxBuilder::fail_expected(const char* at, const char* last, std::string_
        slip.empty() ? hint_for(*at, what) : slip);
 }
 
-void SyntaxBuilder::report(base::Diagnostics& diagnostics) const {
+void SyntaxBuilder::report_failure(base::Diagnostics& diagnostics) const {
   if (failure) {
     diagnostics.error(failure->span, failure->code, failure->text, failure->hint);
   }

@@ -30,7 +30,7 @@ public:
   /// "expected ..." at `at`, with the carets under the token there.
   void fail_expected(const char* at, const char* last, std::string_view what);
   /// Hands the first failure, if there is one, on as an error of the deck.
-  void report(base::Diagnostics& diagnostics) const;
+  void report_failure(base::Diagnostics& diagnostics) const;
 
   Card card;             ///< the header being read
   Assignment assignment; ///< the assignment being read

@@ -196,7 +196,7 @@ private:
     const char* const stop = logical_line_end(p_, last_);
     const bool ok =
         *p_ == '(' ? builder.field_expression(p_, stop) : builder.field_number(p_, stop, false);
-    builder.report(diagnostics_);
+    builder.report_failure(diagnostics_);
     if (!ok) {
       return false;
     }

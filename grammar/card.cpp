@@ -190,8 +190,8 @@ std::vector<Card> parse_cards(const base::SourceTexts& sources, std::int32_t fil
     SyntaxBuilder builder(file, origin);
     const char* const begin = p;
     const char* const end = logical_line_end(p, last);
-    builder.card.bad = !run_rule(header, p, end, builder);
-    builder.report(diagnostics);
+    builder.card.bad = !parse_rule(header, p, end, builder);
+    builder.report_failure(diagnostics);
     Card card = std::move(builder.card);
     card.header = builder.span(begin, end);
     if (!card.name_span.valid()) { // a $ without a name still has a place
@@ -213,11 +213,11 @@ std::vector<DataRow> parse_rows(const base::SourceTexts& sources, base::SourceSp
   for_each_line(sources, data, [&](const char* begin, const char* end) {
     SyntaxBuilder builder(data.file, origin);
     const char* p = begin;
-    if (run_rule(row, p, end, builder)) {
+    if (parse_rule(row, p, end, builder)) {
       rows.push_back({builder.take_fields(), builder.span(begin, end)});
       rows.back().span.end = rows.back().fields.back().span.end;
     }
-    builder.report(diagnostics);
+    builder.report_failure(diagnostics);
   });
   return rows;
 }
@@ -229,7 +229,7 @@ std::vector<Assignment> parse_assignments(const base::SourceTexts& sources, base
   for_each_line(sources, data, [&](const char* begin, const char* end) {
     SyntaxBuilder builder(data.file, origin);
     const char* p = begin;
-    if (run_rule(assigning, p, end, builder)) {
+    if (parse_rule(assigning, p, end, builder)) {
       assignments.push_back(std::move(builder.assignment));
     } else {
       builder.fail_expected(begin, end, "NAME = expression");
@@ -238,7 +238,7 @@ std::vector<Assignment> parse_assignments(const base::SourceTexts& sources, base
         assignments.push_back(std::move(builder.assignment)); // without a value
       }
     }
-    builder.report(diagnostics);
+    builder.report_failure(diagnostics);
   });
   return assignments;
 }
@@ -257,7 +257,7 @@ std::optional<ParsedExpression> parse_expression(const base::SourceTexts& source
     }
     builder.fail_expected(p, last, "the end of the expression");
   }
-  builder.report(diagnostics);
+  builder.report_failure(diagnostics);
   return std::nullopt;
 }
 

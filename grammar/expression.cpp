@@ -157,7 +157,7 @@ BOOST_SPIRIT_DEFINE(expression, comparison, sum, product, factor, primary, argum
 
 bool read_expression(const char*& p, const char* last, SyntaxBuilder& builder) {
   const char* begin = p = skip_blanks_and_comments(p, last);
-  if (!run_rule(expression, p, last, builder)) {
+  if (!parse_rule(expression, p, last, builder)) {
     builder.fail_expected(begin, last, "an expression");
     return false;
   }

@@ -55,7 +55,7 @@ bool match_character(const char*& p, const char* last, SyntaxBuilder& /*builder*
 
 /// Runs `start` over [p, last); a failed expectation goes to the builder.
 template <class Rule>
-bool run_rule(const Rule& start, const char*& p, const char* last, SyntaxBuilder& builder) {
+bool parse_rule(const Rule& start, const char*& p, const char* last, SyntaxBuilder& builder) {
   try {
     return x3::parse(p, last, x3::with<builder_tag>(std::ref(builder))[start]);
   } catch (const x3::expectation_failure<const char*>& failure) {

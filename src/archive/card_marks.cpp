@@ -134,7 +134,7 @@ std::vector<CardFingerprint> card_fingerprints(const std::filesystem::path& deck
     }
     if (const std::string file = named_file(card, sources); !file.empty()) {
       // A card that brings a file in changes with what the file holds.
-      text += imported_texts(file);
+      text += text_with_included_files(file);
     }
     mark.hash = hash_bytes(text);
     mark.uses = uses(text, parameters);

@@ -105,7 +105,7 @@ std::uintmax_t deck_byte_count(const base::SourceTexts& sources, const model::Mo
   return bytes;
 }
 
-std::string imported_texts(const std::string& file) {
+std::string text_with_included_files(const std::string& file) {
   std::vector<fs::path> seen;
   std::vector<std::string> texts;
   add_texts(file, seen, texts);

@@ -22,6 +22,6 @@ std::uintmax_t deck_byte_count(const base::SourceTexts& sources, const model::Mo
 
 /// The text of a file that a card brings in, and those that a .geo names between quotes; empty
 /// where there is none.
-std::string imported_texts(const std::string& file);
+std::string text_with_included_files(const std::string& file);
 
 } // namespace spricka::archive

@@ -57,7 +57,7 @@ public:
   [[nodiscard]] solve::RowCompliance
   compliance(const std::vector<std::vector<RowCoefficient>>& rows) const;
   /// S+ F [m, k].
-  [[nodiscard]] base::Matrix displacement(const base::Matrix& F) const;
+  [[nodiscard]] base::Matrix displacements_under(const base::Matrix& F) const;
 
 private:
   [[nodiscard]] base::Matrix project(base::Matrix F) const;

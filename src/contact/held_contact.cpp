@@ -16,7 +16,7 @@ UnconstrainedResponse unconstrained_response(const ContactSystem& system,
   UnconstrainedResponse out;
   out.on_mode.resize(system.mode_openings().cols(), load.empty() ? 0 : load.front().cols());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    out.u.push_back(bodies[b]->displacement(load[b]));
+    out.u.push_back(bodies[b]->displacements_under(load[b]));
     const base::Matrix& Q = bodies[b]->modes();
     out.on_mode.middleRows(system.first_mode(b), Q.cols()) = Q.transpose() * load[b];
   }
@@ -55,7 +55,7 @@ std::vector<base::Matrix> FixedActiveSet::displacement(const std::vector<base::M
   std::vector<base::Matrix> u;
   for (std::size_t b = 0; b < force.size(); ++b) {
     const base::Matrix& Q = system_.bodies()[b]->modes();
-    u.push_back(system_.bodies()[b]->displacement(force[b]) +
+    u.push_back(system_.bodies()[b]->displacements_under(force[b]) +
                 Q * response.mode.middleRows(system_.first_mode(b), Q.cols()));
   }
   return u;

@@ -91,11 +91,11 @@ public:
   SegmentProjection(const PairConstraints& pair, int degree)
       : pair_(pair), degree_(degree), segments_(find_segments(pair)) {}
 
-  [[nodiscard]] ProjectedElement project(const HatElement& element) const {
+  [[nodiscard]] ElementPairPoints project(const HatElement& element) const {
     const geometry::ElementSide& edge = pair_.contact.facets[element.facet];
     const double from = edge.node_coordinates(element.node[0])[0];
     const double to = edge.node_coordinates(element.node[1])[0];
-    ProjectedElement found;
+    ElementPairPoints found;
     found.whole = whole_hats(element);
     const auto own =
         std::ranges::equal_range(segments_, element.facet, {}, &MortarSegment::contact_edge);
@@ -142,10 +142,10 @@ private:
 };
 
 // What the points of one rule on a whole triangle meet.
-ProjectedElement sample_triangle(const ContactSurface& own, const SurfaceProjection& target,
-                                 const HatElement& triangle) {
+ElementPairPoints sample_triangle(const ContactSurface& own, const SurfaceProjection& target,
+                                  const HatElement& triangle) {
   const geometry::ElementSide& face = own.facets[triangle.facet];
-  ProjectedElement found;
+  ElementPairPoints found;
   for_hat_points(face, triangle.node, triangle_sampling_degree,
                  [&](const Vec3& hat, const Vec2& r, double weight) {
                    const geometry::SidePoint here = face.point(r);

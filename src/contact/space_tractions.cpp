@@ -63,7 +63,7 @@ public:
 
 private:
   // Row a of `dual` is the function dual to hat a; its multipliers push with it.
-  void add(const HatElement& triangle, const ProjectedElement& projection) {
+  void add(const HatElement& triangle, const ElementPairPoints& projection) {
     Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
     for (const PairPoint& p : projection.points) {
       moment += p.weight * p.hat * p.hat.transpose();

@@ -65,7 +65,7 @@ GapSurvey survey(const ContactSurface& from, Projector&& projector, Segments&& s
   if (from.in_space()) {
     const ElementProjector project = projector();
     for (const HatElement& element : from.elements) {
-      const ProjectedElement projection = project(element);
+      const ElementPairPoints projection = project(element);
       length += projection.whole.sum();
       for (const PairPoint& p : projection.points) {
         points.push_back({p.facet, p.weight, p.gap, std::acos(std::min(1.0, p.turn))});

@@ -243,7 +243,7 @@ std::size_t ContactSystem::body_of_mode(Eigen::Index mode) const {
 base::Vector ContactSystem::motion_of(const IncrementProblem& problem, std::size_t body) const {
   const bool known = body < problem.motion.size() && problem.motion[body].size() > 0;
   return known ? problem.motion[body]
-               : base::Vector(bodies_[body]->displacement(problem.load[body]));
+               : base::Vector(bodies_[body]->displacements_under(problem.load[body]));
 }
 
 solve::ContactProblem ContactSystem::condensed(const IncrementProblem& problem) const {
@@ -338,7 +338,7 @@ ContactSystem::solve(const IncrementProblem& problem,
     }
   }
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    solution.u.push_back(bodies_[b]->displacement(force[b]) +
+    solution.u.push_back(bodies_[b]->displacements_under(force[b]) +
                          bodies_[b]->modes() *
                              s.alpha.segment(mode_start_[b], bodies_[b]->modes().cols()));
     if (b < problem.motion.size() && problem.motion[b].size() > 0) {

@@ -198,7 +198,7 @@ std::vector<IntensityFunctionalPoint> intensity_points(const model::Model& model
   return points;
 }
 
-base::Matrix crack_face_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
+base::Matrix face_force_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
                                        const mesh::CrackFront& front,
                                        const std::vector<ExtensionField>& fields,
                                        model::TipConstraint state,

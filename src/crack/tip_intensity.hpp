@@ -19,7 +19,6 @@ struct FrontIntensityRequest {
   std::optional<double> shift; ///< of a tip, finite shift in tip element sizes; empty: analytic
   model::TipConstraint state = model::TipConstraint::automatic; ///< of a tip
   bool opening = false; ///< K from the opening of the crack's faces as well
-  FrontTermSwitches terms{};
 };
 
 /// K1, K2, G and T of a tip with one domain at least from nodal displacements u [2 * node]:
@@ -63,7 +62,7 @@ std::vector<IntensityFunctionalPoint> intensity_points(const model::Model& model
                                                        model::TipConstraint state);
 /// The same for forces between the faces: rows^T f is what FrontLoads::crack_faces add to K1
 /// and K2. [dim * node, 2]
-base::Matrix crack_face_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
+base::Matrix face_force_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
                                        const mesh::CrackFront& front,
                                        const std::vector<ExtensionField>& fields,
                                        model::TipConstraint state,

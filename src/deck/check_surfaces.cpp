@@ -85,8 +85,8 @@ private:
       faces = first.rigid == second.rigid ? common_faces(pairs_[a].one, pairs_[b].one).size() : 0;
     } else {
       const SurfaceFacePair swapped{pairs_[b].two, pairs_[b].one};
-      faces = std::max(doubled_faces(mesh_, pairs_[a], pairs_[b]),
-                       doubled_faces(mesh_, pairs_[a], swapped));
+      faces = std::max(doubly_paired_face_count(mesh_, pairs_[a], pairs_[b]),
+                       doubly_paired_face_count(mesh_, pairs_[a], swapped));
     }
     if (faces > 0 && alike(first, second)) {
       c_.warning(
@@ -127,8 +127,9 @@ private:
       const SurfaceFacePair& pair = pairs_[i];
       const SurfaceFacePair here{faces_with_corners(mesh_, pair.one, nodes), master};
       const SurfaceFacePair turned{faces_with_corners(mesh_, pair.two, nodes), master};
-      const std::size_t faces = std::max(doubled_faces(mesh_, pair, here),
-                                         doubled_faces(mesh_, {pair.two, pair.one}, turned));
+      const std::size_t faces =
+          std::max(doubly_paired_face_count(mesh_, pair, here),
+                   doubly_paired_face_count(mesh_, {pair.two, pair.one}, turned));
       if (faces > 0) {
         say_tied(model_.contacts[i], tie.span, faces);
       }

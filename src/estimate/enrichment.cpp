@@ -70,7 +70,7 @@ ModeMatrixCache::CachedModeMatrix& ModeMatrixCache::at(base::ElementId host) {
 }
 
 CubicEnrichment::CubicEnrichment(const model::Model& model, const model::Mesh& mesh,
-                                 EdgeTable edges, std::vector<bool> framed, ModeCacheAccess kept)
+                                 EdgeTable edges, std::vector<bool> framed, HostModeMatrices kept)
     : model_(model), mesh_(mesh), edges_(std::move(edges)), framed_(std::move(framed)) {
   auto next = static_cast<std::int32_t>(2 * edges_.edges.size());
   first_.reserve(mesh.element_count() + 1);
@@ -104,7 +104,7 @@ CubicEnrichment::CubicEnrichment(const model::Model& model, const model::Mesh& m
   sum_diagonal();
 }
 
-void CubicEnrichment::add_matrix(base::ElementId e, const ModeCacheAccess& kept,
+void CubicEnrichment::add_matrix(base::ElementId e, const HostModeMatrices& kept,
                                  double*& next_own) {
   const base::ElementType type = mesh_.type[e.index()];
   const fe::ConstitutiveLaw law = fe::constitutive_law(model_, mesh_, e);

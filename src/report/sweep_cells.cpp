@@ -14,9 +14,9 @@ namespace spricka::report {
 
 namespace {
 
-using results::SweepCell;
+using results::SweepValue;
 
-void add_contact(std::vector<SweepCell>& cells, const results::ContactResult& contact,
+void add_contact(std::vector<SweepValue>& cells, const results::ContactResult& contact,
                  const std::string& step, int increment) {
   if (!contact.mounted) {
     return;
@@ -28,7 +28,7 @@ void add_contact(std::vector<SweepCell>& cells, const results::ContactResult& co
   }
 }
 
-void add_front(std::vector<SweepCell>& cells, const results::FrontResult& front,
+void add_front(std::vector<SweepValue>& cells, const results::FrontResult& front,
                const std::string& step, const results::Increment& increment) {
   for (const results::KQuantity& q : results::k_quantities) {
     if (q.appears_in(results::in_sweep, increment.mesh.dim) && q.is_number(front)) {
@@ -38,7 +38,7 @@ void add_front(std::vector<SweepCell>& cells, const results::FrontResult& front,
 }
 
 /// Sums as they are, of values at nodes the smallest and the largest of each component.
-void add_values(std::vector<SweepCell>& cells, const model::OutputRequest& request,
+void add_values(std::vector<SweepValue>& cells, const model::OutputRequest& request,
                 std::vector<RequestedValue> values, const std::string& step, int increment) {
   std::ranges::stable_partition(values, [](const auto& v) { return v.component != "MISES"; });
   std::vector<std::string> components;
@@ -63,7 +63,7 @@ void add_values(std::vector<SweepCell>& cells, const model::OutputRequest& reque
 }
 
 /// The cells of one request at the end of one step.
-void add_requested(std::vector<SweepCell>& cells, const results::Increment& increment,
+void add_requested(std::vector<SweepValue>& cells, const results::Increment& increment,
                    const results::StepResult& step, const model::OutputRequest& request) {
   if (request.quantity == "K") {
     for (const results::FrontResult& front : step.fronts) {
@@ -84,8 +84,8 @@ void add_requested(std::vector<SweepCell>& cells, const results::Increment& incr
 
 } // namespace
 
-std::vector<SweepCell> sweep_cells(const results::RunResult& run) {
-  std::vector<SweepCell> cells;
+std::vector<SweepValue> sweep_cells(const results::RunResult& run) {
+  std::vector<SweepValue> cells;
   if (run.growth) {
     cells.push_back({"N", "", "", 0, run.growth->final_cycles()});
   }
@@ -105,9 +105,10 @@ std::vector<SweepCell> sweep_cells(const results::RunResult& run) {
   return cells;
 }
 
-std::vector<SweepCell> requested_cells(const model::Model& model, const model::Output& output,
-                                       const results::RunResult& run) {
-  std::vector<SweepCell> cells;
+std::vector<SweepValue> requested_sweep_values(const model::Model& model,
+                                               const model::Output& output,
+                                               const results::RunResult& run) {
+  std::vector<SweepValue> cells;
   if (run.increments.empty()) {
     return cells;
   }

@@ -4,9 +4,9 @@
 #include "fe/dof_map.hpp"
 #include "mesh/boundary.hpp"
 #include "model/model.hpp"
+#include "sense/boundary_part.hpp"
 #include "sense/mirrored_cracks.hpp"
 #include "sense/mirrored_values.hpp"
-#include "sense/places.hpp"
 
 #include <algorithm>
 #include <array>
@@ -73,7 +73,7 @@ public:
 
   [[nodiscard]] bool bodies_mirrored(const Reflection& mirror) const {
     return std::ranges::all_of(
-        bodies_, [&](const BoundarySamples& body) { return mirrored_places(mirror, body, body); });
+        bodies_, [&](const BoundaryPart& body) { return mirrored_places(mirror, body, body); });
   }
 
   [[nodiscard]] bool own_image(const Reflection& mirror, const model::Load& load) const {
@@ -81,9 +81,9 @@ public:
   }
 
 private:
-  static bool mirrored_places(const Reflection& mirror, const BoundarySamples& one,
-                              const BoundarySamples& other) {
-    const auto onto = [&](const BoundarySamples& from, const BoundarySamples& to) {
+  static bool mirrored_places(const Reflection& mirror, const BoundaryPart& one,
+                              const BoundaryPart& other) {
+    const auto onto = [&](const BoundaryPart& from, const BoundaryPart& to) {
       return std::ranges::all_of(from.samples(),
                                  [&](const base::Vec3& x) { return to.contains_point(mirror(x)); });
     };
@@ -107,10 +107,10 @@ private:
     }
   }
 
-  [[nodiscard]] BoundarySamples places_of_nodes(const std::vector<base::NodeId>& nodes) const {
+  [[nodiscard]] BoundaryPart places_of_nodes(const std::vector<base::NodeId>& nodes) const {
     return {mesh_, mesh::faces_within(mesh_, nodes), nodes};
   }
-  [[nodiscard]] BoundarySamples places_of(const model::Load& load) const {
+  [[nodiscard]] BoundaryPart places_of(const model::Load& load) const {
     if (load.nodes.valid()) {
       return places_of_nodes(mesh_.set_with_id(load.nodes).nodes);
     }
@@ -293,8 +293,8 @@ private:
   const model::Model& model_;
   const model::Mesh& mesh_;
   mutable std::map<const model::Load*, std::vector<fe::LoadSample>> integrated_;
-  std::vector<BoundarySamples> bodies_; ///< by material, state and thickness
-  std::vector<BoundarySamples> held_;   ///< [direction]
+  std::vector<BoundaryPart> bodies_; ///< by material, state and thickness
+  std::vector<BoundaryPart> held_;   ///< [direction]
 };
 
 /// The box round all nodes of elements.

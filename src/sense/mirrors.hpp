@@ -10,7 +10,7 @@ namespace spricka::sense {
 /// Planes across an axis of the deck in which all bodies and materials are their own mirror image:
 /// half a model does in those that supports, loads, contacts and cracks respect as well; for the
 /// others, what stands against it. Meshes need not be mirrored, their boundaries must be
-/// (`Places`). Nothing is offered where that can't be told: equations between freedoms stand
+/// (`BoundaryPart`). Nothing is offered where that can't be told: equations between freedoms stand
 /// against it.
 std::vector<results::SymmetryPlanePreview> find_symmetry_planes(const model::Model& model);
 

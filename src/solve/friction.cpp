@@ -317,7 +317,7 @@ FrictionSolution solve_friction(const FrictionProblem& problem, const ContactSet
   const double least = rest_load * std::max(scale, contact.h.norm());
   if (c.unheld.size() == 0) {
     const LoadBalance balance =
-        balance_loads(cone_problem(held.B, held.h, held.equality, problem.friction));
+        balance_loads(cone_edge_balance_problem(held.B, held.h, held.equality, problem.friction));
     c.unheld = opening_motion(split, balance, least);
     if (c.unheld.size() > 0) {
       answer.slides = true;

@@ -107,9 +107,9 @@ bool add_edges_against(const base::Vector& r, const base::Matrix& B,
 
 } // namespace
 
-ControllableProblem cone_problem(const base::Matrix& B, const base::Vector& h,
-                                 const std::vector<bool>& equality,
-                                 const std::vector<FrictionRow>& friction) {
+ControllableProblem cone_edge_balance_problem(const base::Matrix& B, const base::Vector& h,
+                                              const std::vector<bool>& equality,
+                                              const std::vector<FrictionRow>& friction) {
   constexpr double pi = std::numbers::pi;
   return problem_of_edges(has_round_cones(friction)
                               ? round_edges(B, friction, 1.0 / std::cos(pi / sides))
@@ -141,8 +141,8 @@ base::Vector sliding_motion(const ModeSplit& split, const ControllableProblem& h
   for (const FrictionRow& f : friction) {
     kept[at(f.normal)] = true;
   }
-  const LoadBalance level =
-      balance_loads(cone_problem(held.B, balance.remainder, kept, without_mu(friction)));
+  const LoadBalance level = balance_loads(
+      cone_edge_balance_problem(held.B, balance.remainder, kept, without_mu(friction)));
   const bool lifts = !(level.remainder.norm() > 1e-9 * balance.remainder.norm());
   return opening_motion(split, lifts ? balance : level, 0.0);
 }

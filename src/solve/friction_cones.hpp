@@ -15,9 +15,9 @@ namespace spricka::solve {
 /// tangent, so that any force is a sum of edges with coefficients >= 0 (equality rows: of any
 /// sign). Round cones become those of sixteen sides about them, with more rows behind the others.
 /// B [n, m] and loads h [m] on the modes.
-ControllableProblem cone_problem(const base::Matrix& B, const base::Vector& h,
-                                 const std::vector<bool>& equality,
-                                 const std::vector<FrictionRow>& friction);
+ControllableProblem cone_edge_balance_problem(const base::Matrix& B, const base::Vector& h,
+                                              const std::vector<bool>& equality,
+                                              const std::vector<FrictionRow>& friction);
 
 /// The balance of the loads on the modes by forces in the round cones themselves, of which edges
 /// are added where a remainder leans on them. A remainder is given only where it is certain.

@@ -137,7 +137,7 @@ void TipErrorBars::prepare() {
                   [&](const estimate::ModeWeight& w) { return !alone[w.freedom]; });
   }
   enrichment_.emplace(model_, mesh, std::move(edges), std::move(framed),
-                      estimate::ModeCacheAccess{memory_, &scene_.cracked.host});
+                      estimate::HostModeMatrices{memory_, &scene_.cracked.host});
   supports_ = estimate::mode_supports(*enrichment_, scene_.cls, *scene_.ties);
   const crack::KLayout layout = scene_.k_layout();
   goals_.resize(enrichment_->freedoms(), layout.count());

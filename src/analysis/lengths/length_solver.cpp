@@ -135,7 +135,7 @@ std::optional<results::Increment> CrackStateSolver::solve(const CrackStateReques
   }
   keep_removed_members(model_.mesh, increment.mesh);
   add_face_nodes(model_, increment.mesh);
-  log.record_work("RECOVER", "surface, results of the nodes that the patches took");
+  log.record_in_profile("RECOVER", "surface, results of the nodes that the patches took");
   return increment;
 }
 

@@ -25,11 +25,11 @@ public:
                       .text = text,
                       .cpu = watch_.cpu_time(),
                       .wall = watch_.wall_time()});
-    record_work(processor, text, flops);
+    record_in_profile(processor, text, flops);
   }
   /// The same for the profile alone: what the listing does not tell.
-  void record_work(const std::string& processor, const std::string& text,
-                   std::optional<double> flops = {}) {
+  void record_in_profile(const std::string& processor, const std::string& text,
+                         std::optional<double> flops = {}) {
     if (recorder_ != nullptr) {
       recorder_->add_work(processor, text, watch_, flops);
     }

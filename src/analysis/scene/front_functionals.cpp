@@ -58,7 +58,7 @@ void add_K_by_face_forces(const model::Model& model, const Discretisation& scene
   }
   // K by a nodal force on either face [dim * node, 2]; a unit of a row puts its weights there.
   const base::Matrix weight =
-      crack::crack_face_intensity_rows(model, scene.cracked, front, scene.domains[f].points.front(),
+      crack::face_force_intensity_rows(model, scene.cracked, front, scene.domains[f].points.front(),
                                        model.cracks[front.crack.index()].state, crack_face->sides);
   for (std::size_t r = scene.table.first[crack_face->pair];
        r < scene.table.first[crack_face->pair + 1]; ++r) {

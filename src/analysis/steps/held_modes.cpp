@@ -251,8 +251,8 @@ unsupported_loads(const model::Model& model, const Discretisation& scene,
                                              .h = split.controllable.transpose() * h,
                                              .equality = equality,
                                              .d = {}};
-      const solve::LoadBalance balance =
-          solve::balance_loads(solve::cone_problem(plain.B, plain.h, equality, friction));
+      const solve::LoadBalance balance = solve::balance_loads(
+          solve::cone_edge_balance_problem(plain.B, plain.h, equality, friction));
       motion = solve::opening_motion(split, balance, solve::rest_load * std::max(scale, h.norm()));
       if (motion.size() > 0 && !friction.empty()) {
         motion = solve::sliding_motion(split, plain, friction, balance);

@@ -41,11 +41,11 @@ AnalyticShape rigid_target_shape(const model::RigidTarget& rigid) {
   return round;
 }
 
-ProjectedElement project_onto_rigid(const FacetSurface& contact, const AnalyticShape& target,
-                                    const HatElement& triangle) {
+ElementPairPoints project_onto_rigid(const FacetSurface& contact, const AnalyticShape& target,
+                                     const HatElement& triangle) {
   const geometry::ElementSide& face = contact.facets[triangle.facet];
   const double reach = farthest_opposite * contact.extent;
-  ProjectedElement projection;
+  ElementPairPoints projection;
   for_hat_points(
       face, triangle.node, triangle_degree, [&](const Vec3& hat, const Vec2& r, double weight) {
         PairPoint p;

@@ -15,7 +15,7 @@ AnalyticShape rigid_target_shape(const model::RigidTarget& rigid);
 /// What a triangle of the contact surface sees of a rigid target: all of it that looks at the
 /// target from no farther than a fifth of the surface's extent, point by point. Normals are the
 /// target's.
-ProjectedElement project_onto_rigid(const FacetSurface& contact, const AnalyticShape& target,
-                                    const HatElement& triangle);
+ElementPairPoints project_onto_rigid(const FacetSurface& contact, const AnalyticShape& target,
+                                     const HatElement& triangle);
 
 } // namespace spricka::contact

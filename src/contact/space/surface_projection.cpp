@@ -115,7 +115,7 @@ bool SurfaceProjection::meet(std::size_t face, PairPoint& point) const {
 }
 
 void SurfaceProjection::see_target(const Frame& frame, std::size_t target,
-                                   ProjectedElement& projection) const {
+                                   ElementPairPoints& projection) const {
   const std::array<Vec3, 3>& y = corner_[target];
   const std::array<double, 3> height{frame.height(y[0]), frame.height(y[1]), frame.height(y[2])};
   const auto [low, high] = std::ranges::minmax(height);
@@ -205,9 +205,9 @@ std::optional<PairPoint> SurfaceProjection::look_as_far(const Vec3& x, const Vec
   return found;
 }
 
-ProjectedElement SurfaceProjection::project_triangle(const HatElement& triangle) const {
+ElementPairPoints SurfaceProjection::project_triangle(const HatElement& triangle) const {
   const Frame frame(contact_, triangle);
-  ProjectedElement projection;
+  ElementPairPoints projection;
   projection.flat_area = 0.5 * frame.area2;
   for_hat_points(frame.face, triangle.node, piece_degree,
                  [&](const Vec3& hat, const Vec2& r, double weight) {

@@ -83,11 +83,11 @@ std::optional<std::vector<TwinFace>> twin_faces(const FacetSurface& own,
   return twins;
 }
 
-ProjectedElement project_onto_twin(const FacetSurface& own, const TwinFace& twin,
-                                   const HatElement& triangle) {
+ElementPairPoints project_onto_twin(const FacetSurface& own, const TwinFace& twin,
+                                    const HatElement& triangle) {
   const geometry::ElementSide& face = own.facets[triangle.facet];
   const std::size_t corners = corner_count(face);
-  ProjectedElement projection;
+  ElementPairPoints projection;
   for_hat_points(face, triangle.node, twin_degree,
                  [&](const Vec3& hat, const Vec2& r, double weight) {
                    PairPoint point;

@@ -22,7 +22,7 @@ struct TwinFace {
 std::optional<std::vector<TwinFace>> twin_faces(const FacetSurface& own, const FacetSurface& other);
 
 /// What a triangle sees of the twin of its face: all of it, without a gap, by a rule of degree 5.
-ProjectedElement project_onto_twin(const FacetSurface& own, const TwinFace& twin,
-                                   const HatElement& triangle);
+ElementPairPoints project_onto_twin(const FacetSurface& own, const TwinFace& twin,
+                                    const HatElement& triangle);
 
 } // namespace spricka::contact

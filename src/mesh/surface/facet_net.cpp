@@ -109,7 +109,7 @@ void FacetNet::add_face(const SurfaceGeometry& surface, std::size_t face) {
     for (int i = 0; i <= grid.width(j); ++i) {
       if (at(i, j) < 0) {
         at(i, j) = static_cast<int>(x_.size());
-        x_.push_back(surface.place_on_face(face, grid.r(i, j)).x);
+        x_.push_back(surface.place_at_coordinates(face, grid.r(i, j)).x);
       }
     }
   }

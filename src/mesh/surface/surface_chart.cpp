@@ -183,10 +183,10 @@ SurfacePlace SurfaceChart::map_to_surface(const Vec2& u) const {
   Vec2 r = spot.hat[0] * facet.r[0] + spot.hat[1] * facet.r[1] + spot.hat[2] * facet.r[2];
   r = surface_.face(facet.face).clamp(r);
   if (!flat_) {
-    return surface_.place_on_face(facet.face, r);
+    return surface_.place_at_coordinates(facet.face, r);
   }
   const ChartPreimage exact = flat_place(facet.face, r, u);
-  return surface_.place_on_face(exact.face, exact.r);
+  return surface_.place_at_coordinates(exact.face, exact.r);
 }
 
 SurfacePlace SurfaceChart::midpoint(const SurfacePlace& a, const SurfacePlace& b, const Vec2& ua,

@@ -32,7 +32,7 @@ Vec3 triangle_normal(const RemeshedSurface& made, const RemeshedTriangle& triang
 SurfaceFailure find_surface_fold(const SurfaceGeometry& surface, const RemeshedSurface& made) {
   std::vector<int> count(made.edges.size(), 0);
   for (const RemeshedTriangle& triangle : made.triangles) {
-    const Vec3 outward = surface.place_on_face(triangle.face, {1.0 / 3.0, 1.0 / 3.0}).normal;
+    const Vec3 outward = surface.place_at_coordinates(triangle.face, {1.0 / 3.0, 1.0 / 3.0}).normal;
     for (const auto& q : shape::triangle_rule(looked_at)) {
       const Vec3 n = triangle_normal(made, triangle, q.r);
       if (!(n.dot(outward) > least_facing * n.norm()) || !(n.norm() > 0.0)) {

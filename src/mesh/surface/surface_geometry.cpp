@@ -34,7 +34,7 @@ public:
     }
   }
   [[nodiscard]] SurfacePlace place() const {
-    return face_ == nowhere ? SurfacePlace{} : surface_.place_on_face(face_, r_);
+    return face_ == nowhere ? SurfacePlace{} : surface_.place_at_coordinates(face_, r_);
   }
 
 private:
@@ -77,7 +77,7 @@ std::size_t SurfaceGeometry::face_index(const model::Face& face) const {
              : nowhere;
 }
 
-SurfacePlace SurfaceGeometry::place_on_face(std::size_t face, const Vec2& r) const {
+SurfacePlace SurfaceGeometry::place_at_coordinates(std::size_t face, const Vec2& r) const {
   const geometry::SidePoint point = faces_[face].point(r);
   return {face, r, point.x, point.normal()};
 }

@@ -71,7 +71,7 @@ public:
   /// The number of a boundary face; `nowhere` if it is none.
   [[nodiscard]] std::size_t face_index(const model::Face& face) const;
   /// The place at local coordinates of a face, with position and unit normal out of the body.
-  [[nodiscard]] SurfacePlace place_on_face(std::size_t face, const base::Vec2& r) const;
+  [[nodiscard]] SurfacePlace place_at_coordinates(std::size_t face, const base::Vec2& r) const;
   /// Length of the diagonal of the box round everything.
   [[nodiscard]] double diagonal() const { return extent_; }
 

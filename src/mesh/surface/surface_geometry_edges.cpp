@@ -149,8 +149,10 @@ void SurfaceGeometry::find_pieces(bool borders) {
     const auto [one, two] = edge.faces;
     edge.feature = edge.count != 2 || one == nowhere || two == nowhere;
     if (!edge.feature) {
-      const Vec3 n1 = place_on_face(one, faces_[one].edge_coordinates(edge.side[0], 0.0)).normal;
-      const Vec3 n2 = place_on_face(two, faces_[two].edge_coordinates(edge.side[1], 0.0)).normal;
+      const Vec3 n1 =
+          place_at_coordinates(one, faces_[one].edge_coordinates(edge.side[0], 0.0)).normal;
+      const Vec3 n2 =
+          place_at_coordinates(two, faces_[two].edge_coordinates(edge.side[1], 0.0)).normal;
       edge.feature = !(n1.dot(n2) > least);
     }
     edge.border = borders && !edge.feature && (sets_[one] != sets_[two] || bare_[e]);
@@ -168,7 +170,7 @@ SurfacePlace SurfaceGeometry::place_on_edge(std::size_t edge, double t) const {
   const SurfaceEdge& e = edges_[edge];
   const std::size_t way = e.faces[0] != nowhere ? 0 : 1;
   const std::size_t f = e.faces[way];
-  return place_on_face(f, faces_[f].edge_coordinates(e.side[way], way == 0 ? t : -t));
+  return place_at_coordinates(f, faces_[f].edge_coordinates(e.side[way], way == 0 ? t : -t));
 }
 
 std::vector<FeatureChain> chain_edges(const std::vector<SurfaceEdge>& all,

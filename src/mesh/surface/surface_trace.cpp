@@ -90,7 +90,7 @@ public:
   }
   [[nodiscard]] TracePoint point(std::size_t passing, const Side& side) const {
     TracePoint point;
-    point.place = surface_.place_on_face(facet(passing).face, r(passing, side));
+    point.place = surface_.place_at_coordinates(facet(passing).face, r(passing, side));
     const FacetNet::FacetEdgeSegment* on = net_.edge_segment(side.first, side.second);
     if (on != nullptr && surface_.edges()[on->edge].feature) {
       point.edge = on->edge;
@@ -320,7 +320,8 @@ SurfacePlace SurfaceTrace::at(double s) const {
   const auto [i, part] = geometry::position_at_length(arc_, s);
   const TraceSegment& segment = segments_[i];
   const Vec2 r = (1.0 - part) * segment.r0 + part * segment.r1;
-  return surface_->place_on_face(segment.face, onto_plane(surface_->face(segment.face), plane_, r));
+  return surface_->place_at_coordinates(segment.face,
+                                        onto_plane(surface_->face(segment.face), plane_, r));
 }
 
 TraceResult trace_plane(const SurfaceGeometry& surface, const CrackReferencePlane& plane,

@@ -265,9 +265,10 @@ private:
     point.cells = report::sweep_cells(run);
     for (const model::Output& output : model.outputs) {
       if (output.format == model::OutputFormat::csv && output.every == model::OutputEvery::end) {
-        std::vector<results::SweepCell>& cells =
+        std::vector<results::SweepValue>& cells =
             point.requested[fs::path(output.file).filename().string()];
-        const std::vector<results::SweepCell> more = report::requested_cells(model, output, run);
+        const std::vector<results::SweepValue> more =
+            report::requested_sweep_values(model, output, run);
         cells.insert(cells.end(), more.begin(), more.end());
       }
     }
@@ -309,17 +310,17 @@ private:
 
   // The life, else K1 at the last length.
   void tell_result(const SweepPoint& point) const {
-    const auto life = std::ranges::find(point.cells, "N", &results::SweepCell::quantity);
+    const auto life = std::ranges::find(point.cells, "N", &results::SweepValue::quantity);
     if (life != point.cells.end()) {
       to_stdout(fmt::format("  N = {:.7g}", life->value));
       return;
     }
     const std::string step = report::leading_step(*deck_.model);
     int last = 0;
-    for (const results::SweepCell& cell : point.cells) {
+    for (const results::SweepValue& cell : point.cells) {
       last = std::max(last, cell.increment);
     }
-    for (const results::SweepCell& cell : point.cells) {
+    for (const results::SweepValue& cell : point.cells) {
       if (cell.quantity == "K1" && cell.step == step && cell.increment == last) {
         to_stdout(fmt::format("  K1 {} = {:.7g}", cell.name, cell.value));
       }

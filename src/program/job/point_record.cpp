@@ -15,19 +15,19 @@ namespace spricka::program {
 namespace {
 
 using nlohmann::json;
-using results::SweepCell;
 using results::SweepPoint;
+using results::SweepValue;
 
-json to_json(const std::vector<SweepCell>& cells) {
+json to_json(const std::vector<SweepValue>& cells) {
   json list = json::array();
-  for (const SweepCell& c : cells) {
+  for (const SweepValue& c : cells) {
     list.push_back({c.quantity, c.name, c.step, c.increment, c.value}); // not finite: null
   }
   return list;
 }
 
-std::vector<SweepCell> cells_from(const json& list) {
-  std::vector<SweepCell> cells;
+std::vector<SweepValue> cells_from(const json& list) {
+  std::vector<SweepValue> cells;
   for (const json& c : list) {
     const double value =
         c.at(4).is_null() ? std::numeric_limits<double>::quiet_NaN() : c.at(4).get<double>();

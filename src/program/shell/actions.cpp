@@ -91,7 +91,7 @@ base::Trouble change_deck_line(ShellSession& session, const std::string& line, b
   if (trouble) {
     return trouble;
   }
-  const analysis::CondensationFigures& log = session.condensation_log();
+  const analysis::CondensationFigures& log = session.condensation_figures();
   reply.messages += fmt::format("note: {} nets condensed, {} reused\n", log.condensed, log.reused);
   tell_state(session, reply);
   if (!before.empty() && state_reply(session) == before) {

@@ -53,7 +53,9 @@ public:
   /// False when an operation failed so late that nothing is left to ask: make a new bench.
   [[nodiscard]] bool ready() const { return solver_ != nullptr; }
   /// Figures of the last condensation.
-  [[nodiscard]] const analysis::CondensationFigures& condensation_log() const { return condensed_; }
+  [[nodiscard]] const analysis::CondensationFigures& condensation_figures() const {
+    return condensed_;
+  }
 
   /// Error bars and sensitivities of the present state, once.
   base::Trouble estimate_accuracy();

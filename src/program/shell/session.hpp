@@ -127,8 +127,8 @@ public:
   [[nodiscard]] const std::string& base_step() const { return model_->steps[set_.base].name; }
   [[nodiscard]] bool has_friction() const; ///< a contact or crack with friction: the order counts
   /// Nets condensed and reused when cards changed last.
-  [[nodiscard]] const analysis::CondensationFigures& condensation_log() const {
-    return bench_->condensation_log();
+  [[nodiscard]] const analysis::CondensationFigures& condensation_figures() const {
+    return bench_->condensation_figures();
   }
   /// Size of a crack: axes of an ellipse, else the length that the present result has of it;
   /// without one that of the deck [length].

@@ -149,7 +149,7 @@ std::vector<BenchmarkProblem> read_problems(const fs::path& folder) {
   return problems;
 }
 
-fs::path shipped_decks() {
+fs::path shipped_deck_folder() {
   const fs::path self = own_program();
   const fs::path built = fs::path(SPRICKA_BUILD_TREE);
   const bool in_build =

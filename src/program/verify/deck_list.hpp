@@ -74,6 +74,6 @@ std::vector<BenchmarkProblem> read_problems(const std::filesystem::path& folder)
 
 /// The decks that ship with the running program: share/spricka/decks beside its bin, or for a
 /// program of a build tree those of its source. Empty if there are none.
-std::filesystem::path shipped_decks();
+std::filesystem::path shipped_deck_folder();
 
 } // namespace spricka::program

@@ -252,7 +252,7 @@ private:
 base::Outcome verify(const VerifyOptions& options) {
   const Log log(LogFormat::text);
   return report_file_failures(log, [&] {
-    const fs::path decks = options.decks.empty() ? shipped_decks() : options.decks;
+    const fs::path decks = options.decks.empty() ? shipped_deck_folder() : options.decks;
     if (decks.empty()) {
       log.message(base::Severity::error, "E530",
                   "the decks are not installed beside spricka; --decks FOLDER names another place");

@@ -23,7 +23,7 @@ TEST(CondensedBody, PseudoInverseLeavesTheFreeModeOut) {
   ASSERT_TRUE(body.is_factorised());
   base::Matrix F(2, 1);
   F << 5.0, 2.0;
-  const base::Matrix u = body.displacement(F);
+  const base::Matrix u = body.displacements_under(F);
   EXPECT_NEAR(u(0, 0), 0.0, 1e-14);
   EXPECT_NEAR(u(1, 0), 0.5, 1e-14);
 }
@@ -39,7 +39,7 @@ TEST(CondensedBody, PseudoInverseOfARandomSemidefiniteMatrix) {
   const base::Matrix S = A * A.transpose();
   const contact::CondensedBody body({0, 1, 2, 3, 4, 5}, S, modes);
   const base::Matrix F = base::Matrix::NullaryExpr(6, 3, [&] { return value(random); });
-  const base::Matrix u = body.displacement(F);
+  const base::Matrix u = body.displacements_under(F);
   EXPECT_LT((S * u - (F - N * F)).norm(), 1e-12);
   EXPECT_LT((modes.transpose() * u).norm(), 1e-12);
   const base::Matrix Y = body.compliance_root(F);
@@ -151,8 +151,8 @@ TEST(ContactSystem, RowsOnEarlyRowsLastFromBodyToBody) {
     const contact::ContactSystem anew({&body}, all, 2, 8, {}, {{true, true, true, false}, {&none}});
     EXPECT_EQ((kept_rows.row_compliance() - anew.row_compliance()).cwiseAbs().maxCoeff(), 0.0);
     const base::Matrix F = base::Matrix::NullaryExpr(8, 2, [&] { return value(random); });
-    const base::Matrix u = plain_body.displacement(F);
-    EXPECT_LT((body.displacement(F) - u).norm(), 1e-11 * u.norm());
+    const base::Matrix u = plain_body.displacements_under(F);
+    EXPECT_LT((body.displacements_under(F) - u).norm(), 1e-11 * u.norm());
   }
 }
 

@@ -116,7 +116,7 @@ TEST(CrackFaceTerm, IsThatOfTractionsNextToTheTip) {
           }
         }
         const base::Matrix rows =
-            crack::crack_face_intensity_rows(plate.model, plate.cracked, plate.cracked.fronts[1],
+            crack::face_force_intensity_rows(plate.model, plate.cracked, plate.cracked.fronts[1],
                                              {field}, model::TipConstraint::automatic, plate.faces);
         const base::Vector pressed = rows.transpose() * plate.forces(0.0, 3.0);
         const base::Vector sheared = rows.transpose() * plate.forces(3.0, 0.0);
@@ -144,7 +144,7 @@ TEST(CrackFaceTerm, RowsAreTheTerm) {
                              crack::tip_extensions(plate.fields), request, none, loads)
           .front();
   const base::Vector of_rows =
-      crack::crack_face_intensity_rows(plate.model, plate.cracked, plate.cracked.fronts[1],
+      crack::face_force_intensity_rows(plate.model, plate.cracked, plate.cracked.fronts[1],
                                        plate.fields, model::TipConstraint::stress, plate.faces)
           .transpose() *
       loads.crack_faces->force;

@@ -68,7 +68,7 @@ inline std::vector<std::size_t> faces_round(const mesh::SurfaceGeometry& surface
     for (int i = 0; i < surface.face(f).corners(); ++i) {
       edge = std::max(edge, (X.col(i) - X.col((i + 1) % surface.face(f).corners())).norm());
     }
-    const bool coarse = edge > size(surface.place_on_face(f, {1.0 / 3.0, 1.0 / 3.0}).x);
+    const bool coarse = edge > size(surface.place_at_coordinates(f, {1.0 / 3.0, 1.0 / 3.0}).x);
     const bool near =
         std::ranges::any_of(line, [&](const Vec3& x) { return box.distance(x) < size(x); });
     if (near || coarse) {

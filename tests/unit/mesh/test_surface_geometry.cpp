@@ -104,7 +104,7 @@ TEST(SurfaceGeometry, NearestPlaceOfABox) {
         }
       }
       EXPECT_LT((place.x - nearest).norm(), 1e-12);
-      EXPECT_LT((surface.place_on_face(place.face, place.r).x - nearest).norm(), 1e-12);
+      EXPECT_LT((surface.place_at_coordinates(place.face, place.r).x - nearest).norm(), 1e-12);
     }
   }
 }
@@ -170,7 +170,7 @@ TEST(SurfaceGeometry, NearestMayBeAskedAmongSomeFacesOnly) {
   const SurfaceGeometry surface(test::box_host(ElementType::tet10, Vec3::Ones(), 2));
   std::vector<std::size_t> top;
   for (std::size_t f = 0; f < surface.faces().size(); ++f) {
-    if (surface.place_on_face(f, {1.0 / 3.0, 1.0 / 3.0}).normal.z() > 0.9) {
+    if (surface.place_at_coordinates(f, {1.0 / 3.0, 1.0 / 3.0}).normal.z() > 0.9) {
       top.push_back(f);
     }
   }

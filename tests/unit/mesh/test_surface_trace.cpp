@@ -36,7 +36,7 @@ void expect_on_plane_and_faces(const SurfaceGeometry& surface, const CrackRefere
   for (int i = 0; i <= 50; ++i) {
     const SurfacePlace place = trace.at(trace.length() * i / 50.0);
     EXPECT_LT(std::abs(plane.height(place.x)), 1e-12);
-    EXPECT_LT((surface.place_on_face(place.face, place.r).x - place.x).norm(), 1e-14);
+    EXPECT_LT((surface.place_at_coordinates(place.face, place.r).x - place.x).norm(), 1e-14);
   }
 }
 

@@ -81,7 +81,7 @@ TEST(ShellSession, LengthIsThatOfARun) {
   const base::Vec2 wanted = k_of_run(cracked_hub("A0=6"));
   expect_k(shell, wanted, 1e-10);
   EXPECT_GT(std::abs(shell.K1() - first), 0.01 * first);
-  EXPECT_GT(shell->condensation_log().reused, 0); // the pin at least
+  EXPECT_GT(shell->condensation_figures().reused, 0); // the pin at least
   good(shell->change_card("$CRACK NAME=C A0=4.0"));
   EXPECT_NEAR(shell.K1(), first, 1e-10 * first);
 }
@@ -93,8 +93,8 @@ TEST(ShellSession, WhatACrackDoesNotTouchStaysCondensed) {
   const ShellOnText shell(hub("A0=4"));
   good(shell->change_card("$CRACK NAME=C A0=6.0")); // region and rest are parted here
   good(shell->change_card("$CRACK NAME=C A0=6.5"));
-  EXPECT_EQ(shell->condensation_log().condensed, 1); // the region
-  EXPECT_EQ(shell->condensation_log().reused, 2);    // the rest and the pin
+  EXPECT_EQ(shell->condensation_figures().condensed, 1); // the region
+  EXPECT_EQ(shell->condensation_figures().reused, 2);    // the rest and the pin
   expect_k(shell, k_of_run(hub("A0=6.5")), 1e-9);
 }
 

@@ -10,10 +10,10 @@ namespace spricka::sense {
 /// A part of a mesh's boundary, faces and nodes, that one can ask whether a point lies on it: up to
 /// 3e-3 of the size of a face, as curved sides of two meshes of one body differ, and to 1e-6 of the
 /// whole mesh on a node.
-class BoundarySamples {
+class BoundaryPart {
 public:
-  BoundarySamples(const model::Mesh& mesh, std::vector<model::Face> faces,
-                  const std::vector<base::NodeId>& nodes = {});
+  BoundaryPart(const model::Mesh& mesh, std::vector<model::Face> faces,
+               const std::vector<base::NodeId>& nodes = {});
 
   /// Whether a point lies on one of the faces or nodes, within the tolerance of each.
   [[nodiscard]] bool contains_point(const base::Vec3& x) const;

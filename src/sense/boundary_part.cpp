@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sense/places.hpp"
+#include "sense/boundary_part.hpp"
 
 #include "mesh/boundary.hpp"
 #include "model/mesh_side.hpp"
@@ -24,8 +24,8 @@ std::vector<base::Vec3> corners_of(const model::Mesh& mesh, const model::Face& f
 
 } // namespace
 
-BoundarySamples::BoundarySamples(const model::Mesh& mesh, std::vector<model::Face> faces,
-                                 const std::vector<base::NodeId>& nodes)
+BoundaryPart::BoundaryPart(const model::Mesh& mesh, std::vector<model::Face> faces,
+                           const std::vector<base::NodeId>& nodes)
     : mesh_(mesh), faces_(std::move(faces)) {
   same_point_ = mesh.x.empty() ? 0.0 : same_point * geometry::Box<3>::around(mesh.x).diagonal();
   std::vector<geometry::Box<3>> boxes;
@@ -47,7 +47,7 @@ BoundarySamples::BoundarySamples(const model::Mesh& mesh, std::vector<model::Fac
   tree_ = geometry::BoxTree<3>(boxes);
 }
 
-bool BoundarySamples::contains_point(const base::Vec3& x) const {
+bool BoundaryPart::contains_point(const base::Vec3& x) const {
   for (const std::size_t i : tree_.boxes_containing(x)) {
     double off = 0.0;
     double allowed = same_point_;
