@@ -105,5 +105,15 @@ TEST(GrowthIntegrator, EndsWhereWaysGoFartherThanTheyAreAsked) {
   EXPECT_TRUE(marched.ended) << marched.solved << " solved, " << marched.stations << " stations";
 }
 
+TEST(WayCurvature, IsTheTurnOverTheAdvance) {
+  const TipStation before{.a = 1.0, .heading = 3.0};
+  EXPECT_NEAR(growth::way_curvature(before, {.a = 1.5, .heading = 3.1}), 0.2, 1e-12);
+  // Headings on both sides of the negative x axis are near to each other.
+  EXPECT_NEAR(growth::way_curvature(before, {.a = 1.5, .heading = -3.0}),
+              2.0 * (2.0 * std::acos(-1.0) - 6.0), 1e-12);
+  // A tip that rests and turns does not hold the step of the others.
+  EXPECT_EQ(growth::way_curvature(before, {.a = 1.0, .heading = 2.0}), 0.0);
+}
+
 } // namespace
 } // namespace spricka::test_growth_integrator_steps
