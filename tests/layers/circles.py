@@ -33,12 +33,12 @@ def circles(graph):
 
 def reached(graph, node):
     """All that can be reached from node, without itself if there is no circle."""
-    seen, todo = set(), list(graph[node])
-    while todo:
-        follower = todo.pop()
+    seen, pending = set(), list(graph[node])
+    while pending:
+        follower = pending.pop()
         if follower not in seen:
             seen.add(follower)
-            todo.extend(graph.get(follower, ()))
+            pending.extend(graph.get(follower, ()))
     return seen
 
 
