@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "program/shell/save.hpp"
-#include "tests/unit/support/shell_text.hpp"
-#include "tests/unit/support/solved_text.hpp"
+#include "shell_runs.hpp"
 
 #include <cmath>
 
@@ -12,37 +10,14 @@ namespace spricka::test_shell_session {
 namespace {
 
 using test::cracked_hub;
+using test::expect_k;
+using test::good;
+using test::held_hub;
+using test::k_of_run;
+using test::replaced;
 using test::ShellOnText;
 using test::solve_text;
 using test::Solved;
-
-void good(const base::Trouble& trouble) {
-  ShellOnText::good(trouble);
-}
-
-// K of the first tip at the end of a run's last step.
-base::Vec2 k_of_run(const std::string& deck) {
-  const std::optional<Solved> solved = solve_text(deck);
-  if (!solved) {
-    return base::Vec2::Zero();
-  }
-  const results::FrontPointResult& tip =
-      solved->run.increments.back().steps.back().fronts.front().tip();
-  return {tip.K1, tip.K2};
-}
-
-void expect_k(const ShellOnText& shell, const base::Vec2& wanted, double tolerance) {
-  const double size = wanted.norm();
-  ASSERT_GT(size, 0.0);
-  EXPECT_NEAR(shell.K1(), wanted[0], tolerance * size);
-  EXPECT_NEAR(shell.K2(), wanted[1], tolerance * size);
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  const std::size_t at = text.find(what);
-  EXPECT_NE(at, std::string::npos) << what;
-  return text.replace(at, what.size(), by);
-}
 
 TEST(ShellSession, OpensAtTheLeadingStep) {
   const ShellOnText shell(cracked_hub());
@@ -321,11 +296,6 @@ TEST(ShellSession, MountsAsARunDoes) {
   EXPECT_EQ(shell->changes().applied.size(), 2U); // mounting is not merged into what comes after it
 }
 
-// Supports hold both parts, so that the seat may come apart.
-std::string held_hub() {
-  return replaced(cracked_hub(), "  HELD\n", "  HELD\n  PIN.INNER\n");
-}
-
 // A contact in force has taken on its fit: mounted once more it would count it twice.
 TEST(ShellSession, MountsNothingTwice) {
   const ShellOnText shell(held_hub());
@@ -371,82 +341,6 @@ $END
   good(shell->add_step_line("LOAD PULL 1.0"));
   good(shell->solve());
   EXPECT_NEAR(shell.K1(), open, 1e-9 * open);
-}
-
-void expect_saved(const ShellOnText& shell, double tolerance) {
-  std::string text;
-  good(program::saved_deck(*shell, shell.folder.path(), text));
-  SCOPED_TRACE(text);
-  expect_k(shell, k_of_run(text), tolerance);
-}
-
-TEST(ShellSave, RunsToTheSameK) {
-  const ShellOnText shell(cracked_hub());
-  expect_saved(shell, 1e-10);
-  good(shell->add_step_line("LOAD PULL 2.5"));
-  good(shell->add_step_line("FIT SEAT 0.9"));
-  good(shell->solve());
-  expect_saved(shell, 1e-10);
-  good(shell->change_card("$CRACK NAME=C A0=5.5"));
-  good(shell->change_card("$CONTACT NAME=SEAT INTERFERENCE=0.03"));
-  good(shell->change_parameter("T = 7[mm] ! thinner"));
-  expect_saved(shell, 1e-10);
-}
-
-TEST(ShellSave, KeepsTheOrderWithFriction) {
-  const ShellOnText shell(cracked_hub("A0=4", "INTERFERENCE=0.01 MU=0.2"));
-  good(shell->add_step_line("LOAD PULL 3.0"));
-  good(shell->solve(3));
-  good(shell->add_step_line("LOAD PULL 1.0"));
-  good(shell->solve(4));
-  expect_saved(shell, 1e-10);
-  good(shell->go_to_step("PRESS"));
-  std::string text;
-  const base::Trouble refused = program::saved_deck(*shell, shell.folder.path(), text);
-  ASSERT_TRUE(refused); // the deck's further steps would come in between
-  EXPECT_NE(refused->hint.find("PULLED"), std::string::npos);
-}
-
-// A contact that no step mounts is in force from the beginning and stays so in the earlier steps.
-TEST(ShellSave, NamesAMountThatNoStepNamed) {
-  const ShellOnText shell(held_hub());
-  good(shell->add_step_line("DISMOUNT SEAT"));
-  good(shell->solve());
-  good(shell->add_step_line("MOUNT SEAT"));
-  good(shell->solve());
-  expect_saved(shell, 1e-10);
-  std::string text;
-  good(program::saved_deck(*shell, shell.folder.path(), text));
-  const std::optional<Solved> before = solve_text(held_hub());
-  const std::optional<Solved> after = solve_text(text);
-  ASSERT_TRUE(before && after);
-  const double pressed = before->step(0).fronts.front().tip().K1;
-  EXPECT_GT(std::abs(pressed), 0.0);
-  EXPECT_NEAR(after->step(0).fronts.front().tip().K1, pressed, 1e-12 * std::abs(pressed));
-}
-
-// A fit that no step names is 1 from the beginning and stays so in the earlier steps.
-TEST(ShellSave, NamesAFitThatNoStepNamed) {
-  const std::string deck = replaced(cracked_hub(), "  FIT SEAT 1\n", "  LOAD PULL 0\n");
-  const ShellOnText shell(deck);
-  good(shell->add_step_line("FIT SEAT 2.0"));
-  good(shell->solve());
-  expect_saved(shell, 1e-10);
-  std::string text;
-  good(program::saved_deck(*shell, shell.folder.path(), text));
-  const std::optional<Solved> before = solve_text(deck);
-  const std::optional<Solved> after = solve_text(text);
-  ASSERT_TRUE(before && after);
-  EXPECT_NEAR(after->step(0).fronts.front().tip().K1, before->step(0).fronts.front().tip().K1,
-              1e-10 * before->step(0).fronts.front().tip().K1);
-}
-
-TEST(ShellSave, LeavesOutWhatSpeaksOfOtherLengths) {
-  const ShellOnText shell(
-      cracked_hub("A0=4", "INTERFERENCE=0.01",
-                  "$GROW LAW=INCREMENT KMAX=PULLED\n  4 6\n$CHECK\n  K(C,PULLED,4) = 1 REL 1\n"));
-  good(shell->change_card("$CRACK NAME=C A0=6.0"));
-  expect_saved(shell, 1e-10);
 }
 
 } // namespace
