@@ -2,11 +2,12 @@
 #pragma once
 #include "grammar/card_spec.hpp"
 
-/// The two halves of the catalogue and the words its entries are written with.
+/// The parts of the catalogue and the words its entries are written with.
 namespace spricka::grammar {
 
 std::span<const CardSpec> model_cards();    ///< deck, nets, mesh, sets, materials, freedoms
-std::span<const CardSpec> analysis_cards(); ///< loads, contact, crack, steps, requests
+std::span<const CardSpec> joint_cards();    ///< loads, contact, crack
+std::span<const CardSpec> analysis_cards(); ///< steps, growth, requests
 
 /// What the help says of a card beyond its table: notes and an example.
 struct CardHelpText {

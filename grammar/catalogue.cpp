@@ -226,7 +226,9 @@ const std::vector<ResultQuantity>& front_results() {
 std::span<const CardSpec> catalogue() {
   static const std::vector<CardSpec> all = [] {
     std::vector<CardSpec> cards(model_cards().begin(), model_cards().end());
-    cards.insert(cards.end(), analysis_cards().begin(), analysis_cards().end());
+    for (const std::span<const CardSpec> more : {joint_cards(), analysis_cards()}) {
+      cards.insert(cards.end(), more.begin(), more.end());
+    }
     for (CardSpec& card : cards) {
       if (const CardHelpText* text = find_card_help(card.name)) {
         card.notes = text->notes;
