@@ -204,7 +204,7 @@ private:
       return;
     }
     std::vector<std::string> valid;
-    if (!base::is_worth_a_hint(diagnostics_)) {
+    if (!base::should_suggest_spelling(diagnostics_)) {
       fail(span, "E201", fmt::format("'{}' is not a parameter defined above", written));
       return;
     }
@@ -246,7 +246,7 @@ private:
   double factor(base::SourceSpan unit) {
     const std::string_view text = scope_.sources->text(unit);
     if (const auto known = base::parse_unit(text)) {
-      return base::to_deck_factor(*known, scope_.units);
+      return base::factor_to_deck_units(*known, scope_.units);
     }
     fail(unit, "E204", fmt::format("'{}' is not a unit", text),
          "m mm um in, N kN MN lbf, Pa kPa MPa GPa psi ksi, deg rad, with * / ^");

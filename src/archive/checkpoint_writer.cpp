@@ -50,7 +50,7 @@ bool is_ours(const fs::path& file) {
     return false;
   }
   try {
-    return base::read_beginning(file, frame_size).starts_with("spricka increment ");
+    return base::read_file_beginning(file, frame_size).starts_with("spricka increment ");
   } catch (const base::UnreadableFile&) {
     return false;
   }
@@ -153,7 +153,7 @@ void CheckpointWriter::put_on_disk() {
   const fs::path before = list_before(file_);
   std::error_code none;
   if (fs::exists(file_, none)) {
-    const fs::path linked = base::unused_part_path(before);
+    const fs::path linked = base::unused_temporary_path(before);
     // The name never vanishes: a second link to the list becomes the one before.
     fs::create_hard_link(file_, linked, none);
     if (!none) {

@@ -38,7 +38,7 @@ struct Owner {
 // "process 1234 on node7"
 std::optional<Owner> owner_of(const fs::path& folder) {
   try {
-    const std::string text = base::read_beginning(folder / owner_name, 1024);
+    const std::string text = base::read_file_beginning(folder / owner_name, 1024);
     const std::string_view before = "process ";
     const std::size_t on = text.find(" on ");
     const std::size_t end = text.find('\n');

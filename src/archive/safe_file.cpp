@@ -82,7 +82,8 @@ std::string add_frame_line(std::string_view kind, std::string_view bytes) {
 }
 
 std::string read_framed(const fs::path& file, std::string_view kind) {
-  const std::string head = bytes_of(file, [&] { return base::read_beginning(file, frame_size); });
+  const std::string head =
+      bytes_of(file, [&] { return base::read_file_beginning(file, frame_size); });
   const std::string start = fmt::format("spricka {} ", kind);
   if (head.size() < frame_size && (head.starts_with(start) || start.starts_with(head))) {
     unusable(file, "cut off in its first line");

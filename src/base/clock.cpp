@@ -18,24 +18,24 @@ double cpu_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-double steady_seconds() {
+double steady_clock_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-void return_large_blocks() {
+void return_large_blocks_on_free() {
   // The pages of smaller blocks would be asked for anew with each matrix of a small model.
   constexpr int large = 16 * 1024 * 1024;
   mallopt(M_MMAP_THRESHOLD, large);
   mallopt(M_TRIM_THRESHOLD, 4 * large);
 }
 
-void return_free_memory() {
+void return_free_memory_to_system() {
   if (4 * mallinfo2().fordblks > resident_memory()) {
     malloc_trim(0);
   }
 }
 
-std::optional<std::size_t> process_peak_memory(const std::string& process) {
+std::optional<std::size_t> peak_memory_of_process(const std::string& process) {
   std::ifstream status("/proc/" + process + "/status");
   for (std::string word; status >> word;) {
     if (std::size_t kibibytes = 0; word == "VmHWM:" && status >> kibibytes) {
@@ -46,7 +46,7 @@ std::optional<std::size_t> process_peak_memory(const std::string& process) {
 }
 
 std::size_t peak_memory() {
-  if (const std::optional<std::size_t> own = process_peak_memory("self")) {
+  if (const std::optional<std::size_t> own = peak_memory_of_process("self")) {
     return *own;
   }
   // Without /proc. It knows no less than the peak of the parent: a process that vfork or

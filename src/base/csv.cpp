@@ -29,7 +29,7 @@ std::vector<std::string> split_line(std::string_view line) {
 
 } // namespace
 
-std::string csv_field(std::string_view text) {
+std::string quote_csv_field(std::string_view text) {
   std::string line(text);
   std::ranges::replace(line, '\n', ' ');
   // Spreadsheets would compute a field that begins so; an apostrophe makes it a text.
@@ -62,7 +62,7 @@ void CsvTable::add_row(const CsvRow& row, const CsvRow& more) {
   text_ += '\n';
 }
 
-std::vector<std::vector<std::string>> csv_rows(std::string_view text) {
+std::vector<std::vector<std::string>> parse_csv_rows(std::string_view text) {
   std::vector<std::vector<std::string>> rows;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
@@ -86,8 +86,8 @@ double CsvRecord::number(const std::string& column, double none) const {
   return none;
 }
 
-std::vector<CsvRecord> csv_records(std::string_view text) {
-  const std::vector<std::vector<std::string>> rows = csv_rows(text);
+std::vector<CsvRecord> parse_csv_records(std::string_view text) {
+  const std::vector<std::vector<std::string>> rows = parse_csv_rows(text);
   std::vector<CsvRecord> records;
   for (std::size_t r = 1; r < rows.size(); ++r) {
     CsvRecord& record = records.emplace_back();

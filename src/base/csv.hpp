@@ -16,15 +16,15 @@ namespace spricka::base {
 
 /// A text as a field: with commas or quotes it stands in quotes, line ends become blanks, and one
 /// that a spreadsheet would take for a formula begins with an apostrophe.
-std::string csv_field(std::string_view text);
+std::string quote_csv_field(std::string_view text);
 
-/// A field from whatever it holds: words as csv_field(), numbers as the shortest that reads back to
-/// the same bits; empty where a number is not finite or not there.
+/// A field from whatever it holds: words as quote_csv_field(), numbers as the shortest that reads
+/// back to the same bits; empty where a number is not finite or not there.
 struct CsvField {
   std::string text;
 
-  CsvField(const std::string& words) : text(csv_field(words)) {}
-  CsvField(const char* words) : text(csv_field(words)) {}
+  CsvField(const std::string& words) : text(quote_csv_field(words)) {}
+  CsvField(const char* words) : text(quote_csv_field(words)) {}
   CsvField(double value) : text(std::isfinite(value) ? fmt::format("{}", value) : "") {}
   template <std::integral Whole> CsvField(Whole value) : text(fmt::format("{:d}", value)) {}
   template <class T>
@@ -62,9 +62,9 @@ struct CsvRecord {
 };
 
 /// The rows below the first, which names the columns; lines that begin with # are left out.
-std::vector<CsvRecord> csv_records(std::string_view text);
+std::vector<CsvRecord> parse_csv_records(std::string_view text);
 
 /// The rows of such a text, the names of its columns first; lines that begin with # are left out.
-std::vector<std::vector<std::string>> csv_rows(std::string_view text);
+std::vector<std::vector<std::string>> parse_csv_rows(std::string_view text);
 
 } // namespace spricka::base

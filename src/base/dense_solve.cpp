@@ -47,15 +47,15 @@ SingularVectors right_singular_vectors(const Matrix& A) {
   return {svd.matrixV(), svd.singularValues()};
 }
 
-Vector solve_square(const Matrix& A, const Vector& b) {
+Vector solve_square_system(const Matrix& A, const Vector& b) {
   return A.partialPivLu().solve(b);
 }
 
-Matrix solve_square(const Matrix& A, const Matrix& B) {
+Matrix solve_square_system(const Matrix& A, const Matrix& B) {
   return A.partialPivLu().solve(B);
 }
 
-Vector solve_symmetric(const Matrix& A, const Vector& b) {
+Vector solve_semidefinite_system(const Matrix& A, const Vector& b) {
   return A.ldlt().solve(b);
 }
 

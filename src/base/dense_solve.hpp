@@ -28,11 +28,11 @@ SingularVectors left_singular_vectors(const Matrix& A);
 SingularVectors right_singular_vectors(const Matrix& A);
 
 /// Solves A x = b with a square A by LU factors with partial pivoting; A must be regular.
-Vector solve_square(const Matrix& A, const Vector& b);
+Vector solve_square_system(const Matrix& A, const Vector& b);
 /// The same for all columns of B at once.
-Matrix solve_square(const Matrix& A, const Matrix& B);
+Matrix solve_square_system(const Matrix& A, const Matrix& B);
 
 /// A x = b with a symmetric A that is not indefinite.
-Vector solve_symmetric(const Matrix& A, const Vector& b);
+Vector solve_semidefinite_system(const Matrix& A, const Vector& b);
 
 } // namespace spricka::base

@@ -44,7 +44,7 @@ std::string suggest_spelling(std::string_view word, const std::vector<std::strin
 
 /// Whether a suggestion for one more error is worth its search through all names: who has made so
 /// many mistakes does not read them, and with as many names it takes for ever.
-inline bool is_worth_a_hint(const Diagnostics& diagnostics) {
+inline bool should_suggest_spelling(const Diagnostics& diagnostics) {
   constexpr std::size_t many = 100;
   return diagnostics.error_count() < many;
 }

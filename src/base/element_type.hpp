@@ -55,7 +55,7 @@ constexpr const ElementInfo& element_info(ElementType type) {
 }
 
 /// The type of a name, which must be one of the library.
-constexpr ElementType element_type_named(std::string_view name) {
+constexpr ElementType element_type_by_name(std::string_view name) {
   std::size_t type = 0;
   while (element_infos[type].name != name) {
     ++type;

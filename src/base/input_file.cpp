@@ -104,7 +104,7 @@ std::string read_file(const fs::path& file, std::size_t limit) {
   return text;
 }
 
-std::string read_beginning(const fs::path& file, std::size_t bytes) {
+std::string read_file_beginning(const fs::path& file, std::size_t bytes) {
   const Open open(file);
   std::string text(bytes, '\0');
   std::size_t filled = 0;

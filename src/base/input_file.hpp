@@ -34,6 +34,6 @@ private:
 std::string read_file(const std::filesystem::path& file, std::size_t limit);
 
 /// The first `bytes` of a regular file, or all of a shorter one. Throws UnreadableFile.
-std::string read_beginning(const std::filesystem::path& file, std::size_t bytes);
+std::string read_file_beginning(const std::filesystem::path& file, std::size_t bytes);
 
 } // namespace spricka::base

@@ -27,7 +27,7 @@ std::size_t group_limit(std::size_t most) {
 
 } // namespace
 
-std::size_t memory_limit() {
+std::size_t process_memory_limit() {
   std::size_t most = static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) *
                      static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   for (const auto resource : {RLIMIT_AS, RLIMIT_DATA}) {

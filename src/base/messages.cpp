@@ -66,7 +66,7 @@ std::string cut(const std::string& text, std::size_t first, std::size_t count) {
   std::string out;
   std::size_t column = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    column += continues_character(text[i]) ? 0U : 1U;
+    column += is_utf8_continuation_byte(text[i]) ? 0U : 1U;
     if (column > first && column <= first + count) {
       out += text[i];
     }
@@ -76,10 +76,10 @@ std::string cut(const std::string& text, std::size_t first, std::size_t count) {
 
 // The line and its carets; of a long line the part round the token.
 std::pair<std::string, std::string> excerpt(const SourceTexts& sources, const Diagnostic& d) {
-  std::string line = printable(sources.line_at(d.span.file, d.span.begin));
+  std::string line = make_printable(sources.line_at(d.span.file, d.span.begin));
   std::string carets = caret_line(sources, d.span);
-  const auto length = static_cast<std::size_t>(
-      std::count_if(line.begin(), line.end(), [](char c) { return !continues_character(c); }));
+  const auto length = static_cast<std::size_t>(std::count_if(
+      line.begin(), line.end(), [](char c) { return !is_utf8_continuation_byte(c); }));
   if (std::max(length, carets.size()) > k_longest_line) {
     const std::size_t column = sources.locate(d.span.file, d.span.begin).column - 1;
     const std::size_t first = column > k_longest_line / 2 ? column - k_longest_line / 2 : 0;
@@ -91,10 +91,10 @@ std::pair<std::string, std::string> excerpt(const SourceTexts& sources, const Di
 }
 
 std::string shortened(std::string text) {
-  text = printable(text);
+  text = make_printable(text);
   if (text.size() > k_longest_text) {
     std::size_t end = k_longest_text;
-    while (end > 0 && continues_character(text[end])) {
+    while (end > 0 && is_utf8_continuation_byte(text[end])) {
       --end;
     }
     text.resize(end);
@@ -110,8 +110,9 @@ std::string format_one(const SourceTexts& sources, const Diagnostic& d, MessageC
                                        d.code, paint.off, shortened(d.text));
   if (d.span.valid()) {
     const SourceLocation at = sources.locate(d.span.file, d.span.begin);
-    out += fmt::format("{}{}:{}:{}:{} {}", paint.bold, printable(sources.file_name(d.span.file)),
-                       at.line, at.column, paint.off, kind);
+    out +=
+        fmt::format("{}{}:{}:{}:{} {}", paint.bold, make_printable(sources.file_name(d.span.file)),
+                    at.line, at.column, paint.off, kind);
     const std::string number = fmt::format("{:>6}", at.line);
     const auto [line, carets] = excerpt(sources, d);
     out += fmt::format("{} | {}\n", number, line);
@@ -146,8 +147,8 @@ std::vector<const Diagnostic*> messages_by_severity(const Diagnostics& diagnosti
     order.push_back(&d);
   }
   std::ranges::stable_sort(order, {}, [](const Diagnostic* d) {
-    return std::tuple(-static_cast<int>(d->severity), warning_concern(d->code), d->span.file,
-                      d->span.begin);
+    return std::tuple(-static_cast<int>(d->severity), concern_of_warning_code(d->code),
+                      d->span.file, d->span.begin);
   });
   return order;
 }

@@ -35,6 +35,6 @@ struct OperationFailure {
 };
 
 /// Empty: there is an answer.
-using Trouble = std::optional<OperationFailure>;
+using OptionalFailure = std::optional<OperationFailure>;
 
 } // namespace spricka::base

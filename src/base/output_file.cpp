@@ -31,7 +31,7 @@ public:
   explicit Unfinished(const fs::path& file) : file_(file) {
     fd_ = ::open(folder_of(file).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, all_may);
     for (int attempt = 0; fd_ < 0 && attempt < 100; ++attempt) {
-      part_ = unused_part_path(file);
+      part_ = unused_temporary_path(file);
       fd_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, all_may);
       if (fd_ < 0 && errno != EEXIST) {
         break;
@@ -96,7 +96,7 @@ private:
       fail();
     }
     for (int attempt = 0; attempt < 100; ++attempt) {
-      const fs::path part = unused_part_path(file_);
+      const fs::path part = unused_temporary_path(file_);
       if (as(part)) {
         part_ = part;
         return;
@@ -115,7 +115,7 @@ private:
 
 } // namespace
 
-fs::path unused_part_path(const fs::path& file) {
+fs::path unused_temporary_path(const fs::path& file) {
   fs::path part;
   std::error_code unknown;
   for (int number = 0; number == 0 || fs::exists(fs::symlink_status(part, unknown)); ++number) {

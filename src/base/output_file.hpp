@@ -15,6 +15,6 @@ void write_atomically(const std::filesystem::path& file, std::string_view bytes,
                       DiskSync sync = DiskSync::no);
 
 /// A name beside `file` that is free: "file.<pid>.part". Nothing is made.
-std::filesystem::path unused_part_path(const std::filesystem::path& file);
+std::filesystem::path unused_temporary_path(const std::filesystem::path& file);
 
 } // namespace spricka::base

@@ -5,7 +5,7 @@
 
 namespace spricka::base {
 
-bool continues_character(char c) {
+bool is_utf8_continuation_byte(char c) {
   return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
 }
 
@@ -21,7 +21,7 @@ std::size_t character_at(std::string_view text, std::size_t i) {
                              : lead < 0xF5U ? 4
                                             : 0;
   for (std::size_t k = 1; k < length; ++k) {
-    if (i + k >= text.size() || !continues_character(text[i + k])) {
+    if (i + k >= text.size() || !is_utf8_continuation_byte(text[i + k])) {
       return 0;
     }
   }
@@ -37,13 +37,13 @@ bool is_control(std::string_view character) {
 
 } // namespace
 
-std::string printable(std::string_view text) {
+std::string make_printable(std::string_view text) {
   std::string out;
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = character_at(text, i);
     if (length > 0 && (text[i] == '\t' || !is_control(text.substr(i, length)))) {
       out += text.substr(i, length);
-    } else if (!continues_character(text[i])) {
+    } else if (!is_utf8_continuation_byte(text[i])) {
       out += '?';
     }
     i += std::max<std::size_t>(length, 1);

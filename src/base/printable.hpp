@@ -8,9 +8,9 @@ namespace spricka::base {
 /// Valid UTF-8 without control characters but tabs, so that a terminal or a log can show any text
 /// or name of a file: what is neither becomes a question mark, bytes that continue nothing are left
 /// out, columns stay.
-std::string printable(std::string_view text);
+std::string make_printable(std::string_view text);
 
 /// Whether a byte continues a UTF-8 character that began before it.
-bool continues_character(char c);
+bool is_utf8_continuation_byte(char c);
 
 } // namespace spricka::base

@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, 13> inexact{"W307", "W423", "W425", "W426
 
 } // namespace
 
-ResultConcern warning_concern(std::string_view code) {
+ResultConcern concern_of_warning_code(std::string_view code) {
   if (std::ranges::find(without_answer, code) != without_answer.end()) {
     return ResultConcern::no_answer;
   }

@@ -12,7 +12,7 @@ enum class ResultConcern {
 };
 
 /// That of the warnings of a code, "W508"; others are odd.
-ResultConcern warning_concern(std::string_view code);
+ResultConcern concern_of_warning_code(std::string_view code);
 
 /// "no answer", "less exact" or "odd".
 std::string_view display_word(ResultConcern kind);

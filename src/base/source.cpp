@@ -40,7 +40,7 @@ SourceLocation SourceTexts::locate(std::int32_t file, std::size_t offset) const 
       std::count(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(begin), '\n');
   const auto columns =
       std::count_if(all.begin() + static_cast<std::ptrdiff_t>(begin),
-                    all.begin() + static_cast<std::ptrdiff_t>(offset), starts_character);
+                    all.begin() + static_cast<std::ptrdiff_t>(offset), is_utf8_character_start);
   return {static_cast<std::size_t>(lines) + 1, static_cast<std::size_t>(columns) + 1};
 }
 

@@ -9,7 +9,7 @@
 namespace spricka::base {
 
 /// Whether a byte of UTF-8 begins a character: 10xxxxxx continues one and takes no column.
-inline bool starts_character(char c) {
+inline bool is_utf8_character_start(char c) {
   return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
 }
 

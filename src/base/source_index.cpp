@@ -26,7 +26,7 @@ const std::vector<SourceIndex::LineCountBlock>& SourceIndex::blocks_of(std::int3
     if (at < text.size() && text[at] == '\n') {
       ++now.lines;
       now.characters = 0;
-    } else if (at < text.size() && starts_character(text[at])) {
+    } else if (at < text.size() && is_utf8_character_start(text[at])) {
       ++now.characters;
     }
   }
@@ -42,7 +42,7 @@ SourceLocation SourceIndex::locate(std::int32_t file, std::size_t offset) {
     if (text[at] == '\n') {
       ++now.lines;
       now.characters = 0;
-    } else if (starts_character(text[at])) {
+    } else if (is_utf8_character_start(text[at])) {
       ++now.characters;
     }
   }

@@ -23,7 +23,7 @@ double remove_round_off(double value) {
   return std::abs(shorter - value) <= rounding * std::abs(value) ? shorter : value;
 }
 
-std::string place_text(const Vec3& x, int dim) {
+std::string format_coordinates(const Vec3& x, int dim) {
   return dim == 2 ? fmt::format("({:.6g}, {:.6g})", x.x(), x.y())
                   : fmt::format("({:.6g}, {:.6g}, {:.6g})", x.x(), x.y(), x.z());
 }

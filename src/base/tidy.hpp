@@ -11,6 +11,6 @@ namespace spricka::base {
 double remove_round_off(double value);
 
 /// A place for people: (x, y), in space (x, y, z), with six digits.
-std::string place_text(const Vec3& x, int dim);
+std::string format_coordinates(const Vec3& x, int dim);
 
 } // namespace spricka::base

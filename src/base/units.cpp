@@ -156,7 +156,7 @@ std::optional<PhysicalUnit> parse_unit(std::string_view text) {
   return unit;
 }
 
-double to_deck_factor(const PhysicalUnit& unit, const UnitSystem& system) {
+double factor_to_deck_units(const PhysicalUnit& unit, const UnitSystem& system) {
   const double lengths = scaled(unit.si, system.metre_per_length, -unit.dimension.length);
   return tidied(scaled(lengths, system.newton_per_force, -unit.dimension.force));
 }

@@ -45,7 +45,7 @@ std::vector<NamedUnit> unit_words();
 std::optional<PhysicalUnit> parse_unit(std::string_view text);
 
 /// Factor that turns a number in `unit` into deck units.
-double to_deck_factor(const PhysicalUnit& unit, const UnitSystem& system);
+double factor_to_deck_units(const PhysicalUnit& unit, const UnitSystem& system);
 
 /// $DECK's LENGTH (M, MM, IN) and FORCE (N, KN, LBF), any case; empty when unknown.
 std::optional<UnitSystem> make_unit_system(std::string_view length, std::string_view force);

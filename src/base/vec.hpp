@@ -15,7 +15,7 @@ inline double cross(const Vec2& u, const Vec2& v) {
 }
 
 /// A vector of the plane z = 0.
-inline Vec3 to_space(const Vec2& x) {
+inline Vec3 embed_in_space(const Vec2& x) {
   return {x.x(), x.y(), 0.0};
 }
 

@@ -100,7 +100,7 @@ std::optional<OppositePoint> rigid_opposite(const SurfaceNode& node, const PairC
       std::abs(foot->gap) > farthest_opposite * pair.contact.extent) {
     return std::nullopt;
   }
-  return OppositePoint{base::NodeId(), base::to_space(foot->normal), foot->gap};
+  return OppositePoint{base::NodeId(), base::embed_in_space(foot->normal), foot->gap};
 }
 
 // The target's nodes in a tree, to find the one before another node.

@@ -38,7 +38,7 @@ std::optional<PairPoint> project_point(const PairConstraints& pair, const Mortar
                                        double xi) {
   const Edge& edge = pair.contact.plane.edges[segment.contact_edge];
   const Vec2 x = point_on(edge, xi);
-  PairPoint point{.facet = segment.contact_edge, .r = {xi, 0.0}, .x = base::to_space(x)};
+  PairPoint point{.facet = segment.contact_edge, .r = {xi, 0.0}, .x = base::embed_in_space(x)};
   Vec2 n = surface_normal(pair.contact, edge, xi);
   double on_target = 0.0; // circle of the target's, beyond its edge
   if (pair.rigid) {
@@ -60,7 +60,7 @@ std::optional<PairPoint> project_point(const PairConstraints& pair, const Mortar
     point.gap = (y - x).dot(n);
     on_target = to_circle(pair.target, y, n);
   }
-  point.normal = base::to_space(n);
+  point.normal = base::embed_in_space(n);
   point.gap = zero_round_off(point.gap, x.cwiseAbs().maxCoeff());
   // (contact.7), and the same between the circles: each surface is moved onto its own.
   point.round_gap = point.gap - to_circle(pair.contact, x, n) + on_target;

@@ -92,7 +92,7 @@ std::vector<SurfaceEnd> ends_of_edges(const PairConstraints& pair) {
     const EdgeEnds& own = edges[s.contact_edge];
     for (const bool upward : {false, true}) {
       const double xi = upward ? s.to : s.from;
-      ends.push_back({.x = base::to_space(point_on(*own.edge, xi)),
+      ends.push_back({.x = base::embed_in_space(point_on(*own.edge, xi)),
                       .nodes = nodes_at(*own.edge, xi),
                       .contact_ends = (upward ? own.open_last : own.open_first) &&
                                       std::abs(xi - (upward ? 1.0 : -1.0)) < at_node,

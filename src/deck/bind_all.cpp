@@ -343,7 +343,7 @@ const NameDefinition* look_up(DeckContext& context, EntityKind kind,
   if (!reference.name.empty() && !context.names.is_poisoned(kinds, reference.name, reference.net)) {
     context.error(reference.span, "E301",
                   fmt::format("there is no {} '{}'", grammar::display_name(kind), reference.name),
-                  base::is_worth_a_hint(context.diagnostics)
+                  base::should_suggest_spelling(context.diagnostics)
                       ? context.names.hint(kinds, reference.name)
                       : "");
   }

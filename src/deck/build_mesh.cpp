@@ -22,7 +22,7 @@ namespace {
 constexpr double more_than_a_turn = 6.29; // radians
 
 base::ElementType type_of(const CheckedCard& card) {
-  return base::element_type_named(card.word_value("TYPE"));
+  return base::element_type_by_name(card.word_value("TYPE"));
 }
 
 /// The set of a kind that a table adds to, made at its first use. Null after an error.

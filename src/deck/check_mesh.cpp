@@ -47,7 +47,7 @@ void report_elements(DeckContext& c, const std::vector<std::size_t>& elements,
 }
 
 std::string place(const model::Mesh& mesh, const base::Vec3& x) {
-  return base::place_text(x, mesh.dim);
+  return base::format_coordinates(x, mesh.dim);
 }
 
 // Elements that run the wrong way round by card, those that fold somewhere one by one.

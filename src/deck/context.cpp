@@ -27,7 +27,7 @@ bool DeckContext::has_bad_card(std::string_view name) const {
 
 double DeckContext::deck_units(const CheckedCard& card, std::string_view key) const {
   const auto unit = base::parse_unit(card.word_value(key));
-  return card.has_key(key) && unit ? base::to_deck_factor(*unit, scope.units) : 1.0;
+  return card.has_key(key) && unit ? base::factor_to_deck_units(*unit, scope.units) : 1.0;
 }
 
 const CheckedCard* DeckContext::named_card(std::string_view card, std::string_view name) const {

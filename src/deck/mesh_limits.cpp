@@ -59,7 +59,7 @@ double cells_of(const CheckedCard& card, const base::ElementInfo& info) {
 
 bool check_mesh_card_size(DeckContext& context, const CheckedCard& card) {
   const base::ElementInfo& info =
-      base::element_info(base::element_type_named(card.word_value("TYPE")));
+      base::element_info(base::element_type_by_name(card.word_value("TYPE")));
   const double elements = cells_of(card, info) * per_cell(info);
   const auto present = static_cast<double>(context.model.mesh.nodes.size());
   const double room = static_cast<double>(context.largest_mesh) - present;

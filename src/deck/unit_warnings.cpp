@@ -30,7 +30,7 @@ base::SourceSpan find_unit(const grammar::ParsedExpression& expression,
 
 double factor_of(base::SourceSpan unit, const grammar::ExpressionScope& scope) {
   const std::optional<base::PhysicalUnit> known = base::parse_unit(scope.sources->text(unit));
-  return known ? base::to_deck_factor(*known, scope.units) : 1.0;
+  return known ? base::factor_to_deck_units(*known, scope.units) : 1.0;
 }
 
 } // namespace

@@ -36,7 +36,7 @@ public:
     for (const auto& [unknown, at] : modes_) {
       r[at] = residuals_.u[unknown];
     }
-    return shares(base::solve_symmetric(K, r));
+    return shares(base::solve_semidefinite_system(K, r));
   }
 
 private:

@@ -257,7 +257,7 @@ bool for_bearing_points(const model::Model& model, const model::Mesh& mesh, cons
     points.clear();
     for_unit_pressures(
         model, mesh, *pin, face, [&](const Vec2& r, const Vec2& main, const Vec2& across) {
-          points.push_back({base::to_space(r), pin->axes * (p[0] * main + p[1] * across)});
+          points.push_back({base::embed_in_space(r), pin->axes * (p[0] * main + p[1] * across)});
         });
     visit(face, points);
   }

@@ -177,7 +177,7 @@ CornerValues<dim> project_temperature(const AnyElement<dim>& element, const AnyN
     G += (s.weight * f) * f.transpose();
     right += (s.weight * s.T) * f;
   }
-  const base::Vector c = base::solve_symmetric(G, right);
+  const base::Vector c = base::solve_semidefinite_system(G, right);
   CornerValues<dim> T(element.corners);
   for (int n = 0; n < element.corners; ++n) {
     T[n] = c.dot(functions(X.col(n), element.node_coordinates(n)));

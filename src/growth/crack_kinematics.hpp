@@ -47,8 +47,8 @@ public:
   [[nodiscard]] virtual bool can_kink() const = 0;
   /// What headings scatter by from mesh to mesh [rad]: no advance is too long for that.
   [[nodiscard]] virtual double kink_scatter() const { return 0.0; }
-  /// Goes on from the last station of an earlier run. Throws base::DamagedField where its cracks
-  /// are not those of the deck.
+  /// Goes on from the last station of an earlier run. Throws base::CorruptStoredField where its
+  /// cracks are not those of the deck.
   virtual void resume_from(const GrowthState& state) = 0;
   /// The cracks as they are at the last station that counts; then the state on trial.
   [[nodiscard]] virtual CrackGeometry current_state() = 0;

@@ -235,10 +235,10 @@ void EllipticalFront::resume_from(const GrowthState& state) {
     const GrownTip& arm = now_.arms[tip];
     const PlanarCrack& plane = now_.cracks[arm.crack].plane;
     if (!(plane.a > 0.0 && plane.c > 0.0)) {
-      throw base::DamagedField("crack.a", "an ellipse without axes");
+      throw base::CorruptStoredField("crack.a", "an ellipse without axes");
     }
     if (std::abs(arm.sign) != 1.0 || mover_of(now_.arms, tip) == tips_.size()) {
-      throw base::DamagedField("tip.sign", "an end of no axis");
+      throw base::CorruptStoredField("tip.sign", "an end of no axis");
     }
   }
 }

@@ -37,7 +37,7 @@ std::vector<std::vector<std::size_t>> tips_along(const std::vector<GrownTip>& ti
     std::ranges::sort(front, {}, [&](std::size_t tip) { return tips[tip].number; });
     for (std::size_t i = 0; i < front.size(); ++i) {
       if (tips[front[i]].number != i) {
-        throw base::DamagedField("tip.number", "points of a front are missing");
+        throw base::CorruptStoredField("tip.number", "points of a front are missing");
       }
     }
   }
@@ -115,7 +115,7 @@ void FreeFrontShape::resume_from(const GrowthState& state) {
     }
     std::vector<BodyFrontArc> arcs = arcs_in_body(now_.cracks[c], around_);
     if (arcs.size() != tips.size()) {
-      throw base::DamagedField("tip.front", "the crack has another number of fronts");
+      throw base::CorruptStoredField("tip.front", "the crack has another number of fronts");
     }
     for (std::size_t i = 0; i < arcs.size(); ++i) {
       now_.growing.push_back({c, std::move(tips[i]), std::move(arcs[i])});

@@ -71,7 +71,7 @@ void FrontKinematics::accept_cracks(const std::vector<model::CrackDefinition>& c
 void FrontKinematics::restore_cracks(const GrowthState& state,
                                      std::vector<model::CrackDefinition>& cracks) const {
   if (state.cracks.size() != cracks.size() || state.tips.size() != tips_.size()) {
-    throw base::DamagedField("tip.crack", "it has other cracks or tips than the deck");
+    throw base::CorruptStoredField("tip.crack", "it has other cracks or tips than the deck");
   }
   for (std::size_t c = 0; c < cracks.size(); ++c) {
     const GrownCrack& grown = state.cracks[c];
@@ -82,7 +82,7 @@ void FrontKinematics::restore_cracks(const GrowthState& state,
   }
   for (const GrownTip& tip : state.tips) {
     if (is_merged(cracks[tip.crack])) {
-      throw base::DamagedField("tip.crack", "a tip of a crack that has no front");
+      throw base::CorruptStoredField("tip.crack", "a tip of a crack that has no front");
     }
   }
 }

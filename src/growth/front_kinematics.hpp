@@ -73,8 +73,8 @@ protected:
   /// A state of these cracks counts: they are kept, and what could not be meshed at the last one
   /// says nothing any more.
   void accept_cracks(const std::vector<model::CrackDefinition>& cracks, GrowthState& state);
-  /// The deck's cracks as they have grown. Throws base::DamagedField for cracks or tips that the
-  /// deck does not have, and a tip of a crack that has become a part of another one.
+  /// The deck's cracks as they have grown. Throws base::CorruptStoredField for cracks or tips that
+  /// the deck does not have, and a tip of a crack that has become a part of another one.
   void restore_cracks(const GrowthState& state, std::vector<model::CrackDefinition>& cracks) const;
 
   const model::Model& model_;

@@ -53,7 +53,7 @@ struct Waves {
     return 0.5 * stiffness * std::numbers::pi * halves;
   }
   [[nodiscard]] base::Vector heights(const base::Vector& values) const {
-    return base::solve_square(shape, values);
+    return base::solve_square_system(shape, values);
   }
 };
 

@@ -33,7 +33,7 @@ GrowthIntegrator::GrowthIntegrator(const model::Model& model, Law law,
   } else {
     kinematics_->resume_from(state_);
     if (state_.stations.front().tips.size() != tips().size()) {
-      throw base::DamagedField("station_tip.a", "stations of other tips");
+      throw base::CorruptStoredField("station_tip.a", "stations of other tips");
     }
     end_ = ends().find_end(trajectory());
   }

@@ -20,8 +20,8 @@ namespace spricka::growth {
 class GrowthIntegrator {
 public:
   /// `law`: empty where the stations' rates are those of a spectrum. `kinematics`: of the cracks as
-  /// they are first. `state`: of a run that goes on, else new; throws base::DamagedField for one of
-  /// other cracks.
+  /// they are first. `state`: of a run that goes on, else new; throws base::CorruptStoredField for
+  /// one of other cracks.
   GrowthIntegrator(const model::Model& model, Law law, std::unique_ptr<CrackKinematics> kinematics,
                    GrowthState state);
 

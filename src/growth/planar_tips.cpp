@@ -74,11 +74,11 @@ bool PlanarTips::can_kink() const {
 
 void PlanarTips::resume_from(const GrowthState& state) {
   if (state.cracks.size() != lines_.size()) {
-    throw base::DamagedField("crack.kind", "it has other cracks than the deck");
+    throw base::CorruptStoredField("crack.kind", "it has other cracks than the deck");
   }
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     if (state.cracks[i].points.size() < 2) {
-      throw base::DamagedField("crack.points", "a crack without a line");
+      throw base::CorruptStoredField("crack.points", "a crack without a line");
     }
     lines_[i].points = state.cracks[i].points;
   }

@@ -83,14 +83,14 @@ public:
   [[nodiscard]] std::size_t size() const { return values_.size(); }
   void finish() const {
     if (left() > 0) {
-      throw base::DamagedField(name_, fmt::format("{} values too many", left()));
+      throw base::CorruptStoredField(name_, fmt::format("{} values too many", left()));
     }
   }
 
 private:
   double next() {
     if (left() == 0) {
-      throw base::DamagedField(name_, fmt::format("{} values are too few", values_.size()));
+      throw base::CorruptStoredField(name_, fmt::format("{} values are too few", values_.size()));
     }
     return values_[at_++];
   }
@@ -99,7 +99,7 @@ private:
     constexpr double most = 1e9; // more of anything is damage
     const double value = next();
     if (!(value >= 0.0 && value <= most && value == std::floor(value))) {
-      throw base::DamagedField(name_, fmt::format("{:.6g} is no number of anything", value));
+      throw base::CorruptStoredField(name_, fmt::format("{:.6g} is no number of anything", value));
     }
     return static_cast<std::int64_t>(value);
   }
@@ -135,7 +135,8 @@ public:
     std::size_t count = 0;
     column(name).value(count);
     if (count > column(items).left()) {
-      throw base::DamagedField(name, fmt::format("it counts {} of {}, which has {} values left",
+      throw base::CorruptStoredField(name,
+                                     fmt::format("it counts {} of {}, which has {} values left",
                                                  count, items, column(items).left()));
     }
     list.resize(count);
@@ -214,24 +215,24 @@ template <class Io, class State> void describe(Io& io, State& state) {
 void check_names(const GrowthState& state) {
   for (const GrownCrack& crack : state.cracks) {
     if (crack.kind > model::CrackDefinitionKind::drawn) {
-      throw base::DamagedField("crack.kind", "no kind of crack");
+      throw base::CorruptStoredField("crack.kind", "no kind of crack");
     }
     const std::vector<std::vector<Vec3>>& fronts = crack.history.fronts;
     if (crack.history.normals.size() != (fronts.empty() ? 0 : fronts.back().size())) {
-      throw base::DamagedField("crack.normals", "normals of another front");
+      throw base::CorruptStoredField("crack.normals", "normals of another front");
     }
     for (const std::vector<Vec3>& front : fronts) {
       if (front.size() < 2) {
-        throw base::DamagedField("history_front.points", "a front without a line");
+        throw base::CorruptStoredField("history_front.points", "a front without a line");
       }
     }
   }
   for (const GrownTip& tip : state.tips) {
     if (tip.crack >= state.cracks.size()) {
-      throw base::DamagedField("tip.crack", fmt::format("there is no crack {}", tip.crack));
+      throw base::CorruptStoredField("tip.crack", fmt::format("there is no crack {}", tip.crack));
     }
     if (tip.front >= state.tips.size()) {
-      throw base::DamagedField("tip.front", fmt::format("there is no front {}", tip.front));
+      throw base::CorruptStoredField("tip.front", fmt::format("there is no front {}", tip.front));
     }
   }
 }

@@ -44,8 +44,8 @@ struct GrowthState {
 using Arrays = std::map<std::string, std::vector<double>>;
 /// The state as named arrays. Those without values are left out.
 Arrays to_arrays(const GrowthState& state);
-/// Back from there. Throws base::DamagedField for an array of another length, and for a number that
-/// counts or names nothing.
+/// Back from there. Throws base::CorruptStoredField for an array of another length, and for a
+/// number that counts or names nothing.
 GrowthState from_arrays(const Arrays& arrays);
 
 } // namespace spricka::growth

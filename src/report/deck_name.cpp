@@ -13,13 +13,13 @@ std::string deck_name(const base::SourceTexts& sources, std::int32_t file) {
   }
   const std::string& name = sources.file_name(file);
   if (name.starts_with("-D ") || name.starts_with('<')) { // no file
-    return base::printable(name);
+    return base::make_printable(name);
   }
   namespace fs = std::filesystem;
   const fs::path path = fs::path(name).lexically_normal();
   const fs::path folder = fs::path(sources.file_name(0)).lexically_normal().parent_path();
   const fs::path seen = path.lexically_relative(folder.empty() ? "." : folder);
-  return base::printable(seen.empty() ? path.filename().string() : seen.string());
+  return base::make_printable(seen.empty() ? path.filename().string() : seen.string());
 }
 
 } // namespace spricka::report

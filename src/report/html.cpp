@@ -60,7 +60,7 @@ std::string beginning(const std::string& text, std::size_t longest) {
 /// "W508, no answer: text".
 std::string warning_item(const std::string& code, const std::string& text) {
   return fmt::format("<li><b>{}, {}:</b> {}</li>\n", code,
-                     base::display_word(base::warning_concern(code)), escape_xml(text));
+                     base::display_word(base::concern_of_warning_code(code)), escape_xml(text));
 }
 
 /// What puts the numbers below in doubt is said above them, the worst first.

@@ -16,14 +16,14 @@ struct NamedArrays {
   std::map<std::string, std::vector<std::string>> texts;
 };
 
-/// One of these arrays. Throws base::DamagedField where it is missing or has fewer values than
-/// `least`.
+/// One of these arrays. Throws base::CorruptStoredField where it is missing or has fewer values
+/// than `least`.
 template <class T>
 const std::vector<T>& required_array(const std::map<std::string, std::vector<T>>& arrays,
                                      const std::string& name, std::size_t least = 0) {
   const auto found = arrays.find(name);
   if (found == arrays.end() || found->second.size() < least) {
-    throw base::DamagedField(name, "values are missing");
+    throw base::CorruptStoredField(name, "values are missing");
   }
   return found->second;
 }

@@ -209,7 +209,7 @@ private:
           fmt::format("contact {}: {:.0f} % of {} see nothing of {}, though its body lies "
                       "next to it there, from {} on",
                       contact.name, 100.0 * sum / length, mesh_.set_with_id(own).name,
-                      mesh_.set_with_id(other).name, base::place_text(place, mesh_.dim)),
+                      mesh_.set_with_id(other).name, base::format_coordinates(place, mesh_.dim)),
           "faces are missing in the set: there the bodies do not hold each other off");
     }
   }
@@ -288,7 +288,7 @@ private:
                     fmt::format("bodies {} and {} overlap as drawn by {:.4g} {} at {}, "
                                 "and no $CONTACT stands between them",
                                 name(a), name(b), depth, model_.units.length_name,
-                                base::place_text(place, mesh_.dim)),
+                                base::format_coordinates(place, mesh_.dim)),
                     "they pass through each other; a $CONTACT presses them apart");
     }
   }

@@ -226,9 +226,9 @@ private:
       }
       double part = 0.0;
       for (const double xi : places) {
-        const base::Vec3 x = base::to_space(contact::point_on(side, xi));
+        const base::Vec3 x = base::embed_in_space(contact::point_on(side, xi));
         const base::Vec3 out =
-            beside * side.length * base::to_space(contact::outer_normal(side, xi));
+            beside * side.length * base::embed_in_space(contact::outer_normal(side, xi));
         const std::optional<geometry::BoundaryDistance> on = other.signed_distance(x, side.length);
         if (!on || std::abs(on->distance) > same_place * side.length + 2.0 * on->facet) {
           continue;

@@ -178,8 +178,8 @@ void SparseCondensation::Impl::build(base::SymmetricCsc K, Ordering ordering) {
     return;
   }
   // Refused before any of it is asked for: a machine that swaps is no help.
-  report.memory_left =
-      static_cast<double>(base::memory_limit()) - static_cast<double>(base::resident_memory());
+  report.memory_left = static_cast<double>(base::process_memory_limit()) -
+                       static_cast<double>(base::resident_memory());
   if (report.memory + report.besides > report.memory_left) {
     report.status = FactorStatus::out_of_memory;
     return;

@@ -40,7 +40,7 @@ struct Costs {
 
 Costs solve_all(const model::Model& model) {
   base::Diagnostics diagnostics;
-  base::Trouble trouble;
+  base::OptionalFailure trouble;
   std::vector<results::LogLine> lines;
   const analysis::SolveOptions options{.threads = 1, .progress = {}};
   const std::vector<double> lengths = growth::crack_lengths(model);
@@ -72,7 +72,7 @@ Costs solve_all(const model::Model& model) {
 } // namespace
 
 int main(int argc, char** argv) {
-  base::return_large_blocks();
+  base::return_large_blocks_on_free();
   deck::DeckReadOptions options;
   if (argc > 2) {
     options.defines.emplace_back("fine", argv[2]);

@@ -96,7 +96,7 @@ int main(int argc, char** argv) {
   analysis::StepSolver& solver = *first;
   analysis::LoadPathSolver& paths = length->load_paths();
   for (std::size_t s = 0; s < model->steps.size(); ++s) {
-    base::Trouble trouble;
+    base::OptionalFailure trouble;
     const auto state = solver.solve(model->steps[s], trouble);
     if (!state) {
       fmt::print(stderr, "{}\n", trouble->why);

@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "no deck with a $LOADPATH\n");
     return 2;
   }
-  base::Trouble trouble;
+  base::OptionalFailure trouble;
   const std::optional<results::RunResult> run =
       analysis::solve_run(*model, {.threads = 1, .progress = {}}, diagnostics, trouble);
   if (!run) {

@@ -184,7 +184,7 @@ double read_to_mesh(const std::filesystem::path& path, std::size_t& arrays) {
 } // namespace
 
 int main(int argc, char** argv) {
-  base::return_large_blocks();
+  base::return_large_blocks_on_free();
   const Grid grid{argc > 1 ? std::atoi(argv[1]) : 55};
   const int repeats = argc > 2 ? std::atoi(argv[2]) : 5;
   const std::filesystem::path path = std::filesystem::temp_directory_path() / "spricka_read.deck";
@@ -198,7 +198,7 @@ int main(int argc, char** argv) {
   const std::size_t side = 2 * cubes + 1;
   std::size_t arrays = 0;
   double mesh = 1e30;
-  base::return_free_memory();
+  base::return_free_memory_to_system();
   mesh = read_to_mesh(path, arrays);
   const std::size_t peak = base::peak_memory();
   for (int i = 1; i < repeats; ++i) {

@@ -107,7 +107,7 @@ int main(int argc, char** argv) {
     fmt::print("dense algebra of rows {:.2f} s\n", rows);
   }
   for (const model::Step& step : model->steps) {
-    base::Trouble trouble;
+    base::OptionalFailure trouble;
     const double from = base::cpu_seconds();
     const auto state = solver->solve(step, trouble);
     if (!state) {

@@ -70,14 +70,14 @@ void factorise(const CondensationRequest& request, std::vector<Task>& tasks,
                                stacked ? std::span<const fe::Superelement>() : task.supers, map);
     task.stiffness_wall = watch.wall_time();
     task.work.stiffness_cpu = solve::thread_cpu() - cpu;
-    task.work.assembled = base::steady_seconds();
+    task.work.assembled = base::steady_clock_seconds();
     task.net->factor =
         stacked ? std::make_shared<solve::Condensation>(K, map.externals(), blocks,
                                                         task.layered ? &task.early : nullptr)
                 : std::make_shared<solve::Condensation>(std::move(K), map.externals(),
                                                         solve::Ordering::automatic,
                                                         contact_bytes(request.rows));
-    task.work.end = base::steady_seconds();
+    task.work.end = base::steady_clock_seconds();
   });
   for (const Task* task : missing) {
     const solve::FactorReport& report = task->net->factor->report();
@@ -96,8 +96,8 @@ void factorise(const CondensationRequest& request, std::vector<Task>& tasks,
   }
 }
 
-base::Trouble trouble_of(const model::Mesh& mesh, const std::string& body,
-                         const Substructure& net) {
+base::OptionalFailure trouble_of(const model::Mesh& mesh, const std::string& body,
+                                 const Substructure& net) {
   const solve::FactorReport& report = net.factor->report();
   const auto not_solvable = [](std::string why) {
     return base::OperationFailure{.kind = base::Outcome::not_solvable, .why = std::move(why)};

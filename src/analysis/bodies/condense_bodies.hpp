@@ -71,7 +71,7 @@ struct CondensationFigures {
   double flops = 0.0;
   int condensed = 0, reused = 0;
   std::vector<results::NetCost> nets; ///< what each took, parts before the regions that they are in
-  base::Trouble trouble;              ///< a singular local block, named, or too little memory
+  base::OptionalFailure trouble;      ///< a singular local block, named, or too little memory
 };
 
 /// Whether bodies are condensed to the freedoms that rows weigh, or the rows are eliminated with

@@ -41,7 +41,7 @@ bool wants_bars(const model::Model& model) {
 class GrowthLoop {
 public:
   GrowthLoop(const model::Model& model, const SolveOptions& options, base::Diagnostics& diagnostics,
-             base::Trouble& trouble, results::RunResult& run)
+             base::OptionalFailure& trouble, results::RunResult& run)
       : model_(model), options_(options), diagnostics_(diagnostics), trouble_(trouble), run_(run),
         measure_(model), solver_(model, options, run.log, trial_, trial_trouble_),
         on_the_way_(requested_steps(model, false)) {}
@@ -267,10 +267,10 @@ private:
   const model::Model& model_;
   const SolveOptions& options_;
   base::Diagnostics& diagnostics_;
-  base::Trouble& trouble_;
+  base::OptionalFailure& trouble_;
   results::RunResult& run_;
-  base::Diagnostics trial_;     ///< of the state that is tried
-  base::Trouble trial_trouble_; ///< the same
+  base::Diagnostics trial_;             ///< of the state that is tried
+  base::OptionalFailure trial_trouble_; ///< the same
   GrowthRateEvaluator measure_;
   CrackStateSolver solver_;
   std::vector<bool> on_the_way_;
@@ -285,7 +285,8 @@ bool grows_by_law(const model::Model& model) {
 }
 
 bool grow_by_law(const model::Model& model, const SolveOptions& options,
-                 base::Diagnostics& diagnostics, base::Trouble& trouble, results::RunResult& run) {
+                 base::Diagnostics& diagnostics, base::OptionalFailure& trouble,
+                 results::RunResult& run) {
   return GrowthLoop(model, options, diagnostics, trouble, run).run();
 }
 

@@ -18,6 +18,7 @@ bool grows_by_law(const model::Model& model);
 /// diagnostics), or a first state that cannot be solved (in `trouble`). A later state that cannot
 /// be meshed or solved ends the growth with the word MESH.
 bool grow_by_law(const model::Model& model, const SolveOptions& options,
-                 base::Diagnostics& diagnostics, base::Trouble& trouble, results::RunResult& run);
+                 base::Diagnostics& diagnostics, base::OptionalFailure& trouble,
+                 results::RunResult& run);
 
 } // namespace spricka::analysis

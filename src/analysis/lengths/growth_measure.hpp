@@ -56,7 +56,7 @@ public:
   [[nodiscard]] std::optional<std::vector<growth::TipStation>>
   evaluate_tips(const SolvedCrackState& at, const std::vector<growth::TrackedTip>& growing);
 
-  [[nodiscard]] const base::Trouble& trouble() const { return trouble_; }
+  [[nodiscard]] const base::OptionalFailure& trouble() const { return trouble_; }
   /// Whether of the last state K at KMIN was above K at KMAX, and above 0, at all tips that grow.
   [[nodiscard]] bool is_load_reversed() const { return upside_down_; }
   /// What a reader must not miss.
@@ -70,7 +70,7 @@ public:
     warnings_.save_state(arrays);
     arrays.integers["growth.counted_on_K"] = {counted_on_K_ ? 1 : 0};
   }
-  /// Back from a restart file. Throws base::DamagedField where an array is missing.
+  /// Back from a restart file. Throws base::CorruptStoredField where an array is missing.
   void restore_state(const results::NamedArrays& arrays) {
     warnings_.restore_state(arrays);
     counted_on_K_ = results::required_array(arrays.integers, "growth.counted_on_K", 1)[0] != 0;
@@ -128,7 +128,7 @@ private:
   life::GrowthRateLaw law_;
   std::optional<life::CountedSpectrum> spectrum_;
   growth::PlaneBoundaryAhead around_;
-  base::Trouble trouble_;
+  base::OptionalFailure trouble_;
   bool upside_down_ = false;
   GrowthWarnings warnings_;
   bool counted_on_K_ = false;

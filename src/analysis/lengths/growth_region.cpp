@@ -92,7 +92,7 @@ void GrowthRegion::restore_state(const results::NamedArrays& arrays) {
     return;
   }
   if (!region->second.empty() && region->second.size() != model_.mesh.element_count()) {
-    throw base::DamagedField("region", "a region of another mesh");
+    throw base::CorruptStoredField("region", "a region of another mesh");
   }
   plan_.region.assign(region->second.begin(), region->second.end());
   plan_.split = results::required_array(arrays.integers, "region.split", 1)[0] != 0;

@@ -26,8 +26,8 @@ public:
 
   /// As arrays for a restart file, and back from there.
   void save_state(results::NamedArrays& arrays) const;
-  /// Back from a restart file; nothing without such arrays. Throws base::DamagedField for a region
-  /// of another mesh.
+  /// Back from a restart file; nothing without such arrays. Throws base::CorruptStoredField for a
+  /// region of another mesh.
   void restore_state(const results::NamedArrays& arrays);
 
 private:

@@ -43,7 +43,7 @@ public:
 
   /// As arrays "growth.warnings", "growth.shear" for a restart file.
   void save_state(results::NamedArrays& arrays) const;
-  /// Back from a restart file. Throws base::DamagedField where an array is missing.
+  /// Back from a restart file. Throws base::CorruptStoredField where an array is missing.
   void restore_state(const results::NamedArrays& arrays);
 
 private:

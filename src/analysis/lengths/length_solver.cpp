@@ -87,7 +87,7 @@ std::optional<results::Increment> CrackStateSolver::solve(const CrackStateReques
   if (!length) {
     return std::nullopt;
   }
-  base::return_free_memory();
+  base::return_free_memory_to_system();
   const Discretisation& cut = length->discretisation();
   const double first = length->first_crack_size();
   // Fronts that K shapes are told by their stations.
@@ -305,7 +305,7 @@ bool CrackStateSolver::walk_steps(CrackLengthAnalysis& length, const CrackStateR
         !start.empty()) {
       solver.set_start_rows(std::move(start));
     }
-    base::Trouble trouble;
+    base::OptionalFailure trouble;
     const std::optional<StepState> state = solver.solve(step, trouble);
     if (!state && !touching.empty()) {
       return true; // with faces that may overlap there is no answer

@@ -37,7 +37,7 @@ class CrackStateSolver {
 public:
   CrackStateSolver(const model::Model& model, const SolveOptions& options,
                    std::vector<results::LogLine>& log, base::Diagnostics& diagnostics,
-                   base::Trouble& trouble)
+                   base::OptionalFailure& trouble)
       : model_(model), options_(options), log_(log), diagnostics_(diagnostics), trouble_(trouble) {}
 
   /// Empty: a mistake of the deck (in the diagnostics) or a model that cannot be solved (trouble).
@@ -106,7 +106,7 @@ private:
   const SolveOptions& options_;
   std::vector<results::LogLine>& log_;
   base::Diagnostics& diagnostics_;
-  base::Trouble& trouble_;
+  base::OptionalFailure& trouble_;
   CondensationCache cache_;
   MountOffsetMemory mounted_;
   InheritedContactState carried_, next_carried_;

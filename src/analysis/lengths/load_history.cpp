@@ -72,7 +72,8 @@ double LoadHistorySolver::change(const WayOfK& a, const WayOfK& b) const {
 }
 
 // To a place; K of the increments joins the way.
-bool LoadHistorySolver::go(const LoadHistoryPoint& place, WayOfK& way, base::Trouble& trouble) {
+bool LoadHistorySolver::go(const LoadHistoryPoint& place, WayOfK& way,
+                           base::OptionalFailure& trouble) {
   const int by_t =
       // Round-off of t must not cost another increment.
       std::max(1, static_cast<int>(std::ceil(per_unit_ * std::abs(place.t - t_) - 1e-9)));
@@ -99,7 +100,7 @@ bool LoadHistorySolver::go(const LoadHistoryPoint& place, WayOfK& way, base::Tro
 
 // All cycles of a leg until they repeat themselves; those that are left are told by the last.
 bool LoadHistorySolver::leg(const LoadHistoryProgram& program, const LoadHistorySegment& leg,
-                            LoadPassResult& out, base::Trouble& trouble) {
+                            LoadPassResult& out, base::OptionalFailure& trouble) {
   WayOfK before; // marks of the cycle before, in the end of the last
   WayOfK on_the_way;
   // Cycles that stand alone begin at their own end, so that the first is a closed loop, too.
@@ -150,7 +151,7 @@ bool LoadHistorySolver::leg(const LoadHistoryProgram& program, const LoadHistory
 }
 
 bool LoadHistorySolver::pass(const LoadHistoryProgram& program, LoadPassResult& out,
-                             base::Trouble& trouble) {
+                             base::OptionalFailure& trouble) {
   out = {};
   unsettled_ = 0.0;
   return std::ranges::all_of(program.legs, [&](const LoadHistorySegment& part) {
@@ -159,7 +160,8 @@ bool LoadHistorySolver::pass(const LoadHistoryProgram& program, LoadPassResult& 
 }
 
 // K by functionals against K of the displacements, where the last pass ends.
-bool LoadHistorySolver::compare_with_recovered(LoadHistoryResult& out, base::Trouble& trouble) {
+bool LoadHistorySolver::compare_with_recovered(LoadHistoryResult& out,
+                                               base::OptionalFailure& trouble) {
   const bool shifted = std::ranges::any_of(
       model_.vces, [](const model::CrackExtensionSettings& vce) { return vce.shift.has_value(); });
   const crack::KLayout layout = scene_.k_layout();
@@ -181,7 +183,7 @@ bool LoadHistorySolver::compare_with_recovered(LoadHistoryResult& out, base::Tro
 // K of the pass that has been, where there is one.
 bool LoadHistorySolver::begin(const LoadHistoryProgram& program,
                               const InheritedContactState& carried, WayOfK& before,
-                              base::Trouble& trouble) {
+                              base::OptionalFailure& trouble) {
   if (carried.empty()) {
     solver_->restore_state(places_[program.start]);
     return true;
@@ -204,7 +206,7 @@ bool LoadHistorySolver::begin(const LoadHistoryProgram& program,
 }
 
 bool LoadHistorySolver::solve_history(StepSolver& solver, InheritedContactState& carried,
-                                      LoadHistoryResult& out, base::Trouble& trouble) {
+                                      LoadHistoryResult& out, base::OptionalFailure& trouble) {
   const LoadHistoryProgram program = load_program(model_, of_step_, parts_);
   out = {};
   out.none = solver.contact_system() == nullptr ? "nothing is in contact" : program.none;

@@ -50,16 +50,16 @@ public:
   /// grows is in `carried` after it. The solver is left as it was. False: an increment has no
   /// answer.
   bool solve_history(StepSolver& solver, InheritedContactState& carried, LoadHistoryResult& out,
-                     base::Trouble& trouble);
+                     base::OptionalFailure& trouble);
 
 private:
-  bool go(const LoadHistoryPoint& place, WayOfK& way, base::Trouble& trouble);
+  bool go(const LoadHistoryPoint& place, WayOfK& way, base::OptionalFailure& trouble);
   bool begin(const LoadHistoryProgram& program, const InheritedContactState& carried,
-             WayOfK& before, base::Trouble& trouble);
-  bool pass(const LoadHistoryProgram& program, LoadPassResult& out, base::Trouble& trouble);
+             WayOfK& before, base::OptionalFailure& trouble);
+  bool pass(const LoadHistoryProgram& program, LoadPassResult& out, base::OptionalFailure& trouble);
   bool leg(const LoadHistoryProgram& program, const LoadHistorySegment& leg, LoadPassResult& out,
-           base::Trouble& trouble);
-  bool compare_with_recovered(LoadHistoryResult& out, base::Trouble& trouble);
+           base::OptionalFailure& trouble);
+  bool compare_with_recovered(LoadHistoryResult& out, base::OptionalFailure& trouble);
   [[nodiscard]] double change(const WayOfK& a, const WayOfK& b) const;
 
   const model::Model& model_;

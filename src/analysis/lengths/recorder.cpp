@@ -26,7 +26,7 @@ void ProfileRecorder::add_work(const std::string& processor, const std::string& 
   results::ProcessorInterval span{.processor = processor,
                                   .text = text,
                                   .begin = watch.start_time(),
-                                  .end = base::steady_seconds(),
+                                  .end = base::steady_clock_seconds(),
                                   .cpu = watch.cpu_time(),
                                   .flops = flops,
                                   .resident = known(base::resident_memory()),
@@ -76,7 +76,7 @@ void ProfileRecorder::end_length(std::optional<double> a, bool counts) {
                                 .counts = counts,
                                 .round = std::max(round_, 1),
                                 .begin = length_->start_time(),
-                                .end = base::steady_seconds(),
+                                .end = base::steady_clock_seconds(),
                                 .cpu = length_->cpu_time()});
     length_.reset();
   }
@@ -84,7 +84,7 @@ void ProfileRecorder::end_length(std::optional<double> a, bool counts) {
 
 results::RunProfile ProfileRecorder::finish() {
   const std::scoped_lock lock(guard_);
-  profile_.end = base::steady_seconds();
+  profile_.end = base::steady_clock_seconds();
   profile_.cpu = base::cpu_seconds() - cpu_before_;
   profile_.peak = known(base::peak_memory());
   return std::move(profile_);

@@ -69,7 +69,7 @@ void report_resumed(const SolveOptions& options, const results::RunResult& run,
   }
 }
 
-bool is_time_up(const archive::Checkpoint* checkpoint, base::Trouble& trouble) {
+bool is_time_up(const archive::Checkpoint* checkpoint, base::OptionalFailure& trouble) {
   if (checkpoint == nullptr || !checkpoint->out_of_time()) {
     return false;
   }

@@ -26,7 +26,7 @@ std::optional<archive::StoredIncrement> resume_increment(const model::Model& mod
 template <class Take> auto restore_checked(const Take& take) {
   try {
     return take();
-  } catch (const base::DamagedField& trouble) {
+  } catch (const base::CorruptStoredField& trouble) {
     throw archive::FileFailure("E560", std::string("the state in the restart file is damaged: ") +
                                            trouble.what());
   }
@@ -41,7 +41,7 @@ void report_resumed(const SolveOptions& options, const results::RunResult& run,
                     std::size_t increments);
 
 /// Whether the time is up before the next increment; then `trouble` says so.
-bool is_time_up(const archive::Checkpoint* checkpoint, base::Trouble& trouble);
+bool is_time_up(const archive::Checkpoint* checkpoint, base::OptionalFailure& trouble);
 
 /// Where a loop stood when it began with an increment.
 class IncrementStart {

@@ -72,7 +72,7 @@ RegionPlan one_region(const model::Model& model, const SolveOptions& options,
 
 // The lengths of the deck, one after another.
 bool solve_lengths(const model::Model& model, const SolveOptions& options,
-                   base::Diagnostics& diagnostics, base::Trouble& trouble,
+                   base::Diagnostics& diagnostics, base::OptionalFailure& trouble,
                    results::RunResult& run) {
   const std::vector<double> lengths = growth::crack_lengths(model);
   const RegionPlan plan = one_region(model, options, lengths, diagnostics);
@@ -133,7 +133,7 @@ bool solve_lengths(const model::Model& model, const SolveOptions& options,
 
 std::optional<results::RunResult> solve_run(const model::Model& model, const SolveOptions& options,
                                             base::Diagnostics& diagnostics,
-                                            base::Trouble& trouble) {
+                                            base::OptionalFailure& trouble) {
   const base::Stopwatch watch;
   results::RunResult run;
   if (options.checkpoint != nullptr) {

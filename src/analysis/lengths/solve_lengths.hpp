@@ -14,6 +14,7 @@ namespace spricka::analysis {
 /// GROW. Deck mistakes that only the whole model shows go to `diagnostics`; a model that cannot be
 /// solved fills `trouble`. In both cases the result is empty.
 std::optional<results::RunResult> solve_run(const model::Model& model, const SolveOptions& options,
-                                            base::Diagnostics& diagnostics, base::Trouble& trouble);
+                                            base::Diagnostics& diagnostics,
+                                            base::OptionalFailure& trouble);
 
 } // namespace spricka::analysis

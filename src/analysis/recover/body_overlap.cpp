@@ -195,7 +195,7 @@ private:
         "bodies "
         "that pass through each other",
         bodies_[a].name, bodies_[b].name, worst.depth,
-        base::place_text(place(worst.node), mesh_.dim),
+        base::format_coordinates(place(worst.node), mesh_.dim),
         contact ? fmt::format("contact {} sees nothing there (surfaces farther apart than a fifth "
                               "of their extent, or not in its sets)",
                               *contact)

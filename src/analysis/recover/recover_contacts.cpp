@@ -102,7 +102,7 @@ std::string unbounded_note(const results::ContactResult& contact) {
   std::vector<std::string> places;
   for (const base::Vec3& x : contact.unbounded) {
     if (places.size() < most) {
-      places.push_back(base::place_text(x, contact.space ? 3 : 2));
+      places.push_back(base::format_coordinates(x, contact.space ? 3 : 2));
     }
   }
   if (contact.unbounded.size() > most) {

@@ -75,7 +75,7 @@ void InheritedContactState::store_state(const Discretisation& scene,
 
 std::optional<StepSolver::StepSolverState>
 InheritedContactState::put(const Discretisation& scene, const StepSolver::StepSolverState& now,
-                           base::Trouble& trouble) const {
+                           base::OptionalFailure& trouble) const {
   StepSolver::StepSolverState place = now;
   // Rows may have other numbers here: the next solution begins without closed ones.
   place.closed.clear();
@@ -172,7 +172,7 @@ InheritedContactState InheritedContactState::restore_state(const results::NamedA
     });
     if (pair.slip.size() != rows || pair.path.size() != rows || pair.touch.size() != rows ||
         !known) {
-      throw base::DamagedField(name_of(c, "slip"), "it is incomplete");
+      throw base::CorruptStoredField(name_of(c, "slip"), "it is incomplete");
     }
   }
   return state;

@@ -25,7 +25,7 @@ public:
   /// the rows of a contact are not those they were; `trouble` says so.
   [[nodiscard]] std::optional<StepSolver::StepSolverState>
   put(const Discretisation& scene, const StepSolver::StepSolverState& now,
-      base::Trouble& trouble) const;
+      base::OptionalFailure& trouble) const;
 
   /// As arrays "carried...", for a restart file.
   void save_state(results::NamedArrays& arrays) const;

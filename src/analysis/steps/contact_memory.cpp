@@ -123,7 +123,7 @@ ContactMemory ContactMemory::restore_state(const results::NamedArrays& arrays, s
   for (std::size_t i = 0; i + 4 < list.size(); i += 5) {
     const auto step = static_cast<std::size_t>(list[i]);
     if (step >= steps) {
-      throw base::DamagedField("closed.of_step", "rows closed in a step that there is not");
+      throw base::CorruptStoredField("closed.of_step", "rows closed in a step that there is not");
     }
     if (memory.closed_.size() <= step) {
       memory.closed_.resize(step + 1);

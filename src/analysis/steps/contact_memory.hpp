@@ -33,10 +33,10 @@ public:
                          const std::vector<bool>& closed);
 
   /// The closed rows as arrays "closed...", for a restart file, and back from there, of a deck with
-  /// so many steps. Throws base::DamagedField.
+  /// so many steps. Throws base::CorruptStoredField.
   void save_state(results::NamedArrays& arrays) const;
-  /// Back from a restart file; empty without the arrays. Throws base::DamagedField for a step that
-  /// the deck does not have.
+  /// Back from a restart file; empty without the arrays. Throws base::CorruptStoredField for a step
+  /// that the deck does not have.
   static ContactMemory restore_state(const results::NamedArrays& arrays, std::size_t steps);
 
 private:

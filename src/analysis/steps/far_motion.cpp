@@ -78,9 +78,10 @@ double size_of(const model::Mesh& mesh, const fe::Body& body) {
 
 } // namespace
 
-base::Trouble excessive_motion(const Discretisation& scene,
-                               const std::vector<SubstructuredBody>& bodies,
-                               const SolvedContact& solved, const base::Vector& prescribed) {
+base::OptionalFailure excessive_motion(const Discretisation& scene,
+                                       const std::vector<SubstructuredBody>& bodies,
+                                       const SolvedContact& solved,
+                                       const base::Vector& prescribed) {
   const Motions motions = motions_of(scene, bodies, solved, prescribed);
   for (std::size_t i = 0; i < motions.rigid.size(); ++i) {
     const SubstructuredBody& body = bodies[solved.condensed[i]];

@@ -21,8 +21,8 @@ struct SolvedContact {
 /// the gaps that closed, the displacements by deformation and the prescribed ones [dim * node], or
 /// by more than these and its own size: only round-off or the facets of its surfaces held it. Tells
 /// which and how; empty: there is none. A wedge or taper that steeply resists may move further.
-base::Trouble excessive_motion(const Discretisation& scene,
-                               const std::vector<SubstructuredBody>& bodies,
-                               const SolvedContact& solved, const base::Vector& prescribed);
+base::OptionalFailure excessive_motion(const Discretisation& scene,
+                                       const std::vector<SubstructuredBody>& bodies,
+                                       const SolvedContact& solved, const base::Vector& prescribed);
 
 } // namespace spricka::analysis

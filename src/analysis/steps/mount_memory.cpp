@@ -32,7 +32,7 @@ public:
   }
   T next() {
     if (!more()) {
-      throw base::DamagedField(name_, "it is incomplete");
+      throw base::CorruptStoredField(name_, "it is incomplete");
     }
     return (*values_)[next_++];
   }
@@ -83,7 +83,8 @@ MountOffsetMemory MountOffsetMemory::restore_state(const results::NamedArrays& a
     MountEvent event{static_cast<std::size_t>(contact.next()), {}, {}};
     const std::int64_t count = rows.next();
     if (count < 0 || static_cast<std::size_t>(count) > offset.left()) {
-      throw base::DamagedField("mount.offset", "it is incomplete"); // before room is made for it
+      throw base::CorruptStoredField("mount.offset",
+                                     "it is incomplete"); // before room is made for it
     }
     event.offset = base::Vector::Zero(count);
     for (std::int64_t r = 0; r < count; ++r) {

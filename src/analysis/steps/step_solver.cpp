@@ -72,7 +72,7 @@ bool StepSolver::mount(std::size_t contact) {
          memory_->store_or_restore(scene_, contact, scene_.contacts[contact].mu > 0.0, offset_);
 }
 
-bool StepSolver::act(const model::Step& step, base::Trouble& trouble) {
+bool StepSolver::act(const model::Step& step, base::OptionalFailure& trouble) {
   const MountChanges changes = apply_actions(step, factors_);
   for (const std::size_t contact : changes.mounted) {
     if (!mount(contact)) {
@@ -174,7 +174,7 @@ std::string StepSolver::unsupported_motion(const base::Vector& mode, bool slides
                      slides ? "" : missing_contact(model_, scene_, bodies_, condensed_[at]));
 }
 
-base::Trouble
+base::OptionalFailure
 StepSolver::trouble_of(const contact::ContactSystem::IncrementSolution& solution) const {
   const solve::ContactSolution& s = solution.contact;
   switch (s.status) {
@@ -198,13 +198,13 @@ StepSolver::trouble_of(const contact::ContactSystem::IncrementSolution& solution
 
 bool StepSolver::accept(const contact::ContactSystem::IncrementSolution& solution,
                         const contact::ContactSystem::IncrementProblem& problem, StepState& state,
-                        base::Trouble& trouble) {
+                        base::OptionalFailure& trouble) {
   const solve::ContactSolution& s = solution.contact;
-  if (base::Trouble none = trouble_of(solution)) {
+  if (base::OptionalFailure none = trouble_of(solution)) {
     trouble = std::move(none);
     return false;
   }
-  if (base::Trouble far = excessive_motion(
+  if (base::OptionalFailure far = excessive_motion(
           scene_, bodies_, {*system_, condensed_, problem, solution}, prescribed())) {
     trouble = std::move(far);
     return false;
@@ -272,7 +272,7 @@ StepState StepSolver::begin_state() const {
 }
 
 bool StepSolver::complete(std::vector<base::Vector> external, StepState& state,
-                          base::Trouble& trouble) const {
+                          base::OptionalFailure& trouble) const {
   std::vector<base::Vector> of_body(bodies_.size());
   for (std::size_t i = 0; i < external.size(); ++i) {
     of_body[condensed_[i]] = std::move(external[i]);
@@ -292,7 +292,8 @@ bool StepSolver::complete(std::vector<base::Vector> external, StepState& state,
   return false;
 }
 
-std::optional<StepState> StepSolver::solve(const model::Step& step, base::Trouble& trouble) {
+std::optional<StepState> StepSolver::solve(const model::Step& step,
+                                           base::OptionalFailure& trouble) {
   const StepFactors before = factors_;
   if (!act(step, trouble)) {
     return std::nullopt;

@@ -30,7 +30,7 @@ public:
              ContactMemory* contact = nullptr);
 
   /// Carries out the actions of a step and solves for its end. Steps are called in deck order.
-  std::optional<StepState> solve(const model::Step& step, base::Trouble& trouble);
+  std::optional<StepState> solve(const model::Step& step, base::OptionalFailure& trouble);
 
   /// All that the next increment depends on.
   struct StepSolverState {
@@ -48,10 +48,11 @@ public:
   /// Loads and fits go in a straight line to others in equal increments, contacts as they are:
   /// nothing is recovered. Empty: refused.
   std::optional<contact::ContactSystem::IncrementSolution>
-  solve_increments(const StepFactors& to, int increments, const Seen& seen, base::Trouble& trouble);
+  solve_increments(const StepFactors& to, int increments, const Seen& seen,
+                   base::OptionalFailure& trouble);
   /// The state at the end of solve_increments(), from its answer; empty: refused.
   std::optional<StepState> recover_state(contact::ContactSystem::IncrementSolution solution,
-                                         base::Trouble& trouble);
+                                         base::OptionalFailure& trouble);
   /// Instead: goes on from an earlier step that ended in the same state (repeated_steps), from its
   /// displacements and closed rows.
   void repeat_step(const model::Step& step, const base::Vector& u, const std::vector<bool>& closed);
@@ -75,13 +76,15 @@ public:
   [[nodiscard]] const base::Vector& mount_offset() const { return offset_; } ///< [row] since MOUNT
 
 private:
-  bool act(const model::Step& step, base::Trouble& trouble);
+  bool act(const model::Step& step, base::OptionalFailure& trouble);
   [[nodiscard]] bool mount(std::size_t contact);
   [[nodiscard]] base::Vector prescribed() const;
   /// The answer at the end of the step, in increments from the factors `from` where contacts rub;
   /// none: refused.
-  std::optional<contact::ContactSystem::IncrementSolution>
-  walk(const StepFactors& from, const model::Step& step, StepState& state, base::Trouble& trouble);
+  std::optional<contact::ContactSystem::IncrementSolution> walk(const StepFactors& from,
+                                                                const model::Step& step,
+                                                                StepState& state,
+                                                                base::OptionalFailure& trouble);
   struct StepIncrementation {
     StepFactors from, to;
     contact::ContactSystem::IncrementProblem problem; ///< of the last increment
@@ -97,13 +100,14 @@ private:
   /// Steps in which contacts rub: in as many increments as the card says, and once more in others
   /// to tell their error, or in ever more until it is small (manual, contact.25).
   bool walk_rubbing(StepIncrementation& walk, const model::Step& step, StepState& state,
-                    base::Trouble& trouble);
+                    base::OptionalFailure& trouble);
   /// In so many equal increments from where `start` stands.
   bool walk_load_path(StepIncrementation& walk, const StepSolverState& start, int increments,
-                      base::Trouble& trouble);
+                      base::OptionalFailure& trouble);
   [[nodiscard]] StepState begin_state() const;
   /// Displacements of all bodies and what follows from them; false: not in equilibrium.
-  bool complete(std::vector<base::Vector> external, StepState& state, base::Trouble& trouble) const;
+  bool complete(std::vector<base::Vector> external, StepState& state,
+                base::OptionalFailure& trouble) const;
   /// One increment between two parts of the step, halved where it does not converge.
   bool advance(StepIncrementation& walk, std::pair<double, double> part, int halvings);
   [[nodiscard]] static solve::ExpectedForces expected_at(const StepIncrementation& walk,
@@ -111,11 +115,11 @@ private:
   void remember(const StepIncrementation& walk);
   void note_uniqueness(const StepIncrementation& walk, StepState& state);
   /// Empty: the answer is one.
-  [[nodiscard]] base::Trouble
+  [[nodiscard]] base::OptionalFailure
   trouble_of(const contact::ContactSystem::IncrementSolution& solution) const;
   [[nodiscard]] bool accept(const contact::ContactSystem::IncrementSolution& solution,
                             const contact::ContactSystem::IncrementProblem& problem,
-                            StepState& state, base::Trouble& trouble);
+                            StepState& state, base::OptionalFailure& trouble);
 
   const model::Model& model_;
   const Discretisation& scene_;

@@ -152,10 +152,9 @@ solve::ContactSettings settings_of(const model::Model& model) {
 
 } // namespace
 
-std::optional<contact::ContactSystem::IncrementSolution> StepSolver::walk(const StepFactors& from,
-                                                                          const model::Step& step,
-                                                                          StepState& state,
-                                                                          base::Trouble& trouble) {
+std::optional<contact::ContactSystem::IncrementSolution>
+StepSolver::walk(const StepFactors& from, const model::Step& step, StepState& state,
+                 base::OptionalFailure& trouble) {
   StepIncrementation way{
       .from = from, .to = factors_, .problem = contact_problem(), .solution = {}};
   const bool rubs = !way.problem.friction.empty();
@@ -180,7 +179,7 @@ std::optional<contact::ContactSystem::IncrementSolution> StepSolver::walk(const 
 }
 
 bool StepSolver::walk_load_path(StepIncrementation& walk, const StepSolverState& start,
-                                int increments, base::Trouble& trouble) {
+                                int increments, base::OptionalFailure& trouble) {
   restore_state(start);
   walk.increments = 0;
   walk.reached.clear();
@@ -196,7 +195,7 @@ bool StepSolver::walk_load_path(StepIncrementation& walk, const StepSolverState&
 }
 
 bool StepSolver::walk_rubbing(StepIncrementation& walk, const model::Step& step, StepState& state,
-                              base::Trouble& trouble) {
+                              base::OptionalFailure& trouble) {
   const StepSolverState start = solver_state();
   const bool given = step.substeps > 0;
   Halving cut;
@@ -205,7 +204,7 @@ bool StepSolver::walk_rubbing(StepIncrementation& walk, const model::Step& step,
     // error.
     cut = {.before = step.substeps == 1 ? 2 : step.substeps / 2, .now = step.substeps};
   }
-  base::Trouble coarse;
+  base::OptionalFailure coarse;
   const bool compared = walk_load_path(walk, start, cut.before, coarse);
   // Where SUBSTEPS are given a coarser walk without answer leaves them without a known error only.
   if (!compared && !given) {
@@ -290,7 +289,7 @@ void StepSolver::restore_state(const StepSolverState& place) {
 
 std::optional<contact::ContactSystem::IncrementSolution>
 StepSolver::solve_increments(const StepFactors& to, int increments, const Seen& seen,
-                             base::Trouble& trouble) {
+                             base::OptionalFailure& trouble) {
   StepIncrementation way{.from = factors_, .to = to, .problem = {}, .solution = {}, .seen = &seen};
   for (int k = 0; k < increments; ++k) {
     const double n = increments;
@@ -304,7 +303,7 @@ StepSolver::solve_increments(const StepFactors& to, int increments, const Seen& 
 
 std::optional<StepState>
 StepSolver::recover_state(contact::ContactSystem::IncrementSolution solution,
-                          base::Trouble& trouble) {
+                          base::OptionalFailure& trouble) {
   StepState state = begin_state();
   if (!accept(solution, contact_problem(), state, trouble) ||
       !complete(std::move(solution.u), state, trouble)) {

@@ -173,7 +173,7 @@ bool check_cavity(const HostMesh& host, const CrackPlacement& placement, const C
   // A half runs along the boundary by intent.
   if (placement.half == 0) {
     if (const auto out = way_out(host, placement, cavity)) {
-      const base::Vec3 at = placement.frame.global(base::to_space(*out));
+      const base::Vec3 at = placement.frame.global(base::embed_in_space(*out));
       diagnostics.error(span, "E425",
                         fmt::format("with a = {:.6g} the crack leaves its body or runs along the "
                                     "boundary at ({:.6g}, {:.6g})",

@@ -282,7 +282,7 @@ private:
           i + 1 == placement.tips.size() ? work.path.back() : work.path.front();
       front.tip_point().x = result_.mesh.x[front.tip_point().node.index()];
       front.tip_point().growth =
-          (frame.global(base::to_space(placement.tips[i].growth_direction())) - frame.origin)
+          (frame.global(base::embed_in_space(placement.tips[i].growth_direction())) - frame.origin)
               .normalized();
       result_.fronts.push_back(front);
     }

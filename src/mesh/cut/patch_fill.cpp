@@ -38,7 +38,7 @@ std::string triangulate_patch(PatchNet& net, const PatchContours& contours, cons
     return filling.trouble;
   }
   for (const base::Vec2& p : filling.added) {
-    node.push_back(net.new_node_at(base::to_space(p)));
+    node.push_back(net.new_node_at(base::embed_in_space(p)));
   }
   for (const std::array<int, 3>& t : filling.cells) {
     PatchTriangle corners{};

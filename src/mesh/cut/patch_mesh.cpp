@@ -167,7 +167,7 @@ private:
     const std::vector<double> t = divide(curve, 0.0, 1.0, size_);
     std::vector<int> nodes;
     for (std::size_t i = 1; i + 1 < t.size(); ++i) {
-      nodes.push_back(net_.new_node_at(base::to_space(curve(t[i]))));
+      nodes.push_back(net_.new_node_at(base::embed_in_space(curve(t[i]))));
     }
     return nodes;
   }
@@ -189,7 +189,7 @@ private:
       const std::vector<int> inner = add_interval(from, to);
       crack_face.insert(crack_face.end(), inner.begin(), inner.end());
       crack_face.push_back(last ? last_rosette.behind.back()
-                                : net_.new_node_at(base::to_space(to)));
+                                : net_.new_node_at(base::embed_in_space(to)));
       from = to;
     }
     for (std::size_t i = 0; i + 1 < crack_face.size(); ++i) {

@@ -50,7 +50,7 @@ int side_of_body(const HostMesh& host, const CrackFrame& frame) {
 double tip_clearance(const HostMesh& host, const CrackFrame& frame, const std::vector<Vec2>& line,
                      bool half, base::NetId net, const std::vector<model::Face>& faces) {
   const model::Mesh& mesh = host.mesh();
-  const Vec3 tip = frame.global(base::to_space(line.back()));
+  const Vec3 tip = frame.global(base::embed_in_space(line.back()));
   const Vec2 along = (line.back() - line[line.size() - 2]).normalized();
   const auto is_ahead = [&](base::NodeId n) {
     const Vec2 x = frame.exact_local(mesh.x[n.index()]).head<2>();
@@ -301,7 +301,7 @@ CrackPlacement seen_from(const CrackPlacement& placement, const CrackFrame& fram
   const Vec3 to = own.axes.col(0);
   const double turn = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
   const auto moved = [&](const Vec2& p) -> Vec2 {
-    return frame.exact_local(own.global(base::to_space(p))).head<2>();
+    return frame.exact_local(own.global(base::embed_in_space(p))).head<2>();
   };
   for (Vec2& p : result.line) {
     p = moved(p);

@@ -46,7 +46,7 @@ Rosette add_rosette(PatchNet& net, const CrackPlacement& placement, const Placed
   const std::vector<double> radii = ring_radii(placement.size, placement.radius, tip.rings);
 
   Rosette result;
-  result.tip = net.new_node_at(base::to_space(at.at));
+  result.tip = net.new_node_at(base::embed_in_space(at.at));
   const bool backward = std::abs(at.direction) == pi; // along the axis, too
   std::vector<std::vector<int>> corner(radii.size(), std::vector<int>(rays));
   for (std::size_t k = 0; k < radii.size(); ++k) {
@@ -59,7 +59,7 @@ Rosette add_rosette(PatchNet& net, const CrackPlacement& placement, const Placed
                         (std::abs(t) < same || std::abs(std::abs(t) - pi) < same);
       const base::Vec2 unit = axis ? base::Vec2((std::abs(t) < same) != backward ? 1.0 : -1.0, 0.0)
                                    : base::Vec2(std::cos(angle), std::sin(angle));
-      corner[k][j] = net.new_node_at(base::to_space(at.at + radii[k] * unit));
+      corner[k][j] = net.new_node_at(base::embed_in_space(at.at + radii[k] * unit));
     }
   }
   for (std::size_t j = 0; j < rays; ++j) {

@@ -232,7 +232,7 @@ MesherAnswer ask_mesher(std::string_view request) {
   const double used = m.process && m.process->is_owner() ? m.process->processor_time() : 0.0;
   MesherAnswer answer = ask(m, request);
   MesherUsage use{
-      .begin = watch.start_time(), .end = base::steady_seconds(), .cpu = {}, .peak = {}};
+      .begin = watch.start_time(), .end = base::steady_clock_seconds(), .cpu = {}, .peak = {}};
   if (m.process) {
     use.cpu = std::max(0.0, m.process->processor_time() - used);
     use.peak = m.process->peak_memory();

@@ -259,7 +259,7 @@ bool MesherProcess::is_waiting() const {
 }
 
 std::optional<std::size_t> MesherProcess::peak_memory() const {
-  return base::process_peak_memory(std::to_string(pid_));
+  return base::peak_memory_of_process(std::to_string(pid_));
 }
 
 void MesherProcess::take_printed() {

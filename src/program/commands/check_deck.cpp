@@ -202,7 +202,7 @@ void add_sums(double read_cpu, double stations, results::DeckPreview& preview) {
     preview.seconds += stations * length.seconds;
     preview.memory = std::max(preview.memory, length.memory);
   }
-  preview.machine_memory = static_cast<double>(base::memory_limit());
+  preview.machine_memory = static_cast<double>(base::process_memory_limit());
 }
 
 // What no step before its own knows of, which a deck shows only by what it does not say.
@@ -230,7 +230,7 @@ base::Outcome check_deck(const RunOptions& options, const ReadyDeck& deck, const
   look.look(true);
   const base::Outcome own = verdict(deck.sources, look, log);
   results::DeckPreview& preview = look.preview;
-  preview.deck = base::printable(options.deck.string());
+  preview.deck = base::make_printable(options.deck.string());
   preview.title = model.title;
   preview.length_unit = model.units.length_name;
   preview.force_unit = model.units.force_name;
@@ -259,7 +259,7 @@ base::Outcome check_deck(const RunOptions& options, const ReadyDeck& deck, const
     to_stdout(report::check_listing(preview));
     to_stdout(growth_words(model, look.stations));
     to_stdout(
-        fmt::format("\n{}: {}\n", base::printable(options.deck.string()),
+        fmt::format("\n{}: {}\n", base::make_printable(options.deck.string()),
                     outcome == base::Outcome::done ? "no mistakes found" : "see the messages"));
   }
   return outcome;

@@ -22,7 +22,7 @@ constexpr const char* k_about = "contact and stress intensity factors in one sol
 
 std::string exit_footer() {
   std::string out = "Exit codes:\n";
-  for (const base::ExitText& exit : base::exit_texts) {
+  for (const base::ExitCodeEntry& exit : base::exit_code_table) {
     out += fmt::format("  {:<3} {}\n", exit.code, exit.meaning);
   }
   return out + "\nThe deck language: spricka help";

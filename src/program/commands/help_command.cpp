@@ -32,7 +32,7 @@ std::string overview(std::size_t width) {
 // What a warning says of the results.
 std::string kind_of(const ErrorCode& code) {
   return code.code.starts_with('W')
-             ? std::string(base::display_word(base::warning_concern(code.code)))
+             ? std::string(base::display_word(base::concern_of_warning_code(code.code)))
              : std::string();
 }
 

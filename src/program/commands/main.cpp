@@ -4,7 +4,7 @@
 #include "solve/one_thread.hpp"
 
 int main(int argc, char** argv) {
-  spricka::base::return_large_blocks();
+  spricka::base::return_large_blocks_on_free();
   spricka::solve::end_idle_threads();
   return spricka::program::run_command_line(argc, argv);
 }

@@ -85,7 +85,7 @@ std::string man_page(const ProgramText& program) {
                        roff(command.doc));
   }
   out += ".SH EXIT STATUS\n";
-  for (const base::ExitText& exit : base::exit_texts) {
+  for (const base::ExitCodeEntry& exit : base::exit_code_table) {
     out += fmt::format(".TP\n.B {}\n{}\n", exit.code, roff(exit.meaning));
   }
   out += ".SH ENVIRONMENT\n.TP\n.B NO_COLOR\nWhen set and not empty, messages have no colour. They "

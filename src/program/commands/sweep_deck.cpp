@@ -151,7 +151,7 @@ private:
     out_.remove_others(wanted);
     if (!options_.quiet) {
       to_stdout(fmt::format("{} points; results in {}\n", points_.size(),
-                            base::printable(options_.out.string())));
+                            base::make_printable(options_.out.string())));
     }
     return worst;
   }

@@ -95,12 +95,12 @@ std::vector<results::Warning> all_warnings(const base::Diagnostics& reading,
 
 struct Solved {
   std::optional<results::RunResult> run;
-  base::Trouble trouble;
+  base::OptionalFailure trouble;
   std::optional<ReadyDeck> finer; ///< what was solved, where it is not the deck as given
   std::string why_not;            ///< why K is not within its tolerance
 };
 
-bool is_stopped(const base::Trouble& trouble) {
+bool is_stopped(const base::OptionalFailure& trouble) {
   return trouble && trouble->kind == base::Outcome::stopped;
 }
 
@@ -113,7 +113,7 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, RunFolder& f
   solve.recorder = options.recorder.get();
   Solved out;
   bool first = true;
-  const auto once = [&](const model::Model& model, base::Trouble& trouble) {
+  const auto once = [&](const model::Model& model, base::OptionalFailure& trouble) {
     base::Diagnostics own;
     ProgressLine line(options.log_format, options.quiet);
     InterimKTable so_far(model, folder);
@@ -139,7 +139,7 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, RunFolder& f
     return run;
   };
   if (!wants_tolerance(*deck.model)) {
-    base::Trouble trouble;
+    base::OptionalFailure trouble;
     out.run = once(*deck.model, trouble);
     return out;
   }
@@ -351,7 +351,7 @@ void print_summary(const ReadyDeck& deck, const results::RunResult& run,
   }
   to_stdout(fmt::format("{:.2f} s CPU, {:.0f} MiB; results in {}\n", run.cpu,
                         static_cast<double>(run.peak_memory) / 1048576.0,
-                        base::printable(folder.string())));
+                        base::make_printable(folder.string())));
 }
 
 } // namespace spricka::program

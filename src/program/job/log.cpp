@@ -69,7 +69,7 @@ void Log::message(base::Severity severity, std::string_view code, std::string_vi
                      : severity == base::Severity::warning ? &base::Diagnostics::warning
                                                            : &base::Diagnostics::note;
     (one.*add)({}, std::string(code), std::string(text), {});
-    to_stderr(fmt::format("{}{}{}", base::printable(file), file.empty() ? "" : ": ",
+    to_stderr(fmt::format("{}{}{}", base::make_printable(file), file.empty() ? "" : ": ",
                           base::format_messages({}, one, colour_)));
     return;
   }

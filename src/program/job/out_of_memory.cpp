@@ -21,7 +21,7 @@ std::string out_of_memory_message() {
   return fmt::format("out of memory: {:.0f} MiB were in use, the machine or its limits (ulimit -v, "
                      "a job queue) allow {:.0f} MiB; spricka check foretells what the deck needs",
                      static_cast<double>(base::peak_memory()) / mebi,
-                     static_cast<double>(base::memory_limit()) / mebi);
+                     static_cast<double>(base::process_memory_limit()) / mebi);
 }
 
 } // namespace spricka::program

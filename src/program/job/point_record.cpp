@@ -43,7 +43,7 @@ std::vector<SweepValue> cells_from(const json& list) {
 // Empty: it ends with a number that no outcome has.
 std::optional<SweepPoint> point_from(const json& record) {
   const std::optional<base::Outcome> outcome =
-      base::exit_outcome(record.at("exit_code").get<int>());
+      base::outcome_of_exit_code(record.at("exit_code").get<int>());
   if (!outcome) {
     return std::nullopt;
   }

@@ -86,7 +86,8 @@ void exchange(const fs::path& part, const fs::path& folder) {
   if (errno != EINVAL && errno != ENOSYS) {
     throw trouble_with(folder);
   }
-  const fs::path old = base::unused_part_path(folder); // a file system that cannot do it in one
+  const fs::path old =
+      base::unused_temporary_path(folder); // a file system that cannot do it in one
   if (!rename_to_free(folder, old) || !rename_to_free(part, folder) || !rename_to_free(old, part)) {
     throw trouble_with(folder);
   }

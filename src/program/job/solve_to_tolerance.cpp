@@ -109,7 +109,7 @@ std::string too_large(const model::Model& now, const model::Model& next, double 
   const double grown = std::max(1.0, freedoms / static_cast<double>(round.unknowns));
   const double bytes =
       static_cast<double>(base::peak_memory()) * grown * (1.0 + 0.1 * std::log2(grown));
-  const auto machine = static_cast<double>(base::memory_limit());
+  const auto machine = static_cast<double>(base::process_memory_limit());
   if (grown > 1.0 && bytes > part_of_memory * machine) {
     return fmt::format("the next mesh, of some {:.1e} freedoms, would take about {:.1f} of {:.1f} "
                        "GB of memory",
@@ -166,7 +166,7 @@ RefinedRun solve_to_tolerance(const ReadyDeck& deck, const ReadFiner& read_finer
   std::optional<ReadyDeck> finer;
   for (int number = 1; out.why_not.empty(); ++number) {
     const base::Stopwatch watch;
-    base::Trouble trouble;
+    base::OptionalFailure trouble;
     std::optional<results::RunResult> run = solve(finer ? *finer->model : *deck.model, trouble);
     if (!run) {
       out.why_not = "a finer mesh has no solution: " + trouble->why;

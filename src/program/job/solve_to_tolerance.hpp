@@ -24,8 +24,8 @@ struct RefinedRun {
 };
 
 /// One solution of a model; where there is none, why.
-using SolveOnce =
-    std::function<std::optional<results::RunResult>(const model::Model&, base::Trouble& trouble)>;
+using SolveOnce = std::function<std::optional<results::RunResult>(const model::Model&,
+                                                                  base::OptionalFailure& trouble)>;
 
 /// Solves, finds by the error bars of K what is too coarse, meshes that finer and solves again
 /// (manual, tolerance.1 to 4). Where a finer mesh cannot be read or solved, the round before

@@ -42,7 +42,8 @@ void tell_state(ShellSession& session, ShellReply& reply) {
 }
 
 // What an operation has led to.
-base::Trouble tell_state_after(const base::Trouble& trouble, const ShellCall& call) {
+base::OptionalFailure tell_state_after(const base::OptionalFailure& trouble,
+                                       const ShellCall& call) {
   if (!trouble) {
     tell_state(call.session, call.reply);
   }
@@ -50,11 +51,11 @@ base::Trouble tell_state_after(const base::Trouble& trouble, const ShellCall& ca
 }
 
 // Solves what is pending before a question; its notes are told.
-base::Trouble solve_pending_changes(ShellSession& session, ShellReply& reply) {
+base::OptionalFailure solve_pending_changes(ShellSession& session, ShellReply& reply) {
   if (!session.has_pending_changes()) {
     return {};
   }
-  base::Trouble trouble = session.solve();
+  base::OptionalFailure trouble = session.solve();
   if (!trouble) {
     reply.messages +=
         session.has_friction()
@@ -67,10 +68,11 @@ base::Trouble solve_pending_changes(ShellSession& session, ShellReply& reply) {
 
 } // namespace
 
-base::Trouble answer_result(ShellSession& session, const std::string& line, ShellReply& reply) {
+base::OptionalFailure answer_result(ShellSession& session, const std::string& line,
+                                    ShellReply& reply) {
   model::ResultCheck check;
   double value = 0.0;
-  base::Trouble trouble = session.read_result(line, check);
+  base::OptionalFailure trouble = session.read_result(line, check);
   trouble = trouble ? trouble : solve_pending_changes(session, reply);
   trouble = trouble ? trouble : session.evaluate(check, value);
   if (!trouble) {
@@ -82,9 +84,9 @@ base::Trouble answer_result(ShellSession& session, const std::string& line, Shel
   return trouble;
 }
 
-base::Trouble change_deck_line(ShellSession& session, const std::string& line, bool is_card,
-                               ShellReply& reply) {
-  base::Trouble trouble = solve_pending_changes(session, reply);
+base::OptionalFailure change_deck_line(ShellSession& session, const std::string& line, bool is_card,
+                                       ShellReply& reply) {
+  base::OptionalFailure trouble = solve_pending_changes(session, reply);
   const std::string before = state_reply(session);
   trouble =
       trouble ? trouble : (is_card ? session.change_card(line) : session.change_parameter(line));
@@ -100,11 +102,11 @@ base::Trouble change_deck_line(ShellSession& session, const std::string& line, b
   return {};
 }
 
-base::Trouble do_step_line(const ShellCall& call) {
+base::OptionalFailure do_step_line(const ShellCall& call) {
   return call.session.add_step_line(std::string(without_comment(call.line)));
 }
 
-base::Trouble do_solve(const ShellCall& call) {
+base::OptionalFailure do_solve(const ShellCall& call) {
   int substeps = default_substeps;
   if (call.words.size() > 1) {
     const std::string& word = call.words[1];
@@ -120,31 +122,32 @@ base::Trouble do_solve(const ShellCall& call) {
   return tell_state_after(call.session.solve(substeps), call);
 }
 
-base::Trouble do_step(const ShellCall& call) {
+base::OptionalFailure do_step(const ShellCall& call) {
   return call.words.size() != 2
              ? wrong_usage(call)
              : tell_state_after(call.session.go_to_step(name_argument(call, 1)), call);
 }
 
-base::Trouble do_undo(const ShellCall& call) {
+base::OptionalFailure do_undo(const ShellCall& call) {
   return tell_state_after(call.session.undo(), call);
 }
 
-base::Trouble do_reset(const ShellCall& call) {
+base::OptionalFailure do_reset(const ShellCall& call) {
   return tell_state_after(call.session.open(), call);
 }
 
 namespace {
 
-base::Trouble list_k(const ShellCall& call) {
+base::OptionalFailure list_k(const ShellCall& call) {
   const std::string only = name_argument(call, 2);
   std::vector<std::string> names = argument_names('c', call.session.model());
   for (const results::FrontResult& front : call.session.current_result().fronts) {
     names.push_back(front.name);
   }
   std::size_t index = 0;
-  base::Trouble trouble =
-      only.empty() && !names.empty() ? base::Trouble() : find_name(names, "crack", only, index);
+  base::OptionalFailure trouble = only.empty() && !names.empty()
+                                      ? base::OptionalFailure()
+                                      : find_name(names, "crack", only, index);
   trouble = trouble ? trouble : call.session.estimate_accuracy();
   if (!trouble) {
     call.reply.out = k_reply(call.session, only);
@@ -153,10 +156,10 @@ base::Trouble list_k(const ShellCall& call) {
   return trouble;
 }
 
-base::Trouble list_pressure(const ShellCall& call) {
+base::OptionalFailure list_pressure(const ShellCall& call) {
   const std::string name = name_argument(call, 2);
   std::size_t index = 0;
-  if (base::Trouble trouble =
+  if (base::OptionalFailure trouble =
           find_name(argument_names('p', call.session.model()), "contact", name, index)) {
     return trouble;
   }
@@ -173,11 +176,11 @@ base::Trouble list_pressure(const ShellCall& call) {
   return {};
 }
 
-base::Trouble list_sensitivity(const ShellCall& call) {
+base::OptionalFailure list_sensitivity(const ShellCall& call) {
   if (call.session.current_result().fronts.empty()) {
     return invalid_input("the deck has no crack");
   }
-  base::Trouble trouble = call.session.estimate_accuracy();
+  base::OptionalFailure trouble = call.session.estimate_accuracy();
   if (!trouble) {
     call.reply.out = sensitivity_reply(call.session);
     for (const std::string& note : report::sensitivity_notes(
@@ -194,7 +197,7 @@ std::vector<std::string> listed_words() {
   return {"K", "pressure", "sensitivity", "history"};
 }
 
-base::Trouble do_list(const ShellCall& call) {
+base::OptionalFailure do_list(const ShellCall& call) {
   const std::string what = name_argument(call, 1);
   if (what.empty()) {
     call.reply.out = settings_reply(call.session);
@@ -206,7 +209,7 @@ base::Trouble do_list(const ShellCall& call) {
     }
     return {};
   }
-  base::Trouble trouble = solve_pending_changes(call.session, call.reply);
+  base::OptionalFailure trouble = solve_pending_changes(call.session, call.reply);
   if (trouble) {
     return trouble;
   }
@@ -215,17 +218,17 @@ base::Trouble do_list(const ShellCall& call) {
                        : (what == "PRESSURE" ? list_pressure(call) : list_sensitivity(call));
   }
   call.reply.out = cards_reply(call.session, what.starts_with('$') ? what.substr(1) : what);
-  return call.reply.out.empty()
-             ? base::Trouble(invalid_input(fmt::format("there is no list or card '{}'", what),
-                                           base::suggest_spelling(what, listed_words())))
-             : base::Trouble();
+  return call.reply.out.empty() ? base::OptionalFailure(invalid_input(
+                                      fmt::format("there is no list or card '{}'", what),
+                                      base::suggest_spelling(what, listed_words())))
+                                : base::OptionalFailure();
 }
 
-base::Trouble do_map(const ShellCall& call) {
+base::OptionalFailure do_map(const ShellCall& call) {
   if (call.words.size() != 2 && call.words.size() != 4) {
     return wrong_usage(call);
   }
-  base::Trouble trouble = solve_pending_changes(call.session, call.reply);
+  base::OptionalFailure trouble = solve_pending_changes(call.session, call.reply);
   if (!trouble && call.words.size() == 2) {
     trouble = call.session.map_path(name_argument(call, 1));
   } else if (!trouble) {
@@ -246,7 +249,8 @@ namespace {
 
 // The file that a word names. One that is there is replaced when the word behind it says so, and
 // not else.
-base::Trouble file_to_write(const ShellCall& call, std::size_t word, std::filesystem::path& file) {
+base::OptionalFailure file_to_write(const ShellCall& call, std::size_t word,
+                                    std::filesystem::path& file) {
   namespace fs = std::filesystem;
   if (call.words.size() < word + 1 || call.words.size() > word + 2) {
     return wrong_usage(call);
@@ -280,10 +284,10 @@ base::Trouble file_to_write(const ShellCall& call, std::size_t word, std::filesy
 
 // What a command makes of the state goes into the file that its word names.
 template <class Make>
-base::Trouble write_made(const ShellCall& call, std::size_t word, const Make& make) {
+base::OptionalFailure write_made(const ShellCall& call, std::size_t word, const Make& make) {
   std::string text;
   std::filesystem::path file;
-  base::Trouble trouble = file_to_write(call, word, file);
+  base::OptionalFailure trouble = file_to_write(call, word, file);
   trouble = trouble ? trouble : solve_pending_changes(call.session, call.reply);
   trouble = trouble ? trouble : make(file, text);
   if (!trouble) {
@@ -295,13 +299,13 @@ base::Trouble write_made(const ShellCall& call, std::size_t word, const Make& ma
 
 } // namespace
 
-base::Trouble do_plot(const ShellCall& call) {
+base::OptionalFailure do_plot(const ShellCall& call) {
   return write_made(call, 2, [&](const std::filesystem::path& /*file*/, std::string& svg) {
     return draw_picture(call.session, call.words[1], svg);
   });
 }
 
-base::Trouble do_save(const ShellCall& call) {
+base::OptionalFailure do_save(const ShellCall& call) {
   return write_made(call, 1, [&](const std::filesystem::path& file, std::string& text) {
     return saved_deck(call.session, std::filesystem::absolute(file).parent_path(), text);
   });

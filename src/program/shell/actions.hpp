@@ -9,32 +9,33 @@
 namespace spricka::program {
 
 /// A line of $CHECK without its value: the value and its unit.
-base::Trouble answer_result(ShellSession& session, const std::string& line, ShellReply& reply);
+base::OptionalFailure answer_result(ShellSession& session, const std::string& line,
+                                    ShellReply& reply);
 /// A card with other keys, or a parameter with another value; then the state.
-base::Trouble change_deck_line(ShellSession& session, const std::string& line, bool is_card,
-                               ShellReply& reply);
+base::OptionalFailure change_deck_line(ShellSession& session, const std::string& line, bool is_card,
+                                       ShellReply& reply);
 /// What `list` can show, beside what is set.
 std::vector<std::string> listed_words();
 
 // Commands of the table but help and quit.
 
 /// LOAD, FIT, MOUNT and DISMOUNT: the line is one of $STEP.
-base::Trouble do_step_line(const ShellCall& call);
+base::OptionalFailure do_step_line(const ShellCall& call);
 /// Solves what is pending, with friction in as many substeps as the line says.
-base::Trouble do_solve(const ShellCall& call);
+base::OptionalFailure do_solve(const ShellCall& call);
 /// Goes to the end of a step of the deck.
-base::Trouble do_step(const ShellCall& call);
+base::OptionalFailure do_step(const ShellCall& call);
 /// Lists what is set, a table of results, or cards.
-base::Trouble do_list(const ShellCall& call);
+base::OptionalFailure do_list(const ShellCall& call);
 /// Solves a load path of the deck, or a load case from one factor to another.
-base::Trouble do_map(const ShellCall& call);
+base::OptionalFailure do_map(const ShellCall& call);
 /// Writes a picture.
-base::Trouble do_plot(const ShellCall& call);
+base::OptionalFailure do_plot(const ShellCall& call);
 /// Writes the deck with what is set.
-base::Trouble do_save(const ShellCall& call);
+base::OptionalFailure do_save(const ShellCall& call);
 /// Takes the last change back.
-base::Trouble do_undo(const ShellCall& call);
+base::OptionalFailure do_undo(const ShellCall& call);
 /// Reads the deck again and forgets all changes.
-base::Trouble do_reset(const ShellCall& call);
+base::OptionalFailure do_reset(const ShellCall& call);
 
 } // namespace spricka::program

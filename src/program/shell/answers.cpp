@@ -16,20 +16,21 @@
 
 namespace spricka::program {
 
-base::Trouble ShellSession::estimate_accuracy() {
-  base::Trouble trouble = solve();
+base::OptionalFailure ShellSession::estimate_accuracy() {
+  base::OptionalFailure trouble = solve();
   return trouble ? trouble : bench_->estimate_accuracy();
 }
 
-base::Trouble ShellSession::follow(const model::LoadPathDefinition& card,
-                                   const std::vector<model::Step>& from,
-                                   const std::vector<model::Step>& to, const MapRange& range) {
+base::OptionalFailure ShellSession::follow(const model::LoadPathDefinition& card,
+                                           const std::vector<model::Step>& from,
+                                           const std::vector<model::Step>& to,
+                                           const MapRange& range) {
   if (has_friction()) {
     return invalid_input(
         "with friction K depends on the way, not only on where it leads: there is no map of it",
         "LOAD, solve and K1 go that way step by step");
   }
-  base::Trouble trouble = bench_->follow_load_path(card, from, to);
+  base::OptionalFailure trouble = bench_->follow_load_path(card, from, to);
   if (!trouble) {
     mapped_ = card.name;
     range_ = range;
@@ -37,9 +38,9 @@ base::Trouble ShellSession::follow(const model::LoadPathDefinition& card,
   return trouble;
 }
 
-base::Trouble ShellSession::map_path(const std::string& name) {
+base::OptionalFailure ShellSession::map_path(const std::string& name) {
   std::size_t index = 0;
-  base::Trouble trouble = find_name(argument_names('l', *model_), "load path", name, index);
+  base::OptionalFailure trouble = find_name(argument_names('l', *model_), "load path", name, index);
   trouble = trouble ? trouble : solve();
   if (trouble) {
     return trouble;
@@ -48,9 +49,9 @@ base::Trouble ShellSession::map_path(const std::string& name) {
   return follow(card, way_to(card.from.index()), way_to(card.to.index()), {});
 }
 
-base::Trouble ShellSession::map_case(const std::string& load_case, const std::string& from,
-                                     const std::string& to) {
-  if (base::Trouble trouble = solve()) {
+base::OptionalFailure ShellSession::map_case(const std::string& load_case, const std::string& from,
+                                             const std::string& to) {
+  if (base::OptionalFailure trouble = solve()) {
     return trouble;
   }
   std::array<std::vector<model::Step>, 2> ends{way(), way()};
@@ -82,7 +83,8 @@ const results::LoadPathResult* ShellSession::last_mapped_path() const {
              : results::find_path(bench_->run_results().increments.front(), mapped_);
 }
 
-base::Trouble ShellSession::read_result(const std::string& line, model::ResultCheck& check) const {
+base::OptionalFailure ShellSession::read_result(const std::string& line,
+                                                model::ResultCheck& check) const {
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
   std::optional<model::ResultCheck> found =
@@ -98,8 +100,8 @@ base::Trouble ShellSession::read_result(const std::string& line, model::ResultCh
   return {};
 }
 
-base::Trouble ShellSession::evaluate(const model::ResultCheck& check, double& value) {
-  if (base::Trouble trouble = solve()) {
+base::OptionalFailure ShellSession::evaluate(const model::ResultCheck& check, double& value) {
+  if (base::OptionalFailure trouble = solve()) {
     return trouble;
   }
   for (const auto& argument : check.arguments) {
@@ -107,7 +109,8 @@ base::Trouble ShellSession::evaluate(const model::ResultCheck& check, double& va
     if (name == nullptr || *name == "NOW") {
       continue;
     }
-    base::Trouble trouble; // a contact with the name of a step costs a solution, and no more
+    base::OptionalFailure
+        trouble; // a contact with the name of a step costs a solution, and no more
     const auto step = std::ranges::find(model_->steps, *name, &model::Step::name);
     if (step != model_->steps.end()) {
       trouble = bench_->add_step(static_cast<std::size_t>(step - model_->steps.begin()));
@@ -122,7 +125,7 @@ base::Trouble ShellSession::evaluate(const model::ResultCheck& check, double& va
   const std::string& q = check.quantity;
   const auto speaks_of = [&](const char* word) { return q.find(word) != std::string::npos; };
   if (speaks_of(".BAR") || speaks_of(".BEST") || q.starts_with("DK")) {
-    if (base::Trouble trouble = bench_->estimate_accuracy()) {
+    if (base::OptionalFailure trouble = bench_->estimate_accuracy()) {
       return trouble;
     }
   } else if (q == "ERROR") {

@@ -54,7 +54,7 @@ InteractiveSolver::InteractiveSolver(const InteractiveSolverInputs& parts)
 std::unique_ptr<InteractiveSolver> InteractiveSolver::make(const InteractiveSolverInputs& parts,
                                                            const analysis::RegionPlan& plan,
                                                            base::Diagnostics& diagnostics,
-                                                           base::Trouble& trouble) {
+                                                           base::OptionalFailure& trouble) {
   std::unique_ptr<InteractiveSolver> bench(new InteractiveSolver(parts));
   bench->length_ = analysis::CrackLengthAnalysis::create({.model = parts.model,
                                                           .cache = parts.cache,
@@ -88,7 +88,7 @@ void InteractiveSolver::begin_run() {
       std::ranges::count_if(cracked.host, [](base::ElementId e) { return e.valid(); }));
 }
 
-base::Trouble InteractiveSolver::prepare() {
+base::OptionalFailure InteractiveSolver::prepare() {
   condensed_ = {};
   if (!length_->condense(condensed_)) {
     return condensed_.trouble;
@@ -102,7 +102,7 @@ base::Trouble InteractiveSolver::prepare() {
   return {};
 }
 
-base::Trouble InteractiveSolver::close(const std::vector<std::size_t>& lines) {
+base::OptionalFailure InteractiveSolver::close(const std::vector<std::size_t>& lines) {
   solver_.reset(); // it looks at the rows of the scene
   fresh_.reset();
   ++closings_;
@@ -113,13 +113,13 @@ base::Trouble InteractiveSolver::close(const std::vector<std::size_t>& lines) {
   return prepare();
 }
 
-base::Trouble InteractiveSolver::advance(const std::vector<model::Step>& steps,
-                                         ReachedShellState& reached) const {
+base::OptionalFailure InteractiveSolver::advance(const std::vector<model::Step>& steps,
+                                                 ReachedShellState& reached) const {
   for (const model::Step& step : steps) {
     if (stopped()) {
       return interrupted();
     }
-    base::Trouble trouble;
+    base::OptionalFailure trouble;
     reached.state = reached.solver->solve(step, trouble);
     if (!reached.state) {
       trouble->why = fmt::format("step {}: {}", step.name, trouble->why);
@@ -141,21 +141,21 @@ base::Trouble InteractiveSolver::advance(const std::vector<model::Step>& steps,
   return {};
 }
 
-base::Trouble InteractiveSolver::reach(const std::vector<model::Step>& way,
-                                       ReachedShellState& reached) {
+base::OptionalFailure InteractiveSolver::reach(const std::vector<model::Step>& way,
+                                               ReachedShellState& reached) {
   while (true) {
     if (parts_.memory != nullptr) {
       parts_.memory->restart();
     }
     // A copy: the compliances of the rows are computed once, each way begins as a run does.
     reached = {std::make_unique<analysis::StepSolver>(*fresh_), {}, {}};
-    if (base::Trouble trouble = advance(way, reached)) {
+    if (base::OptionalFailure trouble = advance(way, reached)) {
       return trouble;
     }
     if (reached.touching.empty()) {
       return {};
     }
-    if (base::Trouble trouble = close(reached.touching)) {
+    if (base::OptionalFailure trouble = close(reached.touching)) {
       return trouble;
     }
   }
@@ -186,10 +186,10 @@ void InteractiveSolver::take(ReachedShellState reached, const std::vector<model:
   way_ = way;
 }
 
-base::Trouble InteractiveSolver::solve_from_unloaded(const std::vector<model::Step>& way) {
+base::OptionalFailure InteractiveSolver::solve_from_unloaded(const std::vector<model::Step>& way) {
   const std::vector<model::Step> before = way_;
   ReachedShellState reached;
-  if (base::Trouble trouble = reach(way, reached)) {
+  if (base::OptionalFailure trouble = reach(way, reached)) {
     if (!solver_ && !before.empty() && !reach(before, reached)) { // faces were closed meanwhile
       take(std::move(reached), before);
     }
@@ -199,11 +199,11 @@ base::Trouble InteractiveSolver::solve_from_unloaded(const std::vector<model::St
   return {};
 }
 
-base::Trouble InteractiveSolver::solve_further_step(const model::Step& step,
-                                                    const std::vector<model::Step>& way) {
+base::OptionalFailure InteractiveSolver::solve_further_step(const model::Step& step,
+                                                            const std::vector<model::Step>& way) {
   // A copy: the present state stays if the step has no answer.
   ReachedShellState reached{std::make_unique<analysis::StepSolver>(*solver_), {}, {}};
-  if (base::Trouble trouble = advance({step}, reached)) {
+  if (base::OptionalFailure trouble = advance({step}, reached)) {
     return trouble;
   }
   if (!reached.touching.empty()) { // solved anew with contact between them, from the beginning
@@ -213,7 +213,7 @@ base::Trouble InteractiveSolver::solve_further_step(const model::Step& step,
   return {};
 }
 
-base::Trouble InteractiveSolver::estimate_accuracy() {
+base::OptionalFailure InteractiveSolver::estimate_accuracy() {
   if (estimated_ || length_->discretisation().cracked.fronts.empty()) {
     return {};
   }
@@ -235,7 +235,7 @@ void InteractiveSolver::estimate_net_errors() {
   }
 }
 
-base::Trouble InteractiveSolver::add_step(std::size_t step) {
+base::OptionalFailure InteractiveSolver::add_step(std::size_t step) {
   const std::vector<model::Step>& steps = parts_.model.steps;
   if (results::find_step(run_.increments.front(), steps[step].name) != nullptr) {
     return {};
@@ -244,10 +244,10 @@ base::Trouble InteractiveSolver::add_step(std::size_t step) {
   ReachedShellState reached;
   const std::vector<model::Step> way(steps.begin(),
                                      steps.begin() + static_cast<std::ptrdiff_t>(step) + 1);
-  base::Trouble trouble = reach(way, reached);
+  base::OptionalFailure trouble = reach(way, reached);
   if (!solver_) { // its faces met, so that the present state is to be found again
     ReachedShellState present;
-    if (base::Trouble missing = reach(now, present)) {
+    if (base::OptionalFailure missing = reach(now, present)) {
       return missing;
     }
     take(std::move(present), now);
@@ -258,20 +258,20 @@ base::Trouble InteractiveSolver::add_step(std::size_t step) {
   return trouble;
 }
 
-base::Trouble InteractiveSolver::follow_load_path(const model::LoadPathDefinition& card,
-                                                  const std::vector<model::Step>& from,
-                                                  const std::vector<model::Step>& to) {
+base::OptionalFailure InteractiveSolver::follow_load_path(const model::LoadPathDefinition& card,
+                                                          const std::vector<model::Step>& from,
+                                                          const std::vector<model::Step>& to) {
   const std::vector<model::Step> now = way_;
   model::LoadPathDefinition own = card;
   own.from = base::StepId(path_from);
   own.to = base::StepId(path_to);
   std::vector<results::LoadPathResult> found;
-  base::Trouble trouble;
+  base::OptionalFailure trouble;
   const auto to_end = [&](const std::vector<model::Step>& way, ReachedShellState& reached) {
     // The present state is the beginning of this way: its last step is all that is missing.
     if (solver_ && is_one_further(way, now)) {
       reached = {std::make_unique<analysis::StepSolver>(*solver_), {}, {}};
-      base::Trouble stuck = advance({way.back()}, reached);
+      base::OptionalFailure stuck = advance({way.back()}, reached);
       // Faces that meet are closed and solved from the beginning, below.
       if (stuck || reached.touching.empty()) {
         return stuck;
@@ -302,7 +302,7 @@ base::Trouble InteractiveSolver::follow_load_path(const model::LoadPathDefinitio
   shown_.load_paths.clear();
   if (!solver_) {
     ReachedShellState present;
-    if (base::Trouble missing = reach(now, present)) {
+    if (base::OptionalFailure missing = reach(now, present)) {
       return missing;
     }
     take(std::move(present), now);

@@ -32,14 +32,15 @@ public:
   static std::unique_ptr<InteractiveSolver> make(const InteractiveSolverInputs& parts,
                                                  const analysis::RegionPlan& plan,
                                                  base::Diagnostics& diagnostics,
-                                                 base::Trouble& trouble);
+                                                 base::OptionalFailure& trouble);
   InteractiveSolver(const InteractiveSolver&) = delete;
   InteractiveSolver& operator=(const InteractiveSolver&) = delete;
 
   /// From the unloaded state through all these steps; their end is the present state.
-  base::Trouble solve_from_unloaded(const std::vector<model::Step>& way);
+  base::OptionalFailure solve_from_unloaded(const std::vector<model::Step>& way);
   /// On from the present state by one more step; `way` leads to the same end.
-  base::Trouble solve_further_step(const model::Step& step, const std::vector<model::Step>& way);
+  base::OptionalFailure solve_further_step(const model::Step& step,
+                                           const std::vector<model::Step>& way);
 
   /// One increment with the mesh and the present state as its step NOW; then what was asked of the
   /// deck's own steps, and the load paths that were followed.
@@ -58,32 +59,33 @@ public:
   }
 
   /// Error bars and sensitivities of the present state, once.
-  base::Trouble estimate_accuracy();
+  base::OptionalFailure estimate_accuracy();
   /// Estimated errors of the nets in the energy norm, once.
   void estimate_net_errors();
   /// The end of a step of the deck becomes a further step of run_results().
-  base::Trouble add_step(std::size_t step);
+  base::OptionalFailure add_step(std::size_t step);
   /// The straight path between two steps that follow `way`, t from 0 to `beyond`; it replaces paths
   /// of that name in run_results(). Without friction only.
-  base::Trouble follow_load_path(const model::LoadPathDefinition& card,
-                                 const std::vector<model::Step>& from,
-                                 const std::vector<model::Step>& to);
+  base::OptionalFailure follow_load_path(const model::LoadPathDefinition& card,
+                                         const std::vector<model::Step>& from,
+                                         const std::vector<model::Step>& to);
 
 private:
   explicit InteractiveSolver(const InteractiveSolverInputs& parts);
   void begin_run();
-  base::Trouble prepare();
+  base::OptionalFailure prepare();
   /// Lines whose faces would overlap become pairs, and everything that stood on it is made anew.
-  base::Trouble close(const std::vector<std::size_t>& lines);
+  base::OptionalFailure close(const std::vector<std::size_t>& lines);
   struct ReachedShellState {
     std::unique_ptr<analysis::StepSolver> solver;
     std::optional<analysis::StepState> state;
     std::vector<std::size_t> touching; ///< lines to close before this is an answer
   };
   /// Solves the steps one by one; stops where faces touch.
-  base::Trouble advance(const std::vector<model::Step>& steps, ReachedShellState& reached) const;
+  base::OptionalFailure advance(const std::vector<model::Step>& steps,
+                                ReachedShellState& reached) const;
   /// advance() from the unloaded state, faces closed where they meet.
-  base::Trouble reach(const std::vector<model::Step>& way, ReachedShellState& reached);
+  base::OptionalFailure reach(const std::vector<model::Step>& way, ReachedShellState& reached);
   void take(ReachedShellState reached, const std::vector<model::Step>& way);
   [[nodiscard]] results::StepResult gather(const ReachedShellState& reached,
                                            const std::string& name) const;

@@ -69,7 +69,7 @@ std::string help_text() {
                "of the deck.\n";
 }
 
-base::Trouble help(const ShellCall& call) {
+base::OptionalFailure help(const ShellCall& call) {
   if (call.words.size() < 2) {
     call.reply.out = help_text();
     return {};
@@ -91,7 +91,7 @@ base::Trouble help(const ShellCall& call) {
 }
 
 // Half a sentence may be meant for something else.
-base::Trouble leave(const ShellCall& call) {
+base::OptionalFailure leave(const ShellCall& call) {
   if (call.words.size() > 1) {
     return invalid_input(fmt::format("use: {}", call.words.front()));
   }
@@ -152,9 +152,9 @@ std::vector<std::string> command_words() {
 
 namespace {
 
-base::Trouble act(ShellSession& session, const ShellHistory& history, const std::string& line,
-                  ShellReply& reply) {
-  if (base::Trouble trouble = session.restore_after_failure()) {
+base::OptionalFailure act(ShellSession& session, const ShellHistory& history,
+                          const std::string& line, ShellReply& reply) {
+  if (base::OptionalFailure trouble = session.restore_after_failure()) {
     return trouble;
   }
   const LineForm form = form_of_line(line);
@@ -185,7 +185,7 @@ ShellReply run_shell_line(ShellSession& session, const ShellHistory& history,
     return reply;
   }
   const base::Stopwatch watch;
-  base::Trouble trouble;
+  base::OptionalFailure trouble;
   try {
     trouble = act(session, history, line, reply);
   } catch (const std::system_error& file) {

@@ -20,7 +20,7 @@ struct ShellCommand {
   std::string_view letters;   ///< of the arguments in order
   std::string_view doc;       ///< one line
   std::string_view more;      ///< further lines; may be empty
-  base::Trouble (*act)(const ShellCall&);
+  base::OptionalFailure (*act)(const ShellCall&);
 };
 /// All commands of the prompt in the order of its help; the table lives as long as the process.
 const std::vector<ShellCommand>& shell_commands();

@@ -32,8 +32,8 @@ std::string_view telling_key(const grammar::CardSpec& spec) {
 }
 
 // The card that a typed header means.
-base::Trouble find_card(const DeckText& text, const DeckCard& typed, std::string_view key,
-                        std::size_t& index) {
+base::OptionalFailure find_card(const DeckText& text, const DeckCard& typed, std::string_view key,
+                                std::size_t& index) {
   const std::string name = key.empty() ? std::string() : typed.word_value(key);
   std::vector<std::string> names;
   std::vector<std::size_t> found;
@@ -68,9 +68,9 @@ bool is_listed(std::string_view list, std::string_view key) {
 
 } // namespace
 
-base::Trouble read_cards(const std::filesystem::path& deck,
-                         const std::vector<std::pair<std::string, std::string>>& defines,
-                         DeckText& text, std::vector<std::filesystem::path>& files) {
+base::OptionalFailure read_cards(const std::filesystem::path& deck,
+                                 const std::vector<std::pair<std::string, std::string>>& defines,
+                                 DeckText& text, std::vector<std::filesystem::path>& files) {
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
   std::optional<DeckText> found = deck::read_deck_text(deck, sources, diagnostics);
@@ -82,7 +82,8 @@ base::Trouble read_cards(const std::filesystem::path& deck,
     files.emplace_back(sources.file_name(f));
   }
   for (const auto& [name, expression] : defines) {
-    if (base::Trouble trouble = set_parameter(fmt::format("{} = {}", name, expression), text)) {
+    if (base::OptionalFailure trouble =
+            set_parameter(fmt::format("{} = {}", name, expression), text)) {
       return trouble;
     }
   }
@@ -104,7 +105,8 @@ std::string cards_but_cracks(const DeckText& text) {
   return all;
 }
 
-base::Trouble set_card_keys(const std::string& header, DeckText& text, std::size_t& changed) {
+base::OptionalFailure set_card_keys(const std::string& header, DeckText& text,
+                                    std::size_t& changed) {
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
   const std::int32_t file = sources.add_text("line", header + "\n");
@@ -123,7 +125,7 @@ base::Trouble set_card_keys(const std::string& header, DeckText& text, std::size
     typed.keys.emplace_back(parameter.key, sources.text(parameter.span));
   }
   const std::string_view key = telling_key(*spec);
-  if (base::Trouble trouble = find_card(text, typed, key, changed)) {
+  if (base::OptionalFailure trouble = find_card(text, typed, key, changed)) {
     return trouble;
   }
   DeckCard& card = text[changed];
@@ -141,7 +143,7 @@ base::Trouble set_card_keys(const std::string& header, DeckText& text, std::size
   return {};
 }
 
-base::Trouble set_parameter(const std::string& line, DeckText& text) {
+base::OptionalFailure set_parameter(const std::string& line, DeckText& text) {
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
   const auto read = [&](const std::string& data) {

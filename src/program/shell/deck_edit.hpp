@@ -16,9 +16,9 @@ namespace spricka::program {
 
 /// The cards of a deck that has been read without mistakes, with what -D NAME=expression says of
 /// its parameters, and the files that they stand in.
-base::Trouble read_cards(const std::filesystem::path& deck,
-                         const std::vector<std::pair<std::string, std::string>>& defines,
-                         deck::DeckText& text, std::vector<std::filesystem::path>& files);
+base::OptionalFailure read_cards(const std::filesystem::path& deck,
+                                 const std::vector<std::pair<std::string, std::string>>& defines,
+                                 deck::DeckText& text, std::vector<std::filesystem::path>& files);
 
 /// All cards that another size of a crack leaves as they are, as one text to compare.
 std::string cards_but_cracks(const deck::DeckText& text);
@@ -27,10 +27,11 @@ std::string cards_but_cracks(const deck::DeckText& text);
 /// has, and of those that exclude them. The card is the one with that name (or with the same value
 /// of the first key that such cards must have), else the only one of its kind. `changed`: which one
 /// it was.
-base::Trouble set_card_keys(const std::string& header, deck::DeckText& text, std::size_t& changed);
+base::OptionalFailure set_card_keys(const std::string& header, deck::DeckText& text,
+                                    std::size_t& changed);
 
 /// A line of $PARAMETER, `F = 110[kN]`: the expression takes the place of the deck's.
-base::Trouble set_parameter(const std::string& line, deck::DeckText& text);
+base::OptionalFailure set_parameter(const std::string& line, deck::DeckText& text);
 
 /// Takes a card out of the deck and leaves its lines as comments behind the card before it.
 void comment_out(deck::DeckText& text, std::size_t card);

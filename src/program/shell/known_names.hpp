@@ -19,8 +19,8 @@ std::vector<std::string> argument_names(char letter, const model::Model& model);
 bool is_of_crack(const std::string& tip, const std::string& crack);
 
 /// The place of a name (upper case) in a list, or what it is not and which was meant.
-base::Trouble find_name(const std::vector<std::string>& names, const char* what,
-                        const std::string& name, std::size_t& index);
+base::OptionalFailure find_name(const std::vector<std::string>& names, const char* what,
+                                const std::string& name, std::size_t& index);
 
 /// The same word but for the case of its letters.
 bool same_word(std::string_view a, std::string_view b);

@@ -110,7 +110,8 @@ std::vector<std::string> picture_kinds() {
   return {"k", "pressure", "mesh", "path"};
 }
 
-base::Trouble draw_picture(const ShellSession& session, const std::string& kind, std::string& svg) {
+base::OptionalFailure draw_picture(const ShellSession& session, const std::string& kind,
+                                   std::string& svg) {
   const std::vector<results::FrontResult>& fronts = session.current_result().fronts;
   if (kind == "k" && !fronts.empty() && !fronts.front().is_tip()) {
     svg = stacked(k_along_fronts(session));

@@ -14,6 +14,7 @@ std::vector<std::string> picture_kinds();
 /// One SVG of a kind: K1 over the lengths tried at the present loads and fits, the pressures, the
 /// mesh with its cracks, or K1 along the path that was mapped last, over t from 0 to 1. The session
 /// has nothing pending.
-base::Trouble draw_picture(const ShellSession& session, const std::string& kind, std::string& svg);
+base::OptionalFailure draw_picture(const ShellSession& session, const std::string& kind,
+                                   std::string& svg);
 
 } // namespace spricka::program

@@ -48,7 +48,7 @@ model::Step all_factors(const ShellSession& session) {
   return step;
 }
 
-base::Trouble add_steps(const ShellSession& session, deck::DeckText& text) {
+base::OptionalFailure add_steps(const ShellSession& session, deck::DeckText& text) {
   const model::Model& model = session.model();
   const bool last = session.base_step() == model.steps.back().name;
   std::vector<model::Step> steps = session.changes().applied;
@@ -72,14 +72,14 @@ base::Trouble add_steps(const ShellSession& session, deck::DeckText& text) {
 
 } // namespace
 
-base::Trouble saved_deck(const ShellSession& session, const std::filesystem::path& folder,
-                         std::string& text) {
+base::OptionalFailure saved_deck(const ShellSession& session, const std::filesystem::path& folder,
+                                 std::string& text) {
   const model::Model& model = session.model();
   deck::DeckText cards = *session.changes().text;
   if (model.growth) {
     set_grown_lengths(model, cards);
   }
-  if (base::Trouble trouble = add_steps(session, cards)) {
+  if (base::OptionalFailure trouble = add_steps(session, cards)) {
     return trouble;
   }
   const std::set<std::string> of_runs{"GROW", "SWEEP", "RESTART", "TEST"};

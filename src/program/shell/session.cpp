@@ -66,13 +66,13 @@ ShellSession::ShellSession(SessionOptions options) : options_(std::move(options)
   set_.pending.name = "NOW";
 }
 
-base::Trouble ShellSession::open() {
+base::OptionalFailure ShellSession::open() {
   return read_again({});
 }
 
 // All that depends on the deck is made aside and takes its place at the end. Without a text of its
 // cards the deck is read from its file, and nothing is set.
-base::Trouble ShellSession::read_again(DeckChanges to) {
+base::OptionalFailure ShellSession::read_again(DeckChanges to) {
   deck::DeckReadOptions options;
   if (to.text) {
     options.own_lengths = to.cracks;
@@ -102,7 +102,7 @@ base::Trouble ShellSession::read_again(DeckChanges to) {
         std::ranges::find(next.model_->steps, leading, &model::Step::name) -
         next.model_->steps.begin());
     auto text = std::make_shared<deck::DeckText>();
-    if (base::Trouble trouble =
+    if (base::OptionalFailure trouble =
             read_cards(next.deck_->sources.file_name(0), options_.defines, *text, next.files_)) {
       return trouble;
     }
@@ -115,14 +115,14 @@ base::Trouble ShellSession::read_again(DeckChanges to) {
     next.contact_ = contact_;
     next.memory_ = memory_;
   }
-  if (base::Trouble trouble = next.open_model()) {
+  if (base::OptionalFailure trouble = next.open_model()) {
     return trouble;
   }
   *this = std::move(next);
   return {};
 }
 
-base::Trouble ShellSession::open_model() {
+base::OptionalFailure ShellSession::open_model() {
   const std::vector<model::CrackDefinition> own = model_->cracks;
   begin_growth(*model_);
   if (plan_.region.empty()) {
@@ -135,7 +135,7 @@ base::Trouble ShellSession::open_model() {
   if (keeps_mounts(*model_) && !memory_) { // what is mounted at the first length, by all steps
     memory_ = std::make_shared<analysis::MountOffsetMemory>();
     std::unique_ptr<InteractiveSolver> first;
-    base::Trouble trouble = make_bench(true, first);
+    base::OptionalFailure trouble = make_bench(true, first);
     trouble = trouble ? trouble : first->solve_from_unloaded(model_->steps);
     if (trouble) {
       return trouble;
@@ -152,9 +152,10 @@ base::Trouble ShellSession::open_model() {
   return rebuild();
 }
 
-base::Trouble ShellSession::make_bench(bool first, std::unique_ptr<InteractiveSolver>& bench) {
+base::OptionalFailure ShellSession::make_bench(bool first,
+                                               std::unique_ptr<InteractiveSolver>& bench) {
   base::Diagnostics diagnostics;
-  base::Trouble trouble;
+  base::OptionalFailure trouble;
   bench = InteractiveSolver::make({.model = *model_,
                                    .cache = *cache_,
                                    .contact = *contact_,
@@ -168,12 +169,12 @@ base::Trouble ShellSession::make_bench(bool first, std::unique_ptr<InteractiveSo
              : trouble;
 }
 
-base::Trouble ShellSession::rebuild() {
+base::OptionalFailure ShellSession::rebuild() {
   std::unique_ptr<InteractiveSolver> bench;
-  if (base::Trouble trouble = make_bench(false, bench)) {
+  if (base::OptionalFailure trouble = make_bench(false, bench)) {
     return trouble;
   }
-  if (base::Trouble trouble = bench->solve_from_unloaded(way())) {
+  if (base::OptionalFailure trouble = bench->solve_from_unloaded(way())) {
     return trouble;
   }
   bench_ = std::move(bench);
@@ -185,8 +186,8 @@ base::Trouble ShellSession::rebuild() {
   return {};
 }
 
-base::Trouble ShellSession::restore_after_failure() {
-  return bench_->ready() ? base::Trouble() : rebuild();
+base::OptionalFailure ShellSession::restore_after_failure() {
+  return bench_->ready() ? base::OptionalFailure() : rebuild();
 }
 
 // Lengths to come are likely to be near: room for half and for half as much again.
@@ -231,11 +232,11 @@ std::vector<model::Step> ShellSession::way() const {
   return steps;
 }
 
-base::Trouble ShellSession::go_to_step(const std::string& name) {
+base::OptionalFailure ShellSession::go_to_step(const std::string& name) {
   std::vector<std::string> names = argument_names('s', *model_);
   names.erase(names.begin()); // NOW
   std::size_t index = 0;
-  base::Trouble trouble = find_name(names, "step", name, index);
+  base::OptionalFailure trouble = find_name(names, "step", name, index);
   trouble = trouble ? trouble : bench_->solve_from_unloaded(way_to(index));
   if (trouble) {
     return trouble;
@@ -251,7 +252,7 @@ base::Trouble ShellSession::go_to_step(const std::string& name) {
 
 // A contact that changes its state; what is pending the other way is taken back. What is in force
 // would count its fit a second time, from bodies that have it already.
-base::Trouble ShellSession::goes_on_or_off(base::ContactId contact, bool on) const {
+base::OptionalFailure ShellSession::goes_on_or_off(base::ContactId contact, bool on) const {
   const std::string& name = model_->contacts[contact.index()].name;
   if (keeps_mounts(*model_)) {
     return invalid_input(
@@ -270,7 +271,7 @@ base::Trouble ShellSession::goes_on_or_off(base::ContactId contact, bool on) con
   return {};
 }
 
-base::Trouble ShellSession::add_step_line(const std::string& line) {
+base::OptionalFailure ShellSession::add_step_line(const std::string& line) {
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
   const std::optional<model::Step> step = deck::read_step_line(*model_, line, sources, diagnostics);
@@ -289,7 +290,7 @@ base::Trouble ShellSession::add_step_line(const std::string& line) {
   if (subject(action).first == 2) {
     const base::ContactId contact(subject(action).second);
     const bool on = std::holds_alternative<model::MountContact>(action);
-    if (base::Trouble trouble = goes_on_or_off(contact, on)) {
+    if (base::OptionalFailure trouble = goes_on_or_off(contact, on)) {
       return trouble;
     }
     if (factors().mounted[contact.index()] == on) { // a change that was pending is taken back
@@ -305,22 +306,22 @@ base::Trouble ShellSession::add_step_line(const std::string& line) {
   return {};
 }
 
-base::Trouble ShellSession::change_deck(DeckChanges to, deck::DeckText text,
-                                        const std::string& line) {
+base::OptionalFailure ShellSession::change_deck(DeckChanges to, deck::DeckText text,
+                                                const std::string& line) {
   to.text = std::make_shared<deck::DeckText>(std::move(text));
   to.lines.push_back(line);
   DeckChanges before = set_;
-  base::Trouble trouble = read_again(std::move(to));
+  base::OptionalFailure trouble = read_again(std::move(to));
   if (!trouble) {
     earlier_.push_back(std::move(before));
   }
   return trouble;
 }
 
-base::Trouble ShellSession::change_card(const std::string& header) {
+base::OptionalFailure ShellSession::change_card(const std::string& header) {
   deck::DeckText text = *set_.text;
   std::size_t card = 0;
-  if (base::Trouble trouble = set_card_keys(header, text, card)) {
+  if (base::OptionalFailure trouble = set_card_keys(header, text, card)) {
     return trouble;
   }
   DeckChanges to = set_;
@@ -330,18 +331,18 @@ base::Trouble ShellSession::change_card(const std::string& header) {
   return change_deck(std::move(to), std::move(text), header);
 }
 
-base::Trouble ShellSession::change_parameter(const std::string& line) {
+base::OptionalFailure ShellSession::change_parameter(const std::string& line) {
   deck::DeckText text = *set_.text;
-  base::Trouble trouble = set_parameter(line, text);
+  base::OptionalFailure trouble = set_parameter(line, text);
   return trouble ? trouble : change_deck(set_, std::move(text), line);
 }
 
-base::Trouble ShellSession::undo() {
+base::OptionalFailure ShellSession::undo() {
   if (earlier_.empty()) {
     return invalid_input("nothing has been changed");
   }
   DeckChanges to = earlier_.back();
-  base::Trouble trouble;
+  base::OptionalFailure trouble;
   if (to.text == set_.text) {
     std::swap(set_, to);
     trouble = bench_->solve_from_unloaded(way());
@@ -360,7 +361,7 @@ base::Trouble ShellSession::undo() {
   return trouble;
 }
 
-base::Trouble ShellSession::solve(int substeps) {
+base::OptionalFailure ShellSession::solve(int substeps) {
   if (!has_pending_changes()) {
     return {};
   }
@@ -376,7 +377,7 @@ base::Trouble ShellSession::solve(int substeps) {
   } else {
     applied.push_back(next);
   }
-  if (base::Trouble trouble = bench_->solve_further_step(next, way())) {
+  if (base::OptionalFailure trouble = bench_->solve_further_step(next, way())) {
     applied = before;
     return trouble;
   }

@@ -60,30 +60,32 @@ public:
   /// Reads the deck, condenses it and goes to the end of its leading step (KMAX of $GROW, else the
   /// last). Again, it forgets all changes and reads the deck anew. Trouble with the deck has been
   /// told by `read`.
-  base::Trouble open();
+  base::OptionalFailure open();
 
   // What is set.
-  base::Trouble go_to_step(const std::string& name); ///< the state at the end of a step of the deck
+  base::OptionalFailure
+  go_to_step(const std::string& name); ///< the state at the end of a step of the deck
   /// A data line of $STEP, LOAD, FIT, MOUNT or DISMOUNT: pending until the next solve(). Trouble
   /// where a contact is mounted already, or absent, or keeps what it was mounted with.
-  base::Trouble add_step_line(const std::string& line);
+  base::OptionalFailure add_step_line(const std::string& line);
   /// The header of a card with keys to change (deck_edit.hpp). The deck is read again, and the same
   /// way solved; bodies that are as they were stay condensed.
-  base::Trouble change_card(const std::string& header);
+  base::OptionalFailure change_card(const std::string& header);
   /// A line of $PARAMETER, likewise.
-  base::Trouble change_parameter(const std::string& line);
+  base::OptionalFailure change_parameter(const std::string& line);
   /// Takes the last change or go_to_step() back.
-  base::Trouble undo();
+  base::OptionalFailure undo();
 
   /// Makes the changes that are pending; where something rubs in so many substeps from the last
   /// state on, else path-free.
-  base::Trouble solve(int substeps = default_substeps);
+  base::OptionalFailure solve(int substeps = default_substeps);
   /// After an operation that failed late makes what it left unusable anew. Call it before others.
-  base::Trouble restore_after_failure();
+  base::OptionalFailure restore_after_failure();
   [[nodiscard]] bool has_pending_changes() const { return !set_.pending.actions.empty(); }
 
   // Answers about the present state; what is pending is solved before.
-  base::Trouble estimate_accuracy(); ///< error bars and sensitivities of K, once for a state
+  base::OptionalFailure
+  estimate_accuracy(); ///< error bars and sensitivities of K, once for a state
   [[nodiscard]] const results::RunResult& run_results() const { return bench_->run_results(); }
   [[nodiscard]] const results::StepResult& current_result() const {
     return bench_->current_result();
@@ -92,16 +94,16 @@ public:
   std::vector<std::string> new_notes();
   [[nodiscard]] const analysis::StepFactors& factors() const { return bench_->factors(); }
   /// A result that $CHECK knows, with its arguments; NOW is the present state. Nothing is solved.
-  base::Trouble read_result(const std::string& line, model::ResultCheck& check) const;
+  base::OptionalFailure read_result(const std::string& line, model::ResultCheck& check) const;
   /// Its value at the present state for the step NOW, at the end of one of the deck's for another
   /// name.
-  base::Trouble evaluate(const model::ResultCheck& check, double& value);
+  base::OptionalFailure evaluate(const model::ResultCheck& check, double& value);
   /// K along a $LOADPATH of the deck.
-  base::Trouble map_path(const std::string& name);
+  base::OptionalFailure map_path(const std::string& name);
   /// K while the factor of a load case goes from one value to another, all else as it is; the path
   /// has the name of the case. Values as a LOAD of $STEP has them.
-  base::Trouble map_case(const std::string& load_case, const std::string& from,
-                         const std::string& to);
+  base::OptionalFailure map_case(const std::string& load_case, const std::string& from,
+                                 const std::string& to);
   /// The path that was followed last; null: none at this state.
   [[nodiscard]] const results::LoadPathResult* last_mapped_path() const;
   [[nodiscard]] const MapRange& map_range() const { return range_; }
@@ -135,20 +137,21 @@ public:
   [[nodiscard]] CrackSize crack_size(std::size_t crack) const;
 
 private:
-  base::Trouble read_again(DeckChanges to);
-  base::Trouble change_deck(DeckChanges to, deck::DeckText text, const std::string& line);
+  base::OptionalFailure read_again(DeckChanges to);
+  base::OptionalFailure change_deck(DeckChanges to, deck::DeckText text, const std::string& line);
   /// A bench for the model of a deck just read.
-  base::Trouble open_model();
+  base::OptionalFailure open_model();
   /// A new bench for the model as it is, at the end of the way so far.
-  base::Trouble rebuild();
-  base::Trouble make_bench(bool first, std::unique_ptr<InteractiveSolver>& bench);
+  base::OptionalFailure rebuild();
+  base::OptionalFailure make_bench(bool first, std::unique_ptr<InteractiveSolver>& bench);
   [[nodiscard]] std::vector<model::Step> way_to(std::size_t step) const;
   [[nodiscard]] std::vector<model::Step> way() const; ///< to the base step and what came after it
-  [[nodiscard]] base::Trouble goes_on_or_off(base::ContactId contact, bool on) const;
+  [[nodiscard]] base::OptionalFailure goes_on_or_off(base::ContactId contact, bool on) const;
   /// The region that cracks of these lengths touch, and some more, to be condensed apart.
   [[nodiscard]] analysis::RegionPlan plan_lengths() const;
-  base::Trouble follow(const model::LoadPathDefinition& card, const std::vector<model::Step>& from,
-                       const std::vector<model::Step>& to, const MapRange& range);
+  base::OptionalFailure follow(const model::LoadPathDefinition& card,
+                               const std::vector<model::Step>& from,
+                               const std::vector<model::Step>& to, const MapRange& range);
   [[nodiscard]] std::string setting() const;
   void remember();
 

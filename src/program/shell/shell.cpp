@@ -37,7 +37,7 @@ public:
     if (terminal) {
       editor.emplace();
     }
-    if (const base::Trouble trouble = open(terminal)) {
+    if (const base::OptionalFailure trouble = open(terminal)) {
       tell(*trouble);
       return trouble->kind;
     }
@@ -69,7 +69,7 @@ private:
     return first == std::string_view::npos ? std::string_view() : line.substr(first);
   }
 
-  base::Trouble open(bool terminal) {
+  base::OptionalFailure open(bool terminal) {
     SessionOptions options;
     options.defines = options_.deck.defines;
     options.stopped = terminal ? LineEditor::interrupted : std::function<bool()>();
@@ -85,7 +85,7 @@ private:
     };
     const base::Stopwatch watch;
     session_ = std::make_unique<ShellSession>(std::move(options));
-    if (base::Trouble trouble = session_->open()) {
+    if (base::OptionalFailure trouble = session_->open()) {
       return trouble;
     }
     if (wants_tolerance(session_->model())) {
@@ -98,8 +98,8 @@ private:
     }
     if (terminal) {
       to_stderr(fmt::format("{}: at the end of step {}, {:.2f} s CPU; help lists the commands\n",
-                            base::printable(options_.deck.deck.string()), session_->base_step(),
-                            watch.cpu_time()));
+                            base::make_printable(options_.deck.deck.string()),
+                            session_->base_step(), watch.cpu_time()));
     }
     return {};
   }

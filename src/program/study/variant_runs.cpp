@@ -47,7 +47,7 @@ ChildRun child_of(const DeckVariant& variant, double cpu_seconds) {
 // The results in the folder of a run, which goes; empty: it has none.
 std::optional<results::RunResult> take_results(const fs::path& folder, const ChildEnd& end) {
   std::optional<results::RunResult> run;
-  const std::optional<base::Outcome> outcome = base::exit_outcome(end.exit_code);
+  const std::optional<base::Outcome> outcome = base::outcome_of_exit_code(end.exit_code);
   if ((outcome == base::Outcome::done || outcome == base::Outcome::check_failed) &&
       fs::exists(folder / results_name)) {
     const std::string bytes = base::read_file(folder / results_name, base::largest_mesh_file);
@@ -116,8 +116,8 @@ base::Outcome VariantRuns::run_given(
     const std::optional<results::RunResult> run = take_results(child.out, end);
     answers_ = run ? choose(model(), *run) : std::vector<Answer>();
     found = read_variant(given, end, run);
-    outcome =
-        run ? base::Outcome::done : base::exit_outcome(end.exit_code).value_or(base::Outcome::done);
+    outcome = run ? base::Outcome::done
+                  : base::outcome_of_exit_code(end.exit_code).value_or(base::Outcome::done);
     if (!answers_.empty()) {
       return;
     }

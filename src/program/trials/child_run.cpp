@@ -108,7 +108,7 @@ struct Listener {
       if (poll(&end, 1, look_again) > 0 && !take_said(words, said)) {
         return false;
       }
-      peak = std::max(peak, base::process_peak_memory(std::to_string(pid)).value_or(0));
+      peak = std::max(peak, base::peak_memory_of_process(std::to_string(pid)).value_or(0));
     }
   }
 };

@@ -40,7 +40,7 @@ int core_count() {
 
 std::string machine_name() {
   return fmt::format("{}, {} cores, {:.0f} GB", processor_name(), core_count(),
-                     1e-9 * static_cast<double>(base::memory_limit()));
+                     1e-9 * static_cast<double>(base::process_memory_limit()));
 }
 
 std::string program_name() {

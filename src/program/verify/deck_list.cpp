@@ -24,8 +24,9 @@ namespace fs = std::filesystem;
 
 // The rows of a table beside the decks; none where there is no table.
 std::vector<base::CsvRecord> records_of(const fs::path& file) {
-  return fs::exists(file) ? base::csv_records(base::read_file(file, base::largest_number_file))
-                          : std::vector<base::CsvRecord>();
+  return fs::exists(file)
+             ? base::parse_csv_records(base::read_file(file, base::largest_number_file))
+             : std::vector<base::CsvRecord>();
 }
 
 std::map<std::string, DeckCost> read_costs(const fs::path& file) {
@@ -94,7 +95,7 @@ std::vector<ListedDeck> list_decks(const fs::path& folder) {
 
 std::vector<ListedDeck> chosen_decks(const std::vector<ListedDeck>& decks,
                                      const std::vector<std::string>& asked,
-                                     base::Trouble& trouble) {
+                                     base::OptionalFailure& trouble) {
   for (const std::string& word : asked) {
     if (std::ranges::none_of(decks, [&](const ListedDeck& d) { return matches(d, word); })) {
       std::vector<std::string> names{"quick", "all"};

@@ -46,7 +46,8 @@ std::vector<ListedDeck> list_decks(const std::filesystem::path& folder);
 /// Those that are asked for: "quick", "all", names or shell patterns, each once, by name. A word
 /// that names none gives a OperationFailure with what was probably meant.
 std::vector<ListedDeck> chosen_decks(const std::vector<ListedDeck>& decks,
-                                     const std::vector<std::string>& asked, base::Trouble& trouble);
+                                     const std::vector<std::string>& asked,
+                                     base::OptionalFailure& trouble);
 
 /// The table renewed by what decks were found to cost. Figures that are right within a half stay,
 /// so that the table changes when a deck does; decks that are gone go. Throws std::system_error.

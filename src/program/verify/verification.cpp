@@ -105,9 +105,9 @@ VerificationCounts count(const Verification& verification) {
 base::Outcome worst_outcome(const Verification& verification) {
   base::Outcome worst = base::Outcome::done;
   for (const VerifiedDeck& deck : verification.decks) {
-    const base::Outcome own =
-        deck.late ? base::Outcome::stopped
-                  : base::exit_outcome(deck.exit_code).value_or(base::Outcome::defect); // a signal
+    const base::Outcome own = deck.late ? base::Outcome::stopped
+                                        : base::outcome_of_exit_code(deck.exit_code)
+                                              .value_or(base::Outcome::defect); // a signal
     worst = std::max(worst, own);
   }
   return worst;

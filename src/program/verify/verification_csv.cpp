@@ -102,12 +102,12 @@ std::optional<Verification> read_verification_csv(const std::filesystem::path& f
     return std::nullopt;
   }
   const std::string text = base::read_file(file, base::largest_number_file);
-  const std::vector<std::vector<std::string>> rows = base::csv_rows(text);
+  const std::vector<std::vector<std::string>> rows = base::parse_csv_rows(text);
   if (rows.size() < 2 || fmt::format("{}", fmt::join(rows.front(), ",")) != columns) {
     return std::nullopt;
   }
   Verification out;
-  for (const base::CsvRecord& row : base::csv_records(text)) {
+  for (const base::CsvRecord& row : base::parse_csv_records(text)) {
     read_row(row, out);
   }
   return out;

@@ -52,7 +52,7 @@ std::string passed_count(const VerifiedDeck& deck, const VerifiedPoint& point) {
   const auto passed = std::ranges::count_if(point.checks, &results::CheckResult::passed);
   const auto missed = static_cast<std::ptrdiff_t>(point.checks.size()) - passed;
   const bool broken =
-      deck.failed() && base::exit_outcome(deck.exit_code) != base::Outcome::check_failed;
+      deck.failed() && base::outcome_of_exit_code(deck.exit_code) != base::Outcome::check_failed;
   return fmt::format("{}{}{}", passed, missed > 0 ? fmt::format(", {} MISSED", missed) : "",
                      broken ? ", " + end_of(deck) : "");
 }

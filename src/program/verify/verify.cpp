@@ -69,7 +69,7 @@ public:
   }
 
   base::Outcome run() {
-    base::Trouble trouble;
+    base::OptionalFailure trouble;
     chosen_ = chosen_decks(all_, verification_.asked, trouble);
     if (trouble) {
       to_stderr(fmt::format("spricka verify: {}\n       = {}\n       = spricka verify all --list "

@@ -136,10 +136,11 @@ ReportTable rigid_table(const model::Model& model) {
                                   r.radius < 0.0 || r.second_radius < 0.0 ? ", a bore" : "");
              })
       .words(
-          "from or centre", [=](const Target& r) { return base::place_text(r.first, dim); }, unit)
+          "from or centre", [=](const Target& r) { return base::format_coordinates(r.first, dim); },
+          unit)
       .where([](const Target& r) { return r.shape != Shape::arc && r.shape != Shape::sphere; })
       .words(
-          "to", [=](const Target& r) { return base::place_text(r.second, dim); }, unit)
+          "to", [=](const Target& r) { return base::format_coordinates(r.second, dim); }, unit)
       .where([](const Target& r) { return r.radius != 0.0 || r.second_radius != 0.0; })
       .number("radius", unit, [](const Target& r) {
         const std::string radius = cell_text(std::abs(r.radius));

@@ -76,7 +76,7 @@ TEST(ContactMounting, FirstNeedsTheSameRowsAtAllLengths) {
       program::read_and_check_deck(file, {}, program::Log(program::LogFormat::text));
   ASSERT_TRUE(ready.model);
   base::Diagnostics diagnostics;
-  base::Trouble trouble;
+  base::OptionalFailure trouble;
   EXPECT_FALSE(analysis::solve_run(*ready.model, {}, diagnostics, trouble));
   ASSERT_TRUE(trouble);
   EXPECT_EQ(trouble->kind, base::Outcome::not_solvable);

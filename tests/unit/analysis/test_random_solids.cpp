@@ -91,7 +91,7 @@ RandomStack random_stack(unsigned seed) {
 
 struct Attempt {
   std::optional<results::RunResult> run;
-  base::Trouble trouble;
+  base::OptionalFailure trouble;
 };
 
 Attempt attempt(const std::string& deck, int threads,
@@ -134,7 +134,7 @@ void expect_conditions(const results::StepResult& step, double pressure) {
 }
 
 // The body that nothing holds, and no other reason.
-void expect_named(const base::Trouble& trouble) {
+void expect_named(const base::OptionalFailure& trouble) {
   ASSERT_TRUE(trouble.has_value());
   EXPECT_EQ(trouble->kind, base::Outcome::not_solvable) << trouble->why;
   EXPECT_NE(trouble->why.find("body "), std::string::npos) << trouble->why;

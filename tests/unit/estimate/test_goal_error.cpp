@@ -188,8 +188,8 @@ Found estimate_of(const StripTriangle& s, const model::LoadCase& load) {
   const base::Matrix r_u = map.reduce(f_e) - Kep * factor.solve(F);
   const base::Matrix r_z = map.reduce(g_e) - Kep * factor.solve(G);
   const base::Matrix S = Kee - Kep * factor.solve(base::Matrix(Kep.transpose()));
-  found.eta_diagonal = r_z.transpose() * base::solve_square(Kee, r_u);
-  const base::Matrix e = base::solve_square(S, r_u);
+  found.eta_diagonal = r_z.transpose() * base::solve_square_system(Kee, r_u);
+  const base::Matrix e = base::solve_square_system(S, r_u);
   found.eta_schur = r_z.transpose() * e;
   const base::Matrix v = factor.solve(base::Matrix(F - Kep.transpose() * e));
   found.K_cubic = G.transpose() * v + map.reduce(g_e).transpose() * e;

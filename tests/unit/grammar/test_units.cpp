@@ -11,15 +11,15 @@ TEST(Units, FactorsBetweenDeckUnitsAreExactWhereTheyAreDecimal) {
   const UnitSystem mm = *make_unit_system("MM", "N");
   const UnitSystem inch = *make_unit_system("in", "lbf");
   const UnitSystem metre = *make_unit_system("M", "KN");
-  EXPECT_EQ(to_deck_factor(*parse_unit("GPa"), mm), 1000.0);
-  EXPECT_EQ(to_deck_factor(*parse_unit("mm"), mm), 1.0);
-  EXPECT_EQ(to_deck_factor(*parse_unit("um"), mm), 1e-3);
-  EXPECT_EQ(to_deck_factor(*parse_unit("in"), mm), 25.4);
-  EXPECT_EQ(to_deck_factor(*parse_unit("psi"), inch), 1.0);
-  EXPECT_EQ(to_deck_factor(*parse_unit("ksi"), inch), 1000.0);
-  EXPECT_EQ(to_deck_factor(*parse_unit("MPa"), metre), 1000.0);
-  EXPECT_DOUBLE_EQ(to_deck_factor(*parse_unit("MPa*m^0.5"), mm), 31.622776601683793);
-  EXPECT_EQ(to_deck_factor(*parse_unit("N/mm^2"), mm), 1.0);
+  EXPECT_EQ(factor_to_deck_units(*parse_unit("GPa"), mm), 1000.0);
+  EXPECT_EQ(factor_to_deck_units(*parse_unit("mm"), mm), 1.0);
+  EXPECT_EQ(factor_to_deck_units(*parse_unit("um"), mm), 1e-3);
+  EXPECT_EQ(factor_to_deck_units(*parse_unit("in"), mm), 25.4);
+  EXPECT_EQ(factor_to_deck_units(*parse_unit("psi"), inch), 1.0);
+  EXPECT_EQ(factor_to_deck_units(*parse_unit("ksi"), inch), 1000.0);
+  EXPECT_EQ(factor_to_deck_units(*parse_unit("MPa"), metre), 1000.0);
+  EXPECT_DOUBLE_EQ(factor_to_deck_units(*parse_unit("MPa*m^0.5"), mm), 31.622776601683793);
+  EXPECT_EQ(factor_to_deck_units(*parse_unit("N/mm^2"), mm), 1.0);
 }
 
 TEST(Units, DimensionsFollowTheExponents) {
@@ -33,8 +33,8 @@ TEST(Units, DimensionsFollowTheExponents) {
 TEST(Units, RootsAreHalfPowers) {
   const UnitSystem mm = *make_unit_system("MM", "N");
   EXPECT_EQ(parse_unit("MPa*sqrt(m)")->dimension, parse_unit("MPa*m^0.5")->dimension);
-  EXPECT_EQ(to_deck_factor(*parse_unit("MPa*sqrt(m)"), mm),
-            to_deck_factor(*parse_unit("MPa*m^0.5"), mm));
+  EXPECT_EQ(factor_to_deck_units(*parse_unit("MPa*sqrt(m)"), mm),
+            factor_to_deck_units(*parse_unit("MPa*m^0.5"), mm));
   EXPECT_EQ(parse_unit("N/sqrt(mm)")->dimension, (Dimension{-0.5, 1.0, 0.0}));
 }
 

@@ -62,7 +62,7 @@ TEST(GrowthState, NamesTheDamagedField) {
     arrays[field] = values;
     try {
       growth::from_arrays(arrays);
-    } catch (const base::DamagedField& damage) {
+    } catch (const base::CorruptStoredField& damage) {
       return std::string(damage.what());
     }
     return std::string();

@@ -11,7 +11,7 @@
 /// What a session says against what a run of the same deck says.
 namespace spricka::test {
 
-inline void good(const base::Trouble& trouble) {
+inline void good(const base::OptionalFailure& trouble) {
   ShellOnText::good(trouble);
 }
 

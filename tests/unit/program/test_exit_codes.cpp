@@ -236,18 +236,18 @@ TEST(ExitCode, OldResultsOutliveAFailedRun) {
 // What scripts rely on is said in one place of the sources and in one of the manual.
 TEST(ExitCode, OfEachOutcomeIsThatOfTheManual) {
   const std::string page = test::slurp(test::source_folder() + "/manual/exit_codes.md");
-  for (std::size_t i = 0; i < base::exit_texts.size(); ++i) {
+  for (std::size_t i = 0; i < base::exit_code_table.size(); ++i) {
     const auto outcome = static_cast<base::Outcome>(i);
     const int code = base::exit_code(outcome);
-    EXPECT_EQ(base::exit_texts.at(i).outcome, outcome) << i;
-    EXPECT_EQ(base::exit_outcome(code), outcome) << code;
+    EXPECT_EQ(base::exit_code_table.at(i).outcome, outcome) << i;
+    EXPECT_EQ(base::outcome_of_exit_code(code), outcome) << code;
     EXPECT_NE(page.find("\n| " + std::to_string(code) + " | "), std::string::npos) << code;
     if (i > 0) { // the worst outcome of a sweep's points has the largest code
-      EXPECT_GT(code, base::exit_texts.at(i - 1).code);
+      EXPECT_GT(code, base::exit_code_table.at(i - 1).code);
     }
   }
-  EXPECT_EQ(base::exit_texts.back().outcome, base::Outcome::defect);
-  EXPECT_EQ(base::exit_outcome(8), std::nullopt);
+  EXPECT_EQ(base::exit_code_table.back().outcome, base::Outcome::defect);
+  EXPECT_EQ(base::outcome_of_exit_code(8), std::nullopt);
 }
 
 } // namespace

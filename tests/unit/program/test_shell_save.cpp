@@ -46,7 +46,7 @@ TEST(ShellSave, KeepsTheOrderWithFriction) {
   expect_saved(shell, 1e-10);
   good(shell->go_to_step("PRESS"));
   std::string text;
-  const base::Trouble refused = program::saved_deck(*shell, shell.folder.path(), text);
+  const base::OptionalFailure refused = program::saved_deck(*shell, shell.folder.path(), text);
   ASSERT_TRUE(refused); // the deck's further steps would come in between
   EXPECT_NE(refused->hint.find("PULLED"), std::string::npos);
 }

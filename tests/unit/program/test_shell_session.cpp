@@ -207,11 +207,11 @@ TEST(ShellSession, ErrorBarsAreThoseOfARun) {
 TEST(ShellSession, FailuresLeaveEverything) {
   const ShellOnText shell(cracked_hub());
   const double before = shell.K1();
-  const base::Trouble unknown = shell->add_step_line("LOAD PUL 1.0");
+  const base::OptionalFailure unknown = shell->add_step_line("LOAD PUL 1.0");
   ASSERT_TRUE(unknown);
   EXPECT_EQ(unknown->kind, base::Outcome::usage);
   EXPECT_NE(unknown->why.find("PULL"), std::string::npos);
-  const base::Trouble long_one = shell->change_card("$CRACK NAME=C A0=200");
+  const base::OptionalFailure long_one = shell->change_card("$CRACK NAME=C A0=200");
   ASSERT_TRUE(long_one);
   EXPECT_EQ(long_one->kind, base::Outcome::deck_error);
   testing::internal::CaptureStderr();
@@ -234,7 +234,7 @@ TEST(ShellSession, LooseBodyIsNamedAndTheStateStays) {
   const double small = shell->current_result().energy;
   EXPECT_LT(small, before);
   good(shell->add_step_line("DISMOUNT SEAT")); // nothing holds the pin
-  const base::Trouble loose = shell->solve();
+  const base::OptionalFailure loose = shell->solve();
   ASSERT_TRUE(loose);
   EXPECT_EQ(loose->kind, base::Outcome::not_solvable);
   EXPECT_NE(loose->why.find("PIN"), std::string::npos) << loose->why;
@@ -245,7 +245,7 @@ TEST(ShellSession, StopsWhenAsked) {
   ShellOnText shell(cracked_hub());
   const double before = shell.K1();
   shell.stop = true;
-  const base::Trouble stopped = shell->change_card("$CRACK NAME=C A0=6.0");
+  const base::OptionalFailure stopped = shell->change_card("$CRACK NAME=C A0=6.0");
   ASSERT_TRUE(stopped);
   EXPECT_EQ(stopped->kind, base::Outcome::stopped);
   EXPECT_TRUE(shell->go_to_step("PRESS"));
@@ -300,7 +300,7 @@ TEST(ShellSession, MountsAsARunDoes) {
 TEST(ShellSession, MountsNothingTwice) {
   const ShellOnText shell(held_hub());
   const double before = shell.K1();
-  const base::Trouble refused = shell->add_step_line("MOUNT SEAT");
+  const base::OptionalFailure refused = shell->add_step_line("MOUNT SEAT");
   ASSERT_TRUE(refused);
   EXPECT_NE(refused->why.find("SEAT is mounted already"), std::string::npos) << refused->why;
   EXPECT_FALSE(shell->has_pending_changes());

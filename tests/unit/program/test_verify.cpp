@@ -93,9 +93,9 @@ TEST(Verification, HoldsAReferenceAgainstItsOwnAccuracyToo) {
 
 // Spreadsheets would compute them.
 TEST(Verification, FormulasAreTextsInItsTable) {
-  EXPECT_EQ(base::csv_field("=HYPERLINK(1)"), "'=HYPERLINK(1)");
-  EXPECT_EQ(base::csv_field("@SUM(1,2)"), "\"'@SUM(1,2)\"");
-  EXPECT_EQ(base::csv_field("Bowie, 1956"), "\"Bowie, 1956\"");
+  EXPECT_EQ(base::quote_csv_field("=HYPERLINK(1)"), "'=HYPERLINK(1)");
+  EXPECT_EQ(base::quote_csv_field("@SUM(1,2)"), "\"'@SUM(1,2)\"");
+  EXPECT_EQ(base::quote_csv_field("Bowie, 1956"), "\"Bowie, 1956\"");
 }
 
 TEST(Verification, EndsAsItsWorstDeckDoes) {
@@ -113,7 +113,7 @@ TEST(Verification, TheTableIsReadAsItWasWritten) {
   const fs::path file = folder.path() / "verification.csv";
   const Verification v = sample();
   std::ofstream(file) << verification_csv(v);
-  const auto rows = base::csv_rows(test::slurp(file));
+  const auto rows = base::parse_csv_rows(test::slurp(file));
   ASSERT_EQ(rows.size(), 6U); // names, four checks, a deck without one
   for (const auto& row : rows) {
     EXPECT_EQ(row.size(), rows.front().size());
@@ -248,7 +248,7 @@ TEST_F(Tiers, QuickAreTheCheapestThatFitTheBudget) {
   std::ofstream(folder.path() / costs_name)
       << "# comment\ndeck,cpu,memory\ncheap,1,20\ndear," << quick_budget << ",30\nmean,3,30\n";
   const std::vector<ListedDeck> decks = list_decks(folder.path());
-  base::Trouble trouble;
+  base::OptionalFailure trouble;
   EXPECT_EQ(names(chosen_decks(decks, {"quick"}, trouble)),
             (std::vector<std::string>{"cheap", "mean"}));
   EXPECT_EQ(chosen_decks(decks, {"all"}, trouble).size(), 4U);
@@ -269,7 +269,7 @@ TEST_F(Tiers, CostsStayWhileTheyAreAboutRight) {
   write_costs(
       folder.path(), list_decks(folder.path()),
       {{"kept", {1.3, 21'000'000}}, {"other", {3.0, 20'000'000}}, {"fresh", {2, 5'000'000}}});
-  const auto rows = base::csv_rows(test::slurp(folder.path() / costs_name));
+  const auto rows = base::parse_csv_rows(test::slurp(folder.path() / costs_name));
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_EQ(rows[1], (std::vector<std::string>{"fresh", "2", "5"}));
   EXPECT_EQ(rows[2], (std::vector<std::string>{"kept", "1", "20"}));

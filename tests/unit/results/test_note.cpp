@@ -23,7 +23,7 @@ TEST(Note, HasACodeOfItsKind) {
   for (const base::ResultConcern doubt :
        {base::ResultConcern::no_answer, base::ResultConcern::less_exact,
         base::ResultConcern::odd}) {
-    EXPECT_EQ(base::warning_concern(warning_code(doubt)), doubt);
+    EXPECT_EQ(base::concern_of_warning_code(warning_code(doubt)), doubt);
   }
 }
 

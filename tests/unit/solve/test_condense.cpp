@@ -151,8 +151,8 @@ Matrix random_columns(std::int64_t n, int k) {
 Matrix dense_schur(const Matrix& A, std::int64_t l) {
   const std::int64_t e = A.rows() - l;
   return A.bottomRightCorner(e, e) -
-         A.bottomLeftCorner(e, l) *
-             base::solve_square(Matrix(A.topLeftCorner(l, l)), Matrix(A.topRightCorner(l, e)));
+         A.bottomLeftCorner(e, l) * base::solve_square_system(Matrix(A.topLeftCorner(l, l)),
+                                                              Matrix(A.topRightCorner(l, e)));
 }
 
 bool same_bits(const Matrix& a, const Matrix& b) {
@@ -210,12 +210,13 @@ TEST(Condensation, CondensedLoadAndRecoveredLocalsSolveTheWhole) {
   const Condensation c(K, e);
   const Matrix f_e = c.condense_load(f);
   const Matrix expected =
-      f.bottomRows(e) - A.bottomLeftCorner(e, l) *
-                            base::solve_square(Matrix(A.topLeftCorner(l, l)), Matrix(f.topRows(l)));
+      f.bottomRows(e) -
+      A.bottomLeftCorner(e, l) *
+          base::solve_square_system(Matrix(A.topLeftCorner(l, l)), Matrix(f.topRows(l)));
   EXPECT_LT((f_e - expected).norm(), 1e-12 * expected.norm());
-  const Matrix u = c.recover(base::solve_square(Matrix(c.schur()), f_e), f);
+  const Matrix u = c.recover(base::solve_square_system(Matrix(c.schur()), f_e), f);
   EXPECT_LT((A * u - f).norm(), 1e-12 * A.norm() * u.norm());
-  const Matrix whole = base::solve_square(A, f);
+  const Matrix whole = base::solve_square_system(A, f);
   EXPECT_LT((u - whole).norm(), 1e-11 * whole.norm());
 }
 
@@ -251,7 +252,7 @@ TEST(Condensation, CompliancesOfRowsAreThoseOfTheirHalfSolves) {
       }
     }
     const RowCompliance found = c.compliance(sparse);
-    const Matrix U = base::solve_square(Matrix(A.topLeftCorner(l, l)), Matrix(F.topRows(l)));
+    const Matrix U = base::solve_square_system(Matrix(A.topLeftCorner(l, l)), Matrix(F.topRows(l)));
     const Matrix W = F.topRows(l).transpose() * U;
     EXPECT_LT((found.W - W).norm(), 1e-12 * W.norm());
     EXPECT_TRUE(same_bits(found.W, found.W.transpose()));

@@ -69,14 +69,14 @@ TEST(TwoLevelCondensation, IsTheDenseEliminationOfTheSum) {
     ASSERT_EQ(c.report().status, FactorStatus::ok);
     const std::int64_t l = sum.K.n - e;
     const Matrix coupling = sum.whole.topRightCorner(l, e);
-    const Matrix S =
-        sum.whole.bottomRightCorner(e, e) -
-        coupling.transpose() * base::solve_square(Matrix(sum.whole.topLeftCorner(l, l)), coupling);
+    const Matrix S = sum.whole.bottomRightCorner(e, e) -
+                     coupling.transpose() *
+                         base::solve_square_system(Matrix(sum.whole.topLeftCorner(l, l)), coupling);
     EXPECT_LE((c.schur() - S).norm(), 1e-12 * (1.0 + S.norm()));
     EXPECT_EQ((c.schur() - c.schur().transpose()).norm(), 0.0);
     // loads condensed and displacements recovered are those of the whole
     const Matrix f = Matrix::Random(sum.K.n, 2);
-    const Matrix u = base::solve_square(sum.whole, f);
+    const Matrix u = base::solve_square_system(sum.whole, f);
     EXPECT_LE((S * u.bottomRows(e) - c.condense_load(f)).norm(), 1e-10);
     EXPECT_LE((c.recover(u.bottomRows(e), f) - u).norm(), 1e-10 * u.norm());
     const FactorReport told = Condensation::forecast(sum.K, e, blocks);
@@ -106,7 +106,7 @@ TEST(TwoLevelCondensation, EarlyRowsAreEliminatedOnceForAll) {
     const Matrix F = Matrix::Random(e, 3);
     Matrix f = Matrix::Zero(sum.K.n, 3);
     f.bottomRows(e) = F;
-    const Matrix u = base::solve_square(sum.whole, f);
+    const Matrix u = base::solve_square_system(sum.whole, f);
     Matrix g = Matrix::Zero(own->L.size(), 3);
     g(own->row, Eigen::all) = F;
     EXPECT_LE((own->L.solve(g)(own->row, Eigen::all) - u.bottomRows(e)).norm(), 1e-10 * u.norm());
@@ -146,7 +146,7 @@ TEST(TwoLevelCondensation, ASpringOnARowOfTheBlockIsNotLost) {
   f.bottomRows(9).setIdentity();
   Matrix g = Matrix::Zero(own->L.size(), 9);
   g(own->row, Eigen::all) = Matrix::Identity(9, 9);
-  const Matrix u = base::solve_square(sum.whole, f).bottomRows(9);
+  const Matrix u = base::solve_square_system(sum.whole, f).bottomRows(9);
   EXPECT_LE((own->L.solve(g)(own->row, Eigen::all) - u).norm(), 1e-10 * u.norm());
 }
 

@@ -28,7 +28,7 @@ struct ShellOnText {
     session = std::make_unique<program::ShellSession>(std::move(options));
     good(session->open());
   }
-  static void good(const base::Trouble& trouble) {
+  static void good(const base::OptionalFailure& trouble) {
     EXPECT_FALSE(trouble) << (trouble ? trouble->why : "");
   }
   program::ShellSession& operator*() const { return *session; }

@@ -64,7 +64,7 @@ struct SolvedScene {
 
   /// The end of a step, the next of the deck; empty with a failure.
   std::optional<analysis::StepState> solve(std::size_t step) {
-    base::Trouble trouble;
+    base::OptionalFailure trouble;
     std::optional<analysis::StepState> state;
     if (solver) {
       state = solver->solve(model().steps.at(step), trouble);

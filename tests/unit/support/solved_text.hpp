@@ -65,7 +65,7 @@ inline std::optional<Solved> solve_text(const std::string& deck,
     return std::nullopt;
   }
   base::Diagnostics diagnostics;
-  base::Trouble trouble;
+  base::OptionalFailure trouble;
   std::optional<results::RunResult> run =
       analysis::solve_run(*ready.model, options, diagnostics, trouble);
   if (!run) {
