@@ -119,10 +119,10 @@ void for_type_runs(const model::Mesh& mesh, std::span<const base::ElementId> ele
 /// generic lambda `[&]<shape::ElementShape S>(S, std::span<const base::ElementId> block)`.
 template <class F>
 void for_shape_blocks(const model::Mesh& mesh, std::span<const base::ElementId> elements, F&& f) {
-  for_type_runs(mesh, elements,
-                [&](base::ElementType type, std::span<const base::ElementId> block) {
-                  shape::with_shape(type, [&]<shape::ElementShape S>(S shape) { f(shape, block); });
-                });
+  for_type_runs(
+      mesh, elements, [&](base::ElementType type, std::span<const base::ElementId> block) {
+        shape::with_element_shape(type, [&]<shape::ElementShape S>(S shape) { f(shape, block); });
+      });
 }
 
 /// Calls f with the reference element of an element; f is a generic lambda

@@ -86,7 +86,7 @@ void sample(const model::Model& model, const StateField& field, StressRecovery& 
   const model::Mesh& mesh = recovery.mesh;
   recovery.first.assign(1, 0);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    shape::with_shape(mesh.type[e], [&]<shape::ElementShape S>(S) {
+    shape::with_element_shape(mesh.type[e], [&]<shape::ElementShape S>(S) {
       const StressElement<S> element(model, mesh, ElementId(e), field);
       for (const auto& point : sample_rule<S>()) {
         StressSample s;
@@ -185,7 +185,7 @@ ErrorEstimate estimate_error(const model::Model& model, const model::Mesh& mesh,
   estimate.energy.assign(mesh.element_count(), 0.0);
   estimate.noise.assign(mesh.element_count(), 0.0);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    shape::with_shape(mesh.type[e], [&]<shape::ElementShape S>(S) {
+    shape::with_element_shape(mesh.type[e], [&]<shape::ElementShape S>(S) {
       const StressElement<S> element(model, mesh, ElementId(e), field);
       const AnyElement<S::dim>& corners = shape::as_reference_element<S>();
       double volume = 0.0;

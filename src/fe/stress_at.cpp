@@ -25,7 +25,7 @@ Stress mean_at(const model::Model& model, const model::Mesh& mesh, const StateFi
     if (!counts) {
       continue;
     }
-    shape::with_shape(mesh.type[hit.element.index()], [&]<shape::ElementShape S>(S) {
+    shape::with_element_shape(mesh.type[hit.element.index()], [&]<shape::ElementShape S>(S) {
       sum += StressElement<S>(model, mesh, hit.element, field).at(hit.r.head<S::dim>());
     });
     ++count;

@@ -18,7 +18,7 @@ namespace spricka::geometry {
 /// One number for each node of a side. [node]
 using SideValues = shape::ReferenceElement<2>::Values;
 /// Derivatives with respect to both local coordinates. [node, 2]
-using SideDerivatives = shape::ReferenceElement<2>::SplineDerivatives;
+using SideDerivatives = shape::ReferenceElement<2>::ShapeDerivatives;
 /// Positions of the nodes. [3, node]
 using SidePositions = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, shape::most_nodes<2>>;
 /// dx/dr, a column for each local coordinate.

@@ -25,7 +25,7 @@ struct Measures {
 
 double scaled_jacobian(const shape::ReferenceElement<2>& element,
                        std::span<const base::NodeId> nodes, const std::vector<base::Vec3>& x) {
-  shape::ReferenceElement<2>::SplineDerivatives X(element.nodes, 2); // [node, dim]
+  shape::ReferenceElement<2>::ShapeDerivatives X(element.nodes, 2); // [node, dim]
   for (int i = 0; i < element.nodes; ++i) {
     X.row(i) = x[nodes[static_cast<std::size_t>(i)].index()].head<2>().transpose();
   }

@@ -24,12 +24,12 @@ constexpr int finest_degree = 9;
 
 template <int dim> using Element = shape::ReferenceElement<dim>;
 /// Of the nodes of an element. [node, dim]
-template <int dim> using Coordinates = typename Element<dim>::SplineDerivatives;
+template <int dim> using Coordinates = typename Element<dim>::ShapeDerivatives;
 
 /// Derivatives of the shape functions at the points where the determinant is taken.
 template <int dim> struct Samples {
   const Element<dim>* element = nullptr;
-  std::vector<typename Element<dim>::SplineDerivatives> dN;
+  std::vector<typename Element<dim>::ShapeDerivatives> dN;
   std::vector<shape::Point<dim>> at;
   std::vector<double> weight; ///< of the integration points, in sum 1
   std::size_t inner = 0;      ///< the first ones are the integration points
@@ -111,7 +111,7 @@ template <int dim> bool is_straight(base::ElementType type, const Coordinates<di
 }
 
 template <int dim>
-double determinant(const Coordinates<dim>& X, const typename Element<dim>::SplineDerivatives& dN) {
+double determinant(const Coordinates<dim>& X, const typename Element<dim>::ShapeDerivatives& dN) {
   return Eigen::Matrix<double, dim, dim>(dN.transpose().lazyProduct(X)).determinant();
 }
 

@@ -16,7 +16,7 @@ template <Shape S> ReferenceElement<S::dim> describe() {
   element.domain = S::domain;
   element.nodes = S::nodes;
   element.N = [](const Point<S::dim>& r) { return typename Element::Values(S::N(r)); };
-  element.dN = [](const Point<S::dim>& r) { return typename Element::SplineDerivatives(S::dN(r)); };
+  element.dN = [](const Point<S::dim>& r) { return typename Element::ShapeDerivatives(S::dN(r)); };
   element.coordinates = S::coordinates;
   return element;
 }
@@ -55,7 +55,7 @@ template <Shape S> const ReferenceElement<1>& line_of() {
 } // namespace
 
 template <int dim> const ReferenceElement<dim>& reference_element(base::ElementType type) {
-  return with_shape(type, []<ElementShape S>(S) -> const ReferenceElement<dim>& {
+  return with_element_shape(type, []<ElementShape S>(S) -> const ReferenceElement<dim>& {
     if constexpr (S::dim == dim) {
       return element_of<S>();
     } else {

@@ -20,7 +20,7 @@ template <int d> struct ReferenceElement {
   /// One number for each node. [nodes]
   using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_nodes<d>, 1>;
   /// [nodes, dim]
-  using SplineDerivatives = Eigen::Matrix<double, Eigen::Dynamic, d, 0, most_nodes<d>, d>;
+  using ShapeDerivatives = Eigen::Matrix<double, Eigen::Dynamic, d, 0, most_nodes<d>, d>;
 
   ReferenceDomain domain{};
   int nodes = 0;
@@ -28,7 +28,7 @@ template <int d> struct ReferenceElement {
   int degree = 0; ///< of the rule of its stiffness; lines have none
   bool quadratic = false;
   Values (*N)(const Point<d>& r) = nullptr;
-  SplineDerivatives (*dN)(const Point<d>& r) = nullptr;
+  ShapeDerivatives (*dN)(const Point<d>& r) = nullptr;
   std::span<const std::array<double, d>> coordinates; ///< of its nodes
   const ReferenceElement* relative = nullptr; ///< of a quadratic element, see linear_element()
 

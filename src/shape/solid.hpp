@@ -101,7 +101,7 @@ inline constexpr std::array<std::array<double, 3>, 27> hexahedron{
      {-1.0, 0.0, 0.0},   {0.0, 0.0, 0.0}}};
 
 /// Reference coordinates of the first n of these nodes.
-template <std::size_t n> constexpr std::array<std::array<double, 3>, n> first_of_hexahedron() {
+template <std::size_t n> constexpr std::array<std::array<double, 3>, n> first_hexahedron_nodes() {
   std::array<std::array<double, 3>, n> first{};
   std::copy_n(hexahedron.begin(), n, first.begin());
   return first;
@@ -112,7 +112,7 @@ template <std::size_t n> constexpr std::array<std::array<double, 3>, n> first_of
 struct Hexe8 : LibraryShape<base::ElementType::hexe8> {
   static constexpr int degree = 3; ///< 2 x 2 x 2 points
   static constexpr std::array<std::array<double, 3>, 8> coordinates =
-      detail::first_of_hexahedron<8>();
+      detail::first_hexahedron_nodes<8>();
 
   /// Trilinear functions of the corners.
   static Eigen::Matrix<double, 8, 1> N(const Point<3>& r);
@@ -124,7 +124,7 @@ struct Hexe8 : LibraryShape<base::ElementType::hexe8> {
 struct Hexec20 : LibraryShape<base::ElementType::hexec20> {
   static constexpr int degree = 5; ///< 3 x 3 x 3 points
   static constexpr std::array<std::array<double, 3>, 20> coordinates =
-      detail::first_of_hexahedron<20>();
+      detail::first_hexahedron_nodes<20>();
 
   // Corner at p: N = prod(1 + p_k r_k) (sum p_k r_k - 2) / 8. In the middle of an edge the factor
   // along it is 1 - r^2, and 1/8 becomes 1/4.
@@ -180,7 +180,7 @@ private:
   ONE(shape::Pentac15) ONE(shape::Hexe8) ONE(shape::Hexec20) ONE(shape::Hexec27)
 
 /// with_plane_shape for every type of the element library.
-template <class F> decltype(auto) with_shape(base::ElementType type, F&& f) {
+template <class F> decltype(auto) with_element_shape(base::ElementType type, F&& f) {
   switch (type) {
   case base::ElementType::tet4:
     return std::forward<F>(f)(Tet4{});

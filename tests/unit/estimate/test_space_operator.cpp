@@ -101,7 +101,7 @@ private:
     const fe::ConstitutiveLaw law = fe::constitutive_law(model, model.mesh, e);
     const int degree = type == ElementType::tet10 ? 5 : 7;
     for (const auto& point : shape::quadrature<3>(element.domain, degree)) {
-      const fe::AnyElement<3>::SplineDerivatives dN = element.dN(point.r);
+      const fe::AnyElement<3>::ShapeDerivatives dN = element.dN(point.r);
       base::Matrix slopes(count, 3);
       slopes << dN, modes.dpsi(point.r);
       const Eigen::Matrix3d J = X.lazyProduct(dN);

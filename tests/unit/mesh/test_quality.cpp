@@ -70,7 +70,7 @@ constexpr std::array solids{base::ElementType::tet4,   base::ElementType::tet10,
 /// The reference element, its nodes moved by `f`.
 model::Mesh reference(base::ElementType type, const std::function<base::Vec3(base::Vec3)>& f) {
   std::vector<base::Vec3> x;
-  shape::with_shape(type, [&]<shape::ElementShape S>(S) {
+  shape::with_element_shape(type, [&]<shape::ElementShape S>(S) {
     for (int i = 0; i < S::nodes; ++i) {
       base::Vec3 at = base::Vec3::Zero();
       at.template head<S::dim>() = shape::node_coordinates<S>(i);

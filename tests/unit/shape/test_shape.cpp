@@ -142,7 +142,7 @@ TYPED_TEST(EveryElement, agrees_with_the_library_table) {
   const base::ElementInfo& info = base::element_info(TypeParam::type);
   EXPECT_EQ(info.nodes, TypeParam::nodes);
   EXPECT_EQ(info.dim, TypeParam::dim);
-  const int nodes = with_shape(TypeParam::type, []<ElementShape S>(S) { return S::nodes; });
+  const int nodes = with_element_shape(TypeParam::type, []<ElementShape S>(S) { return S::nodes; });
   EXPECT_EQ(nodes, TypeParam::nodes);
 }
 
