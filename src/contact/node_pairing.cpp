@@ -120,7 +120,8 @@ public:
     const Vec3 n = node.normal.normalized();
     const std::array<Vec3, 2> ends{node.x + reach_ * n, node.x - reach_ * n};
     std::optional<OppositePoint> found;
-    for (const std::size_t i : tree_.boxes_meeting(geometry::Box<3>::around(ends).grown(across_))) {
+    for (const std::size_t i :
+         tree_.boxes_intersecting(geometry::Box<3>::around(ends).grown(across_))) {
       const SurfaceNode& other = nodes_[i];
       const Vec3 d = other.x - node.x;
       const double along = d.dot(n);

@@ -25,7 +25,7 @@ double angle_between(const Vec3& a, const Vec3& b) {
 }
 
 NearestTrianglePoint nearest_on_segment(const Vec3& x, const Vec3& a, const Vec3& b) {
-  const double part = nearest_part<3>(x, a, b);
+  const double part = nearest_segment_parameter<3>(x, a, b);
   return {a + part * (b - a), part <= 0.0 ? 0 : (part >= 1.0 ? 1 : -1), -1};
 }
 

@@ -80,7 +80,8 @@ template <int dim> BoxTree<dim>::~BoxTree() = default;
 template <int dim> BoxTree<dim>::BoxTree(BoxTree&&) noexcept = default;
 template <int dim> BoxTree<dim>& BoxTree<dim>::operator=(BoxTree&&) noexcept = default;
 
-template <int dim> std::vector<std::size_t> BoxTree<dim>::boxes_meeting(const Box<dim>& box) const {
+template <int dim>
+std::vector<std::size_t> BoxTree<dim>::boxes_intersecting(const Box<dim>& box) const {
   return tree_->find(box, [](const Box<dim>&) { return true; });
 }
 
@@ -91,8 +92,8 @@ std::vector<std::size_t> BoxTree<dim>::boxes_within(const Point& x, double dista
 }
 
 template <int dim>
-std::vector<std::size_t> BoxTree<dim>::boxes_along(const Point& from, const Point& to,
-                                                   double margin) const {
+std::vector<std::size_t> BoxTree<dim>::boxes_meeting_segment(const Point& from, const Point& to,
+                                                             double margin) const {
   Box<dim> ends{from, from};
   ends.extend({to, to});
   return tree_->find(ends.grown(margin * tree_->longest), [&](const Box<dim>& box) {

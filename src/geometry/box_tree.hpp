@@ -28,16 +28,16 @@ public:
 
   /// Those that contain x, ascending.
   [[nodiscard]] std::vector<std::size_t> boxes_containing(const Point& x) const {
-    return boxes_meeting({x, x});
+    return boxes_intersecting({x, x});
   }
   /// Those that have a point in common with `box`, ascending.
-  [[nodiscard]] std::vector<std::size_t> boxes_meeting(const Box<dim>& box) const;
+  [[nodiscard]] std::vector<std::size_t> boxes_intersecting(const Box<dim>& box) const;
   /// Those no farther than `distance` [length] from x, ascending.
   [[nodiscard]] std::vector<std::size_t> boxes_within(const Point& x, double distance) const;
   /// Those that the segment between two points meets when each is grown by `margin` of its
   /// diagonal, ascending.
-  [[nodiscard]] std::vector<std::size_t> boxes_along(const Point& from, const Point& to,
-                                                     double margin = 0.0) const;
+  [[nodiscard]] std::vector<std::size_t> boxes_meeting_segment(const Point& from, const Point& to,
+                                                               double margin = 0.0) const;
 
   /// For the nearest of what lies in the boxes: calls `visit` with one after another by their
   /// distance from x, of those as near the lower number first. Only boxes no farther than `reach`

@@ -121,11 +121,11 @@ private:
 
 template <class Value>
 CubicSpline<Value>::CubicSpline(std::vector<double> knots, std::vector<Value> values,
-                                SplineEnds ends)
+                                SplineEndCondition ends)
     : knots_(std::move(knots)), values_(std::move(values)), ends_(ends) {
   assert(knots_.size() == values_.size() && knots_.size() >= 2);
   SplineFit<Value> fit(knots_, values_);
-  if (ends_ == SplineEnds::not_a_knot) {
+  if (ends_ == SplineEndCondition::not_a_knot) {
     bend_ = fit.not_a_knot();
   } else {
     assert(knots_.size() >= 4 && values_.front() == values_.back());
@@ -134,7 +134,7 @@ CubicSpline<Value>::CubicSpline(std::vector<double> knots, std::vector<Value> va
 }
 
 template <class Value> SplinePosition CubicSpline<Value>::locate(double x) const {
-  if (ends_ == SplineEnds::periodic) {
+  if (ends_ == SplineEndCondition::periodic) {
     const double period = knots_.back() - knots_.front();
     x -= period * std::floor((x - knots_.front()) / period);
   }

@@ -8,7 +8,7 @@
 namespace spricka::geometry {
 
 /// What a cubic spline fulfils at its first and last knot.
-enum class SplineEnds {
+enum class SplineEndCondition {
   not_a_knot, ///< the third derivative does not jump at the second and the last but one knot
   periodic    ///< value and derivatives at the last knot are those at the first
 };
@@ -27,7 +27,7 @@ template <class Value> class CubicSpline {
 public:
   /// knots [n], ascending; values [n], n >= 2; periodic: n >= 4, the last value is the first again.
   CubicSpline(std::vector<double> knots, std::vector<Value> values,
-              SplineEnds ends = SplineEnds::not_a_knot);
+              SplineEndCondition ends = SplineEndCondition::not_a_knot);
 
   /// Where a parameter lies; at an inner knot the interval behind it.
   [[nodiscard]] SplinePosition locate(double x) const;
@@ -50,7 +50,7 @@ private:
   std::vector<double> knots_;
   std::vector<Value> values_; ///< [knot]
   std::vector<Value> bend_;   ///< [knot] second derivative
-  SplineEnds ends_;
+  SplineEndCondition ends_;
 };
 
 extern template class CubicSpline<double>;

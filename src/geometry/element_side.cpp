@@ -139,14 +139,14 @@ double ElementSide::area(int degree) const {
   return area;
 }
 
-Vec2 ElementSide::nearest_point(const Vec3& x, BorderFoot border) const {
+Vec2 ElementSide::nearest_point(const Vec3& x, BorderFootPolicy border) const {
   if (is_edge()) {
     return {foot_of_perpendicular<1>(*edge_, X, x, longest_step)[0], 0.0};
   }
   Vec2 best = foot_of_perpendicular<2>(*face_, X, x, longest_step);
-  const bool stands = border == BorderFoot::compared || distance_outside(best) < -1e-14;
+  const bool stands = border == BorderFootPolicy::compared || distance_outside(best) < -1e-14;
   const double longest =
-      border == BorderFoot::compared ? longest_step : std::numeric_limits<double>::infinity();
+      border == BorderFootPolicy::compared ? longest_step : std::numeric_limits<double>::infinity();
   double least = stands ? (x - position(best)).norm() : std::numeric_limits<double>::max();
   const shape::ReferenceElement<1>& edge = shape::reference_line(quadratic() ? 3 : 2);
   for (int i = 0; i < corners(); ++i) {

@@ -37,7 +37,7 @@ struct SidePoint {
 };
 
 /// What nearest_point does with a foot of the perpendicular that was kept from leaving a face.
-enum class BorderFoot {
+enum class BorderFootPolicy {
   compared, ///< gives way to a foot on an edge that is nearer
   replaced  ///< always gives way; feet on edges are sought however far x is off
 };
@@ -121,8 +121,8 @@ struct ElementSide {
   /// Local coordinates of the point nearest to x, by Gauss and Newton's method: the foot of the
   /// perpendicular, or the nearest point of the edges. Exact for points on the side and for those
   /// off it by a small share of the radius of curvature. Without area the centre.
-  [[nodiscard]] base::Vec2 nearest_point(const base::Vec3& x,
-                                         BorderFoot border = BorderFoot::compared) const;
+  [[nodiscard]] base::Vec2
+  nearest_point(const base::Vec3& x, BorderFootPolicy border = BorderFootPolicy::compared) const;
 
   /// A box round the side, curved as it may be: that of its Bezier points (Farin 2002).
   [[nodiscard]] Box<3> bounding_box() const;

@@ -14,9 +14,9 @@ namespace spricka::geometry {
 
 /// The part [0, 1] of the way from a to b at which their segment is nearest to x; 0 where a is b.
 template <int dim>
-[[nodiscard]] double nearest_part(const shape::Point<dim>& x,
-                                  const std::type_identity_t<shape::Point<dim>>& a,
-                                  const std::type_identity_t<shape::Point<dim>>& b) {
+[[nodiscard]] double nearest_segment_parameter(const shape::Point<dim>& x,
+                                               const std::type_identity_t<shape::Point<dim>>& a,
+                                               const std::type_identity_t<shape::Point<dim>>& b) {
   const shape::Point<dim> along = b - a;
   const double square = along.squaredNorm();
   return square > 0.0 ? std::clamp((x - a).dot(along) / square, 0.0, 1.0) : 0.0;
@@ -33,7 +33,7 @@ template <int dim>
 [[nodiscard]] NearestSegmentPoint nearest_point(const shape::Point<dim>& x,
                                                 const std::type_identity_t<shape::Point<dim>>& a,
                                                 const std::type_identity_t<shape::Point<dim>>& b) {
-  const double part = nearest_part(x, a, b);
+  const double part = nearest_segment_parameter(x, a, b);
   return {part, (x - a - part * (b - a)).norm()};
 }
 
@@ -91,8 +91,8 @@ template <int dim>
 /// The direction of a line [>= 2 points] at one of its points, unit: that of the chord between its
 /// neighbours, at the ends of an open line that of its first or last piece.
 template <int dim>
-[[nodiscard]] shape::Point<dim> direction_at(const std::vector<shape::Point<dim>>& line,
-                                             std::size_t point) {
+[[nodiscard]] shape::Point<dim> polyline_direction_at(const std::vector<shape::Point<dim>>& line,
+                                                      std::size_t point) {
   const bool closed = line.front() == line.back();
   const std::size_t n = line.size();
   const shape::Point<dim>& here = line[point];

@@ -25,7 +25,7 @@ CubicSpline<Vec3> spline_over_chords(std::vector<Vec3> points, bool closed) {
   }
   std::vector<double> knots = arc_lengths(points);
   return {std::move(knots), std::move(points),
-          closed ? SplineEnds::periodic : SplineEnds::not_a_knot};
+          closed ? SplineEndCondition::periodic : SplineEndCondition::not_a_knot};
 }
 
 } // namespace
@@ -90,7 +90,8 @@ double SplineCurve::curvature(double s) const {
 SplinePosition SplineCurve::nearest_on(std::size_t interval, const Vec3& x) const {
   const std::vector<Vec3>& points = spline_.values();
   const double h = spline_.interval_width(interval);
-  SplinePosition at{interval, h * nearest_part(x, points[interval], points[interval + 1])};
+  SplinePosition at{interval,
+                    h * nearest_segment_parameter(x, points[interval], points[interval + 1])};
   for (int i = 0; i < 12; ++i) {
     const Vec3 off = spline_.value(at) - x;
     const Vec3 first = spline_.first_derivative(at);

@@ -75,7 +75,7 @@ model::FrontHistory extend_history(const model::CrackDefinition& before,
   std::vector<Vec3> normals;
   for (std::size_t i = 0; i < line.size(); ++i) {
     // b = t x m with the way as m, at right angles to the front.
-    const Vec3 b = geometry::direction_at(line, i).cross(kinematics[i]);
+    const Vec3 b = geometry::polyline_direction_at(line, i).cross(kinematics[i]);
     normals.push_back(b.norm() > hardly * most ? Vec3(b.normalized()) : old_normals[i]);
   }
   if (!made.closed()) { // ends beyond the surface are as those at it

@@ -183,7 +183,7 @@ std::optional<PairPoint> SurfaceProjection::look_as_far(const Vec3& x, const Vec
   constexpr double on = 1e-6;  // of a face's reference coordinates
   const Vec3 up = far * n.cwiseAbs() + Vec3::Constant(near * size_);
   std::optional<PairPoint> found;
-  for (const std::size_t t : tree_.boxes_meeting({x - up, x + up})) {
+  for (const std::size_t t : tree_.boxes_intersecting({x - up, x + up})) {
     const std::array<Vec3, 3>& y = corner_[t];
     Eigen::Matrix3d J;
     J << y[1] - y[0], y[2] - y[0], -n;
@@ -218,7 +218,7 @@ ElementPairPoints SurfaceProjection::project_triangle(const HatElement& triangle
   geometry::Box<3> box = geometry::Box<3>::around(frame.x);
   box.low -= up;
   box.high += up;
-  for (const std::size_t t : tree_.boxes_meeting(box)) {
+  for (const std::size_t t : tree_.boxes_intersecting(box)) {
     see_target(frame, t, projection);
   }
   return projection;

@@ -67,7 +67,8 @@ std::optional<std::vector<TwinFace>> twin_faces(const FacetSurface& own,
   for (const geometry::ElementSide& face : own.facets) {
     const Vec3 centre = centre_of(face);
     std::optional<TwinFace> twin;
-    for (const std::size_t f : tree.boxes_meeting(geometry::Box<3>{centre, centre}.grown(apart))) {
+    for (const std::size_t f :
+         tree.boxes_intersecting(geometry::Box<3>{centre, centre}.grown(apart))) {
       if (!twin && other.facets[f].nodes.size() == face.nodes.size()) {
         twin = matched(face, other.facets[f], apart);
         if (twin) {

@@ -87,7 +87,8 @@ void NonPlanarCrackSurface::go_on_before() {
   std::vector<Vec3> ahead;
   for (std::size_t i = 0; i < line.size(); ++i) {
     ahead.emplace_back(
-        line[i] + far * fronts_.normals[i].cross(geometry::direction_at(line, i)).normalized());
+        line[i] +
+        far * fronts_.normals[i].cross(geometry::polyline_direction_at(line, i)).normalized());
   }
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     add(line[i], ahead[i], ahead[i + 1]);
@@ -102,7 +103,8 @@ void NonPlanarCrackSurface::find_bends() {
     const std::vector<Vec3>& line = fronts_.points[k];
     std::vector<double>& turned = turned_.emplace_back();
     for (std::size_t i = 0; i < line.size(); ++i) {
-      const Vec3 m = fronts_.normal.cross(flat(geometry::direction_at(line, i))).normalized();
+      const Vec3 m =
+          fronts_.normal.cross(flat(geometry::polyline_direction_at(line, i))).normalized();
       const Vec3 before = fronts_.normal - height_slope(line[i] - beside * narrowest_ * m);
       const Vec3 behind = fronts_.normal - height_slope(line[i] + beside * narrowest_ * m);
       turned.push_back(std::atan2(before.cross(behind).norm(), before.dot(behind)));
@@ -116,7 +118,7 @@ bool NonPlanarCrackSurface::behind_first(const Vec3& q) const {
   const geometry::NearestPolylinePoint on = geometry::nearest_point(in_plane, line);
   const std::size_t corner = on.part < 0.5 ? on.piece : on.piece + 1;
   const bool at_corner = on.part == 0.0 || on.part == 1.0;
-  const Vec3 t = at_corner ? geometry::direction_at(line, corner)
+  const Vec3 t = at_corner ? geometry::polyline_direction_at(line, corner)
                            : Vec3((line[on.piece + 1] - line[on.piece]).normalized());
   return (q - flat(on.interpolate(line))).dot(fronts_.normal.cross(t)) <= 0.0;
 }

@@ -167,7 +167,7 @@ SurfaceChart::ChartPreimage SurfaceChart::flat_place(std::size_t face, const Vec
   }
   std::set<std::size_t> near;
   const Vec2 inside = u.cwiseMax(extent_.low).cwiseMin(extent_.high);
-  for (const std::size_t f : facets_.boxes_meeting({inside - room_, inside + room_})) {
+  for (const std::size_t f : facets_.boxes_intersecting({inside - room_, inside + room_})) {
     near.insert(net_.facets()[f].face);
   }
   for (const std::size_t other : near) {

@@ -82,8 +82,8 @@ std::vector<CrossingGuess> segment_guesses(const SurfaceGeometry& surface, const
                                            const Vec3& to) {
   std::vector<CrossingGuess> guesses;
   const Vec3 d = to - from;
-  for (const std::size_t f :
-       surface.boxes().boxes_along(from - facet_room * d, to + facet_room * d, box_room)) {
+  for (const std::size_t f : surface.boxes().boxes_meeting_segment(from - facet_room * d,
+                                                                   to + facet_room * d, box_room)) {
     const FacetNet net(surface, std::array{f});
     for (const FacetNet::SurfaceFacet& facet : net.facets()) {
       if (const auto guess = pass(net, facet, from, d)) {

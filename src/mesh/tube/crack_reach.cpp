@@ -43,7 +43,7 @@ CrackDistanceField::CrackDistances CrackDistanceField::distance(const Vec3& p) c
   double least = std::numeric_limits<double>::max();
   for (const FrontSegment& piece : pieces_) {
     const Vec3 along = piece.to - piece.from;
-    const double part = geometry::nearest_part(p, piece.from, piece.to);
+    const double part = geometry::nearest_segment_parameter(p, piece.from, piece.to);
     const double d = (piece.from + part * along - p).squaredNorm();
     if (d < least) {
       least = d;

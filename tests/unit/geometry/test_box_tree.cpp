@@ -66,13 +66,13 @@ TYPED_TEST(BoxTrees, FindsWhatAllBoxesAskedOneByOneGive) {
     const auto contains = [&](const Box<dim>& box) { return box.contains(x); };
     EXPECT_EQ(tree.boxes_containing(x), this->which(contains));
     const auto meets = [&](const Box<dim>& box) { return box.meets(asked); };
-    EXPECT_EQ(tree.boxes_meeting(asked), this->which(meets));
+    EXPECT_EQ(tree.boxes_intersecting(asked), this->which(meets));
     const auto near = [&](const Box<dim>& box) { return box.distance(x) <= 1.5; };
     EXPECT_EQ(tree.boxes_within(x, 1.5), this->which(near));
     const auto along = [&](const Box<dim>& box) {
       return box.grown(0.2 * box.diagonal()).meets_segment(x, y);
     };
-    EXPECT_EQ(tree.boxes_along(x, y, 0.2), this->which(along));
+    EXPECT_EQ(tree.boxes_meeting_segment(x, y, 0.2), this->which(along));
   }
 }
 

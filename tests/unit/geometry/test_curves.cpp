@@ -19,12 +19,12 @@ constexpr double pi = std::numbers::pi;
 
 template <class Value, class F>
 CubicSpline<Value> through(const std::vector<double>& knots, const F& f,
-                           SplineEnds ends = SplineEnds::not_a_knot) {
+                           SplineEndCondition ends = SplineEndCondition::not_a_knot) {
   std::vector<Value> values;
   for (const double x : knots) {
     values.push_back(f(x));
   }
-  if (ends == SplineEnds::periodic) {
+  if (ends == SplineEndCondition::periodic) {
     values.back() = values.front();
   }
   return CubicSpline<Value>(knots, values, ends);
@@ -65,7 +65,8 @@ TEST(CubicSpline, IsAParabolaThroughThreePointsAndALineThroughTwo) {
 TEST(CubicSpline, IsTwiceContinuouslyDifferentiable) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> number(0.0, 1.0);
-  for (const SplineEnds ends : {SplineEnds::not_a_knot, SplineEnds::periodic}) {
+  for (const SplineEndCondition ends :
+       {SplineEndCondition::not_a_knot, SplineEndCondition::periodic}) {
     std::vector<double> knots{-0.3};
     for (int i = 0; i < 9; ++i) {
       knots.push_back(knots.back() + 0.2 + number(random));
@@ -77,7 +78,7 @@ TEST(CubicSpline, IsTwiceContinuouslyDifferentiable) {
       const SplinePosition end{i, spline.interval_width(i)};
       EXPECT_EQ(spline.value({i, 0.0}), spline.values()[i]);
       EXPECT_EQ(spline.value(end), spline.values()[i + 1]);
-      if (i + 1 < n || ends == SplineEnds::periodic) {
+      if (i + 1 < n || ends == SplineEndCondition::periodic) {
         const SplinePosition next{(i + 1) % n, 0.0};
         EXPECT_LT((spline.first_derivative(end) - spline.first_derivative(next)).norm(), 1e-12);
         EXPECT_LT((spline.second_derivative(end) - spline.second_derivative(next)).norm(), 1e-11);
@@ -101,7 +102,7 @@ TEST(CubicSpline, PeriodicOneConvergesToTheSineWithTheFourthPowerAndIsRepeated) 
       knots.push_back(2.0 * pi * (i + 0.2 * std::sin(2.0 * pi * i / count)) / count);
     }
     const auto sine = [](double x) { return std::sin(x); };
-    const CubicSpline<double> spline = through<double>(knots, sine, SplineEnds::periodic);
+    const CubicSpline<double> spline = through<double>(knots, sine, SplineEndCondition::periodic);
     double worst = 0.0;
     for (int i = 0; i < 300; ++i) {
       const double x = -4.0 + 0.05 * i;
@@ -211,7 +212,7 @@ template <int dim> void check_segments() {
     const NearestSegmentPoint on = nearest_point(x, a, b);
     EXPECT_NEAR(on.distance, (a + on.part * (b - a) - x).norm(), 1e-15);
     EXPECT_EQ(on.distance, distance_to_segment(x, a, b));
-    EXPECT_EQ(on.part, nearest_part(x, a, b));
+    EXPECT_EQ(on.part, nearest_segment_parameter(x, a, b));
     for (const double part : {0.0, on.part - 1e-3, on.part + 1e-3, 1.0}) {
       if (part >= 0.0 && part <= 1.0) {
         EXPECT_GE((a + part * (b - a) - x).norm(), on.distance - 1e-15);
@@ -244,9 +245,9 @@ TEST(Polyline, FindsTheFirstOfTheNearestPlaces) {
 
 TEST(Polyline, HasDirectionsLengthsAndPlacesByLength) {
   const std::vector<Vec2> open{{0, 0}, {3, 0}, {3, 4}};
-  EXPECT_EQ(direction_at(open, 0), Vec2(1, 0));
-  EXPECT_EQ(direction_at(open, 2), Vec2(0, 1));
-  EXPECT_LT((direction_at(open, 1) - Vec2(0.6, 0.8)).norm(), 1e-15);
+  EXPECT_EQ(polyline_direction_at(open, 0), Vec2(1, 0));
+  EXPECT_EQ(polyline_direction_at(open, 2), Vec2(0, 1));
+  EXPECT_LT((polyline_direction_at(open, 1) - Vec2(0.6, 0.8)).norm(), 1e-15);
   EXPECT_EQ(arc_lengths(open), (std::vector<double>{0.0, 3.0, 7.0}));
   EXPECT_EQ(polyline_length(open), 7.0);
   EXPECT_EQ(polyline_length(std::vector<Vec2>{}), 0.0);
@@ -258,8 +259,8 @@ TEST(Polyline, HasDirectionsLengthsAndPlacesByLength) {
   EXPECT_EQ(position_at_length(arc, 3.0).piece, 1U);
   const std::vector<Vec3> closed{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 0}};
   const Vec3 across = Vec3(1.0, -1.0, 0.0).normalized();
-  EXPECT_LT((direction_at(closed, 0) - across).norm(), 1e-15);
-  EXPECT_LT((direction_at(closed, 4) - across).norm(), 1e-15);
+  EXPECT_LT((polyline_direction_at(closed, 0) - across).norm(), 1e-15);
+  EXPECT_LT((polyline_direction_at(closed, 4) - across).norm(), 1e-15);
 }
 
 TEST(Outline, IsClosedByTheSideToItsFirstCorner) {

@@ -152,7 +152,7 @@ TEST_P(EverySide, finds_its_nearest_point) {
     const Vec3 x =
         side.position(side.clamp(some_coordinates(side, random))) + 0.1 * size * off.normalized();
     const double raster = raster_distance(side, x);
-    for (const BorderFoot border : {BorderFoot::compared, BorderFoot::replaced}) {
+    for (const BorderFootPolicy border : {BorderFootPolicy::compared, BorderFootPolicy::replaced}) {
       const Vec2 r = side.nearest_point(x, border);
       EXPECT_LT((side.clamp(r) - r).norm(), 1e-14);
       EXPECT_LT((x - side.position(r)).norm(), raster + 1e-9 * size) << trial;
