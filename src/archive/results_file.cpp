@@ -22,7 +22,7 @@ constexpr std::int64_t format_version = 2;
 std::vector<bool> kept_fields(const model::Model& model, const results::RunResult& run) {
   const bool law = model.growth && model.growth->law != model::CrackGrowthLaw::increment;
   const bool asked = std::ranges::any_of(model.outputs, [](const model::Output& output) {
-    return output.format == model::OutputFormat::vtu && output.every != model::OutputEvery::end;
+    return output.format == model::OutputFormat::vtu && output.every != model::OutputFrequency::end;
   });
   std::vector<bool> kept(run.increments.size(), !law || asked);
   if (!kept.empty()) {

@@ -39,10 +39,10 @@ public:
       : pair_(pair), own_(pair.contact), other_(pair.target), frames_(own_),
         rows_(rows_along(pair)), functions_(functions_by_facet(pair)) {
     for (std::size_t f = 0; f < own_.facets.size(); ++f) {
-      own_wanted_.push_back(wanted(model::face_of(own_.facets[f])));
+      own_wanted_.push_back(wanted(model::face_of_side(own_.facets[f])));
     }
     for (const geometry::ElementSide& face : other_.facets) {
-      other_wanted_.push_back(wanted(model::face_of(face)));
+      other_wanted_.push_back(wanted(model::face_of_side(face)));
     }
   }
 
@@ -89,14 +89,14 @@ private:
       }
       if (own_wanted_[triangle.facet]) {
         UnitTractionPoint& point =
-            points_[model::face_of(own_.facets[triangle.facet])].emplace_back(
+            points_[model::face_of_side(own_.facets[triangle.facet])].emplace_back(
                 UnitTractionPoint{p.r, forces});
         for (UnitTractionPoint::RowForce& one : point.rows) {
           one.force = -one.force;
         }
       }
       if (!pair_.rigid && other_wanted_[p.target]) {
-        points_[model::face_of(other_.facets[p.target])].push_back({p.s, std::move(forces)});
+        points_[model::face_of_side(other_.facets[p.target])].push_back({p.s, std::move(forces)});
       }
     }
   }

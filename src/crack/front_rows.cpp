@@ -30,7 +30,7 @@ SparseRows made_rows(const model::Model& model, const mesh::CrackedMesh& cracked
 
 SparseRows front_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
                                 const mesh::CrackFront& front, const FrontExtensions& domains,
-                                model::TipConstraint state) {
+                                model::CrackTipPlaneState state) {
   if (front.is_tip() && !domains.empty()) {
     return tip_intensity_rows(model, cracked, front, domains.points.front(), state);
   }

@@ -11,9 +11,10 @@ namespace spricka::crack {
 /// K of all points of a front as functions of u, rows^T u + what loads add: what front_intensity
 /// finds without a shift. The rows are their exact gradient, columns as in KLayout; zero without a
 /// domain and at a tip between two materials. [dim * node, dim * points]
-SparseRows front_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                const mesh::CrackFront& front, const FrontExtensions& domains,
-                                model::TipConstraint state = model::TipConstraint::automatic);
+SparseRows
+front_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
+                     const mesh::CrackFront& front, const FrontExtensions& domains,
+                     model::CrackTipPlaneState state = model::CrackTipPlaneState::automatic);
 
 /// K as functions of what multiplies other functions, 3 * function + direction: the same functional
 /// as front_intensity_rows. [3 * count, 3 * points]

@@ -21,19 +21,19 @@ namespace spricka::crack {
 namespace {
 
 // The E' that K belongs to.
-double used_modulus(const TipSetting& set, model::TipConstraint request) {
+double used_modulus(const TipSetting& set, model::CrackTipPlaneState request) {
   switch (request) {
-  case model::TipConstraint::stress:
+  case model::CrackTipPlaneState::stress:
     return fe::effective_modulus(set.material, model::StressState::plane_stress);
-  case model::TipConstraint::strain:
+  case model::CrackTipPlaneState::strain:
     return fe::effective_modulus(set.material, model::StressState::plane_strain);
-  case model::TipConstraint::automatic:
+  case model::CrackTipPlaneState::automatic:
     break;
   }
   return fe::effective_modulus(set.material, set.state());
 }
 // What makes K of it from K of the property's own E' (crack.13).
-double restated(const TipSetting& set, model::TipConstraint request) {
+double restated(const TipSetting& set, model::CrackTipPlaneState request) {
   return std::sqrt(used_modulus(set, request) / fe::effective_modulus(set.material, set.state()));
 }
 
@@ -158,7 +158,7 @@ StressIntensity tip_intensity(const model::Model& model, const mesh::CrackedMesh
 SparseRows tip_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
                               const mesh::CrackFront& front,
                               const std::vector<ExtensionField>& fields,
-                              model::TipConstraint state) {
+                              model::CrackTipPlaneState state) {
   const FrontLoads none;
   const TipSetting set = tip_setting(model, cracked, front, fields, none);
   if (between_materials(set, fields.front())) {
@@ -172,7 +172,7 @@ std::vector<IntensityFunctionalPoint> intensity_points(const model::Model& model
                                                        const mesh::CrackedMesh& cracked,
                                                        const mesh::CrackFront& front,
                                                        const std::vector<ExtensionField>& fields,
-                                                       model::TipConstraint state) {
+                                                       model::CrackTipPlaneState state) {
   std::vector<IntensityFunctionalPoint> points;
   const FrontLoads none;
   if (fields.empty()) {
@@ -201,7 +201,7 @@ std::vector<IntensityFunctionalPoint> intensity_points(const model::Model& model
 base::Matrix face_force_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
                                        const mesh::CrackFront& front,
                                        const std::vector<ExtensionField>& fields,
-                                       model::TipConstraint state,
+                                       model::CrackTipPlaneState state,
                                        const std::vector<model::Face>& faces) {
   base::Matrix rows = base::Matrix::Zero(freedoms(cracked), 2);
   if (fields.empty()) {

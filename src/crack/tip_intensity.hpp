@@ -17,7 +17,7 @@ namespace spricka::crack {
 /// What is asked of a front: K by domains, and on request what else.
 struct FrontIntensityRequest {
   std::optional<double> shift; ///< of a tip, finite shift in tip element sizes; empty: analytic
-  model::TipConstraint state = model::TipConstraint::automatic; ///< of a tip
+  model::CrackTipPlaneState state = model::CrackTipPlaneState::automatic; ///< of a tip
   bool opening = false; ///< K from the opening of the crack's faces as well
 };
 
@@ -42,7 +42,7 @@ StressIntensity tip_intensity(const model::Model& model, const mesh::CrackedMesh
 SparseRows tip_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
                               const mesh::CrackFront& front,
                               const std::vector<ExtensionField>& fields,
-                              model::TipConstraint state);
+                              model::CrackTipPlaneState state);
 
 /// The same functional of any displacement gradient, also of functions that are not the mesh's: K_m
 /// is the sum over the points of M_m : grad u (row i: gradient of u_i), about an axis with hoop_m
@@ -59,13 +59,13 @@ std::vector<IntensityFunctionalPoint> intensity_points(const model::Model& model
                                                        const mesh::CrackedMesh& cracked,
                                                        const mesh::CrackFront& front,
                                                        const std::vector<ExtensionField>& fields,
-                                                       model::TipConstraint state);
+                                                       model::CrackTipPlaneState state);
 /// The same for forces between the faces: rows^T f is what FrontLoads::crack_faces add to K1
 /// and K2. [dim * node, 2]
 base::Matrix face_force_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
                                        const mesh::CrackFront& front,
                                        const std::vector<ExtensionField>& fields,
-                                       model::TipConstraint state,
+                                       model::CrackTipPlaneState state,
                                        const std::vector<model::Face>& faces);
 
 } // namespace spricka::crack

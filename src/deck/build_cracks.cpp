@@ -104,9 +104,9 @@ void crack(DeckContext& c, const CheckedCard& card) {
   crack.name = card.word_value("NAME");
   crack.a0 = card.optional_number("A0");
   crack.angle = card.optional_number("ANGLE");
-  crack.state = card.has_word("STATE", "STRESS")   ? model::TipConstraint::stress
-                : card.has_word("STATE", "STRAIN") ? model::TipConstraint::strain
-                                                   : model::TipConstraint::automatic;
+  crack.state = card.has_word("STATE", "STRESS")   ? model::CrackTipPlaneState::stress
+                : card.has_word("STATE", "STRAIN") ? model::CrackTipPlaneState::strain
+                                                   : model::CrackTipPlaneState::automatic;
   crack.smooth = card.has_word("LINE", "SMOOTH");
   crack.faces_in_contact = card.has_word("FACES", "CONTACT");
   crack.mu = card.number_value("MU");
@@ -188,7 +188,7 @@ void tip_net(DeckContext& c, const CheckedCard& card, std::set<std::size_t>& see
 }
 
 void vce(DeckContext& c, const CheckedCard& card, std::set<std::size_t>& seen) {
-  model::CrackExtensionSettings vce;
+  model::VirtualCrackExtensionSettings vce;
   vce.crack = crack_of(c, card, seen);
   vce.shift = card.optional_number("SHIFT");
   vce.opening = card.has_word("CHECK", "OPENING");

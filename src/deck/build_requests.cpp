@@ -78,9 +78,9 @@ void output(DeckContext& c, const CheckedCard& card) {
   } else {
     output.file = name;
   }
-  output.every = card.has_word("EVERY", "STEP")        ? model::OutputEvery::step
-                 : card.has_word("EVERY", "INCREMENT") ? model::OutputEvery::increment
-                                                       : model::OutputEvery::end;
+  output.every = card.has_word("EVERY", "STEP")        ? model::OutputFrequency::step
+                 : card.has_word("EVERY", "INCREMENT") ? model::OutputFrequency::increment
+                                                       : model::OutputFrequency::end;
   output.span = card.span;
   for (const grammar::DataRow& row : card.rows) {
     const auto* const it = std::ranges::find_if(requests, [&](const Request& r) {

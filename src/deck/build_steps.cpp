@@ -238,8 +238,8 @@ void grow(DeckContext& c, const CheckedCard& card) {
   // a part that keeps what it has slipped keeps what it was mounted with
   growth.mounted =
       card.has_word("MOUNTED", "FIRST") || growth.history == model::GrowthHistoryMode::carry_on
-          ? model::ContactMounting::first
-          : model::ContactMounting::each;
+          ? model::ContactMountingPolicy::first
+          : model::ContactMountingPolicy::each;
   growth.shape = card.has_word("SHAPE", "ELLIPSE") ? model::FrontShapeRule::ellipse
                                                    : model::FrontShapeRule::free;
   growth.span = card.span;
@@ -306,7 +306,8 @@ void paths_with_friction(DeckContext& c) {
     return;
   }
   const model::SpectrumDefinition& history = c.model.spectra[*growth->spectrum];
-  const std::size_t places = model::followed_places(model::divide_spectrum(history));
+  const std::size_t places =
+      model::followed_place_count(model::divide_spectrum_into_blocks(history));
   if (places > model::most_followed_places) {
     c.error(
         history.span, "E327",

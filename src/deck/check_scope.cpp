@@ -81,13 +81,13 @@ void solid_cracks_in_reach(DeckContext& c) {
           tip.span);
     }
   }
-  for (const model::CrackExtensionSettings& vce : c.model.vces) {
+  for (const model::VirtualCrackExtensionSettings& vce : c.model.vces) {
     if (vce.shift) {
       c.mark_unavailable("$VCE SHIFT in space", vce.span);
     }
   }
   for (const model::CrackDefinition& crack : c.model.cracks) {
-    if (crack.state == model::TipConstraint::stress) {
+    if (crack.state == model::CrackTipPlaneState::stress) {
       c.mark_unavailable("$CRACK STATE=STRESS in space, where a front is in plane strain,",
                          crack.span);
     }
@@ -98,7 +98,7 @@ void cracks_in_reach(DeckContext& c) {
   const bool space = c.model.mesh.dim == 3;
   const bool axial = model::axisymmetric(c.model);
   for (const model::CrackDefinition& crack : c.model.cracks) {
-    if (axial && crack.state == model::TipConstraint::stress) {
+    if (axial && crack.state == model::CrackTipPlaneState::stress) {
       c.mark_unavailable("$CRACK STATE=STRESS about an axis, where a front is in plane strain,",
                          crack.span);
     }
@@ -116,8 +116,8 @@ void cracks_in_reach(DeckContext& c) {
     const base::ElementId id(e);
     const model::ElasticMaterial& material = c.model.element_material(mesh, id);
     const model::ElementProperty& property = c.model.element_property(mesh, id);
-    if (model::nearly_incompressible(material, property.state,
-                                     base::element_info(mesh.type[e]).quadratic)) {
+    if (model::is_nearly_incompressible(material, property.state,
+                                        base::element_info(mesh.type[e]).quadratic)) {
       c.mark_unavailable(
           fmt::format("$CRACK with {} elements and nu = {:.6g}, nearly incompressible,",
                       base::element_info(mesh.type[e]).name, material.nu),

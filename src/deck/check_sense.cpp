@@ -76,14 +76,14 @@ std::string_view word_of(model::StressState state) {
 void crack_states(DeckContext& c) {
   const model::Mesh& mesh = c.model.mesh;
   for (const model::CrackDefinition& crack : c.model.cracks) {
-    if (crack.state == model::TipConstraint::automatic || mesh.dim != 2) {
+    if (crack.state == model::CrackTipPlaneState::automatic || mesh.dim != 2) {
       continue;
     }
     const base::NetId net = crack.kind == model::CrackDefinitionKind::free ? crack.net
                             : crack.path.valid() && !mesh.set_with_id(crack.path).nodes.empty()
                                 ? mesh.node_net[mesh.set_with_id(crack.path).nodes.front().index()]
                                 : base::NetId();
-    const model::StressState own = crack.state == model::TipConstraint::stress
+    const model::StressState own = crack.state == model::CrackTipPlaneState::stress
                                        ? model::StressState::plane_stress
                                        : model::StressState::plane_strain;
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {

@@ -183,7 +183,7 @@ void odd_steps(DeckContext& c) {
   fit_of_absent(c);
   std::vector<bool> in = mounted_at_start(c.model);
   for (const model::Step& step : c.model.steps) {
-    for (const model::Action& action : step.actions) {
+    for (const model::StepAction& action : step.actions) {
       const auto* on = std::get_if<model::MountContact>(&action);
       const auto* off = std::get_if<model::DismountContact>(&action);
       if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {

@@ -9,23 +9,24 @@
 namespace spricka::deck {
 
 /// Calls f with each action of a kind in a step, in deck order.
-template <class Action, class F> void for_actions(const model::Step& step, F&& f) {
-  for (const model::Action& action : step.actions) {
-    if (const auto* one = std::get_if<Action>(&action)) {
+template <class StepAction, class F> void for_actions(const model::Step& step, F&& f) {
+  for (const model::StepAction& action : step.actions) {
+    if (const auto* one = std::get_if<StepAction>(&action)) {
       f(*one);
     }
   }
 }
 /// The same in all steps, one after another.
-template <class Action, class F> void for_actions(const std::vector<model::Step>& steps, F&& f) {
+template <class StepAction, class F>
+void for_actions(const std::vector<model::Step>& steps, F&& f) {
   for (const model::Step& step : steps) {
-    for_actions<Action>(step, f);
+    for_actions<StepAction>(step, f);
   }
 }
 
 /// Whether an action of one of some kinds is in a step.
 template <class... Actions> bool has_action(const model::Step& step) {
-  return std::ranges::any_of(step.actions, [](const model::Action& action) {
+  return std::ranges::any_of(step.actions, [](const model::StepAction& action) {
     return (std::holds_alternative<Actions>(action) || ...);
   });
 }
@@ -45,7 +46,7 @@ inline std::vector<bool> mounted_at_start(const model::Model& model) {
 
 /// Calls f(contact, whether it is there from now on) for each MOUNT and DISMOUNT of a step.
 template <class F> void for_mountings(const model::Step& step, F&& f) {
-  for (const model::Action& action : step.actions) {
+  for (const model::StepAction& action : step.actions) {
     if (const auto* on = std::get_if<model::MountContact>(&action)) {
       f(on->contact, true);
     } else if (const auto* off = std::get_if<model::DismountContact>(&action)) {

@@ -40,7 +40,8 @@ InterpolationError interpolation_error(const model::Mesh& mesh, const model::Loa
   if (is_constant(load)) {
     return worst;
   }
-  for (const model::Face& face : model::sides_within(mesh, mesh.set_with_id(load.nodes).nodes)) {
+  for (const model::Face& face :
+       model::sides_with_all_nodes_in(mesh, mesh.set_with_id(load.nodes).nodes)) {
     visit_side(model::element_side(mesh, face), load, worst);
   }
   return worst;

@@ -62,7 +62,7 @@ std::vector<std::vector<Body>> join_bodies(const model::Mesh& mesh, std::vector<
     const std::size_t first = body_at(row.freedom);
     for (const FreedomTerm& t : row.terms) {
       // A tie to a freedom that is held or given is a support and joins nothing.
-      if (!model::holds_freedom(cls[static_cast<std::size_t>(t.freedom)])) {
+      if (!model::is_supported_freedom(cls[static_cast<std::size_t>(t.freedom)])) {
         links.emplace_back(first, body_at(t.freedom));
       }
     }

@@ -103,7 +103,7 @@ void ConstraintTransformation::add(const Tie& tie, const std::vector<FreedomClas
   double largest = 0.0;
   for (const auto& [freedom, entry] : sum.terms) {
     // What may be round-off as a whole is no coefficient to divide by.
-    if (!model::holds_freedom(cls[static_cast<std::size_t>(freedom)]) && !entry.doubtful() &&
+    if (!model::is_supported_freedom(cls[static_cast<std::size_t>(freedom)]) && !entry.doubtful() &&
         std::abs(entry.value) > largest) {
       largest = std::abs(entry.value);
       pivot = freedom;
@@ -126,7 +126,7 @@ void ConstraintTransformation::add(const Tie& tie, const std::vector<FreedomClas
   const auto first = sum.terms.find(tie.terms.front().freedom);
   // The freedom that the tie names first shall follow, if dividing by its coefficient does no harm.
   if (first != sum.terms.end() &&
-      !model::holds_freedom(cls[static_cast<std::size_t>(first->first)]) &&
+      !model::is_supported_freedom(cls[static_cast<std::size_t>(first->first)]) &&
       !first->second.doubtful() && std::abs(first->second.value) >= least_pivot * largest) {
     pivot = first->first;
   }

@@ -17,7 +17,7 @@ ConstitutiveLaw constitutive_law(const model::ElasticMaterial& material,
   law.thickness = plane ? property.thickness : 1.0;
   law.expansion = material.alpha;
   law.projected =
-      model::nearly_incompressible(material, property.state, base::element_info(type).quadratic);
+      model::is_nearly_incompressible(material, property.state, base::element_info(type).quadratic);
   return law;
 }
 

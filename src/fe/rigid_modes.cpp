@@ -71,7 +71,7 @@ base::Matrix forbidden(const model::Mesh& mesh, const base::Matrix& modes,
     for (const base::NodeId n : piece.nodes) {
       for (int c = 0; c < mesh.dim; ++c) {
         const auto freedom = static_cast<std::int32_t>(n.index()) * mesh.dim + c;
-        if (model::holds_freedom(cls[static_cast<std::size_t>(freedom)])) {
+        if (model::is_supported_freedom(cls[static_cast<std::size_t>(freedom)])) {
           add(modes.row(freedom));
         } else if (const ConstraintTransformation::DependentRow* row = ties.find_row(freedom)) {
           Eigen::RowVectorXd broken = modes.row(freedom);

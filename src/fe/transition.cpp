@@ -241,7 +241,7 @@ void add_transition(const model::Mesh& mesh, const model::TransitionTie& transit
     std::ranges::copy(model::side_nodes(mesh, face), std::inserter(master, master.end()));
   }
   const std::vector<model::Face> sides =
-      model::sides_within(mesh, mesh.set_with_id(transition.slave).nodes);
+      model::sides_with_all_nodes_in(mesh, mesh.set_with_id(transition.slave).nodes);
   double worst = 0.0;
   base::NodeId worst_node;
   for (const base::NodeId slave : mesh.set_with_id(transition.slave).nodes) {

@@ -44,7 +44,7 @@ Measures measure(const model::Mesh& mesh, base::ElementId e) {
   const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
   const auto corners = static_cast<std::size_t>(base::element_info(mesh.type[e.index()]).corners);
   Measures m;
-  m.centroid = model::corner_mean(mesh, e);
+  m.centroid = model::element_corner_mean(mesh, e);
   double longest = 0.0;
   double shortest = 0.0;
   for (std::size_t i = 0; i < corners; ++i) {

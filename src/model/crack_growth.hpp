@@ -24,7 +24,7 @@ enum class GrowthDirection { path, hoop, k2_zero };
 /// In space: fronts as K shapes them, or held to ellipses.
 enum class FrontShapeRule { ellipse, free };
 enum class GrowthHistoryMode { restart, carry_on };
-enum class ContactMounting { each, first };
+enum class ContactMountingPolicy { each, first };
 
 /// Constants of a growth law. C and the table count K in `k_unit` and lengths in `a_unit`;
 /// threshold and toughness are in the units of the deck.
@@ -52,7 +52,7 @@ struct CrackGrowthSettings {
   base::StepId kmin;
   std::optional<std::size_t> spectrum; ///< of Model::spectra, in place of the two steps
   GrowthHistoryMode history = GrowthHistoryMode::restart;
-  ContactMounting mounted = ContactMounting::each;
+  ContactMountingPolicy mounted = ContactMountingPolicy::each;
   std::vector<double> lengths; ///< law increment [length]
   GrowthLawConstants constants;
   std::optional<double> largest_advance; ///< of an increment [length]

@@ -14,7 +14,7 @@ namespace spricka::model {
 /// In the plane along a path of nodes or free; in space a front of nodes, an ellipse, or a front
 /// drawn by its points.
 enum class CrackDefinitionKind { path, free, front, ellipse, drawn };
-enum class TipConstraint { stress, strain, automatic };
+enum class CrackTipPlaneState { stress, strain, automatic };
 
 /// Where a crack lies in space: its plane, and the part of it that it takes.
 struct PlanarCrack {
@@ -50,7 +50,7 @@ struct CrackDefinition {
   std::optional<double> a0;        ///< first length [length]
   PlanarCrack plane;               ///< in space, as it began
   FrontHistory front_history = {}; ///< empty: all of it lies in that plane
-  TipConstraint state = TipConstraint::automatic;
+  CrackTipPlaneState state = CrackTipPlaneState::automatic;
   bool faces_in_contact = true;
   double mu = 0.0;
   /// Its crack faces, "C1.LEFT" and "C1.RIGHT", seen along the crack: empty in the host, filled in
@@ -77,7 +77,7 @@ struct TipMeshSettings {
   base::SourceSpan span;
 };
 
-struct CrackExtensionSettings {
+struct VirtualCrackExtensionSettings {
   base::CrackId crack;
   std::optional<double> shift; ///< finite shift in tip element sizes; empty: analytic derivative
   std::vector<int> domains;    ///< rings that move rigidly, one value of K each; empty: default

@@ -4,7 +4,7 @@
 /// Names of the model, for headers that hand it on without looking into it.
 namespace spricka::model {
 
-enum class TipConstraint;
+enum class CrackTipPlaneState;
 enum class FreedomClass;
 enum class StressState;
 struct ResultCheck;

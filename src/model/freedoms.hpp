@@ -14,7 +14,7 @@ namespace spricka::model {
 enum class FreedomClass { local, external, suppressed, prescribed, dependent };
 
 /// Whether a support gives the freedom its displacement: suppressed or prescribed.
-constexpr bool holds_freedom(FreedomClass cls) {
+constexpr bool is_supported_freedom(FreedomClass cls) {
   return cls == FreedomClass::suppressed || cls == FreedomClass::prescribed;
 }
 

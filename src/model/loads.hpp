@@ -32,7 +32,7 @@ struct Load {
   base::SourceSpan span;
 };
 /// Whether it acts by forces, not by given displacements or a temperature.
-inline bool is_force(const Load& load) {
+inline bool is_force_load(const Load& load) {
   return load.type != LoadType::displacement && load.type != LoadType::temperature;
 }
 

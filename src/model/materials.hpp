@@ -31,8 +31,8 @@ struct ElementProperty {
 /// Whether elements hardly change their volume, so that plain displacement elements lock: at
 /// nu = 0.49 quadratic ones are still right to some 0.02 %, linear ones 6 % stiff (thick cylinder
 /// of MacNeal and Harder, 12 elements through the wall).
-inline bool nearly_incompressible(const ElasticMaterial& material, StressState state,
-                                  bool quadratic) {
+inline bool is_nearly_incompressible(const ElasticMaterial& material, StressState state,
+                                     bool quadratic) {
   return state != StressState::plane_stress && material.nu > (quadratic ? 0.49 : 0.4);
 }
 

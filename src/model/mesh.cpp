@@ -28,7 +28,7 @@ std::vector<base::ElementId> all_elements(const Mesh& mesh) {
   return elements;
 }
 
-base::Vec3 corner_mean(const Mesh& mesh, base::ElementId e) {
+base::Vec3 element_corner_mean(const Mesh& mesh, base::ElementId e) {
   const auto corners = static_cast<std::size_t>(base::element_info(mesh.type[e.index()]).corners);
   base::Vec3 mean = base::Vec3::Zero();
   for (const base::NodeId n : mesh.element_nodes(e).first(corners)) {
@@ -37,7 +37,7 @@ base::Vec3 corner_mean(const Mesh& mesh, base::ElementId e) {
   return mean;
 }
 
-std::vector<bool> nodes_in_use(const Mesh& mesh) {
+std::vector<bool> mark_nodes_in_use(const Mesh& mesh) {
   return mark_members(mesh.node_count(), mesh.nodes);
 }
 

@@ -91,11 +91,11 @@ template <class Id> std::vector<bool> mark_members(std::size_t count, const std:
 }
 
 /// The mean of the corners of an element.
-base::Vec3 corner_mean(const Mesh& mesh, base::ElementId e);
+base::Vec3 element_corner_mean(const Mesh& mesh, base::ElementId e);
 
 /// Which nodes belong to an element [node]: nodes of references and what a crack patch replaced do
 /// not.
-std::vector<bool> nodes_in_use(const Mesh& mesh);
+std::vector<bool> mark_nodes_in_use(const Mesh& mesh);
 
 /// Radius below which a node lies on the axis x = 0 of a mesh about it: 1e-9 of the largest.
 double axis_tolerance(const Mesh& mesh);

@@ -23,7 +23,8 @@ inline geometry::ElementSide element_side(const Mesh& mesh, const Face& face) {
 }
 
 /// Sides of elements all of whose nodes are among some, element by element.
-inline std::vector<Face> sides_within(const Mesh& mesh, const std::vector<base::NodeId>& nodes) {
+inline std::vector<Face> sides_with_all_nodes_in(const Mesh& mesh,
+                                                 const std::vector<base::NodeId>& nodes) {
   std::vector<bool> inside(mesh.node_count(), false);
   for (const base::NodeId n : nodes) {
     inside[n.index()] = true;
@@ -45,7 +46,7 @@ inline std::vector<Face> sides_within(const Mesh& mesh, const std::vector<base::
 }
 
 /// Which side of the mesh it is.
-inline Face face_of(const geometry::ElementSide& side) {
+inline Face face_of_side(const geometry::ElementSide& side) {
   return {side.element, side.side};
 }
 

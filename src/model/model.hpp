@@ -52,8 +52,8 @@ struct Model {
   std::vector<RigidTarget> rigids;
   std::vector<Contact> contacts;
   std::vector<CrackDefinition> cracks;
-  std::vector<TipMeshSettings> tip_nets;    ///< at most one for each crack
-  std::vector<CrackExtensionSettings> vces; ///< at most one for each crack
+  std::vector<TipMeshSettings> tip_nets;           ///< at most one for each crack
+  std::vector<VirtualCrackExtensionSettings> vces; ///< at most one for each crack
   std::vector<Step> steps;
   std::optional<CrackGrowthSettings> growth;
   std::vector<Output> outputs;

@@ -6,8 +6,8 @@
 
 namespace spricka::model {
 
-PropertyPoints property_points(const Mesh& mesh) {
-  PropertyPoints points;
+PropertySplitPoints property_points(const Mesh& mesh) {
+  PropertySplitPoints points;
   points.of.reserve(mesh.nodes.size());
   points.node.reserve(mesh.node_count());
   for (std::size_t n = 0; n < mesh.node_count(); ++n) {

@@ -11,7 +11,7 @@
 namespace spricka::model {
 
 enum class OutputFormat { vtu, csv, json };
-enum class OutputEvery { step, increment, end };
+enum class OutputFrequency { step, increment, end };
 
 struct OutputRequest {
   std::string quantity; ///< U, S, CPRESS, K, REACTION
@@ -21,7 +21,7 @@ struct OutputRequest {
 struct Output {
   std::string file;
   OutputFormat format = OutputFormat::csv;
-  OutputEvery every = OutputEvery::step;
+  OutputFrequency every = OutputFrequency::step;
   std::vector<OutputRequest> requests;
   base::SourceSpan span;
 };

@@ -6,7 +6,7 @@
 
 namespace spricka::model {
 
-std::vector<SpectrumBlock> divide_spectrum(const SpectrumDefinition& spectrum) {
+std::vector<SpectrumBlock> divide_spectrum_into_blocks(const SpectrumDefinition& spectrum) {
   std::vector<SpectrumBlock> runs;
   if (!spectrum.sequence) {
     for (const auto& [low, high, count] : spectrum.cycles) {
@@ -31,7 +31,7 @@ std::vector<SpectrumBlock> divide_spectrum(const SpectrumDefinition& spectrum) {
   return runs;
 }
 
-std::size_t followed_places(const std::vector<SpectrumBlock>& runs) {
+std::size_t followed_place_count(const std::vector<SpectrumBlock>& runs) {
   std::size_t places = 0;
   for (const SpectrumBlock& run : runs) {
     places += run.t.size();

@@ -16,10 +16,10 @@ struct SpectrumBlock {
 
 /// One pass of a spectrum as stretches, in order. Places of a sequence where it does not turn are
 /// left out; two places that follow one another again and again are one stretch.
-std::vector<SpectrumBlock> divide_spectrum(const SpectrumDefinition& spectrum);
+std::vector<SpectrumBlock> divide_spectrum_into_blocks(const SpectrumDefinition& spectrum);
 
 /// Places of all stretches: what a solution that has to follow the history comes to.
-std::size_t followed_places(const std::vector<SpectrumBlock>& runs);
+std::size_t followed_place_count(const std::vector<SpectrumBlock>& runs);
 
 /// More are refused.
 inline constexpr std::size_t most_followed_places = 2000;

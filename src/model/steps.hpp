@@ -30,12 +30,12 @@ struct DismountContact {
   base::ContactId contact;
   bool operator==(const DismountContact&) const = default;
 };
-using Action = std::variant<ApplyLoad, ApplyFit, MountContact, DismountContact>;
+using StepAction = std::variant<ApplyLoad, ApplyFit, MountContact, DismountContact>;
 
 struct Step {
   std::string name;
   int substeps = 1; ///< 0: as many as the shear of contacts that rub needs
-  std::vector<Action> actions;
+  std::vector<StepAction> actions;
   base::SourceSpan span;
 };
 

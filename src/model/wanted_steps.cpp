@@ -7,13 +7,13 @@
 
 namespace spricka::model {
 
-std::vector<std::size_t> output_steps(const Model& model, const Output& output,
-                                      bool last_increment) {
+std::vector<std::size_t> output_step_indices(const Model& model, const Output& output,
+                                             bool last_increment) {
   std::vector<std::size_t> steps;
-  if (output.every == OutputEvery::step) {
+  if (output.every == OutputFrequency::step) {
     steps.resize(model.steps.size());
     std::iota(steps.begin(), steps.end(), std::size_t{0});
-  } else if (output.every == OutputEvery::increment || last_increment) {
+  } else if (output.every == OutputFrequency::increment || last_increment) {
     const bool growing = model.growth && model.growth->kmax.valid();
     steps.push_back(growing ? model.growth->kmax.index() : model.steps.size() - 1);
   }

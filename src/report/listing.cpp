@@ -79,7 +79,7 @@ std::string increment_text(const model::Model& model, const results::Increment& 
                         : heading(fmt::format("Increment {}: a = {:.6g} {}", increment.number,
                                               increment.a, model.units.length_name));
   out += fmt::format("Mesh: {} nodes, {} elements\n",
-                     std::ranges::count(model::nodes_in_use(increment.mesh), true),
+                     std::ranges::count(model::mark_nodes_in_use(increment.mesh), true),
                      increment.mesh.element_count());
   if (const std::string note = direction_note(model); !note.empty()) {
     out += "note: " + note + "\n";

@@ -72,7 +72,7 @@ void write_requested_csv(const std::filesystem::path& file, const model::Model& 
   std::vector<RequestedRow> rows;
   for (const results::Increment& increment : run.increments) {
     const bool last = &increment == &run.increments.back();
-    for (const std::size_t s : model::output_steps(model, output, last)) {
+    for (const std::size_t s : model::output_step_indices(model, output, last)) {
       for (const model::OutputRequest& request : output.requests) {
         const results::StepResult& step = increment.steps[s];
         for (RequestedValue& value : requested_values(increment, step, request)) {

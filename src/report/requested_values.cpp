@@ -42,7 +42,7 @@ struct StressPoint {
 };
 /// The stress points of the sets of that name, ascending by node; empty without such a set.
 std::vector<StressPoint> stress_points(const model::Mesh& mesh, std::string_view name) {
-  const model::PropertyPoints points = model::property_points(mesh);
+  const model::PropertySplitPoints points = model::property_points(mesh);
   std::vector<bool> wanted(points.node.size(), false);
   for (const model::ElementSet& set : mesh.element_sets) {
     for (std::size_t i = 0; set.name == name && i < set.elements.size(); ++i) {

@@ -113,7 +113,7 @@ std::vector<SweepValue> requested_sweep_values(const model::Model& model,
     return cells;
   }
   const results::Increment& last = run.increments.back();
-  for (const std::size_t s : model::output_steps(model, output, true)) {
+  for (const std::size_t s : model::output_step_indices(model, output, true)) {
     for (const model::OutputRequest& request : output.requests) {
       add_requested(cells, last, last.steps[s], request);
     }

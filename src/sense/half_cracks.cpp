@@ -78,7 +78,7 @@ std::vector<base::NodeId> nodes_along(const model::Model& model,
                                       const HalfModelPlane& plane) {
   const model::Mesh& mesh = model.mesh;
   const Straight line = straight_of(crack);
-  const std::vector<bool> used = model::nodes_in_use(mesh);
+  const std::vector<bool> used = model::mark_nodes_in_use(mesh);
   std::vector<std::pair<double, base::NodeId>> places; // along the crack
   for (std::size_t n = 0; n < used.size(); ++n) {
     if (used[n] && mesh.node_net[n] == crack.net &&
@@ -218,7 +218,7 @@ void remove_cracks_beyond(model::Model& model, const HalfModelPlane& plane) {
   }
   model.cracks = std::move(kept);
   keep_about(model.tip_nets, now, &model::TipMeshSettings::crack);
-  keep_about(model.vces, now, &model::CrackExtensionSettings::crack);
+  keep_about(model.vces, now, &model::VirtualCrackExtensionSettings::crack);
   keep_about(model.tests, now, &model::GrowthTestReadings::crack);
   if (model.growth) {
     for (base::CrackId& crack : model.growth->cracks) {

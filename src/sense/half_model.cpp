@@ -235,7 +235,7 @@ private:
     }
     model_.contacts = std::move(kept);
     for (model::Step& step : model_.steps) {
-      std::erase_if(step.actions, [&](model::Action& action) {
+      std::erase_if(step.actions, [&](model::StepAction& action) {
         return std::visit(
             [&](auto& act) {
               if constexpr (requires { act.contact; }) {
@@ -302,7 +302,7 @@ private:
 
   void hold_plane() {
     model::Mesh& mesh = model_.mesh;
-    const std::vector<bool> used = model::nodes_in_use(mesh);
+    const std::vector<bool> used = model::mark_nodes_in_use(mesh);
     model::NodeSet held{{}, {}, side_.plane().span};
     for (std::size_t n = 0; n < used.size(); ++n) {
       if (used[n] && side_.within(base::NodeId(n))) {

@@ -38,7 +38,7 @@ public:
     loaded_.assign(mesh_.node_count(), false);
     for (const model::LoadCase& load_case : model_.cases) {
       for (const model::Load& load : load_case.loads) {
-        if (model::is_force(load) && !on_a_crack(load)) {
+        if (model::is_force_load(load) && !on_a_crack(load)) {
           look_at(load_case, load);
         }
       }

@@ -155,7 +155,7 @@ std::vector<results::LoadTotal> load_totals(const model::Model& model) {
   std::vector<results::LoadTotal> totals;
   for (const model::LoadCase& load_case : model.cases) {
     model::LoadCase forces{load_case.name, {}};
-    std::ranges::copy_if(load_case.loads, std::back_inserter(forces.loads), model::is_force);
+    std::ranges::copy_if(load_case.loads, std::back_inserter(forces.loads), model::is_force_load);
     results::LoadTotal total =
         total_of(model, model.mesh, fe::nodal_load(model, model.mesh, forces));
     if (total.spread > 0.0) {
@@ -186,7 +186,7 @@ bool check_load_totals(const model::Model& model, const model::Mesh& cracked,
       const base::Vector f = fe::nodal_load(model, cracked, alone);
       if (!is_number(f, load_case, load, diagnostics)) {
         sound = false;
-      } else if (model::is_force(load)) {
+      } else if (model::is_force_load(load)) {
         // Faces of a crack are there once it is cut only.
         if (!model.cracks.empty() && find_loaded_crack(model, load) == nullptr) {
           sound = keeps_its_total(model, cracked, f, load_case, load, diagnostics) && sound;

@@ -92,7 +92,7 @@ private:
 
   void find_held() {
     const std::vector<model::FreedomClass> cls = fe::classify_freedoms(model_, mesh_);
-    const std::vector<bool> used = model::nodes_in_use(mesh_);
+    const std::vector<bool> used = model::mark_nodes_in_use(mesh_);
     const auto dim = static_cast<std::size_t>(mesh_.dim);
     for (std::size_t c = 0; c < dim; ++c) {
       std::vector<base::NodeId> nodes;
@@ -193,7 +193,7 @@ private:
   actions_on(base::ContactId contact) const {
     std::vector<std::tuple<std::size_t, int, double>> all;
     for (std::size_t s = 0; s < model_.steps.size(); ++s) {
-      for (const model::Action& action : model_.steps[s].actions) {
+      for (const model::StepAction& action : model_.steps[s].actions) {
         if (const auto* fit = std::get_if<model::ApplyFit>(&action);
             fit != nullptr && fit->contact == contact) {
           all.emplace_back(s, 0, fit->factor);
@@ -304,7 +304,7 @@ struct NodeBoundingBox {
 };
 
 NodeBoundingBox extent_of(const model::Mesh& mesh) {
-  const std::vector<bool> used = model::nodes_in_use(mesh);
+  const std::vector<bool> used = model::mark_nodes_in_use(mesh);
   NodeBoundingBox box;
   for (std::size_t n = 0; n < used.size(); ++n) {
     if (used[n]) {

@@ -262,7 +262,7 @@ private:
 } // namespace
 
 std::vector<PlaneSection> extruded_sections(const model::Mesh& mesh) {
-  const std::vector<bool> used = model::nodes_in_use(mesh);
+  const std::vector<bool> used = model::mark_nodes_in_use(mesh);
   std::vector<PlaneSection> found;
   for (const int axis : {2, 1, 0}) {
     SectionPlane plane{false, axis};
@@ -282,7 +282,7 @@ std::vector<PlaneSection> extruded_sections(const model::Mesh& mesh) {
 }
 
 std::vector<PlaneSection> revolved_sections(const model::Mesh& mesh) {
-  const std::vector<bool> used = model::nodes_in_use(mesh);
+  const std::vector<bool> used = model::mark_nodes_in_use(mesh);
   std::vector<PlaneSection> found;
   for (const int axis : {2, 1, 0}) {
     SectionPlane plane{true, axis};

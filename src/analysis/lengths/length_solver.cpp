@@ -62,7 +62,7 @@ void log_paths(const std::vector<results::LoadPathResult>& paths, LogWriter& log
 } // namespace
 
 CrackLengthContext CrackStateSolver::parts() {
-  const bool keep = model_.growth && model_.growth->mounted == model::ContactMounting::first;
+  const bool keep = model_.growth && model_.growth->mounted == model::ContactMountingPolicy::first;
   return {.model = grown_ ? *grown_ : model_,
           .cache = cache_,
           .threads = options_.threads,

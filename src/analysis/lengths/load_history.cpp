@@ -162,8 +162,10 @@ bool LoadHistorySolver::pass(const LoadHistoryProgram& program, LoadPassResult& 
 // K by functionals against K of the displacements, where the last pass ends.
 bool LoadHistorySolver::compare_with_recovered(LoadHistoryResult& out,
                                                base::OptionalFailure& trouble) {
-  const bool shifted = std::ranges::any_of(
-      model_.vces, [](const model::CrackExtensionSettings& vce) { return vce.shift.has_value(); });
+  const bool shifted =
+      std::ranges::any_of(model_.vces, [](const model::VirtualCrackExtensionSettings& vce) {
+        return vce.shift.has_value();
+      });
   const crack::KLayout layout = scene_.k_layout();
   const base::Vector K = here_;
   const std::optional<StepState> state = solver_->recover_state(solution_, trouble);

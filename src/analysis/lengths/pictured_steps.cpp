@@ -26,7 +26,7 @@ std::vector<bool> requested_steps(const model::Model& model, bool last_increment
     const bool stress = std::any_of(output.requests.begin(), output.requests.end(),
                                     [](const auto& request) { return request.quantity == "S"; });
     if (output.format == model::OutputFormat::vtu || stress) {
-      for (const std::size_t s : model::output_steps(model, output, last_increment)) {
+      for (const std::size_t s : model::output_step_indices(model, output, last_increment)) {
         pictured[s] = true;
       }
     }

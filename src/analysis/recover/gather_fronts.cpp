@@ -23,8 +23,10 @@ namespace spricka::analysis {
 
 namespace {
 
-const model::CrackExtensionSettings* request_of(const model::Model& model, base::CrackId crack) {
-  const auto found = std::ranges::find(model.vces, crack, &model::CrackExtensionSettings::crack);
+const model::VirtualCrackExtensionSettings* request_of(const model::Model& model,
+                                                       base::CrackId crack) {
+  const auto found =
+      std::ranges::find(model.vces, crack, &model::VirtualCrackExtensionSettings::crack);
   return found == model.vces.end() ? nullptr : &*found;
 }
 
@@ -170,7 +172,7 @@ void gather_front(const model::Model& model, const Discretisation& scene, std::s
   const mesh::CrackFront& front = scene.cracked.fronts[f];
   crack::FrontIntensityRequest request;
   request.state = model.cracks[front.crack.index()].state;
-  if (const model::CrackExtensionSettings* vce = request_of(model, front.crack)) {
+  if (const model::VirtualCrackExtensionSettings* vce = request_of(model, front.crack)) {
     request.shift = vce->shift;
     request.opening = vce->opening;
   }

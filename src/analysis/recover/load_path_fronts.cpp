@@ -144,7 +144,7 @@ double apart_from(const results::LoadPathFront& front, double t, const results::
 
 // Whether K is scaled to a G by nodes that are moved, which makes it no linear functional of u.
 bool is_shifted(const model::Model& model, base::CrackId crack) {
-  return std::ranges::any_of(model.vces, [&](const model::CrackExtensionSettings& vce) {
+  return std::ranges::any_of(model.vces, [&](const model::VirtualCrackExtensionSettings& vce) {
     return vce.crack == crack && vce.shift.has_value();
   });
 }

@@ -8,7 +8,7 @@
 namespace spricka::analysis {
 
 std::vector<int> domain_rings(const model::Model& model, base::CrackId crack) {
-  for (const model::CrackExtensionSettings& vce : model.vces) {
+  for (const model::VirtualCrackExtensionSettings& vce : model.vces) {
     if (vce.crack == crack && !vce.domains.empty()) {
       return vce.domains;
     }

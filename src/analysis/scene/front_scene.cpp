@@ -67,9 +67,10 @@ crack::FrontExtensions fields_of(const model::Model& model, const Discretisation
   std::vector<int> rings = domain_rings(model, front.crack);
   const crack::DomainLimits limits = domain_limits(model, scene, front);
   crack::FrontExtensions fields = crack::front_extensions(scene.cracked, front, rings, limits);
-  const bool given = std::ranges::any_of(model.vces, [&](const model::CrackExtensionSettings& vce) {
-    return vce.crack == front.crack && !vce.domains.empty();
-  });
+  const bool given =
+      std::ranges::any_of(model.vces, [&](const model::VirtualCrackExtensionSettings& vce) {
+        return vce.crack == front.crack && !vce.domains.empty();
+      });
   if (!points_without(front, fields).empty() && !given) {
     rings.insert(rings.begin(), 1);
     fields = crack::front_extensions(scene.cracked, front, rings, limits);

@@ -257,7 +257,7 @@ crack::DomainLimits domain_limits(const model::Model& model, const Discretisatio
   const std::vector<bool> by_planes =
       front.is_tip() ? std::vector<bool>(scene.cls.size(), false) : held_by_planes(mesh, scene.cls);
   for (std::size_t i = 0; i < scene.cls.size(); ++i) {
-    if ((model::holds_freedom(scene.cls[i]) && !by_planes[i]) ||
+    if ((model::is_supported_freedom(scene.cls[i]) && !by_planes[i]) ||
         scene.cls[i] == model::FreedomClass::dependent) {
       limits.node[i / dim] = true;
     }

@@ -24,8 +24,8 @@ std::vector<NodeId> gone_nodes(const model::Mesh& host, const model::Mesh& crack
   if (host.dim == 3 || host.node_count() == cracked.node_count()) {
     return gone;
   }
-  const std::vector<bool> before = model::nodes_in_use(host);
-  const std::vector<bool> now = model::nodes_in_use(cracked);
+  const std::vector<bool> before = model::mark_nodes_in_use(host);
+  const std::vector<bool> now = model::mark_nodes_in_use(cracked);
   for (std::size_t n = 0; n < host.node_count(); ++n) {
     if (before[n] && !now[n]) {
       gone.emplace_back(n);
@@ -55,7 +55,7 @@ std::vector<fe::PointSide> sides_at(const model::Mesh& cracked, const base::Vec3
 
 /// Nodes without elements behind those of the host: second sides of gone ones.
 std::vector<NodeId> second_nodes(const model::Mesh& host, const model::Mesh& cracked) {
-  const std::vector<bool> now = model::nodes_in_use(cracked);
+  const std::vector<bool> now = model::mark_nodes_in_use(cracked);
   std::vector<NodeId> second;
   for (std::size_t n = host.node_count(); n < cracked.node_count(); ++n) {
     if (!now[n]) {
@@ -81,7 +81,7 @@ struct Company {
 std::vector<Company> company_of(const std::vector<NodeId>& gone, const model::Mesh& host,
                                 const model::Mesh& cracked) {
   constexpr double same = 1e-9;
-  const std::vector<bool> now = model::nodes_in_use(cracked);
+  const std::vector<bool> now = model::mark_nodes_in_use(cracked);
   base::Vec3 low = cracked.x.front();
   base::Vec3 high = low;
   for (const NodeId n : gone) {
@@ -215,7 +215,7 @@ std::optional<NodeId> unassigned_reaction(const model::Model& model, const model
   const std::vector<bool> inside = marked(host.node_count(), asked->nodes);
   std::vector<bool> held(host.node_count(), false);
   for (const model::FreedomAssignment& freedom : model.freedoms) {
-    if (model::holds_freedom(freedom.cls)) {
+    if (model::is_supported_freedom(freedom.cls)) {
       for (const NodeId n : host.set_with_id(freedom.nodes).nodes) {
         held[n.index()] = true;
       }

@@ -135,7 +135,7 @@ bool check_split_nodes(const model::Model& model, const Discretisation& scene,
                        base::Diagnostics& diagnostics) {
   Mouths mouths(model, scene, diagnostics);
   for (const model::FreedomAssignment& freedom : model.freedoms) {
-    if (model::holds_freedom(freedom.cls)) {
+    if (model::is_supported_freedom(freedom.cls)) {
       mouths.set(freedom.nodes, freedom.span, "held");
     }
   }

@@ -54,7 +54,7 @@ std::string changed(const model::Model& model, const Discretisation& scene,
 bool check_force_nodes(const model::Model& model, const Discretisation& scene,
                        base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = scene.cracked.mesh;
-  std::vector<bool> taken = model::nodes_in_use(mesh);
+  std::vector<bool> taken = model::mark_nodes_in_use(mesh);
   for (const fe::ConstraintTransformation::DependentRow& row : scene.ties->rows()) {
     taken[static_cast<std::size_t>(row.freedom / mesh.dim)] = true;
     for (const fe::FreedomTerm& t : row.terms) {
@@ -100,7 +100,7 @@ bool supports_are_kept(const model::Model& model, const Discretisation& scene,
     return false;
   };
   for (const model::FreedomAssignment& freedom : model.freedoms) {
-    if (model::holds_freedom(freedom.cls) && !keeps(freedom.nodes, freedom.span, "held")) {
+    if (model::is_supported_freedom(freedom.cls) && !keeps(freedom.nodes, freedom.span, "held")) {
       return false;
     }
   }

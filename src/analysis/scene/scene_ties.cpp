@@ -57,8 +57,8 @@ bool keep_their_nodes(const model::Model& model, const Discretisation& scene,
     return true;
   }
   const model::Mesh& mesh = scene.cracked.mesh;
-  const std::vector<bool> before = model::nodes_in_use(model.mesh);
-  const std::vector<bool> now = model::nodes_in_use(mesh);
+  const std::vector<bool> before = model::mark_nodes_in_use(model.mesh);
+  const std::vector<bool> now = model::mark_nodes_in_use(mesh);
   for (const fe::Tie& tie : ties) {
     for (const fe::FreedomTerm& t : tie.terms) {
       const auto n = static_cast<std::size_t>(t.freedom / mesh.dim);

@@ -21,7 +21,7 @@ void drop_held_slips(contact::PairConstraints& pair, const std::vector<model::Fr
     double held = 0.0;
     for (int c = 0; c < 3; ++c) {
       const std::size_t freedom = 3 * entry.node.index() + static_cast<std::size_t>(c);
-      held += model::holds_freedom(cls[freedom]) ? entry.weight[c] * entry.weight[c] : 0.0;
+      held += model::is_supported_freedom(cls[freedom]) ? entry.weight[c] * entry.weight[c] : 0.0;
     }
     return held >= most * entry.weight.squaredNorm();
   };
@@ -40,7 +40,7 @@ void mark_held_functions(contact::PairConstraints& pair,
                          const std::vector<model::FreedomClass>& cls) {
   for (contact::MultiplierFunction& function : pair.functions) {
     for (std::size_t c = 0; c < function.held.size(); ++c) {
-      function.held[c] = model::holds_freedom(cls[3 * function.node.index() + c]);
+      function.held[c] = model::is_supported_freedom(cls[3 * function.node.index() + c]);
     }
   }
 }

@@ -14,7 +14,7 @@ namespace spricka::analysis {
 namespace {
 
 bool mounts(const model::Step& step) {
-  return std::ranges::any_of(step.actions, [](const model::Action& action) {
+  return std::ranges::any_of(step.actions, [](const model::StepAction& action) {
     return std::holds_alternative<model::MountContact>(action) ||
            std::holds_alternative<model::DismountContact>(action);
   });
@@ -39,7 +39,7 @@ LoadHistoryProgram of_spectrum(const model::Model& model, const std::vector<Step
   program.per_unit = increments[path.to.index()];
   double highest = -1.0;
   std::size_t mark = 0;
-  for (const model::SpectrumBlock& run : model::divide_spectrum(card)) {
+  for (const model::SpectrumBlock& run : model::divide_spectrum_into_blocks(card)) {
     LoadHistorySegment& leg =
         program.legs.emplace_back(LoadHistorySegment{{}, run.count, run.alone});
     for (const double t : run.t) {

@@ -12,7 +12,7 @@ namespace {
 
 template <class ActionType> bool names(const model::Model& model, base::ContactId contact) {
   for (const model::Step& step : model.steps) {
-    for (const model::Action& action : step.actions) {
+    for (const model::StepAction& action : step.actions) {
       const auto* a = std::get_if<ActionType>(&action);
       if (a != nullptr && a->contact == contact) {
         return true;
@@ -57,7 +57,7 @@ StepFactors interpolate_factors(const StepFactors& from, const StepFactors& to, 
 
 MountChanges apply_actions(const model::Step& step, StepFactors& factors) {
   MountChanges changes;
-  for (const model::Action& action : step.actions) {
+  for (const model::StepAction& action : step.actions) {
     if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {
       factors.case_factor[static_cast<Eigen::Index>(load->load_case.index())] = load->factor;
     } else if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {

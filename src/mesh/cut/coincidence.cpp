@@ -119,7 +119,8 @@ std::vector<std::pair<base::ElementId, base::ElementId>> doubled_elements(const 
     const auto corners = static_cast<std::size_t>(base::element_info(mesh.type[e]).corners);
     // Elements on each other have one centre, which few others share: corners are compared for
     // those only.
-    const auto [at, fresh] = seen.try_emplace(places.number_of(model::corner_mean(mesh, id)), id);
+    const auto [at, fresh] =
+        seen.try_emplace(places.number_of(model::element_corner_mean(mesh, id)), id);
     if (fresh) {
       continue;
     }

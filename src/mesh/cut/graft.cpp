@@ -181,7 +181,7 @@ private:
   }
 
   void inherit_node_sets() {
-    const std::vector<bool> had = model::nodes_in_use(host_);
+    const std::vector<bool> had = model::mark_nodes_in_use(host_);
     for (const model::NodeSet& old : host_.node_sets) {
       NodeSetHeir heir(*this, old);
       for (const NodeId n : old.nodes) {

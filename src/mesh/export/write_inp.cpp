@@ -38,7 +38,7 @@ public:
   explicit InpWriter(const model::Model& model) : model_(model), mesh_(model.mesh) {
     node_ = inp_node_numbers(mesh_);
     element_ = unique_labels(mesh_.element_label);
-    used_ = model::nodes_in_use(mesh_);
+    used_ = model::mark_nodes_in_use(mesh_);
   }
 
   std::string text(const InpStep* step) {

@@ -132,7 +132,7 @@ private:
   }
 
   void number_nodes() {
-    used_ = model::nodes_in_use(mesh_);
+    used_ = model::mark_nodes_in_use(mesh_);
     tag_ = unique_labels(mesh_.node_label);
   }
 

@@ -57,7 +57,7 @@ SurfaceGeometry::SurfaceGeometry(const model::Mesh& mesh, std::span<const base::
     }
     faces_.push_back(model::element_side(mesh, face));
   }
-  std::ranges::sort(faces_, {}, model::face_of);
+  std::ranges::sort(faces_, {}, model::face_of_side);
   for (const geometry::ElementSide& face : faces_) {
     boxes.push_back(face.bounding_box());
     all.extend(boxes.back());
@@ -71,8 +71,8 @@ SurfaceGeometry::SurfaceGeometry(const model::Mesh& mesh, std::span<const base::
 }
 
 std::size_t SurfaceGeometry::face_index(const model::Face& face) const {
-  const auto at = std::ranges::lower_bound(faces_, face, {}, model::face_of);
-  return at != faces_.end() && model::face_of(*at) == face
+  const auto at = std::ranges::lower_bound(faces_, face, {}, model::face_of_side);
+  return at != faces_.end() && model::face_of_side(*at) == face
              ? static_cast<std::size_t>(at - faces_.begin())
              : nowhere;
 }

@@ -128,7 +128,7 @@ void SolidHost::find_extents() {
   for (std::size_t e = 0; e < mesh().element_count(); ++e) {
     const auto nodes = mesh().element_nodes(ElementId(e));
     ElementExtent& extent = extent_[e];
-    extent.middle = model::corner_mean(mesh(), ElementId(e));
+    extent.middle = model::element_corner_mean(mesh(), ElementId(e));
     for (const NodeId n : nodes) {
       extent.radius = std::max(extent.radius, (mesh().x[n.index()] - extent.middle).norm());
     }

@@ -116,7 +116,7 @@ std::vector<double> stresses_of_set(const model::Model& model, const CheckedStep
   for (const base::NodeId n : nodes_of_set(mesh, name)) {
     wanted[n.index()] = true;
   }
-  const model::PropertyPoints points = model::property_points(mesh);
+  const model::PropertySplitPoints points = model::property_points(mesh);
   for (std::size_t p = 0; p < points.node.size(); ++p) {
     if (wanted[points.node[p].index()]) {
       values.push_back(stress_component(nodal[p], component));

@@ -209,7 +209,7 @@ void add_sums(double read_cpu, double stations, results::DeckPreview& preview) {
 void add_late_contacts(const model::Model& model, results::DeckPreview& preview) {
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
     const auto mounts = [&](const model::Step& step) {
-      return std::ranges::any_of(step.actions, [&](const model::Action& action) {
+      return std::ranges::any_of(step.actions, [&](const model::StepAction& action) {
         const auto* on = std::get_if<model::MountContact>(&action);
         return on != nullptr && on->contact == base::ContactId(c);
       });

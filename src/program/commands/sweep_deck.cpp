@@ -264,7 +264,8 @@ private:
     point.warnings = static_cast<int>(run.warnings.size());
     point.cells = report::sweep_cells(run);
     for (const model::Output& output : model.outputs) {
-      if (output.format == model::OutputFormat::csv && output.every == model::OutputEvery::end) {
+      if (output.format == model::OutputFormat::csv &&
+          output.every == model::OutputFrequency::end) {
         std::vector<results::SweepValue>& cells =
             point.requested[fs::path(output.file).filename().string()];
         const std::vector<results::SweepValue> more =
@@ -279,8 +280,8 @@ private:
     const model::Model& model = *deck_.model;
     for (const model::Output& output : model.outputs) {
       const std::string name = fs::path(output.file).filename().string();
-      if (output.format == model::OutputFormat::csv && output.every == model::OutputEvery::end &&
-          name != sweep_table_name) {
+      if (output.format == model::OutputFormat::csv &&
+          output.every == model::OutputFrequency::end && name != sweep_table_name) {
         report::write_sweep_request_csv(out_.table_file(name), model, sweep_);
       }
     }

@@ -68,7 +68,7 @@ private:
     base::Vector f = base::Vector::Zero(size);
     base::Vector u = base::Vector::Zero(size);
     base::Vector T; // [connectivity index]
-    for (const model::Action& action : from.actions) {
+    for (const model::StepAction& action : from.actions) {
       const auto* load = std::get_if<model::ApplyLoad>(&action);
       if (load == nullptr) {
         refuse(from.span, "a $STEP that mounts, dismounts or fits");

@@ -81,7 +81,7 @@ void add_quality(const model::Model& model, const model::Mesh& mesh, const std::
 std::vector<results::NetPreview> preview_nets(const model::Model& model,
                                               const analysis::Discretisation& scene) {
   const model::Mesh& mesh = scene.cracked.mesh;
-  const std::vector<bool> used = model::nodes_in_use(mesh); // not those that cracks cut out
+  const std::vector<bool> used = model::mark_nodes_in_use(mesh); // not those that cracks cut out
   std::vector<results::NetPreview> nets;
   for (std::size_t net = 0; net < model.nets.size(); ++net) {
     results::NetPreview preview;

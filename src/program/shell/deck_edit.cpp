@@ -177,7 +177,7 @@ void comment_out(DeckText& text, std::size_t card) {
   text.erase(text.begin() + static_cast<std::ptrdiff_t>(card));
 }
 
-std::string action_text(const model::Model& model, const model::Action& action) {
+std::string action_text(const model::Model& model, const model::StepAction& action) {
   if (const auto* load = std::get_if<model::ApplyLoad>(&action)) { // digits for the same number
     return fmt::format("LOAD {} {}", model.cases[load->load_case.index()].name, load->factor);
   }
@@ -192,7 +192,7 @@ std::string action_text(const model::Model& model, const model::Action& action) 
 }
 
 bool mounts_contacts(const model::Step& step) {
-  return std::ranges::any_of(step.actions, [](const model::Action& a) {
+  return std::ranges::any_of(step.actions, [](const model::StepAction& a) {
     return std::holds_alternative<model::MountContact>(a) ||
            std::holds_alternative<model::DismountContact>(a);
   });
@@ -212,7 +212,7 @@ std::string free_name(const model::Model& model, std::size_t number) {
 template <class ActionType>
 bool acts_on(const std::vector<model::Step>& steps, base::ContactId contact) {
   return std::ranges::any_of(steps, [&](const model::Step& step) {
-    return std::ranges::any_of(step.actions, [&](const model::Action& action) {
+    return std::ranges::any_of(step.actions, [&](const model::StepAction& action) {
       const auto* a = std::get_if<ActionType>(&action);
       return a != nullptr && a->contact == contact;
     });
@@ -225,7 +225,7 @@ void append_steps(const model::Model& model, const std::vector<model::Step>& ste
                   DeckText& text) {
   const std::vector<model::Step> beginning{model.steps.front()};
   DeckCard& first = *std::ranges::find(text, "STEP", &DeckCard::name);
-  const auto add_row = [&](DeckCard& card, const model::Action& action) {
+  const auto add_row = [&](DeckCard& card, const model::StepAction& action) {
     card.data += fmt::format("  {}\n", action_text(model, action));
   };
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
@@ -245,7 +245,7 @@ void append_steps(const model::Model& model, const std::vector<model::Step>& ste
     if (steps[s].substeps > 1) {
       card.set("SUBSTEPS", std::to_string(steps[s].substeps));
     }
-    for (const model::Action& action : steps[s].actions) {
+    for (const model::StepAction& action : steps[s].actions) {
       add_row(card, action);
     }
     deck::append_card(text, std::move(card));

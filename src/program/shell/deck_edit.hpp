@@ -37,7 +37,7 @@ base::OptionalFailure set_parameter(const std::string& line, deck::DeckText& tex
 void comment_out(deck::DeckText& text, std::size_t card);
 
 /// What a deck writes for an action: "LOAD PULL 2".
-std::string action_text(const model::Model& model, const model::Action& action);
+std::string action_text(const model::Model& model, const model::StepAction& action);
 
 /// Whether a step mounts or dismounts a contact: then the order of steps counts.
 bool mounts_contacts(const model::Step& step);

@@ -263,7 +263,7 @@ namespace {
 
 std::string actions_text(const model::Model& model, const model::Step& step) {
   std::vector<std::string> texts;
-  for (const model::Action& action : step.actions) {
+  for (const model::StepAction& action : step.actions) {
     texts.push_back(action_text(model, action));
   }
   return fmt::format("{}", fmt::join(texts, ", "));

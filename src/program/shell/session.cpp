@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t most_nets = 48;
 
 // What an action is about; of two with the same the later one counts.
-std::pair<int, std::size_t> subject(const model::Action& action) {
+std::pair<int, std::size_t> subject(const model::StepAction& action) {
   if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {
     return {0, load->load_case.index()};
   }
@@ -34,13 +34,13 @@ std::pair<int, std::size_t> subject(const model::Action& action) {
                            : std::get<model::DismountContact>(action).contact.index()};
 }
 
-void put(std::vector<model::Action>& actions, const model::Action& action) {
-  std::erase_if(actions, [&](const model::Action& a) { return subject(a) == subject(action); });
+void put(std::vector<model::StepAction>& actions, const model::StepAction& action) {
+  std::erase_if(actions, [&](const model::StepAction& a) { return subject(a) == subject(action); });
   actions.push_back(action);
 }
 
 bool keeps_mounts(const model::Model& model) {
-  return model.growth && model.growth->mounted == model::ContactMounting::first;
+  return model.growth && model.growth->mounted == model::ContactMountingPolicy::first;
 }
 
 // Lengths of $GROW are those of its cracks: begin with the first.
@@ -259,7 +259,7 @@ base::OptionalFailure ShellSession::goes_on_or_off(base::ContactId contact, bool
         "with $GROW MOUNTED=FIRST a contact keeps what it took on at the first length: "
         "nothing is mounted or dismounted here");
   }
-  const bool pending = std::ranges::any_of(set_.pending.actions, [&](const model::Action& a) {
+  const bool pending = std::ranges::any_of(set_.pending.actions, [&](const model::StepAction& a) {
     return subject(a) == std::pair(2, contact.index());
   });
   if (factors().mounted[contact.index()] == on && !pending) {
@@ -278,7 +278,7 @@ base::OptionalFailure ShellSession::add_step_line(const std::string& line) {
   if (!step) {
     return located_failure(base::Outcome::usage, sources, diagnostics);
   }
-  const model::Action& action = step->actions.front();
+  const model::StepAction& action = step->actions.front();
   const auto* fit = std::get_if<model::ApplyFit>(&action);
   if (fit != nullptr && !model_->contacts[fit->contact.index()].gap) {
     const std::string& contact = model_->contacts[fit->contact.index()].name;
@@ -295,7 +295,7 @@ base::OptionalFailure ShellSession::add_step_line(const std::string& line) {
     }
     if (factors().mounted[contact.index()] == on) { // a change that was pending is taken back
       std::erase_if(to.pending.actions,
-                    [&](const model::Action& a) { return subject(a) == subject(action); });
+                    [&](const model::StepAction& a) { return subject(a) == subject(action); });
     } else {
       put(to.pending.actions, action);
     }
@@ -371,7 +371,7 @@ base::OptionalFailure ShellSession::solve(int substeps) {
   const std::vector<model::Step> before = applied;
   if (!applied.empty() && !has_friction() && !mounts_contacts(next) &&
       !mounts_contacts(applied.back())) {
-    for (const model::Action& action : next.actions) {
+    for (const model::StepAction& action : next.actions) {
       put(applied.back().actions, action);
     }
   } else {

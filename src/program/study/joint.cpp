@@ -72,7 +72,7 @@ void note_supports(const model::Model& model, Joint& joint) {
 }
 
 bool is_mounted(const model::Model& model, std::size_t contact) {
-  const auto mounts = [&](const model::Action& action) {
+  const auto mounts = [&](const model::StepAction& action) {
     const auto* mount = std::get_if<model::MountContact>(&action);
     const auto* dismount = std::get_if<model::DismountContact>(&action);
     return (mount != nullptr && mount->contact.index() == contact) ||

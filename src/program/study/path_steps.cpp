@@ -23,7 +23,7 @@ using ActionFactors = std::map<std::pair<std::string, std::string>, double>;
 ActionFactors factors_after(const model::Model& model, std::size_t step) {
   ActionFactors factors;
   for (std::size_t s = 0; s <= step; ++s) {
-    for (const model::Action& action : model.steps[s].actions) {
+    for (const model::StepAction& action : model.steps[s].actions) {
       if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {
         factors[{"LOAD", model.cases[load->load_case.index()].name}] = load->factor;
       } else if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {

@@ -186,7 +186,7 @@ bool ends_are_held(const model::Model& model, const sense::PlaneSection& section
       }
     }
   }
-  const std::vector<bool> used = model::nodes_in_use(model.mesh);
+  const std::vector<bool> used = model::mark_nodes_in_use(model.mesh);
   for (std::size_t n = 0; n < model.mesh.node_count(); ++n) {
     const Vec3& x = model.mesh.x[n];
     const double along = plane.normal_coordinate(x);

@@ -119,7 +119,7 @@ std::string compress_array(std::string_view data, bool measured) {
 }
 
 VtuGridPoints grid_points(const model::Mesh& mesh, bool split) {
-  model::PropertyPoints sources;
+  model::PropertySplitPoints sources;
   if (split) {
     sources = model::property_points(mesh);
   } else {

@@ -37,7 +37,7 @@ std::vector<BetaCsvFactors> factors_of_steps(const model::Model& model) {
   BetaCsvFactors now(first_fit, 0.0);
   now.resize(first_fit + model.contacts.size(), 1.0);
   for (const model::Step& step : model.steps) {
-    for (const model::Action& action : step.actions) {
+    for (const model::StepAction& action : step.actions) {
       if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
         now[first_fit + fit->contact.index()] = 0.0;
       }
@@ -45,7 +45,7 @@ std::vector<BetaCsvFactors> factors_of_steps(const model::Model& model) {
   }
   std::vector<BetaCsvFactors> out;
   for (const model::Step& step : model.steps) {
-    for (const model::Action& action : step.actions) {
+    for (const model::StepAction& action : step.actions) {
       if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
         now[first_fit + fit->contact.index()] = fit->factor;
       } else if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {

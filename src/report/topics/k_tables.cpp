@@ -145,7 +145,8 @@ std::vector<ReportTable> front_tables(const model::Model& model,
 
 std::vector<const results::KQuantity*> shown_k_quantities(const model::Model& model,
                                                           results::KOutput place) {
-  const bool opening = std::ranges::any_of(model.vces, &model::CrackExtensionSettings::opening);
+  const bool opening =
+      std::ranges::any_of(model.vces, &model::VirtualCrackExtensionSettings::opening);
   std::vector<const results::KQuantity*> shown;
   for (const results::KQuantity& q : results::k_quantities) {
     if (q.appears_in(place, model.mesh.dim) &&

@@ -25,7 +25,7 @@ TEST(CrackFaceContact, PressureAllRoundLeavesNothingOfACrack) {
     ASSERT_TRUE(solved);
     const double strain = -2.0 * 0.7 / 1000.0;
     for (std::size_t n = 0; n < solved->mesh().node_count(); ++n) {
-      if (!model::nodes_in_use(solved->mesh())[n]) {
+      if (!model::mark_nodes_in_use(solved->mesh())[n]) {
         continue;
       }
       const base::Vec3& x = solved->mesh().x[n];

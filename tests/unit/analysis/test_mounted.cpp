@@ -49,7 +49,7 @@ double strap_energy(const test::Solved& solved, std::size_t increment) {
   throw std::runtime_error("no strap");
 }
 
-TEST(ContactMounting, EachLengthMountsWithoutStress) {
+TEST(ContactMountingPolicy, EachLengthMountsWithoutStress) {
   const std::optional<test::Solved> solved = test::solve_text(strapped("EACH"));
   ASSERT_TRUE(solved);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -59,7 +59,7 @@ TEST(ContactMounting, EachLengthMountsWithoutStress) {
 
 // What was bonded at the first length feels the crack grow: its stress is in proportion to the
 // growth, its energy to the square.
-TEST(ContactMounting, FirstLengthsStrapFeelsTheCrackGrow) {
+TEST(ContactMountingPolicy, FirstLengthsStrapFeelsTheCrackGrow) {
   const std::optional<test::Solved> solved = test::solve_text(strapped("FIRST"));
   ASSERT_TRUE(solved);
   EXPECT_LT(strap_energy(*solved, 0), 1e-18);
@@ -68,7 +68,7 @@ TEST(ContactMounting, FirstLengthsStrapFeelsTheCrackGrow) {
 }
 
 // Where the crack opens into the strap's own seat the seat is meshed anew with each length.
-TEST(ContactMounting, FirstNeedsTheSameRowsAtAllLengths) {
+TEST(ContactMountingPolicy, FirstNeedsTheSameRowsAtAllLengths) {
   const test::Folder folder;
   const std::filesystem::path file = folder.path() / "test.deck";
   std::ofstream(file) << strapped("FIRST", "-90[deg]", "4");

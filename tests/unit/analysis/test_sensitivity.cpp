@@ -62,7 +62,7 @@ void expect_slope(const Sensitivity& s, const base::Vec2& wanted, double toleran
 }
 
 void scale_load(model::Model& model, double factor) {
-  for (model::Action& action : model.steps.back().actions) {
+  for (model::StepAction& action : model.steps.back().actions) {
     if (auto* load = std::get_if<model::ApplyLoad>(&action)) {
       load->factor *= factor;
     }

@@ -115,9 +115,9 @@ TEST(CrackFaceTerm, IsThatOfTractionsNextToTheTip) {
             S = std::min(S, plate.from_tip(n));
           }
         }
-        const base::Matrix rows =
-            crack::face_force_intensity_rows(plate.model, plate.cracked, plate.cracked.fronts[1],
-                                             {field}, model::TipConstraint::automatic, plate.faces);
+        const base::Matrix rows = crack::face_force_intensity_rows(
+            plate.model, plate.cracked, plate.cracked.fronts[1], {field},
+            model::CrackTipPlaneState::automatic, plate.faces);
         const base::Vector pressed = rows.transpose() * plate.forces(0.0, 3.0);
         const base::Vector sheared = rows.transpose() * plate.forces(3.0, 0.0);
         const double K = 3.0 * closed_form(R, S);
@@ -138,14 +138,14 @@ TEST(CrackFaceTerm, RowsAreTheTerm) {
   crack::FrontLoads loads;
   loads.crack_faces = {plate.faces, plate.forces(-0.7, 1.3)};
   crack::FrontIntensityRequest request;
-  request.state = model::TipConstraint::stress;
+  request.state = model::CrackTipPlaneState::stress;
   const crack::StressIntensity K =
       crack::front_intensity(plate.model, plate.cracked, plate.cracked.fronts[1],
                              crack::tip_extensions(plate.fields), request, none, loads)
           .front();
   const base::Vector of_rows =
       crack::face_force_intensity_rows(plate.model, plate.cracked, plate.cracked.fronts[1],
-                                       plate.fields, model::TipConstraint::stress, plate.faces)
+                                       plate.fields, model::CrackTipPlaneState::stress, plate.faces)
           .transpose() *
       loads.crack_faces->force;
   EXPECT_NEAR(K.K1, of_rows[0], 1e-12 * std::abs(of_rows[0]));

@@ -125,8 +125,8 @@ INSTANTIATE_TEST_SUITE_P(States, NearTipField,
                                                           base::ElementType::quamc9)));
 
 TEST(StressIntensity, RowsGiveTheSameKOfAnyDisplacement) {
-  for (const model::TipConstraint state :
-       {model::TipConstraint::automatic, model::TipConstraint::strain}) {
+  for (const model::CrackTipPlaneState state :
+       {model::CrackTipPlaneState::automatic, model::CrackTipPlaneState::strain}) {
     Annulus a(4, 24, model::StressState::plane_stress, base::ElementType::quamc8);
     crack::ExtensionField narrow = a.fields.front(); // a second domain
     for (crack::NodeMotion& moved : narrow.motion) {
@@ -154,7 +154,7 @@ TEST(StressIntensity, RowsGiveTheSameKOfAnyDisplacement) {
 TEST(StressIntensity, StateOfTheCrackRescalesK) {
   const Annulus a(4, 32, model::StressState::plane_stress, base::ElementType::quamc8);
   crack::FrontIntensityRequest strain;
-  strain.state = model::TipConstraint::strain;
+  strain.state = model::CrackTipPlaneState::strain;
   const double own = crack::front_intensity(a.model, a.cracked, a.front,
                                             crack::tip_extensions(a.fields), {}, a.u, {})
                          .front()

@@ -180,8 +180,8 @@ TEST_P(TipTerm, IsTheConstantOfK) {
   const model::Load load = load_of(what);
   const crack::FrontLoads loads = acting(plate, load, 1e3);
   const auto& [model, cracked, crack_faces, fields, u] = plate;
-  for (const model::TipConstraint wish :
-       {model::TipConstraint::automatic, model::TipConstraint::stress}) {
+  for (const model::CrackTipPlaneState wish :
+       {model::CrackTipPlaneState::automatic, model::CrackTipPlaneState::stress}) {
     crack::FrontIntensityRequest request;
     request.state = wish;
     const crack::StressIntensity K =

@@ -69,7 +69,7 @@ struct StripTriangle {
     fields = crack::TipNeighbourhood(cracked.mesh)
                  .extension_fields(cracked, cracked.fronts[0], {2}, left_out);
     std::vector<base::NodeId> nodes;
-    const std::vector<bool> used = model::nodes_in_use(cracked.mesh);
+    const std::vector<bool> used = model::mark_nodes_in_use(cracked.mesh);
     for (std::size_t n = 0; n < used.size(); ++n) {
       if (used[n]) {
         nodes.emplace_back(n);
@@ -155,10 +155,11 @@ Found estimate_of(const StripTriangle& s, const model::LoadCase& load) {
   const estimate::ModeMap map =
       estimate::mode_map(modes, estimate::mode_supports(modes, s.cls, s.ties), {});
   const mesh::CrackFront& front = s.cracked.fronts[0];
-  const base::Matrix g = crack::front_intensity_rows(
-      s.model, s.cracked, front, crack::tip_extensions(s.fields), model::TipConstraint::automatic);
+  const base::Matrix g =
+      crack::front_intensity_rows(s.model, s.cracked, front, crack::tip_extensions(s.fields),
+                                  model::CrackTipPlaneState::automatic);
   const base::Matrix g_e = modes.mode_functional(crack::intensity_points(
-      s.model, s.cracked, front, s.fields, model::TipConstraint::automatic));
+      s.model, s.cracked, front, s.fields, model::CrackTipPlaneState::automatic));
   const base::Vector f = fe::nodal_load(s.model, s.cracked.mesh, load);
   const base::Vector f_e = estimate::mode_load(
       modes, load,
@@ -359,7 +360,7 @@ TEST_P(GoalError, DoesNotDependOnTheNumbersOfNodes) {
   other.suppress();
   StripTriangle fresh = std::move(other);
   std::vector<base::NodeId> nodes;
-  const std::vector<bool> used = model::nodes_in_use(fresh.cracked.mesh);
+  const std::vector<bool> used = model::mark_nodes_in_use(fresh.cracked.mesh);
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (used[i]) {
       nodes.emplace_back(i);

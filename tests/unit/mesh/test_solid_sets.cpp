@@ -146,7 +146,7 @@ TEST(SolidSets, SingleNodesHeldOnEdgesStay) {
                                                  std::vector<mesh::TubeMeshParameters>(1),
                                                  std::vector<base::SourceSpan>(1), diagnostics);
   ASSERT_TRUE(cracked);
-  const std::vector<bool> used = model::nodes_in_use(cracked->mesh);
+  const std::vector<bool> used = model::mark_nodes_in_use(cracked->mesh);
   for (std::size_t s = 0; s < 3; ++s) {
     EXPECT_TRUE(cracked->removed_nodes[s].empty()) << s;
     EXPECT_EQ(cracked->mesh.node_sets[s].nodes, host.node_sets[s].nodes) << s;

@@ -11,7 +11,7 @@ namespace {
 
 // Largest difference of displacements where the part has elements, to the largest of the whole.
 double difference(const test::Solved& whole, const test::Solved& part) {
-  const std::vector<bool> used = model::nodes_in_use(part.mesh());
+  const std::vector<bool> used = model::mark_nodes_in_use(part.mesh());
   const results::StepResult& last = whole.run.increments.front().steps.back();
   double off = 0.0;
   double size = 0.0;
@@ -107,7 +107,7 @@ $END
   const auto half =
       test::solve_text(deck.substr(0, deck.size() - 5) + "$SYMMETRY NORMAL=Y\n$END\n");
   ASSERT_TRUE(whole && half);
-  const std::vector<bool> used = model::nodes_in_use(half->mesh());
+  const std::vector<bool> used = model::mark_nodes_in_use(half->mesh());
   for (std::size_t s = 0; s < 3; ++s) {
     double off = 0.0;
     for (std::size_t n = 0; n < used.size(); ++n) {
