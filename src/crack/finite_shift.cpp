@@ -89,7 +89,7 @@ double heated_energy(const Shift& shift, const ShiftedElement& moved) {
     // A point that q has carried on by s meets the field ahead of it, which stays in space.
     const double here =
         T.dot(element.linear_element().N(point.r)) + shift.s * q.dot(N) * slope.dot(set.tip.e1);
-    const double hoop = U.row(0) * fe::Hoop<PlaneElement>(element, X, law, point.r).h;
+    const double hoop = U.row(0) * fe::HoopStrain<PlaneElement>(element, X, law, point.r).h;
     const Eigen::Matrix2d H = U.lazyProduct(at.dNdx);
     thermal += point.weight * at.det * set.relative_depth(X * N) * beta * here * (H.trace() + hoop);
   }
@@ -106,7 +106,7 @@ double element_energy(const Shift& shift, base::ElementId e) {
 }
 
 double face_work(const Shift& shift, const ActingLoad& acting, const model::Face& face,
-                 const base::Vec2& u_tip, const fe::FieldScale& scale) {
+                 const base::Vec2& u_tip, const fe::FieldMagnitude& scale) {
   geometry::ElementSide side = model::element_side(shift.set.mesh, face);
   for (std::size_t i = 0; i < side.nodes.size(); ++i) {
     side.X.col(static_cast<Eigen::Index>(i)).head<2>() += shift.step_of(side.nodes[i]);
@@ -143,7 +143,7 @@ double potential_energy(const Shift& shift, const ExtensionField& field) {
     }
   }
   for (const ActingLoad& acting : set.loads.loads) {
-    const fe::FieldScale scale = face_scale(set.mesh, acting);
+    const fe::FieldMagnitude scale = face_scale(set.mesh, acting);
     for (const model::Face& face : acting.faces) {
       energy -= face_work(shift, acting, face, u_tip, scale);
     }

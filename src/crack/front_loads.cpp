@@ -20,15 +20,15 @@ base::Vec3 face_force(const ActingLoad& acting, const base::Vec3& x, const base:
              : base::Vec3(acting.factor * area.norm() * value);
 }
 
-fe::FieldScale face_scale(const model::Mesh& mesh, const ActingLoad& acting) {
-  return acting.faces.empty() || !acting.load->faces.valid() ? fe::FieldScale()
+fe::FieldMagnitude face_scale(const model::Mesh& mesh, const ActingLoad& acting) {
+  return acting.faces.empty() || !acting.load->faces.valid() ? fe::FieldMagnitude()
                                                              : fe::load_scale(mesh, *acting.load);
 }
 
 std::vector<FacePointForces> forces_on_faces(const model::Mesh& mesh, const FrontLoads& loads) {
   std::vector<FacePointForces> forces;
   for (const ActingLoad& acting : loads.loads) {
-    const fe::FieldScale scale = face_scale(mesh, acting);
+    const fe::FieldMagnitude scale = face_scale(mesh, acting);
     for (const model::Face& face : acting.faces) {
       const geometry::ElementSide side = model::element_side(mesh, face);
       FacePointForces on{face, {}};

@@ -56,7 +56,7 @@ struct FrontLoads {
 base::Vec3 face_force(const ActingLoad& acting, const base::Vec3& x, const base::Vec3& area);
 
 /// Scale of a load on faces, for fe::load_rule.
-fe::FieldScale face_scale(const model::Mesh& mesh, const ActingLoad& acting);
+fe::FieldMagnitude face_scale(const model::Mesh& mesh, const ActingLoad& acting);
 
 /// Forces of the deck's loads on sides round the front, at points; of the deck's own rules. About
 /// an axis what stands behind a point is not in them.

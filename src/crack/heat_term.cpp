@@ -79,7 +79,7 @@ public:
     return Eigen::Matrix2d(U_.lazyProduct(map(r).dNdx)).trace() + hoop(r);
   }
   [[nodiscard]] double hoop(const shape::Point<2>& r) const {
-    return U_.row(0) * fe::Hoop<PlaneElement>(element_, X_, law_, r).h;
+    return U_.row(0) * fe::HoopStrain<PlaneElement>(element_, X_, law_, r).h;
   }
   /// The point t of -1 .. 1 on a side.
   [[nodiscard]] shape::Point<2> on_side(int side, double t) const {
@@ -139,7 +139,7 @@ public:
     // at the tip: by collapsed charts. What it does not take follows at its own points.
     const std::array<base::NodeId, 1> tips{front.tip_point().node};
     for (const fe::ReferenceChart& chart :
-         fe::charts(element_, fe::find_tip_corner(set_.mesh, e_, tips))) {
+         fe::reference_charts(element_, fe::find_tip_corner(set_.mesh, e_, tips))) {
       fe::for_chart_points(chart, {0.0, 0.0, 1.0}, [&](const shape::Point<2>& r, double weight) {
         const double area = weight * map(r).det;
         add_to_K(r, area, taken(r) - (*set_.affine)(set_.tip, x(r)), sum);

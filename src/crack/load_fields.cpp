@@ -36,7 +36,7 @@ void for_body_forces(const model::Mesh& mesh, const std::vector<BodyForceField>&
     if (!std::ranges::binary_search(acting.elements, e)) {
       continue;
     }
-    const fe::ElementShare* share = field.shares.find_share(e);
+    const fe::CutElementFraction* share = field.shares.find_cut_fraction(e);
     for (const auto& point :
          fe::body_load_rule<dim>(element, X, *acting.load, field.scale).points) {
       base::Vec3 x = base::Vec3::Zero();

@@ -13,8 +13,8 @@ namespace spricka::crack {
 /// A force per volume with what its rule and its set need. Refers to the loads of a front.
 struct BodyForceField {
   const ActingLoad* acting = nullptr;
-  fe::SetShares shares; ///< of sets that patches cut, in the plane
-  fe::FieldScale scale;
+  fe::ElementSetCoverage shares; ///< of sets that patches cut, in the plane
+  fe::FieldMagnitude scale;
 };
 
 /// What the scale of a load is taken of: all elements of its set, or those near the front.

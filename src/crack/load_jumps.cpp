@@ -16,7 +16,7 @@ struct Roughness {
   double discontinuous = 0.0, all = 0.0;
 };
 
-Roughness roughness(const ActingLoad& acting, const fe::FieldScale& scale,
+Roughness roughness(const ActingLoad& acting, const fe::FieldMagnitude& scale,
                     const geometry::ElementSide& side) {
   const fe::AdaptedRule<2> rule = fe::load_rule(side, *acting.load, scale);
   // by Legendre's polynomials of the arc length that a straight side has, twice over it -1 .. 1
@@ -52,7 +52,7 @@ void for_discontinuous_sides(const TipSetting& set, const ExtensionField& field,
     if (acting.faces.empty() || fe::is_constant(*acting.load)) {
       continue;
     }
-    const fe::FieldScale scale = face_scale(set.mesh, acting);
+    const fe::FieldMagnitude scale = face_scale(set.mesh, acting);
     for (const model::Face& face : acting.faces) {
       const geometry::ElementSide side = model::element_side(set.mesh, face);
       if (std::ranges::any_of(

@@ -93,7 +93,7 @@ std::vector<shape::QuadraturePoint<2>> TipFields::rule(base::ElementId e) const 
     return {points.begin(), points.end()};
   }
   std::vector<shape::QuadraturePoint<2>> points;
-  for (const fe::ReferenceChart& chart : fe::charts(element, corner)) {
+  for (const fe::ReferenceChart& chart : fe::reference_charts(element, corner)) {
     fe::for_chart_points(chart, {0.0, 0.0, 1.0}, [&](const shape::Point<2>& r, double weight) {
       points.push_back({r, weight});
     });

@@ -126,7 +126,7 @@ void EnrichedStiffness<S>::about_axis(const fe::NodeVectors<S>& X, const fe::Con
   const fe::AnyNodeVectors<2> nodes = X;
   for (const auto& point : shape::quadrature<S>(Modes<S>::degree)) {
     const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
-    const fe::Hoop<S> hoop(X, law, point.r);
+    const fe::HoopStrain<S> hoop(X, law, point.r);
     const double w = point.weight * at.det * law.depth(hoop.x);
     Eigen::Matrix<double, 4, mode_freedoms<S>> B;
     B.template topRows<3>() =

@@ -12,20 +12,20 @@
 namespace spricka::fe {
 
 /// Sizes of a field as a whole, of which one element may hold little; 0: not known.
-struct FieldScale {
+struct FieldMagnitude {
   double largest = 0.0; ///< magnitude at the usual points
   double mean = 0.0;    ///< magnitude, over all elements
 };
 
 struct AdaptiveSettings {
   double tolerance = 1e-9; ///< of the integral over an element: of the mean times its size
-  FieldScale scale;
+  FieldMagnitude scale;
   bool smooth = false; ///< nothing in it can jump or kink, so that little has to be doubted
 };
 
 /// What a rule may cost, as a line, an area or a volume takes the more points the more directions
 /// it has.
-struct AdaptiveCost {
+struct AdaptiveRuleLimits {
   /// Of a load's integrals over an element or a side, of its mean value times the size: jumps of
   /// plane and solid fields cost more than those along an edge.
   double load_tolerance;
@@ -42,11 +42,12 @@ struct AdaptiveCost {
   std::array<double, 2> recurrence;
 };
 /// By the dimension, less 1.
-inline constexpr std::array<AdaptiveCost, 3> adaptive_costs{
+inline constexpr std::array<AdaptiveRuleLimits, 3> adaptive_rule_limits_by_dim{
     {{1e-9, 0.0, 0.0, 64, 20000, 8, 7, 4, 1, 50, {0.6180339887498949, 0.0}},
      {1e-7, 1e-5, 3e-3, 256, 40000, 8, 7, 8, 1, 50, {0.6180339887498949, 0.0}},
      {1e-4, 1e-5, 3e-3, 256, 80000, 4, 5, 4, 4, 36, {0.7548776662466927, 0.5698402909980532}}}};
-template <int dim> inline constexpr AdaptiveCost adaptive_cost = adaptive_costs[dim - 1];
+template <int dim>
+inline constexpr AdaptiveRuleLimits adaptive_rule_limits = adaptive_rule_limits_by_dim[dim - 1];
 
 template <int dim> struct AdaptedRule {
   std::vector<shape::QuadraturePoint<dim>> points;
@@ -96,7 +97,7 @@ template <int dim> struct AdaptiveDomain {
 
 /// All of a reference element; `usual_degree`: of its usual rule.
 template <int dim>
-AdaptiveDomain<dim> whole_domain(shape::ReferenceDomain domain, int usual_degree) {
+AdaptiveDomain<dim> whole_element_domain(shape::ReferenceDomain domain, int usual_degree) {
   constexpr int finer_degree = 15;
   return {[domain](const UnitPoint& t) { return unit_cube_point<dim>(domain, t); },
           shape::quadrature<dim>(domain, usual_degree),

@@ -27,7 +27,7 @@ RuleSums<dim> sums_of(std::span<const shape::QuadraturePoint<dim>> rule,
   for (const auto& point : rule) {
     const Vec3 v = value(point.r);
     seen.add_value(v);
-    sums.moments += moments_at<dim>(point, v);
+    sums.moments += field_moments_at<dim>(point, v);
     sums.amount += point.weight * v.norm();
   }
   return sums;
@@ -39,7 +39,7 @@ template <int dim>
 FieldOutlier outlier_of(const AdaptiveDomain<dim>& domain, const ReferenceField<dim>& value,
                         ValueRange& seen, double scale, int places) {
   constexpr double inside = 1e-6;
-  constexpr std::array<double, 2> step = adaptive_cost<dim>.recurrence;
+  constexpr std::array<double, 2> step = adaptive_rule_limits<dim>.recurrence;
   std::vector<std::pair<UnitPoint, Vec3>> looks;
   const auto look = [&](const UnitPoint& t) { looks.emplace_back(t, value(domain.map(t).r)); };
   for (int i = 0; i < places; ++i) {
@@ -74,9 +74,11 @@ FieldOutlier outlier_of(const AdaptiveDomain<dim>& domain, const ReferenceField<
 } // namespace
 
 template <int dim>
-AdaptedRule<dim> adapted_rule(const AdaptiveDomain<dim>& domain, const ReferenceField<dim>& value,
-                              const AdaptiveSettings& settings) {
-  const int places = settings.smooth ? adaptive_cost<1>.places : adaptive_cost<dim>.places;
+AdaptedRule<dim> make_adapted_rule(const AdaptiveDomain<dim>& domain,
+                                   const ReferenceField<dim>& value,
+                                   const AdaptiveSettings& settings) {
+  const int places =
+      settings.smooth ? adaptive_rule_limits<1>.places : adaptive_rule_limits<dim>.places;
   const double between = 1.0 / places; // the part of an element that a place tells of
   ValueRange seen;
   const RuleSums<dim> usual = sums_of<dim>(domain.usual, value, seen);
@@ -90,13 +92,13 @@ AdaptedRule<dim> adapted_rule(const AdaptiveDomain<dim>& domain, const Reference
   const FieldOutlier outlier = outlier_of<dim>(domain, value, seen, largest, places);
   const double amount = std::max(
       {size * settings.scale.mean, usual.amount, finer.amount, between * size * outlier.excess});
-  const double usual_enough = settings.smooth ? adaptive_cost<dim>.usual_enough : 0.0;
+  const double usual_enough = settings.smooth ? adaptive_rule_limits<dim>.usual_enough : 0.0;
   const bool agreed = error <= std::max(settings.tolerance, usual_enough) * amount;
   if (!std::isfinite(error) || (agreed && outlier.excess == 0.0)) {
     return {{domain.usual.begin(), domain.usual.end()}, 0.0, finer.amount, false};
   }
   if (settings.smooth && outlier.excess == 0.0 &&
-      error <= adaptive_cost<dim>.finer_enough * amount) {
+      error <= adaptive_rule_limits<dim>.finer_enough * amount) {
     return {{domain.finer.begin(), domain.finer.end()}, 0.0, finer.amount, false};
   }
   PiecewiseRule<dim> pieces(domain, value, settings, amount, outlier);
@@ -109,7 +111,7 @@ AdaptedRule<dim> adapted_rule(const AdaptiveDomain<dim>& domain, const Reference
 }
 
 #define ADAPTED_RULE(dim)                                                                          \
-  template AdaptedRule<dim> adapted_rule<dim>(                                                     \
+  template AdaptedRule<dim> make_adapted_rule<dim>(                                                \
       const AdaptiveDomain<dim>&, const ReferenceField<dim>&, const AdaptiveSettings&);
 ADAPTED_RULE(1)
 ADAPTED_RULE(2)

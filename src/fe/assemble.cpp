@@ -79,7 +79,7 @@ base::SymmetricCsc stiffness_pattern(const model::Mesh& mesh,
   for (const std::vector<std::int32_t>& super : super_freedoms) {
     add_rows(super, dofs, blocks);
   }
-  return make_pattern(dofs.size(), blocks);
+  return make_matrix_pattern(dofs.size(), blocks);
 }
 
 base::SymmetricCsc assemble_stiffness(const model::Model& model, const model::Mesh& mesh,
@@ -89,7 +89,7 @@ base::SymmetricCsc assemble_stiffness(const model::Model& model, const model::Me
   for (const Superelement& super : supers) {
     add_rows(super.freedom, dofs, blocks);
   }
-  base::SymmetricCsc K = make_pattern(dofs.size(), blocks);
+  base::SymmetricCsc K = make_matrix_pattern(dofs.size(), blocks);
 
   std::array<std::int32_t, max_element_freedoms> freedoms{};
   // Blocks must come in the order in which their rows were added.

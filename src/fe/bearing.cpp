@@ -223,7 +223,7 @@ std::array<bool, 3> mirror_cut_axes(const model::Model& model, const model::Mesh
 }
 
 bool for_bearing_points(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
-                        const LoadVisit::FaceVisit& visit) {
+                        const LoadPointVisitor::FaceVisit& visit) {
   const std::vector<model::Face>& faces = mesh.set_with_id(load.faces).faces;
   const Vec3 F = load_value(load, Vec3::Zero());
   if (F.isZero(0.0)) {

@@ -24,6 +24,6 @@ std::array<bool, 3> mirror_cut_axes(const model::Model& model, const model::Mesh
 /// a part in the loaded half or the load has one along the axis; a load of zero visits nothing and
 /// is true.
 bool for_bearing_points(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
-                        const LoadVisit::FaceVisit& visit);
+                        const LoadPointVisitor::FaceVisit& visit);
 
 } // namespace spricka::fe

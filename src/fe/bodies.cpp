@@ -37,9 +37,9 @@ std::vector<Body> find_bodies(const model::Mesh& mesh) {
   return bodies;
 }
 
-std::vector<std::vector<Body>> join_bodies(const model::Mesh& mesh, std::vector<Body> bodies,
-                                           const ConstraintTransformation& ties,
-                                           const std::vector<model::FreedomClass>& cls) {
+std::vector<std::vector<Body>> join_tied_bodies(const model::Mesh& mesh, std::vector<Body> bodies,
+                                                const ConstraintTransformation& ties,
+                                                const std::vector<model::FreedomClass>& cls) {
   constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::vector<std::size_t> body_of(mesh.node_count(), none);
   for (std::size_t b = 0; b < bodies.size(); ++b) {

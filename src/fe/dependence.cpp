@@ -203,7 +203,8 @@ ConstraintTransformation::find_row(std::int32_t freedom) const {
   return at < 0 ? nullptr : &rows_[static_cast<std::size_t>(at)];
 }
 
-void ConstraintTransformation::set_dependents(Eigen::Ref<base::Vector> u, double scale) const {
+void ConstraintTransformation::set_dependent_displacements(Eigen::Ref<base::Vector> u,
+                                                           double scale) const {
   for (const DependentRow& row : rows_) {
     double sum = scale * row.constant;
     for (const FreedomTerm& t : row.terms) {
@@ -213,7 +214,7 @@ void ConstraintTransformation::set_dependents(Eigen::Ref<base::Vector> u, double
   }
 }
 
-void ConstraintTransformation::transfer_to_masters(base::Matrix& f) const {
+void ConstraintTransformation::transfer_forces_to_masters(base::Matrix& f) const {
   for (const DependentRow& row : rows_) {
     for (const FreedomTerm& t : row.terms) {
       f.row(t.freedom) += t.coefficient * f.row(row.freedom);

@@ -63,9 +63,9 @@ public:
   [[nodiscard]] const DependentRow* find_row(std::int32_t freedom) const;
 
   /// Gives dependent freedoms their displacements: u_d = sum c u_m + scale * constant.
-  void set_dependents(Eigen::Ref<base::Vector> u, double scale) const;
+  void set_dependent_displacements(Eigen::Ref<base::Vector> u, double scale) const;
   /// Hands forces on dependent freedoms over to their masters: f <- T^T f, by columns.
-  void transfer_to_masters(base::Matrix& f) const;
+  void transfer_forces_to_masters(base::Matrix& f) const;
 
   /// A block of coefficients on some freedoms once dependent ones are replaced: K <- T^T K T.
   struct TransformedBlock {

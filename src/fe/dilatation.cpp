@@ -9,13 +9,14 @@ namespace spricka::fe {
 
 // Written out by components: products of so many sizes take the compiler long.
 template <shape::Element S>
-Dilatation<S>::Dilatation(const S& element, const NodeVectors<S>& X, const ConstitutiveLaw& law)
+ProjectedDilatation<S>::ProjectedDilatation(const S& element, const NodeVectors<S>& X,
+                                            const ConstitutiveLaw& law)
     : C(Volume::Zero(mode_count(element), S::dim * element.nodes)),
       G(Gram::Zero(mode_count(element), mode_count(element))) {
   // (fe.14), by the rule of the stiffness, which the projection is a part of.
   for (const auto& point : stiffness_rule(element, law)) {
     const Jacobian<S> at = jacobian(element, X, point.r);
-    const Hoop<S> hoop(element, X, law, point.r);
+    const HoopStrain<S> hoop(element, X, law, point.r);
     const double w = point.weight * at.det * law.depth(hoop.x);
     const Modes p = phi(element, point.r);
     for (Eigen::Index m = 0; m < p.size(); ++m) {
@@ -33,7 +34,7 @@ Dilatation<S>::Dilatation(const S& element, const NodeVectors<S>& X, const Const
 }
 
 template <shape::Element S>
-auto Dilatation<S>::project_volume_change(const NodeVectors<S>& U) const -> Modes {
+auto ProjectedDilatation<S>::project_volume_change(const NodeVectors<S>& U) const -> Modes {
   Modes integrals = Modes::Zero(C.rows());
   for (Eigen::Index m = 0; m < C.rows(); ++m) {
     for (Eigen::Index i = 0; i < U.cols(); ++i) {
@@ -45,7 +46,8 @@ auto Dilatation<S>::project_volume_change(const NodeVectors<S>& U) const -> Mode
   return project(integrals);
 }
 
-template <shape::Element S> auto Dilatation<S>::project(const Modes& integrals) const -> Modes {
+template <shape::Element S>
+auto ProjectedDilatation<S>::project(const Modes& integrals) const -> Modes {
   if (integrals.size() == 1) {
     return (1.0 / G(0, 0)) * integrals;
   }
@@ -53,7 +55,7 @@ template <shape::Element S> auto Dilatation<S>::project(const Modes& integrals) 
   return Full(G).inverse() * Eigen::Matrix<double, most_modes, 1>(integrals);
 }
 
-#define DILATATION(S) template struct Dilatation<S>;
+#define DILATATION(S) template struct ProjectedDilatation<S>;
 SPRICKA_EACH_SHAPE(DILATATION)
 DILATATION(shape::ReferenceElement<2>)
 DILATATION(shape::ReferenceElement<3>)

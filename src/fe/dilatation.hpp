@@ -11,7 +11,7 @@ namespace spricka::fe {
 /// 1 and the reference coordinates on quadratic quadrilaterals and hexahedra. The energy of the
 /// volume change is lambda/2 times the integral of the projected theta squared. Compiled in
 /// dilatation.cpp for each element, and for elements known when run.
-template <shape::Element S> struct Dilatation {
+template <shape::Element S> struct ProjectedDilatation {
   /// Number of functions phi of an element with so many corners: 1 + dim on quadratic
   /// quadrilaterals and hexahedra, else 1.
   static constexpr int modes_for(int corners, bool quadratic) {
@@ -57,7 +57,7 @@ template <shape::Element S> struct Dilatation {
     return p;
   }
 
-  Dilatation(const S& element, const NodeVectors<S>& X, const ConstitutiveLaw& law);
+  ProjectedDilatation(const S& element, const NodeVectors<S>& X, const ConstitutiveLaw& law);
 
   /// Coefficients of the function whose integrals with phi these are.
   [[nodiscard]] Modes project(const Modes& integrals) const;

@@ -34,9 +34,9 @@ std::vector<Body> find_bodies(const model::Mesh& mesh);
 /// Puts bodies together that ties join [joined body][piece], in the order of their first piece.
 /// Nodes without elements that take part in ties are pieces of their own. Ties to freedoms that are
 /// suppressed or prescribed join nothing.
-std::vector<std::vector<Body>> join_bodies(const model::Mesh& mesh, std::vector<Body> bodies,
-                                           const ConstraintTransformation& ties,
-                                           const std::vector<model::FreedomClass>& cls);
+std::vector<std::vector<Body>> join_tied_bodies(const model::Mesh& mesh, std::vector<Body> bodies,
+                                                const ConstraintTransformation& ties,
+                                                const std::vector<model::FreedomClass>& cls);
 
 /// Numbering of one system of equations.
 struct DofMap {
@@ -69,8 +69,8 @@ base::Matrix rigid_modes(const model::Model& model, const model::Mesh& mesh,
 /// The part of the rigid modes that suppressed and prescribed freedoms and ties leave free: columns
 /// [modes, free] that combine rigid_modes; empty when the body is held. A combination counts as
 /// free when its largest held freedom is below 1e-9 of its largest freedom.
-base::Matrix free_modes(const model::Mesh& mesh, const base::Matrix& modes,
-                        std::span<const Body> pieces, const ConstraintTransformation& ties,
-                        const std::vector<model::FreedomClass>& cls);
+base::Matrix free_rigid_modes(const model::Mesh& mesh, const base::Matrix& modes,
+                              std::span<const Body> pieces, const ConstraintTransformation& ties,
+                              const std::vector<model::FreedomClass>& cls);
 
 } // namespace spricka::fe

@@ -70,20 +70,20 @@ ElementMatrix<S> element_stiffness(const NodeVectors<S>& X, const ConstitutiveLa
 template <shape::Element S> struct VolumeChange {
   S element;
   const ConstitutiveLaw& law;
-  typename Dilatation<S>::Modes projected;
+  typename ProjectedDilatation<S>::Modes projected;
 
   VolumeChange(const S& element_, const NodeVectors<S>& X, const ConstitutiveLaw& law_,
                const NodeVectors<S>& U)
       : element(element_), law(law_) {
     projected.setZero();
     if (law.projected) {
-      projected = Dilatation<S>(element, X, law).project_volume_change(U);
+      projected = ProjectedDilatation<S>(element, X, law).project_volume_change(U);
     }
   }
   /// The volume change at a reference point: the projected one where the law asks for it, else
   /// `plain`, the one that the displacements themselves have there.
   [[nodiscard]] double at(const shape::Point<S::dim>& r, double plain) const {
-    return law.projected ? Dilatation<S>::phi(element, r).dot(projected) : plain;
+    return law.projected ? ProjectedDilatation<S>::phi(element, r).dot(projected) : plain;
   }
 };
 

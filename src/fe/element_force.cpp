@@ -13,7 +13,7 @@ NodeVectors<S> element_force(const S& element, const NodeVectors<S>& X, const Co
     const Gradients<S> dN = element.dN(point.r);
     const Square J = X.lazyProduct(dN); // as in jacobian.cpp
     const Square J_inverse = J.inverse();
-    const Hoop<S> hoop(element, X, law, point.r);
+    const HoopStrain<S> hoop(element, X, law, point.r);
     const double w = point.weight * J.determinant() * law.depth(hoop.x);
     const Square H = U.lazyProduct(dN).eval() * J_inverse;
     double ring = 0.0;

@@ -27,7 +27,7 @@ template <shape::ElementShape S> struct Moments {
     H.setZero();
     for (const auto& point : stiffness_rule<S>(law)) {
       const Jacobian<S> at = jacobian<S>(X, point.r);
-      const Hoop<S> hoop(X, law, point.r);
+      const HoopStrain<S> hoop(X, law, point.r);
       const double w = point.weight * at.det * law.depth(hoop.x);
       const Gradients<S> weighted = w * at.dNdx;
       for (int p = 0; p < dim; ++p) {
@@ -104,7 +104,7 @@ ElementMatrix<S> element_stiffness(const NodeVectors<S>& X, const ConstitutiveLa
     }
   }
   if (law.projected) {
-    const Dilatation<S> theta(S{}, X, law);
+    const ProjectedDilatation<S> theta(S{}, X, law);
     add_volume_part(law.lambda * theta.C.transpose() * theta.G.inverse(), theta.C, Ke);
   }
   return Ke;

@@ -82,12 +82,13 @@ template <shape::ElementShape S> shape::Point<S::dim> reference_lengths() {
   return lengths;
 }
 
-void sample(const model::Model& model, const StateField& field, StressRecovery& recovery) {
+void sample(const model::Model& model, const DisplacementTemperatureField& field,
+            StressRecovery& recovery) {
   const model::Mesh& mesh = recovery.mesh;
   recovery.first.assign(1, 0);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     shape::with_element_shape(mesh.type[e], [&]<shape::ElementShape S>(S) {
-      const StressElement<S> element(model, mesh, ElementId(e), field);
+      const ElementStressEvaluator<S> element(model, mesh, ElementId(e), field);
       for (const auto& point : sample_rule<S>()) {
         StressSample s;
         s.x.template head<S::dim>() = element.X * S::N(point.r);
@@ -169,7 +170,7 @@ double complementary_energy(const Stress& s, const ConstitutiveLaw& law) {
 } // namespace
 
 ErrorEstimate estimate_error(const model::Model& model, const model::Mesh& mesh,
-                             const StateField& field) {
+                             const DisplacementTemperatureField& field) {
   StressRecovery recovery(mesh);
   sample(model, field, recovery);
   std::vector<StressPatch> smooth;
@@ -186,7 +187,7 @@ ErrorEstimate estimate_error(const model::Model& model, const model::Mesh& mesh,
   estimate.noise.assign(mesh.element_count(), 0.0);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     shape::with_element_shape(mesh.type[e], [&]<shape::ElementShape S>(S) {
-      const StressElement<S> element(model, mesh, ElementId(e), field);
+      const ElementStressEvaluator<S> element(model, mesh, ElementId(e), field);
       const AnyElement<S::dim>& corners = shape::as_reference_element<S>();
       double volume = 0.0;
       for (const auto& point : shape::quadrature<S>(std::max(S::degree, 2))) {

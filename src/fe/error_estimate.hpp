@@ -20,6 +20,6 @@ struct ErrorEstimate {
 /// not do for quadratic elements: they err at the ends of an element by as much on either side, and
 /// the estimate would tend to nothing. Patches end where properties or bodies do.
 ErrorEstimate estimate_error(const model::Model& model, const model::Mesh& mesh,
-                             const StateField& field);
+                             const DisplacementTemperatureField& field);
 
 } // namespace spricka::fe

@@ -37,7 +37,7 @@ template <int dim> using Moments = Eigen::Matrix<double, 3, dim + 1>;
 
 // The field times 1 and the reference coordinates.
 template <int dim>
-Moments<dim> moments_at(const shape::QuadraturePoint<dim>& p, const base::Vec3& v) {
+Moments<dim> field_moments_at(const shape::QuadraturePoint<dim>& p, const base::Vec3& v) {
   Moments<dim> m;
   m.col(0) = p.weight * v;
   for (int k = 0; k < dim; ++k) {
@@ -94,7 +94,7 @@ public:
     seen_ = ValueRange(); // what the points of no line have seen is not integrated
     // A line sees nothing of a layer that lies between its points.
     const bool hidden = outlier.excess > 0.0;
-    constexpr int usual = adaptive_cost<dim>.panels;
+    constexpr int usual = adaptive_rule_limits<dim>.panels;
     const int panels = hidden ? 2 * usual : smooth ? usual / 4 : usual;
     for (int i = 0; i <= panels; ++i) {
       ends_.push_back(static_cast<double>(i) / panels);
@@ -119,7 +119,7 @@ public:
   }
 
 private:
-  static constexpr int most_evaluations = 2 * adaptive_cost<dim>.evaluations;
+  static constexpr int most_evaluations = 2 * adaptive_rule_limits<dim>.evaluations;
   static constexpr int deepest = 48; ///< halvings of a panel
 
   struct LineSample {
@@ -147,14 +147,14 @@ private:
 
   // The direction in which the field changes most, on lines through a place and on a few others.
   std::size_t steepest(const UnitPoint& place) {
-    constexpr int grid = adaptive_cost<dim>.grid;
+    constexpr int grid = adaptive_rule_limits<dim>.grid;
     constexpr int points = 64; // of the lines through the place
     std::array<double, 3> change{};
     for (along_ = 0; along_ < dim; ++along_) {
       change[along_] = change_along(place, points);
       for (int i = 0; i < grid; ++i) {
         for (int j = 0; j < grid; ++j) {
-          for (int k = 0; k < adaptive_cost<dim>.layers; ++k) {
+          for (int k = 0; k < adaptive_rule_limits<dim>.layers; ++k) {
             // Each line once: the places of a diagonal plane.
             if ((i + j + k) % grid == 0) {
               change[along_] +=
@@ -195,7 +195,7 @@ private:
       from_low += at_end[i] * s.p.weight * s.v;
       from_high += at_end[line_points - 1 - i] * s.p.weight * s.v;
       s.p.weight *= 0.5 * length * weight;
-      result.moments += moments_at<dim>(s.p, s.v);
+      result.moments += field_moments_at<dim>(s.p, s.v);
       ++i;
     }
     result.off_low = beyond * length * from_low.norm();
@@ -234,7 +234,7 @@ private:
     LineSample low = samples[at];
     LineSample high = samples[at + 1];
     double change = most_change;
-    for (int k = 0; k < adaptive_cost<dim>.bisections; ++k) {
+    for (int k = 0; k < adaptive_rule_limits<dim>.bisections; ++k) {
       const LineSample middle = sample(line, 0.5 * (low.t + high.t));
       ((middle.v - low.v).norm() > (high.v - middle.v).norm() ? high : low) = middle;
       change = (high.v - low.v).norm();

@@ -45,14 +45,14 @@ void for_rest(const model::Model& model, const model::Mesh& mesh, const CaseTemp
   }
 }
 
-void add_points(const model::Model& model, const PatchedMesh& patched, const FieldScale& scale,
+void add_points(const model::Model& model, const PatchedMesh& patched, const FieldMagnitude& scale,
                 CaseTemperature& heat, UnresolvedLoad* missed) {
   const model::Mesh& mesh = patched.mesh;
   heat.first.assign(1, 0);
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
     const ElementId e(i);
     const ConstitutiveLaw law = constitutive_law(model, mesh, e);
-    if (has_residual(law, mesh.dim, base::element_info(mesh.type[i]).quadratic) &&
+    if (has_residual_temperature(law, mesh.dim, base::element_info(mesh.type[i]).quadratic) &&
         heat.field.varies(e)) {
       const AnyElement<2>& element = shape::reference_element<2>(mesh.type[i]);
       const AnyNodeVectors<2> X = coordinates(element, mesh, e);
@@ -77,7 +77,7 @@ void add_points(const model::Model& model, const PatchedMesh& patched, const Fie
         p.T -= projected_temperature(element, X, law, T, p.r);
         most = std::max(most, std::abs(p.T));
       }
-      // Elsewhere the element keeps what element_temperature found, and has no points.
+      // Elsewhere the element keeps what element_corner_temperatures found, and has no points.
       if (most > heat_round_off * scale.largest) {
         heat.temperature.segment(mesh.first[i], element.corners) = T;
         heat.points.insert(heat.points.end(), points.begin(), points.end());
@@ -101,14 +101,14 @@ double projected_temperature(const AnyElement<2>& element, const AnyNodeVectors<
   return T.dot(element.linear_element().N(r));
 }
 
-double unresolved_temperature(const model::Model& model, const model::Mesh& mesh,
-                              const model::Load& load) {
+double unresolved_temperature_fraction(const model::Model& model, const model::Mesh& mesh,
+                                       const model::Load& load) {
   UnresolvedLoad missed;
   if (!is_constant(load)) {
     const model::LoadCase alone{"", {load}};
     make_case_temperature(model, {mesh, mesh, nullptr, {}}, alone, &missed);
   }
-  return missed.missed_share();
+  return missed.missed_fraction();
 }
 
 CaseTemperature make_case_temperature(const model::Model& model, const PatchedMesh& patched,
@@ -116,16 +116,16 @@ CaseTemperature make_case_temperature(const model::Model& model, const PatchedMe
   CaseTemperature heat;
   // In the plane points of their own tell whether a temperature jumps.
   std::vector<bool>* const jumps = patched.mesh.dim == 3 ? &heat.discontinuous : nullptr;
-  heat.temperature = element_temperature(model, patched.mesh, load_case, missed, jumps);
+  heat.temperature = element_corner_temperatures(model, patched.mesh, load_case, missed, jumps);
   if (heat.temperature.size() == 0) {
     return heat;
   }
   heat.field = TemperatureField(patched, load_case);
   // Loads of a case add up in an element, and so do the sizes that they are measured by.
-  FieldScale scale;
+  FieldMagnitude scale;
   for (const model::Load& load : load_case.loads) {
     if (load.type == model::LoadType::temperature) {
-      const FieldScale own =
+      const FieldMagnitude own =
           load_scale(patched.mesh, load, patched.mesh.set_with_id(load.elements).elements);
       scale.largest += own.largest;
       scale.mean += own.mean;
@@ -137,8 +137,9 @@ CaseTemperature make_case_temperature(const model::Model& model, const PatchedMe
   return heat;
 }
 
-void add_residual_load(const model::Model& model, const model::Mesh& mesh,
-                       const ScaledTemperature& acting, base::MaterialId only, base::Vector& f) {
+void add_residual_temperature_load(const model::Model& model, const model::Mesh& mesh,
+                                   const ScaledTemperature& acting, base::MaterialId only,
+                                   base::Vector& f) {
   for_rest(model, mesh, *acting.heat, [&](const RestElement& own) {
     if (only.valid() && model.element_property(mesh, own.e).material != only) {
       return;
@@ -155,9 +156,9 @@ void add_residual_load(const model::Model& model, const model::Mesh& mesh,
 
 // 1/2 (alpha T)^T D (alpha T) is half of alpha beta T^2 in each heated direction. Of two cases each
 // has its own points, where the other one's rest is what its field leaves.
-void add_residual_energy(const model::Model& model, const model::Mesh& mesh,
-                         std::span<const ScaledTemperature> acting, const base::Vector& u,
-                         std::vector<double>& energy) {
+void add_residual_temperature_energy(const model::Model& model, const model::Mesh& mesh,
+                                     std::span<const ScaledTemperature> acting,
+                                     const base::Vector& u, std::vector<double>& energy) {
   for (const ScaledTemperature& one : acting) {
     for_rest(model, mesh, *one.heat, [&](const RestElement& own) {
       const AnyNodeVectors<2> U = gather(own.shape, mesh, own.e, u);

@@ -49,8 +49,8 @@ CaseTemperature make_case_temperature(const model::Model& model, const PatchedMe
                                       UnresolvedLoad* missed = nullptr);
 
 /// Part of a temperature's total magnitude that no rule could follow, 1 at most.
-double unresolved_temperature(const model::Model& model, const model::Mesh& mesh,
-                              const model::Load& load);
+double unresolved_temperature_fraction(const model::Model& model, const model::Mesh& mesh,
+                                       const model::Load& load);
 
 /// A case with the factor it has.
 struct ScaledTemperature {
@@ -64,12 +64,13 @@ double projected_temperature(const AnyElement<2>& element, const AnyNodeVectors<
                              const shape::Point<2>& r);
 
 /// Adds `factor` times the nodal forces of the rest to f [dim * node]; of one material, or all.
-void add_residual_load(const model::Model& model, const model::Mesh& mesh,
-                       const ScaledTemperature& acting, base::MaterialId only, base::Vector& f);
+void add_residual_temperature_load(const model::Model& model, const model::Mesh& mesh,
+                                   const ScaledTemperature& acting, base::MaterialId only,
+                                   base::Vector& f);
 
 /// Adds what the rest makes of the elastic energy of the elements, see add_thermal_energy.
-void add_residual_energy(const model::Model& model, const model::Mesh& mesh,
-                         std::span<const ScaledTemperature> acting, const base::Vector& u,
-                         std::vector<double>& energy);
+void add_residual_temperature_energy(const model::Model& model, const model::Mesh& mesh,
+                                     std::span<const ScaledTemperature> acting,
+                                     const base::Vector& u, std::vector<double>& energy);
 
 } // namespace spricka::fe

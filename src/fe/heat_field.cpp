@@ -26,7 +26,7 @@ TemperatureField::TemperatureField(const PatchedMesh& patched, const model::Load
       }
       is_new_.resize(mesh.element_count());
       for (std::size_t e = 0; e < is_new_.size(); ++e) {
-        is_new_[e] = patched.is_new(ElementId(e));
+        is_new_[e] = patched.is_patch_element(ElementId(e));
       }
     }
     HeatedSet part{load.value.front(), std::vector<bool>(mesh.element_count(), false), false};

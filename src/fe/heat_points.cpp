@@ -26,13 +26,13 @@ std::vector<shape::QuadraturePoint<2>> chart_rule(const ReferenceChart& chart, i
 
 SampledTemperature sample_temperature(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
                                       const TemperatureField& field, base::ElementId e,
-                                      const FieldScale& scale, int tip) {
+                                      const FieldMagnitude& scale, int tip) {
   constexpr int finer_degree = 15;
   const auto value = [&](const shape::Point<2>& r) {
     return base::Vec3(field(e, base::Vec2(X * element.N(r))), 0.0, 0.0);
   };
   SampledTemperature sampled;
-  for (const ReferenceChart& chart : charts(element, tip)) {
+  for (const ReferenceChart& chart : reference_charts(element, tip)) {
     const auto map = [&](const UnitPoint& t) {
       shape::QuadraturePoint<2> p;
       p.r = chart.reference_point(t[0], t[1]);
@@ -41,8 +41,8 @@ SampledTemperature sample_temperature(const AnyElement<2>& element, const AnyNod
     };
     const auto usual = chart_rule(chart, chart_degree);
     const auto finer = chart_rule(chart, finer_degree);
-    const AdaptedRule<2> rule = adapted_rule<2>({map, usual, finer}, value,
-                                                {adaptive_cost<2>.load_tolerance, scale, false});
+    const AdaptedRule<2> rule = make_adapted_rule<2>(
+        {map, usual, finer}, value, {adaptive_rule_limits<2>.load_tolerance, scale, false});
     double area = 0.0;
     double reference_area = 0.0;
     for (const auto& point : rule.points) {

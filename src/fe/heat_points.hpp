@@ -28,6 +28,6 @@ struct SampledTemperature {
 /// over the whole element.
 SampledTemperature sample_temperature(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
                                       const TemperatureField& field, base::ElementId e,
-                                      const FieldScale& scale, int tip);
+                                      const FieldMagnitude& scale, int tip);
 
 } // namespace spricka::fe

@@ -18,7 +18,7 @@ struct PatchedMesh {
   std::vector<base::NodeId> tips;                     ///< where gradients may be singular
 
   /// Whether an element belongs to a patch round a crack, so that the host has none of it.
-  [[nodiscard]] bool is_new(base::ElementId e) const {
+  [[nodiscard]] bool is_patch_element(base::ElementId e) const {
     return host != nullptr && !(*host)[e.index()].valid();
   }
 };

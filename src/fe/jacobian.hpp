@@ -121,12 +121,12 @@ std::span<const shape::QuadraturePoint<S::dim>> stiffness_rule(const Constitutiv
 
 /// The circumferential strain of an axisymmetric element at a point, h^T u_x with h = N / x. All
 /// zero for other bodies, whose kernels then are the plane ones.
-template <class S> struct Hoop {
+template <class S> struct HoopStrain {
   double x = 0.0; ///< first coordinate of the point
   NodeValues<S> h;
 
-  Hoop(const S& element, const NodeVectors<S>& X, const ConstitutiveLaw& law,
-       const shape::Point<S::dim>& r)
+  HoopStrain(const S& element, const NodeVectors<S>& X, const ConstitutiveLaw& law,
+             const shape::Point<S::dim>& r)
       : h(NodeValues<S>::Zero(element.nodes)) {
     if constexpr (S::dim == 2) { // the only ones that turn about an axis
       if (law.axisymmetric) {
@@ -136,8 +136,8 @@ template <class S> struct Hoop {
       }
     }
   }
-  Hoop(const NodeVectors<S>& X, const ConstitutiveLaw& law, const shape::Point<S::dim>& r)
-      : Hoop(S{}, X, law, r) {}
+  HoopStrain(const NodeVectors<S>& X, const ConstitutiveLaw& law, const shape::Point<S::dim>& r)
+      : HoopStrain(S{}, X, law, r) {}
 };
 
 } // namespace spricka::fe

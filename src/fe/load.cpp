@@ -58,7 +58,7 @@ void add_load(const model::Model& model, const model::Mesh& mesh, const model::L
       add_at_node(mesh, nodes[i], N[static_cast<Eigen::Index>(i)] * force, f);
     }
   };
-  LoadVisit visit;
+  LoadPointVisitor visit;
   // (fe.16); on bodies (fe.17).
   visit.on_face = [&](const model::Face& face, std::span<const LoadPoint> points) {
     const geometry::ElementSide side = model::element_side(mesh, face);
@@ -78,31 +78,31 @@ void add_load(const model::Model& model, const model::Mesh& mesh, const model::L
 
 } // namespace
 
-Vector nodal_load(const model::Model& model, const model::Mesh& mesh,
-                  const model::LoadCase& load_case) {
+Vector consistent_nodal_load(const model::Model& model, const model::Mesh& mesh,
+                             const model::LoadCase& load_case) {
   Vector f = Vector::Zero(mesh.dim * static_cast<Eigen::Index>(mesh.node_count()));
   for (const model::Load& load : load_case.loads) {
     add_load(model, mesh, load, f);
   }
-  const Vector T = element_temperature(model, mesh, load_case);
+  const Vector T = element_corner_temperatures(model, mesh, load_case);
   if (T.size() > 0) {
     f += thermal_load(model, mesh, T);
   }
   return f;
 }
 
-double unresolved_part(const model::Model& model, const model::Mesh& mesh,
-                       const model::Load& load) {
+double unresolved_load_fraction(const model::Model& model, const model::Mesh& mesh,
+                                const model::Load& load) {
   UnresolvedLoad missed;
   if (!is_constant(load)) {
     const auto nothing = [](const auto& /*where*/, std::span<const LoadPoint> /*points*/) {};
     for_load_points(model, mesh, load, {nothing, nothing}, &missed);
   }
-  return missed.missed_share();
+  return missed.missed_fraction();
 }
 
-Vector prescribed_displacement(const model::Model& /*model*/, const model::Mesh& mesh,
-                               const model::LoadCase& load_case) {
+Vector prescribed_nodal_displacement(const model::Model& /*model*/, const model::Mesh& mesh,
+                                     const model::LoadCase& load_case) {
   Vector u = Vector::Zero(mesh.dim * static_cast<Eigen::Index>(mesh.node_count()));
   std::vector<const model::NodeSet*> reported; // sets, each with all its lines
   for (const model::Load& load : load_case.loads) {

@@ -27,9 +27,9 @@ struct Spread {
 };
 
 void for_face_points(const Spread& spread, const FaceDensity& density,
-                     const LoadVisit::FaceVisit& visit) {
+                     const LoadPointVisitor::FaceVisit& visit) {
   const auto& [model, mesh, load, missed] = spread;
-  const FieldScale scale = load_scale(mesh, load);
+  const FieldMagnitude scale = load_scale(mesh, load);
   std::vector<LoadPoint> points;
   for (const model::Face& face : mesh.set_with_id(load.faces).faces) {
     const geometry::ElementSide side = model::element_side(mesh, face);
@@ -55,16 +55,16 @@ void for_face_points(const Spread& spread, const FaceDensity& density,
 
 // The density counts by the elements' shares where the rim of the set cuts them.
 void for_body_points(const Spread& spread, const BodyDensity& density,
-                     const LoadVisit::BodyVisit& visit) {
+                     const LoadPointVisitor::BodyVisit& visit) {
   const model::Mesh& mesh = spread.mesh;
-  const SetShares shares = set_shares(spread.model, mesh, spread.load.elements);
-  const FieldScale scale = load_scale(mesh, spread.load, shares.elements);
+  const ElementSetCoverage shares = set_shares(spread.model, mesh, spread.load.elements);
+  const FieldMagnitude scale = load_scale(mesh, spread.load, shares.elements);
   std::vector<LoadPoint> points;
   for (const base::ElementId e : shares.elements) {
     with_any_element(mesh, e, [&]<int dim>(const AnyElement<dim>& element) {
       const AnyNodeVectors<dim> X = coordinates(element, mesh, e);
       const ConstitutiveLaw law = constitutive_law(spread.model, mesh, e);
-      const ElementShare* share = shares.find_share(e);
+      const CutElementFraction* share = shares.find_cut_fraction(e);
       const AdaptedRule<dim> rule = body_load_rule<dim>(element, X, spread.load, scale);
       points.clear();
       for (const auto& point : rule.points) {
@@ -88,7 +88,7 @@ void for_body_points(const Spread& spread, const BodyDensity& density,
 }
 
 // A total spreads evenly over area or volume.
-void for_total_points(const Spread& spread, const LoadVisit& visit) {
+void for_total_points(const Spread& spread, const LoadPointVisitor& visit) {
   double total = 0.0;
   const Vec3 F = load_value(spread.load, Vec3::Zero());
   // A density of 1, put into the first component, adds up to the area or volume (fe.18).
@@ -121,7 +121,7 @@ void for_total_points(const Spread& spread, const LoadVisit& visit) {
 } // namespace
 
 void for_load_points(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
-                     const LoadVisit& visit, UnresolvedLoad* missed) {
+                     const LoadPointVisitor& visit, UnresolvedLoad* missed) {
   const Spread spread{model, mesh, load, missed};
   switch (load.type) {
   case model::LoadType::resultant:

@@ -18,7 +18,7 @@ struct UnresolvedLoad {
     missed += missed_here * unit;
     amount += amount_here * unit;
   }
-  [[nodiscard]] double missed_share() const {
+  [[nodiscard]] double missed_fraction() const {
     return missed > 0.0 ? missed / std::max(missed, amount) : 0.0;
   }
 };
@@ -28,6 +28,6 @@ struct UnresolvedLoad {
 /// (load_rule); of elements that the rim of a set cuts their share counts (set_shares.hpp). What
 /// the rules could not follow goes to `missed`.
 void for_load_points(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
-                     const LoadVisit& visit, UnresolvedLoad* missed = nullptr);
+                     const LoadPointVisitor& visit, UnresolvedLoad* missed = nullptr);
 
 } // namespace spricka::fe

@@ -28,15 +28,15 @@ void with_part(const model::Mesh& mesh, const model::Load& load,
 
 } // namespace
 
-FieldScale load_scale(const model::Mesh& mesh, const model::Load& load,
-                      const std::vector<base::ElementId>& elements) {
+FieldMagnitude load_scale(const model::Mesh& mesh, const model::Load& load,
+                          const std::vector<base::ElementId>& elements) {
   if (is_constant(load)) {
     const double value = load_value(load, base::Vec3::Zero()).norm();
     return {value, value};
   }
   const std::size_t parts =
       load.faces.valid() ? mesh.set_with_id(load.faces).faces.size() : elements.size();
-  FieldScale scale;
+  FieldMagnitude scale;
   for (std::size_t i = 0; i < parts; ++i) {
     with_part(mesh, load, elements, i,
               [&]<int dim>(const AnyElement<dim>& element, const SpaceNodes<dim>& X) {
@@ -56,19 +56,19 @@ FieldScale load_scale(const model::Mesh& mesh, const model::Load& load,
 
 template <int dim>
 AdaptedRule<dim> load_rule(const AnyElement<dim>& element, const SpaceNodes<dim>& X,
-                           const model::Load& load, const FieldScale& scale) {
+                           const model::Load& load, const FieldMagnitude& scale) {
   if (is_constant(load)) {
     const auto usual = shape::quadrature<dim>(element.domain, load_degree);
     return {{usual.begin(), usual.end()}, 0.0, 0.0, false};
   }
-  return adapted_rule<dim>(
-      whole_domain<dim>(element.domain, load_degree),
+  return make_adapted_rule<dim>(
+      whole_element_domain<dim>(element.domain, load_degree),
       [&](const shape::Point<dim>& r) { return load_value(load, X * element.N(r)); },
-      {adaptive_cost<dim>.load_tolerance, scale, is_smooth(load)});
+      {adaptive_rule_limits<dim>.load_tolerance, scale, is_smooth(load)});
 }
 
 AdaptedRule<2> load_rule(const geometry::ElementSide& side, const model::Load& load,
-                         const FieldScale& scale) {
+                         const FieldMagnitude& scale) {
   AdaptedRule<2> rule;
   geometry::with_reference(side, [&]<int dim>(const shape::ReferenceElement<dim>& reference,
                                               const geometry::SidePositions& X) {
@@ -84,8 +84,8 @@ AdaptedRule<2> load_rule(const geometry::ElementSide& side, const model::Load& l
 }
 
 template <int dim>
-void add_load_places(const AnyElement<dim>& element, const SpaceNodes<dim>& X,
-                     const model::Load& load, std::vector<LoadSample>& places) {
+void add_load_sample_points(const AnyElement<dim>& element, const SpaceNodes<dim>& X,
+                            const model::Load& load, std::vector<LoadSample>& places) {
   for (const auto& point : load_rule<dim>(element, X, load, {}).points) {
     const Eigen::Matrix<double, 3, dim> J = X.lazyProduct(element.dN(point.r));
     const double size = std::sqrt((J.transpose() * J).determinant());
@@ -93,7 +93,7 @@ void add_load_places(const AnyElement<dim>& element, const SpaceNodes<dim>& X,
   }
 }
 
-std::vector<LoadSample> load_places(const model::Mesh& mesh, const model::Load& load) {
+std::vector<LoadSample> load_sample_points(const model::Mesh& mesh, const model::Load& load) {
   std::vector<LoadSample> places;
   if (is_constant(load)) {
     return {{base::Vec3::Zero(), 1.0}};
@@ -112,7 +112,7 @@ std::vector<LoadSample> load_places(const model::Mesh& mesh, const model::Load& 
   for (std::size_t i = 0; i < parts; ++i) {
     with_part(mesh, load, elements, i,
               [&]<int dim>(const AnyElement<dim>& element, const SpaceNodes<dim>& X) {
-                add_load_places<dim>(element, X, load, places);
+                add_load_sample_points<dim>(element, X, load, places);
               });
   }
   return places;
@@ -120,9 +120,9 @@ std::vector<LoadSample> load_places(const model::Mesh& mesh, const model::Load& 
 
 #define LOAD_RULE(dim)                                                                             \
   template AdaptedRule<dim> load_rule<dim>(const AnyElement<dim>&, const SpaceNodes<dim>&,         \
-                                           const model::Load&, const FieldScale&);                 \
-  template void add_load_places<dim>(const AnyElement<dim>&, const SpaceNodes<dim>&,               \
-                                     const model::Load&, std::vector<LoadSample>&);
+                                           const model::Load&, const FieldMagnitude&);             \
+  template void add_load_sample_points<dim>(const AnyElement<dim>&, const SpaceNodes<dim>&,        \
+                                            const model::Load&, std::vector<LoadSample>&);
 LOAD_RULE(1)
 LOAD_RULE(2)
 LOAD_RULE(3)

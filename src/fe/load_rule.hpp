@@ -45,16 +45,16 @@ inline bool is_smooth(const model::Load& load) {
 /// in load_rule.cpp for each dimension.
 template <int dim>
 AdaptedRule<dim> load_rule(const AnyElement<dim>& element, const SpaceNodes<dim>& X,
-                           const model::Load& load, const FieldScale& scale);
+                           const model::Load& load, const FieldMagnitude& scale);
 
 /// The same over a side, by its two local coordinates.
 AdaptedRule<2> load_rule(const geometry::ElementSide& side, const model::Load& load,
-                         const FieldScale& scale);
+                         const FieldMagnitude& scale);
 
 /// The same with nodes in the plane or in space [dim, nodes].
 template <int dim>
 AdaptedRule<dim> body_load_rule(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
-                                const model::Load& load, const FieldScale& scale) {
+                                const model::Load& load, const FieldMagnitude& scale) {
   return load_rule<dim>(element, space_coordinates<dim>(X), load, scale);
 }
 
@@ -66,20 +66,21 @@ struct LoadSample {
 
 /// The places of a load of a deck on its mesh: of nodes themselves, with a size of 1; of a constant
 /// load any one.
-std::vector<LoadSample> load_places(const model::Mesh& mesh, const model::Load& load);
+std::vector<LoadSample> load_sample_points(const model::Mesh& mesh, const model::Load& load);
 
 /// Adds the places of one side or element. Compiled in load_rule.cpp for each dimension.
 template <int dim>
-void add_load_places(const AnyElement<dim>& element, const SpaceNodes<dim>& X,
-                     const model::Load& load, std::vector<LoadSample>& places);
+void add_load_sample_points(const AnyElement<dim>& element, const SpaceNodes<dim>& X,
+                            const model::Load& load, std::vector<LoadSample>& places);
 
 /// Part of a load's total magnitude that no rule could follow, 1 at most; 0 where all agree to
-/// AdaptiveCost::load_tolerance.
-double unresolved_part(const model::Model& model, const model::Mesh& mesh, const model::Load& load);
+/// AdaptiveRuleLimits::load_tolerance.
+double unresolved_load_fraction(const model::Model& model, const model::Mesh& mesh,
+                                const model::Load& load);
 
 /// How large a load spread over faces or elements is anywhere and in the mean: what counts as
 /// small. `elements`: those it acts on, where it acts on elements.
-FieldScale load_scale(const model::Mesh& mesh, const model::Load& load,
-                      const std::vector<base::ElementId>& elements = {});
+FieldMagnitude load_scale(const model::Mesh& mesh, const model::Load& load,
+                          const std::vector<base::ElementId>& elements = {});
 
 } // namespace spricka::fe

@@ -16,7 +16,7 @@ struct LoadPoint {
 };
 
 /// What shall be done with the points of each side and of each element, one after the other.
-struct LoadVisit {
+struct LoadPointVisitor {
   using FaceVisit = std::function<void(const model::Face&, std::span<const LoadPoint>)>;
   using BodyVisit = std::function<void(base::ElementId, std::span<const LoadPoint>)>;
   FaceVisit on_face;

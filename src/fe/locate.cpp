@@ -49,8 +49,8 @@ shape::Point<dim> into_domain(const AnyElement<dim>& element, shape::Point<dim> 
   return r;
 }
 
-std::optional<PointHit> hit_in(const model::Mesh& mesh, ElementId e, const Vec3& point) {
-  std::optional<PointHit> found;
+std::optional<ElementHit> hit_in(const model::Mesh& mesh, ElementId e, const Vec3& point) {
+  std::optional<ElementHit> found;
   if (!in_box(mesh, e, point)) {
     return found;
   }
@@ -59,7 +59,7 @@ std::optional<PointHit> hit_in(const model::Mesh& mesh, ElementId e, const Vec3&
     if (const auto r = inverse_map<dim>(element, coordinates(element, mesh, e), x)) {
       const double outside = element.distance_outside(*r);
       if (outside <= boundary_tolerance) {
-        found = PointHit{e, Vec3::Zero(), outside};
+        found = ElementHit{e, Vec3::Zero(), outside};
         found->r.head<dim>() = into_domain<dim>(element, *r);
       }
     }
@@ -69,64 +69,67 @@ std::optional<PointHit> hit_in(const model::Mesh& mesh, ElementId e, const Vec3&
 
 } // namespace
 
-bool share_node(const model::Mesh& mesh, ElementId a, ElementId b) {
+bool have_common_node(const model::Mesh& mesh, ElementId a, ElementId b) {
   const auto nodes = mesh.element_nodes(b);
   return std::ranges::any_of(mesh.element_nodes(a), [&](base::NodeId n) {
     return std::ranges::find(nodes, n) != nodes.end();
   });
 }
 
-std::vector<PointHit> elements_at(const model::Mesh& mesh, const Vec3& point) {
-  std::vector<PointHit> hits;
+std::vector<ElementHit> elements_at_point(const model::Mesh& mesh, const Vec3& point) {
+  std::vector<ElementHit> hits;
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
-    if (const std::optional<PointHit> hit = hit_in(mesh, ElementId(i), point)) {
+    if (const std::optional<ElementHit> hit = hit_in(mesh, ElementId(i), point)) {
       hits.push_back(*hit);
     }
   }
   return hits;
 }
 
-std::vector<PointHit> elements_at(const model::Mesh& mesh, const Vec3& point,
-                                  std::span<const ElementId> among) {
-  std::vector<PointHit> hits;
+std::vector<ElementHit> elements_at_point(const model::Mesh& mesh, const Vec3& point,
+                                          std::span<const ElementId> among) {
+  std::vector<ElementHit> hits;
   for (const ElementId e : among) {
-    if (const std::optional<PointHit> hit = hit_in(mesh, e, point)) {
+    if (const std::optional<ElementHit> hit = hit_in(mesh, e, point)) {
       hits.push_back(*hit);
     }
   }
   return hits;
 }
 
-std::vector<PointSide> separate_sides(const model::Mesh& mesh, const std::vector<PointHit>& hits) {
+std::vector<PointElementGroup> group_elements_at_point(const model::Mesh& mesh,
+                                                       const std::vector<ElementHit>& hits) {
   double least = boundary_tolerance;
-  for (const PointHit& hit : hits) {
+  for (const ElementHit& hit : hits) {
     least = std::min(least, hit.outside);
   }
-  std::vector<PointSide> sides;
-  for (const PointHit& hit : hits) {
+  std::vector<PointElementGroup> sides;
+  for (const ElementHit& hit : hits) {
     // Where some element holds the point, those that it only comes near to do not count.
     if (hit.outside > std::max(least, on_side)) {
       continue;
     }
-    PointSide joined{hit};
-    std::erase_if(sides, [&](const PointSide& side) {
-      const bool same = std::ranges::any_of(
-          side, [&](const PointHit& h) { return share_node(mesh, h.element, hit.element); });
+    PointElementGroup joined{hit};
+    std::erase_if(sides, [&](const PointElementGroup& side) {
+      const bool same = std::ranges::any_of(side, [&](const ElementHit& h) {
+        return have_common_node(mesh, h.element, hit.element);
+      });
       if (same) {
         joined.insert(joined.end(), side.begin(), side.end());
       }
       return same;
     });
-    std::ranges::sort(joined, {}, &PointHit::element);
+    std::ranges::sort(joined, {}, &ElementHit::element);
     sides.push_back(std::move(joined));
   }
-  std::ranges::sort(sides, {}, [](const PointSide& side) { return side.front().element; });
+  std::ranges::sort(sides, {}, [](const PointElementGroup& side) { return side.front().element; });
   return sides;
 }
 
-Vec3 displacement_at(const model::Mesh& mesh, const base::Vector& u, const PointSide& side) {
+Vec3 displacement_at(const model::Mesh& mesh, const base::Vector& u,
+                     const PointElementGroup& side) {
   // Displacements are continuous on one side: the element nearest to the point tells them.
-  const PointHit& hit = *std::ranges::min_element(side, {}, &PointHit::outside);
+  const ElementHit& hit = *std::ranges::min_element(side, {}, &ElementHit::outside);
   Vec3 value = Vec3::Zero();
   with_any_element(mesh, hit.element, [&]<int dim>(const AnyElement<dim>& element) {
     value.head<dim>() = gather(element, mesh, hit.element, u) * element.N(hit.r.head<dim>());

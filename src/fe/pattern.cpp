@@ -47,7 +47,7 @@ Incidence blocks_of_rows(std::size_t n, const BlockRows& blocks) {
 
 } // namespace
 
-base::SymmetricCsc make_pattern(std::int64_t n, const BlockRows& blocks) {
+base::SymmetricCsc make_matrix_pattern(std::int64_t n, const BlockRows& blocks) {
   const auto count = static_cast<std::size_t>(n);
   const Incidence lists = blocks_of_rows(count, blocks);
   base::SymmetricCsc matrix;

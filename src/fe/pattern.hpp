@@ -30,7 +30,7 @@ struct BlockRows {
 
 /// Lower triangle of the n x n matrix in which every block is full; values zero, diagonals stored.
 /// Linear in the work of looking at each block row once; no sorting.
-base::SymmetricCsc make_pattern(std::int64_t n, const BlockRows& blocks);
+base::SymmetricCsc make_matrix_pattern(std::int64_t n, const BlockRows& blocks);
 
 /// Adds a symmetric block [column-major, leading dimension `stride`] at its slots of the pattern.
 void add_block(base::SymmetricCsc& matrix, std::span<const BlockRow> rows, const double* block,

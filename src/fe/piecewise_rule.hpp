@@ -23,7 +23,7 @@ public:
     std::vector<SplitCell> heap{split(cell({}, {1.0, 1.0, 1.0}))};
     double error = heap.front().error;
     while (heap.front().halved && error > tolerance_ * std::max(amount_of(heap), least_amount_) &&
-           lines_.evaluations() < adaptive_cost<dim>.evaluations && std::isfinite(error)) {
+           lines_.evaluations() < adaptive_rule_limits<dim>.evaluations && std::isfinite(error)) {
       std::ranges::pop_heap(heap, less);
       SplitCell worst = std::move(heap.back());
       heap.pop_back();
@@ -73,7 +73,7 @@ private:
       return;
     }
     const std::size_t k = (lines_.line_direction() + dim - open) % dim;
-    for (const auto& p : shape::line_rule(adaptive_cost<dim>.across_degree)) {
+    for (const auto& p : shape::line_rule(adaptive_rule_limits<dim>.across_degree)) {
       t[k] = cell.low[k] + 0.5 * cell.size[k] * (1.0 + p.r[0]);
       add_lines(cell, open - 1, t, 0.5 * cell.size[k] * p.weight * weight);
     }

@@ -119,9 +119,9 @@ base::Matrix rigid_modes(const model::Model& model, const model::Mesh& mesh,
   return modes.leftCols(kept);
 }
 
-base::Matrix free_modes(const model::Mesh& mesh, const base::Matrix& modes,
-                        std::span<const Body> pieces, const ConstraintTransformation& ties,
-                        const std::vector<model::FreedomClass>& cls) {
+base::Matrix free_rigid_modes(const model::Mesh& mesh, const base::Matrix& modes,
+                              std::span<const Body> pieces, const ConstraintTransformation& ties,
+                              const std::vector<model::FreedomClass>& cls) {
   const Eigen::Index count = modes.cols();
   const base::Matrix A = forbidden(mesh, modes, pieces, ties, cls);
   base::Matrix free(count, 0);

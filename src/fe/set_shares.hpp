@@ -13,7 +13,7 @@ namespace spricka::fe {
 
 /// How much of a region lies in an element that its rim cuts: the region's indicator, projected
 /// onto linear functions of the element, so that its integral and first moments are kept.
-struct ElementShare {
+struct CutElementFraction {
   base::ElementId element;
   std::array<double, 3> c{}; ///< c0 + c1 (x - at.x) + c2 (y - at.y)
   base::Vec2 at = base::Vec2::Zero();
@@ -24,18 +24,19 @@ struct ElementShare {
 };
 
 /// The elements that a load per volume on a set acts on, and how.
-struct SetShares {
+struct ElementSetCoverage {
   std::vector<base::ElementId> elements; ///< each once: those of the set and those that it cuts
-  std::vector<ElementShare> cut;         ///< ascending; all others count as a whole
+  std::vector<CutElementFraction> cut;   ///< ascending; all others count as a whole
 
   /// Of an element; null: as a whole.
-  [[nodiscard]] const ElementShare* find_share(base::ElementId e) const;
+  [[nodiscard]] const CutElementFraction* find_cut_fraction(base::ElementId e) const;
 };
 
 /// The shares of a set of the deck on `mesh`, the deck's own or one with cracks in it: there new
 /// elements stand in the place of some of the deck's (mesh/cut/patch.hpp). Integrals of the shares
 /// add up to the area of what the set covers on the deck's mesh, and to its first moments but for
 /// curved rims.
-SetShares set_shares(const model::Model& model, const model::Mesh& mesh, base::ElementSetId set);
+ElementSetCoverage set_shares(const model::Model& model, const model::Mesh& mesh,
+                              base::ElementSetId set);
 
 } // namespace spricka::fe

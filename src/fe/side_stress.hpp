@@ -7,7 +7,8 @@ namespace spricka::fe {
 
 /// Stress on one side of a point: the mean of its elements there in the material of the nearest.
 /// The side is not empty.
-Stress side_stress(const model::Model& model, const model::Mesh& mesh, const StateField& field,
-                   const PointSide& side);
+Stress stress_of_element_group(const model::Model& model, const model::Mesh& mesh,
+                               const DisplacementTemperatureField& field,
+                               const PointElementGroup& side);
 
 } // namespace spricka::fe

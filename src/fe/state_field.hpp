@@ -10,12 +10,13 @@ using Stress = Eigen::Matrix<double, 6, 1>;
 
 /// What a stress depends on: displacements [dim * node] and, where there are any, temperatures
 /// [connectivity index], see thermal.hpp. Both stay with the caller.
-struct StateField {
+struct DisplacementTemperatureField {
   const base::Vector& u;
   const base::Vector* temperature = nullptr;
 
-  StateField(const base::Vector& u_) : u(u_) {} // NOLINT(google-explicit-constructor): a plain u
-  StateField(const base::Vector& u_, const base::Vector& T)
+  DisplacementTemperatureField(const base::Vector& u_)
+      : u(u_) {} // NOLINT(google-explicit-constructor): a plain u
+  DisplacementTemperatureField(const base::Vector& u_, const base::Vector& T)
       : u(u_), temperature(T.size() > 0 ? &T : nullptr) {}
 };
 

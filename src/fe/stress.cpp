@@ -9,12 +9,12 @@
 namespace spricka::fe {
 
 std::vector<Stress> element_node_stress(const model::Model& model, const model::Mesh& mesh,
-                                        const StateField& field) {
+                                        const DisplacementTemperatureField& field) {
   std::vector<Stress> stress(mesh.nodes.size(), Stress::Zero());
   for_shape_blocks(mesh, model::all_elements(mesh),
                    [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
                      for (const base::ElementId e : block) {
-                       const StressElement<S> element(model, mesh, e, field);
+                       const ElementStressEvaluator<S> element(model, mesh, e, field);
                        const auto first = static_cast<std::size_t>(mesh.first[e.index()]);
                        for (int i = 0; i < S::nodes; ++i) {
                          stress[first + static_cast<std::size_t>(i)] =
@@ -42,13 +42,13 @@ std::vector<Stress> nodal_stress(const model::Model& /*model*/, const model::Mes
   return mean;
 }
 
-std::vector<Stress> mean_stress(const model::Model& model, const model::Mesh& mesh,
-                                const StateField& field) {
+std::vector<Stress> element_mean_stress(const model::Model& model, const model::Mesh& mesh,
+                                        const DisplacementTemperatureField& field) {
   std::vector<Stress> mean(mesh.element_count(), Stress::Zero());
   for_shape_blocks(mesh, model::all_elements(mesh),
                    [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
                      for (const base::ElementId e : block) {
-                       const StressElement<S> element(model, mesh, e, field);
+                       const ElementStressEvaluator<S> element(model, mesh, e, field);
                        double volume = 0.0;
                        for (const auto& point : stiffness_rule<S>(element.law)) {
                          const Jacobian<S> at = jacobian<S>(element.X, point.r);

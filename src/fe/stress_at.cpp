@@ -11,13 +11,13 @@ namespace {
 constexpr double place_round_off = 1e-9;
 
 // The mean of the elements there in the material of the nearest.
-Stress mean_at(const model::Model& model, const model::Mesh& mesh, const StateField& field,
-               const std::vector<PointHit>& hits) {
+Stress mean_at(const model::Model& model, const model::Mesh& mesh,
+               const DisplacementTemperatureField& field, const std::vector<ElementHit>& hits) {
   const auto nearest = std::ranges::min_element(
-      hits, {}, [](const PointHit& h) { return std::max(h.outside, place_round_off); });
+      hits, {}, [](const ElementHit& h) { return std::max(h.outside, place_round_off); });
   Stress sum = Stress::Zero();
   int count = 0;
-  for (const PointHit& hit : hits) {
+  for (const ElementHit& hit : hits) {
     const bool counts =
         hit.element == nearest->element ||
         (hit.outside <= place_round_off &&
@@ -26,7 +26,7 @@ Stress mean_at(const model::Model& model, const model::Mesh& mesh, const StateFi
       continue;
     }
     shape::with_element_shape(mesh.type[hit.element.index()], [&]<shape::ElementShape S>(S) {
-      sum += StressElement<S>(model, mesh, hit.element, field).at(hit.r.head<S::dim>());
+      sum += ElementStressEvaluator<S>(model, mesh, hit.element, field).at(hit.r.head<S::dim>());
     });
     ++count;
   }
@@ -36,22 +36,24 @@ Stress mean_at(const model::Model& model, const model::Mesh& mesh, const StateFi
 } // namespace
 
 std::optional<Stress> stress_at(const model::Model& model, const model::Mesh& mesh,
-                                const StateField& field, const base::Vec3& point) {
-  std::vector<PointHit> hits = elements_at(mesh, point);
+                                const DisplacementTemperatureField& field,
+                                const base::Vec3& point) {
+  std::vector<ElementHit> hits = elements_at_point(mesh, point);
   if (hits.empty()) {
     return std::nullopt;
   }
   // never the other body of a contact or the other face of a crack
-  const PointHit nearest = *std::ranges::min_element(
-      hits, {}, [](const PointHit& h) { return std::max(h.outside, place_round_off); });
-  std::erase_if(hits, [&](const PointHit& h) {
-    return h.element != nearest.element && !share_node(mesh, h.element, nearest.element);
+  const ElementHit nearest = *std::ranges::min_element(
+      hits, {}, [](const ElementHit& h) { return std::max(h.outside, place_round_off); });
+  std::erase_if(hits, [&](const ElementHit& h) {
+    return h.element != nearest.element && !have_common_node(mesh, h.element, nearest.element);
   });
   return mean_at(model, mesh, field, hits);
 }
 
-Stress side_stress(const model::Model& model, const model::Mesh& mesh, const StateField& field,
-                   const PointSide& side) {
+Stress stress_of_element_group(const model::Model& model, const model::Mesh& mesh,
+                               const DisplacementTemperatureField& field,
+                               const PointElementGroup& side) {
   return mean_at(model, mesh, field, side);
 }
 

@@ -4,8 +4,9 @@
 namespace spricka::fe {
 
 template <shape::ElementShape S>
-StressElement<S>::StressElement(const model::Model& model, const model::Mesh& mesh,
-                                base::ElementId e, const StateField& field)
+ElementStressEvaluator<S>::ElementStressEvaluator(const model::Model& model,
+                                                  const model::Mesh& mesh, base::ElementId e,
+                                                  const DisplacementTemperatureField& field)
     : X(coordinates<S>(mesh, e)), U(gather<S>(mesh, e, field.u)),
       law(constitutive_law(model, mesh, e)), change(S{}, X, law, U),
       thermal(shape::as_reference_element<S>(), X, law, held_temperature(mesh, e, field)) {}
@@ -13,8 +14,8 @@ StressElement<S>::StressElement(const model::Model& model, const model::Mesh& me
 // In the plane and about an axis, zz is across the mesh: nothing, or what lambda and the hoop
 // strain make of it.
 template <shape::ElementShape S>
-Stress StressElement<S>::stress_from_map(const Jacobian<S>& at,
-                                         const shape::Point<S::dim>& r) const {
+Stress ElementStressEvaluator<S>::stress_from_map(const Jacobian<S>& at,
+                                                  const shape::Point<S::dim>& r) const {
   const Eigen::Matrix<double, S::dim, S::dim> H = U * at.dNdx;
   const double ring = hoop_strain(H, r);
   // (fe.24).
@@ -31,7 +32,8 @@ Stress StressElement<S>::stress_from_map(const Jacobian<S>& at,
   return six;
 }
 
-template <shape::ElementShape S> Stress StressElement<S>::at(const shape::Point<S::dim>& r) const {
+template <shape::ElementShape S>
+Stress ElementStressEvaluator<S>::at(const shape::Point<S::dim>& r) const {
   const Jacobian<S> here = jacobian<S>(X, r);
   const Jacobian<S> centre = jacobian<S>(X, shape::centre<S>());
   return here.det > 1e-2 * centre.det ? stress_from_map(here, r)
@@ -40,8 +42,9 @@ template <shape::ElementShape S> Stress StressElement<S>::at(const shape::Point<
 
 // What stays of the temperature once bent elements have expanded freely.
 template <shape::ElementShape S>
-CornerValues<S::dim> StressElement<S>::held_temperature(const model::Mesh& mesh, base::ElementId e,
-                                                        const StateField& field) {
+CornerValues<S::dim>
+ElementStressEvaluator<S>::held_temperature(const model::Mesh& mesh, base::ElementId e,
+                                            const DisplacementTemperatureField& field) {
   const AnyElement<S::dim>& element = shape::as_reference_element<S>();
   const CornerValues<S::dim> none = CornerValues<S::dim>::Zero(element.corners);
   if (field.temperature == nullptr) {
@@ -57,8 +60,8 @@ CornerValues<S::dim> StressElement<S>::held_temperature(const model::Mesh& mesh,
 
 // u / x, and on the axis its limit du/dx.
 template <shape::ElementShape S>
-double StressElement<S>::hoop_strain(const Eigen::Matrix<double, S::dim, S::dim>& H,
-                                     const shape::Point<S::dim>& r) const {
+double ElementStressEvaluator<S>::hoop_strain(const Eigen::Matrix<double, S::dim, S::dim>& H,
+                                              const shape::Point<S::dim>& r) const {
   if (!law.axisymmetric) {
     return 0.0;
   }
@@ -68,7 +71,7 @@ double StressElement<S>::hoop_strain(const Eigen::Matrix<double, S::dim, S::dim>
   return x > 1e-9 * size ? (U.row(0) * N).value() / x : H(0, 0);
 }
 
-#define STRESS(S) template struct StressElement<S>;
+#define STRESS(S) template struct ElementStressEvaluator<S>;
 SPRICKA_EACH_SHAPE(STRESS)
 
 } // namespace spricka::fe

@@ -6,17 +6,17 @@
 namespace spricka::fe {
 
 /// One element, ready for stresses at its points. Compiled in stress_kernel.cpp for each element.
-template <shape::ElementShape S> struct StressElement {
+template <shape::ElementShape S> struct ElementStressEvaluator {
   NodeVectors<S> X;
   NodeVectors<S> U;
   ConstitutiveLaw law;
   VolumeChange<S> change;
   ThermalStress<S::dim> thermal;
 
-  StressElement(const model::Model& model, const model::Mesh& mesh, base::ElementId e,
-                const StateField& field);
-  StressElement(const StressElement&) = delete; // its members point at its law
-  StressElement& operator=(const StressElement&) = delete;
+  ElementStressEvaluator(const model::Model& model, const model::Mesh& mesh, base::ElementId e,
+                         const DisplacementTemperatureField& field);
+  ElementStressEvaluator(const ElementStressEvaluator&) = delete; // its members point at its law
+  ElementStressEvaluator& operator=(const ElementStressEvaluator&) = delete;
 
   /// By the map at r, whose gradients are finite.
   [[nodiscard]] Stress stress_from_map(const Jacobian<S>& at, const shape::Point<S::dim>& r) const;
@@ -27,7 +27,7 @@ template <shape::ElementShape S> struct StressElement {
 
 private:
   CornerValues<S::dim> held_temperature(const model::Mesh& mesh, base::ElementId e,
-                                        const StateField& field);
+                                        const DisplacementTemperatureField& field);
   [[nodiscard]] double hoop_strain(const Eigen::Matrix<double, S::dim, S::dim>& H,
                                    const shape::Point<S::dim>& r) const;
 };

@@ -23,7 +23,7 @@ double held_energy(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
   double energy = 0.0;
   for (const auto& point : stiffness_rule(element, law)) {
     const auto at = jacobian(element, X, point.r);
-    const Hoop<AnyElement<dim>> hoop(element, X, law, point.r);
+    const HoopStrain<AnyElement<dim>> hoop(element, X, law, point.r);
     const double t = law.expansion * stress.temperature(point.r);
     const double v = law.expansion * directions * stress.volumetric_temperature(point.r);
     energy += 0.5 * point.weight * at.det * law.depth(hoop.x) *
@@ -42,7 +42,7 @@ struct RuleNews {
 template <int dim>
 CornerValues<dim> taken_by(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
                            const ConstitutiveLaw& law, const model::Load& load,
-                           const FieldScale& scale, RuleNews& news) {
+                           const FieldMagnitude& scale, RuleNews& news) {
   const auto nearest_by = [&](std::span<const shape::QuadraturePoint<dim>> rule) {
     std::vector<TemperatureSample<dim>> samples;
     for (const auto& point : rule) {
@@ -55,7 +55,7 @@ CornerValues<dim> taken_by(const AnyElement<dim>& element, const AnyNodeVectors<
   };
   const auto usual = stiffness_rule(element, law);
   // Elements that bear the rest at points of their own need no better linear part here (heat.cpp).
-  if (is_constant(load) || has_residual(law, dim, element.quadratic)) {
+  if (is_constant(load) || has_residual_temperature(law, dim, element.quadratic)) {
     return nearest_by(usual);
   }
   const AdaptedRule<dim> rule = body_load_rule<dim>(element, X, load, scale);
@@ -84,13 +84,13 @@ void for_heated(const model::Mesh& mesh, const base::Vector& temperature, Use&& 
 
 } // namespace
 
-bool has_residual(const ConstitutiveLaw& law, int dim, bool quadratic) {
+bool has_residual_temperature(const ConstitutiveLaw& law, int dim, bool quadratic) {
   return dim == 2 && quadratic && !law.axisymmetric && !law.projected;
 }
 
-base::Vector element_temperature(const model::Model& model, const model::Mesh& mesh,
-                                 const model::LoadCase& load_case, UnresolvedLoad* missed,
-                                 std::vector<bool>* jumps) {
+base::Vector element_corner_temperatures(const model::Model& model, const model::Mesh& mesh,
+                                         const model::LoadCase& load_case, UnresolvedLoad* missed,
+                                         std::vector<bool>* jumps) {
   base::Vector temperature;
   RuleNews news;
   for (const model::Load& load : load_case.loads) {
@@ -101,7 +101,7 @@ base::Vector element_temperature(const model::Model& model, const model::Mesh& m
       temperature = base::Vector::Zero(static_cast<Eigen::Index>(mesh.nodes.size()));
     }
     const std::vector<base::ElementId>& elements = mesh.set_with_id(load.elements).elements;
-    const FieldScale scale = load_scale(mesh, load, elements);
+    const FieldMagnitude scale = load_scale(mesh, load, elements);
     for (const base::ElementId e : elements) {
       with_any_element(mesh, e, [&]<int dim>(const AnyElement<dim>& element) {
         temperature.segment(mesh.first[e.index()], element.corners) +=

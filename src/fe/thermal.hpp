@@ -21,12 +21,13 @@ struct UnresolvedLoad;
 /// Mesh::nodes; mid nodes hold zero]; empty without thermal loads. Elements in several sets take
 /// the sum. What rules could not follow of it goes to `missed` and whether it jumps inside an
 /// element to `jumps` [element], but for elements with a rest.
-base::Vector element_temperature(const model::Model& model, const model::Mesh& mesh,
-                                 const model::LoadCase& load_case, UnresolvedLoad* missed = nullptr,
-                                 std::vector<bool>* jumps = nullptr);
+base::Vector element_corner_temperatures(const model::Model& model, const model::Mesh& mesh,
+                                         const model::LoadCase& load_case,
+                                         UnresolvedLoad* missed = nullptr,
+                                         std::vector<bool>* jumps = nullptr);
 
 /// Whether the rest of a temperature acts on an element by itself (heat.hpp).
-bool has_residual(const ConstitutiveLaw& law, int dim, bool quadratic);
+bool has_residual_temperature(const ConstitutiveLaw& law, int dim, bool quadratic);
 
 /// Consistent nodal forces [dim * node] of a temperature field as above: integral of
 /// B^T D alpha T dV.

@@ -117,13 +117,13 @@ ThermalStress<dim>::ThermalStress(const AnyElement<dim>& element, const AnyNodeV
                                   const ConstitutiveLaw& law, const CornerValues<dim>& T)
     : element_(&element), law_(&law), T_(T), cold_((T.array() == 0.0).all()),
       functions_(element, X) {
-  using Volume = Dilatation<AnyElement<dim>>;
+  using Volume = ProjectedDilatation<AnyElement<dim>>;
   if (!law.projected || cold_) {
     return;
   }
   typename Volume::Modes right = Volume::Modes::Zero(Volume::mode_count(element));
   for (const auto& point : stiffness_rule(element, law)) {
-    const Hoop<AnyElement<dim>> hoop(element, X, law, point.r);
+    const HoopStrain<AnyElement<dim>> hoop(element, X, law, point.r);
     const double w = point.weight * jacobian(element, X, point.r).det * law.depth(hoop.x);
     right += (w * temperature(point.r)) * Volume::phi(element, point.r);
   }
@@ -141,7 +141,7 @@ AnyNodeVectors<dim> thermal_forces(const AnyElement<dim>& element, const AnyNode
   AnyNodeVectors<dim> F = AnyNodeVectors<dim>::Zero(dim, element.nodes);
   for (const auto& point : stiffness_rule(element, law)) {
     const auto at = jacobian(element, X, point.r);
-    const Hoop<AnyElement<dim>> hoop(element, X, law, point.r);
+    const HoopStrain<AnyElement<dim>> hoop(element, X, law, point.r);
     // (fe.22).
     const double w = point.weight * at.det * law.depth(hoop.x) * stress.at(point.r);
     F += w * at.dNdx.transpose();

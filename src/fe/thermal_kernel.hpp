@@ -112,7 +112,7 @@ public:
   /// The temperature that drives the volume change.
   [[nodiscard]] double volumetric_temperature(const shape::Point<dim>& r) const {
     return law_->projected && !cold_
-               ? Dilatation<AnyElement<dim>>::phi(*element_, r).dot(projected_)
+               ? ProjectedDilatation<AnyElement<dim>>::phi(*element_, r).dot(projected_)
                : temperature(r);
   }
   /// The stress that comes off each normal component at a reference point, positive under heat
@@ -130,7 +130,7 @@ private:
   CornerValues<dim> T_;
   bool cold_; ///< T is zero
   TemperatureFunctions<dim> functions_;
-  typename Dilatation<AnyElement<dim>>::Modes projected_;
+  typename ProjectedDilatation<AnyElement<dim>>::Modes projected_;
 };
 
 /// A temperature at a point of an element.

@@ -168,7 +168,7 @@ std::vector<Tie> make_ties(const model::Model& model, const model::Mesh& mesh,
         RigidBody(mesh, nodes, m).add_ties(ties);
       }
     } else if (const auto* transition = std::get_if<model::TransitionTie>(&model.mpcs[m])) {
-      add_transition(mesh, *transition, m, ties, troubles);
+      add_transition_ties(mesh, *transition, m, ties, troubles);
     }
   }
   return ties;

@@ -343,7 +343,7 @@ double plastic_load_ratio(const CrackedBodies& in, const mesh::CrackFront& front
   base::Vector own = base::Vector::Zero(u.size());
   fe::add_internal_force(in.model, in.cracked.mesh, section.below(), u, own);
   base::Matrix f = own;
-  in.ties.transfer_to_masters(f);
+  in.ties.transfer_forces_to_masters(f);
   SectionLoad load = section.load(f);
   section.complete(load);
   return plastic_load_ratio(section.pieces(), load, flow_stress);

@@ -71,17 +71,18 @@ double permitted_change(const model::Model& model, const model::Mesh& cracked,
   constexpr double polygons = 1e-6;
   return fe::is_constant(load)
              ? polygons
-             : fe::adaptive_costs.at(static_cast<std::size_t>(cracked.dim) - 1).load_tolerance +
-                   fe::unresolved_part(model, model.mesh, load) +
-                   fe::unresolved_part(model, cracked, load);
+             : fe::adaptive_rule_limits_by_dim.at(static_cast<std::size_t>(cracked.dim) - 1)
+                       .load_tolerance +
+                   fe::unresolved_load_fraction(model, model.mesh, load) +
+                   fe::unresolved_load_fraction(model, cracked, load);
 }
 
 // Whether the total [force] is the same with the crack in the mesh.
 bool keeps_its_total(const model::Model& model, const model::Mesh& cracked,
                      const base::Vector& forces, const model::LoadCase& load_case,
                      const model::Load& load, base::Diagnostics& diagnostics) {
-  const results::LoadTotal before =
-      total_of(model, model.mesh, fe::nodal_load(model, model.mesh, {load_case.name, {load}}));
+  const results::LoadTotal before = total_of(
+      model, model.mesh, fe::consistent_nodal_load(model, model.mesh, {load_case.name, {load}}));
   const results::LoadTotal after = total_of(model, cracked, forces);
   const double change = (after.force - before.force).norm();
   const double size = std::max(before.spread, after.spread);
@@ -108,8 +109,8 @@ void warn_of_unresolved(const model::Model& model, const model::Mesh& mesh,
     return;
   }
   const double missed = load.type == model::LoadType::temperature
-                            ? fe::unresolved_temperature(model, mesh, load)
-                            : fe::unresolved_part(model, mesh, load);
+                            ? fe::unresolved_temperature_fraction(model, mesh, load)
+                            : fe::unresolved_load_fraction(model, mesh, load);
   // Far below what bars of K are; jumps askew in solids and integrable poles are better known.
   constexpr double little = 5e-4;
   if (missed > little) {
@@ -146,7 +147,7 @@ void warn_of_missing_displacement(const model::Mesh& mesh, double largest,
 
 double largest_displacement(const model::Model& model, const model::Mesh& mesh,
                             const model::LoadCase& load_case) {
-  return fe::prescribed_displacement(model, mesh, load_case).cwiseAbs().maxCoeff();
+  return fe::prescribed_nodal_displacement(model, mesh, load_case).cwiseAbs().maxCoeff();
 }
 
 } // namespace
@@ -157,7 +158,7 @@ std::vector<results::LoadTotal> load_totals(const model::Model& model) {
     model::LoadCase forces{load_case.name, {}};
     std::ranges::copy_if(load_case.loads, std::back_inserter(forces.loads), model::is_force_load);
     results::LoadTotal total =
-        total_of(model, model.mesh, fe::nodal_load(model, model.mesh, forces));
+        total_of(model, model.mesh, fe::consistent_nodal_load(model, model.mesh, forces));
     if (total.spread > 0.0) {
       total.load_case = load_case.name;
       tidy(total, model.mesh);
@@ -174,7 +175,7 @@ bool check_load_totals(const model::Model& model, const model::Mesh& cracked,
     for (const model::Load& load : load_case.loads) {
       const model::LoadCase alone{load_case.name, {load}};
       if (load.type == model::LoadType::displacement) {
-        if (is_number(fe::prescribed_displacement(model, cracked, alone), load_case, load,
+        if (is_number(fe::prescribed_nodal_displacement(model, cracked, alone), load_case, load,
                       diagnostics)) {
           warn_of_missing_displacement(cracked, largest_displacement(model, cracked, load_case),
                                        load_case, load, diagnostics);
@@ -183,7 +184,7 @@ bool check_load_totals(const model::Model& model, const model::Mesh& cracked,
         }
         continue;
       }
-      const base::Vector f = fe::nodal_load(model, cracked, alone);
+      const base::Vector f = fe::consistent_nodal_load(model, cracked, alone);
       if (!is_number(f, load_case, load, diagnostics)) {
         sound = false;
       } else if (model::is_force_load(load)) {

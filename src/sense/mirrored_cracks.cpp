@@ -100,8 +100,8 @@ std::vector<fe::LoadSample> face_places(const model::Model& model,
     for (int i = 0; i < sectors; ++i) {
       X << crack.plane.place, at(1.0, i), at(1.0, i + 1.0), at(0.5, i), at(1.0, i + 0.5),
           at(0.5, i + 1.0);
-      fe::add_load_places<2>(shape::reference_element<2>(base::ElementType::trimc6), X, load,
-                             places);
+      fe::add_load_sample_points<2>(shape::reference_element<2>(base::ElementType::trimc6), X, load,
+                                    places);
     }
     return places;
   }
@@ -109,7 +109,7 @@ std::vector<fe::LoadSample> face_places(const model::Model& model,
   fe::SpaceNodes<1> X(3, 2);
   for (std::size_t i = 1; i < points.size(); ++i) {
     X << points[i - 1], points[i];
-    fe::add_load_places<1>(shape::reference_line(2), X, load, places);
+    fe::add_load_sample_points<1>(shape::reference_line(2), X, load, places);
   }
   return places;
 }

@@ -11,8 +11,8 @@ namespace spricka::sense {
 
 /// Whether a load has the values of another at the mirror images of some places: the integral of
 /// the difference, over what the places stand for, is round-off of that of the load. Points of a
-/// quadrature rule that follows the load (fe::load_places) see what the solution sees; those that
-/// stand at a jump to round-off weigh nothing. Both are of one type.
+/// quadrature rule that follows the load (fe::load_sample_points) see what the solution sees; those
+/// that stand at a jump to round-off weigh nothing. Both are of one type.
 bool has_mirrored_values(const Reflection& mirror, const model::Load& one, const model::Load& other,
                          const std::vector<fe::LoadSample>& places);
 

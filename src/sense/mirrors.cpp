@@ -145,7 +145,7 @@ private:
   // A place inside each face or element of a load, off its middle, where loads like to jump.
   [[nodiscard]] std::vector<fe::LoadSample> places_inside(const model::Load& load) const {
     if (load.nodes.valid()) {
-      return fe::load_places(mesh_, load);
+      return fe::load_sample_points(mesh_, load);
     }
     std::vector<fe::LoadSample> places;
     const auto add = [&](const auto& nodes) {
@@ -171,7 +171,7 @@ private:
   [[nodiscard]] const std::vector<fe::LoadSample>& integrated_at(const model::Load& load) const {
     const auto [at, fresh] = integrated_.try_emplace(&load);
     if (fresh) {
-      at->second = fe::load_places(mesh_, load);
+      at->second = fe::load_sample_points(mesh_, load);
     }
     return at->second;
   }

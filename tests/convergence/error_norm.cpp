@@ -23,7 +23,7 @@ void add_element(const fe::AnyElement<dim>& element, const model::Model& model, 
     const base::Vec3 found = exact.u(x);
     const Eigen::Matrix<double, dim, dim> H =
         exact.H(x).template topLeftCorner<dim, dim>() - U.lazyProduct(at.dNdx);
-    const fe::Hoop<fe::AnyElement<dim>> hoop(element, X, law, point.r);
+    const fe::HoopStrain<fe::AnyElement<dim>> hoop(element, X, law, point.r);
     const double ring = law.axisymmetric ? found.x() / x.x() - U.row(0) * hoop.h : 0.0;
     const double trace = H.trace() + ring;
     const double w = point.weight * at.det * law.depth(x.x());

@@ -136,8 +136,8 @@ base::Vector solve_by_gradients(const model::Model& model, const model::LoadCase
   const std::vector<base::ElementId> elements = every_element(mesh);
   const fe::DofMap dofs = fe::number_freedoms(mesh, nodes, fe::classify_freedoms(model, mesh));
   const base::SymmetricCsc K = fe::assemble_stiffness(model, mesh, elements, {}, dofs);
-  base::Vector u = fe::prescribed_displacement(model, mesh, load_case);
-  base::Vector r = -fe::nodal_load(model, mesh, load_case);
+  base::Vector u = fe::prescribed_nodal_displacement(model, mesh, load_case);
+  base::Vector r = -fe::consistent_nodal_load(model, mesh, load_case);
   fe::add_internal_force(model, mesh, elements, u, r);
   const Eigen::SparseMatrix<double> lower =
       Eigen::Map<const Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>>(

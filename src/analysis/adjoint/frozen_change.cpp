@@ -61,7 +61,7 @@ CondensedLoads condense_loads(const Discretisation& scene,
   CondensedLoads condensed;
   condensed.freedoms = loads.rows();
   condensed.columns = loads.cols();
-  scene.ties->transfer_to_masters(loads);
+  scene.ties->transfer_forces_to_masters(loads);
   for (const SubstructuredBody& body : bodies) {
     condensed.of_body.push_back(touches(body.body, scene.cracked.mesh.dim, loads)
                                     ? condense_load(body, *scene.ties, loads)

@@ -97,7 +97,7 @@ base::Matrix loads_by_materials(const KDependence& K) {
     for (const fe::ScaledTemperature& acting : acting_heat(K.scene, K.state.case_factor)) {
       for (std::size_t m = 0; m < K.model.materials.size(); ++m) {
         base::Vector f = base::Vector::Zero(loads.rows());
-        fe::add_residual_load(K.model, mesh, acting, base::MaterialId(m), f);
+        fe::add_residual_temperature_load(K.model, mesh, acting, base::MaterialId(m), f);
         loads.col(index(m)) += f;
       }
     }

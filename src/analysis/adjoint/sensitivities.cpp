@@ -128,7 +128,7 @@ LoadAndGapRates TipSensitivityAnalysis::all_rates(const StepSolver& solver,
   LoadAndGapRates out = rates(solver, causes, causes.size());
   base::Matrix nodal = collect_columns(causes, &ParameterDerivative::load, case_load_.rows());
   nodal.leftCols(static_cast<Eigen::Index>(model_.cases.size())).setZero();
-  scene_.ties->transfer_to_masters(nodal);
+  scene_.ties->transfer_forces_to_masters(nodal);
   for (std::size_t b = 0; b < solver.condensed_bodies().size(); ++b) {
     base::Matrix load =
         condense_load(bodies_[solver.condensed_bodies()[b]], *scene_.ties, nodal).external;

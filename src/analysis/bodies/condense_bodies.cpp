@@ -184,7 +184,8 @@ bool keeps_parts_apart(const fe::DofMap& map, std::span<const solve::DenseBlock>
 }
 
 bool can_stay_factorised(const SubstructuredBody& body) {
-  return body.parts.size() == 1 && body.free_modes.cols() == 0 && body.region.map.externals() > 0;
+  return body.parts.size() == 1 && body.free_rigid_modes.cols() == 0 &&
+         body.region.map.externals() > 0;
 }
 
 CondensedLoad condense_load(const SubstructuredBody& body, const fe::ConstraintTransformation& ties,
@@ -292,7 +293,7 @@ std::vector<SubstructuredBody> condense_bodies(const CondensationRequest& reques
       if (body.is_uncondensed()) {
         body.condensed = std::make_shared<contact::CondensedBody>(
             freedom, contact::UncondensedBody{body.region.factor, body.region.weighed},
-            rows_of(body.free_modes, freedom));
+            rows_of(body.free_rigid_modes, freedom));
         return;
       }
       const auto locals = static_cast<std::size_t>(body.region.map.locals);
@@ -304,7 +305,7 @@ std::vector<SubstructuredBody> condense_bodies(const CondensationRequest& reques
       }
       body.condensed = std::make_shared<contact::CondensedBody>(
           std::move(external), body.region.factor->take_schur(),
-          rows_of(body.free_modes, freedom, locals));
+          rows_of(body.free_rigid_modes, freedom, locals));
     }
   });
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -342,7 +343,7 @@ void recover_body(const SubstructuredBody& body, const base::Matrix& u_external,
   const base::Matrix given = body.parts.empty() ? base::Matrix() : u;
   if (body.region.map.ties) {
     for (Eigen::Index k = 0; k < u.cols(); ++k) {
-      body.region.map.ties->set_dependents(u.col(k), constant);
+      body.region.map.ties->set_dependent_displacements(u.col(k), constant);
     }
   }
   for (std::size_t p = 0; p < body.parts.size(); ++p) {

@@ -40,7 +40,7 @@ struct SubstructuredBody {
   std::vector<fe::Body> pieces;
   std::vector<std::unique_ptr<Substructure>> parts;
   Substructure region;
-  base::Matrix free_modes; ///< [dim * node, r] rigid modes that supports leave free
+  base::Matrix free_rigid_modes; ///< [dim * node, r] rigid modes that supports leave free
   std::shared_ptr<const contact::CondensedBody> condensed; ///< null when there are no externals
   std::vector<base::Matrix> part_load;                     ///< [part][unknowns of the part, case]
   base::Matrix region_load;   ///< [unknowns of region, case], part_load added in

@@ -74,9 +74,9 @@ bool externals_carry(const model::Mesh& mesh, const SubstructuredBody& body,
       }
     }
   }
-  base::Matrix modes(static_cast<Eigen::Index>(external.size()), body.free_modes.cols());
+  base::Matrix modes(static_cast<Eigen::Index>(external.size()), body.free_rigid_modes.cols());
   for (std::size_t i = 0; i < external.size(); ++i) {
-    modes.row(static_cast<Eigen::Index>(i)) = body.free_modes.row(external[i]);
+    modes.row(static_cast<Eigen::Index>(i)) = body.free_rigid_modes.row(external[i]);
   }
   if (modes.rows() < modes.cols()) {
     return false;
@@ -233,7 +233,7 @@ std::vector<std::int32_t> keep_whole(const CondensationRequest& request,
       }
     }
   }
-  if (body.free_modes.cols() > 0) {
+  if (body.free_rigid_modes.cols() > 0) {
     for (const fe::Body& piece : body.pieces) {
       add_carriers(request, piece, cls);
     }
@@ -297,7 +297,7 @@ std::vector<SubstructuredBody> partition_bodies(const CondensationRequest& reque
   std::vector<model::FreedomClass> cls = request.cls;
   const model::Mesh& mesh = request.mesh;
   std::vector<std::vector<fe::Body>> joined =
-      fe::join_bodies(mesh, fe::find_bodies(mesh), *request.ties, cls);
+      fe::join_tied_bodies(mesh, fe::find_bodies(mesh), *request.ties, cls);
   std::vector<SubstructuredBody> bodies(joined.size());
   const std::vector<bool> weighed = weighed_nodes(request);
   std::map<std::string, int> seen;
@@ -307,9 +307,10 @@ std::vector<SubstructuredBody> partition_bodies(const CondensationRequest& reque
     body.body = union_of(body.pieces);
     body.name = body_name(request.model, body, seen);
     const base::Matrix modes = fe::rigid_modes(request.model, mesh, body.pieces);
-    body.free_modes = modes * fe::free_modes(mesh, modes, body.pieces, *request.ties, cls);
+    body.free_rigid_modes =
+        modes * fe::free_rigid_modes(mesh, modes, body.pieces, *request.ties, cls);
     // Carriers become external before split() numbers any freedom.
-    if (body.free_modes.cols() > 0 && !externals_carry(mesh, body, cls)) {
+    if (body.free_rigid_modes.cols() > 0 && !externals_carry(mesh, body, cls)) {
       for (const fe::Body& piece : body.pieces) {
         add_carriers(request, piece, cls);
       }

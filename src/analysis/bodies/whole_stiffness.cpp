@@ -18,7 +18,7 @@ base::SymmetricCsc global_stiffness(const model::Model& model, const Discretisat
   std::vector<base::ElementId> elements;
   // Joined, since nodes that only ties know are among the pieces then.
   for (const std::vector<fe::Body>& body :
-       fe::join_bodies(mesh, fe::find_bodies(mesh), *scene.ties, cls)) {
+       fe::join_tied_bodies(mesh, fe::find_bodies(mesh), *scene.ties, cls)) {
     for (const fe::Body& piece : body) {
       nodes.insert(nodes.end(), piece.nodes.begin(), piece.nodes.end());
       elements.insert(elements.end(), piece.elements.begin(), piece.elements.end());

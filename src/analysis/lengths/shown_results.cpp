@@ -66,12 +66,12 @@ void add_face_nodes(const model::Model& model, model::Mesh& mesh) {
 }
 
 void add_stress(const model::Model& model, const model::Mesh& mesh, results::StepResult& step) {
-  const fe::StateField field{step.u, step.temperature};
+  const fe::DisplacementTemperatureField field{step.u, step.temperature};
   std::vector<fe::Stress> nodal =
       fe::nodal_stress(model, mesh, fe::element_node_stress(model, mesh, field));
   fill_stresses(model, mesh, field, nodal);
   step.stress = as_results(nodal);
-  step.element_stress = as_results(fe::mean_stress(model, mesh, field));
+  step.element_stress = as_results(fe::element_mean_stress(model, mesh, field));
 }
 
 } // namespace spricka::analysis

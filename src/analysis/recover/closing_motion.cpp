@@ -56,7 +56,7 @@ motions_without_resistance(const Discretisation& scene,
   for (const SubstructuredBody& body : bodies) {
     if (std::ranges::none_of(body.body.nodes,
                              [&](base::NodeId node) { return held.contains(node); })) {
-      motions.push_back(&body.free_modes);
+      motions.push_back(&body.free_rigid_modes);
     }
   }
   return motions;

@@ -84,7 +84,7 @@ LoadPathSolver::ContactForceFunctionals LoadPathSolver::functionals(const StepSo
   for (Eigen::Index first = 0; first < count;) {
     base::Matrix nodal = functional_columns(first, most_columns);
     // A functional is condensed as a load is (solve.32).
-    scene_.ties->transfer_to_masters(nodal);
+    scene_.ties->transfer_forces_to_masters(nodal);
     std::vector<base::Matrix> external;
     std::vector<base::Matrix> moved;
     for (const std::size_t b : solver.condensed_bodies()) {

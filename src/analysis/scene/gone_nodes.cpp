@@ -46,11 +46,12 @@ std::vector<base::ElementId> patch_elements(const model::Mesh& host, const model
   return elements;
 }
 
-std::vector<fe::PointSide> sides_at(const model::Mesh& cracked, const base::Vec3& x,
-                                    std::span<const base::ElementId> patch) {
+std::vector<fe::PointElementGroup> sides_at(const model::Mesh& cracked, const base::Vec3& x,
+                                            std::span<const base::ElementId> patch) {
   // Nearly always the patch has the place; the whole mesh is searched only where it has not.
-  std::vector<fe::PointHit> hits = fe::elements_at(cracked, x, patch);
-  return fe::separate_sides(cracked, hits.empty() ? fe::elements_at(cracked, x) : hits);
+  std::vector<fe::ElementHit> hits = fe::elements_at_point(cracked, x, patch);
+  return fe::group_elements_at_point(cracked,
+                                     hits.empty() ? fe::elements_at_point(cracked, x) : hits);
 }
 
 /// Nodes without elements behind those of the host: second sides of gone ones.
@@ -126,7 +127,7 @@ std::vector<RemovedNodePlace> removed_nodes(const model::Mesh& host, const model
   std::vector<RemovedNodePlace> places;
   for (const NodeId n : gone) {
     const base::Vec3& x = cracked.x[n.index()];
-    const std::vector<fe::PointSide> sides = sides_at(cracked, x, patch);
+    const std::vector<fe::PointElementGroup> sides = sides_at(cracked, x, patch);
     std::size_t s = 0;
     if (s < sides.size()) {
       places.push_back({n, sides[s++]});
@@ -178,9 +179,9 @@ void fill_displacements(const model::Mesh& cracked, const std::vector<RemovedNod
 }
 
 void fill_stresses(const model::Model& model, const model::Mesh& cracked,
-                   const fe::StateField& field, std::vector<fe::Stress>& nodal) {
+                   const fe::DisplacementTemperatureField& field, std::vector<fe::Stress>& nodal) {
   for (const RemovedNodePlace& place : removed_nodes(model.mesh, cracked)) {
-    nodal[place.node.index()] = fe::side_stress(model, cracked, field, place.side);
+    nodal[place.node.index()] = fe::stress_of_element_group(model, cracked, field, place.side);
   }
 }
 

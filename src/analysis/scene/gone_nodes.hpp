@@ -12,7 +12,7 @@ namespace spricka::analysis {
 
 struct RemovedNodePlace {
   base::NodeId node; ///< of no element
-  fe::PointSide side;
+  fe::PointElementGroup side;
 };
 
 /// Where such a node lies on a crack, the body has two sides there: a further node without element
@@ -32,7 +32,7 @@ void fill_displacements(const model::Mesh& cracked, const std::vector<RemovedNod
 
 /// Their stresses, in values at the mesh's property points.
 void fill_stresses(const model::Model& model, const model::Mesh& cracked,
-                   const fe::StateField& field, std::vector<fe::Stress>& nodal);
+                   const fe::DisplacementTemperatureField& field, std::vector<fe::Stress>& nodal);
 
 /// Lets them be members of their sets in the mesh of results, but where a node of the set with
 /// elements has their place. May be done again.

@@ -35,7 +35,7 @@ base::Vector heat_forces(const model::Model& model, const model::Mesh& mesh,
   base::Vector f = base::Vector::Zero(mesh.dim * static_cast<Eigen::Index>(mesh.node_count()));
   if (heat.temperature.size() > 0) {
     f = fe::thermal_load(model, mesh, heat.temperature);
-    fe::add_residual_load(model, mesh, {&heat, 1.0}, {}, f);
+    fe::add_residual_temperature_load(model, mesh, {&heat, 1.0}, {}, f);
   }
   return f;
 }

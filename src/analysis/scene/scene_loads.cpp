@@ -25,7 +25,7 @@ bool arrives(const model::Model& model, const model::Mesh& mesh, const model::Lo
   if (load.type != model::LoadType::bearing && load.type != model::LoadType::resultant) {
     return true;
   }
-  const base::Vector f = fe::nodal_load(model, mesh, {"", {load}});
+  const base::Vector f = fe::consistent_nodal_load(model, mesh, {"", {load}});
   const std::array<bool, 3> balanced = load.type == model::LoadType::bearing
                                            ? fe::mirror_cut_axes(model, mesh, load)
                                            : std::array<bool, 3>{};
@@ -58,8 +58,8 @@ bool make_loads(const model::Model& model, Discretisation& scene, base::Diagnost
   scene.case_displacement = base::Matrix::Zero(n, columns);
   for (Eigen::Index c = 0; c < cases; ++c) {
     const model::LoadCase& load_case = model.cases[static_cast<std::size_t>(c)];
-    scene.case_load.col(c) = fe::nodal_load(model, mesh, without_heat(load_case));
-    scene.case_displacement.col(c) = fe::prescribed_displacement(model, mesh, load_case);
+    scene.case_load.col(c) = fe::consistent_nodal_load(model, mesh, without_heat(load_case));
+    scene.case_displacement.col(c) = fe::prescribed_nodal_displacement(model, mesh, load_case);
     for (Eigen::Index i = 0; i < n; ++i) { // a crack may have freed one face of what a load moves
       if (scene.cls[static_cast<std::size_t>(i)] == model::FreedomClass::local ||
           scene.cls[static_cast<std::size_t>(i)] == model::FreedomClass::external) {
@@ -104,7 +104,7 @@ base::Matrix loads_with_supports(const model::Model& model, const Discretisation
       load.col(c) -= pull;
     }
   }
-  scene.ties->transfer_to_masters(load);
+  scene.ties->transfer_forces_to_masters(load);
   return load;
 }
 

@@ -173,7 +173,7 @@ bool prescribe_dependents(const model::Model& model, Discretisation& scene,
   }
   for (Eigen::Index c = 0; c < scene.case_displacement.cols(); ++c) {
     // Constants of ties have a column of their own and count in no case.
-    ties.set_dependents(scene.case_displacement.col(c), c < cases ? 0.0 : 1.0);
+    ties.set_dependent_displacements(scene.case_displacement.col(c), c < cases ? 0.0 : 1.0);
   }
   return good;
 }

@@ -33,7 +33,7 @@ public:
       for (const base::NodeId n : bodies[b].body.nodes) {
         body_of_[n.index()] = static_cast<std::int32_t>(b);
       }
-      first_.push_back(first_.back() + bodies[b].free_modes.cols());
+      first_.push_back(first_.back() + bodies[b].free_rigid_modes.cols());
     }
     find_openings();
   }
@@ -59,8 +59,9 @@ public:
   [[nodiscard]] double opening_scale(const std::vector<std::size_t>& rows) const {
     double motion = 0.0;
     for (const SubstructuredBody& body : bodies_) {
-      motion = body.free_modes.size() > 0 ? std::max(motion, body.free_modes.cwiseAbs().maxCoeff())
-                                          : motion;
+      motion = body.free_rigid_modes.size() > 0
+                   ? std::max(motion, body.free_rigid_modes.cwiseAbs().maxCoeff())
+                   : motion;
     }
     double scale = 0.0;
     for (const std::size_t r : rows) {
@@ -77,8 +78,8 @@ public:
   [[nodiscard]] base::Vector loads(const base::Vector& nodal) const {
     base::Vector h(count());
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      h.segment(first_[b], bodies_[b].free_modes.cols()) =
-          bodies_[b].free_modes.transpose() * nodal;
+      h.segment(first_[b], bodies_[b].free_rigid_modes.cols()) =
+          bodies_[b].free_rigid_modes.transpose() * nodal;
     }
     return h;
   }
@@ -90,9 +91,10 @@ private:
       return std::nullopt;
     }
     const int dim = scene_.cracked.mesh.dim;
-    return contact::RigidModesAtNode{static_cast<std::size_t>(b),
-                                     bodies_[static_cast<std::size_t>(b)].free_modes.middleRows(
-                                         static_cast<Eigen::Index>(node.index()) * dim, dim)};
+    return contact::RigidModesAtNode{
+        static_cast<std::size_t>(b),
+        bodies_[static_cast<std::size_t>(b)].free_rigid_modes.middleRows(
+            static_cast<Eigen::Index>(node.index()) * dim, dim)};
   }
 
   void find_openings() {
@@ -162,8 +164,8 @@ std::vector<std::string> motions(const model::Model& model, const model::Mesh& m
   // `part` is a piece of an orthonormal basis: what is below this is no motion of the body.
   const Eigen::Index rank = (svd.values.array() > 1e-9).count();
   const base::Matrix rigid = fe::rigid_modes(model, mesh, body.pieces);
-  const base::Matrix mix =
-      rigid.transpose() * (body.free_modes * svd.vectors.leftCols(rank)); // [rigid mode, rank]
+  const base::Matrix mix = rigid.transpose() * (body.free_rigid_modes *
+                                                svd.vectors.leftCols(rank)); // [rigid mode, rank]
   // Named by rigid motions of the pieces: the free modes are any combination of those.
   const base::Matrix basis = reduced(mix);
   for (Eigen::Index k = 0; k < basis.cols(); ++k) {
@@ -189,10 +191,11 @@ std::vector<results::BodyPreview> rigid_mode_support(const model::Model& model,
     preview.nodes = body.body.nodes.size();
     preview.elements = body.body.elements.size();
     preview.modes = static_cast<int>(fe::rigid_modes(model, mesh, body.pieces).cols());
-    const auto free = static_cast<int>(body.free_modes.cols());
+    const auto free = static_cast<int>(body.free_rigid_modes.cols());
     preview.by_supports = preview.modes - free;
-    preview.by_nothing = motions(
-        model, mesh, body, split.uncontrollable.middleRows(modes.first(b), body.free_modes.cols()));
+    preview.by_nothing =
+        motions(model, mesh, body,
+                split.uncontrollable.middleRows(modes.first(b), body.free_rigid_modes.cols()));
     preview.by_contact = free - static_cast<int>(preview.by_nothing.size());
     found.push_back(std::move(preview));
   }
@@ -262,8 +265,8 @@ unsupported_loads(const model::Model& model, const Discretisation& scene,
       Eigen::Index most = 0;
       motion.cwiseAbs().maxCoeff(&most);
       const std::size_t b = modes.body_of(most);
-      const base::Vector own =
-          bodies[b].free_modes * motion.segment(modes.first(b), bodies[b].free_modes.cols());
+      const base::Vector own = bodies[b].free_rigid_modes *
+                               motion.segment(modes.first(b), bodies[b].free_rigid_modes.cols());
       std::string why =
           fmt::format("step {}: body {} is loaded but not held: {}{}", step.name, bodies[b].name,
                       describe_motion(scene.cracked.mesh, bodies[b].body, own),

@@ -93,7 +93,8 @@ void add_nodal_forces(const model::Model& model, const Discretisation& scene,
   const base::Vector internal = state.internal.rowwise().sum();
   if (state.temperature.size() > 0) {
     fe::add_thermal_energy(model, mesh, state.temperature, state.u, state.energy);
-    fe::add_residual_energy(model, mesh, acting_heat(scene, case_factor), state.u, state.energy);
+    fe::add_residual_temperature_energy(model, mesh, acting_heat(scene, case_factor), state.u,
+                                        state.energy);
   }
   // Forces on dependent freedoms are their masters' to bear.
   base::Vector open = internal - state.force - state.contact;
@@ -101,7 +102,7 @@ void add_nodal_forces(const model::Model& model, const Discretisation& scene,
     open += state.resting;
   }
   base::Matrix out_of_balance = open;
-  scene.ties->transfer_to_masters(out_of_balance);
+  scene.ties->transfer_forces_to_masters(out_of_balance);
   // Held freedoms leave their reaction over; what is left at free ones is the error.
   state.reaction = out_of_balance;
   double left_over = 0.0;

@@ -161,16 +161,17 @@ std::string StepSolver::unsupported_motion(const base::Vector& mode, bool slides
   // The condensed body's orthonormal modes are combinations of the free rigid modes: the same
   // combination on all nodes tells which way it goes.
   const std::vector<std::int32_t>& freedom = body.condensed->freedom();
-  base::Matrix at_externals(static_cast<Eigen::Index>(freedom.size()), body.free_modes.cols());
+  base::Matrix at_externals(static_cast<Eigen::Index>(freedom.size()),
+                            body.free_rigid_modes.cols());
   for (std::size_t i = 0; i < freedom.size(); ++i) {
-    at_externals.row(static_cast<Eigen::Index>(i)) = body.free_modes.row(freedom[i]);
+    at_externals.row(static_cast<Eigen::Index>(i)) = body.free_rigid_modes.row(freedom[i]);
   }
   const base::Vector shape =
       body.condensed->modes() * mode.segment(first, body.condensed->modes().cols());
   const base::Vector mix = base::least_squares(at_externals, shape);
   return fmt::format("body {} {}: {}{}", body.name,
                      slides ? "slides, friction does not hold it" : "is loaded but not held",
-                     describe_motion(scene_.cracked.mesh, body.body, body.free_modes * mix),
+                     describe_motion(scene_.cracked.mesh, body.body, body.free_rigid_modes * mix),
                      slides ? "" : missing_contact(model_, scene_, bodies_, condensed_[at]));
 }
 

@@ -130,13 +130,14 @@ std::vector<double> stresses_of_set(const model::Model& model, const CheckedStep
 double displacement_at(const model::Mesh& mesh, const base::Vector& u, const base::Vec3& x,
                        Eigen::Index axis) {
   constexpr double alike = 1e-4; // of the largest displacement
-  const std::vector<fe::PointSide> sides = fe::separate_sides(mesh, fe::elements_at(mesh, x));
+  const std::vector<fe::PointElementGroup> sides =
+      fe::group_elements_at_point(mesh, fe::elements_at_point(mesh, x));
   if (sides.empty()) {
     throw MissingQuantity("the point lies outside the body");
   }
   const double first = fe::displacement_at(mesh, u, sides.front())[axis];
   double sum = 0.0;
-  for (const fe::PointSide& side : sides) {
+  for (const fe::PointElementGroup& side : sides) {
     const double value = fe::displacement_at(mesh, u, side)[axis];
     if (std::abs(value - first) > alike * u.lpNorm<Eigen::Infinity>()) {
       throw MissingQuantity(

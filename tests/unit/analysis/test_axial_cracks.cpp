@@ -256,7 +256,8 @@ $END
 };
 
 double potential(const Solved& solved, std::size_t step) {
-  const base::Vector load = fe::nodal_load(solved.model, solved.mesh(), solved.model.cases.at(0));
+  const base::Vector load =
+      fe::consistent_nodal_load(solved.model, solved.mesh(), solved.model.cases.at(0));
   return solved.step(step).energy -
          (step == 0 ? 0.0 : load.dot(solved.step(step).u)); // the fit itself bears no load
 }

@@ -160,7 +160,7 @@ Found estimate_of(const StripTriangle& s, const model::LoadCase& load) {
                                   model::CrackTipPlaneState::automatic);
   const base::Matrix g_e = modes.mode_functional(crack::intensity_points(
       s.model, s.cracked, front, s.fields, model::CrackTipPlaneState::automatic));
-  const base::Vector f = fe::nodal_load(s.model, s.cracked.mesh, load);
+  const base::Vector f = fe::consistent_nodal_load(s.model, s.cracked.mesh, load);
   const base::Vector f_e = estimate::mode_load(
       modes, load,
       fe::make_case_temperature(s.model, {s.cracked.mesh, s.cracked.mesh, nullptr, {}}, load));

@@ -237,8 +237,8 @@ base::Vector solve(const model::Model& model, const model::LoadCase& load_case,
   const fe::DofMap dofs = fe::number_freedoms(mesh, nodes, fe::classify_freedoms(model, mesh));
   const base::SymmetricCsc K = fe::assemble_stiffness(model, mesh, elements, {}, dofs);
 
-  base::Vector u = fe::prescribed_displacement(model, mesh, load_case);
-  const base::Vector f = fe::nodal_load(model, mesh, load_case);
+  base::Vector u = fe::prescribed_nodal_displacement(model, mesh, load_case);
+  const base::Vector f = fe::consistent_nodal_load(model, mesh, load_case);
   base::Vector r = -f;
   fe::add_internal_force(model, mesh, elements, u, r);
   base::Vector rhs(dofs.size());

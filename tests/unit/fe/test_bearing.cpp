@@ -79,7 +79,7 @@ protected:
   }
   Vector apply(const Vec2& F) {
     load.value = {CompiledExpression::constant(F.x()), CompiledExpression::constant(F.y())};
-    return nodal_load(model, model.mesh, {"", {load}});
+    return consistent_nodal_load(model, model.mesh, {"", {load}});
   }
   static Vec2 sum(const Vector& f) {
     const Eigen::Map<const Eigen::Matrix2Xd> by_node(f.data(), 2, f.size() / 2);

@@ -85,7 +85,7 @@ protected:
     for (int c = 0; c < model.mesh.dim; ++c) {
       load.value.push_back(CompiledExpression::constant(F[c]));
     }
-    return nodal_load(model, model.mesh, {"", {load}});
+    return consistent_nodal_load(model, model.mesh, {"", {load}});
   }
 
   static Vec3 at(const Vector& f, std::size_t n, int dim) {

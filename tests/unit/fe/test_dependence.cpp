@@ -46,9 +46,9 @@ TEST(Dependence, FirstTermFollowsTheOthers) {
 
   Vector u(4);
   u << 4.0, 99.0, 6.0, 2.0;
-  ties.set_dependents(u, 1.0);
+  ties.set_dependent_displacements(u, 1.0);
   EXPECT_DOUBLE_EQ(u[1], 1.5 * 4.0 - 0.5 * 2.0 + 2.5);
-  ties.set_dependents(u, 0.0); // the constant belongs to one vector only
+  ties.set_dependent_displacements(u, 0.0); // the constant belongs to one vector only
   EXPECT_DOUBLE_EQ(u[1], 1.5 * 4.0 - 0.5 * 2.0);
   EXPECT_DOUBLE_EQ(u[2], 6.0);
 }
@@ -75,7 +75,7 @@ TEST(Dependence, SlaveOfTwoTies) {
   ASSERT_EQ(ties.rows().size(), 2U);
   Vector u(3);
   u << 1.0, 1.0, 1.0;
-  ties.set_dependents(u, 1.0);
+  ties.set_dependent_displacements(u, 1.0);
   EXPECT_DOUBLE_EQ(u[0], u[1]);
   EXPECT_DOUBLE_EQ(u[0], 4.0 * u[2]);
   EXPECT_NE(u[0], 0.0);
@@ -100,7 +100,7 @@ TEST(Dependence, CycleThatHoldsItself) {
   EXPECT_EQ(ties.redundant(), 0);
   EXPECT_TRUE(ties.fully_given_ties().empty());
   Vector u = Vector::Constant(2, 3.0);
-  ties.set_dependents(u, 1.0);
+  ties.set_dependent_displacements(u, 1.0);
   EXPECT_DOUBLE_EQ(u.cwiseAbs().maxCoeff(), 0.0);
 }
 

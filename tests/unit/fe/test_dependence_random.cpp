@@ -112,7 +112,7 @@ Vector some_motion(const System& system, const ConstraintTransformation& ties, R
       u[static_cast<Eigen::Index>(i)] = random.number();
     }
   }
-  ties.set_dependents(u, 1.0);
+  ties.set_dependent_displacements(u, 1.0);
   return u;
 }
 
@@ -185,10 +185,10 @@ TEST(RandomDependence, ReduceAndBlocksAreTheTransposeOfFollow) {
     const auto any = [&] { return random.number(); };
     const Vector w = Vector::NullaryExpr(n, any);
     Vector moved = w;
-    ties.set_dependents(moved, 0.0);
+    ties.set_dependent_displacements(moved, 0.0);
     Matrix f = Matrix::NullaryExpr(n, 2, any);
     Matrix reduced = f;
-    ties.transfer_to_masters(reduced);
+    ties.transfer_forces_to_masters(reduced);
     const double size = std::max(1.0, moved.norm()) * f.norm();
     for (Eigen::Index c = 0; c < 2; ++c) {
       EXPECT_NEAR(f.col(c).dot(moved), reduced.col(c).dot(w), 1e-13 * size);
@@ -210,7 +210,7 @@ TEST(RandomDependence, ReduceAndBlocksAreTheTransposeOfFollow) {
     Matrix part = Matrix::Zero(n, 1);
     part(some, 0) = f(some, 0);
     const Vector by_block = block->T.transpose() * Vector(part(some, 0));
-    ties.transfer_to_masters(part);
+    ties.transfer_forces_to_masters(part);
     EXPECT_LT((Vector(part(block->freedom, 0)) - by_block).norm(), 1e-13 * size);
     EXPECT_NEAR(part.norm(), by_block.norm(), 1e-13 * size); // nothing elsewhere
     if (HasFailure()) {

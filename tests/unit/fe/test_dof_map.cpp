@@ -144,7 +144,7 @@ TEST_P(FreeModes, span_the_motions_that_supports_leave) {
   }
   const base::Matrix modes = rigid_modes(model, model.mesh, one_piece(nodes));
   const base::Matrix free =
-      free_modes(model.mesh, modes, one_piece(nodes), ConstraintTransformation({}, cls), cls);
+      free_rigid_modes(model.mesh, modes, one_piece(nodes), ConstraintTransformation({}, cls), cls);
   EXPECT_EQ(free.rows(), 3);
   ASSERT_EQ(free.cols(), GetParam().free);
   const base::Matrix motion = modes * free;
@@ -157,7 +157,7 @@ TEST_P(FreeModes, span_the_motions_that_supports_leave) {
 
 // A support far away from the axis of a small rotation still counts as held: the lever is what
 // matters, not the size of the model.
-TEST(free_modes, depends_on_no_unit_of_length) {
+TEST(free_rigid_modes, depends_on_no_unit_of_length) {
   for (const double scale : {1e-6, 1.0, 1e6}) {
     model::Mesh mesh =
         test::make_mesh(ElementType::quam4, test::unit_grid(2, 2),
@@ -168,9 +168,9 @@ TEST(free_modes, depends_on_no_unit_of_length) {
     const std::vector<Body> body = one_piece(nodes);
     const base::Matrix modes = rigid_modes({}, mesh, body);
     cls[0] = cls[1] = FreedomClass::suppressed;
-    EXPECT_EQ(free_modes(mesh, modes, body, none, cls).cols(), 1);
+    EXPECT_EQ(free_rigid_modes(mesh, modes, body, none, cls).cols(), 1);
     cls[5] = FreedomClass::suppressed;
-    EXPECT_EQ(free_modes(mesh, modes, body, none, cls).cols(), 0);
+    EXPECT_EQ(free_rigid_modes(mesh, modes, body, none, cls).cols(), 0);
   }
 }
 

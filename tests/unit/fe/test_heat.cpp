@@ -81,7 +81,7 @@ struct Plate {
   /// over thickness, beta and 2: the integral of the temperature.
   [[nodiscard]] double integral(const fe::CaseTemperature& heat) const {
     base::Vector f = fe::thermal_load(model, cracked.mesh, heat.temperature);
-    fe::add_residual_load(model, cracked.mesh, {&heat, 1.0}, {}, f);
+    fe::add_residual_temperature_load(model, cracked.mesh, {&heat, 1.0}, {}, f);
     double work = 0.0;
     for (std::size_t n = 0; n < cracked.mesh.node_count(); ++n) {
       work += f.segment<2>(2 * static_cast<Eigen::Index>(n)).dot(cracked.mesh.x[n].head<2>());

@@ -49,13 +49,13 @@ protected:
         return std::abs(std::cos(angle) * x.y() - std::sin(angle) * x.x()) < 1e-9;
       });
     }
-    const Vector f = nodal_load(model, model.mesh, {"", {card}});
+    const Vector f = consistent_nodal_load(model, model.mesh, {"", {card}});
     Vec2 sum = Vec2::Zero();
     for (std::size_t n = 0; n < model.mesh.node_count(); ++n) {
       const double fx = f[2 * static_cast<Eigen::Index>(n)];
       sum += fx * Vec2(1.0, along().e(model.mesh.x[n]));
     }
-    unresolved = unresolved_part(model, model.mesh, card);
+    unresolved = unresolved_load_fraction(model, model.mesh, card);
     return sum;
   }
   void expect(const Vec2& found, const Vec2& wanted, double tolerance) {
@@ -160,7 +160,7 @@ TEST_P(Sides, a_thin_hot_layer_is_integrated_whole) {
           sum += p.area * p.T;
         }
       }
-      const double told = unresolved_temperature(model, model.mesh, card);
+      const double told = unresolved_temperature_fraction(model, model.mesh, card);
       EXPECT_NEAR(sum, 100.0 * width * length, (told + 1e-3) * 100.0 * width * length)
           << width << " of " << length;
       EXPECT_LT(told, 0.01) << width;
@@ -213,8 +213,8 @@ TEST(LoadRule, StepsAskewEndAtTheirPlane) {
       ++evaluations;
       return Vec3(normal.dot(r) > at ? 1.0 : 0.0, 0.0, 0.0);
     };
-    const AdaptedRule<dim> rule =
-        adapted_rule<dim>(whole_domain<dim>(domain, load_degree), step, {tolerance, {}, false});
+    const AdaptedRule<dim> rule = make_adapted_rule<dim>(
+        whole_element_domain<dim>(domain, load_degree), step, {tolerance, {}, false});
     EXPECT_TRUE(rule.jumps);
     double sum = 0.0;
     for (const auto& point : rule.points) {

@@ -103,11 +103,11 @@ double force_left(const Cracked& cracked, const std::function<Vec3(const Vec3&)>
   const ConstraintTransformation ties(
       cracked.ties,
       std::vector<model::FreedomClass>(3 * mesh.node_count(), model::FreedomClass::local));
-  ties.set_dependents(u, 1.0);
+  ties.set_dependent_displacements(u, 1.0);
   base::Vector force = base::Vector::Zero(u.size());
   add_internal_force(cracked.model, mesh, test::every_element(mesh), u, force);
   base::Matrix left = force;
-  ties.transfer_to_masters(left);
+  ties.transfer_forces_to_masters(left);
   double scale = 0.0;
   double worst = 0.0;
   for (const base::ElementId e : cracked.kept) {

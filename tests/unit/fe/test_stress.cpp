@@ -151,7 +151,7 @@ TEST(stress, nodes_between_two_properties_have_a_value_of_each) {
 
 // A linear stress on parallelograms and straight triangles: its mean is that of the corners.
 TEST_P(Quadratic, mean_of_an_element_is_the_integral_over_it) {
-  const std::vector<Stress> mean = mean_stress(model, model.mesh, u);
+  const std::vector<Stress> mean = element_mean_stress(model, model.mesh, u);
   for (std::size_t e = 0; e < mean.size(); ++e) {
     const auto nodes = model.mesh.element_nodes(base::ElementId(e));
     const auto corners = static_cast<std::size_t>(base::element_info(model.mesh.type[e]).corners);

@@ -328,12 +328,12 @@ TEST(RigidTie, LetsRigidMotionsThroughAndNothingElse) {
         const double size = u.lpNorm<Eigen::Infinity>();
         EXPECT_LT(residual(ties, u), 1e-12 * size);
         const base::Vector before = u;
-        dependence.set_dependents(u, 1.0);
+        dependence.set_dependent_displacements(u, 1.0);
         EXPECT_LT((u - before).lpNorm<Eigen::Infinity>(), 1e-11 * size);
 
         // whatever the independent freedoms do, no distance changes
         u = base::Vector::NullaryExpr(dim * n, [&] { return random.number(); });
-        dependence.set_dependents(u, 1.0);
+        dependence.set_dependent_displacements(u, 1.0);
         double worst = 0.0;
         for (Eigen::Index i = 0; i < n; ++i) {
           for (Eigen::Index j = 0; j < i; ++j) {
