@@ -30,7 +30,7 @@ bool match(const contact::Edge& a, const contact::Edge& b, const contact::Contac
 
 } // namespace
 
-EdgeIndex boundary_edges(const EdgeTable& table) {
+EdgeIndex index_boundary_edges(const EdgeTable& table) {
   EdgeIndex index;
   for (std::size_t e = 0; e < table.edges.size(); ++e) {
     if (table.edges[e].elements == 1) {
@@ -49,9 +49,9 @@ std::optional<std::size_t> find_edge(const EdgeIndex& index, const contact::Edge
   return at == index.end() ? std::nullopt : std::optional<std::size_t>(at->second);
 }
 
-std::vector<ContactEdge> contact_edges(const EdgeTable& table,
-                                       const contact::PairConstraints& pair) {
-  const EdgeIndex index = boundary_edges(table);
+std::vector<ContactEdge> contact_edges_of_pair(const EdgeTable& table,
+                                               const contact::PairConstraints& pair) {
+  const EdgeIndex index = index_boundary_edges(table);
   const std::map<base::NodeId, std::size_t> row_of = contact::normal_rows(pair);
   const std::vector<contact::Edge>& own = pair.contact.plane.edges;
   const std::vector<contact::Edge>& others = pair.target.plane.edges;
@@ -112,7 +112,7 @@ std::vector<ContactEdge> contact_edges(const EdgeTable& table,
 
 void add_closed_edges(const std::vector<ContactEdge>& edges, const contact::PairConstraints& pair,
                       const std::vector<bool>& closed, bool bonded,
-                      std::vector<ClosedEdge>& result) {
+                      std::vector<ClosedContactEdge>& result) {
   const bool loaded = pair.segments && !pair.rigid && !pair.faces && !bonded;
   for (const ContactEdge& edge : edges) {
     if (edge.covered && !edge.rows.empty() &&

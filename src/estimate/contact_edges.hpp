@@ -26,17 +26,17 @@ struct ContactEdge {
 /// Edges of one element only, by their nodes.
 using EdgeIndex = std::map<std::array<base::NodeId, 3>, std::size_t>;
 /// Index of the edges that only one element has, by their three nodes as in the table.
-EdgeIndex boundary_edges(const EdgeTable& table);
+EdgeIndex index_boundary_edges(const EdgeTable& table);
 /// The one that a quadratic contact edge is.
 std::optional<std::size_t> find_edge(const EdgeIndex& index, const contact::Edge& edge);
 
 /// The edges of both surfaces of a pair, which they point into. Edges that match end to end to a
 /// hundredth of their length are opposite each other.
-std::vector<ContactEdge> contact_edges(const EdgeTable& table,
-                                       const contact::PairConstraints& pair);
+std::vector<ContactEdge> contact_edges_of_pair(const EdgeTable& table,
+                                               const contact::PairConstraints& pair);
 
 /// A closed edge: all its rows are.
-struct ClosedEdge {
+struct ClosedContactEdge {
   const ContactEdge* at = nullptr;
   bool bonded = false;
   double support = 0.0; ///< stiffness of the other body over that of the edge's own
@@ -46,6 +46,6 @@ struct ClosedEdge {
 /// into `edges`.
 void add_closed_edges(const std::vector<ContactEdge>& edges, const contact::PairConstraints& pair,
                       const std::vector<bool>& closed, bool bonded,
-                      std::vector<ClosedEdge>& result);
+                      std::vector<ClosedContactEdge>& result);
 
 } // namespace spricka::estimate

@@ -8,12 +8,12 @@
 
 namespace spricka::estimate {
 
-std::vector<ModeWeight> target_mode_weights(const EdgeTable& table,
-                                            const contact::PairConstraints& pair) {
+std::vector<ContactModeWeight> target_mode_weights(const EdgeTable& table,
+                                                   const contact::PairConstraints& pair) {
   if (!pair.segments || pair.rigid) {
     return {};
   }
-  const EdgeIndex index = boundary_edges(table);
+  const EdgeIndex index = index_boundary_edges(table);
   const std::map<base::NodeId, std::size_t> row_of = contact::normal_rows(pair);
   std::map<std::pair<std::size_t, std::size_t>, double> sums; // by freedom and row
   const contact::ElementProjector project = contact::target_projector(pair);
@@ -25,10 +25,11 @@ std::vector<ModeWeight> target_mode_weights(const EdgeTable& table,
       if (!at) {
         continue;
       }
-      const double sign = side_sign(target.nodes[0], target.nodes[1]);
+      const double sign = side_mode_sign(target.nodes[0], target.nodes[1]);
       const base::Vec2 n = p.normal.head<2>();
       // The normal mode of the target's edge, psi n_m . n of (estimate.14).
-      const double mode = sign * side_mode(p.s[0]) * side_frame(target.x, p.s[0]).axis[0].dot(n);
+      const double mode =
+          sign * side_mode_value(p.s[0]) * side_frame(target.x, p.s[0]).axis[0].dot(n);
       for (std::size_t i = 0; i < element.node_count(); ++i) {
         const auto row = row_of.find(nodes[static_cast<std::size_t>(element.node[i])]);
         if (row != row_of.end()) {
@@ -37,7 +38,7 @@ std::vector<ModeWeight> target_mode_weights(const EdgeTable& table,
       }
     }
   }
-  std::vector<ModeWeight> weights;
+  std::vector<ContactModeWeight> weights;
   weights.reserve(sums.size());
   for (const auto& [place, weight] : sums) {
     weights.push_back({place.first, place.second, weight});

@@ -7,7 +7,7 @@
 namespace spricka::estimate {
 
 /// What a unit of a row's multiplier does to a mode: 2 e of the edge, its outer normal.
-struct ModeWeight {
+struct ContactModeWeight {
   std::size_t freedom = 0;
   std::size_t row = 0; ///< normal row of the pair
   double weight = 0.0; ///< [area]
@@ -16,7 +16,7 @@ struct ModeWeight {
 /// The modes of target edges in the rows of a pair of hats on half edges: integral of hat times
 /// mode along the normal of the rows (manual, estimate.14). Nothing for node pairs and rigid
 /// targets.
-std::vector<ModeWeight> target_mode_weights(const EdgeTable& table,
-                                            const contact::PairConstraints& pair);
+std::vector<ContactModeWeight> target_mode_weights(const EdgeTable& table,
+                                                   const contact::PairConstraints& pair);
 
 } // namespace spricka::estimate

@@ -16,7 +16,7 @@ namespace {
 /// Modes and nodes inside the elements about a corner, on which nothing outside them acts.
 class CornerPatch {
 public:
-  CornerPatch(const CornerRequest& request, const ModeResiduals& residuals,
+  CornerPatch(const CornerErrorRequest& request, const ModeResiduals& residuals,
               const SingularCorner& corner)
       : request_(request), residuals_(residuals), corner_(corner) {
     count_modes();
@@ -105,7 +105,7 @@ private:
     base::Matrix Ke;
     with_mode_shape(mesh.type[e.index()], [&]<shape::PlaneShape S>(S) {
       const fe::NodeVectors<S> X = fe::coordinates<S>(mesh, e);
-      const EnrichedStiffness<S> modes(X, law, request_.enrichment.side_state(e));
+      const EnrichedStiffness<S> modes(X, law, request_.enrichment.element_side_frames(e));
       const Eigen::Index m = modes.ee.rows();
       const Eigen::Index p = modes.ep.cols();
       Ke.resize(m + p, m + p);
@@ -171,7 +171,7 @@ private:
     return errors;
   }
 
-  const CornerRequest& request_;
+  const CornerErrorRequest& request_;
   const ModeResiduals& residuals_;
   const SingularCorner& corner_;
   std::map<std::int32_t, Eigen::Index> modes_; ///< unknown to place
@@ -192,7 +192,7 @@ namespace {
 
 // Modes alone see less of an error without change of volume, the less the material changes it: by
 // 8 % at nu = 0.4 in plane strain, by 32 % at 0.49, read off strips in bending and tension.
-double volume_factor(const CornerRequest& request, base::ElementId e) {
+double volume_factor(const CornerErrorRequest& request, base::ElementId e) {
   constexpr double measured_at = 1.75; // nu = 0.3 in plane strain, that of the bar's constants
   const fe::ConstitutiveLaw law =
       fe::constitutive_law(request.enrichment.model(), request.enrichment.mesh(), e);
@@ -202,7 +202,7 @@ double volume_factor(const CornerRequest& request, base::ElementId e) {
 
 // Whether a corner's elements have enough of some error to change it: what the modes alone see of
 // it is less by what nodes take part in, most where the material hardly changes its volume.
-bool counts(const CornerRequest& request, const SingularCorner& corner,
+bool counts(const CornerErrorRequest& request, const SingularCorner& corner,
             const std::vector<GoalError>& errors, const std::vector<double>& sums) {
   double most = 0.0;
   for (const base::ElementId e : corner.elements) {
@@ -224,8 +224,9 @@ bool counts(const CornerRequest& request, const SingularCorner& corner,
 
 } // namespace
 
-void raise_corner_errors(const CornerRequest& request, const std::vector<SingularCorner>& corners,
-                         std::vector<GoalError>& errors) {
+void correct_corner_errors(const CornerErrorRequest& request,
+                           const std::vector<SingularCorner>& corners,
+                           std::vector<GoalError>& errors) {
   std::vector<double> sums;
   sums.reserve(errors.size());
   for (const GoalError& error : errors) {
@@ -258,7 +259,7 @@ void raise_corner_errors(const CornerRequest& request, const std::vector<Singula
     }
   }
   for (GoalError& error : errors) {
-    error.add_up();
+    error.sum_element_errors();
   }
 }
 

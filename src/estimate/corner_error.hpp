@@ -11,10 +11,10 @@ namespace spricka::estimate {
 double corner_error_factor(double exponent);
 
 /// What the errors at corners are found from, and what they were found to be without them.
-struct CornerRequest {
+struct CornerErrorRequest {
   const CubicEnrichment& enrichment;
-  const ModeMap& map;
-  const GoalRequest& goal;
+  const ModeFreedomMap& map;
+  const GoalErrorInput& goal;
   const std::vector<bool>& fixed; ///< [2 * node] freedoms that nothing moves further
 };
 
@@ -22,7 +22,8 @@ struct CornerRequest {
 /// about it, nodes and modes together, times unseen_factor (estimate.16). Corners whose parts
 /// change nothing that counts are left. Elements elsewhere whose material hardly changes its volume
 /// have their shares raised by what modes alone see less of (estimate.19).
-void raise_corner_errors(const CornerRequest& request, const std::vector<SingularCorner>& corners,
-                         std::vector<GoalError>& errors);
+void correct_corner_errors(const CornerErrorRequest& request,
+                           const std::vector<SingularCorner>& corners,
+                           std::vector<GoalError>& errors);
 
 } // namespace spricka::estimate

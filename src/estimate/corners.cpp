@@ -52,7 +52,7 @@ double ahead_of(double from, double angle) {
 
 class CornerFinder {
 public:
-  explicit CornerFinder(const CornerInput& setting)
+  explicit CornerFinder(const CornerSearchInput& setting)
       : set_(setting), slices_(setting.mesh.node_count()),
         left_out_(setting.mesh.node_count(), false) {
     const std::vector<bool> wanted = at_borders();
@@ -346,14 +346,14 @@ private:
     }
   }
 
-  const CornerInput& set_;
+  const CornerSearchInput& set_;
   std::vector<std::vector<Slice>> slices_; ///< [node]
   std::vector<bool> left_out_;             ///< [node]
 };
 
 } // namespace
 
-std::vector<SingularCorner> singular_corners(const CornerInput& setting) {
+std::vector<SingularCorner> find_singular_corners(const CornerSearchInput& setting) {
   return CornerFinder(setting).corners();
 }
 

@@ -22,7 +22,7 @@ struct SingularCorner {
 };
 
 /// What a mesh stands on. cls [2 * node]
-struct CornerInput {
+struct CornerSearchInput {
   const model::Model& model;
   const model::Mesh& mesh;
   const EdgeTable& edges;
@@ -36,6 +36,6 @@ struct CornerInput {
 /// The singular corners of a plane mesh, by their nodes. Where bodies are tied together their ends
 /// are those of a support where one surface goes on past the other, which is the worst that the
 /// other body can be; where both end together, and for other ties, there is none known.
-std::vector<SingularCorner> singular_corners(const CornerInput& setting);
+std::vector<SingularCorner> find_singular_corners(const CornerSearchInput& setting);
 
 } // namespace spricka::estimate

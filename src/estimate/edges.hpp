@@ -31,7 +31,7 @@ EdgeTable find_edges(const model::Mesh& mesh);
 
 /// 1 where a side runs from the lower to the higher of its corners, else -1: the sign of a side's
 /// mode in the edge's.
-inline double side_sign(base::NodeId from, base::NodeId to) {
+inline double side_mode_sign(base::NodeId from, base::NodeId to) {
   return from < to ? 1.0 : -1.0;
 }
 

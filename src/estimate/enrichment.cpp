@@ -43,7 +43,7 @@ std::string enrichment_obstacle(const model::Model& model, const model::Mesh& me
   }
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const base::ElementId id(e);
-    if (!has_modes(mesh.type[e])) {
+    if (!has_cubic_modes(mesh.type[e])) {
       return "some elements are linear";
     }
     if (fe::constitutive_law(model, mesh, id).projected) {
@@ -53,7 +53,7 @@ std::string enrichment_obstacle(const model::Model& model, const model::Mesh& me
   return {};
 }
 
-double enrichment_bytes(const model::Mesh& mesh) {
+double enrichment_memory(const model::Mesh& mesh) {
   std::size_t numbers = 0;
   for (const base::ElementType type : mesh.type) {
     numbers +=
@@ -108,7 +108,7 @@ void CubicEnrichment::add_matrix(base::ElementId e, const HostModeMatrices& kept
                                  double*& next_own) {
   const base::ElementType type = mesh_.type[e.index()];
   const fe::ConstitutiveLaw law = fe::constitutive_law(model_, mesh_, e);
-  const SideModeFrames side = side_state(e);
+  const SideModeFrames side = element_side_frames(e);
   const base::ElementId host = kept.host_element(e);
   double* at = next_own;
   if (host.valid()) {
@@ -134,14 +134,14 @@ void CubicEnrichment::add_matrix(base::ElementId e, const HostModeMatrices& kept
   });
 }
 
-SideModeFrames CubicEnrichment::side_state(base::ElementId e) const {
+SideModeFrames CubicEnrichment::element_side_frames(base::ElementId e) const {
   const base::ElementType type = mesh_.type[e.index()];
   const std::span<const base::NodeId> nodes = mesh_.element_nodes(e);
   SideModeFrames state;
   const int corners = base::element_info(type).corners;
   for (int s = 0; s < corners; ++s) {
     const auto at = static_cast<std::size_t>(s);
-    state.sign[at] = side_sign(nodes[at], nodes[static_cast<std::size_t>((s + 1) % corners)]);
+    state.sign[at] = side_mode_sign(nodes[at], nodes[static_cast<std::size_t>((s + 1) % corners)]);
     state.framed[at] = framed_[edges_.edge_at_side(e, s)];
   }
   return state;
@@ -178,7 +178,7 @@ void CubicEnrichment::sum_diagonal() {
   });
 }
 
-void CubicEnrichment::subtract_nodal_part(const base::Matrix& u, base::Matrix& r) const {
+void CubicEnrichment::subtract_nodal_coupling(const base::Matrix& u, base::Matrix& r) const {
   for_elements(mesh_, [&]<shape::PlaneShape S>(S, base::ElementId e) {
     Eigen::Index k = 0;
     for (; k + 4 <= u.cols(); k += 4) { // each matrix is read once for four columns
@@ -220,7 +220,7 @@ CubicEnrichment::mode_functional(const std::vector<crack::IntensityFunctionalPoi
     const PlaneModes& modes = PlaneModes::for_type(mesh_.type[e.index()]);
     const fe::AnyNodeVectors<2> X = fe::coordinates(element, mesh_, e);
     const Eigen::Matrix2d J = X.lazyProduct(element.dN(point.r));
-    const ModeGradients G = mode_gradients(modes, X, point.r, J, side_state(e));
+    const ModeGradients G = mode_gradients(modes, X, point.r, J, element_side_frames(e));
     for (int mode = 0; mode < 2; ++mode) {
       const Eigen::Matrix2d& M = point.M[static_cast<std::size_t>(mode)];
       // M : grad psi, in the order of the rows of ModeGradients.
@@ -228,7 +228,7 @@ CubicEnrichment::mode_functional(const std::vector<crack::IntensityFunctionalPoi
       ModeNumbers value = G.transpose() * by_row;
       if (const double hoop = point.hoop[static_cast<std::size_t>(mode)]; hoop != 0.0) {
         const double x = X.row(0) * element.N(point.r);
-        value += hoop / x * mode_radial_values(modes, X, point.r, side_state(e));
+        value += hoop / x * mode_radial_values(modes, X, point.r, element_side_frames(e));
       }
       for (int i = 0; i < modes.freedoms(); ++i) {
         g(freedom[static_cast<std::size_t>(i)], mode) += value[i];

@@ -19,7 +19,7 @@ namespace spricka::estimate {
 std::string enrichment_obstacle(const model::Model& model, const model::Mesh& mesh);
 
 /// What an enrichment keeps of a mesh that can be enriched [bytes].
-double enrichment_bytes(const model::Mesh& mesh);
+double enrichment_memory(const model::Mesh& mesh);
 
 /// Matrices of the modes of host elements, kept from one crack length to the next. What an
 /// element's depend on is kept along: where it is another they are made anew.
@@ -70,7 +70,7 @@ public:
     return {freedom_.data() + first_[e.index()], freedom_.data() + first_[e.index() + 1]};
   }
   /// Signs of an element's side modes by the direction of its edges, and which of them are framed.
-  [[nodiscard]] SideModeFrames side_state(base::ElementId e) const;
+  [[nodiscard]] SideModeFrames element_side_frames(base::ElementId e) const;
 
   /// Stiffness of the modes times a vector, y = K_ee x, element by element. [freedoms]
   [[nodiscard]] base::Vector stiffness_product(const base::Vector& x) const;
@@ -78,7 +78,7 @@ public:
   /// [freedoms / 2]
   [[nodiscard]] const std::vector<base::Vec3>& diagonal() const { return diagonal_; }
   /// r - K_ep u, by columns. u [dim * node, k], r [freedoms, k]
-  void subtract_nodal_part(const base::Matrix& u, base::Matrix& r) const;
+  void subtract_nodal_coupling(const base::Matrix& u, base::Matrix& r) const;
   /// The functional of some points on the modes. [freedoms, 2]
   [[nodiscard]] base::Matrix
   mode_functional(const std::vector<crack::IntensityFunctionalPoint>& points) const;

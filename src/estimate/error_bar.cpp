@@ -51,7 +51,7 @@ ErrorBarFactors bar_constants(const model::Mesh& mesh, const GoalError& error) {
 } // namespace
 
 results::KErrorBar error_bar(const model::Mesh& mesh, double K, double size, const GoalError& error,
-                             const ActiveSetChange& change, bool coarse) {
+                             const ActiveSetKChange& change, bool coarse) {
   const Shares share = coarse ? when_coarse : Shares{};
   const ErrorBarFactors constants = bar_constants(mesh, error);
   results::KErrorBar bar;

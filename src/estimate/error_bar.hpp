@@ -10,7 +10,7 @@ namespace spricka::estimate {
 constexpr double share_of_set_change = 0.15;
 
 /// By how much one K changes when a contact pair changes its state.
-struct ActiveSetChange {
+struct ActiveSetKChange {
   double end = 0.0;   ///< the largest, of pairs beside the end of a contact
   double sharp = 0.0; ///< sum over those at sharp edges, where pressure has no bound
 };
@@ -18,6 +18,6 @@ struct ActiveSetChange {
 /// of the active set. `size`: hypot(K1, K2), of which the floor is a part, below which signs of eta
 /// are noise. `coarse`: a contact is too coarse for eta to be trusted.
 results::KErrorBar error_bar(const model::Mesh& mesh, double K, double size, const GoalError& error,
-                             const ActiveSetChange& change, bool coarse);
+                             const ActiveSetKChange& change, bool coarse);
 
 } // namespace spricka::estimate

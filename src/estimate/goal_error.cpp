@@ -15,7 +15,7 @@ constexpr double small_change = 3e-3;
 /// anyhow.
 class Preconditioner {
 public:
-  Preconditioner(const CubicEnrichment& enrichment, const ModeMap& map)
+  Preconditioner(const CubicEnrichment& enrichment, const ModeFreedomMap& map)
       : diagonal_(base::Vector::Zero(map.unknowns)) {
     const std::vector<base::Vec3>& blocks = enrichment.diagonal();
     const std::size_t edges = enrichment.edges().edges.size();
@@ -80,7 +80,7 @@ bool settled(const base::Vector& change, const base::Vector& eta) {
 }
 
 // K_ee^-1 r as far as the functionals r_z see it.
-base::Vector solve_modes(const CubicEnrichment& enrichment, const ModeMap& map,
+base::Vector solve_modes(const CubicEnrichment& enrichment, const ModeFreedomMap& map,
                          const base::Vector& r_u, const base::Matrix& r_z) {
   const Preconditioner preconditioner(enrichment, map);
   // Conjugate gradients from zero.
@@ -112,7 +112,7 @@ base::Vector solve_modes(const CubicEnrichment& enrichment, const ModeMap& map,
 
 } // namespace
 
-void GoalError::add_up() {
+void GoalError::sum_element_errors() {
   eta = sum = 0.0;
   for (const double part : of_element) {
     eta += part;
@@ -120,12 +120,12 @@ void GoalError::add_up() {
   }
 }
 
-ModeResiduals mode_residuals(const CubicEnrichment& enrichment, const ModeMap& map,
-                             const GoalRequest& request) {
+ModeResiduals mode_residuals(const CubicEnrichment& enrichment, const ModeFreedomMap& map,
+                             const GoalErrorInput& request) {
   base::Matrix f = request.load;
-  enrichment.subtract_nodal_part(request.u, f);
+  enrichment.subtract_nodal_coupling(request.u, f);
   base::Matrix g = request.goals;
-  enrichment.subtract_nodal_part(request.z, g);
+  enrichment.subtract_nodal_coupling(request.z, g);
   ModeResiduals r{map.reduce(f).col(0), map.reduce(g), {}};
   r.users.assign(static_cast<std::size_t>(map.unknowns), 0);
   for (std::size_t e = 0; e < enrichment.mesh().element_count(); ++e) {
@@ -139,8 +139,9 @@ ModeResiduals mode_residuals(const CubicEnrichment& enrichment, const ModeMap& m
   return r;
 }
 
-std::vector<GoalError> goal_errors(const CubicEnrichment& enrichment, const ModeMap& map,
-                                   const GoalRequest& request) {
+std::vector<GoalError> estimate_goal_errors(const CubicEnrichment& enrichment,
+                                            const ModeFreedomMap& map,
+                                            const GoalErrorInput& request) {
   const ModeResiduals r = mode_residuals(enrichment, map, request);
   const base::Vector x = solve_modes(enrichment, map, r.u, r.z);
 
@@ -158,7 +159,7 @@ std::vector<GoalError> goal_errors(const CubicEnrichment& enrichment, const Mode
         }
       }
     }
-    errors[k].add_up();
+    errors[k].sum_element_errors();
   }
   return errors;
 }

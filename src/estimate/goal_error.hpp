@@ -13,11 +13,11 @@ struct GoalError {
   std::vector<double> of_element; ///< eta_e [element]; they sum to eta
 
   /// Makes eta and sum those of the elements.
-  void add_up();
+  void sum_element_errors();
 };
 
 /// What the estimate asks for at the end of a step.
-struct GoalRequest {
+struct GoalErrorInput {
   const base::Vector& u;     ///< [dim * node] the displacements
   const base::Matrix& z;     ///< [dim * node, goals] adjoints: the same stiffness, supports and
                              ///< closed rows, loaded by the functionals
@@ -32,13 +32,14 @@ struct ModeResiduals {
   base::Matrix z;         ///< [unknowns, goals]
   std::vector<int> users; ///< [unknown]
 };
-ModeResiduals mode_residuals(const CubicEnrichment& enrichment, const ModeMap& map,
-                             const GoalRequest& request);
+ModeResiduals mode_residuals(const CubicEnrichment& enrichment, const ModeFreedomMap& map,
+                             const GoalErrorInput& request);
 
 /// eta = r_z^T K_ee^-1 r_u with r_u = f_e - K_ep u and r_z = g_e - K_ep z (manual, estimate.4), by
 /// conjugate gradients on the modes, preconditioned by the diagonal blocks of the direction pairs:
 /// at most 8 steps, fewer where another one changes no eta by more than 0.3 %.
-std::vector<GoalError> goal_errors(const CubicEnrichment& enrichment, const ModeMap& map,
-                                   const GoalRequest& request);
+std::vector<GoalError> estimate_goal_errors(const CubicEnrichment& enrichment,
+                                            const ModeFreedomMap& map,
+                                            const GoalErrorInput& request);
 
 } // namespace spricka::estimate

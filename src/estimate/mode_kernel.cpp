@@ -26,7 +26,7 @@ ModeGradients mode_gradients(const PlaneModes& modes, const fe::AnyNodeVectors<2
     if (!sides.framed[static_cast<std::size_t>(s)]) {
       continue;
     }
-    const SideFrame frame = side_frame(side_points(modes, X, s), modes.along(r, s));
+    const SideFrame frame = side_frame(side_node_coordinates(modes, X, s), modes.along(r, s));
     // On a curved side the axis turns: grad(psi axis) = axis grad psi + psi axis' grad t.
     const Eigen::RowVector2d turn =
         sides.sign[static_cast<std::size_t>(s)] * psi[s] * (modes.d_along(s) * inverse);
@@ -53,7 +53,7 @@ ModeNumbers mode_radial_values(const PlaneModes& modes, const fe::AnyNodeVectors
     const auto s = static_cast<std::size_t>(m);
     along[2 * m] = sides.sign[s] * psi[m];
     if (sides.framed[s]) {
-      const SideFrame frame = side_frame(side_points(modes, X, m), modes.along(r, m));
+      const SideFrame frame = side_frame(side_node_coordinates(modes, X, m), modes.along(r, m));
       along[2 * m + 1] = along[2 * m] * frame.axis[1].x();
       along[2 * m] *= frame.axis[0].x();
     }

@@ -43,8 +43,8 @@ inline SideFrame side_frame(const std::array<base::Vec2, 3>& x, double t) {
 }
 
 /// Ends and middle of a side out of nodal coordinates.
-inline std::array<base::Vec2, 3> side_points(const PlaneModes& modes,
-                                             const fe::AnyNodeVectors<2>& X, int s) {
+inline std::array<base::Vec2, 3> side_node_coordinates(const PlaneModes& modes,
+                                                       const fe::AnyNodeVectors<2>& X, int s) {
   return {X.col(s), X.col((s + 1) % modes.sides), X.col(modes.sides + s)};
 }
 

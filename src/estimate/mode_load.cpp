@@ -24,7 +24,7 @@ struct ModeElement {
   ModeElement(const CubicEnrichment& enrichment, base::ElementId e)
       : shape(shape::reference_element<2>(enrichment.mesh().type[e.index()])),
         modes(PlaneModes::for_type(enrichment.mesh().type[e.index()])),
-        X(fe::coordinates(shape, enrichment.mesh(), e)), sides(enrichment.side_state(e)),
+        X(fe::coordinates(shape, enrichment.mesh(), e)), sides(enrichment.element_side_frames(e)),
         freedom(enrichment.element_freedoms(e)) {}
 
   /// A force along the axes of a side's mode at t.
@@ -32,7 +32,7 @@ struct ModeElement {
     if (!sides.framed[side]) {
       return force.head<2>();
     }
-    const SideFrame frame = side_frame(side_points(modes, X, static_cast<int>(side)), t);
+    const SideFrame frame = side_frame(side_node_coordinates(modes, X, static_cast<int>(side)), t);
     return {frame.axis[0].dot(force.head<2>()), frame.axis[1].dot(force.head<2>())};
   }
 };
@@ -41,7 +41,7 @@ struct ModeElement {
 void add_on_side(const ModeElement& element, int side, double t, const Vec3& force,
                  base::Vector& f) {
   const auto s = static_cast<std::size_t>(side);
-  const double psi = element.sides.sign[s] * side_mode(t);
+  const double psi = element.sides.sign[s] * side_mode_value(t);
   const Vec2 along = element.along(s, t, force);
   f[element.freedom[2 * s]] += psi * along.x();
   f[element.freedom[2 * s + 1]] += psi * along.y();

@@ -59,7 +59,7 @@ base::NodeId leader(base::NodeId n, const fe::ConstraintTransformation& ties) {
 
 } // namespace
 
-base::Vector ModeMap::expand(const base::Vector& y) const {
+base::Vector ModeFreedomMap::expand(const base::Vector& y) const {
   base::Vector x(static_cast<Eigen::Index>(unknown.size()));
   for (std::size_t i = 0; i < unknown.size(); ++i) {
     x[static_cast<Eigen::Index>(i)] = unknown[i] < 0 ? 0.0 : factor[i] * y[unknown[i]];
@@ -67,7 +67,7 @@ base::Vector ModeMap::expand(const base::Vector& y) const {
   return x;
 }
 
-base::Matrix ModeMap::reduce(const base::Matrix& f) const {
+base::Matrix ModeFreedomMap::reduce(const base::Matrix& f) const {
   base::Matrix y = base::Matrix::Zero(unknowns, f.cols());
   for (std::size_t i = 0; i < unknown.size(); ++i) {
     if (unknown[i] >= 0) {
@@ -78,9 +78,9 @@ base::Matrix ModeMap::reduce(const base::Matrix& f) const {
   return y;
 }
 
-ModeSupports mode_supports(const CubicEnrichment& enrichment,
-                           const std::vector<model::FreedomClass>& cls,
-                           const fe::ConstraintTransformation& ties) {
+ModeSupports find_mode_supports(const CubicEnrichment& enrichment,
+                                const std::vector<model::FreedomClass>& cls,
+                                const fe::ConstraintTransformation& ties) {
   const std::vector<QuadraticEdge>& edges = enrichment.edges().edges;
   ModeSupports supports;
   supports.held.assign(static_cast<std::size_t>(enrichment.freedoms()), false);
@@ -119,7 +119,7 @@ ModeSupports mode_supports(const CubicEnrichment& enrichment,
         index.find({std::min(lead[0], lead[1]), std::max(lead[0], lead[1]), lead[2]});
     if (lead[0].valid() && lead[1].valid() && lead[2].valid() && other != index.end() &&
         !enrichment.has_edge_frame(e) && !enrichment.has_edge_frame(other->second)) {
-      supports.shared.push_back({e, other->second, side_sign(lead[0], lead[1])});
+      supports.shared.push_back({e, other->second, side_mode_sign(lead[0], lead[1])});
     }
   }
   for (const ModeSupports::SharedEdgeModes& s : supports.shared) {
@@ -134,8 +134,8 @@ ModeSupports mode_supports(const CubicEnrichment& enrichment,
   return supports;
 }
 
-ModeMap mode_map(const CubicEnrichment& enrichment, const ModeSupports& supports,
-                 const std::vector<ClosedEdge>& closed) {
+ModeFreedomMap map_mode_freedoms(const CubicEnrichment& enrichment, const ModeSupports& supports,
+                                 const std::vector<ClosedContactEdge>& closed) {
   const auto count = static_cast<std::size_t>(enrichment.freedoms());
   std::vector<bool> held = supports.held;
   // Whom a freedom follows, and how.
@@ -157,7 +157,7 @@ ModeMap mode_map(const CubicEnrichment& enrichment, const ModeSupports& supports
     }
   }
   std::vector<bool> matched(enrichment.edges().edges.size(), false);
-  for (const ClosedEdge& c : closed) {
+  for (const ClosedContactEdge& c : closed) {
     if (c.at->opposite) {
       // Normals and tangents of the two bodies look opposite ways.
       for (std::size_t k = 0; k < (c.bonded ? 2U : 1U); ++k) {
@@ -167,7 +167,7 @@ ModeMap mode_map(const CubicEnrichment& enrichment, const ModeSupports& supports
     }
   }
   std::vector<std::pair<std::size_t, double>> support;
-  for (const ClosedEdge& c : closed) {
+  for (const ClosedContactEdge& c : closed) {
     if (!matched[c.at->edge] && c.loaded) {
       // The contact side follows this mode and resists: some part of the mode's own stiffness.
       support.emplace_back(2 * c.at->edge, c.support);
@@ -178,7 +178,7 @@ ModeMap mode_map(const CubicEnrichment& enrichment, const ModeSupports& supports
       }
     }
   }
-  ModeMap map;
+  ModeFreedomMap map;
   map.unknown.assign(count, -1);
   map.factor = std::move(factor);
   for (std::size_t i = 0; i < count; ++i) {

@@ -9,7 +9,7 @@
 namespace spricka::estimate {
 
 /// Which mode freedoms are unknowns: x[freedom] = factor * unknown, 0 where held.
-struct ModeMap {
+struct ModeFreedomMap {
   std::vector<std::int32_t> unknown; ///< [freedom], -1: held at zero
   std::vector<double> factor;        ///< [freedom]
   Eigen::Index unknowns = 0;
@@ -34,14 +34,14 @@ struct ModeSupports {
   std::vector<SharedEdgeModes> shared; ///< edges whose modes are those of another one
 };
 /// cls [dim * node]
-ModeSupports mode_supports(const CubicEnrichment& enrichment,
-                           const std::vector<model::FreedomClass>& cls,
-                           const fe::ConstraintTransformation& ties);
+ModeSupports find_mode_supports(const CubicEnrichment& enrichment,
+                                const std::vector<model::FreedomClass>& cls,
+                                const fe::ConstraintTransformation& ties);
 
 /// With the closed contact edges of a step (manual, estimate.10): on matching edges the normal mode
 /// of both bodies is one; on others it is held, or carries the pressure where it is `loaded`;
 /// bonded ones treat the tangential mode alike.
-ModeMap mode_map(const CubicEnrichment& enrichment, const ModeSupports& supports,
-                 const std::vector<ClosedEdge>& closed);
+ModeFreedomMap map_mode_freedoms(const CubicEnrichment& enrichment, const ModeSupports& supports,
+                                 const std::vector<ClosedContactEdge>& closed);
 
 } // namespace spricka::estimate

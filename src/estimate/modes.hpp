@@ -12,7 +12,8 @@
 namespace spricka::estimate {
 
 /// psi(r) [count] and dpsi(r) [count, 2] by reference coordinates; side_coordinate(r, s) runs from
-/// -1 to 1 on side s from its first to its second corner, d_side_coordinate(s) is its gradient.
+/// -1 to 1 on side s from its first to its second corner, side_coordinate_gradient(s) is its
+/// gradient.
 struct TriangleModes {
   static constexpr int sides = 3;
   static constexpr int count = 4;
@@ -61,7 +62,7 @@ struct TriangleModes {
     return L[(s + 1) % 3] - L[s];
   }
   /// Gradient of the side coordinate by the reference coordinates, the same at all points.
-  static Eigen::RowVector2d d_side_coordinate(int s) {
+  static Eigen::RowVector2d side_coordinate_gradient(int s) {
     return slopes().row((s + 1) % 3) - slopes().row(s);
   }
 };
@@ -127,7 +128,7 @@ template <bool centre> struct QuadrilateralModes {
     return a.turn * r[a.along];
   }
   /// Gradient of the side coordinate by the reference coordinates: a unit vector, with its sign.
-  static Eigen::RowVector2d d_side_coordinate(int s) {
+  static Eigen::RowVector2d side_coordinate_gradient(int s) {
     const SideAxes& a = axes[static_cast<std::size_t>(s)];
     Eigen::RowVector2d d = Eigen::RowVector2d::Zero();
     d[a.along] = a.turn;
@@ -146,12 +147,12 @@ template <> struct ModesOf<shape::Quamc9> : std::type_identity<QuadrilateralMode
 template <shape::PlaneShape S> using Modes = typename detail::ModesOf<S>::type;
 
 /// What a side's mode is at t in [-1, 1] from its first to its second corner.
-inline double side_mode(double t) {
+inline double side_mode_value(double t) {
   return -0.25 * t * (1.0 - t * t);
 }
 
 /// Whether elements of a type have modes.
-constexpr bool has_modes(base::ElementType type) {
+constexpr bool has_cubic_modes(base::ElementType type) {
   return type == base::ElementType::trimc6 || type == base::ElementType::quamc8 ||
          type == base::ElementType::quamc9;
 }

@@ -17,7 +17,8 @@ struct HeldNode {
   double modulus = 0.0; ///< E' times thickness
 };
 
-HeldNode hold(const CornerInput& setting, const SingularCorner& corner, const base::Matrix& z) {
+HeldNode hold(const CornerSearchInput& setting, const SingularCorner& corner,
+              const base::Matrix& z) {
   HeldNode held{base::Matrix::Zero(2, z.cols()), 0.0};
   const model::Mesh& mesh = setting.mesh;
   for (const base::ElementId e : corner.elements) {
@@ -50,7 +51,7 @@ HeldNode hold(const CornerInput& setting, const SingularCorner& corner, const ba
 
 } // namespace
 
-PointSupportChange point_support_change(const CornerInput& setting,
+PointSupportChange point_support_change(const CornerSearchInput& setting,
                                         const std::vector<SingularCorner>& corners,
                                         const base::Vector& reaction, const base::Matrix& z) {
   PointSupportChange giving{base::Vector::Zero(z.cols()), {}};

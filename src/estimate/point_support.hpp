@@ -15,7 +15,7 @@ struct PointSupportChange {
 
 /// reaction [2 * node] of the supports; z [2 * node, goals] the adjoints. Zero where supports are
 /// statically determinate: their reactions to the goals' loads, which balance, are none.
-PointSupportChange point_support_change(const CornerInput& setting,
+PointSupportChange point_support_change(const CornerSearchInput& setting,
                                         const std::vector<SingularCorner>& corners,
                                         const base::Vector& reaction, const base::Matrix& z);
 

@@ -15,7 +15,7 @@ using base::Vec3;
 
 std::string solid_enrichment_obstacle(const model::Model& model, const model::Mesh& mesh) {
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    if (!SolidModes::covers_type(mesh.type[e])) {
+    if (!SolidModes::has_modes_for_type(mesh.type[e])) {
       return base::element_info(mesh.type[e]).quadratic ? "some elements are HEXEC27"
                                                         : "some elements are linear";
     }
@@ -29,12 +29,12 @@ std::string solid_enrichment_obstacle(const model::Model& model, const model::Me
 SolidEnrichment::SolidEnrichment(const model::Model& model, const model::Mesh& mesh,
                                  const std::vector<model::FreedomClass>& cls,
                                  const fe::ConstraintTransformation& ties)
-    : model_(model), mesh_(mesh), operator_(model, mesh, number_modes(mesh, cls, ties)) {
+    : model_(model), mesh_(mesh), operator_(model, mesh, number_solid_modes(mesh, cls, ties)) {
   std::vector<Eigen::Matrix3d> block = operator_.diagonal();
   for (std::size_t m = 0; m < block.size(); ++m) {
     // A direction that is held has no part in the block's inverse.
     for (Eigen::Index c = 0; c < 3; ++c) {
-      if (free_mask()[3 * static_cast<Eigen::Index>(m) + c] == 0.0) {
+      if (free_mode_mask()[3 * static_cast<Eigen::Index>(m) + c] == 0.0) {
         const double size = block[m](c, c);
         block[m].row(c).setZero();
         block[m].col(c).setZero();
@@ -51,13 +51,13 @@ base::Vector SolidEnrichment::precondition(const base::Vector& r) const {
     const Eigen::Index at = 3 * static_cast<Eigen::Index>(m);
     y.segment<3>(at) = inverse_[m] * r.segment<3>(at);
   }
-  return y.cwiseProduct(free_mask());
+  return y.cwiseProduct(free_mode_mask());
 }
 
 base::Vector SolidEnrichment::forces_on_modes(const base::Vector* v, const base::Vector* x) const {
   base::Vector f = base::Vector::Zero(freedoms());
   operator_.add_forces({v, x}, {nullptr, &f});
-  return f.cwiseProduct(free_mask());
+  return f.cwiseProduct(free_mode_mask());
 }
 
 void SolidEnrichment::stiffness_product(const base::Vector& x, base::Vector& on_nodes,
@@ -65,7 +65,7 @@ void SolidEnrichment::stiffness_product(const base::Vector& x, base::Vector& on_
   on_nodes = base::Vector::Zero(3 * static_cast<Eigen::Index>(mesh_.node_count()));
   on_modes = base::Vector::Zero(freedoms());
   operator_.add_forces({nullptr, &x}, {&on_nodes, &on_modes});
-  on_modes = on_modes.cwiseProduct(free_mask());
+  on_modes = on_modes.cwiseProduct(free_mode_mask());
 }
 
 void SolidEnrichment::add_inside(base::ElementId e, const Vec3& r, const Vec3& force,
@@ -139,7 +139,7 @@ base::Vector SolidEnrichment::distributed_load(const model::LoadCase& load_case,
   for (std::size_t e = 0; e < mesh_.element_count() && heat.temperature.size() > 0; ++e) {
     add_thermal(base::ElementId(e), heat, f);
   }
-  return f.cwiseProduct(free_mask());
+  return f.cwiseProduct(free_mode_mask());
 }
 
 void SolidEnrichment::add_tractions(const std::vector<contact::FaceTraction>& tractions,
@@ -150,7 +150,7 @@ void SolidEnrichment::add_tractions(const std::vector<contact::FaceTraction>& tr
       add_on_side(traction.face, p.r, p.force, own);
     }
   }
-  f += own.cwiseProduct(free_mask());
+  f += own.cwiseProduct(free_mode_mask());
 }
 
 } // namespace spricka::estimate

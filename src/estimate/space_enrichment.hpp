@@ -31,7 +31,7 @@ public:
                   const fe::ConstraintTransformation& ties);
 
   /// Three directions of each mode. [freedoms]
-  [[nodiscard]] Eigen::Index freedoms() const { return free_mask().size(); }
+  [[nodiscard]] Eigen::Index freedoms() const { return free_mode_mask().size(); }
   /// Modes of an element in the order of SolidModes.
   [[nodiscard]] std::span<const std::int32_t> element_modes(base::ElementId e) const {
     const SolidModeNumbers& of = operator_.mode_numbers();
@@ -52,7 +52,7 @@ public:
   /// The inverse of the 3 by 3 diagonal blocks of K_ee, times r on free ones.
   [[nodiscard]] base::Vector precondition(const base::Vector& r) const;
   /// Zero where held. [freedoms]
-  [[nodiscard]] const base::Vector& free_mask() const { return operator_.mode_numbers().free; }
+  [[nodiscard]] const base::Vector& free_mode_mask() const { return operator_.mode_numbers().free; }
 
   /// Forces on the modes of spread loads of a case, and what its temperature presses: all of it,
   /// also what elements do not take.

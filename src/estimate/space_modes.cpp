@@ -161,7 +161,7 @@ Jet jet_of(ElementType type, const SolidMode& mode, const Vec3& r) {
 
 } // namespace
 
-bool SolidModes::covers_type(ElementType type) {
+bool SolidModes::has_modes_for_type(ElementType type) {
   return type == ElementType::tet10 || type == ElementType::pentac15 ||
          type == ElementType::hexec20;
 }
@@ -170,7 +170,7 @@ const SolidModes& SolidModes::for_type(ElementType type) {
   static const SolidModes tet(ElementType::tet10);
   static const SolidModes penta(ElementType::pentac15);
   static const SolidModes hexa(ElementType::hexec20);
-  assert(covers_type(type));
+  assert(has_modes_for_type(type));
   return type == ElementType::tet10 ? tet : type == ElementType::pentac15 ? penta : hexa;
 }
 
@@ -209,7 +209,7 @@ Eigen::MatrixX3d SolidModes::dpsi(const Vec3& r) const {
   return slopes;
 }
 
-FaceModeAxes face_axes(const std::array<base::NodeId, 4>& corners) {
+FaceModeAxes face_mode_axes(const std::array<base::NodeId, 4>& corners) {
   // u and w at the corners of the element's own axes.
   static constexpr std::array<std::array<double, 2>, 4> at{
       {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}};

@@ -25,7 +25,7 @@ struct SolidMode {
 class SolidModes {
 public:
   /// Whether elements of a type have modes.
-  static bool covers_type(base::ElementType type);
+  static bool has_modes_for_type(base::ElementType type);
   /// Of a type that has some; made once.
   static const SolidModes& for_type(base::ElementType type);
 
@@ -50,6 +50,6 @@ struct FaceModeAxes {
 };
 /// Axes of the modes of a quadrilateral face as an element with these corners sees them, so that
 /// two elements that share it agree.
-FaceModeAxes face_axes(const std::array<base::NodeId, 4>& corners);
+FaceModeAxes face_mode_axes(const std::array<base::NodeId, 4>& corners);
 
 } // namespace spricka::estimate

@@ -87,7 +87,7 @@ private:
       put(at.first, 1.0);
       return;
     }
-    const FaceModeAxes axes = face_axes(corners);
+    const FaceModeAxes axes = face_mode_axes(corners);
     const auto own = static_cast<std::size_t>(mode.number);
     put(at.first + axes.number[own], axes.sign[own]);
   }
@@ -177,8 +177,9 @@ private:
 
 } // namespace
 
-SolidModeNumbers number_modes(const model::Mesh& mesh, const std::vector<model::FreedomClass>& cls,
-                              const fe::ConstraintTransformation& ties) {
+SolidModeNumbers number_solid_modes(const model::Mesh& mesh,
+                                    const std::vector<model::FreedomClass>& cls,
+                                    const fe::ConstraintTransformation& ties) {
   return Numbering(mesh, cls, ties).make();
 }
 

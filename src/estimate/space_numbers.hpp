@@ -24,7 +24,8 @@ struct SolidModeNumbers {
 /// them. (Where more nodes inside a face are tied, as at a host of hexahedra, a mode of an edge
 /// that differs inside the face on both sides would let a linear stress do work on it: an error
 /// where there is none.)
-SolidModeNumbers number_modes(const model::Mesh& mesh, const std::vector<model::FreedomClass>& cls,
-                              const fe::ConstraintTransformation& ties);
+SolidModeNumbers number_solid_modes(const model::Mesh& mesh,
+                                    const std::vector<model::FreedomClass>& cls,
+                                    const fe::ConstraintTransformation& ties);
 
 } // namespace spricka::estimate

@@ -31,13 +31,13 @@ double shortest_side(const model::Mesh& mesh, const std::vector<base::ElementId>
 
 } // namespace
 
-TipMotion tip_motion(const mesh::CrackedMesh& cracked, std::size_t tip,
-                     crack::ExtensionField field) {
+TipMeshMotion make_tip_mesh_motion(const mesh::CrackedMesh& cracked, std::size_t tip,
+                                   crack::ExtensionField field) {
   const double step = share * shortest_side(cracked.mesh, field.elements);
   return {tip, std::move(field), step};
 }
 
-mesh::CrackedMesh move_tip_mesh(const mesh::CrackedMesh& cracked, const TipMotion& motion,
+mesh::CrackedMesh move_tip_mesh(const mesh::CrackedMesh& cracked, const TipMeshMotion& motion,
                                 double by) {
   mesh::CrackedMesh out = cracked;
   // The tip's place goes along with its node: near-tip fields start from it.
@@ -50,8 +50,8 @@ mesh::CrackedMesh move_tip_mesh(const mesh::CrackedMesh& cracked, const TipMotio
   return out;
 }
 
-bool moves_as_one(const model::Mesh& mesh, const TipMotion& motion,
-                  const std::vector<crack::ExtensionField>& fields) {
+bool moves_fields_rigidly(const model::Mesh& mesh, const TipMeshMotion& motion,
+                          const std::vector<crack::ExtensionField>& fields) {
   const std::map<base::NodeId, double> q = motion.field.extension_by_node();
   bool all = true;
   bool none = true;

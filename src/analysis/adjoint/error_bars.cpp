@@ -64,19 +64,19 @@ std::vector<bool> fixed_freedoms(const Discretisation& scene, const StepState& s
 // What singular corners add to the errors; what supports of single nodes do to K.
 estimate::PointSupportChange add_corners(const model::Model& model, const Discretisation& scene,
                                          const StepState& state,
-                                         const estimate::CornerRequest& request,
+                                         const estimate::CornerErrorRequest& request,
                                          std::vector<estimate::GoalError>& errors) {
   const std::vector<base::NodeId> tips = tip_nodes(scene);
   const std::vector<bool> tied = tied_nodes({model, scene, state});
-  const estimate::CornerInput setting{.model = model,
-                                      .mesh = scene.cracked.mesh,
-                                      .edges = request.enrichment.edges(),
-                                      .cls = scene.cls,
-                                      .ties = *scene.ties,
-                                      .tips = tips,
-                                      .tied = &tied};
-  const std::vector<estimate::SingularCorner> corners = estimate::singular_corners(setting);
-  estimate::raise_corner_errors(request, corners, errors);
+  const estimate::CornerSearchInput setting{.model = model,
+                                            .mesh = scene.cracked.mesh,
+                                            .edges = request.enrichment.edges(),
+                                            .cls = scene.cls,
+                                            .ties = *scene.ties,
+                                            .tips = tips,
+                                            .tied = &tied};
+  const std::vector<estimate::SingularCorner> corners = estimate::find_singular_corners(setting);
+  estimate::correct_corner_errors(request, corners, errors);
   return estimate::point_support_change(setting, corners, state.reaction, request.goal.z);
 }
 
@@ -124,7 +124,7 @@ void TipErrorBars::prepare() {
   estimate::EdgeTable edges = estimate::find_edges(mesh);
   std::vector<bool> framed(edges.edges.size(), false);
   for (const contact::PairConstraints& pair : scene_.pairs) {
-    contact_edges_.push_back(estimate::contact_edges(edges, pair));
+    contact_edges_.push_back(estimate::contact_edges_of_pair(edges, pair));
     std::vector<bool> alone(2 * edges.edges.size(), false);
     for (const estimate::ContactEdge& edge : contact_edges_.back()) {
       framed[edge.edge] = true;
@@ -134,11 +134,11 @@ void TipErrorBars::prepare() {
     }
     mode_weights_.push_back(estimate::target_mode_weights(edges, pair));
     std::erase_if(mode_weights_.back(),
-                  [&](const estimate::ModeWeight& w) { return !alone[w.freedom]; });
+                  [&](const estimate::ContactModeWeight& w) { return !alone[w.freedom]; });
   }
   enrichment_.emplace(model_, mesh, std::move(edges), std::move(framed),
                       estimate::HostModeMatrices{memory_, &scene_.cracked.host});
-  supports_ = estimate::mode_supports(*enrichment_, scene_.cls, *scene_.ties);
+  supports_ = estimate::find_mode_supports(*enrichment_, scene_.cls, *scene_.ties);
   const crack::KLayout layout = scene_.k_layout();
   goals_.resize(enrichment_->freedoms(), layout.count());
   for (std::size_t t = 0; t < scene_.cracked.fronts.size(); ++t) {
@@ -149,8 +149,8 @@ void TipErrorBars::prepare() {
   }
 }
 
-estimate::ModeMap TipErrorBars::modes(const StepState& state) const {
-  std::vector<estimate::ClosedEdge> closed;
+estimate::ModeFreedomMap TipErrorBars::modes(const StepState& state) const {
+  std::vector<estimate::ClosedContactEdge> closed;
   for (std::size_t c = 0; c < contact_edges_.size(); ++c) {
     if (state.mounted[c]) {
       const bool bonded =
@@ -159,7 +159,7 @@ estimate::ModeMap TipErrorBars::modes(const StepState& state) const {
                                  closed);
     }
   }
-  return estimate::mode_map(*enrichment_, supports_, closed);
+  return estimate::map_mode_freedoms(*enrichment_, supports_, closed);
 }
 
 // What the multipliers do to the modes of target edges that lie opposite none: of the solution, and
@@ -167,7 +167,7 @@ estimate::ModeMap TipErrorBars::modes(const StepState& state) const {
 void TipErrorBars::add_pressures(const StepState& state, const IntensityAdjoint& adjoint,
                                  base::Vector& f, base::Matrix& g) const {
   for (std::size_t c = 0; c < mode_weights_.size(); ++c) {
-    for (const estimate::ModeWeight& m : mode_weights_[c]) {
+    for (const estimate::ContactModeWeight& m : mode_weights_[c]) {
       if (!state.mounted[c]) {
         continue;
       }
@@ -247,10 +247,10 @@ TipErrorBars::StepErrors TipErrorBars::step_errors(const StepState& state,
   });
   base::Matrix g = goals_;
   add_pressures(state, adjoint, f, g);
-  const estimate::ModeMap map = modes(state);
-  const estimate::GoalRequest request{.u = state.u, .z = adjoint.z, .load = f, .goals = g};
+  const estimate::ModeFreedomMap map = modes(state);
+  const estimate::GoalErrorInput request{.u = state.u, .z = adjoint.z, .load = f, .goals = g};
   StepErrors errors;
-  errors.goal = estimate::goal_errors(*enrichment_, map, request);
+  errors.goal = estimate::estimate_goal_errors(*enrichment_, map, request);
   errors.giving =
       add_corners(model_, scene_, state,
                   {*enrichment_, map, request, fixed_freedoms(scene_, state)}, errors.goal);

@@ -29,7 +29,7 @@ public:
 
 private:
   void prepare();
-  [[nodiscard]] estimate::ModeMap modes(const StepState& state) const;
+  [[nodiscard]] estimate::ModeFreedomMap modes(const StepState& state) const;
   void add_pressures(const StepState& state, const IntensityAdjoint& adjoint, base::Vector& f,
                      base::Matrix& g) const;
   [[nodiscard]] bool coarse_contact(const StepState& state, const mesh::CrackFront& front) const;
@@ -44,9 +44,9 @@ private:
   estimate::ModeMatrixCache* memory_;
   std::optional<estimate::CubicEnrichment> enrichment_;
   estimate::ModeSupports supports_;
-  std::vector<std::vector<estimate::ContactEdge>> contact_edges_; ///< [contact]
-  std::vector<std::vector<estimate::ModeWeight>> mode_weights_;   ///< [contact]
-  base::Matrix goals_;                                            ///< [freedoms of modes, 2 tips]
+  std::vector<std::vector<estimate::ContactEdge>> contact_edges_;      ///< [contact]
+  std::vector<std::vector<estimate::ContactModeWeight>> mode_weights_; ///< [contact]
+  base::Matrix goals_; ///< [freedoms of modes, 2 tips]
 };
 
 } // namespace spricka::analysis

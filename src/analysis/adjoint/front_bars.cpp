@@ -60,7 +60,7 @@ crack::SparseRows goal_rows(const model::Model& model, const Discretisation& sce
     for (Eigen::Index c = 0; c < own.cols(); ++c) {
       for (crack::SparseRows::InnerIterator it(own, c); it; ++it) {
         entries.emplace_back(it.row(), layout.first_index(first) + c,
-                             it.value() * enrichment.free_mask()[it.row()]);
+                             it.value() * enrichment.free_mode_mask()[it.row()]);
       }
     }
     first += front.points.size();

@@ -41,7 +41,7 @@ VirtualTipExtension::VirtualTipExtension(const model::Model& model, const Discre
       a_(scene.cracked.fronts[tip].a),
       // one ring beyond the tip's domains moves all of them as one; where it does not fit, the
       // largest domain moves itself
-      motion_(estimate::tip_motion(
+      motion_(estimate::make_tip_mesh_motion(
           scene.cracked, tip,
           scene.domains[tip].beyond.value_or(scene.domains[tip].points.front().back()))),
       strained_(motion_.field.elements) {
@@ -61,7 +61,8 @@ VirtualTipExtension::VirtualTipExtension(const model::Model& model, const Discre
   for (std::size_t t = 0; t < scene.domains.size(); ++t) {
     // About an axis what moves as one comes to other radii.
     if (model::axisymmetric(model) ||
-        !estimate::moves_as_one(scene.cracked.mesh, motion_, scene.domains[t].points.front())) {
+        !estimate::moves_fields_rigidly(scene.cracked.mesh, motion_,
+                                        scene.domains[t].points.front())) {
       row_rate_[t] =
           base::Matrix(front_K_rows(model, *ahead_, t) - front_K_rows(model, *behind_, t)) /
           (2.0 * motion_.step);

@@ -40,7 +40,7 @@ private:
   const Discretisation& scene_;
   std::string name_; ///< of the tip
   double a_ = 0.0;   ///< its crack's length
-  estimate::TipMotion motion_;
+  estimate::TipMeshMotion motion_;
   std::unique_ptr<Discretisation> ahead_, behind_;
   std::vector<base::ElementId> strained_; ///< elements whose stiffness changes
   base::Matrix load_rate_;                ///< [dim * node, case]; empty: no load moves

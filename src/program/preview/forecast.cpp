@@ -196,7 +196,7 @@ void CostForecast::add_length(const analysis::CondensationRequest& request,
   const auto tips = scene.has_tips() ? static_cast<double>(scene.cracked.fronts.size()) : 0.0;
   const bool barred =
       tips > 0.0 && estimate::enrichment_obstacle(request.model, scene.cracked.mesh).empty();
-  const double modes = barred ? estimate::enrichment_bytes(scene.cracked.mesh) : 0.0;
+  const double modes = barred ? estimate::enrichment_memory(scene.cracked.mesh) : 0.0;
   const double estimating = barred ? modes + 8.0 * tips * n : 0.0;
   const double solving = contact_bytes + 12.0 * n + estimating;
   kept_results_ += results_bytes(scene.cracked.mesh, model_.steps.size());

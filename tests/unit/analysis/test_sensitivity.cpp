@@ -214,12 +214,12 @@ void compare_with_moved_nodes(const std::string& deck) {
   const results::FrontResult& front = last->fronts[0];
   std::vector<int> left_out;
   const int wide = solved.scene().domains[0].points.front().back().rings + 1;
-  const estimate::TipMotion motion =
-      estimate::tip_motion(solved.scene().cracked, 0,
-                           crack::TipNeighbourhood(solved.scene().cracked.mesh)
-                               .extension_fields(solved.scene().cracked,
-                                                 solved.scene().cracked.fronts[0], {wide}, left_out)
-                               .at(0));
+  const estimate::TipMeshMotion motion = estimate::make_tip_mesh_motion(
+      solved.scene().cracked, 0,
+      crack::TipNeighbourhood(solved.scene().cracked.mesh)
+          .extension_fields(solved.scene().cracked, solved.scene().cracked.fronts[0], {wide},
+                            left_out)
+          .at(0));
   const auto moved = [&motion](double by) {
     return SolvedScene::Changes{
         {}, [&motion, by](analysis::Discretisation& scene, const model::Model& model) {

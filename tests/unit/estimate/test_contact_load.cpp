@@ -24,18 +24,18 @@ TEST(ContactLoad, ALinearPressureWorksOnTheModesAsInTheIntegral) {
     ASSERT_FALSE(pair.swapped);
     const estimate::EdgeTable table = estimate::find_edges(model.mesh);
     std::map<std::size_t, double> force; // by freedom
-    for (const estimate::ModeWeight& w : estimate::target_mode_weights(table, pair)) {
+    for (const estimate::ContactModeWeight& w : estimate::target_mode_weights(table, pair)) {
       force[w.freedom] += w.weight * model.mesh.x[pair.normal[w.row].node.index()].x();
     }
     int seen = 0;
-    for (const estimate::ContactEdge& edge : estimate::contact_edges(table, pair)) {
+    for (const estimate::ContactEdge& edge : estimate::contact_edges_of_pair(table, pair)) {
       if (!edge.target_side) {
         EXPECT_FALSE(force.contains(2 * edge.edge)); // its own side has its rows
         continue;
       }
       const double L = edge.shape->length;
       const double way = edge.shape->x[1].x() > edge.shape->x[0].x() ? -1.0 : 1.0;
-      const double sign = estimate::side_sign(edge.shape->nodes[0], edge.shape->nodes[1]);
+      const double sign = estimate::side_mode_sign(edge.shape->nodes[0], edge.shape->nodes[1]);
       // the pressure pushes against the outer normal; the blocks are 5 thick
       EXPECT_NEAR(force[2 * edge.edge], -5.0 * sign * way * L * L / 60.0, 1e-14);
       ++seen;

@@ -152,8 +152,8 @@ Found estimate_of(const StripTriangle& s, const model::LoadCase& load) {
   const std::size_t count = edges.edges.size();
   const estimate::CubicEnrichment modes(s.model, s.cracked.mesh, std::move(edges),
                                         std::vector<bool>(count, false));
-  const estimate::ModeMap map =
-      estimate::mode_map(modes, estimate::mode_supports(modes, s.cls, s.ties), {});
+  const estimate::ModeFreedomMap map =
+      estimate::map_mode_freedoms(modes, estimate::find_mode_supports(modes, s.cls, s.ties), {});
   const mesh::CrackFront& front = s.cracked.fronts[0];
   const base::Matrix g =
       crack::front_intensity_rows(s.model, s.cracked, front, crack::tip_extensions(s.fields),
@@ -170,7 +170,7 @@ Found estimate_of(const StripTriangle& s, const model::LoadCase& load) {
   const base::Vector u = s.nodal(factor.solve(F)).col(0);
   const base::Matrix z = s.nodal(factor.solve(G));
   Found found;
-  found.errors = estimate::goal_errors(modes, map, {u, z, f_e, g_e});
+  found.errors = estimate::estimate_goal_errors(modes, map, {u, z, f_e, g_e});
   found.K = g.transpose() * u;
 
   // all together
@@ -182,7 +182,7 @@ Found estimate_of(const StripTriangle& s, const model::LoadCase& load) {
   base::Matrix Kep(map.unknowns, s.map.size());
   for (Eigen::Index j = 0; j < s.map.size(); ++j) {
     base::Matrix r = base::Matrix::Zero(modes.freedoms(), 1);
-    modes.subtract_nodal_part(s.nodal(base::Vector::Unit(s.map.size(), j)), r);
+    modes.subtract_nodal_coupling(s.nodal(base::Vector::Unit(s.map.size(), j)), r);
     Kep.col(j) = -map.reduce(r).col(0);
   }
   EXPECT_LT((Kee - Kee.transpose()).cwiseAbs().maxCoeff(), 1e-12 * Kee.cwiseAbs().maxCoeff());
@@ -306,7 +306,7 @@ TEST_P(GoalError, IsNothingWhereTheMeshIsExact) {
       fe::make_case_temperature(modes.model(), {modes.mesh(), modes.mesh(), nullptr, {}}, load));
   const double size = r.cwiseAbs().maxCoeff();
   EXPECT_GT(size, 1e-3);
-  modes.subtract_nodal_part(u, r);
+  modes.subtract_nodal_coupling(u, r);
   int counted = 0;
   for (const std::int32_t freedom : freedoms_of_straight_elements(strip.cracked.mesh, modes)) {
     ++counted;

@@ -46,10 +46,10 @@ TEST_P(ModeMatrixCache, KeptMatricesAreThoseMadeAnew) {
         [](Eigen::Index i, Eigen::Index k) { return static_cast<double>(i % 7 - k); });
     base::Matrix r = base::Matrix::Zero(fresh.freedoms(), u.cols());
     base::Matrix r_kept = r;
-    fresh.subtract_nodal_part(u, r);
-    kept.subtract_nodal_part(u, r_kept);
+    fresh.subtract_nodal_coupling(u, r);
+    kept.subtract_nodal_coupling(u, r_kept);
     base::Matrix one = base::Matrix::Zero(fresh.freedoms(), 1); // as among other columns
-    fresh.subtract_nodal_part(u.col(1), one);
+    fresh.subtract_nodal_coupling(u.col(1), one);
     EXPECT_GT(one.norm(), 0.0);
     EXPECT_LE((one - r.col(1)).norm(), 1e-14 * r.norm());
     return (kept.stiffness_product(x) - fresh.stiffness_product(x)).cwiseAbs().maxCoeff() +

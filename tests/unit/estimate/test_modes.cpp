@@ -49,7 +49,7 @@ TYPED_TEST(CubicModes, LiveOnOneSideOrInside) {
     for (const double t : {-0.7, -0.2, 0.4, 0.9}) {
       const shape::Point<2> r = on_side<TypeParam>(s, t);
       auto psi = M::psi(r);
-      EXPECT_NEAR(psi[s], estimate::side_mode(t), 1e-15);
+      EXPECT_NEAR(psi[s], estimate::side_mode_value(t), 1e-15);
       EXPECT_NEAR(M::side_coordinate(r, s), t, 1e-15);
       psi[s] = 0.0;
       EXPECT_LT(psi.cwiseAbs().maxCoeff(), 1e-16);
@@ -121,8 +121,8 @@ TYPED_TEST(CubicModes, AreContinuousAcrossEdges) {
     SideModeFrames sides;
     for (int s = 0; s < Modes<S>::sides; ++s) {
       sides.sign[static_cast<std::size_t>(s)] =
-          estimate::side_sign(nodes[static_cast<std::size_t>(s)],
-                              nodes[static_cast<std::size_t>((s + 1) % Modes<S>::sides)]);
+          estimate::side_mode_sign(nodes[static_cast<std::size_t>(s)],
+                                   nodes[static_cast<std::size_t>((s + 1) % Modes<S>::sides)]);
     }
     for (int s = 0; s < Modes<S>::sides; ++s) {
       const double sign = sides.sign[static_cast<std::size_t>(s)];
@@ -170,10 +170,10 @@ TYPED_TEST(CubicModes, FollowACurvedSideInItsFrame) {
     SideModeFrames sides;
     sides.framed[static_cast<std::size_t>(s)] = true;
     const auto value = [&](const shape::Point<2>& r, std::size_t k) -> base::Vec2 {
-      return Modes<S>::psi(r)[s] *
-             estimate::side_frame(estimate::side_points(PlaneModes::for_type(S::type), X, s),
-                                  Modes<S>::side_coordinate(r, s))
-                 .axis[k];
+      return Modes<S>::psi(r)[s] * estimate::side_frame(estimate::side_node_coordinates(
+                                                            PlaneModes::for_type(S::type), X, s),
+                                                        Modes<S>::side_coordinate(r, s))
+                                       .axis[k];
     };
     for (const shape::Point<2>& r : inner_points<S>()) {
       const Eigen::Matrix2d J = X * S::dN(r);

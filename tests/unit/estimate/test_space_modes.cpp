@@ -90,7 +90,7 @@ std::array<double, 4> on_side(const std::array<NodeId, 4>& nodes, double u, doub
     r += N[static_cast<Eigen::Index>(k)] * Vec3(x[0], x[1], x[2]);
   }
   const base::Vector psi = modes.psi(r);
-  const FaceModeAxes axes = face_axes(nodes);
+  const FaceModeAxes axes = face_mode_axes(nodes);
   std::array<double, 4> values{};
   for (std::size_t m = 0; m < modes.modes().size(); ++m) {
     const SolidMode& mode = modes.modes()[m];

@@ -59,10 +59,10 @@ struct Block {
         model.mesh.x[n][c] += 0.01 * rough(3 * static_cast<Eigen::Index>(n) + c);
       }
     }
-    numbers = number_modes(model.mesh,
-                           std::vector<model::FreedomClass>(static_cast<std::size_t>(nodal()),
-                                                            model::FreedomClass::local),
-                           fe::ConstraintTransformation({}, {}));
+    numbers = number_solid_modes(model.mesh,
+                                 std::vector<model::FreedomClass>(static_cast<std::size_t>(nodal()),
+                                                                  model::FreedomClass::local),
+                                 fe::ConstraintTransformation({}, {}));
   }
 
   [[nodiscard]] Eigen::Index nodal() const {
@@ -74,7 +74,7 @@ struct Block {
   [[nodiscard]] base::Vector by_points(const base::Vector& motion) const {
     base::Vector forces = base::Vector::Zero(nodal() + modal());
     for (std::size_t e = 0; e < model.mesh.element_count(); ++e) {
-      if (SolidModes::covers_type(model.mesh.type[e])) {
+      if (SolidModes::has_modes_for_type(model.mesh.type[e])) {
         add(base::ElementId(e), motion, forces);
       }
     }
