@@ -35,8 +35,8 @@ base::Matrix held(base::Matrix S, const base::Matrix& Q) {
 }
 
 // Rows on unknowns as columns, each a sparse one.
-solve::SparseColumns as_sparse(const std::vector<std::vector<RowCoefficient>>& rows) {
-  solve::SparseColumns F;
+solve::SparseRightHandSides as_sparse(const std::vector<std::vector<RowCoefficient>>& rows) {
+  solve::SparseRightHandSides F;
   for (const std::vector<RowCoefficient>& row : rows) {
     for (const RowCoefficient& share : row) {
       F.row.push_back(share.at);

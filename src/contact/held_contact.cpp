@@ -33,7 +33,8 @@ FixedActiveSet::solve_response(const base::Matrix& gap, const base::Matrix& on_m
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     before.row(index(i)) = gap.row(index(rows_[i]));
   }
-  solve::ClosedRowsSolver::ClosedRowsResponse found = held_.respond(before, on_mode);
+  solve::ClosedRowsSolver::ClosedRowsResponse found =
+      held_.response_to_gaps_and_loads(before, on_mode);
   ActiveSetResponse out;
   out.left_over = found.left_over;
   out.mode = std::move(found.alpha);

@@ -151,7 +151,7 @@ void ContactSystem::add_body(std::size_t body, const PersistentRowSet& lasting,
   }
   // Rows that do not last: half compliances anew; Y^T Y is symmetric to the last bit.
   const base::Matrix Y = own.compliance_root(as_columns(moving, own.freedom().size()));
-  add_compliance(move, move, solve::gram(Y));
+  add_compliance(move, move, solve::gram_matrix(Y));
   add_modes(body, move, moving);
   if (stay.empty()) {
     return;
@@ -168,7 +168,7 @@ void ContactSystem::add_body(std::size_t body, const PersistentRowSet& lasting,
     } else {
       kept.Y = own.compliance_root(as_columns(staying, own.freedom().size()));
     }
-    kept.W = solve::gram(kept.Y);
+    kept.W = solve::gram_matrix(kept.Y);
     kept.rows = std::move(staying);
   }
   add_compliance(stay, stay, kept.W);
@@ -178,7 +178,7 @@ void ContactSystem::add_body(std::size_t body, const PersistentRowSet& lasting,
   base::Matrix between = solve::transposed_product(kept.Y, Y.topRows(kept.Y.rows()));
   if (factor != nullptr) {
     const base::Matrix late = factor->L.forward_second_block(kept.late_load);
-    add_compliance(stay, stay, solve::gram(late));
+    add_compliance(stay, stay, solve::gram_matrix(late));
     between += solve::transposed_product(late, Y.bottomRows(late.rows()));
   }
   add_compliance(stay, move, between);
@@ -300,7 +300,7 @@ void ContactSystem::add_force(std::size_t row, const Eigen::RowVectorXd& force,
   }
 }
 
-solve::Uniqueness ContactSystem::unique(const IncrementProblem& problem) const {
+solve::UniquenessResult ContactSystem::unique(const IncrementProblem& problem) const {
   if (solve::has_round_cones(problem.friction)) {
     return {}; // the test is one of signs
   }

@@ -71,7 +71,7 @@ public:
   [[nodiscard]] solve::ContactProblem equality_problem(const std::vector<std::size_t>& rows) const;
 
   /// Whether a sufficient test finds that an increment with these rows has only one solution.
-  [[nodiscard]] solve::Uniqueness unique(const IncrementProblem& problem) const;
+  [[nodiscard]] solve::UniquenessResult unique(const IncrementProblem& problem) const;
 
   /// sum weight . u for a row, from external displacements; other freedoms count as zero.
   [[nodiscard]] double opening(std::size_t row, const std::vector<base::Vector>& u) const;

@@ -215,7 +215,7 @@ private:
 SolidModeStiffness::SolidModeStiffness(const model::Model& model, const model::Mesh& mesh,
                                        SolidModeNumbers numbers)
     : mesh_(mesh), numbers_(std::move(numbers)) {
-  blas::single_thread();
+  blas::force_single_blas_thread();
   std::map<base::ElementType, ElementBlock> open;
   const auto close = [&](ElementBlock& block) {
     add_geometry(model, mesh, block);
@@ -250,15 +250,15 @@ void SolidModeStiffness::add_forces(const ModeDisplacements& motion,
     const int columns = 3 * static_cast<int>(table.points());
     vectors.gather(motion, from, Z);
     G.resize(rows, columns);
-    blas::gemm({.m = rows, .n = columns, .k = static_cast<int>(from.count)}, blas::whole_matrix(Z),
-               slopes_of(table, from), blas::whole_matrix(G));
+    blas::gemm({.m = rows, .n = columns, .k = static_cast<int>(from.count)},
+               blas::as_matrix_block(Z), slopes_of(table, from), blas::as_matrix_block(G));
     gradients_to_forces(block, G);
     F.resize(rows, to.count);
     blas::gemm({.m = rows,
                 .n = static_cast<int>(to.count),
                 .k = columns,
                 .b = blas::Transposition::transposed},
-               blas::whole_matrix(G), slopes_of(table, to), blas::whole_matrix(F));
+               blas::as_matrix_block(G), slopes_of(table, to), blas::as_matrix_block(F));
     vectors.scatter(F, to, forces);
   }
 }

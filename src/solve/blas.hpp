@@ -61,11 +61,11 @@ struct ConstMatrixBlock {
 };
 
 /// A whole dense matrix as a block, column by column.
-template <class Matrix> MatrixBlock whole_matrix(Matrix& A) {
+template <class Matrix> MatrixBlock as_matrix_block(Matrix& A) {
   return {A.data(), static_cast<int>(A.rows())};
 }
 /// The same of a matrix that is only read.
-template <class Matrix> ConstMatrixBlock whole_matrix(const Matrix& A) {
+template <class Matrix> ConstMatrixBlock as_matrix_block(const Matrix& A) {
   return {A.data(), static_cast<int>(A.rows())};
 }
 
@@ -122,7 +122,7 @@ inline void solve_lower(int m, int n, Transposition form, ConstMatrixBlock L, Ma
 }
 
 /// Lower triangle of C [k, k] <- Y^T Y for Y [n, k].
-inline void gram(int n, int k, ConstMatrixBlock Y, MatrixBlock C) {
+inline void gram_matrix(int n, int k, ConstMatrixBlock Y, MatrixBlock C) {
   if (n == 0 || k == 0) {
     return;
   }
@@ -179,7 +179,7 @@ inline void solve_lu(int n, int k, ConstMatrixBlock A, const std::vector<int>& o
 
 /// One thread from now on, for the whole process. Those that the library started when it was loaded
 /// would spin for 0.06 s before they sleep.
-inline void single_thread() {
+inline void force_single_blas_thread() {
   static const bool done = [] {
     openblas_set_num_threads(1);
     if (blas_thread_shutdown_ != nullptr) { // a serial library has none

@@ -26,7 +26,7 @@ std::vector<int> independent_of(base::Matrix& M, const std::vector<int>& rows) {
     return rows;
   }
   std::vector<int> order(rows.size(), 0);
-  const int rank = blas::pivoted_cholesky(count(rows), blas::whole_matrix(M), redundancy, order);
+  const int rank = blas::pivoted_cholesky(count(rows), blas::as_matrix_block(M), redundancy, order);
   std::vector<int> kept;
   kept.reserve(rows.size());
   for (int k = 0; k < rank; ++k) {
@@ -90,7 +90,7 @@ bool BorderedFactor::cholesky() {
   if (a == 0) {
     return true;
   }
-  if (!blas::cholesky(a, blas::whole_matrix(L_))) {
+  if (!blas::cholesky(a, blas::as_matrix_block(L_))) {
     return false;
   }
   for (int i = 0; i < a; ++i) {
@@ -135,16 +135,16 @@ void BorderedFactor::leave_out_redundant() {
     base::Matrix Z = scaled(fixed, others);
     // M of the others becomes what is left of it once the equality rows are eliminated, so that a
     // row that depends on these is found to be redundant.
-    blas::cholesky(count(fixed), blas::whole_matrix(E));
+    blas::cholesky(count(fixed), blas::as_matrix_block(E));
     blas::solve_lower(count(fixed), count(others), blas::Transposition::plain,
-                      blas::whole_matrix(E), blas::whole_matrix(Z));
+                      blas::as_matrix_block(E), blas::as_matrix_block(Z));
     blas::gemm({.m = count(others),
                 .n = count(others),
                 .k = count(fixed),
                 .a = blas::Transposition::transposed,
                 .alpha = -1.0,
                 .beta = 1.0},
-               blas::whole_matrix(Z), blas::whole_matrix(Z), blas::whole_matrix(M));
+               blas::as_matrix_block(Z), blas::as_matrix_block(Z), blas::as_matrix_block(M));
   }
   others = independent_of(M, others);
   std::vector<bool> kept(rows_.size(), false);
@@ -171,13 +171,13 @@ bool BorderedFactor::factorise_border() {
   if (a < m) {
     return false;
   }
-  blas::solve_lower(a, m, blas::Transposition::plain, blas::whole_matrix(std::as_const(L_)),
-                    blas::whole_matrix(Y_));
+  blas::solve_lower(a, m, blas::Transposition::plain, blas::as_matrix_block(std::as_const(L_)),
+                    blas::as_matrix_block(Y_));
   blas::gemm({.m = m, .n = m, .k = a, .a = blas::Transposition::transposed},
-             blas::whole_matrix(std::as_const(Y_)), blas::whole_matrix(std::as_const(Y_)),
-             blas::whole_matrix(C_));
+             blas::as_matrix_block(std::as_const(Y_)), blas::as_matrix_block(std::as_const(Y_)),
+             blas::as_matrix_block(C_));
   const base::Vector diagonal = C_.diagonal();
-  if (!blas::cholesky(m, blas::whole_matrix(C_))) {
+  if (!blas::cholesky(m, blas::as_matrix_block(C_))) {
     return false;
   }
   return (C_.diagonal().array().square() > border_rank * diagonal.array()).all();
@@ -190,24 +190,24 @@ void BorderedFactor::solve(base::Matrix& top, base::Matrix& bottom) const {
   if (a == 0 || k == 0) {
     return;
   }
-  const blas::MatrixBlock x = blas::whole_matrix(top);
+  const blas::MatrixBlock x = blas::as_matrix_block(top);
   if (m == 0) {
-    blas::solve_lower(a, k, blas::Transposition::plain, blas::whole_matrix(L_), x);
-    blas::solve_lower(a, k, blas::Transposition::transposed, blas::whole_matrix(L_), x);
+    blas::solve_lower(a, k, blas::Transposition::plain, blas::as_matrix_block(L_), x);
+    blas::solve_lower(a, k, blas::Transposition::transposed, blas::as_matrix_block(L_), x);
     return;
   }
   // M X + B Y = top + tau B bottom,  B^T X = bottom
-  const blas::MatrixBlock y = blas::whole_matrix(bottom);
-  blas::gemm({.m = a, .n = k, .k = m, .alpha = problem_.tau, .beta = 1.0}, blas::whole_matrix(B_),
-             y, x);
-  blas::solve_lower(a, k, blas::Transposition::plain, blas::whole_matrix(L_), x);
+  const blas::MatrixBlock y = blas::as_matrix_block(bottom);
+  blas::gemm({.m = a, .n = k, .k = m, .alpha = problem_.tau, .beta = 1.0},
+             blas::as_matrix_block(B_), y, x);
+  blas::solve_lower(a, k, blas::Transposition::plain, blas::as_matrix_block(L_), x);
   blas::gemm({.m = m, .n = k, .k = a, .a = blas::Transposition::transposed, .beta = -1.0},
-             blas::whole_matrix(Y_), x, y);
+             blas::as_matrix_block(Y_), x, y);
   // C C^T Y = B^T M^-1 top - bottom, the border eliminated.
-  blas::solve_lower(m, k, blas::Transposition::plain, blas::whole_matrix(C_), y);
-  blas::solve_lower(m, k, blas::Transposition::transposed, blas::whole_matrix(C_), y);
-  blas::gemm({.m = a, .n = k, .k = m, .alpha = -1.0, .beta = 1.0}, blas::whole_matrix(Y_), y, x);
-  blas::solve_lower(a, k, blas::Transposition::transposed, blas::whole_matrix(L_), x);
+  blas::solve_lower(m, k, blas::Transposition::plain, blas::as_matrix_block(C_), y);
+  blas::solve_lower(m, k, blas::Transposition::transposed, blas::as_matrix_block(C_), y);
+  blas::gemm({.m = a, .n = k, .k = m, .alpha = -1.0, .beta = 1.0}, blas::as_matrix_block(Y_), y, x);
+  blas::solve_lower(a, k, blas::Transposition::transposed, blas::as_matrix_block(L_), x);
 }
 
 double BorderedFactor::remaining_pivot(int i) const {
@@ -222,8 +222,8 @@ double BorderedFactor::remaining_pivot(int i) const {
   }
   column += problem_.tau * (B_ * problem_.B.row(i).transpose());
   if (a > 0) {
-    blas::solve_lower(a, 1, blas::Transposition::plain, blas::whole_matrix(L_),
-                      blas::whole_matrix(column));
+    blas::solve_lower(a, 1, blas::Transposition::plain, blas::as_matrix_block(L_),
+                      blas::as_matrix_block(column));
   }
   return 1.0 - column.squaredNorm() / (d * d);
 }

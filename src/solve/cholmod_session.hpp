@@ -37,8 +37,8 @@ private:
 
 /// A symmetric matrix (lower triangle, sorted columns) as CHOLMOD sees it; nothing is copied.
 /// Without values it is a pattern.
-inline cholmod_sparse lower_view(std::int64_t n, const std::int64_t* start, const std::int64_t* row,
-                                 const double* value) {
+inline cholmod_sparse cholmod_lower_view(std::int64_t n, const std::int64_t* start,
+                                         const std::int64_t* row, const double* value) {
   cholmod_sparse A{};
   A.nrow = static_cast<std::size_t>(n);
   A.ncol = static_cast<std::size_t>(n);

@@ -18,7 +18,7 @@ Condensation::Condensation(base::SymmetricCsc K, std::int64_t externals, Orderin
 Condensation::Condensation(const base::SymmetricCsc& K, std::int64_t externals,
                            std::span<const DenseBlock> blocks,
                            std::shared_ptr<const FirstBlockFactor>* early) {
-  blas::single_thread();
+  blas::force_single_blas_thread();
   // The sparse factor reports a want of memory itself; the full matrices on top of it throw.
   try {
     stacked_.emplace(K, externals, blocks, early, report_);
@@ -29,12 +29,13 @@ Condensation::Condensation(const base::SymmetricCsc& K, std::int64_t externals,
 }
 
 FactorReport Condensation::forecast(base::SymmetricCsc pattern, std::int64_t externals,
-                                    Ordering ordering, const SparseColumns* rows) {
+                                    Ordering ordering, const SparseRightHandSides* rows) {
   return SparseCondensation::forecast(std::move(pattern), externals, ordering, rows);
 }
 
 FactorReport Condensation::forecast(const base::SymmetricCsc& pattern, std::int64_t externals,
-                                    std::span<const DenseBlock> blocks, BlockPartition* early) {
+                                    std::span<const DenseBlock> blocks,
+                                    EarlyLateRowPartition* early) {
   return TwoLevelCondensation::forecast(pattern, externals, blocks, early);
 }
 
@@ -42,7 +43,7 @@ base::Matrix Condensation::take_schur() {
   return std::exchange(S_, base::Matrix());
 }
 
-std::optional<FactoredExternals> Condensation::take_factor() {
+std::optional<FactoredExternals> Condensation::take_external_factor() {
   return stacked_ ? std::exchange(stacked_->condensed_externals().factor, std::nullopt)
                   : std::nullopt;
 }
@@ -57,14 +58,15 @@ base::Matrix Condensation::recover(const base::Matrix& u_external, const base::M
   return stacked_ ? stacked_->recover(u_external, f) : sparse_->recover(u_external, f);
 }
 
-base::Matrix Condensation::solve(const base::Matrix& f,
-                                 const SparseCondensation::OfExternals& displacement) const {
+base::Matrix
+Condensation::solve(const base::Matrix& f,
+                    const SparseCondensation::ExternalDisplacementSolver& displacement) const {
   assert(report_.status == FactorStatus::ok);
   return stacked_ ? stacked_->recover(displacement(stacked_->condense_load(f)), f)
                   : sparse_->solve(f, displacement);
 }
 
-RowCompliance Condensation::compliance(SparseColumns F) const {
+RowCompliance Condensation::compliance(SparseRightHandSides F) const {
   assert(report_.status == FactorStatus::ok && sparse_);
   return sparse_->compliance(std::move(F));
 }

@@ -32,7 +32,7 @@ public:
   /// With `rows` [n, k] it counts what their compliance takes as well.
   static FactorReport forecast(base::SymmetricCsc pattern, std::int64_t externals,
                                Ordering ordering = Ordering::automatic,
-                               const SparseColumns* rows = nullptr);
+                               const SparseRightHandSides* rows = nullptr);
   /// With dense blocks on top of K, which has a row, if an empty one, for each of theirs. With
   /// `early` S may be given as a factor: what it needs of the one block is taken from there or left
   /// there for the next matrix with the same block.
@@ -41,7 +41,8 @@ public:
                std::shared_ptr<const FirstBlockFactor>* early = nullptr);
   /// `early`: rows of the block that would be there already; those of this matrix from then on.
   static FactorReport forecast(const base::SymmetricCsc& pattern, std::int64_t externals,
-                               std::span<const DenseBlock> blocks, BlockPartition* early = nullptr);
+                               std::span<const DenseBlock> blocks,
+                               EarlyLateRowPartition* early = nullptr);
 
   [[nodiscard]] const FactorReport& report() const { return report_; }
   /// S [externals, externals], symmetric to the last bit.
@@ -49,16 +50,17 @@ public:
   /// Hands S over to who needs it last; schur() is empty from then on.
   [[nodiscard]] base::Matrix take_schur();
   /// The factor that stands in its place, if one does.
-  [[nodiscard]] std::optional<FactoredExternals> take_factor();
+  [[nodiscard]] std::optional<FactoredExternals> take_external_factor();
   /// Loads f [n, k] -> condensed loads f_e - K_el K_ll^-1 f_l [externals, k].
   [[nodiscard]] base::Matrix condense_load(const base::Matrix& f) const;
   /// All unknowns [n, k] from external displacements [externals, k] and the loads f [n, k].
   [[nodiscard]] base::Matrix recover(const base::Matrix& u_external, const base::Matrix& f) const;
   /// The same where the external displacements follow from the condensed loads [externals, k].
-  [[nodiscard]] base::Matrix solve(const base::Matrix& f,
-                                   const SparseCondensation::OfExternals& displacement) const;
+  [[nodiscard]] base::Matrix
+  solve(const base::Matrix& f,
+        const SparseCondensation::ExternalDisplacementSolver& displacement) const;
   /// F^T K^-1 F of columns with the externals held, and F condensed to these; without blocks.
-  [[nodiscard]] RowCompliance compliance(SparseColumns F) const;
+  [[nodiscard]] RowCompliance compliance(SparseRightHandSides F) const;
 
 private:
   FactorReport report_;

@@ -27,7 +27,7 @@ struct ContactProblem {
 inline constexpr double accepted_residual = 1e-7;
 
 /// A value over its scale; scales are zero where nothing acts, and then only zero is right.
-inline double relative_to(double value, double scale) {
+inline double divide_by_scale(double value, double scale) {
   return value == 0.0 ? 0.0 : value / (scale > 0.0 ? scale : 1.0);
 }
 

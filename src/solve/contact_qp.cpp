@@ -131,15 +131,15 @@ double residual_of(const ControllableProblem& problem, const ActiveSetSolution& 
       problem.h.cwiseAbs() + problem.B.cwiseAbs().transpose() * s.lambda.cwiseAbs();
   double residual = 0.0;
   for (int j = 0; j < problem.modes(); ++j) {
-    residual = std::max(residual, relative_to(std::abs(balance(j)), size(j) + s.force_scale));
+    residual = std::max(residual, divide_by_scale(std::abs(balance(j)), size(j) + s.force_scale));
   }
   for (int i = 0; i < problem.rows(); ++i) {
     const bool equality = problem.equality[at(i)];
     const bool zero = closed[at(i)] || equality;
     const double wrong_gap = zero ? std::abs(s.gap(i)) : std::max(-s.gap(i), 0.0);
     const double wrong_force = equality ? 0.0 : std::max(-s.lambda(i), 0.0);
-    residual = std::max({residual, relative_to(wrong_gap, s.gap_scale(i)),
-                         relative_to(wrong_force, s.force_scale)});
+    residual = std::max({residual, divide_by_scale(wrong_gap, s.gap_scale(i)),
+                         divide_by_scale(wrong_force, s.force_scale)});
   }
   return std::isfinite(s.gap.sum() + s.lambda.sum()) ? residual : INFINITY;
 }
@@ -156,10 +156,10 @@ void take_solution(const ControllableProblem& problem, const ModeSplit& split,
   const base::Vector settled = s.alpha;
   const std::vector<bool> pressing =
       find_pressing_rows(problem, split, s.lambda, rest_load * scale);
-  std::vector<GapChange> change;
+  std::vector<AllowedGapChange> change;
   for (int i = 0; i < problem.rows(); ++i) {
     const bool holds = problem.equality[at(i)] || pressing[at(i)];
-    change.push_back(holds ? GapChange::none : GapChange::not_through_zero);
+    change.push_back(holds ? AllowedGapChange::none : AllowedGapChange::not_through_zero);
   }
   const int free = minimise_free_motions(problem, split, s.lambda, change,
                                          base::Vector::Zero(problem.modes()), s.alpha);
@@ -191,7 +191,7 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactSettin
   const Eigen::Index n = problem.b.size();
   assert(problem.W.rows() == n && problem.W.cols() == n);
   assert(problem.B.rows() == n && problem.B.cols() == problem.h.size());
-  blas::single_thread();
+  blas::force_single_blas_thread();
   ContactSolution answer;
   answer.lambda = base::Vector::Zero(n);
   answer.alpha = base::Vector::Zero(problem.h.size());
@@ -200,7 +200,7 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactSettin
   const double scale = load_scale(problem);
 
   // 1. modes that no row touches rest, or nothing holds them
-  const ModeSplit split = split_modes(problem.B, problem.opening_scale);
+  const ModeSplit split = split_controllable_modes(problem.B, problem.opening_scale);
   answer.resting_modes = static_cast<int>(split.uncontrollable.cols());
   answer.unheld = uncontrollable_motion(split, problem.h, resting_load * scale);
   if (answer.unheld.size() > 0) {
@@ -213,9 +213,10 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactSettin
   }
 
   // 2. loads that the rows cannot take: the motion that opens them all
-  ControllableProblem held = controllable_problem(problem, split);
+  ControllableProblem held = restrict_to_controllable_modes(problem, split);
   const LoadBalance balance = balance_loads(held);
-  answer.unheld = opening_motion(split, balance, rest_load * std::max(scale, problem.h.norm()));
+  answer.unheld =
+      unstopped_opening_motion(split, balance, rest_load * std::max(scale, problem.h.norm()));
   if (answer.unheld.size() > 0) {
     answer.status = ContactStatus::unheld_mode;
     return answer;
@@ -231,7 +232,7 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactSettin
     closed[at(i)] = closed[at(i)] || held.equality[at(i)];
   }
   BorderedFactor factor(held);
-  const std::vector<int> spanning = spanning_rows(held, balance.pressed);
+  const std::vector<int> spanning = rows_spanning_modes(held, balance.pressed);
   BlockSearch search = block_pivoting(
       held, settings, spanning,
       {std::move(closed), std::min(first_steps, settings.max_block_iterations), first_patience},
@@ -241,7 +242,8 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactSettin
     // Where bodies are held by contact alone a set that is much too large loses but its rim in each
     // step: it is told from afar what is left of it.
     search = block_pivoting(held, settings, spanning,
-                            {likely_closed(held), settings.max_block_iterations, patience}, factor);
+                            {predict_closed_rows(held), settings.max_block_iterations, patience},
+                            factor);
     answer.block_iterations += search.iterations;
   }
   if (!search.settled) {

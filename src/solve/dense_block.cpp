@@ -8,7 +8,8 @@ namespace spricka::solve {
 
 using base::at;
 
-bool two_level_pays(std::span<const DenseBlock> blocks, std::int64_t rows, std::int64_t externals) {
+bool is_two_level_cheaper(std::span<const DenseBlock> blocks, std::int64_t rows,
+                          std::int64_t externals) {
   std::vector<bool> on_top(at(rows), false);
   std::fill(on_top.end() - externals, on_top.end(), true);
   double filled = 0.0;

@@ -16,6 +16,7 @@ struct DenseBlock {
 
 /// Whether such blocks are better kept out of the sparse matrix: together with the externals they
 /// fill most of what they touch.
-bool two_level_pays(std::span<const DenseBlock> blocks, std::int64_t rows, std::int64_t externals);
+bool is_two_level_cheaper(std::span<const DenseBlock> blocks, std::int64_t rows,
+                          std::int64_t externals);
 
 } // namespace spricka::solve

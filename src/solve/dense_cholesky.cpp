@@ -15,7 +15,7 @@ int count(Eigen::Index n) {
 } // namespace
 
 DenseCholesky::DenseCholesky(base::Matrix A) : L_(std::move(A)) {
-  blas::single_thread();
+  blas::force_single_blas_thread();
   const int n = count(L_.rows());
   ok_ = n == 0 || blas::cholesky(n, {L_.data(), n});
 }
@@ -37,11 +37,11 @@ base::Matrix DenseCholesky::solve(base::Matrix B) const {
   return backward_substitute(forward_substitute(std::move(B)));
 }
 
-base::Matrix gram(const base::Matrix& Y) {
+base::Matrix gram_matrix(const base::Matrix& Y) {
   const int n = count(Y.rows());
   const int k = count(Y.cols());
   base::Matrix C = base::Matrix::Zero(k, k);
-  blas::gram(n, k, {Y.data(), n}, {C.data(), k});
+  blas::gram_matrix(n, k, {Y.data(), n}, {C.data(), k});
   C.triangularView<Eigen::StrictlyUpper>() = C.transpose();
   return C;
 }

@@ -25,7 +25,7 @@ private:
 };
 
 /// Y^T Y [k, k], symmetric to the last bit.
-base::Matrix gram(const base::Matrix& Y);
+base::Matrix gram_matrix(const base::Matrix& Y);
 /// X^T Y [k, l] for X [n, k] and Y [n, l], by one call of gemm.
 base::Matrix transposed_product(const base::Matrix& X, const base::Matrix& Y);
 

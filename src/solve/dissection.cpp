@@ -85,7 +85,7 @@ private:
 
   static cholmod_sparse view(const VertexGraph& graph) {
     cholmod_sparse A =
-        lower_view(graph.size(), graph.start.data(), graph.neighbour.data(), nullptr);
+        cholmod_lower_view(graph.size(), graph.start.data(), graph.neighbour.data(), nullptr);
     A.stype = 0;
     return A;
   }
@@ -120,7 +120,7 @@ private:
       start.push_back(static_cast<std::int64_t>(row.size()));
     }
     Indices order(at(part.size()), 0);
-    cholmod_sparse A = lower_view(part.size(), start.data(), row.data(), nullptr);
+    cholmod_sparse A = cholmod_lower_view(part.size(), start.data(), row.data(), nullptr);
     const std::lock_guard<std::mutex> guard(metis());
     if (cholmod_l_metis(&A, nullptr, 0, 0, order.data(), session_.get()) == 0) {
       throw std::bad_alloc();
@@ -145,8 +145,9 @@ private:
 
 } // namespace
 
-std::vector<std::int64_t> dissect(const VertexGraph& graph, const std::vector<bool>& beside,
-                                  CholmodSession& session) {
+std::vector<std::int64_t> nested_dissection_order(const VertexGraph& graph,
+                                                  const std::vector<bool>& beside,
+                                                  CholmodSession& session) {
   return Dissection(graph, beside, session).run();
 }
 

@@ -19,7 +19,8 @@ struct VertexGraph {
 /// along, so that the first separators had better run towards them than alongside: the vertices
 /// beside them together weigh as much as all, in what METIS halves. In a cube with one face
 /// external that saves a fifth of the flops. Throws std::bad_alloc.
-std::vector<std::int64_t> dissect(const VertexGraph& graph, const std::vector<bool>& beside,
-                                  CholmodSession& session);
+std::vector<std::int64_t> nested_dissection_order(const VertexGraph& graph,
+                                                  const std::vector<bool>& beside,
+                                                  CholmodSession& session);
 
 } // namespace spricka::solve

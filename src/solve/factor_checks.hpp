@@ -8,7 +8,7 @@
 namespace spricka::solve {
 
 /// CPU time of the calling thread [s]: nets are condensed side by side, each on one thread.
-inline double thread_cpu() {
+inline double thread_cpu_seconds() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);

@@ -52,7 +52,8 @@ int loose_motions(const ScaledFriction& problem, const std::vector<SlipState>& t
 
 /// Back from scaled units, with every condition kept to the last bit that forces have.
 void take_solution(const ScaledFriction& scaled, const ControllableProblem& held,
-                   const ModeSplit& split, const FrictionSearch& search, FrictionSolution& answer) {
+                   const ModeSplit& split, const FrictionSearchResult& search,
+                   FrictionSolution& answer) {
   ContactSolution& c = answer.contact;
   const SlipStateSolution& s = search.solution;
   c.residual = friction_residual(scaled, s, search.touch);
@@ -129,7 +130,8 @@ base::Vector anchor_at(const base::Vector& alpha, const ControllableProblem& hel
 /// The increment with slips that are vectors: round cones.
 void solve_round_cones(const FrictionProblem& problem, const ControllableProblem& held,
                        const ModeSplit& split, double least, FrictionSolution& answer) {
-  const RoundFriction scaled = round_friction(held, problem.friction, problem.contact.load_scale);
+  const RoundFriction scaled =
+      scale_round_friction_problem(held, problem.friction, problem.contact.load_scale);
   RoundFrictionStart start{.alpha = anchor_at(problem.alpha_start, held, split)};
   if (problem.expected.lambda.size() == held.rows()) {
     start.expected = (scaled.inverse.array() > 0.0)
@@ -148,7 +150,7 @@ void solve_round_cones(const FrictionProblem& problem, const ControllableProblem
     c.status = ContactStatus::max_iterations;
     return;
   }
-  c.resting_modes += rest_loose_bodies(held, split, scaled, start.alpha, least, found);
+  c.resting_modes += anchor_unheld_bodies(held, split, scaled, start.alpha, least, found);
   base::Vector lambda = found.lambda;
   base::Vector gap = found.gap;
   const double least_slip = at_rest * found.gap.cwiseAbs().maxCoeff();
@@ -199,7 +201,7 @@ void solve_round_cones(const FrictionProblem& problem, const ControllableProblem
 void name_what_slides(const FrictionProblem& problem, const ControllableProblem& held,
                       const ModeSplit& split, double least, FrictionSolution& answer) {
   const LoadBalance balance = balance_round_cones(held, problem.friction);
-  if (opening_motion(split, balance, least).size() > 0) {
+  if (unstopped_opening_motion(split, balance, least).size() > 0) {
     answer.contact.status = ContactStatus::unheld_mode;
     answer.contact.unheld = sliding_motion(split, held, problem.friction, balance);
     answer.slides = true;
@@ -259,11 +261,11 @@ SmoothStart smooth_start(const FrictionProblem& problem, const ContactSettings& 
 
 /// Solves with bodies anchored where they are until they are held, rest or slide away.
 void walk_to_rest(const ScaledFriction& scaled, const ControllableProblem& held,
-                  const ModeSplit& split, std::pair<base::Vector, FrictionSearch> state,
+                  const ModeSplit& split, std::pair<base::Vector, FrictionSearchResult> state,
                   const ContactSettings& settings, FrictionSolution& answer) {
   ContactSolution& c = answer.contact;
   base::Vector anchor = std::move(state.first);
-  FrictionSearch search = std::move(state.second);
+  FrictionSearchResult search = std::move(state.second);
   base::Vector drive = base::Vector::Zero(scaled.modes());
   for (int turn = 0; turn < anchorings; ++turn) {
     search = find_consistent_states(scaled, anchor, search.touch, settings, c);
@@ -297,7 +299,7 @@ void walk_to_rest(const ScaledFriction& scaled, const ControllableProblem& held,
 
 FrictionSolution solve_friction(const FrictionProblem& problem, const ContactSettings& settings,
                                 const std::vector<SlipState>& start) {
-  blas::single_thread();
+  blas::force_single_blas_thread();
   const ContactProblem& contact = problem.contact;
   const Eigen::Index n = contact.b.size();
   FrictionSolution answer;
@@ -310,15 +312,15 @@ FrictionSolution solve_friction(const FrictionProblem& problem, const ContactSet
   const double scale = load_scale(contact);
 
   // 1. modes that no row touches, and loads that no force within the cones can take
-  const ModeSplit split = split_modes(contact.B, contact.opening_scale);
+  const ModeSplit split = split_controllable_modes(contact.B, contact.opening_scale);
   c.resting_modes = static_cast<int>(split.uncontrollable.cols());
   c.unheld = uncontrollable_motion(split, contact.h, resting_load * scale);
-  ControllableProblem held = controllable_problem(contact, split);
+  ControllableProblem held = restrict_to_controllable_modes(contact, split);
   const double least = rest_load * std::max(scale, contact.h.norm());
   if (c.unheld.size() == 0) {
     const LoadBalance balance =
         balance_loads(cone_edge_balance_problem(held.B, held.h, held.equality, problem.friction));
-    c.unheld = opening_motion(split, balance, least);
+    c.unheld = unstopped_opening_motion(split, balance, least);
     if (c.unheld.size() > 0) {
       answer.slides = true;
       c.unheld = sliding_motion(split, held, problem.friction, balance);
@@ -345,8 +347,8 @@ FrictionSolution solve_friction(const FrictionProblem& problem, const ContactSet
     }
     return answer;
   }
-  const ScaledFriction scaled = scaled_friction(held, problem.friction, contact.load_scale);
-  FrictionSearch first;
+  const ScaledFriction scaled = scale_friction_problem(held, problem.friction, contact.load_scale);
+  FrictionSearchResult first;
   first.touch = start;
   first.touch.resize(static_cast<std::size_t>(n), SlipState::stick);
   walk_to_rest(scaled, held, split, {anchor_at(problem.alpha_start, held, split), std::move(first)},
@@ -366,7 +368,7 @@ FrictionSolution solve_friction(const FrictionProblem& problem, const ContactSet
       std::ranges::replace_if(
           smooth.touch, [](SlipState touch) { return touch != SlipState::open; }, SlipState::stick);
     }
-    FrictionSearch second;
+    FrictionSearchResult second;
     second.touch = smooth.touch;
     walk_to_rest(scaled, held, split, {anchor_at(smooth.alpha, held, split), std::move(second)},
                  settings, answer);

@@ -144,7 +144,7 @@ base::Vector sliding_motion(const ModeSplit& split, const ControllableProblem& h
   const LoadBalance level = balance_loads(
       cone_edge_balance_problem(held.B, balance.remainder, kept, without_mu(friction)));
   const bool lifts = !(level.remainder.norm() > 1e-9 * balance.remainder.norm());
-  return opening_motion(split, lifts ? balance : level, 0.0);
+  return unstopped_opening_motion(split, lifts ? balance : level, 0.0);
 }
 
 } // namespace spricka::solve

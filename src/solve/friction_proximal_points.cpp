@@ -26,7 +26,8 @@ RoundFrictionState solve_by_proximal_points(const RoundFriction& problem, const 
   for (int k = 0; k < most_points && compliance > smallest && compliance < largest; ++k) {
     soft.W.diagonal() = problem.W.diagonal().array() + compliance;
     soft.b = problem.b - compliance * last.lambda;
-    const RoundFrictionState pressed = approach_round_friction(soft, last, most_steps, near_enough);
+    const RoundFrictionState pressed =
+        iterate_round_friction_newton(soft, last, most_steps, near_enough);
     steps += pressed.newton_steps;
     if (!(pressed.residual < accepted_residual)) {
       compliance *= rise;
@@ -34,9 +35,9 @@ RoundFrictionState solve_by_proximal_points(const RoundFriction& problem, const 
     }
     compliance *= fall;
     last = {.lambda = pressed.lambda, .alpha = pressed.alpha};
-    RoundFrictionState now = approach_round_friction(problem, last, 0, 0.0);
+    RoundFrictionState now = iterate_round_friction_newton(problem, last, 0, 0.0);
     if (now.residual < accepted_residual) { // the states are right: Newton's method arrives alone
-      now = approach_round_friction(problem, last, most_steps, 0.0);
+      now = iterate_round_friction_newton(problem, last, most_steps, 0.0);
       steps += now.newton_steps;
     }
     best = now.residual < best.residual ? now : best;

@@ -26,14 +26,14 @@ base::Vector holding_forces(const RoundFriction& scaled, const base::Vector& lam
   return forces.cwiseProduct(scaled.inverse);
 }
 
-std::vector<GapChange> gap_changes(const ControllableProblem& held, const ModeSplit& split,
-                                   const RoundFriction& scaled, const RoundFrictionState& found,
-                                   double least) {
+std::vector<AllowedGapChange> gap_changes(const ControllableProblem& held, const ModeSplit& split,
+                                          const RoundFriction& scaled,
+                                          const RoundFrictionState& found, double least) {
   const std::vector<bool> pressing =
       find_pressing_rows(held, split, holding_forces(scaled, found.lambda), least);
-  std::vector<GapChange> change(pressing.size(), GapChange::any);
+  std::vector<AllowedGapChange> change(pressing.size(), AllowedGapChange::any);
   for (const int i : scaled.fixed) {
-    change[at(i)] = GapChange::none;
+    change[at(i)] = AllowedGapChange::none;
   }
   for (std::size_t k = 0; k < scaled.units.size(); ++k) {
     const RoundFriction::RoundFrictionUnit& u = scaled.units[k];
@@ -42,9 +42,9 @@ std::vector<GapChange> gap_changes(const ControllableProblem& held, const ModeSp
       holds = holds || pressing[at(u.tangent[at(t)])];
     }
     holds = holds && found.touch[k] != SlipState::open;
-    change[at(u.normal)] = holds ? GapChange::none : GapChange::not_through_zero;
+    change[at(u.normal)] = holds ? AllowedGapChange::none : AllowedGapChange::not_through_zero;
     for (int t = 0; t < u.tangents; ++t) {
-      change[at(u.tangent[at(t)])] = holds ? GapChange::none : GapChange::any;
+      change[at(u.tangent[at(t)])] = holds ? AllowedGapChange::none : AllowedGapChange::any;
     }
   }
   return change;
@@ -52,11 +52,11 @@ std::vector<GapChange> gap_changes(const ControllableProblem& held, const ModeSp
 
 } // namespace
 
-int rest_loose_bodies(const ControllableProblem& held, const ModeSplit& split,
-                      const RoundFriction& scaled, const base::Vector& anchor, double least,
-                      RoundFrictionState& found) {
+int anchor_unheld_bodies(const ControllableProblem& held, const ModeSplit& split,
+                         const RoundFriction& scaled, const base::Vector& anchor, double least,
+                         RoundFrictionState& found) {
   const double root = std::sqrt(held.tau);
-  const std::vector<GapChange> change = gap_changes(held, split, scaled, found, least);
+  const std::vector<AllowedGapChange> change = gap_changes(held, split, scaled, found, least);
   base::Vector alpha = found.alpha * root;
   const int free = minimise_free_motions(held, split, found.lambda.cwiseProduct(scaled.inverse),
                                          change, anchor * root, alpha);
@@ -69,7 +69,7 @@ int rest_loose_bodies(const ControllableProblem& held, const ModeSplit& split,
   const double least_gap = touching * found.gap.cwiseAbs().maxCoeff();
   for (std::size_t k = 0; k < scaled.units.size(); ++k) {
     const int normal = scaled.units[k].normal;
-    if (change[at(normal)] != GapChange::none && found.gap[normal] > least_gap) {
+    if (change[at(normal)] != AllowedGapChange::none && found.gap[normal] > least_gap) {
       found.touch[k] = SlipState::open;
     }
   }

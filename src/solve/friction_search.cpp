@@ -19,9 +19,10 @@ constexpr int coverings = 2;             ///< tried by Lemke's pivoting
 
 /// Semi-smooth Newton method: all rows whose condition is violated change at once (Alart and
 /// Curnier 1991; Hueeber, Stadler and Wohlmuth 2008) until none is left or states come back.
-FrictionSearch newton(const ScaledFriction& problem, const base::Vector& anchor,
-                      std::vector<SlipState> touch, double tolerance, std::pair<int, int&> limit) {
-  FrictionSearch search;
+FrictionSearchResult newton(const ScaledFriction& problem, const base::Vector& anchor,
+                            std::vector<SlipState> touch, double tolerance,
+                            std::pair<int, int&> limit) {
+  FrictionSearchResult search;
   std::set<std::vector<SlipState>> met;
   for (int k = 0; k < limit.first && met.insert(touch).second; ++k) {
     ++limit.second;
@@ -30,7 +31,7 @@ FrictionSearch newton(const ScaledFriction& problem, const base::Vector& anchor,
       break;
     }
     search.touch = touch;
-    if (change_states(problem, search.solution, tolerance, touch) == 0) {
+    if (update_slip_states(problem, search.solution, tolerance, touch) == 0) {
       search.settled = true;
       break;
     }
@@ -40,10 +41,10 @@ FrictionSearch newton(const ScaledFriction& problem, const base::Vector& anchor,
 
 /// One row at a time, the first that is wrong (Murty 1974): finite where the answer is unique, and
 /// another way where it is not.
-FrictionSearch one_by_one(const ScaledFriction& problem, const base::Vector& anchor,
-                          std::vector<SlipState> touch, double tolerance,
-                          std::pair<int, int&> limit) {
-  FrictionSearch search;
+FrictionSearchResult one_by_one(const ScaledFriction& problem, const base::Vector& anchor,
+                                std::vector<SlipState> touch, double tolerance,
+                                std::pair<int, int&> limit) {
+  FrictionSearchResult search;
   for (int k = 0; k < limit.first; ++k) {
     ++limit.second;
     search.solution = solve_slip_states(problem, touch, anchor);
@@ -52,7 +53,7 @@ FrictionSearch one_by_one(const ScaledFriction& problem, const base::Vector& anc
     }
     search.touch = touch;
     std::vector<SlipState> next = touch;
-    if (change_states(problem, search.solution, tolerance, next) == 0) {
+    if (update_slip_states(problem, search.solution, tolerance, next) == 0) {
       search.settled = true;
       break;
     }
@@ -160,11 +161,13 @@ std::vector<SlipState> pivoted(const ScaledFriction& problem, const base::Vector
 
 } // namespace
 
-FrictionSearch find_consistent_states(const ScaledFriction& problem, const base::Vector& anchor,
-                                      const std::vector<SlipState>& start,
-                                      const ContactSettings& settings, ContactSolution& figures) {
-  FrictionSearch search = newton(problem, anchor, start, settings.tolerance,
-                                 {settings.max_block_iterations, figures.block_iterations});
+FrictionSearchResult find_consistent_states(const ScaledFriction& problem,
+                                            const base::Vector& anchor,
+                                            const std::vector<SlipState>& start,
+                                            const ContactSettings& settings,
+                                            ContactSolution& figures) {
+  FrictionSearchResult search = newton(problem, anchor, start, settings.tolerance,
+                                       {settings.max_block_iterations, figures.block_iterations});
   if (!search.settled) {
     const std::vector<SlipState> touch =
         pivoted(problem, anchor, settings.max_pivots, figures.pivots);

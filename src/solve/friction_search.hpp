@@ -6,7 +6,7 @@
 
 namespace spricka::solve {
 
-struct FrictionSearch {
+struct FrictionSearchResult {
   bool settled = false;
   std::vector<SlipState> touch;
   SlipStateSolution solution;
@@ -15,8 +15,10 @@ struct FrictionSearch {
 /// States of all rows in which no condition is violated, with modes that nothing holds anchored at
 /// `anchor`: Newton from `start`, Lemke's pivoting, and Newton from other starts. Iterations and
 /// pivots are added to `figures`.
-FrictionSearch find_consistent_states(const ScaledFriction& problem, const base::Vector& anchor,
-                                      const std::vector<SlipState>& start,
-                                      const ContactSettings& settings, ContactSolution& figures);
+FrictionSearchResult find_consistent_states(const ScaledFriction& problem,
+                                            const base::Vector& anchor,
+                                            const std::vector<SlipState>& start,
+                                            const ContactSettings& settings,
+                                            ContactSolution& figures);
 
 } // namespace spricka::solve

@@ -149,15 +149,15 @@ double unbalanced(const ScaledFriction& problem, const SlipStateSolution& s) {
 double open_error(const ActiveRows& active, const SlipStateSolution& s) {
   double worst = 0.0;
   for (const int i : active.row) {
-    worst = std::max(worst, relative_to(std::abs(s.gap(i)), s.gap_scale(i)));
+    worst = std::max(worst, divide_by_scale(std::abs(s.gap(i)), s.gap_scale(i)));
   }
   return worst;
 }
 
 } // namespace
 
-ScaledFriction scaled_friction(const ControllableProblem& held,
-                               const std::vector<FrictionRow>& friction, double load_scale) {
+ScaledFriction scale_friction_problem(const ControllableProblem& held,
+                                      const std::vector<FrictionRow>& friction, double load_scale) {
   ScaledFriction p;
   const int n = held.rows();
   const double root = std::sqrt(held.tau);
@@ -239,8 +239,8 @@ SlipStateSolution solve_slip_states(const ScaledFriction& problem,
   return exact.held ? exact : s;
 }
 
-int change_states(const ScaledFriction& problem, const SlipStateSolution& s, double tolerance,
-                  std::vector<SlipState>& touch) {
+int update_slip_states(const ScaledFriction& problem, const SlipStateSolution& s, double tolerance,
+                       std::vector<SlipState>& touch) {
   int changed = 0;
   // The rules of (solve.22) that rows change their states by, all of them at once.
   const double force = tolerance * s.force_scale;
@@ -284,10 +284,10 @@ double friction_residual(const ScaledFriction& problem, const SlipStateSolution&
   // Conditions are those of (solve.14) and (solve.21), whatever equations the states stood for.
   double worst = unbalanced(problem, s);
   const auto gap_error = [&](int i, double error) {
-    worst = std::max(worst, relative_to(error, s.gap_scale(i)));
+    worst = std::max(worst, divide_by_scale(error, s.gap_scale(i)));
   };
   const auto force_error = [&](double error) {
-    worst = std::max(worst, relative_to(std::max(error, 0.0), s.force_scale));
+    worst = std::max(worst, divide_by_scale(std::max(error, 0.0), s.force_scale));
   };
   for (const int i : problem.fixed) {
     gap_error(i, std::abs(s.gap(i)));

@@ -30,8 +30,8 @@ struct ScaledFriction {
 
 /// The problem in these units. Rows without compliance and modes are left out; a slip without them
 /// has no force.
-ScaledFriction scaled_friction(const ControllableProblem& held,
-                               const std::vector<FrictionRow>& friction, double load_scale);
+ScaledFriction scale_friction_problem(const ControllableProblem& held,
+                                      const std::vector<FrictionRow>& friction, double load_scale);
 
 /// Share of a row's own compliance that keeps redundant rows apart, and share of the bodies' that
 /// anchors what no row holds; refinement takes both out of the answer again where it can.
@@ -57,8 +57,8 @@ SlipStateSolution solve_slip_states(const ScaledFriction& problem,
 
 /// The states that follow from a solution: every row whose condition is violated by more than
 /// `tolerance` changes. Returns how many did.
-int change_states(const ScaledFriction& problem, const SlipStateSolution& s, double tolerance,
-                  std::vector<SlipState>& touch);
+int update_slip_states(const ScaledFriction& problem, const SlipStateSolution& s, double tolerance,
+                       std::vector<SlipState>& touch);
 
 /// Largest violation of all conditions of the problem (springs do not count), scaled.
 double friction_residual(const ScaledFriction& problem, const SlipStateSolution& s,

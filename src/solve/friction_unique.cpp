@@ -108,12 +108,14 @@ Weights weights_of(const ScaledFriction& problem, const InterfaceStiffness& face
 
 } // namespace
 
-Uniqueness check_uniqueness(const FrictionProblem& problem) {
-  blas::single_thread();
-  Uniqueness found;
-  const ModeSplit split = split_modes(problem.contact.B, problem.contact.opening_scale);
-  const ControllableProblem held = controllable_problem(problem.contact, split);
-  const ScaledFriction scaled = scaled_friction(held, problem.friction, problem.contact.load_scale);
+UniquenessResult check_uniqueness(const FrictionProblem& problem) {
+  blas::force_single_blas_thread();
+  UniquenessResult found;
+  const ModeSplit split =
+      split_controllable_modes(problem.contact.B, problem.contact.opening_scale);
+  const ControllableProblem held = restrict_to_controllable_modes(problem.contact, split);
+  const ScaledFriction scaled =
+      scale_friction_problem(held, problem.friction, problem.contact.load_scale);
   const bool rubs = std::any_of(scaled.units.begin(), scaled.units.end(),
                                 [](const auto& u) { return u.tangent >= 0; });
   if (!rubs) {

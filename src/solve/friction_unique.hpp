@@ -6,12 +6,12 @@ namespace spricka::solve {
 
 /// Whether a sufficient test finds that an increment has one solution whatever its loads and gaps
 /// (manual, solve.27).
-struct Uniqueness {
+struct UniquenessResult {
   bool certain = false;
   bool apart_from_motions = false; ///< rigid motions of bodies were left out of the test
 };
 /// Tries a few weights of the rows until one proves the increment unique; certain without friction.
 /// `certain` false says that no trial did, not that there are several solutions.
-Uniqueness check_uniqueness(const FrictionProblem& problem);
+UniquenessResult check_uniqueness(const FrictionProblem& problem);
 
 } // namespace spricka::solve

@@ -37,7 +37,8 @@ double rigid_compliance(const ControllableProblem& held) {
 
 } // namespace
 
-ControllableProblem controllable_problem(const ContactProblem& problem, const ModeSplit& split) {
+ControllableProblem restrict_to_controllable_modes(const ContactProblem& problem,
+                                                   const ModeSplit& split) {
   ControllableProblem held{.W = problem.W,
                            .B = problem.B * split.controllable,
                            .b = problem.b,

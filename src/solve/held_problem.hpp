@@ -28,7 +28,8 @@ struct ControllableProblem {
 double load_scale(const ContactProblem& problem);
 
 /// The problem on the controllable modes of `split`; `problem` must outlive it.
-ControllableProblem controllable_problem(const ContactProblem& problem, const ModeSplit& split);
+ControllableProblem restrict_to_controllable_modes(const ContactProblem& problem,
+                                                   const ModeSplit& split);
 
 /// A row whose pivot is below this share of its diagonal entry is a combination of the rows before
 /// it.

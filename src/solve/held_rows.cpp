@@ -12,17 +12,17 @@ namespace spricka::solve {
 using base::index;
 
 ClosedRowsSolver::ClosedRowsSolver(ContactProblem rows)
-    : rows_(std::move(rows)), split_(split_modes(rows_.B, rows_.opening_scale)),
-      held_(controllable_problem(rows_, split_)), factor_(held_) {
-  blas::single_thread();
+    : rows_(std::move(rows)), split_(split_controllable_modes(rows_.B, rows_.opening_scale)),
+      held_(restrict_to_controllable_modes(rows_, split_)), factor_(held_) {
+  blas::force_single_blas_thread();
   std::vector<int> all(static_cast<std::size_t>(held_.rows()));
   std::iota(all.begin(), all.end(), 0);
   ok_ = factor_.factorise(std::move(all));
 }
 
-ClosedRowsSolver::ClosedRowsResponse ClosedRowsSolver::respond(const base::Matrix& b,
-                                                               const base::Matrix& h) const {
-  blas::single_thread();
+ClosedRowsSolver::ClosedRowsResponse
+ClosedRowsSolver::response_to_gaps_and_loads(const base::Matrix& b, const base::Matrix& h) const {
+  blas::force_single_blas_thread();
   ClosedRowsResponse out;
   out.lambda = base::Matrix::Zero(b.rows(), b.cols());
   if (split_.uncontrollable.cols() > 0 && h.cols() > 0) {

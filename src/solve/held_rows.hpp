@@ -25,7 +25,8 @@ public:
     double left_over = 0.0; ///< largest load on uncontrollable motions
   };
   /// The response to gaps b [n, k] and loads h [m, k] on the modes; only where is_solvable().
-  [[nodiscard]] ClosedRowsResponse respond(const base::Matrix& b, const base::Matrix& h) const;
+  [[nodiscard]] ClosedRowsResponse response_to_gaps_and_loads(const base::Matrix& b,
+                                                              const base::Matrix& h) const;
 
 private:
   ContactProblem rows_;

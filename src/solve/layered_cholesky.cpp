@@ -8,13 +8,13 @@ namespace spricka::solve {
 
 using base::index;
 
-FirstBlockFactor::FirstBlockFactor(const base::Matrix& A, BlockPartition lists)
+FirstBlockFactor::FirstBlockFactor(const base::Matrix& A, EarlyLateRowPartition lists)
     : lists_(std::move(lists)), L_(A(lists_.early, lists_.early)),
       X_(A(lists_.early, lists_.late)) {
   if (L_.is_positive_definite()) {
     X_ = L_.forward_substitute(std::move(X_));
     // Not factorised here: other elements are added to it first, and alone it may be singular.
-    schur_ = A(lists_.late, lists_.late) - gram(X_);
+    schur_ = A(lists_.late, lists_.late) - gram_matrix(X_);
   }
 }
 

@@ -10,9 +10,9 @@
 namespace spricka::solve {
 
 /// Rows of a full matrix: those eliminated early, and those that stay. Others are left out.
-struct BlockPartition {
+struct EarlyLateRowPartition {
   std::vector<Eigen::Index> early, late; ///< each row once
-  bool operator==(const BlockPartition&) const = default;
+  bool operator==(const EarlyLateRowPartition&) const = default;
 };
 
 /// The rows of a full matrix that no other matrix will touch, eliminated once for all systems that
@@ -20,10 +20,10 @@ struct BlockPartition {
 class FirstBlockFactor {
 public:
   /// A [m, m] symmetric.
-  FirstBlockFactor(const base::Matrix& A, BlockPartition lists);
+  FirstBlockFactor(const base::Matrix& A, EarlyLateRowPartition lists);
 
   [[nodiscard]] bool is_positive_definite() const { return L_.is_positive_definite(); }
-  [[nodiscard]] const BlockPartition& partition() const { return lists_; }
+  [[nodiscard]] const EarlyLateRowPartition& partition() const { return lists_; }
   [[nodiscard]] Eigen::Index count() const { return base::index(lists_.early.size()); }
   /// Schur complement of the late rows, A_ll - X^T X [late, late], symmetric to the last bit.
   [[nodiscard]] const base::Matrix& schur() const { return schur_; }
@@ -36,7 +36,7 @@ public:
   [[nodiscard]] base::Matrix solve_first_block(base::Matrix Y, const base::Matrix& U) const;
 
 private:
-  BlockPartition lists_;
+  EarlyLateRowPartition lists_;
   DenseCholesky L_;
   base::Matrix X_, schur_;
 };

@@ -86,7 +86,7 @@ private:
 
 } // namespace
 
-std::vector<bool> likely_closed(const ControllableProblem& problem) {
+std::vector<bool> predict_closed_rows(const ControllableProblem& problem) {
   return Gradient(problem).closed();
 }
 

@@ -63,7 +63,8 @@ LoadBalance balance_loads(const ControllableProblem& problem) {
   return {A * best.x - t, best.positive};
 }
 
-base::Vector opening_motion(const ModeSplit& split, const LoadBalance& balance, double least) {
+base::Vector unstopped_opening_motion(const ModeSplit& split, const LoadBalance& balance,
+                                      double least) {
   if (balance.remainder.size() == 0) {
     return {};
   }
@@ -75,8 +76,8 @@ base::Vector opening_motion(const ModeSplit& split, const LoadBalance& balance, 
   return (split.controllable * balance.remainder).normalized();
 }
 
-std::vector<int> spanning_rows(const ControllableProblem& problem,
-                               const std::vector<int>& pressed) {
+std::vector<int> rows_spanning_modes(const ControllableProblem& problem,
+                                     const std::vector<int>& pressed) {
   SpannedSubspace span(problem.modes());
   std::vector<int> rows;
   for (int i = 0; i < problem.rows(); ++i) {

@@ -22,10 +22,12 @@ LoadBalance balance_loads(const ControllableProblem& problem);
 
 /// The motion [m] that opens all rows it moves and that the loads drive, in units of the given
 /// modes, normalised; empty if the remainder is at most `least`.
-base::Vector opening_motion(const ModeSplit& split, const LoadBalance& balance, double least);
+base::Vector unstopped_opening_motion(const ModeSplit& split, const LoadBalance& balance,
+                                      double least);
 
 /// Rows of B that span all modes, ascending: the equality rows, then those of `pressed` and as few
 /// others as it takes, each the one farthest from the span of the rows before it.
-std::vector<int> spanning_rows(const ControllableProblem& problem, const std::vector<int>& pressed);
+std::vector<int> rows_spanning_modes(const ControllableProblem& problem,
+                                     const std::vector<int>& pressed);
 
 } // namespace spricka::solve

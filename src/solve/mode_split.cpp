@@ -48,7 +48,7 @@ base::Matrix across(const base::Matrix& A) {
 
 } // namespace
 
-ModeSplit split_modes(const base::Matrix& B, double opening_scale) {
+ModeSplit split_controllable_modes(const base::Matrix& B, double opening_scale) {
   const Eigen::Index m = B.cols();
   const double largest = B.size() == 0 ? 0.0 : B.cwiseAbs().maxCoeff();
   const double floor = uncontrollable_opening * (opening_scale > 0.0 ? opening_scale : largest);

@@ -19,7 +19,7 @@ inline constexpr double uncontrollable_opening = 1e-7;
 /// Splits the modes by what they open, B [n, m] per unit. A unit motion is uncontrollable if it
 /// opens no row by more than uncontrollable_opening of `opening_scale` (0: of the largest entry of
 /// B). Columns of B have comparable lengths (rigid modes of unit norm).
-ModeSplit split_modes(const base::Matrix& B, double opening_scale);
+ModeSplit split_controllable_modes(const base::Matrix& B, double opening_scale);
 
 /// Loads on modes below this share of the load scale are round-off.
 inline constexpr double rest_load = 1e-9;

@@ -45,7 +45,7 @@ bool has_room(std::size_t bytes) {
 } // namespace
 
 void end_idle_threads() {
-  blas::single_thread();
+  blas::force_single_blas_thread();
 }
 
 int reserve_blas_workspace(int threads) {

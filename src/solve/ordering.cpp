@@ -128,7 +128,7 @@ std::vector<bool> beside_externals(const base::SymmetricCsc& K, std::int64_t loc
 
 Indices by_amd(const LocalPattern& C, CholmodSession& session) {
   Indices order(at(C.n));
-  cholmod_sparse graph = lower_view(C.n, C.start.data(), C.row.data(), nullptr);
+  cholmod_sparse graph = cholmod_lower_view(C.n, C.start.data(), C.row.data(), nullptr);
   demand(cholmod_l_amd(&graph, nullptr, 0, order.data(), session.get()) != 0);
   return order;
 }
@@ -151,7 +151,7 @@ Indices expanded(const Indices& order, const Indices& group) {
 /// The same elimination with the columns of each subtree next to each other, the largest child
 /// last, so that supernodes form.
 Indices postordered(const LocalPattern& A, Indices order, CholmodSession& session) {
-  cholmod_sparse lower = lower_view(A.n, A.start.data(), A.row.data(), nullptr);
+  cholmod_sparse lower = cholmod_lower_view(A.n, A.start.data(), A.row.data(), nullptr);
   const auto release = [&session](cholmod_sparse* m) { cholmod_l_free_sparse(&m, session.get()); };
   const std::unique_ptr<cholmod_sparse, decltype(release)> upper(
       cholmod_l_ptranspose(&lower, 0, order.data(), nullptr, 0, session.get()), release);
@@ -198,7 +198,7 @@ std::vector<std::int64_t> elimination_order(const base::SymmetricCsc& K, std::in
   const Indices vertices =
       ordering == Ordering::amd
           ? by_amd(C, session)
-          : dissect(whole_graph(C), beside_externals(K, locals, group), session);
+          : nested_dissection_order(whole_graph(C), beside_externals(K, locals, group), session);
   const Indices rows = postordered(A, expanded(vertices, group), session);
   std::copy(rows.begin(), rows.end(), order.begin());
   return order;

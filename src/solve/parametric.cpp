@@ -25,11 +25,13 @@ base::Vector uncontrollable_on_path(const ParametricProblem& problem, const Mode
 
 } // namespace
 
-SolutionPath follow_path(const ParametricProblem& problem, double from, double to,
-                         const PathSettings& settings, const std::vector<bool>& start) {
+SolutionPath follow_solution_path(const ParametricProblem& problem, double from, double to,
+                                  const SolutionPathSettings& settings,
+                                  const std::vector<bool>& start) {
   assert(to > from);
-  blas::single_thread();
-  const ModeSplit split = split_modes(problem.at_zero.B, problem.at_zero.opening_scale);
+  blas::force_single_blas_thread();
+  const ModeSplit split =
+      split_controllable_modes(problem.at_zero.B, problem.at_zero.opening_scale);
   const base::Vector uncontrollable = uncontrollable_on_path(problem, split, from, to);
   if (uncontrollable.size() > 0) {
     SolutionPath path;
@@ -38,7 +40,7 @@ SolutionPath follow_path(const ParametricProblem& problem, double from, double t
     path.end = from;
     return path;
   }
-  return PathFollower(problem, split, from, to, settings).run(start);
+  return SolutionPathFollower(problem, split, from, to, settings).run(start);
 }
 
 } // namespace spricka::solve

@@ -11,7 +11,8 @@ namespace spricka::solve {
 /// a row whose force or gap reaches zero is exchanged, ties by least index (Murty 1974), where a
 /// row has no pivot of its own together with the one that blocks it. `start` [n] or empty: a guess
 /// of the closed rows.
-SolutionPath follow_path(const ParametricProblem& problem, double from, double to,
-                         const PathSettings& settings, const std::vector<bool>& start);
+SolutionPath follow_solution_path(const ParametricProblem& problem, double from, double to,
+                                  const SolutionPathSettings& settings,
+                                  const std::vector<bool>& start);
 
 } // namespace spricka::solve

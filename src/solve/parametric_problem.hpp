@@ -29,14 +29,14 @@ enum class PathStatus {
 };
 
 /// Between two breakpoints the closed rows stay, and everything is linear in t.
-struct PathSegment {
+struct SolutionPathSegment {
   double from = 0.0, to = 0.0;
   base::Vector value; ///< [f] functionals at `from`
   base::Vector slope; ///< [f] by t
 };
 
 /// A row that closes or opens where a segment begins.
-struct RowChange {
+struct ActiveRowChange {
   std::size_t segment = 0;
   int row = 0;
   bool closes = false;
@@ -47,16 +47,16 @@ struct SolutionPath {
   ContactStatus start_status = ContactStatus::solved;
   double end = 0.0;         ///< how far the path is known
   std::vector<bool> closed; ///< [n] on the first segment
-  std::vector<PathSegment> segments;
-  std::vector<RowChange> changes; ///< by segment, then by row; none for the first segment
-  base::Vector unheld;            ///< [m] direction of the mode that is not held, else empty
+  std::vector<SolutionPathSegment> segments;
+  std::vector<ActiveRowChange> changes; ///< by segment, then by row; none for the first segment
+  base::Vector unheld;                  ///< [m] direction of the mode that is not held, else empty
   std::vector<double> jumps; ///< t at which a body that nothing held moved until it was stopped
   int pivots = 0;
   int factorisations = 0;
   double residual = 0.0; ///< largest violation of equations (scaled) wherever they were checked
 };
 
-struct PathSettings {
+struct SolutionPathSettings {
   ContactSettings start;
   int refactor = 250;       ///< pivots after which the closed rows are factorised afresh
   double tolerance = 1e-11; ///< of zero, over the scale of forces and gaps

@@ -10,8 +10,9 @@ namespace spricka::solve {
 using base::at;
 using base::index;
 
-ContactProblem rate_problem(const ParametricProblem& problem, const std::vector<int>& rows,
-                            const std::vector<bool>& pressing, double length) {
+ContactProblem path_direction_problem(const ParametricProblem& problem,
+                                      const std::vector<int>& rows,
+                                      const std::vector<bool>& pressing, double length) {
   const ContactProblem& whole = problem.at_zero;
   const auto k = index(rows.size());
   ContactProblem rate;
@@ -38,7 +39,7 @@ ContactProblem rate_problem(const ParametricProblem& problem, const std::vector<
 }
 
 double path_residual(const ControllableProblem& problem, const SweptMatrix& matrix,
-                     const base::Vector& state, const PathScale& scale) {
+                     const base::Vector& state, const PathResidualScale& scale) {
   const base::Vector lambda = matrix.forces(state);
   const base::Vector reported = matrix.open_gaps(state);
   const base::Vector gap = problem.b + problem.W * lambda + problem.B * matrix.modes(state);

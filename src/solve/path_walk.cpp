@@ -21,7 +21,7 @@ constexpr int shortest_list = 3;      ///< pivots between factorisations, when d
 
 } // namespace
 
-SolutionPath PathFollower::run(const std::vector<bool>& start) {
+SolutionPath SolutionPathFollower::run(const std::vector<bool>& start) {
   // Only here, and in turn(), is a contact problem solved; all else are exchanges of rows.
   const ContactSolution first = solve_at(from_, start);
   path_.start_status = first.status;
@@ -42,19 +42,19 @@ SolutionPath PathFollower::run(const std::vector<bool>& start) {
   return std::move(path_);
 }
 
-bool PathFollower::stop(PathStatus status) {
+bool SolutionPathFollower::stop(PathStatus status) {
   path_.status = status;
   return false;
 }
 
-ContactSolution PathFollower::solve_at(double t, const std::vector<bool>& start) const {
+ContactSolution SolutionPathFollower::solve_at(double t, const std::vector<bool>& start) const {
   ContactProblem problem = problem_.at_zero;
   problem.b += t * problem_.db;
   problem.h += t * problem_.dh;
   return solve_contact(problem, settings_.start, start);
 }
 
-bool PathFollower::begin(const std::vector<bool>& closed) {
+bool SolutionPathFollower::begin(const std::vector<bool>& closed) {
   ++path_.factorisations;
   if (!matrix_.begin(closed)) {
     return stop(PathStatus::drift);
@@ -83,7 +83,7 @@ bool PathFollower::begin(const std::vector<bool>& closed) {
   return true;
 }
 
-void PathFollower::walk() {
+void SolutionPathFollower::walk() {
   int here = 0; // pivots at this t
   for (;;) {
     const int i = first_bad();
@@ -123,7 +123,7 @@ void PathFollower::walk() {
   }
 }
 
-bool PathFollower::settled() {
+bool SolutionPathFollower::settled() {
   if (sound()) {
     return true;
   }
@@ -132,7 +132,7 @@ bool PathFollower::settled() {
 }
 
 // The least index, not the worst row: exchanges then come to an end where several tie (Murty 1974).
-int PathFollower::first_bad() const {
+int SolutionPathFollower::first_bad() const {
   for (int i = 0; i < rows(); ++i) {
     if (free_to_change(i) && zero(i) && falls(i)) {
       return i;
@@ -141,7 +141,7 @@ int PathFollower::first_bad() const {
   return -1;
 }
 
-double PathFollower::next_event() const {
+double SolutionPathFollower::next_event() const {
   double t = to_;
   for (int i = 0; i < rows(); ++i) {
     if (free_to_change(i) && falls(i)) {
@@ -153,7 +153,7 @@ double PathFollower::next_event() const {
 
 // The rows that reach zero first, soonest first: columns solved for together cost little more than
 // one alone.
-std::vector<int> PathFollower::likely() const {
+std::vector<int> SolutionPathFollower::likely() const {
   std::vector<std::pair<double, int>> order;
   for (int i = 0; i < rows(); ++i) {
     if (free_to_change(i) && falls(i) && time_of(i) <= to_) {
@@ -169,12 +169,12 @@ std::vector<int> PathFollower::likely() const {
   return out;
 }
 
-base::Vector PathFollower::column(int i) {
+base::Vector SolutionPathFollower::column(int i) {
   // Others are made along only where a solution with the factor is due anyway.
   return matrix_.column(i, matrix_.has_column(i) ? std::vector<int>() : likely());
 }
 
-bool PathFollower::change(int i) {
+bool SolutionPathFollower::change(int i) {
   // walk() refreshes between segments; this bounds the list where very many rows change at one t.
   if (matrix_.pivots() >= 2 * interval_ && !refresh()) {
     return false;
@@ -204,7 +204,7 @@ bool PathFollower::change(int i) {
   return true;
 }
 
-int PathFollower::blocking(const base::Vector& x, int i) const {
+int SolutionPathFollower::blocking(const base::Vector& x, int i) const {
   // Of rows that fall as z_i grows the one with the smallest ratio: none goes below zero.
   double least = std::numeric_limits<double>::infinity();
   int found = -1;
@@ -220,7 +220,7 @@ int PathFollower::blocking(const base::Vector& x, int i) const {
   return found;
 }
 
-bool PathFollower::no_way_on(int i, const base::Vector& x) {
+bool SolutionPathFollower::no_way_on(int i, const base::Vector& x) {
   if (!closed(i)) {
     return stop(PathStatus::inconsistent);
   }
@@ -232,7 +232,7 @@ bool PathFollower::no_way_on(int i, const base::Vector& x) {
   return stop(PathStatus::unheld_mode);
 }
 
-void PathFollower::emit(double t1) {
+void SolutionPathFollower::emit(double t1) {
   const auto f = problem_.f0.size();
   // Pivots at one t make no segments between them. The first one is kept even if it has no length:
   // it says what is closed where the path begins.
@@ -255,7 +255,7 @@ void PathFollower::emit(double t1) {
   t_ = t1;
 }
 
-bool PathFollower::sound() {
+bool SolutionPathFollower::sound() {
   ControllableProblem here = held_;
   here.b += t_ * problem_.db;
   here.h += t_ * dh_;
@@ -269,7 +269,7 @@ bool PathFollower::sound() {
   return good;
 }
 
-bool PathFollower::refresh() {
+bool SolutionPathFollower::refresh() {
   if (!sound()) {
     return go_back();
   }
@@ -280,11 +280,11 @@ bool PathFollower::refresh() {
   return true;
 }
 
-void PathFollower::mark() {
+void SolutionPathFollower::mark() {
   mark_ = {t_, matrix_.closed(), reported_, path_.segments.size(), path_.changes.size()};
 }
 
-bool PathFollower::go_back() {
+bool SolutionPathFollower::go_back() {
   t_ = mark_.t;
   reported_ = mark_.reported;
   path_.segments.resize(mark_.segments);

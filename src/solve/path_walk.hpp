@@ -19,14 +19,14 @@ struct PathCheckpoint {
   std::size_t segments = 0, changes = 0;
 };
 
-/// The walk along one path: follow_path on its controllable modes. Functions that return
+/// The walk along one path: follow_solution_path on its controllable modes. Functions that return
 /// bool return false when the walk is over.
-class PathFollower {
+class SolutionPathFollower {
 public:
-  PathFollower(const ParametricProblem& problem, const ModeSplit& split, double from, double to,
-               const PathSettings& settings)
+  SolutionPathFollower(const ParametricProblem& problem, const ModeSplit& split, double from,
+                       double to, const SolutionPathSettings& settings)
       : problem_(problem), split_(split), settings_(settings),
-        held_(controllable_problem(problem.at_zero, split)),
+        held_(restrict_to_controllable_modes(problem.at_zero, split)),
         dh_(split.controllable.transpose() * problem.dh),
         matrix_(held_, problem.of_force, problem.of_mode * split.controllable), t_(from),
         from_(from), to_(to), interval_(settings.refactor) {}
@@ -116,7 +116,7 @@ private:
 
   const ParametricProblem& problem_;
   const ModeSplit& split_;
-  const PathSettings& settings_;
+  const SolutionPathSettings& settings_;
   ControllableProblem held_;
   base::Vector dh_;
   SweptMatrix matrix_;

@@ -19,13 +19,13 @@ constexpr std::array<double, 2> look_ahead{1e-6, 1e-9}; ///< of the path
 
 } // namespace
 
-bool PathFollower::set_out() {
+bool SolutionPathFollower::set_out() {
   reported_ = matrix_.closed();
   mark();
   return tied() <= tied_rows || turn();
 }
 
-int PathFollower::tied() const {
+int SolutionPathFollower::tied() const {
   int count = 0;
   for (int i = 0; i < rows(); ++i) {
     count += free_to_change(i) && zero(i) && falls(i) ? 1 : 0;
@@ -33,7 +33,7 @@ int PathFollower::tied() const {
   return count;
 }
 
-bool PathFollower::turn() {
+bool SolutionPathFollower::turn() {
   const std::vector<bool> before = matrix_.closed();
   std::vector<int> taking_part;
   // Rates of forces and gaps at this t obey a contact problem of their own; its closed rows are
@@ -72,7 +72,7 @@ bool PathFollower::turn() {
   return begin(before);
 }
 
-bool PathFollower::take(const std::vector<bool>& closed) {
+bool SolutionPathFollower::take(const std::vector<bool>& closed) {
   const PathStatus before = path_.status;
   if (begin(closed)) {
     mark();
@@ -85,7 +85,7 @@ bool PathFollower::take(const std::vector<bool>& closed) {
 
 // A thousand tolerances: the rows were found a little further on, not here, and what is off by less
 // is zero to the walk, and exchanged where it falls.
-bool PathFollower::reaches_back(const base::Vector& f) const {
+bool SolutionPathFollower::reaches_back(const base::Vector& f) const {
   for (int i = 0; i < rows(); ++i) {
     if (free_to_change(i) && y(i) < -1e3 * tolerance_(i)) {
       return false;
@@ -97,7 +97,7 @@ bool PathFollower::reaches_back(const base::Vector& f) const {
   return f.size() == 0 || (now - f).cwiseAbs().maxCoeff() <= 1e-8 * size;
 }
 
-ContactSolution PathFollower::solve_direction(std::vector<int>& taking_part) const {
+ContactSolution SolutionPathFollower::solve_direction(std::vector<int>& taking_part) const {
   // An open row with a gap stays open for a while whatever the direction: it takes no part.
   for (int i = 0; i < rows(); ++i) {
     if (closed(i) || !free_to_change(i) || zero(i)) {
@@ -110,7 +110,7 @@ ContactSolution PathFollower::solve_direction(std::vector<int>& taking_part) con
     pressing.push_back(!free_to_change(i) || (closed(i) && !zero(i)));
     start.push_back(closed(i));
   }
-  const ContactProblem rate = rate_problem(problem_, taking_part, pressing, to_ - from_);
+  const ContactProblem rate = path_direction_problem(problem_, taking_part, pressing, to_ - from_);
   return solve_contact(rate, settings_.start, start);
 }
 

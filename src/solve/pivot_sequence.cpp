@@ -95,7 +95,7 @@ void PivotSequence::apply(std::size_t k, base::Vector& x) const {
 
 // The column of a row that this pivot exchanges, right after it: columns times inverse, the inverse
 // itself in the exchanged rows.
-base::Vector PivotSequence::own_column(std::size_t k, int row) const {
+base::Vector PivotSequence::exchanged_row_column(std::size_t k, int row) const {
   const PivotExchange& pivot = list_[k];
   const Eigen::Index own = pivot.rows[0] == row ? 0 : 1;
   base::Vector x = pivot.columns * pivot.inverse.col(own);

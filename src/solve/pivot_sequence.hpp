@@ -26,10 +26,10 @@ public:
   /// The last pivot that exchanges this row, or none.
   [[nodiscard]] std::optional<std::size_t> find_last(int row) const;
   /// The column [size] of a row that pivot `k` exchanges, right after it.
-  [[nodiscard]] base::Vector own_column(std::size_t k, int row) const;
+  [[nodiscard]] base::Vector exchanged_row_column(std::size_t k, int row) const;
 
   /// Whether advance() can be used: every pivot is of one row and no row has two.
-  [[nodiscard]] bool is_block() const { return block_.sound; }
+  [[nodiscard]] bool has_block_form() const { return block_.sound; }
   /// Leads many columns [size, count] through all pivots at once.
   void advance(base::Matrix& columns) const;
 

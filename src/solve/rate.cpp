@@ -36,7 +36,7 @@ double rate_of(int n, double seconds) {
 } // namespace
 
 FlopRate measure_flop_rate(double seconds) {
-  blas::single_thread();
+  blas::force_single_blas_thread();
   constexpr int small = 16;
   constexpr int large = 192;
   const double slow = rate_of(small, 0.3 * seconds);

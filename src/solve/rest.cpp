@@ -43,7 +43,7 @@ std::vector<bool> find_pressing_rows(const ControllableProblem& problem, const M
 }
 
 int minimise_free_motions(const ControllableProblem& problem, const ModeSplit& split,
-                          const base::Vector& lambda, const std::vector<GapChange>& change,
+                          const base::Vector& lambda, const std::vector<AllowedGapChange>& change,
                           const base::Vector& anchor, base::Vector& alpha) {
   if (problem.modes() == 0) {
     return 0;
@@ -51,8 +51,8 @@ int minimise_free_motions(const ControllableProblem& problem, const ModeSplit& s
   std::vector<int> fixed;
   std::vector<int> others;
   for (int i = 0; i < problem.rows(); ++i) {
-    if (change[at(i)] != GapChange::any) {
-      (change[at(i)] == GapChange::none ? fixed : others).push_back(i);
+    if (change[at(i)] != AllowedGapChange::any) {
+      (change[at(i)] == AllowedGapChange::none ? fixed : others).push_back(i);
     }
   }
   const base::Matrix Z = free_directions(problem, fixed);

@@ -8,7 +8,7 @@
 namespace spricka::solve {
 
 /// How the gap of a row may change while motions come to rest.
-enum class GapChange : char {
+enum class AllowedGapChange : char {
   none,             ///< the row presses, or holds
   not_through_zero, ///< it may open, and close as far as it is open
   any               ///< slip of a row that is open
@@ -23,7 +23,7 @@ std::vector<bool> find_pressing_rows(const ControllableProblem& problem, const M
 /// gaps are not negative (least distance programming, Lawson and Hanson 1974, chapter 23). Changes
 /// alpha [m]; returns the number of free motions. change: [n]; anchor: [m], where bodies stay.
 int minimise_free_motions(const ControllableProblem& problem, const ModeSplit& split,
-                          const base::Vector& lambda, const std::vector<GapChange>& change,
+                          const base::Vector& lambda, const std::vector<AllowedGapChange>& change,
                           const base::Vector& anchor, base::Vector& alpha);
 
 } // namespace spricka::solve

@@ -129,7 +129,7 @@ private:
     if (left.size() > 0) {
       worst = std::max(worst, left.cwiseAbs().maxCoeff());
     }
-    s_.residual = std::isfinite(worst) ? relative_to(worst, scale) : INFINITY;
+    s_.residual = std::isfinite(worst) ? divide_by_scale(worst, scale) : INFINITY;
   }
 
   // One contact point after the other, each with its own rows alone; loads on modes that the forces
@@ -338,8 +338,9 @@ private:
 
 } // namespace
 
-RoundFriction round_friction(const ControllableProblem& held,
-                             const std::vector<FrictionRow>& friction, double load_scale) {
+RoundFriction scale_round_friction_problem(const ControllableProblem& held,
+                                           const std::vector<FrictionRow>& friction,
+                                           double load_scale) {
   RoundFriction p;
   const auto n = index(static_cast<std::size_t>(held.rows()));
   const double root = std::sqrt(held.tau);
@@ -390,8 +391,9 @@ RoundFrictionState solve_round_friction(const RoundFriction& problem,
   return RoundSolver(problem).solve(start);
 }
 
-RoundFrictionState approach_round_friction(const RoundFriction& problem, const ExpectedForces& near,
-                                           int most, double enough) {
+RoundFrictionState iterate_round_friction_newton(const RoundFriction& problem,
+                                                 const ExpectedForces& near, int most,
+                                                 double enough) {
   return RoundSolver(problem).approach(near, most, enough);
 }
 

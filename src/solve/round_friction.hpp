@@ -33,8 +33,9 @@ struct RoundFriction {
 };
 /// The problem in these units. Rows without compliance become no units; slip rows take the scale of
 /// their normal rows.
-RoundFriction round_friction(const ControllableProblem& held,
-                             const std::vector<FrictionRow>& friction, double load_scale);
+RoundFriction scale_round_friction_problem(const ControllableProblem& held,
+                                           const std::vector<FrictionRow>& friction,
+                                           double load_scale);
 
 /// An answer, or the last thing tried.
 struct RoundFrictionState {
@@ -66,7 +67,8 @@ RoundFrictionState solve_round_friction(const RoundFriction& problem,
 
 /// Newton's method of it alone, at most so many steps and until the residual is small enough; with
 /// none, the gaps, states and residual of these forces and motions.
-RoundFrictionState approach_round_friction(const RoundFriction& problem, const ExpectedForces& near,
-                                           int most, double enough);
+RoundFrictionState iterate_round_friction_newton(const RoundFriction& problem,
+                                                 const ExpectedForces& near, int most,
+                                                 double enough);
 
 } // namespace spricka::solve

@@ -22,7 +22,7 @@ struct SupernodeSize {
   int below = 0;
 };
 
-SupernodeSize shape_of(const Supernodes& L, std::int64_t s) {
+SupernodeSize shape_of(const SupernodalFactor& L, std::int64_t s) {
   const std::int64_t end = std::min(L.column[s + 1], L.locals);
   const auto columns = static_cast<int>(end - L.column[s]);
   const auto rows = static_cast<int>(L.row_start[s + 1] - L.row_start[s]);
@@ -30,14 +30,14 @@ SupernodeSize shape_of(const Supernodes& L, std::int64_t s) {
 }
 
 /// Rows below the columns of a front, ascending.
-const std::int64_t* below_of(const Supernodes& L, std::int64_t s) {
+const std::int64_t* below_of(const SupernodalFactor& L, std::int64_t s) {
   return L.row + L.row_start[s] + shape_of(L, s).columns;
 }
 
 /// Calls use(front, first, end) for each run of the rows below front s that one front has, with the
 /// places of the run among these rows; -1: of externals.
 template <class Use>
-void for_fronts_above(const Supernodes& L, const std::vector<std::int64_t>& front_of,
+void for_fronts_above(const SupernodalFactor& L, const std::vector<std::int64_t>& front_of,
                       std::int64_t s, Use&& use) {
   const std::int64_t* row = below_of(L, s);
   const int below = shape_of(L, s).below;
@@ -103,7 +103,7 @@ void add_gram(const base::Matrix& X, const std::vector<int>& columns, base::Matr
 
 } // namespace
 
-RowElimination::RowElimination(const Supernodes& L, const SparseColumns& F)
+RowElimination::RowElimination(const SupernodalFactor& L, const SparseRightHandSides& F)
     : L_(L), fronts_(std::lower_bound(L.column, L.column + L.count, L.locals) - L.column),
       front_of_(at(L.locals)), own_(at(fronts_)), columns_(at(fronts_)), block_(at(fronts_)) {
   for (std::int64_t s = 0; s < fronts_; ++s) {
@@ -115,7 +115,7 @@ RowElimination::RowElimination(const Supernodes& L, const SparseColumns& F)
   count_cost();
 }
 
-void RowElimination::reach_up(const SparseColumns& F) {
+void RowElimination::reach_up(const SparseRightHandSides& F) {
   for (std::int64_t k = 0; k < F.count(); ++k) {
     for (std::int64_t p = F.start[at(k)]; p < F.start[at(k + 1)]; ++p) {
       if (const std::int64_t row = F.row[at(p)]; row < L_.locals) {
@@ -186,7 +186,7 @@ base::Matrix& RowElimination::block_of(std::int64_t front) {
 }
 
 base::Matrix RowElimination::compute_compliance(base::Matrix& condensed) {
-  blas::single_thread();
+  blas::force_single_blas_thread();
   const Eigen::Index k = condensed.cols();
   base::Matrix W = base::Matrix::Zero(k, k);
   for (std::int64_t s = 0; s < fronts_; ++s) {

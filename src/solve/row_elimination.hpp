@@ -9,7 +9,7 @@
 namespace spricka::solve {
 
 /// Sparse columns F [n, k] of right-hand sides: where contact rows act on the unknowns of a body.
-struct SparseColumns {
+struct SparseRightHandSides {
   std::vector<std::int64_t> start{0}; ///< [k + 1] into row and value
   std::vector<std::int64_t> row;
   std::vector<double> value;
@@ -31,7 +31,7 @@ class RowElimination {
 public:
   /// Which columns each front meets, and what that will cost. F has its rows in the order of
   /// elimination; both must outlive this.
-  RowElimination(const Supernodes& L, const SparseColumns& F);
+  RowElimination(const SupernodalFactor& L, const SparseRightHandSides& F);
 
   [[nodiscard]] double flops() const { return flops_; }
   [[nodiscard]] double workspace() const { return workspace_; } ///< [bytes] besides W
@@ -45,13 +45,13 @@ private:
     int row; ///< of its front
     double value;
   };
-  void reach_up(const SparseColumns& F);
+  void reach_up(const SparseRightHandSides& F);
   void count_cost();
   base::Matrix& block_of(std::int64_t front);
   void eliminate(std::int64_t front, base::Matrix& W, base::Matrix& condensed);
   void hand_up(std::int64_t front, const base::Matrix& X, base::Matrix& condensed);
 
-  const Supernodes& L_;
+  const SupernodalFactor& L_;
   std::int64_t fronts_;
   std::vector<std::int64_t> front_of_;       ///< [locals]
   std::vector<std::vector<FrontEntry>> own_; ///< [front] entries of F

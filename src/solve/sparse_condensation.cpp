@@ -103,7 +103,7 @@ Factor analyse(const base::SymmetricCsc& A, std::vector<std::int64_t>& order,
   session->postorder = 0;
   session->final_ll = 1;
   session->quick_return_if_not_posdef = 1;
-  cholmod_sparse view = lower_view(A.n, A.start.data(), A.row.data(), A.value.data());
+  cholmod_sparse view = cholmod_lower_view(A.n, A.start.data(), A.row.data(), A.value.data());
   return Factor(cholmod_l_analyze_p(&view, order.data(), nullptr, 0, session.get()));
 }
 
@@ -124,10 +124,10 @@ struct SparseCondensation::Impl {
   void check_pivots(const std::vector<double>& diagonal);
   void read_schur(double shift);
   void drop_externals();
-  void to_elimination(SparseColumns& F) const;
-  void count_rows(SparseColumns rows);
+  void to_elimination(SparseRightHandSides& F) const;
+  void count_rows(SparseRightHandSides rows);
 
-  [[nodiscard]] Supernodes supernodes() const {
+  [[nodiscard]] SupernodalFactor supernodes() const {
     const auto integers = [](void* p) { return static_cast<const std::int64_t*>(p); };
     return {.n = n,
             .locals = locals,
@@ -143,12 +143,12 @@ struct SparseCondensation::Impl {
 base::SymmetricCsc SparseCondensation::Impl::analyse_matrix(base::SymmetricCsc K, double shift,
                                                             Ordering ordering,
                                                             CholmodSession& session) {
-  const double started = thread_cpu();
+  const double started = thread_cpu_seconds();
   order = elimination_order(K, locals, ordering);
   base::SymmetricCsc A = with_full_externals(K, locals, shift);
   K = base::SymmetricCsc();
   factor = analyse(A, order, session);
-  report.analysis_cpu = thread_cpu() - started;
+  report.analysis_cpu = thread_cpu_seconds() - started;
   if (factor.get() == nullptr) {
     report.status = FactorStatus::out_of_memory;
     return A;
@@ -167,7 +167,7 @@ base::SymmetricCsc SparseCondensation::Impl::analyse_matrix(base::SymmetricCsc K
 }
 
 void SparseCondensation::Impl::build(base::SymmetricCsc K, Ordering ordering) {
-  blas::single_thread();
+  blas::force_single_blas_thread();
   // (solve.4): large enough to hold a floating body far from round-off, small enough to be taken
   // off again without loss.
   const double shift = 1e-2 * mean_external_diagonal(K, locals);
@@ -184,7 +184,7 @@ void SparseCondensation::Impl::build(base::SymmetricCsc K, Ordering ordering) {
     report.status = FactorStatus::out_of_memory;
     return;
   }
-  const double analysed = thread_cpu();
+  const double analysed = thread_cpu_seconds();
   factorise(A, session);
   if (report.status == FactorStatus::ok) {
     check_pivots(diagonal);
@@ -192,11 +192,11 @@ void SparseCondensation::Impl::build(base::SymmetricCsc K, Ordering ordering) {
   if (report.status == FactorStatus::ok) {
     read_schur(shift);
   }
-  report.numeric_cpu = thread_cpu() - analysed;
+  report.numeric_cpu = thread_cpu_seconds() - analysed;
 }
 
 void SparseCondensation::Impl::factorise(const base::SymmetricCsc& A, CholmodSession& session) {
-  cholmod_sparse view = lower_view(A.n, A.start.data(), A.row.data(), A.value.data());
+  cholmod_sparse view = cholmod_lower_view(A.n, A.start.data(), A.row.data(), A.value.data());
   const int done = cholmod_l_factorize(&view, factor.get(), session.get());
   // `minor` is the column where the factorisation stopped, n where it did not.
   if (session->status == CHOLMOD_NOT_POSDEF || factor->minor < at(n)) {
@@ -209,7 +209,7 @@ void SparseCondensation::Impl::factorise(const base::SymmetricCsc& A, CholmodSes
 }
 
 void SparseCondensation::Impl::check_pivots(const std::vector<double>& diagonal) {
-  const Supernodes L = supernodes();
+  const SupernodalFactor L = supernodes();
   std::int64_t weakest = -1;
   for (std::int64_t s = 0; s < L.count; ++s) {
     const std::int64_t rows = L.row_start[s + 1] - L.row_start[s];
@@ -242,7 +242,7 @@ void SparseCondensation::Impl::read_schur(double shift) {
 /// Gives back the memory of the supernodes that hold externals only; the half solves of the locals
 /// never look at them.
 void SparseCondensation::Impl::drop_externals() {
-  const Supernodes L = supernodes();
+  const SupernodalFactor L = supernodes();
   std::int64_t s = L.count;
   while (s > 0 && L.column[s - 1] >= locals) {
     --s;
@@ -255,7 +255,7 @@ void SparseCondensation::Impl::drop_externals() {
 }
 
 /// Rows of F as those of the elimination.
-void SparseCondensation::Impl::to_elimination(SparseColumns& F) const {
+void SparseCondensation::Impl::to_elimination(SparseRightHandSides& F) const {
   std::vector<std::int64_t> position(at(n));
   for (std::int64_t k = 0; k < n; ++k) {
     position[at(order[at(k)])] = k;
@@ -265,9 +265,9 @@ void SparseCondensation::Impl::to_elimination(SparseColumns& F) const {
   }
 }
 
-void SparseCondensation::Impl::count_rows(SparseColumns rows) {
+void SparseCondensation::Impl::count_rows(SparseRightHandSides rows) {
   to_elimination(rows);
-  const Supernodes L = supernodes();
+  const SupernodalFactor L = supernodes();
   const RowElimination elimination(L, rows);
   report.row_flops = elimination.flops();
   report.row_memory = elimination.workspace();
@@ -294,7 +294,7 @@ SparseCondensation::SparseCondensation(base::SymmetricCsc K, std::int64_t extern
 }
 
 FactorReport SparseCondensation::forecast(base::SymmetricCsc pattern, std::int64_t externals,
-                                          Ordering ordering, const SparseColumns* rows) {
+                                          Ordering ordering, const SparseRightHandSides* rows) {
   assert(externals >= 0 && externals <= pattern.n);
   Impl impl;
   impl.n = pattern.n;
@@ -349,7 +349,7 @@ base::Matrix SparseCondensation::recover(const base::Matrix& u_external,
 }
 
 base::Matrix SparseCondensation::solve(const base::Matrix& f,
-                                       const OfExternals& displacement) const {
+                                       const ExternalDisplacementSolver& displacement) const {
   const Impl& c = *impl_;
   assert(f.rows() == c.n && c.report.status == FactorStatus::ok);
   if (c.n == 0) {
@@ -373,7 +373,7 @@ base::Matrix SparseCondensation::solve(const base::Matrix& f,
   return u;
 }
 
-RowCompliance SparseCondensation::compliance(SparseColumns F) const {
+RowCompliance SparseCondensation::compliance(SparseRightHandSides F) const {
   const Impl& c = *impl_;
   assert(c.report.status == FactorStatus::ok);
   c.to_elimination(F);
@@ -386,7 +386,7 @@ RowCompliance SparseCondensation::compliance(SparseColumns F) const {
       }
     }
   }
-  const Supernodes L = c.supernodes();
+  const SupernodalFactor L = c.supernodes();
   RowElimination elimination(L, F);
   out.flops = elimination.flops();
   out.W = elimination.compute_compliance(out.condensed);

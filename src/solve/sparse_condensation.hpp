@@ -29,7 +29,7 @@ public:
   /// With `rows` [n, k] it counts what their compliance takes as well.
   static FactorReport forecast(base::SymmetricCsc pattern, std::int64_t externals,
                                Ordering ordering = Ordering::automatic,
-                               const SparseColumns* rows = nullptr);
+                               const SparseRightHandSides* rows = nullptr);
   ~SparseCondensation();
   SparseCondensation(SparseCondensation&&) noexcept;
   SparseCondensation& operator=(SparseCondensation&&) noexcept;
@@ -42,12 +42,13 @@ public:
   /// All unknowns [n, k] from external displacements [externals, k] and the loads f [n, k].
   [[nodiscard]] base::Matrix recover(const base::Matrix& u_external, const base::Matrix& f) const;
   /// The same where the external displacements follow from the condensed loads [externals, k].
-  using OfExternals = std::function<base::Matrix(const base::Matrix&)>;
+  using ExternalDisplacementSolver = std::function<base::Matrix(const base::Matrix&)>;
   /// All unknowns [n, k] of loads f [n, k] in one pass: `displacement` is called between the
   /// forward and the backward half, with the condensed loads.
-  [[nodiscard]] base::Matrix solve(const base::Matrix& f, const OfExternals& displacement) const;
+  [[nodiscard]] base::Matrix solve(const base::Matrix& f,
+                                   const ExternalDisplacementSolver& displacement) const;
   /// F^T K^-1 F [k, k] of columns F [n, k] with the externals held, and F condensed to these.
-  [[nodiscard]] RowCompliance compliance(SparseColumns F) const;
+  [[nodiscard]] RowCompliance compliance(SparseRightHandSides F) const;
 
 private:
   struct Impl;

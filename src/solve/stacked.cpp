@@ -36,15 +36,15 @@ Eigen::Index first_bad_pivot(base::Matrix A) {
 
 FactorReport TwoLevelCondensation::forecast(const base::SymmetricCsc& K, std::int64_t externals,
                                             std::span<const DenseBlock> blocks,
-                                            BlockPartition* early) {
-  TwoLevelRows rows = divide_rows(K, externals, blocks);
+                                            EarlyLateRowPartition* early) {
+  TwoLevelRows rows = divide_rows_by_level(K, externals, blocks);
   FactorReport report = SparseCondensation::forecast(
       lower_level_matrix(K, rows), static_cast<std::int64_t>(rows.touched.size()));
   bool kept = false;
   if (early != nullptr) {
     find_first_block(K, blocks, rows);
     if (!rows.early.empty()) {
-      BlockPartition lists = partition_block(rows, blocks.front());
+      EarlyLateRowPartition lists = partition_block(rows, blocks.front());
       // The factor of early rows is kept for the next length only if it has the same rows of the
       // block.
       kept = lists == *early;
@@ -59,10 +59,10 @@ TwoLevelCondensation::TwoLevelCondensation(const base::SymmetricCsc& K, std::int
                                            std::span<const DenseBlock> blocks,
                                            std::shared_ptr<const FirstBlockFactor>* early,
                                            FactorReport& report)
-    : rows_(divide_rows(K, externals, blocks)) {
+    : rows_(divide_rows_by_level(K, externals, blocks)) {
   below_.emplace(lower_level_matrix(K, rows_), static_cast<std::int64_t>(rows_.touched.size()));
   report = below_->report();
-  BlockPartition lists;
+  EarlyLateRowPartition lists;
   if (early != nullptr) {
     find_first_block(K, blocks, rows_);
   }
@@ -77,7 +77,7 @@ TwoLevelCondensation::TwoLevelCondensation(const base::SymmetricCsc& K, std::int
     }
     return;
   }
-  const double started = thread_cpu();
+  const double started = thread_cpu_seconds();
   const base::Matrix touched = below_->take_schur();
   UpperLevelParts parts = assemble(K, blocks, touched);
   if (!rows_.early.empty() && !eliminate_early(blocks.front(), std::move(lists), *early, parts)) {
@@ -87,7 +87,7 @@ TwoLevelCondensation::TwoLevelCondensation(const base::SymmetricCsc& K, std::int
     parts = assemble(K, blocks, touched);
   }
   eliminate(std::move(parts), report);
-  report.numeric_cpu += thread_cpu() - started;
+  report.numeric_cpu += thread_cpu_seconds() - started;
 }
 
 TwoLevelCondensation::UpperLevelParts
@@ -140,15 +140,15 @@ TwoLevelCondensation::assemble(const base::SymmetricCsc& K, std::span<const Dens
     }
   }
   for (const DenseBlock& b : blocks) {
-    add(upper_level_places(b, rows_.top), *b.stiffness, !layered);
+    add(upper_level_positions(b, rows_.top), *b.stiffness, !layered);
   }
   return parts;
 }
 
-bool TwoLevelCondensation::eliminate_early(const DenseBlock& dense, BlockPartition lists,
+bool TwoLevelCondensation::eliminate_early(const DenseBlock& dense, EarlyLateRowPartition lists,
                                            std::shared_ptr<const FirstBlockFactor>& early,
                                            UpperLevelParts& parts) {
-  const std::vector<Eigen::Index> top = upper_level_places(dense, rows_.top);
+  const std::vector<Eigen::Index> top = upper_level_positions(dense, rows_.top);
   std::vector<Eigen::Index> row(rows_.top.size(), -1); // by place on top: in the layered factor
   for (std::size_t k = 0; k < lists.early.size(); ++k) {
     row[at(top[at(lists.early[k])])] = index(k);
@@ -190,7 +190,7 @@ bool TwoLevelCondensation::eliminate(UpperLevelParts parts, FactorReport& report
     report.failed_row = rows_.top[at(row)];
     return false;
   };
-  if (i > 0 && !blas::cholesky(i, blas::whole_matrix(L_))) {
+  if (i > 0 && !blas::cholesky(i, blas::as_matrix_block(L_))) {
     report.smallest_pivot = 0.0;
     return refuse(first_bad_pivot(std::move(parts.inner)));
   }
@@ -206,8 +206,8 @@ bool TwoLevelCondensation::eliminate(UpperLevelParts parts, FactorReport& report
   if (!top_.factor) {
     base::Matrix X = coupling_;
     blas::solve_lower(i, static_cast<int>(rows_.external), blas::Transposition::plain,
-                      blas::whole_matrix(std::as_const(L_)), blas::whole_matrix(X));
-    top_.S = std::move(parts.rest) - gram(X);
+                      blas::as_matrix_block(std::as_const(L_)), blas::as_matrix_block(X));
+    top_.S = std::move(parts.rest) - gram_matrix(X);
   }
   return true;
 }
@@ -215,7 +215,7 @@ bool TwoLevelCondensation::eliminate(UpperLevelParts parts, FactorReport& report
 void TwoLevelCondensation::solve_inner(base::Matrix& g, bool transposed) const {
   blas::solve_lower(static_cast<int>(rows_.inner_count()), static_cast<int>(g.cols()),
                     transposed ? blas::Transposition::transposed : blas::Transposition::plain,
-                    blas::whole_matrix(L_), blas::whole_matrix(g));
+                    blas::as_matrix_block(L_), blas::as_matrix_block(g));
 }
 
 // Loads of the sparse matrix: f of the rows below; what acts on top stays there.

@@ -27,7 +27,7 @@ class TwoLevelCondensation {
 public:
   /// The symbolic phase alone, as Condensation::forecast.
   static FactorReport forecast(const base::SymmetricCsc& K, std::int64_t externals,
-                               std::span<const DenseBlock> blocks, BlockPartition* early);
+                               std::span<const DenseBlock> blocks, EarlyLateRowPartition* early);
   /// What condensation leaves of the externals: S [externals, externals], or its factor.
   struct CondensedExternals {
     base::Matrix S;
@@ -59,7 +59,7 @@ private:
                                          const base::Matrix& touched) const;
   /// Makes the factor of the externals on the early rows of `dense`, which are eliminated unless
   /// `early` has them already; false: the block alone is not positive definite there.
-  bool eliminate_early(const DenseBlock& dense, BlockPartition lists,
+  bool eliminate_early(const DenseBlock& dense, EarlyLateRowPartition lists,
                        std::shared_ptr<const FirstBlockFactor>& early, UpperLevelParts& parts);
   bool eliminate(UpperLevelParts parts, FactorReport& report);
   /// The inner rows of g [top, k] <- L^-1 or L^-T times them.

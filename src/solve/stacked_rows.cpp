@@ -16,8 +16,8 @@ constexpr double least_early = 0.25;
 
 } // namespace
 
-TwoLevelRows divide_rows(const base::SymmetricCsc& K, std::int64_t externals,
-                         std::span<const DenseBlock> blocks) {
+TwoLevelRows divide_rows_by_level(const base::SymmetricCsc& K, std::int64_t externals,
+                                  std::span<const DenseBlock> blocks) {
   std::vector<bool> in_block(at(K.n), false);
   std::vector<bool> coupled(at(K.n), false);
   for (const DenseBlock& b : blocks) {
@@ -49,8 +49,8 @@ TwoLevelRows divide_rows(const base::SymmetricCsc& K, std::int64_t externals,
   return rows;
 }
 
-std::vector<Eigen::Index> upper_level_places(const DenseBlock& b,
-                                             const std::vector<std::int64_t>& top) {
+std::vector<Eigen::Index> upper_level_positions(const DenseBlock& b,
+                                                const std::vector<std::int64_t>& top) {
   std::vector<Eigen::Index> place;
   place.reserve(b.rows.size());
   for (const std::int64_t row : b.rows) {
@@ -102,7 +102,7 @@ void find_first_block(const base::SymmetricCsc& K, std::span<const DenseBlock> b
     return;
   }
   std::vector<bool> only(rows.top.size(), false);
-  for (const Eigen::Index t : upper_level_places(blocks.front(), rows.top)) {
+  for (const Eigen::Index t : upper_level_positions(blocks.front(), rows.top)) {
     if (t >= rows.inner_count()) {
       only[at(t)] = true;
     }
@@ -123,9 +123,9 @@ void find_first_block(const base::SymmetricCsc& K, std::span<const DenseBlock> b
   }
 }
 
-BlockPartition partition_block(const TwoLevelRows& rows, const DenseBlock& block) {
-  BlockPartition lists;
-  const std::vector<Eigen::Index> top = upper_level_places(block, rows.top);
+EarlyLateRowPartition partition_block(const TwoLevelRows& rows, const DenseBlock& block) {
+  EarlyLateRowPartition lists;
+  const std::vector<Eigen::Index> top = upper_level_positions(block, rows.top);
   for (std::size_t r = 0; r < top.size(); ++r) {
     if (top[r] >= 0) {
       const bool early = std::ranges::binary_search(rows.early, top[r]);

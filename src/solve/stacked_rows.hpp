@@ -24,19 +24,19 @@ struct TwoLevelRows {
 };
 
 /// `early` stays empty.
-TwoLevelRows divide_rows(const base::SymmetricCsc& K, std::int64_t externals,
-                         std::span<const DenseBlock> blocks);
+TwoLevelRows divide_rows_by_level(const base::SymmetricCsc& K, std::int64_t externals,
+                                  std::span<const DenseBlock> blocks);
 
 /// Externals that only the one block has, if they are worth it.
 void find_first_block(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks,
                       TwoLevelRows& rows);
 
 /// Early and late rows of a block, as FirstBlockFactor has them.
-BlockPartition partition_block(const TwoLevelRows& rows, const DenseBlock& block);
+EarlyLateRowPartition partition_block(const TwoLevelRows& rows, const DenseBlock& block);
 
 /// The places on top, -1: none, of a block's rows.
-std::vector<Eigen::Index> upper_level_places(const DenseBlock& block,
-                                             const std::vector<std::int64_t>& top);
+std::vector<Eigen::Index> upper_level_positions(const DenseBlock& block,
+                                                const std::vector<std::int64_t>& top);
 
 /// The sparse matrix of the rows below, then the touched ones.
 base::SymmetricCsc lower_level_matrix(const base::SymmetricCsc& K, const TwoLevelRows& rows);

@@ -22,7 +22,7 @@ struct SupernodeFront {
   }
 };
 
-SupernodeFront front_of(const Supernodes& L, std::int64_t s) {
+SupernodeFront front_of(const SupernodalFactor& L, std::int64_t s) {
   const std::int64_t first = L.column[s];
   const int rows = static_cast<int>(L.row_start[s + 1] - L.row_start[s]);
   // The last front of locals may hold externals as well; their columns are left alone.
@@ -31,14 +31,14 @@ SupernodeFront front_of(const Supernodes& L, std::int64_t s) {
 }
 
 /// Number of supernodes that hold a column of a local.
-std::int64_t local_fronts(const Supernodes& L) {
+std::int64_t local_fronts(const SupernodalFactor& L) {
   const std::int64_t* end = L.column + L.count;
   return std::lower_bound(L.column, end, L.locals) - L.column;
 }
 
 } // namespace
 
-void eliminate_locals(const Supernodes& L, base::Matrix& X) {
+void eliminate_locals(const SupernodalFactor& L, base::Matrix& X) {
   const int k = static_cast<int>(X.cols());
   const int stride = static_cast<int>(X.rows());
   base::Matrix update;
@@ -64,7 +64,7 @@ void eliminate_locals(const Supernodes& L, base::Matrix& X) {
   }
 }
 
-void substitute_locals(const Supernodes& L, base::Matrix& X) {
+void substitute_locals(const SupernodalFactor& L, base::Matrix& X) {
   const int k = static_cast<int>(X.cols());
   const int stride = static_cast<int>(X.rows());
   base::Matrix known;
@@ -90,7 +90,7 @@ void substitute_locals(const Supernodes& L, base::Matrix& X) {
   }
 }
 
-base::Matrix trailing_factor(const Supernodes& L) {
+base::Matrix trailing_factor(const SupernodalFactor& L) {
   const std::int64_t externals = L.n - L.locals;
   base::Matrix R = base::Matrix::Zero(externals, externals);
   // Externals begin within the last front of locals, or behind it.

@@ -10,7 +10,7 @@ namespace spricka::solve {
 /// stored as one column-major block, diagonal block first). Rows and columns are in elimination
 /// order, `locals` of them first, externals after. A supernode may lie across that border; the half
 /// solves below touch the columns of locals only.
-struct Supernodes {
+struct SupernodalFactor {
   std::int64_t n = 0;
   std::int64_t locals = 0;
   std::int64_t count = 0;
@@ -22,13 +22,13 @@ struct Supernodes {
 };
 
 /// X [n, k]: X_l <- L11^-1 X_l, then X_e <- X_e - L21 X_l (the condensed load).
-void eliminate_locals(const Supernodes& L, base::Matrix& X);
+void eliminate_locals(const SupernodalFactor& L, base::Matrix& X);
 
 /// X [n, k]: X_l <- L11^-T (X_l - L21^T X_e) (the recovered locals); X_e stays.
-void substitute_locals(const Supernodes& L, base::Matrix& X);
+void substitute_locals(const SupernodalFactor& L, base::Matrix& X);
 
 /// L22 [n - locals, n - locals], zero above the diagonal.
-base::Matrix trailing_factor(const Supernodes& L);
+base::Matrix trailing_factor(const SupernodalFactor& L);
 
 /// R R^T [n, n] of a lower triangle R, symmetric to the last bit.
 base::Matrix lower_times_transpose(const base::Matrix& R);

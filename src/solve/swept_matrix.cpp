@@ -114,7 +114,7 @@ void SweptMatrix::make_columns(const std::vector<int>& rows) {
   }
   // Columns are those at begin. Through the pivots since then they go all at once, or, where rows
   // have been exchanged twice or in pairs, one by one in column(): the age says how far they are.
-  const bool at_once = list_.is_block() && !list_.empty();
+  const bool at_once = list_.has_block_form() && !list_.empty();
   if (at_once) {
     list_.advance(all);
   }
@@ -130,7 +130,7 @@ base::Vector SweptMatrix::column(int i, std::span<const int> likely) {
   // The last pivot that exchanged row i has its column in itself: no solution with the factor, and
   // none of the earlier pivots count.
   if (const std::optional<std::size_t> last = list_.find_last(i)) {
-    x = list_.own_column(*last, i);
+    x = list_.exchanged_row_column(*last, i);
     from = *last + 1;
   } else {
     if (made_[at(i)].size() == 0) {

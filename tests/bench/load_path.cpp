@@ -31,12 +31,14 @@ template <class Work> double best_of(int repeats, Work&& work) {
 void measure_path(const solve::ParametricProblem& problem, double end,
                   const std::vector<bool>& start, int repeats) {
   solve::SolutionPath path;
-  const double whole = best_of(
-      repeats, [&] { path = solve::follow_path(problem, 0.0, end, solve::PathSettings{}, start); });
+  const double whole = best_of(repeats, [&] {
+    path = solve::follow_solution_path(problem, 0.0, end, solve::SolutionPathSettings{}, start);
+  });
   const double first = path.segments.front().to;
   solve::SolutionPath none;
   const double begin = best_of(repeats, [&] {
-    none = solve::follow_path(problem, 0.0, 0.5 * first, solve::PathSettings{}, start);
+    none = solve::follow_solution_path(problem, 0.0, 0.5 * first, solve::SolutionPathSettings{},
+                                       start);
   });
   const auto kinks = static_cast<double>(path.segments.size() - 1);
   fmt::print("{} rows, {} breakpoints, {} pivots, {} factorisations, residual {:.1e}\n",

@@ -37,7 +37,7 @@ double by_cholmod(base::SymmetricCsc K, bool metis) {
   session->supernodal = CHOLMOD_SUPERNODAL;
   session->nmethods = 1;
   session->method[0].ordering = metis ? CHOLMOD_METIS : CHOLMOD_AMD;
-  cholmod_sparse A = solve::lower_view(K.n, K.start.data(), K.row.data(), K.value.data());
+  cholmod_sparse A = solve::cholmod_lower_view(K.n, K.start.data(), K.row.data(), K.value.data());
   cholmod_factor* L = cholmod_l_analyze(&A, session.get());
   cholmod_l_factorize(&A, L, session.get());
   cholmod_dense* f = cholmod_l_ones(static_cast<std::size_t>(K.n), 1, CHOLMOD_REAL, session.get());

@@ -34,8 +34,8 @@ double dgemm_rate(int n) {
   const double begin = base::cpu_seconds();
   int products = 0;
   while (base::cpu_seconds() - begin < 0.5) {
-    solve::blas::gemm({.m = n, .n = n, .k = n}, solve::blas::whole_matrix(A),
-                      solve::blas::whole_matrix(B), solve::blas::whole_matrix(C));
+    solve::blas::gemm({.m = n, .n = n, .k = n}, solve::blas::as_matrix_block(A),
+                      solve::blas::as_matrix_block(B), solve::blas::as_matrix_block(C));
     ++products;
   }
   return 2.0 * n * n * n * products / (base::cpu_seconds() - begin);

@@ -56,7 +56,7 @@ void factorise(const CondensationRequest& request, std::vector<Task>& tasks,
   base::parallel_for(missing.size(), request.threads, [&](std::size_t i) {
     Task& task = *missing[i];
     const base::Stopwatch watch;
-    const double cpu = solve::thread_cpu();
+    const double cpu = solve::thread_cpu_seconds();
     task.work.beside = std::this_thread::get_id() != main_thread;
     task.work.begin = watch.start_time();
     const fe::DofMap& map = task.net->map;
@@ -69,7 +69,7 @@ void factorise(const CondensationRequest& request, std::vector<Task>& tasks,
         fe::assemble_stiffness(request.model, request.mesh, task.net->elements,
                                stacked ? std::span<const fe::Superelement>() : task.supers, map);
     task.stiffness_wall = watch.wall_time();
-    task.work.stiffness_cpu = solve::thread_cpu() - cpu;
+    task.work.stiffness_cpu = solve::thread_cpu_seconds() - cpu;
     task.work.assembled = base::steady_clock_seconds();
     task.net->factor =
         stacked ? std::make_shared<solve::Condensation>(K, map.externals(), blocks,
@@ -180,7 +180,7 @@ std::vector<std::int64_t> equation_numbers(const fe::DofMap& map,
 }
 
 bool keeps_parts_apart(const fe::DofMap& map, std::span<const solve::DenseBlock> blocks) {
-  return !map.ties && solve::two_level_pays(blocks, map.size(), map.externals());
+  return !map.ties && solve::is_two_level_cheaper(blocks, map.size(), map.externals());
 }
 
 bool can_stay_factorised(const SubstructuredBody& body) {
@@ -298,7 +298,8 @@ std::vector<SubstructuredBody> condense_bodies(const CondensationRequest& reques
       }
       const auto locals = static_cast<std::size_t>(body.region.map.locals);
       std::vector<std::int32_t> external(freedom.begin() + body.region.map.locals, freedom.end());
-      if (std::optional<solve::FactoredExternals> factor = body.region.factor->take_factor()) {
+      if (std::optional<solve::FactoredExternals> factor =
+              body.region.factor->take_external_factor()) {
         body.condensed =
             std::make_shared<contact::CondensedBody>(std::move(external), std::move(*factor));
         return;

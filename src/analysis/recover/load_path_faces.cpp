@@ -110,7 +110,7 @@ void LoadPathSolver::look_at_faces(const base::Vector& value) {
 
 // Between knots all is linear: the largest overlaps are at knots.
 void LoadPathSolver::look_at_faces(const solve::SolutionPath& found) {
-  for (const solve::PathSegment& s : found.segments) {
+  for (const solve::SolutionPathSegment& s : found.segments) {
     look_at_faces(s.value);
     look_at_faces(base::Vector(s.value + (s.to - s.from) * s.slope));
   }

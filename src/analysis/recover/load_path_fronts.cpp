@@ -23,7 +23,7 @@ void smooth_front(const mesh::CrackFront& is, const crack::FrontExtensions& doma
   const std::size_t n = front.points.size();
   std::vector<std::array<std::vector<double>, 3>> value(n);
   std::vector<std::array<std::vector<double>, 3>> slope(n);
-  for (const solve::PathSegment& s : found.segments) {
+  for (const solve::SolutionPathSegment& s : found.segments) {
     const auto values = smooth_front_K(is, domains, s.value, first);
     const auto slopes = smooth_front_K(is, domains, s.slope, first);
     for (std::size_t i = 0; i < n; ++i) {

@@ -256,9 +256,9 @@ results::LoadPathResult LoadPathSolver::path(const model::LoadPathDefinition& ca
   const solve::ParametricProblem posed = path_problem(card, solver);
   solve::SolutionPath found;
   if (posed.db.size() > 0 || posed.dh.size() > 0) {
-    solve::PathSettings settings;
+    solve::SolutionPathSettings settings;
     settings.start.max_block_iterations = model_.control.max_iterations;
-    found = solve::follow_path(posed, 0.0, card.beyond, settings, from.problem.start);
+    found = solve::follow_solution_path(posed, 0.0, card.beyond, settings, from.problem.start);
   } else { // no contact: one line
     found.segments.push_back({0.0, card.beyond, posed.f0, posed.df});
     found.end = card.beyond;

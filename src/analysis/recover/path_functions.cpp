@@ -15,7 +15,7 @@ constexpr double worst_mismatch = 1e-6;
 
 std::vector<double> path_knots(const solve::SolutionPath& found) {
   std::vector<double> t;
-  for (const solve::PathSegment& s : found.segments) {
+  for (const solve::SolutionPathSegment& s : found.segments) {
     t.push_back(s.from);
   }
   t.push_back(found.end);
@@ -25,7 +25,7 @@ std::vector<double> path_knots(const solve::SolutionPath& found) {
 base::PiecewiseLinear path_functional(const solve::SolutionPath& found, Eigen::Index k) {
   std::vector<double> value;
   std::vector<double> slope;
-  for (const solve::PathSegment& s : found.segments) {
+  for (const solve::SolutionPathSegment& s : found.segments) {
     value.push_back(s.value[k]);
     slope.push_back(s.slope[k]);
   }

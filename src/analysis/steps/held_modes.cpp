@@ -181,8 +181,8 @@ std::vector<results::BodyPreview> rigid_mode_support(const model::Model& model,
                                                      const std::vector<SubstructuredBody>& bodies) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const AllModes modes(scene, bodies);
-  const solve::ModeSplit split =
-      solve::split_modes(modes.openings(all_rows(scene)), modes.opening_scale(all_rows(scene)));
+  const solve::ModeSplit split = solve::split_controllable_modes(
+      modes.openings(all_rows(scene)), modes.opening_scale(all_rows(scene)));
   std::vector<results::BodyPreview> found;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const SubstructuredBody& body = bodies[b];
@@ -242,7 +242,7 @@ unsupported_loads(const model::Model& model, const Discretisation& scene,
     const double scale =
         std::max({(scene.case_load * factors.case_factor).lpNorm<1>(),
                   (pull * factors.case_factor).lpNorm<1>(), h.cwiseAbs().maxCoeff()});
-    const solve::ModeSplit split = solve::split_modes(B, modes.opening_scale(rows));
+    const solve::ModeSplit split = solve::split_controllable_modes(B, modes.opening_scale(rows));
     // Motions that no row feels come first: the balance is that of the others (solve.16).
     base::Vector motion = solve::uncontrollable_motion(split, h, solve::resting_load * scale);
     if (motion.size() == 0) {
@@ -256,7 +256,8 @@ unsupported_loads(const model::Model& model, const Discretisation& scene,
                                              .d = {}};
       const solve::LoadBalance balance = solve::balance_loads(
           solve::cone_edge_balance_problem(plain.B, plain.h, equality, friction));
-      motion = solve::opening_motion(split, balance, solve::rest_load * std::max(scale, h.norm()));
+      motion = solve::unstopped_opening_motion(split, balance,
+                                               solve::rest_load * std::max(scale, h.norm()));
       if (motion.size() > 0 && !friction.empty()) {
         motion = solve::sliding_motion(split, plain, friction, balance);
       }

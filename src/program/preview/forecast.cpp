@@ -31,9 +31,9 @@ double externals_of(const analysis::Substructure& net) {
 }
 
 // What contact rows weigh of the unknowns of a net, without the weights.
-solve::SparseColumns rows_on_net(const analysis::CondensationRequest& request,
-                                 const analysis::Substructure& net) {
-  solve::SparseColumns F;
+solve::SparseRightHandSides rows_on_net(const analysis::CondensationRequest& request,
+                                        const analysis::Substructure& net) {
+  solve::SparseRightHandSides F;
   const int dim = request.mesh.dim;
   for (const contact::ConstraintRow* row : request.rows) {
     const std::size_t before = F.row.size();
@@ -112,8 +112,8 @@ const solve::FactorReport& CostForecast::report_of(const analysis::CondensationR
   if (apart) {
     supers.clear();
   }
-  const solve::SparseColumns rows =
-      net.weighed.empty() ? solve::SparseColumns() : rows_on_net(request, net);
+  const solve::SparseRightHandSides rows =
+      net.weighed.empty() ? solve::SparseRightHandSides() : rows_on_net(request, net);
   base::SymmetricCsc pattern = fe::stiffness_pattern(request.mesh, net.elements, supers, net.map);
   const solve::FactorReport report =
       apart ? solve::Condensation::forecast(

@@ -44,7 +44,8 @@ private:
   int threads_;
   solve::FlopRate rate_;
   std::map<analysis::HashKey, solve::FactorReport> known_;
-  std::map<analysis::HashKey, solve::BlockPartition> early_; ///< by the part they are rows of
+  std::map<analysis::HashKey, solve::EarlyLateRowPartition>
+      early_;                    ///< by the part they are rows of
   double element_seconds_ = 0.0; ///< stiffness of one element, measured on the first net
   double kept_results_ = 0.0;    ///< [bytes] of the lengths so far
   double kept_modes_ = 0.0;      ///< [bytes] matrices that the last length leaves for the next

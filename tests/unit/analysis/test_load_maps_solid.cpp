@@ -93,7 +93,7 @@ MapError compare_with_direct(solve::ParametricProblem problem, MapDice& dice) {
   problem.of_force = base::Matrix::Identity(n, n); // every force
   problem.of_mode = base::Matrix::Zero(n, problem.dh.size());
   problem.f0 = problem.df = base::Vector::Zero(n);
-  const solve::SolutionPath path = solve::follow_path(problem, 0.0, 1.0, {}, {});
+  const solve::SolutionPath path = solve::follow_solution_path(problem, 0.0, 1.0, {}, {});
   EXPECT_EQ(path.status, solve::PathStatus::complete);
   MapError error;
   error.breakpoints = path.segments.size() - 1;
@@ -107,7 +107,8 @@ MapError compare_with_direct(solve::ParametricProblem problem, MapDice& dice) {
   }
   for (int k = 0; k < 6 && !path.changes.empty(); ++k) {
     const auto last = static_cast<int>(path.changes.size()) - 1;
-    const solve::RowChange& change = path.changes[static_cast<std::size_t>(dice.whole(0, last))];
+    const solve::ActiveRowChange& change =
+        path.changes[static_cast<std::size_t>(dice.whole(0, last))];
     const solve::ContactSolution s = direct(problem, path.segments[change.segment].from);
     error.breakpoint = std::max({error.breakpoint, s.lambda[change.row] / s.lambda.maxCoeff(),
                                  s.gap[change.row] / s.gap.maxCoeff()});

@@ -119,7 +119,7 @@ TEST(ContactSystem, RowsOnEarlyRowsLastFromBodyToBody) {
   // which the last 4 are external.
   const base::Matrix block = positive(6);
   const auto early = std::make_shared<const solve::FirstBlockFactor>(
-      block, solve::BlockPartition{{0, 1, 2, 3}, {4, 5}});
+      block, solve::EarlyLateRowPartition{{0, 1, 2, 3}, {4, 5}});
   std::vector<contact::ConstraintRow> rows(4);
   std::vector<const contact::ConstraintRow*> all;
   for (std::size_t r = 0; r < rows.size(); ++r) {

@@ -221,11 +221,11 @@ TEST(Condensation, CondensedLoadAndRecoveredLocalsSolveTheWhole) {
 }
 
 // Rows of two or three unknowns, of locals and of externals.
-SparseColumns random_rows(std::int64_t n, int k) {
+SparseRightHandSides random_rows(std::int64_t n, int k) {
   std::mt19937 engine(11);
   std::uniform_int_distribution<std::int64_t> place(0, n - 1);
   std::uniform_real_distribution<double> weight(-1.0, 1.0);
-  SparseColumns F;
+  SparseRightHandSides F;
   for (int j = 0; j < k; ++j) {
     for (int i = 0; i < 2 + j % 2; ++i) {
       F.row.push_back(place(engine));
@@ -244,7 +244,7 @@ TEST(Condensation, CompliancesOfRowsAreThoseOfTheirHalfSolves) {
     const Matrix A = dense(K);
     const std::int64_t l = K.n - e;
     const Condensation c(K, e, Ordering::metis);
-    const SparseColumns sparse = random_rows(K.n, 300); // more than one panel
+    const SparseRightHandSides sparse = random_rows(K.n, 300); // more than one panel
     Matrix F = Matrix::Zero(K.n, 300);
     for (int j = 0; j < 300; ++j) {
       for (std::int64_t p = sparse.start[at(j)]; p < sparse.start[at(j + 1)]; ++p) {

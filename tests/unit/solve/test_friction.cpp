@@ -320,7 +320,7 @@ TEST(Friction, RandomProblemsAgreeWithEnumeration) {
     Dice dice(static_cast<unsigned>(seed));
     FrictionProblem p = random_problem(dice);
     const std::vector<Found> answers = enumerate(p);
-    const Uniqueness unique = check_uniqueness(p);
+    const UniquenessResult unique = check_uniqueness(p);
     const double force = std::pow(10.0, dice.whole(-6, 6));
     const double length = std::pow(10.0, dice.whole(-6, 6));
     p.contact.W *= length / force;

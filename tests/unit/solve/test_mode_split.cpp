@@ -28,7 +28,7 @@ base::Matrix ring_between(int n, double off) {
 // A ring turns freely in a bore, whether or not the bore's centre is known to the last digit.
 TEST(ModeSplit, TurningInABoreOpensNoRow) {
   for (const double off : {0.0, 1e-14, 1.3e-9, 1e-8, 5e-8}) {
-    const ModeSplit split = split_modes(ring_between(61, off), 0.0);
+    const ModeSplit split = split_controllable_modes(ring_between(61, off), 0.0);
     ASSERT_EQ(split.uncontrollable.cols(), 1) << off;
     EXPECT_NEAR(std::abs(split.uncontrollable(2, 0)), 1.0, 1e-6) << off;
     EXPECT_EQ(split.controllable.cols(), 4) << off;
@@ -38,7 +38,7 @@ TEST(ModeSplit, TurningInABoreOpensNoRow) {
 
 // Where the shaft can follow, the ring turns about the bore's centre, however far off that is.
 TEST(ModeSplit, AnEccentricRingCarriesItsShaftAlong) {
-  const ModeSplit split = split_modes(ring_between(61, 1e-3), 0.0);
+  const ModeSplit split = split_controllable_modes(ring_between(61, 1e-3), 0.0);
   EXPECT_EQ(split.uncontrollable.cols(), 1);
   EXPECT_EQ(split.controllable.cols(), 4);
 }
@@ -46,9 +46,9 @@ TEST(ModeSplit, AnEccentricRingCarriesItsShaftAlong) {
 // With the shaft held it cannot turn but by an eccentricity that is round-off.
 TEST(ModeSplit, AnEccentricRingRoundAHeldShaftIsHeld) {
   const base::Matrix held = ring_between(61, 1e-3).leftCols(3);
-  EXPECT_EQ(split_modes(held, 0.0).uncontrollable.cols(), 0);
+  EXPECT_EQ(split_controllable_modes(held, 0.0).uncontrollable.cols(), 0);
   const base::Matrix round = ring_between(61, 1e-9).leftCols(3);
-  EXPECT_EQ(split_modes(round, 0.0).uncontrollable.cols(), 1);
+  EXPECT_EQ(split_controllable_modes(round, 0.0).uncontrollable.cols(), 1);
 }
 
 } // namespace

@@ -115,7 +115,7 @@ Point solve_point(const ParametricProblem& p, double t) {
   return point;
 }
 
-const PathSegment& segment_at(const SolutionPath& path, double t) {
+const SolutionPathSegment& segment_at(const SolutionPath& path, double t) {
   std::size_t k = 0;
   while (k + 1 < path.segments.size() && path.segments[k].to < t) {
     ++k;
@@ -124,14 +124,14 @@ const PathSegment& segment_at(const SolutionPath& path, double t) {
 }
 
 Vector value_at(const SolutionPath& path, double t) {
-  const PathSegment& s = segment_at(path, t);
+  const SolutionPathSegment& s = segment_at(path, t);
   return s.value + (t - s.from) * s.slope;
 }
 
 /// Largest functional on the path, what differences are measured by.
 double size_of(const SolutionPath& path, const ParametricProblem& p) {
   double size = p.f0.cwiseAbs().maxCoeff() + p.df.cwiseAbs().maxCoeff();
-  for (const PathSegment& s : path.segments) {
+  for (const SolutionPathSegment& s : path.segments) {
     size = std::max(size, s.value.cwiseAbs().maxCoeff());
   }
   return size;
@@ -165,7 +165,7 @@ void compare(const SolutionPath& path, const ParametricProblem& p, Dice& dice, T
     EXPECT_LT(error, 1e-5) << t;
   }
   for (std::size_t k = 1; k < path.segments.size(); ++k) { // continuous
-    const PathSegment& s = path.segments[k - 1];
+    const SolutionPathSegment& s = path.segments[k - 1];
     const Vector jump = s.value + (s.to - s.from) * s.slope - path.segments[k].value;
     EXPECT_LT(jump.cwiseAbs().maxCoeff(), 1e-5 * size);
     EXPECT_EQ(s.to, path.segments[k].from);
@@ -183,7 +183,7 @@ TEST(Parametric, RandomPathsAgreeWithPointSolutions) {
     SCOPED_TRACE(seed);
     Dice dice(static_cast<unsigned>(seed));
     const ParametricProblem p = problem_of(random_body(dice, seed % 4 == 0 ? 30 : 8));
-    const SolutionPath path = follow_path(p, 0.0, 1.5, PathSettings{}, {});
+    const SolutionPath path = follow_solution_path(p, 0.0, 1.5, SolutionPathSettings{}, {});
     if (path.status == PathStatus::no_start) {
       ASSERT_NE(solve_point(p, 0.0).status, ContactStatus::solved);
       continue;
@@ -247,7 +247,7 @@ ParametricProblem backwards(ParametricProblem p) {
 TEST(Parametric, MirrorImagesCloseTogether) {
   const int n = 120;
   const ParametricProblem p = row_of_springs(n);
-  const SolutionPath path = follow_path(p, 0.0, 1.0, PathSettings{}, {});
+  const SolutionPath path = follow_solution_path(p, 0.0, 1.0, SolutionPathSettings{}, {});
   ASSERT_EQ(path.status, PathStatus::complete);
   EXPECT_GT(path.segments.size(), 20U);
   std::vector<bool> closed = path.closed;
@@ -268,8 +268,9 @@ TEST(Parametric, MirrorImagesCloseTogether) {
 
 TEST(Parametric, TheWayBackHasTheSameBreakpoints) {
   const ParametricProblem p = row_of_springs(90);
-  const SolutionPath up = follow_path(p, 0.0, 1.0, PathSettings{}, {});
-  const SolutionPath down = follow_path(backwards(p), 0.0, 1.0, PathSettings{}, {});
+  const SolutionPath up = follow_solution_path(p, 0.0, 1.0, SolutionPathSettings{}, {});
+  const SolutionPath down =
+      follow_solution_path(backwards(p), 0.0, 1.0, SolutionPathSettings{}, {});
   ASSERT_EQ(up.segments.size(), down.segments.size());
   const std::size_t n = up.segments.size();
   for (std::size_t k = 0; k < n; ++k) {
@@ -281,12 +282,12 @@ TEST(Parametric, TheWayBackHasTheSameBreakpoints) {
 
 TEST(Parametric, ScaledLoadsAndGapsScaleThePath) {
   const ParametricProblem p = row_of_springs(60);
-  const SolutionPath one = follow_path(p, 0.0, 1.0, PathSettings{}, {});
+  const SolutionPath one = follow_solution_path(p, 0.0, 1.0, SolutionPathSettings{}, {});
   for (const double s : {1e-3, 0.3, 1e3}) {
     ParametricProblem q = p;
     q.at_zero.b *= s;
     q.db *= s;
-    const SolutionPath other = follow_path(q, 0.0, 1.0, PathSettings{}, {});
+    const SolutionPath other = follow_solution_path(q, 0.0, 1.0, SolutionPathSettings{}, {});
     ASSERT_EQ(one.segments.size(), other.segments.size());
     for (std::size_t k = 0; k < one.segments.size(); ++k) {
       EXPECT_NEAR(one.segments[k].from, other.segments[k].from, 1e-11);
@@ -301,7 +302,7 @@ TEST(Parametric, FromNothingAtAllThePathIsOneLine) {
   ParametricProblem p = row_of_springs(80);
   p.db = p.at_zero.b + 0.5 * p.db;
   p.at_zero.b.setZero();
-  const SolutionPath path = follow_path(p, 0.0, 2.0, PathSettings{}, {});
+  const SolutionPath path = follow_solution_path(p, 0.0, 2.0, SolutionPathSettings{}, {});
   ASSERT_EQ(path.status, PathStatus::complete);
   EXPECT_EQ(path.segments.size(), 1U);
   EXPECT_NEAR(path.segments[0].value(0), 0.0, 1e-14);
@@ -320,7 +321,7 @@ TEST(Parametric, NetFitBehindAPressFit) {
     p.at_zero.b(i) = i < 40 ? -0.1 : 0.0;
     p.db(i) = i < 40 ? 0.05 : -0.02 * std::sin(0.3 * i);
   }
-  const SolutionPath path = follow_path(p, 0.0, 1.0, PathSettings{}, {});
+  const SolutionPath path = follow_solution_path(p, 0.0, 1.0, SolutionPathSettings{}, {});
   ASSERT_EQ(path.status, PathStatus::complete);
   for (int i = 0; i <= 20; ++i) {
     const double t = i / 20.0;
@@ -344,7 +345,7 @@ TEST(Parametric, OneTwinHandsOverToTheOther) {
   p.of_mode.resize(1, 0);
   p.f0 = Vector::Constant(1, -3.0 * c);
   p.df = Vector::Zero(1);
-  const SolutionPath path = follow_path(p, 0.0, 1.0, PathSettings{}, {});
+  const SolutionPath path = follow_solution_path(p, 0.0, 1.0, SolutionPathSettings{}, {});
   ASSERT_EQ(path.status, PathStatus::complete);
   ASSERT_EQ(path.segments.size(), 2U);
   EXPECT_NEAR(path.segments[1].from, 0.5, 1e-14);
@@ -365,7 +366,7 @@ TEST(Parametric, AModeThatIsLetGoIsNamedAndNothingExtrapolated) {
   p.of_force = Matrix::Constant(1, 2, 1.0);
   p.of_mode = Matrix::Zero(1, 1);
   p.f0 = p.df = Vector::Zero(1);
-  const SolutionPath path = follow_path(p, 0.0, 3.0, PathSettings{}, {});
+  const SolutionPath path = follow_solution_path(p, 0.0, 3.0, SolutionPathSettings{}, {});
   EXPECT_EQ(path.status, PathStatus::unheld_mode);
   EXPECT_NEAR(path.end, 1.0, 1e-12);
   ASSERT_EQ(path.unheld.size(), 1);
@@ -375,13 +376,13 @@ TEST(Parametric, AModeThatIsLetGoIsNamedAndNothingExtrapolated) {
 
 TEST(Parametric, ListOfPivotsAndFreshFactorsAgreeAndRepeatToTheBit) {
   const ParametricProblem p = row_of_springs(150);
-  PathSettings often;
+  SolutionPathSettings often;
   often.refactor = 7;
-  PathSettings never;
+  SolutionPathSettings never;
   never.refactor = 100000;
-  const SolutionPath a = follow_path(p, 0.0, 1.0, often, {});
-  const SolutionPath b = follow_path(p, 0.0, 1.0, never, {});
-  const SolutionPath again = follow_path(p, 0.0, 1.0, never, {});
+  const SolutionPath a = follow_solution_path(p, 0.0, 1.0, often, {});
+  const SolutionPath b = follow_solution_path(p, 0.0, 1.0, never, {});
+  const SolutionPath again = follow_solution_path(p, 0.0, 1.0, never, {});
   EXPECT_GT(a.factorisations, 5);
   EXPECT_LT(b.factorisations, 3);
   ASSERT_EQ(a.segments.size(), b.segments.size());

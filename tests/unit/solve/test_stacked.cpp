@@ -90,14 +90,14 @@ TEST(TwoLevelCondensation, EarlyRowsAreEliminatedOnceForAll) {
   constexpr std::int64_t e = 9;
   std::shared_ptr<const FirstBlockFactor> kept;
   const FirstBlockFactor* first = nullptr;
-  BlockPartition told_lists;
+  EarlyLateRowPartition told_lists;
   for (const double ground : {0.1, 0.7}) {
     const Sum sum = chain_and_block(ground);
     const std::vector<DenseBlock> blocks{{sum.rows, &sum.block}};
     Condensation c(sum.K, e, blocks, &kept);
     ASSERT_EQ(c.report().status, FactorStatus::ok);
     EXPECT_EQ(c.schur().size(), 0);
-    const std::optional<FactoredExternals> own = c.take_factor();
+    const std::optional<FactoredExternals> own = c.take_external_factor();
     ASSERT_TRUE(own && own->L.is_positive_definite());
     EXPECT_EQ(own->L.first_block_size(), 6); // rows 30 to 35
     first = first == nullptr ? kept.get() : first;
@@ -121,7 +121,8 @@ TEST(TwoLevelCondensation, EarlyRowsAreEliminatedOnceForAll) {
     // made anew: the same bits
     std::shared_ptr<const FirstBlockFactor> none;
     Condensation anew(sum.K, e, blocks, &none);
-    EXPECT_EQ((anew.take_factor()->L.forward_substitute(g) - Y).cwiseAbs().maxCoeff(), 0.0);
+    EXPECT_EQ((anew.take_external_factor()->L.forward_substitute(g) - Y).cwiseAbs().maxCoeff(),
+              0.0);
     const FactorReport told = Condensation::forecast(sum.K, e, blocks, &told_lists);
     EXPECT_EQ(told.flops, c.report().flops);
     EXPECT_EQ(told.memory, c.report().memory);
@@ -139,7 +140,7 @@ TEST(TwoLevelCondensation, ASpringOnARowOfTheBlockIsNotLost) {
   const std::vector<DenseBlock> blocks{{sum.rows, &sum.block}};
   std::shared_ptr<const FirstBlockFactor> kept;
   Condensation c(sum.K, 9, blocks, &kept);
-  const std::optional<FactoredExternals> own = c.take_factor();
+  const std::optional<FactoredExternals> own = c.take_external_factor();
   ASSERT_TRUE(own && own->L.is_positive_definite());
   EXPECT_EQ(own->L.first_block_size(), 5);
   Matrix f = Matrix::Zero(sum.K.n, 9);
@@ -160,7 +161,7 @@ TEST(TwoLevelCondensation, ABlockThatDoesNotHoldItsRowsGivesS) {
   std::shared_ptr<const FirstBlockFactor> kept;
   Condensation c(sum.K, 9, blocks, &kept);
   ASSERT_EQ(c.report().status, FactorStatus::ok);
-  EXPECT_FALSE(c.take_factor());
+  EXPECT_FALSE(c.take_external_factor());
   const Condensation plain(sum.K, 9, blocks);
   EXPECT_EQ((c.schur() - plain.schur()).cwiseAbs().maxCoeff(), 0.0);
 }
@@ -177,9 +178,9 @@ TEST(TwoLevelCondensation, ABlockThatHoldsNothingIsNamed) {
 
 TEST(TwoLevelCondensation, PaysWhereTheBlockFillsTheTop) {
   const Sum sum = chain_and_block(0.1);
-  EXPECT_TRUE(two_level_pays(std::vector<DenseBlock>{{sum.rows, nullptr}}, sum.K.n, 4));
-  EXPECT_FALSE(two_level_pays(std::vector<DenseBlock>{{{30, 31}, nullptr}}, sum.K.n, 20));
-  EXPECT_FALSE(two_level_pays({}, sum.K.n, 4));
+  EXPECT_TRUE(is_two_level_cheaper(std::vector<DenseBlock>{{sum.rows, nullptr}}, sum.K.n, 4));
+  EXPECT_FALSE(is_two_level_cheaper(std::vector<DenseBlock>{{{30, 31}, nullptr}}, sum.K.n, 20));
+  EXPECT_FALSE(is_two_level_cheaper({}, sum.K.n, 4));
 }
 
 } // namespace
