@@ -14,7 +14,7 @@ template <int dim> inline constexpr std::size_t auxiliary_field_count = dim + 2;
 /// Number of the last one.
 template <int dim> inline constexpr std::size_t force_auxiliary = dim + 1;
 /// Number of a partner among the fields of a section (section_field).
-template <int dim> [[nodiscard]] constexpr std::size_t section_number(std::size_t auxiliary) {
+template <int dim> [[nodiscard]] constexpr std::size_t section_field_number(std::size_t auxiliary) {
   return auxiliary == force_auxiliary<dim> ? line_force_auxiliary : auxiliary;
 }
 
@@ -30,7 +30,7 @@ template <int dim> struct DeformationState {
   [[nodiscard]] double dilatation() const { return H.trace() + hoop; }
   /// Work density of this state's stress on the strain of another, the part round the axis included
   /// [stress].
-  [[nodiscard]] double work_on(const DeformationState& other) const {
+  [[nodiscard]] double work_density_on(const DeformationState& other) const {
     return sigma.cwiseProduct(other.H).sum() + sigma_hoop * other.hoop;
   }
 };

@@ -22,7 +22,8 @@ base::Vec3 places_of(const model::Mesh& mesh, base::ElementId e) {
 
 } // namespace
 
-AuxiliaryFieldTable::AuxiliaryFieldTable(const FrontSetting& set, const FrontExtensions& fields)
+AuxiliaryFieldTable::AuxiliaryFieldTable(const FrontContext& set,
+                                         const FrontIntegralDomains& fields)
     : body_(set.body), elements_(fields.elements()) {
   if (elements_.empty()) {
     return;
@@ -44,7 +45,7 @@ AuxiliaryFieldTable::AuxiliaryFieldTable(const FrontSetting& set, const FrontExt
     const fe::AnyElement<3>& element = shape::reference_element<3>(set.mesh.type[e.index()]);
     const fe::AnyNodeVectors<3> X = fe::coordinates(element, set.mesh, e);
     for (const auto& point : quadrature_rule(element, e)) {
-      const TurningAxes axes(set.axes.locate_point(X * element.N(point.r)));
+      const FrontAxesDerivatives axes(set.axes.locate_point(X * element.N(point.r)));
       AllowedVariables& at = fields_.emplace_back();
       for (std::size_t k = 1; k < auxiliary_field_count<3>; ++k) {
         const AuxiliaryField<3> w = front_auxiliary_field(k, axes, set.body);
@@ -54,7 +55,7 @@ AuxiliaryFieldTable::AuxiliaryFieldTable(const FrontSetting& set, const FrontExt
   }
 }
 
-bool AuxiliaryFieldTable::is_valid_for(const FrontSetting& set) const {
+bool AuxiliaryFieldTable::is_valid_for(const FrontContext& set) const {
   const bool same_body = body_.lambda == set.body.lambda && body_.mu == set.body.mu &&
                          body_.nu == set.body.nu && body_.unit == set.body.unit;
   return same_body && elements_.back().index() < set.mesh.element_count() &&
@@ -63,8 +64,8 @@ bool AuxiliaryFieldTable::is_valid_for(const FrontSetting& set) const {
          });
 }
 
-std::shared_ptr<const AuxiliaryFieldTable> cached_auxiliary_table(const FrontSetting& set,
-                                                                  const FrontExtensions& fields) {
+std::shared_ptr<const AuxiliaryFieldTable>
+cached_auxiliary_table(const FrontContext& set, const FrontIntegralDomains& fields) {
   if (!fields.auxiliary_cache) {
     return std::make_shared<const AuxiliaryFieldTable>(set, fields);
   }

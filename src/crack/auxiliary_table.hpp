@@ -15,7 +15,7 @@ namespace spricka::crack {
 /// the mesh and the material: steps, rows of K and rows of other functions all read the same.
 class AuxiliaryFieldTable {
 public:
-  AuxiliaryFieldTable(const FrontSetting& set, const FrontExtensions& fields);
+  AuxiliaryFieldTable(const FrontContext& set, const FrontIntegralDomains& fields);
 
   /// The rule over an element.
   [[nodiscard]] std::span<const shape::QuadraturePoint<3>>
@@ -35,7 +35,7 @@ public:
   }
 
   /// Whether it is of this body and of a mesh with nodes at the same places.
-  [[nodiscard]] bool is_valid_for(const FrontSetting& set) const;
+  [[nodiscard]] bool is_valid_for(const FrontContext& set) const;
 
 private:
   struct TabulatedAuxiliaryField {
@@ -55,7 +55,7 @@ private:
 };
 
 /// Of the domains of a front, from their memory if they have one.
-std::shared_ptr<const AuxiliaryFieldTable> cached_auxiliary_table(const FrontSetting& set,
-                                                                  const FrontExtensions& fields);
+std::shared_ptr<const AuxiliaryFieldTable>
+cached_auxiliary_table(const FrontContext& set, const FrontIntegralDomains& fields);
 
 } // namespace spricka::crack

@@ -28,7 +28,7 @@ public:
   }
   /// Sum over nodes of their motion times P, of each auxiliary field.
   [[nodiscard]] std::array<double, auxiliary_field_count<dim>>
-  released_energies(const ExtensionField& field) const {
+  released_energies(const VirtualExtensionField& field) const {
     std::array<double, auxiliary_field_count<dim>> sum{};
     for (const NodeMotion& moved : field.motion) {
       const std::int32_t slot = slot_[moved.node.index()];

@@ -26,9 +26,9 @@ struct CrackFacePoint {
   SideValues N, dN;
 };
 
-std::vector<CrackFacePoint> points_of(const TipSetting& tip, const ElementSide& edge) {
+std::vector<CrackFacePoint> points_of(const TipContext& tip, const ElementSide& edge) {
   std::vector<CrackFacePoint> points;
-  for (const auto& [r, weight] : tip_side_rule(tip, edge)) {
+  for (const auto& [r, weight] : tip_side_quadrature(tip, edge)) {
     CrackFacePoint& p = points.emplace_back();
     p.N = edge.N(r);
     p.dN = edge.dN(r).col(0);
@@ -44,12 +44,12 @@ std::vector<CrackFacePoint> points_of(const TipSetting& tip, const ElementSide& 
 using NodeAreas = std::map<base::NodeId, double>;
 
 // What stands behind a point of the faces.
-double depth_of(const TipSetting& tip, const CrackFacePoint& p) {
+double depth_of(const TipContext& tip, const CrackFacePoint& p) {
   return tip.is_axisymmetric() ? 2.0 * std::numbers::pi * p.x.x() : tip.property.thickness;
 }
 
 // A_i of (crack.33) with what stands behind it, sums over the edges of a node.
-NodeAreas areas_of(const std::vector<ElementSide>& edges, const TipSetting& tip) {
+NodeAreas areas_of(const std::vector<ElementSide>& edges, const TipContext& tip) {
   NodeAreas area;
   for (const ElementSide& edge : edges) {
     for (const CrackFacePoint& p : points_of(tip, edge)) {
@@ -68,7 +68,7 @@ bool is_on_axis(const ElementSide& edge, Eigen::Index end) {
 
 // Where the pressure of a node acts on an edge: its own function, with that of the tip added to its
 // neighbour's, as no force between the faces is known there. At the axis likewise.
-SideValues pressed(const ElementSide& edge, const SideValues& N, const TipSetting& tip) {
+SideValues pressed(const ElementSide& edge, const SideValues& N, const TipContext& tip) {
   SideValues own = N;
   for (const Eigen::Index end : {Eigen::Index{0}, Eigen::Index{1}}) {
     if (edge.nodes[static_cast<std::size_t>(end)] == tip.tip_node ||
@@ -83,7 +83,7 @@ SideValues pressed(const ElementSide& edge, const SideValues& N, const TipSettin
 // Calls add(edge, i, point, weight / area) for the nodes i of all face edges that the field moves:
 // weight is that of the integral of q times the node's function.
 template <class Add>
-void for_faces(const TipSetting& tip, const ExtensionField& field,
+void for_faces(const TipContext& tip, const VirtualExtensionField& field,
                const std::vector<model::Face>& faces, Add&& add) {
   std::vector<ElementSide> edges;
   edges.reserve(faces.size());
@@ -95,7 +95,7 @@ void for_faces(const TipSetting& tip, const ExtensionField& field,
   for (const ElementSide& edge : edges) {
     SideValues moved = SideValues::Zero(static_cast<Eigen::Index>(edge.nodes.size()));
     for (std::size_t i = 0; i < edge.nodes.size(); ++i) {
-      moved[static_cast<Eigen::Index>(i)] = extension_of(q, edge.nodes[i]);
+      moved[static_cast<Eigen::Index>(i)] = extension_of_node(q, edge.nodes[i]);
     }
     if (!(moved.array() > 0.0).any()) {
       continue;
@@ -116,7 +116,7 @@ void for_faces(const TipSetting& tip, const ExtensionField& field,
 
 } // namespace
 
-CrackFaceWeights crack_face_weights(const TipSetting& tip, const ExtensionField& field,
+CrackFaceWeights crack_face_weights(const TipContext& tip, const VirtualExtensionField& field,
                                     const std::vector<model::Face>& faces) {
   CrackFaceWeights weights;
   for_faces(tip, field, faces,
@@ -134,7 +134,7 @@ CrackFaceWeights crack_face_weights(const TipSetting& tip, const ExtensionField&
   return weights;
 }
 
-std::array<double, 3> crack_face_term(const TipSetting& tip, const ExtensionField& field,
+std::array<double, 3> crack_face_term(const TipContext& tip, const VirtualExtensionField& field,
                                       const CrackFaceForces& crack_faces, const base::Vector& u) {
   const auto at = [](const base::Vector& nodal, base::NodeId n) -> base::Vec2 {
     return nodal.segment<2>(2 * static_cast<Eigen::Index>(n.index()));

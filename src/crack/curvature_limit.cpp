@@ -23,7 +23,7 @@ constexpr double more_turn = 0.35;
 
 } // namespace
 
-bool CurvatureLimit::is_exceeded(std::size_t point, const ExtensionField& field) {
+bool CurvatureLimit::is_exceeded(std::size_t point, const VirtualExtensionField& field) {
   const double least =
       std::cos(std::min(2.0 * turn_beside(point) + more_turn, 0.5 * std::numbers::pi));
   return std::ranges::any_of(field.elements, [&](ElementId e) {

@@ -17,7 +17,7 @@ public:
 
   /// Whether the elements of a point's domain come near the centre of curvature, or the front turns
   /// too much within one of them.
-  [[nodiscard]] bool is_exceeded(std::size_t point, const ExtensionField& field);
+  [[nodiscard]] bool is_exceeded(std::size_t point, const VirtualExtensionField& field);
 
 private:
   /// How a node lies to the place of the front nearest to it.

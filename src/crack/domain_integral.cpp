@@ -13,7 +13,7 @@ namespace {
 /// both ways of writing the energy leave out the same that does not depend on u.
 class SectionHeat {
 public:
-  SectionHeat(const TipSetting& set, base::ElementId e)
+  SectionHeat(const TipContext& set, base::ElementId e)
       : set_(set), element_(plane_element(set.mesh, e)), X_(fe::coordinates(element_, set.mesh, e)),
         law_(fe::constitutive_law(set.model, set.mesh, e)),
         T_(fe::CornerValues<2>::Zero(element_.corners)) {
@@ -27,7 +27,7 @@ public:
   }
 
   void heat(const fe::Jacobian<PlaneElement>& at, const shape::Point<2>& r, const base::Vec2& x,
-            LoadedState<2>& here) const {
+            ThermoelasticState<2>& here) const {
     if (!set_.loads.has_element_loads()) {
       return;
     }
@@ -47,15 +47,16 @@ public:
   }
 
   // (crack.21).
-  void cool(LoadedState<2>& here, double beta_T) const {
+  void cool(ThermoelasticState<2>& here, double beta_T) const {
     here.sigma.diagonal().array() -= beta_T;
     here.sigma_hoop -= set_.is_axisymmetric() ? beta_T : 0.0;
   }
 
   // The auxiliary fields of K and T meet the same displacements under the affine temperature alone;
   // what differs from it is heat_term's (crack.34).
-  [[nodiscard]] LoadedState<2> met(const LoadedState<2>& own, const base::Vec2& x) const {
-    LoadedState<2> here = own;
+  [[nodiscard]] ThermoelasticState<2> met(const ThermoelasticState<2>& own,
+                                          const base::Vec2& x) const {
+    ThermoelasticState<2> here = own;
     if (set_.affine && set_.loads.has_element_loads()) {
       const double beta = fe::thermal_modulus(law_);
       cool(here, beta * (*set_.affine)(set_.tip, x) - own.beta_T);
@@ -70,7 +71,7 @@ public:
   }
 
 private:
-  const TipSetting& set_;
+  const TipContext& set_;
   const PlaneElement& element_;
   PlaneVectors X_;
   fe::ConstitutiveLaw law_;
@@ -83,14 +84,15 @@ private:
 
 // One vector per node serves all domains (crack.5): outside its own elements the q of a domain is
 // constant, and there the gradients of the shape functions of an element sum to zero.
-void add_domain_terms(const TipFields& fields, const base::Vector& u,
+void add_domain_terms(const TipAuxiliaryFields& fields, const base::Vector& u,
                       ConfigurationalForces<2>& out) {
-  const TipSetting& set = fields.set();
+  const TipContext& set = fields.set();
   const std::vector<BodyForceField> body =
       body_force_fields(set.model, set.mesh, set.loads, ScaleElements::whole_set);
   const auto add = [&](base::ElementId e, bool strained) {
     const SectionHeat heat(set, e);
-    ElementForces<TipFields, SectionHeat>(fields, heat, body, e, u).add(strained, out);
+    ElementConfigurationalForces<TipAuxiliaryFields, SectionHeat>(fields, heat, body, e, u)
+        .add(strained, out);
   };
   for (const base::ElementId e : fields.strained()) {
     add(e, true);

@@ -12,7 +12,7 @@
 namespace spricka::crack {
 
 /// The solution at a point of an element, its stress with what the temperature takes out.
-template <int dim> struct LoadedState : DeformationState<dim> {
+template <int dim> struct ThermoelasticState : DeformationState<dim> {
   Tensor<dim> nodal = Tensor<dim>::Zero();    ///< gradient of the nodes' displacement
   Tensor<dim> strained = Tensor<dim>::Zero(); ///< gradient that has this stress
   double beta_T = 0.0;                        ///< stress that the temperature takes out
@@ -21,25 +21,26 @@ template <int dim> struct LoadedState : DeformationState<dim> {
 };
 
 /// Energy-momentum at a point, in the section and round an axis.
-template <int dim> struct AxialMomentum {
+template <int dim> struct AxisymmetricEnergyMomentum {
   Tensor<dim> T = Tensor<dim>::Zero();
   double hoop = 0.0;
 };
 
 /// One element of the domains: energy-momentum (crack.4, crack.10, crack_space.6), forces per
 /// volume (crack.19), the temperature's gradient (crack.22, crack.23) and the divergence of the
-/// auxiliary fields' stress (crack.39, crack_space.8). `Source` is TipFields or FrontFields;
-/// `ElementHeat` says what the temperature does in the element:
-///   heat(at, r, x, here)     sets what LoadedState has of it, and H where nodes are carried;
-///   cool(here, beta_T)       takes normal stresses out;
-///   met(own, x)              what auxiliary fields meet in the solution's place;
-///   is_carried(), expansion_gradient(x)   nodes that a free expansion carries.
-template <class Source, class ElementHeat> class ElementForces {
+/// auxiliary fields' stress (crack.39, crack_space.8). `Source` is TipAuxiliaryFields or
+/// FrontAuxiliaryFields; `ElementHeat` says what the temperature does in the element:
+///   heat(at, r, x, here)     sets what ThermoelasticState has of it, and H where nodes are
+///   carried; cool(here, beta_T)       takes normal stresses out; met(own, x)              what
+///   auxiliary fields meet in the solution's place; is_carried(), expansion_gradient(x)   nodes
+///   that a free expansion carries.
+template <class Source, class ElementHeat> class ElementConfigurationalForces {
 public:
   static constexpr int dim = Source::dim;
 
-  ElementForces(const Source& source, const ElementHeat& heat,
-                const std::vector<BodyForceField>& body, base::ElementId e, const base::Vector& u)
+  ElementConfigurationalForces(const Source& source, const ElementHeat& heat,
+                               const std::vector<BodyForceField>& body, base::ElementId e,
+                               const base::Vector& u)
       : source_(source), heat_(heat), body_(body), e_(e),
         element_(shape::reference_element<dim>(mesh().type[e.index()])),
         X_(fe::coordinates(element_, mesh(), e)), U_(fe::gather(element_, mesh(), e, u)),
@@ -78,11 +79,11 @@ private:
     const fe::NodeValues<fe::AnyElement<dim>> N = element_.N(point.r);
     const Vector x = X_ * N;
     const double weight = point.weight * at.det * source_.set().relative_depth(x);
-    const LoadedState<dim> own = solution(at, point.r, N, x);
+    const ThermoelasticState<dim> own = solution(at, point.r, N, x);
     // Auxiliary fields may meet another temperature than G (crack.34).
-    const LoadedState<dim>& met = heat_.met(own, x);
+    const ThermoelasticState<dim>& met = heat_.met(own, x);
     for (std::size_t k = 0; k < auxiliary_field_count<dim>; ++k) {
-      AxialMomentum<dim> M;
+      AxisymmetricEnergyMomentum<dim> M;
       // What N_n itself is multiplied with.
       Vector c;
       if (k == 0) {
@@ -108,11 +109,11 @@ private:
     }
   }
 
-  [[nodiscard]] LoadedState<dim> solution(const fe::Jacobian<fe::AnyElement<dim>>& at,
-                                          const shape::Point<dim>& r,
-                                          const fe::NodeValues<fe::AnyElement<dim>>& N,
-                                          const Vector& x) const {
-    LoadedState<dim> here;
+  [[nodiscard]] ThermoelasticState<dim> solution(const fe::Jacobian<fe::AnyElement<dim>>& at,
+                                                 const shape::Point<dim>& r,
+                                                 const fe::NodeValues<fe::AnyElement<dim>>& N,
+                                                 const Vector& x) const {
+    ThermoelasticState<dim> here;
     here.nodal = here.H = here.strained = U_.lazyProduct(at.dNdx);
     here.hoop = source_.set().hoop(U_ * N, x);
     here.heated_dilatation = here.dilatation();
@@ -123,7 +124,7 @@ private:
   }
 
   // Of u with itself, halved: W is half of (sigma - beta T) : eps.
-  static AxialMomentum<dim> own_momentum(const LoadedState<dim>& u) {
+  static AxisymmetricEnergyMomentum<dim> own_momentum(const ThermoelasticState<dim>& u) {
     const double thermal = u.beta_T * u.heated_dilatation;
     const double round = u.sigma_hoop * u.hoop;
     return {energy_momentum<dim>({u.strained, u.sigma}, thermal - round),
@@ -131,11 +132,11 @@ private:
   }
 
   // (crack.10), with the components round the axis.
-  static AxialMomentum<dim> momentum_of_both(const LoadedState<dim>& u,
-                                             const AuxiliaryField<dim>& v) {
+  static AxisymmetricEnergyMomentum<dim> momentum_of_both(const ThermoelasticState<dim>& u,
+                                                          const AuxiliaryField<dim>& v) {
     Tensor<dim> T = energy_momentum<dim>({u.H, u.sigma}, {v.H, v.sigma});
     T.diagonal().array() -= u.sigma_hoop * v.hoop;
-    return {T, u.sigma_hoop * v.hoop + v.sigma_hoop * u.hoop - u.work_on(v)};
+    return {T, u.sigma_hoop * v.hoop + v.sigma_hoop * u.hoop - u.work_density_on(v)};
   }
 
   // - q b . u,k (crack.19) and the same of the auxiliary fields (crack.23), at points of the load's
@@ -155,7 +156,7 @@ private:
         }
       }
     };
-    for_body_forces<dim>(mesh(), body_, e_, X_, add);
+    visit_body_force_points<dim>(mesh(), body_, e_, X_, add);
   }
 
   const Source& source_;

@@ -84,7 +84,7 @@ bool TipNeighbourhood::on_boundary(base::NodeId n) const {
   return false;
 }
 
-std::map<base::NodeId, double> ExtensionField::extension_by_node() const {
+std::map<base::NodeId, double> VirtualExtensionField::extension_by_node() const {
   std::map<base::NodeId, double> by_node;
   for (const NodeMotion& moved : motion) {
     by_node.emplace_hint(by_node.end(), moved.node, moved.q);
@@ -92,10 +92,10 @@ std::map<base::NodeId, double> ExtensionField::extension_by_node() const {
   return by_node;
 }
 
-ExtensionField TipNeighbourhood::field(const mesh::CrackFront& front, int rings) const {
+VirtualExtensionField TipNeighbourhood::field(const mesh::CrackFront& front, int rings) const {
   // The last layer keeps the elements that q strains (crack.2).
-  FrontLayers layers = front_layers(mesh_, elements_, front, {}, rings + 1);
-  ExtensionField result;
+  FrontElementLayers layers = find_front_element_layers(mesh_, elements_, front, {}, rings + 1);
+  VirtualExtensionField result;
   result.rings = rings;
   result.elements = std::move(layers.elements.back());
   layers.elements.pop_back();
@@ -132,11 +132,10 @@ ExtensionField TipNeighbourhood::field(const mesh::CrackFront& front, int rings)
   return result;
 }
 
-std::vector<ExtensionField> TipNeighbourhood::extension_fields(const mesh::CrackedMesh& cracked,
-                                                               const mesh::CrackFront& front,
-                                                               const std::vector<int>& rings,
-                                                               std::vector<int>& left_out,
-                                                               const DomainLimits& limits) const {
+std::vector<VirtualExtensionField>
+TipNeighbourhood::extension_fields(const mesh::CrackedMesh& cracked, const mesh::CrackFront& front,
+                                   const std::vector<int>& rings, std::vector<int>& left_out,
+                                   const DomainLimits& limits) const {
   const Movable movable(cracked, front);
   const auto fixed = [&](base::NodeId n) {
     return (!limits.node.empty() && limits.node[n.index()]) ||
@@ -170,9 +169,9 @@ std::vector<ExtensionField> TipNeighbourhood::extension_fields(const mesh::Crack
   const auto beyond = [&](base::ElementId e) {
     return split || zone(e) != side[on_left(e) ? 1 : 0];
   };
-  std::vector<ExtensionField> result;
+  std::vector<VirtualExtensionField> result;
   for (const int count : rings) {
-    ExtensionField f = field(front, count);
+    VirtualExtensionField f = field(front, count);
     const bool moves_fixed =
         std::ranges::any_of(f.motion, [&](const NodeMotion& m) { return fixed(m.node); });
     const bool leaves = std::ranges::any_of(f.motion, [&](const NodeMotion& m) {

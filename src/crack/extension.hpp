@@ -23,7 +23,7 @@ struct NodeMotion {
 
 /// q of one domain: 1 at the tip and on every node of `rings` rings of elements round it, 0 beyond
 /// the ring after; mid nodes in between take the mean of their corners.
-struct ExtensionField {
+struct VirtualExtensionField {
   int rings = 1;
   std::vector<NodeMotion> motion;        ///< nodes with q > 0, ascending
   std::vector<base::ElementId> elements; ///< where q is not constant, ascending
@@ -59,15 +59,14 @@ public:
   /// (the crack's own faces behind the tip and, for a half model, the symmetry line excepted),
   /// reach another tip, a node of the limits, or leave the tip's property or zone is left out and
   /// named in `left_out`.
-  [[nodiscard]] std::vector<ExtensionField> extension_fields(const mesh::CrackedMesh& cracked,
-                                                             const mesh::CrackFront& front,
-                                                             const std::vector<int>& rings,
-                                                             std::vector<int>& left_out,
-                                                             const DomainLimits& limits = {}) const;
+  [[nodiscard]] std::vector<VirtualExtensionField>
+  extension_fields(const mesh::CrackedMesh& cracked, const mesh::CrackFront& front,
+                   const std::vector<int>& rings, std::vector<int>& left_out,
+                   const DomainLimits& limits = {}) const;
 
 private:
   [[nodiscard]] bool on_boundary(base::NodeId n) const;
-  [[nodiscard]] ExtensionField field(const mesh::CrackFront& front, int rings) const;
+  [[nodiscard]] VirtualExtensionField field(const mesh::CrackFront& front, int rings) const;
 
   const model::Mesh& mesh_;
   mesh::NodeElements elements_;

@@ -11,14 +11,14 @@ namespace {
 
 /// Nodes of one field moved along e1.
 struct Shift {
-  const TipSetting& set;
+  const TipContext& set;
   std::map<base::NodeId, double> q;
   double s = 0.0;
   const base::Vector& u;
   const std::vector<BodyForceField>& fields;
 
   [[nodiscard]] base::Vec2 step_of(base::NodeId n) const {
-    return s * extension_of(q, n) * set.tip.e1;
+    return s * extension_of_node(q, n) * set.tip.e1;
   }
 };
 
@@ -35,7 +35,7 @@ struct ShiftedElement {
         X(fe::coordinates(element, shift.set.mesh, e)),
         U(fe::gather(element, shift.set.mesh, e, shift.u)),
         law(fe::constitutive_law(shift.set.model, shift.set.mesh, e)) {
-    const PlaneValues moved = extension_at(shift.set.mesh, e, shift.q);
+    const PlaneValues moved = extension_at_element_nodes(shift.set.mesh, e, shift.q);
     X += (shift.s * shift.set.tip.e1) * moved.transpose();
     law.thickness = 1.0; // G counts per unit of it
   }
@@ -43,7 +43,7 @@ struct ShiftedElement {
 
 // Work of the forces per volume on the displacements of an element.
 double body_work(const Shift& shift, const ShiftedElement& at) {
-  const TipSetting& set = shift.set;
+  const TipContext& set = shift.set;
   double work = 0.0;
   const auto add = [&](const shape::Point<2>& r, double weight, const base::Vec2& b) {
     const PlaneValues N = at.element.N(r);
@@ -51,12 +51,12 @@ double body_work(const Shift& shift, const ShiftedElement& at) {
     work += weight * fe::jacobian(at.element, at.X, r).det * set.relative_depth(at.X * N) *
             b.dot(value);
   };
-  for_body_forces<2>(set.mesh, shift.fields, at.e, at.X, add);
+  visit_body_force_points<2>(set.mesh, shift.fields, at.e, at.X, add);
   return work;
 }
 
 // Of displacements U, per unit of the front.
-double strain_energy(const TipSetting& set, const ShiftedElement& at, const PlaneVectors& U) {
+double strain_energy(const TipContext& set, const ShiftedElement& at, const PlaneVectors& U) {
   const double front = set.is_axisymmetric() ? at.law.depth(set.tip.x.x()) : 1.0;
   return 0.5 * U.cwiseProduct(fe::element_force(at.element, at.X, at.law, U)).sum() / front;
 }
@@ -65,7 +65,7 @@ double strain_energy(const TipSetting& set, const ShiftedElement& at, const Plan
 // it, but for what does not depend on u.
 double heated_energy(const Shift& shift, const ShiftedElement& moved) {
   const auto& [e, element, X, U, law] = moved;
-  const TipSetting& set = shift.set;
+  const TipContext& set = shift.set;
   const PlaneVectors before = fe::coordinates(element, set.mesh, e);
   const fe::CornerValues<2> T = fe::corner_temperature(element, set.mesh, e, set.loads.temperature);
   const double beta = law.expansion * (law.heated_directions() * law.lambda + 2.0 * law.mu);
@@ -80,7 +80,7 @@ double heated_energy(const Shift& shift, const ShiftedElement& moved) {
     }
     return strain_energy(set, moved, U - free.at_nodes(X)) - thermal;
   }
-  const PlaneValues q = extension_at(set.mesh, e, shift.q);
+  const PlaneValues q = extension_at_element_nodes(set.mesh, e, shift.q);
   for (const auto& point : shape::quadrature<2>(element.domain, domain_degree)) {
     const fe::Jacobian<PlaneElement> at = fe::jacobian(element, X, point.r);
     const PlaneValues N = element.N(point.r);
@@ -118,13 +118,13 @@ double face_work(const Shift& shift, const ActingLoad& acting, const model::Face
     const base::Vec3 x = side.X * N;
     const base::Vec2 u = U * N;
     work += point.weight * shift.set.relative_depth(x.head<2>()) *
-            face_force(acting, x, side.area_vector(point.r)).head<2>().dot(u);
+            load_force_on_face(acting, x, side.area_vector(point.r)).head<2>().dot(u);
   }
   return work;
 }
 
-double potential_energy(const Shift& shift, const ExtensionField& field) {
-  const TipSetting& set = shift.set;
+double potential_energy(const Shift& shift, const VirtualExtensionField& field) {
+  const TipContext& set = shift.set;
   std::vector<base::ElementId> elements = field.elements;
   // Elements that move as one keep their strain energy; the work of a field in space changes.
   // About an axis they come to other radii.
@@ -143,7 +143,7 @@ double potential_energy(const Shift& shift, const ExtensionField& field) {
     }
   }
   for (const ActingLoad& acting : set.loads.loads) {
-    const fe::FieldMagnitude scale = face_scale(set.mesh, acting);
+    const fe::FieldMagnitude scale = face_load_scale(set.mesh, acting);
     for (const model::Face& face : acting.faces) {
       energy -= face_work(shift, acting, face, u_tip, scale);
     }
@@ -153,8 +153,8 @@ double potential_energy(const Shift& shift, const ExtensionField& field) {
 
 } // namespace
 
-double shifted_release_rate(const TipSetting& set, const ExtensionField& field, double s,
-                            const base::Vector& u) {
+double finite_shift_release_rate(const TipContext& set, const VirtualExtensionField& field,
+                                 double s, const base::Vector& u) {
   const std::map<base::NodeId, double> q = field.extension_by_node();
   const std::vector<BodyForceField> fields =
       body_force_fields(set.model, set.mesh, set.loads, ScaleElements::whole_set);

@@ -8,7 +8,7 @@ namespace spricka::crack {
 /// moved by s q e1) / 2s, displacements kept (manual, crack.15). One side of a symmetry line only.
 /// What acts on the crack faces works on displacements relative to the tip's, as what comes on top
 /// where they become longer is no part of G.
-double shifted_release_rate(const TipSetting& set, const ExtensionField& field, double s,
-                            const base::Vector& u);
+double finite_shift_release_rate(const TipContext& set, const VirtualExtensionField& field,
+                                 double s, const base::Vector& u);
 
 } // namespace spricka::crack

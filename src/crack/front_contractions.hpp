@@ -18,11 +18,11 @@ using PointMotion = std::map<base::NodeId, base::Vec3>;
 
 /// Motion by node of one point of a front, the mean of its domains' extensions over the length that
 /// belongs to the point; none without a domain.
-inline PointMotion point_motion(const mesh::FrontPoint& point,
-                                const std::vector<ExtensionField>& domains) {
+inline PointMotion node_motion_with_front_point(const mesh::FrontPoint& point,
+                                                const std::vector<VirtualExtensionField>& domains) {
   PointMotion motion;
   const double part = 1.0 / (static_cast<double>(domains.size()) * point.weight);
-  for (const ExtensionField& field : domains) {
+  for (const VirtualExtensionField& field : domains) {
     for (const NodeMotion& moved : field.motion) {
       motion.try_emplace(moved.node, base::Vec3::Zero()).first->second +=
           part * moved.q * moved.along;
@@ -39,21 +39,21 @@ template <int dim> struct ContractionTensor {
 };
 
 /// The points of a front with how they move nodes, and which of them move an element. `Source` is
-/// TipFields or FrontFields.
+/// TipAuxiliaryFields or FrontAuxiliaryFields.
 template <class Source> class FrontContractions {
 public:
   static constexpr int dim = Source::dim;
 
   /// domains: [point][domain]. Of a half model the other modes than K1 are zero by symmetry.
   FrontContractions(const Source& source, const mesh::CrackFront& front,
-                    const std::vector<std::vector<ExtensionField>>& domains)
+                    const std::vector<std::vector<VirtualExtensionField>>& domains)
       : source_(source) {
     for (std::size_t mode = 1; mode <= (front.symmetric_half ? 1 : std::size_t{dim}); ++mode) {
       auxiliary_fields_.push_back(mode);
     }
     for (std::size_t i = 0; i < domains.size(); ++i) {
-      motion_.push_back(point_motion(front.points[i], domains[i]));
-      for (const ExtensionField& field : domains[i]) {
+      motion_.push_back(node_motion_with_front_point(front.points[i], domains[i]));
+      for (const VirtualExtensionField& field : domains[i]) {
         for (const std::vector<base::ElementId>* elements : {&field.elements, &field.inside}) {
           for (const base::ElementId e : *elements) {
             points_of_[e].insert(i);
@@ -70,7 +70,7 @@ public:
     return auxiliary_fields_;
   }
   /// The points of the front that move an element of their domains, ascending.
-  [[nodiscard]] const std::set<std::size_t>& points_moving(base::ElementId e) const {
+  [[nodiscard]] const std::set<std::size_t>& front_points_moving_element(base::ElementId e) const {
     return points_of_.at(e);
   }
 
@@ -78,7 +78,7 @@ public:
   /// as one.
   [[nodiscard]] std::vector<base::ElementId> contracted_elements() const {
     std::vector<base::ElementId> all(source_.strained().begin(), source_.strained().end());
-    if (source_.is_contracted_inside()) {
+    if (source_.contracts_rigid_elements()) {
       all.insert(all.end(), source_.rigid().begin(), source_.rigid().end());
     }
     return all;
@@ -113,7 +113,7 @@ public:
   };
   /// The points of a front that move an element, and how they move its nodes.
   using MovingPoints = std::vector<std::pair<std::size_t, fe::AnyNodeVectors<dim>>>;
-  [[nodiscard]] MovingPoints moving_points(base::ElementId e) const {
+  [[nodiscard]] MovingPoints moving_front_points(base::ElementId e) const {
     MovingPoints moved;
     for (const std::size_t i : points_of_.at(e)) {
       fe::AnyNodeVectors<dim> q;
@@ -127,7 +127,8 @@ public:
   /// . (s(v) grad q) with A = (H_v e1) (x) grad q - (div q) H_v is e1 . T grad q of the
   /// interaction).
   template <class Visit>
-  void for_contractions(base::ElementId e, const MovingPoints& moved, const Visit& visit) const {
+  void visit_contraction_points(base::ElementId e, const MovingPoints& moved,
+                                const Visit& visit) const {
     const fe::AnyElement<dim>& element = shape::reference_element<dim>(mesh().type[e.index()]);
     const fe::AnyNodeVectors<dim> X = fe::coordinates(element, mesh(), e);
     const auto& elasticity = source_.elasticity(e);

@@ -36,8 +36,8 @@ public:
                          const DomainLimits& limits)
       : cracked_(cracked), mesh_(cracked.mesh), front_(front), limits_(limits),
         elements_(cracked.mesh), line_(front_mid_nodes(mesh_, elements_, front)),
-        layers_(front_layers(mesh_, elements_, front, line_, most + 1)), curve_(*front.curve),
-        hats_(front, line_.closed), curvature_(mesh_, front, line_.closed),
+        layers_(find_front_element_layers(mesh_, elements_, front, line_, most + 1)),
+        curve_(*front.curve), hats_(front, line_.closed), curvature_(mesh_, front, line_.closed),
         sides_(free_sides(mesh_, reached())), surface_(mesh_, sides_, off_own_front()) {
     out_.points.resize(front_.points.size());
     out_.closed = line_.closed;
@@ -48,7 +48,7 @@ public:
 
   void add_domain(int rings) {
     const std::map<NodeId, std::vector<std::pair<std::size_t, double>>> q = amounts(rings);
-    std::vector<ExtensionField> fields(front_.points.size());
+    std::vector<VirtualExtensionField> fields(front_.points.size());
     std::vector<std::string> why(front_.points.size());
     for (const auto& [node, parts] : q) {
       const Follower& follower = follow(node);
@@ -78,10 +78,10 @@ public:
     }
   }
 
-  FrontExtensions take() {
+  FrontIntegralDomains take() {
     std::set<NodeId> moved;
-    for (const std::vector<ExtensionField>& domains : out_.points) {
-      for (const ExtensionField& field : domains) {
+    for (const std::vector<VirtualExtensionField>& domains : out_.points) {
+      for (const VirtualExtensionField& field : domains) {
         for (const NodeMotion& motion : field.motion) {
           moved.insert(motion.node);
         }
@@ -104,7 +104,7 @@ public:
 private:
   // The crack's own faces begin at its front: they are not in the way of that, however it bends
   // between the corners of elements.
-  [[nodiscard]] SurfaceNodeMotion::InTheWay off_own_front() const {
+  [[nodiscard]] SurfaceNodeMotion::ObstructionTest off_own_front() const {
     const mesh::CrackFaces& own = cracked_.faces[front_.crack.index()];
     std::set<model::Face> faces(own.left_sides.begin(), own.left_sides.end());
     faces.insert(own.right_sides.begin(), own.right_sides.end());
@@ -241,7 +241,7 @@ private:
 
   // Nodes that rows tie to others move as the rows have it, so that the row still holds of the
   // moved mesh; then the elements.
-  void finish(ExtensionField& field, int rings) const {
+  void finish(VirtualExtensionField& field, int rings) const {
     field.rings = rings;
     std::map<NodeId, std::pair<double, Vec3>> at;
     for (const NodeMotion& motion : field.motion) {
@@ -281,7 +281,7 @@ private:
     return limits_.zone.empty() ? mesh_.property[e.index()].value : limits_.zone[e.index()];
   }
 
-  [[nodiscard]] bool leaves_material(std::size_t point, const ExtensionField& field) const {
+  [[nodiscard]] bool leaves_material(std::size_t point, const VirtualExtensionField& field) const {
     const std::int64_t own = zone(elements_.elements_around(front_.points[point].node).front());
     return std::ranges::any_of(field.elements, [&](ElementId e) { return zone(e) != own; });
   }
@@ -292,7 +292,7 @@ private:
   const DomainLimits& limits_;
   mesh::NodeElements elements_;
   FrontMidNodes line_;
-  FrontLayers layers_;
+  FrontElementLayers layers_;
   const mesh::FrontCurve& curve_;
   FrontHats hats_;
   CurvatureLimit curvature_;
@@ -300,13 +300,13 @@ private:
   SurfaceNodeMotion surface_;
   std::vector<bool> fixed_; ///< [node]
   std::map<NodeId, Follower> followers_;
-  FrontExtensions out_;
+  FrontIntegralDomains out_;
 };
 
-std::set<ElementId> strained_by(const std::vector<std::vector<ExtensionField>>& points) {
+std::set<ElementId> strained_by(const std::vector<std::vector<VirtualExtensionField>>& points) {
   std::set<ElementId> all;
-  for (const std::vector<ExtensionField>& domains : points) {
-    for (const ExtensionField& field : domains) {
+  for (const std::vector<VirtualExtensionField>& domains : points) {
+    for (const VirtualExtensionField& field : domains) {
       all.insert(field.elements.begin(), field.elements.end());
     }
   }
@@ -315,11 +315,11 @@ std::set<ElementId> strained_by(const std::vector<std::vector<ExtensionField>>& 
 
 } // namespace
 
-bool FrontExtensions::empty() const {
+bool FrontIntegralDomains::empty() const {
   return std::ranges::all_of(points, [](const auto& domains) { return domains.empty(); });
 }
 
-std::vector<ElementId> FrontExtensions::elements() const {
+std::vector<ElementId> FrontIntegralDomains::elements() const {
   std::vector<ElementId> all;
   all.reserve(degree.size());
   for (const auto& [element, rule] : degree) {
@@ -328,8 +328,10 @@ std::vector<ElementId> FrontExtensions::elements() const {
   return all;
 }
 
-FrontExtensions front_extensions(const mesh::CrackedMesh& cracked, const mesh::CrackFront& front,
-                                 const std::vector<int>& rings, const DomainLimits& limits) {
+FrontIntegralDomains build_front_domains(const mesh::CrackedMesh& cracked,
+                                         const mesh::CrackFront& front,
+                                         const std::vector<int>& rings,
+                                         const DomainLimits& limits) {
   if (rings.empty() || front.curve == nullptr) {
     return {};
   }
@@ -337,7 +339,7 @@ FrontExtensions front_extensions(const mesh::CrackedMesh& cracked, const mesh::C
   for (const int count : rings) {
     builder.add_domain(count);
   }
-  FrontExtensions fields = builder.take();
+  FrontIntegralDomains fields = builder.take();
   for (const ElementId e : strained_by(fields.points)) {
     fields.degree.emplace(e, rule_degree(cracked.mesh, e, *front.curve));
   }

@@ -25,15 +25,15 @@ struct OmittedDomain {
 
 /// The domains of a front; in the plane of its one point, the tip, with `points` and `beyond`
 /// alone.
-struct FrontExtensions {
-  std::vector<std::vector<ExtensionField>> points = {}; ///< [point][domain]
+struct FrontIntegralDomains {
+  std::vector<std::vector<VirtualExtensionField>> points = {}; ///< [point][domain]
   std::vector<MovedFreeSide> sides = {}; ///< free sides with a node that some domain moves
   std::vector<double> station = {};      ///< [point] place on the curve, from the first point on
   std::vector<base::NodeId> middle = {}; ///< [point] mid node between it and the next, or invalid
   bool closed = false;
   std::vector<OmittedDomain> left_out = {};
   /// Of a tip: one ring of elements more than its largest domain, if that fits.
-  std::optional<ExtensionField> beyond = std::nullopt;
+  std::optional<VirtualExtensionField> beyond = std::nullopt;
   /// Of the rule over each element that some domain strains (rule_degree).
   std::map<base::ElementId, int> degree = {};
   std::shared_ptr<AuxiliaryFieldCache> auxiliary_cache =
@@ -45,8 +45,8 @@ struct FrontExtensions {
 };
 
 /// The domains of a tip in the plane.
-inline FrontExtensions tip_extensions(std::vector<ExtensionField> fields) {
-  FrontExtensions domains;
+inline FrontIntegralDomains make_tip_domains(std::vector<VirtualExtensionField> fields) {
+  FrontIntegralDomains domains;
   domains.points.push_back(std::move(fields));
   return domains;
 }
@@ -57,7 +57,9 @@ inline FrontExtensions tip_extensions(std::vector<ExtensionField> fields) {
 /// A domain that would move a node of the limits (but for those that a row ties to others that move
 /// alike), of another front or another crack, leave the material or the surface, or reach as far as
 /// the front's centre of curvature is left out.
-FrontExtensions front_extensions(const mesh::CrackedMesh& cracked, const mesh::CrackFront& front,
-                                 const std::vector<int>& rings, const DomainLimits& limits = {});
+FrontIntegralDomains build_front_domains(const mesh::CrackedMesh& cracked,
+                                         const mesh::CrackFront& front,
+                                         const std::vector<int>& rings,
+                                         const DomainLimits& limits = {});
 
 } // namespace spricka::crack

@@ -15,24 +15,24 @@ namespace spricka::crack {
 /// The domains of a front in space and the auxiliary fields at their points, as the terms of K read
 /// them (crack/interaction_terms.hpp); those at the points of elements from a table, made when they
 /// are asked for first.
-class FrontFields {
+class FrontAuxiliaryFields {
 public:
   static constexpr int dim = 3;
-  using Place = TurningAxes;
+  using Place = FrontAxesDerivatives;
 
-  FrontFields(const FrontSetting& set, const FrontExtensions& fields)
+  FrontAuxiliaryFields(const FrontContext& set, const FrontIntegralDomains& fields)
       : set_(set), fields_(fields), strained_(fields.elements()) {
     for (const MovedFreeSide& side : fields.sides) {
       moved_.emplace(side.face, side.on);
     }
   }
 
-  [[nodiscard]] const FrontSetting& set() const { return set_; }
+  [[nodiscard]] const FrontContext& set() const { return set_; }
   /// All elements of all domains, ascending.
   [[nodiscard]] const std::vector<base::ElementId>& strained() const { return strained_; }
   /// Elements that a domain moves as one are among the others.
   [[nodiscard]] static std::span<const base::ElementId> rigid() { return {}; }
-  [[nodiscard]] static bool is_contracted_inside() { return false; }
+  [[nodiscard]] static bool contracts_rigid_elements() { return false; }
   /// Free sides with a node that some domain moves.
   [[nodiscard]] const std::vector<MovedFreeSide>& sides() const { return fields_.sides; }
   /// Degree of the rule over an element.
@@ -57,7 +57,7 @@ public:
   }
 
   /// Which face of the crack a side is that a domain moves; nothing: none moves it.
-  [[nodiscard]] std::optional<CrackFaceSide> side_of(const model::Face& face) const {
+  [[nodiscard]] std::optional<CrackFaceSide> crack_face_of_side(const model::Face& face) const {
     const auto known = moved_.find(face);
     return known == moved_.end() ? std::nullopt : std::optional(known->second);
   }
@@ -89,8 +89,8 @@ private:
     return *table_;
   }
 
-  const FrontSetting& set_;
-  const FrontExtensions& fields_;
+  const FrontContext& set_;
+  const FrontIntegralDomains& fields_;
   std::vector<base::ElementId> strained_;
   std::map<model::Face, CrackFaceSide> moved_;
   mutable std::shared_ptr<const AuxiliaryFieldTable> table_;

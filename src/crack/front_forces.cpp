@@ -19,7 +19,7 @@ namespace {
 class SolidHeat {
 public:
   /// `linear`: the temperature, if it is linear in all elements.
-  SolidHeat(const FrontSetting& set, const FrontLoads& loads,
+  SolidHeat(const FrontContext& set, const FrontLoads& loads,
             const std::optional<LinearTemperature>& linear, base::ElementId e)
       : loads_(loads), linear_(linear), e_(e) {
     if (loads.temperature.size() > 0) {
@@ -38,7 +38,7 @@ public:
   // element is the field itself, which is steadier across its sides than what elements take
   // (crack.21, crack.22).
   void heat(const fe::Jacobian<fe::AnyElement<3>>& at, const shape::Point<3>& r, const Vec3& x,
-            LoadedState<3>& here) const {
+            ThermoelasticState<3>& here) const {
     if (beta_ == 0.0) {
       return;
     }
@@ -63,9 +63,13 @@ public:
     here.beta_grad_T = beta_ * slope;
   }
 
-  static void cool(LoadedState<3>& here, double beta_T) { here.sigma.diagonal().array() -= beta_T; }
+  static void cool(ThermoelasticState<3>& here, double beta_T) {
+    here.sigma.diagonal().array() -= beta_T;
+  }
   // Auxiliary fields meet the solution as it is, and no free expansion carries nodes.
-  static const LoadedState<3>& met(const LoadedState<3>& own, const Vec3& /*x*/) { return own; }
+  static const ThermoelasticState<3>& met(const ThermoelasticState<3>& own, const Vec3& /*x*/) {
+    return own;
+  }
   static bool is_carried() { return false; }
   static Tensor<3> expansion_gradient(const Vec3& /*x*/) { return Tensor<3>::Zero(); }
 
@@ -101,16 +105,17 @@ private:
 
 } // namespace
 
-void add_element_forces(const FrontFields& fields, const FrontLoads& loads, const base::Vector& u,
-                        ConfigurationalForces<3>& out) {
-  const FrontSetting& set = fields.set();
+void add_front_element_terms(const FrontAuxiliaryFields& fields, const FrontLoads& loads,
+                             const base::Vector& u, ConfigurationalForces<3>& out) {
+  const FrontContext& set = fields.set();
   const std::vector<BodyForceField> body =
       body_force_fields(set.model, set.mesh, loads, ScaleElements::near_front);
   const std::optional<LinearTemperature> linear =
       exact_linear_temperature(set.mesh, fields.strained(), loads.temperature);
   for (const base::ElementId e : fields.strained()) {
     const SolidHeat heat(set, loads, linear, e);
-    ElementForces<FrontFields, SolidHeat>(fields, heat, body, e, u).add(true, out);
+    ElementConfigurationalForces<FrontAuxiliaryFields, SolidHeat>(fields, heat, body, e, u)
+        .add(true, out);
   }
 }
 

@@ -32,7 +32,8 @@ constexpr double beside_front = 1e-9;
 
 class FrontStress {
 public:
-  FrontStress(const FrontSetting& set, const mesh::CrackFront& front, const FrontExtensions& fields)
+  FrontStress(const FrontContext& set, const mesh::CrackFront& front,
+              const FrontIntegralDomains& fields)
       : set_(set), front_(front), fields_(fields) {}
 
   [[nodiscard]] AtFront of(const FrontLoads& loads) const {
@@ -69,7 +70,7 @@ private:
     const double part = 0.5 * set_.halves / static_cast<double>(faces_at(side.on, point));
     for (const ActingLoad& acting : loads.loads) {
       if (std::ranges::find(acting.faces, side.face) != acting.faces.end()) {
-        sum += part * normal.dot(face_force(acting, own.position(r), normal));
+        sum += part * normal.dot(load_force_on_face(acting, own.position(r), normal));
       }
     }
   }
@@ -103,23 +104,23 @@ private:
     }
   }
 
-  const FrontSetting& set_;
+  const FrontContext& set_;
   const mesh::CrackFront& front_;
-  const FrontExtensions& fields_;
+  const FrontIntegralDomains& fields_;
 };
 
-ConfigurationalForces<3> all_forces(const FrontSetting& set, const FrontExtensions& extensions,
+ConfigurationalForces<3> all_forces(const FrontContext& set, const FrontIntegralDomains& extensions,
                                     const base::Vector& u, const FrontLoads& loads) {
   ConfigurationalForces<3> forces(set.mesh.node_count());
-  const FrontFields fields(set, extensions);
-  add_element_forces(fields, loads, u, forces);
-  add_face_forces(fields, forces_on_faces(set.mesh, loads), u, forces);
-  add_face_forces(fields, loads.contact, u, forces);
+  const FrontAuxiliaryFields fields(set, extensions);
+  add_front_element_terms(fields, loads, u, forces);
+  add_face_load_terms(fields, load_forces_on_faces(set.mesh, loads), u, forces);
+  add_face_load_terms(fields, loads.contact, u, forces);
   add_auxiliary_tractions(fields, u, forces);
   return forces;
 }
 
-FrontStations stations_of(const mesh::CrackFront& front, const FrontExtensions& fields,
+FrontStations stations_of(const mesh::CrackFront& front, const FrontIntegralDomains& fields,
                           const std::vector<StressIntensity>& K) {
   FrontStations at;
   at.s = fields.station;
@@ -136,8 +137,8 @@ FrontStations stations_of(const mesh::CrackFront& front, const FrontExtensions& 
 
 } // namespace
 
-void smooth_along(const mesh::CrackFront& front, const FrontExtensions& fields,
-                  std::vector<StressIntensity>& result) {
+void smooth_intensity_along_front(const mesh::CrackFront& front, const FrontIntegralDomains& fields,
+                                  std::vector<StressIntensity>& result) {
   FrontStations at = stations_of(front, fields, result);
   base::Matrix values(static_cast<Eigen::Index>(result.size()), 3);
   for (Eigen::Index i = 0; i < values.rows(); ++i) {
@@ -149,7 +150,7 @@ void smooth_along(const mesh::CrackFront& front, const FrontExtensions& fields,
     if (!point.at_surface) {
       continue;
     }
-    const auto inside = value_from_inside(at, values, {at.s[i], 4.0 * point.radius});
+    const auto inside = extrapolate_front_value(at, values, {at.s[i], 4.0 * point.radius});
     if (inside) {
       result[i].front->from_inside = std::array{(*inside)[0], (*inside)[1], (*inside)[2]};
     }
@@ -161,7 +162,7 @@ void smooth_along(const mesh::CrackFront& front, const FrontExtensions& fields,
       at.local[i] = true;
     }
   }
-  const base::Matrix fitted = smooth_values(at, values);
+  const base::Matrix fitted = smooth_values_along_front(at, values);
   for (std::size_t i = 0; i < result.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     result[i].front->smooth = {fitted(row, 0), fitted(row, 1), fitted(row, 2)};
@@ -171,7 +172,7 @@ void smooth_along(const mesh::CrackFront& front, const FrontExtensions& fields,
 std::vector<StressIntensity> front_intensity(const model::Model& model,
                                              const mesh::CrackedMesh& cracked,
                                              const mesh::CrackFront& front,
-                                             const FrontExtensions& domains,
+                                             const FrontIntegralDomains& domains,
                                              const FrontIntensityRequest& request,
                                              const base::Vector& u, const FrontLoads& loads) {
   std::vector<StressIntensity> result(front.points.size());
@@ -183,10 +184,10 @@ std::vector<StressIntensity> front_intensity(const model::Model& model,
         tip_intensity(model, cracked, front, domains.points.front(), request, u, loads);
     return result;
   }
-  const FrontSetting set = front_setting(model, cracked, front, domains);
+  const FrontContext set = make_front_context(model, cracked, front, domains);
   const ConfigurationalForces<3> forces = all_forces(set, domains, u, loads);
   const AtFront at_front = FrontStress(set, front, domains).of(loads);
-  const auto strain = strain_along(front, cracked.mesh, domains);
+  const auto strain = strain_along_front_weights(front, cracked.mesh, domains);
   for (std::size_t i = 0; i < result.size(); ++i) {
     StressIntensity& K = result[i];
     K.E_effective = set.E_effective();
@@ -198,10 +199,10 @@ std::vector<StressIntensity> front_intensity(const model::Model& model,
     const double nu = set.body.nu;
     const double sigma = at_front.across[i] + (loads.across.empty() ? 0.0 : loads.across[i]);
     const double free = at_front.thermal[i];
-    for (const ExtensionField& field : domains.points[i]) {
+    for (const VirtualExtensionField& field : domains.points[i]) {
       std::array<double, auxiliary_field_count<3>> sum = forces.released_energies(field);
       for (std::size_t k = 0; k < sum.size(); ++k) {
-        sum[k] *= set.conversion_factor(k) / front.points[i].weight;
+        sum[k] *= set.intensity_conversion_factor(k) / front.points[i].weight;
       }
       const bool half = front.symmetric_half;
       K.domains.push_back(
@@ -215,13 +216,13 @@ std::vector<StressIntensity> front_intensity(const model::Model& model,
     if (K.domains.empty()) {
       continue;
     }
-    summarise_domains(set.body.mu, 3, K); // (crack_space.14)
+    summarise_domain_intensities(set.body.mu, 3, K); // (crack_space.14)
     if (request.opening) {
-      K.opening =
-          front_opening_intensity(set, cracked.faces[front.crack.index()], front.points[i], K.G, u);
+      K.opening = front_K_from_face_opening(set, cracked.faces[front.crack.index()],
+                                            front.points[i], K.G, u);
     }
   }
-  smooth_along(front, domains, result);
+  smooth_intensity_along_front(front, domains, result);
   return result;
 }
 

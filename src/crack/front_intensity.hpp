@@ -16,13 +16,13 @@ namespace spricka::crack {
 std::vector<StressIntensity> front_intensity(const model::Model& model,
                                              const mesh::CrackedMesh& cracked,
                                              const mesh::CrackFront& front,
-                                             const FrontExtensions& domains,
+                                             const FrontIntegralDomains& domains,
                                              const FrontIntensityRequest& request,
                                              const base::Vector& u, const FrontLoads& loads);
 
 /// Fills, in space, smooth values and those from inside (crack_space.15, crack_space.16) from K1,
 /// K2 and K3 of the points that have domains: linear in K.
-void smooth_along(const mesh::CrackFront& front, const FrontExtensions& fields,
-                  std::vector<StressIntensity>& result);
+void smooth_intensity_along_front(const mesh::CrackFront& front, const FrontIntegralDomains& fields,
+                                  std::vector<StressIntensity>& result);
 
 } // namespace spricka::crack

@@ -59,9 +59,11 @@ FrontMidNodes front_mid_nodes(const model::Mesh& mesh, const mesh::NodeElements&
   return line;
 }
 
-FrontLayers front_layers(const model::Mesh& mesh, const mesh::NodeElements& elements,
-                         const mesh::CrackFront& front, const FrontMidNodes& line, int count) {
-  FrontLayers layers;
+FrontElementLayers find_front_element_layers(const model::Mesh& mesh,
+                                             const mesh::NodeElements& elements,
+                                             const mesh::CrackFront& front,
+                                             const FrontMidNodes& line, int count) {
+  FrontElementLayers layers;
   layers.of_node.assign(mesh.node_count(), -1);
   std::vector<NodeId> rim;
   const auto reach = [&](NodeId n, int layer) {

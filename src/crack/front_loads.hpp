@@ -53,13 +53,14 @@ struct FrontLoads {
 
 /// Force of one load on a place x of a face [force], per unit thickness in the plane; `area` is the
 /// face's normal as long as the area or length that the place stands for.
-base::Vec3 face_force(const ActingLoad& acting, const base::Vec3& x, const base::Vec3& area);
+base::Vec3 load_force_on_face(const ActingLoad& acting, const base::Vec3& x,
+                              const base::Vec3& area);
 
 /// Scale of a load on faces, for fe::load_rule.
-fe::FieldMagnitude face_scale(const model::Mesh& mesh, const ActingLoad& acting);
+fe::FieldMagnitude face_load_scale(const model::Mesh& mesh, const ActingLoad& acting);
 
 /// Forces of the deck's loads on sides round the front, at points; of the deck's own rules. About
 /// an axis what stands behind a point is not in them.
-std::vector<FacePointForces> forces_on_faces(const model::Mesh& mesh, const FrontLoads& loads);
+std::vector<FacePointForces> load_forces_on_faces(const model::Mesh& mesh, const FrontLoads& loads);
 
 } // namespace spricka::crack

@@ -47,10 +47,10 @@ std::optional<NodeId> first_behind(const model::Mesh& mesh, const std::vector<mo
 
 } // namespace
 
-std::optional<std::array<double, 3>> front_opening_intensity(const FrontSetting& set,
-                                                             const mesh::CrackFaces& faces,
-                                                             const mesh::FrontPoint& point,
-                                                             double G, const base::Vector& u) {
+std::optional<std::array<double, 3>> front_K_from_face_opening(const FrontContext& set,
+                                                               const mesh::CrackFaces& faces,
+                                                               const mesh::FrontPoint& point,
+                                                               double G, const base::Vector& u) {
   const FrontCoordinates at = set.axes.locate_point(point.x);
   const mesh::FrontFrame& frame = at.frame;
   const bool half = faces.left_sides.empty() || faces.right_sides.empty();

@@ -10,9 +10,9 @@ namespace spricka::crack {
 /// K1, K2 and K3 at a point of the front by the displacement of the crack's faces against each
 /// other at the first node behind it, scaled so that they release G (crack_space.17). Nothing where
 /// an edge of the crack's faces does not lead from the point to such a node, or G is not positive.
-std::optional<std::array<double, 3>> front_opening_intensity(const FrontSetting& set,
-                                                             const mesh::CrackFaces& faces,
-                                                             const mesh::FrontPoint& point,
-                                                             double G, const base::Vector& u);
+std::optional<std::array<double, 3>> front_K_from_face_opening(const FrontContext& set,
+                                                               const mesh::CrackFaces& faces,
+                                                               const mesh::FrontPoint& point,
+                                                               double G, const base::Vector& u);
 
 } // namespace spricka::crack

@@ -11,21 +11,25 @@ namespace spricka::crack {
 /// K of all points of a front as functions of u, rows^T u + what loads add: what front_intensity
 /// finds without a shift. The rows are their exact gradient, columns as in KLayout; zero without a
 /// domain and at a tip between two materials. [dim * node, dim * points]
-SparseRows
-front_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                     const mesh::CrackFront& front, const FrontExtensions& domains,
-                     model::CrackTipPlaneState state = model::CrackTipPlaneState::automatic);
+SparseLinearFunctionals
+front_intensity_functionals(const model::Model& model, const mesh::CrackedMesh& cracked,
+                            const mesh::CrackFront& front, const FrontIntegralDomains& domains,
+                            model::CrackTipPlaneState state = model::CrackTipPlaneState::automatic);
 
 /// K as functions of what multiplies other functions, 3 * function + direction: the same functional
-/// as front_intensity_rows. [3 * count, 3 * points]
-SparseRows supplementary_front_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                    const mesh::CrackFront& front, const FrontExtensions& fields,
-                                    const SupplementaryFunctions& others);
+/// as front_intensity_functionals. [3 * count, 3 * points]
+SparseLinearFunctionals supplementary_K_functionals(const model::Model& model,
+                                                    const mesh::CrackedMesh& cracked,
+                                                    const mesh::CrackFront& front,
+                                                    const FrontIntegralDomains& fields,
+                                                    const SupplementaryFunctions& others);
 
 /// What forces at the points of `places`, one after another, add to K; the forces that these have
 /// do not matter. [3 * point of a side, 3 * points]
-SparseRows front_force_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                            const mesh::CrackFront& front, const FrontExtensions& fields,
-                            const std::vector<FacePointForces>& places);
+SparseLinearFunctionals face_force_front_functionals(const model::Model& model,
+                                                     const mesh::CrackedMesh& cracked,
+                                                     const mesh::CrackFront& front,
+                                                     const FrontIntegralDomains& fields,
+                                                     const std::vector<FacePointForces>& places);
 
 } // namespace spricka::crack

@@ -8,11 +8,11 @@ namespace spricka::crack {
 
 using base::Vec3;
 
-double FrontSetting::E_effective() const {
+double FrontContext::E_effective() const {
   return fe::effective_modulus(material, model::StressState::solid);
 }
 
-double FrontSetting::conversion_factor(std::size_t auxiliary) const {
+double FrontContext::intensity_conversion_factor(std::size_t auxiliary) const {
   switch (auxiliary) {
   case 0:
     return halves;
@@ -26,8 +26,8 @@ double FrontSetting::conversion_factor(std::size_t auxiliary) const {
   }
 }
 
-FrontSetting front_setting(const model::Model& model, const mesh::CrackedMesh& cracked,
-                           const mesh::CrackFront& front, const FrontExtensions& fields) {
+FrontContext make_front_context(const model::Model& model, const mesh::CrackedMesh& cracked,
+                                const mesh::CrackFront& front, const FrontIntegralDomains& fields) {
   // Domains stay within one material: any of their elements tells it.
   const base::ElementId near = fields.elements().front();
   const model::ElasticMaterial& material = model.element_material(cracked.mesh, near);
@@ -43,9 +43,9 @@ FrontSetting front_setting(const model::Model& model, const mesh::CrackedMesh& c
           front.symmetric_half ? 2.0 : 1.0};
 }
 
-std::vector<std::vector<NodeWeight>> strain_along(const mesh::CrackFront& front,
-                                                  const model::Mesh& mesh,
-                                                  const FrontExtensions& fields) {
+std::vector<std::vector<NodeWeight>>
+strain_along_front_weights(const mesh::CrackFront& front, const model::Mesh& mesh,
+                           const FrontIntegralDomains& fields) {
   const std::size_t count = front.points.size();
   std::vector<std::vector<NodeWeight>> weights(count);
   std::vector<double> length(count, 0.0);

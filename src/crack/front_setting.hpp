@@ -14,7 +14,7 @@
 namespace spricka::crack {
 
 /// Everything the kernels need of one front. The material is that of all elements of its domains.
-struct FrontSetting {
+struct FrontContext {
   const model::Model& model;
   const model::Mesh& mesh;
   const model::ElasticMaterial& material;
@@ -24,7 +24,7 @@ struct FrontSetting {
 
   /// What turns the product of an extension, of length 1 along the front, and the forces of a
   /// auxiliary field into G, K1, K2, K3 and T (crack_space.7, crack_space.12).
-  [[nodiscard]] double conversion_factor(std::size_t auxiliary) const;
+  [[nodiscard]] double intensity_conversion_factor(std::size_t auxiliary) const;
   [[nodiscard]] double E_effective() const; ///< E / (1 - nu^2)
   /// What a tip in the plane has about an axis: nothing is there.
   [[nodiscard]] static double relative_depth(const base::Vec3& /*x*/) { return 1.0; }
@@ -34,8 +34,8 @@ struct FrontSetting {
   }
 };
 /// Of the fields of a front, of which there is one at least.
-FrontSetting front_setting(const model::Model& model, const mesh::CrackedMesh& cracked,
-                           const mesh::CrackFront& front, const FrontExtensions& fields);
+FrontContext make_front_context(const model::Model& model, const mesh::CrackedMesh& cracked,
+                                const mesh::CrackFront& front, const FrontIntegralDomains& fields);
 
 /// The strain along the front at each point, e_tt = sum of weight . u over its nodes, by the
 /// point's hat (crack_space.13).
@@ -45,7 +45,8 @@ struct NodeWeight {
 };
 /// Weights of the nodal displacements [point][entry] in that strain, mid nodes included; a node may
 /// stand in several entries of a point.
-std::vector<std::vector<NodeWeight>>
-strain_along(const mesh::CrackFront& front, const model::Mesh& mesh, const FrontExtensions& fields);
+std::vector<std::vector<NodeWeight>> strain_along_front_weights(const mesh::CrackFront& front,
+                                                                const model::Mesh& mesh,
+                                                                const FrontIntegralDomains& fields);
 
 } // namespace spricka::crack

@@ -17,7 +17,7 @@ namespace {
 using base::ElementId;
 using base::Vec2;
 
-std::vector<ElementId> all_elements(const ExtensionField& field) {
+std::vector<ElementId> all_elements(const VirtualExtensionField& field) {
   std::vector<ElementId> all = field.elements;
   all.insert(all.end(), field.inside.begin(), field.inside.end());
   std::ranges::sort(all);
@@ -25,9 +25,9 @@ std::vector<ElementId> all_elements(const ExtensionField& field) {
 }
 
 // Derivative along the crack of the volume change in the section of auxiliary field 1 to 3.
-double section_slope(const TipSetting& set, const Polar& at, std::size_t auxiliary) {
-  const SectionField w = section_field(section_number<2>(auxiliary), {at.r, at.theta},
-                                       section_body(set.material, set.state()));
+double section_slope(const TipContext& set, const PolarCoordinates& at, std::size_t auxiliary) {
+  const SectionField w = section_field(section_field_number<2>(auxiliary), {at.r, at.theta},
+                                       make_section_body(set.material, set.state()));
   return w.w_yy.x() + w.w_yz.y();
 }
 
@@ -36,8 +36,8 @@ struct Swelling {
   double slope = 0.0; ///< of the volume change, along the crack
   double hoop = 0.0;
 };
-Swelling swelling(const TipSetting& set, const Vec2& x, std::size_t auxiliary) {
-  const Polar at = polar(set.tip, x);
+Swelling swelling(const TipContext& set, const Vec2& x, std::size_t auxiliary) {
+  const PolarCoordinates at = polar(set.tip, x);
   Swelling s{section_slope(set, at, auxiliary), 0.0};
   if (set.is_axisymmetric()) {
     s.hoop = auxiliary_field_displacement(set, at, auxiliary).x() / x.x();
@@ -52,14 +52,15 @@ Swelling swelling(const TipSetting& set, const Vec2& x, std::size_t auxiliary) {
 // One element of a domain.
 class HeatTermElement {
 public:
-  HeatTermElement(const TipSetting& set, ElementId e, const std::map<base::NodeId, double>& q,
+  HeatTermElement(const TipContext& set, ElementId e, const std::map<base::NodeId, double>& q,
                   const base::Vector& u)
       : set_(set), e_(e), element_(plane_element(set.mesh, e)),
         X_(fe::coordinates(element_, set.mesh, e)), U_(fe::gather(element_, set.mesh, e, u)),
         law_(fe::constitutive_law(set.model, set.mesh, e)),
         T_(fe::corner_temperature(element_, set.mesh, e, set.loads.temperature)),
         carried_(fe::FreeExpansion::is_required(element_, X_, law_)),
-        moved_(extension_at(set.mesh, e, q)), strained_((moved_.array() != 1.0).any()) {
+        moved_(extension_at_element_nodes(set.mesh, e, q)),
+        strained_((moved_.array() != 1.0).any()) {
     if (carried_) {
       free_ = fe::FreeExpansion(element_, X_, law_, T_);
     }
@@ -102,7 +103,7 @@ public:
   void add_to_K(const shape::Point<2>& r, double area, double D,
                 std::array<double, auxiliary_field_count<2>>& sum) const {
     const Vec2 at = x(r);
-    const Polar place = polar(set_.tip, at);
+    const PolarCoordinates place = polar(set_.tip, at);
     const double q = extension(r);
     const double round = extension_round(r);
     const Vec2 grad = strained_ ? Vec2(map(r).dNdx.transpose() * moved_) : Vec2(Vec2::Zero());
@@ -160,7 +161,7 @@ private:
     return fe::jacobian(element_, X_, r);
   }
 
-  const TipSetting& set_;
+  const TipContext& set_;
   ElementId e_;
   const PlaneElement& element_;
   PlaneVectors X_;
@@ -230,7 +231,7 @@ double line_integral(const F& f, double from, double to, double scale, int depth
 // stands on the left and on the right of it, a jump drives what it finds on both sides.
 class EdgeTerm {
 public:
-  EdgeTerm(const TipSetting& set, const std::map<base::NodeId, double>& q, const base::Vector& u)
+  EdgeTerm(const TipContext& set, const std::map<base::NodeId, double>& q, const base::Vector& u)
       : set_(set), q_(q), u_(u), scale_(set.loads.temperature.cwiseAbs().maxCoeff()) {}
 
   [[nodiscard]] double operator()(const Between& edge) const {
@@ -280,7 +281,7 @@ private:
   // Just inside an element, should the temperature jump on its side.
   static Vec2 beside(const Vec2& x, const Vec2& centre) { return x + 1e-9 * (centre - x); }
 
-  const TipSetting& set_;
+  const TipContext& set_;
   const std::map<base::NodeId, double>& q_;
   const base::Vector& u_;
   double scale_; ///< largest temperature
@@ -288,7 +289,7 @@ private:
 
 // Whether the temperature that the elements of a domain take is the same on both sides of all
 // edges, and all that there is.
-bool is_taken(const TipSetting& set, const std::vector<ElementId>& all) {
+bool is_taken(const TipContext& set, const std::vector<ElementId>& all) {
   for (const fe::ScaledTemperature& acting : set.loads.heat) {
     if (std::ranges::any_of(all,
                             [&](ElementId e) { return !acting.heat->element_points(e).empty(); })) {
@@ -312,9 +313,9 @@ bool is_taken(const TipSetting& set, const std::vector<ElementId>& all) {
 
 } // namespace
 
-std::optional<AffineTemperature> fit_affine_temperature(const TipSetting& set,
-                                                        const mesh::CrackFront& front,
-                                                        const std::vector<ExtensionField>& fields) {
+std::optional<AffineTemperature>
+fit_affine_temperature(const TipContext& set, const mesh::CrackFront& front,
+                       const std::vector<VirtualExtensionField>& fields) {
   if (set.loads.temperature.size() == 0 || set.loads.heat.empty()) {
     return std::nullopt;
   }
@@ -348,7 +349,7 @@ std::optional<AffineTemperature> fit_affine_temperature(const TipSetting& set,
   return affine;
 }
 
-bool has_temperature_jump(const TipSetting& set, const ExtensionField& field) {
+bool has_temperature_jump(const TipContext& set, const VirtualExtensionField& field) {
   return std::ranges::any_of(set.loads.heat, [&](const fe::ScaledTemperature& acting) {
     const std::vector<bool>& discontinuous = acting.heat->discontinuous;
     return !discontinuous.empty() && std::ranges::any_of(all_elements(field), [&](ElementId e) {
@@ -357,9 +358,9 @@ bool has_temperature_jump(const TipSetting& set, const ExtensionField& field) {
   });
 }
 
-std::array<double, auxiliary_field_count<2>> heat_term(const TipSetting& set,
+std::array<double, auxiliary_field_count<2>> heat_term(const TipContext& set,
                                                        const mesh::CrackFront& front,
-                                                       const ExtensionField& field,
+                                                       const VirtualExtensionField& field,
                                                        const base::Vector& u) {
   std::array<double, auxiliary_field_count<2>> sum{};
   const std::map<base::NodeId, double> q = field.extension_by_node();

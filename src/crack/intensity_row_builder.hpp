@@ -26,7 +26,7 @@ public:
 
   /// Rows of the nodal displacements, from the domains and the free sides that move with them.
   /// [dim * node, K]
-  [[nodiscard]] SparseRows rows() {
+  [[nodiscard]] SparseLinearFunctionals rows() {
     for (const base::ElementId e : front_.contracted_elements()) {
       add_element(e);
     }
@@ -38,7 +38,7 @@ public:
 
   /// Rows of what multiplies other functions, in place of the nodal ones.
   /// [dim * count, K]
-  [[nodiscard]] SparseRows supplementary_rows(const SupplementaryFunctions& others) {
+  [[nodiscard]] SparseLinearFunctionals supplementary_rows(const SupplementaryFunctions& others) {
     for (const base::ElementId e : front_.contracted_elements()) {
       add_others(e, others);
     }
@@ -50,10 +50,10 @@ public:
 
   /// Rows of forces at points on sides, in the order of `places`; forces on sides that no domain
   /// moves have zero rows. [dim * point of a side, K]
-  [[nodiscard]] SparseRows force_rows(const std::vector<FacePointForces>& places) {
+  [[nodiscard]] SparseLinearFunctionals force_rows(const std::vector<FacePointForces>& places) {
     Eigen::Index first = 0;
     for (const FacePointForces& place : places) {
-      if (const std::optional<CrackFaceSide> known = source_.side_of(place.face)) {
+      if (const std::optional<CrackFaceSide> known = source_.crack_face_of_side(place.face)) {
         add_places(place, *known, first);
       }
       first += dim * static_cast<Eigen::Index>(place.points.size());
@@ -69,8 +69,8 @@ private:
 
   [[nodiscard]] const model::Mesh& mesh() const { return source_.set().mesh; }
 
-  [[nodiscard]] SparseRows made(Eigen::Index count) const {
-    SparseRows rows(count, layout_.count());
+  [[nodiscard]] SparseLinearFunctionals made(Eigen::Index count) const {
+    SparseLinearFunctionals rows(count, layout_.count());
     rows.setFromTriplets(entries_.begin(), entries_.end());
     return rows;
   }
@@ -89,14 +89,15 @@ private:
   // column, sum).
   template <class Block, class Add, class Take>
   void contract(base::ElementId e, const Block& zero, const Add& add, const Take& take) const {
-    const auto moved = front_.moving_points(e);
+    const auto moved = front_.moving_front_points(e);
     const std::size_t width = front_.auxiliary_fields().size();
     std::vector<Block> sums(moved.size() * width, zero);
-    front_.for_contractions(e, moved, [&](const Point& at) { add(at, sums); });
+    front_.visit_contraction_points(e, moved, [&](const Point& at) { add(at, sums); });
     for (std::size_t j = 0; j < moved.size(); ++j) {
       for (std::size_t k = 0; k < width; ++k) {
         take(moved[j].first, k,
-             source_.set().conversion_factor(front_.auxiliary_fields()[k]) * sums[width * j + k]);
+             source_.set().intensity_conversion_factor(front_.auxiliary_fields()[k]) *
+                 sums[width * j + k]);
       }
     }
   }
@@ -143,7 +144,7 @@ private:
   template <class SlopesAt, class Take>
   void contract_side(const MovedFreeSide& side, const geometry::ElementSide& own,
                      const SlopesAt& slopes_at, const Take& take) const {
-    for (const std::size_t i : front_.points_moving(side.face.element)) {
+    for (const std::size_t i : front_.front_points_moving_element(side.face.element)) {
       SideVectors<dim> q;
       if (!front_.gather(i, own.nodes, q)) {
         continue;
@@ -161,7 +162,7 @@ private:
         const Eigen::RowVectorXd along = (slopes_at(point.r) * moved).transpose();
         for (std::size_t k = 0; k < front_.auxiliary_fields().size(); ++k) {
           const std::size_t auxiliary = front_.auxiliary_fields()[k];
-          const Vector t = source_.set().conversion_factor(auxiliary) *
+          const Vector t = source_.set().intensity_conversion_factor(auxiliary) *
                            source_.traction(*place, auxiliary, area);
           take(i, k, Coefficients(-t * along));
         }
@@ -236,7 +237,7 @@ private:
 
   void add_places(const FacePointForces& on, CrackFaceSide side, Eigen::Index first) {
     const geometry::ElementSide own = model::element_side(mesh(), on.face);
-    for (const std::size_t i : front_.points_moving(on.face.element)) {
+    for (const std::size_t i : front_.front_points_moving_element(on.face.element)) {
       SideVectors<dim> q;
       if (!front_.gather(i, own.nodes, q)) {
         continue;
@@ -251,7 +252,7 @@ private:
         for (std::size_t k = 0; k < front_.auxiliary_fields().size(); ++k) {
           const std::size_t auxiliary = front_.auxiliary_fields()[k];
           put(first + dim * static_cast<Eigen::Index>(p), i, k,
-              -source_.set().conversion_factor(auxiliary) *
+              -source_.set().intensity_conversion_factor(auxiliary) *
                   (source_.side_gradient(*place, auxiliary) * moved));
         }
       }

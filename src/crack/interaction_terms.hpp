@@ -6,8 +6,8 @@
 
 #include <optional>
 
-/// Terms of G, K and T on faces, in the plane and in space. Their `Source` is TipFields or
-/// FrontFields: what the domains of a front are and which auxiliary fields act in them.
+/// Terms of G, K and T on faces, in the plane and in space. Their `Source` is TipAuxiliaryFields or
+/// FrontAuxiliaryFields: what the domains of a front are and which auxiliary fields act in them.
 namespace spricka::crack {
 
 /// Displacements of the nodes of a side. [dim, node]
@@ -38,9 +38,9 @@ SurfaceGradients<dim> surface_gradients(const geometry::ElementSide& side, const
 
 /// - N_n c of each node, to what an auxiliary field releases.
 template <int dim>
-void subtract_at_nodes(const geometry::ElementSide& side, const geometry::SideValues& N,
-                       std::size_t auxiliary, const shape::Point<dim>& c,
-                       ConfigurationalForces<dim>& out) {
+void subtract_nodal_forces(const geometry::ElementSide& side, const geometry::SideValues& N,
+                           std::size_t auxiliary, const shape::Point<dim>& c,
+                           ConfigurationalForces<dim>& out) {
   for (std::size_t n = 0; n < side.nodes.size(); ++n) {
     out[side.nodes[n]][auxiliary] -= N[static_cast<Eigen::Index>(n)] * c;
   }
@@ -51,11 +51,11 @@ void subtract_at_nodes(const geometry::ElementSide& side, const geometry::SideVa
 /// which a quarter-point element has none of at the front. Forces on sides that no domain moves add
 /// nothing.
 template <class Source>
-void add_face_forces(const Source& source, const std::vector<FacePointForces>& forces,
-                     const base::Vector& u, ConfigurationalForces<Source::dim>& out) {
+void add_face_load_terms(const Source& source, const std::vector<FacePointForces>& forces,
+                         const base::Vector& u, ConfigurationalForces<Source::dim>& out) {
   constexpr int dim = Source::dim;
   for (const FacePointForces& on : forces) {
-    const std::optional<CrackFaceSide> known = source.side_of(on.face);
+    const std::optional<CrackFaceSide> known = source.crack_face_of_side(on.face);
     if (!known) {
       continue;
     }
@@ -74,7 +74,7 @@ void add_face_forces(const Source& source, const std::vector<FacePointForces>& f
       for (std::size_t k = 0; k < auxiliary_field_count<dim>; ++k) {
         const Tensor<dim> H = k == 0 ? Tensor<dim>(U.lazyProduct(surface_gradients<dim>(side, r)))
                                      : source.side_gradient(*place, k);
-        subtract_at_nodes<dim>(side, N, k, H.transpose() * force, out);
+        subtract_nodal_forces<dim>(side, N, k, H.transpose() * force, out);
       }
     }
   }
@@ -101,7 +101,8 @@ void add_auxiliary_tractions(const Source& source, const base::Vector& u,
                                      side.area_vector(point.r).template head<dim>();
       const Tensor<dim> H = U.lazyProduct(surface_gradients<dim>(side, point.r));
       for (std::size_t k = 1; k < auxiliary_field_count<dim>; ++k) {
-        subtract_at_nodes<dim>(side, N, k, H.transpose() * source.traction(*place, k, area), out);
+        subtract_nodal_forces<dim>(side, N, k, H.transpose() * source.traction(*place, k, area),
+                                   out);
       }
     }
   }

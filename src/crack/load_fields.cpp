@@ -27,9 +27,9 @@ std::vector<BodyForceField> body_force_fields(const model::Model& model, const m
 }
 
 template <int dim>
-void for_body_forces(const model::Mesh& mesh, const std::vector<BodyForceField>& fields,
-                     base::ElementId e, const fe::AnyNodeVectors<dim>& X,
-                     const BodyForceVisit<dim>& visit) {
+void visit_body_force_points(const model::Mesh& mesh, const std::vector<BodyForceField>& fields,
+                             base::ElementId e, const fe::AnyNodeVectors<dim>& X,
+                             const BodyForceVisit<dim>& visit) {
   const fe::AnyElement<dim>& element = shape::reference_element<dim>(mesh.type[e.index()]);
   for (const BodyForceField& field : fields) {
     const ActingLoad& acting = *field.acting;
@@ -48,11 +48,11 @@ void for_body_forces(const model::Mesh& mesh, const std::vector<BodyForceField>&
   }
 }
 
-template void for_body_forces<2>(const model::Mesh&, const std::vector<BodyForceField>&,
-                                 base::ElementId, const fe::AnyNodeVectors<2>&,
-                                 const BodyForceVisit<2>&);
-template void for_body_forces<3>(const model::Mesh&, const std::vector<BodyForceField>&,
-                                 base::ElementId, const fe::AnyNodeVectors<3>&,
-                                 const BodyForceVisit<3>&);
+template void visit_body_force_points<2>(const model::Mesh&, const std::vector<BodyForceField>&,
+                                         base::ElementId, const fe::AnyNodeVectors<2>&,
+                                         const BodyForceVisit<2>&);
+template void visit_body_force_points<3>(const model::Mesh&, const std::vector<BodyForceField>&,
+                                         base::ElementId, const fe::AnyNodeVectors<3>&,
+                                         const BodyForceVisit<3>&);
 
 } // namespace spricka::crack

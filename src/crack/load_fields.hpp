@@ -31,8 +31,8 @@ using BodyForceVisit =
 /// Goes through the points of all body forces that act on element `e`, one force after the other,
 /// each with its own rule; shares of cut sets and load factors are in b. In the plane and in space.
 template <int dim>
-void for_body_forces(const model::Mesh& mesh, const std::vector<BodyForceField>& fields,
-                     base::ElementId e, const fe::AnyNodeVectors<dim>& X,
-                     const BodyForceVisit<dim>& visit);
+void visit_body_force_points(const model::Mesh& mesh, const std::vector<BodyForceField>& fields,
+                             base::ElementId e, const fe::AnyNodeVectors<dim>& X,
+                             const BodyForceVisit<dim>& visit);
 
 } // namespace spricka::crack

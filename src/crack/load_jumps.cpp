@@ -30,7 +30,7 @@ Roughness roughness(const ActingLoad& acting, const fe::FieldMagnitude& scale,
     const base::Vec3 x = side.position(point.r);
     const double s = 2.0 * (x.head<2>() - from).dot(chord) / chord.squaredNorm() - 1.0;
     const double w = 2.0 * point.weight * side.tangents(point.r).col(0).norm() / chord.norm();
-    const base::Vec2 t = face_force(acting, x, normal).head<2>();
+    const base::Vec2 t = load_force_on_face(acting, x, normal).head<2>();
     mean += 0.5 * w * t;
     slope += 1.5 * w * s * t;
     square += w * t.squaredNorm();
@@ -43,7 +43,8 @@ Roughness roughness(const ActingLoad& acting, const fe::FieldMagnitude& scale,
 
 // Calls visit(face, roughness) for loaded sides with nodes that q moves.
 template <class Visit>
-void for_discontinuous_sides(const TipSetting& set, const ExtensionField& field, Visit&& visit) {
+void for_discontinuous_sides(const TipContext& set, const VirtualExtensionField& field,
+                             Visit&& visit) {
   std::vector<base::NodeId> moved;
   for (const NodeMotion& m : field.motion) {
     moved.push_back(m.node);
@@ -52,7 +53,7 @@ void for_discontinuous_sides(const TipSetting& set, const ExtensionField& field,
     if (acting.faces.empty() || fe::is_constant(*acting.load)) {
       continue;
     }
-    const fe::FieldMagnitude scale = face_scale(set.mesh, acting);
+    const fe::FieldMagnitude scale = face_load_scale(set.mesh, acting);
     for (const model::Face& face : acting.faces) {
       const geometry::ElementSide side = model::element_side(set.mesh, face);
       if (std::ranges::any_of(
@@ -64,7 +65,7 @@ void for_discontinuous_sides(const TipSetting& set, const ExtensionField& field,
 }
 
 // Whether tractions jump within sides of the elements where q varies.
-bool faces_jump(const TipSetting& set, const ExtensionField& field) {
+bool faces_jump(const TipContext& set, const VirtualExtensionField& field) {
   constexpr double little = 1e-3;
   bool jumps = false;
   for_discontinuous_sides(set, field, [&](const model::Face& face, const Roughness& r) {
@@ -75,7 +76,7 @@ bool faces_jump(const TipSetting& set, const ExtensionField& field) {
 }
 
 // The largest jump of the temperature inside elements or between them.
-double largest_jump(const TipSetting& set, const ExtensionField& field) {
+double largest_jump(const TipContext& set, const VirtualExtensionField& field) {
   if (set.loads.temperature.size() == 0) {
     return 0.0;
   }
@@ -102,7 +103,7 @@ double largest_jump(const TipSetting& set, const ExtensionField& field) {
   return most;
 }
 
-double size_of(const TipSetting& set, const ExtensionField& field) {
+double size_of(const TipContext& set, const VirtualExtensionField& field) {
   double most = 0.0;
   for (const NodeMotion& m : field.motion) {
     most = std::max(most, (set.mesh.x[m.node.index()].head<2>() - set.tip.x).norm());
@@ -115,7 +116,7 @@ double size_of(const TipSetting& set, const ExtensionField& field) {
 constexpr double of_faces = 0.5;
 constexpr double of_heat = 0.05;
 
-double heat_invalid_reason(const TipSetting& set, const ExtensionField& field) {
+double heat_invalid_reason(const TipContext& set, const VirtualExtensionField& field) {
   const double E = fe::effective_modulus(set.material, set.state());
   const double stress = E * set.thermal_strain() * largest_jump(set, field);
   return of_heat * stress * stress * size_of(set, field) / E;
@@ -123,7 +124,7 @@ double heat_invalid_reason(const TipSetting& set, const ExtensionField& field) {
 
 } // namespace
 
-double G_uncertainty(const TipSetting& set, const ExtensionField& field) {
+double G_uncertainty(const TipContext& set, const VirtualExtensionField& field) {
   double sum = 0.0;
   for_discontinuous_sides(
       set, field, [&](const model::Face& /*face*/, const Roughness& r) { sum += r.discontinuous; });
@@ -131,14 +132,15 @@ double G_uncertainty(const TipSetting& set, const ExtensionField& field) {
          heat_invalid_reason(set, field);
 }
 
-std::vector<bool> load_jump_domains(const TipSetting& set,
-                                    const std::vector<ExtensionField>& fields, double K) {
+std::vector<bool> domains_with_load_jumps(const TipContext& set,
+                                          const std::vector<VirtualExtensionField>& fields,
+                                          double K) {
   std::vector<bool> discontinuous;
   discontinuous.reserve(fields.size());
   const double G = K * K / fe::effective_modulus(set.material, set.state());
-  const bool heated =
-      !fields.empty() && heat_invalid_reason(set, fields.back()) > worst_invalid_reason * G;
-  for (const ExtensionField& field : fields) {
+  const bool heated = !fields.empty() &&
+                      heat_invalid_reason(set, fields.back()) > largest_relative_G_uncertainty * G;
+  for (const VirtualExtensionField& field : fields) {
     discontinuous.push_back(heated || faces_jump(set, field));
   }
   return discontinuous;

@@ -12,17 +12,18 @@ namespace spricka::crack {
 /// follow neither: what they miss of the energy changes as nodes move past the jump, and what they
 /// find there is not the strain that G needs (manual, crack.20, crack.35). Domains inside feel it,
 /// too.
-double G_uncertainty(const TipSetting& set, const ExtensionField& field);
+double G_uncertainty(const TipContext& set, const VirtualExtensionField& field);
 
 /// Part of G that such jumps may make up before G is left to K: a tenth of what two ways to K part
 /// by on sound meshes.
-constexpr double worst_invalid_reason = 2e-4;
+constexpr double largest_relative_G_uncertainty = 2e-4;
 
 /// By domain, whether K of it is no measure of the others': loads on faces jump in the elements
 /// where q varies, or a temperature jumps in one of the domains. Errors that such a jump makes near
 /// it take opposite signs inside and outside and leave the mean alone, which has a bar.
 /// `K`: hypot(K1, K2).
-std::vector<bool> load_jump_domains(const TipSetting& set,
-                                    const std::vector<ExtensionField>& fields, double K);
+std::vector<bool> domains_with_load_jumps(const TipContext& set,
+                                          const std::vector<VirtualExtensionField>& fields,
+                                          double K);
 
 } // namespace spricka::crack

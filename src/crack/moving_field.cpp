@@ -5,7 +5,7 @@ namespace spricka::crack {
 
 using base::Vec3;
 
-TurningAxes::TurningAxes(const FrontCoordinates& at) : section(at.r, at.theta) {
+FrontAxesDerivatives::FrontAxesDerivatives(const FrontCoordinates& at) : section(at.r, at.theta) {
   const mesh::FrontFrame& f = at.frame;
   Q << f.m, f.b, f.t;
   dQ << f.dm, f.db, f.dt;
@@ -38,7 +38,7 @@ namespace {
 // size would each become a matrix of its own.
 struct Across {
   Vec3 y, z, s;
-  [[nodiscard]] Tensor<3> with(const TurningAxes::CoordinateGradients& slopes) const {
+  [[nodiscard]] Tensor<3> with(const FrontAxesDerivatives::CoordinateGradients& slopes) const {
     Tensor<3> sum;
     for (Eigen::Index j = 0; j < 3; ++j) {
       sum.col(j) = slopes.y[j] * y + slopes.z[j] * z + slopes.s[j] * s;
@@ -56,7 +56,7 @@ Vec3 stress_times(const FrontBody& body, const Tensor<3>& A, const Vec3& g) {
 
 } // namespace
 
-AuxiliaryField<3> front_auxiliary_field(std::size_t auxiliary, const TurningAxes& axes,
+AuxiliaryField<3> front_auxiliary_field(std::size_t auxiliary, const FrontAxesDerivatives& axes,
                                         const FrontBody& body) {
   const SectionField w = section_field(auxiliary, axes.section, body.section());
   // Q (w_,y grad y + w_,z grad z) + Q' w grad s, with these gradients or with derivatives of them.

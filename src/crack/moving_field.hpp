@@ -29,7 +29,7 @@ inline SectionField section_field(std::size_t auxiliary, const SectionPolarPoint
 /// The axes at a place as matrices with columns m, b, t and their derivatives, and the gradients of
 /// s, y and z with theirs (crack_space.2): the same for all auxiliary fields, as the place in the
 /// section.
-struct TurningAxes {
+struct FrontAxesDerivatives {
   struct CoordinateGradients {
     base::Vec3 s, y, z;
   };
@@ -37,19 +37,19 @@ struct TurningAxes {
   CoordinateGradients grad, by_s, by_y, by_z;
   SectionPolarPoint section;
 
-  explicit TurningAxes(const FrontCoordinates& at);
+  explicit FrontAxesDerivatives(const FrontCoordinates& at);
 };
 
 /// An auxiliary field 1 to 4, w = w1 m + w2 b + w3 t, carried along a front that turns: its
 /// gradient with the turning of the axes in it, stress and its divergence at a place
 /// (crack_space.4).
-AuxiliaryField<3> front_auxiliary_field(std::size_t auxiliary, const TurningAxes& axes,
+AuxiliaryField<3> front_auxiliary_field(std::size_t auxiliary, const FrontAxesDerivatives& axes,
                                         const FrontBody& body);
 
 /// The same at a point by its coordinates seen from the front.
 inline AuxiliaryField<3> front_auxiliary_field(std::size_t auxiliary, const FrontCoordinates& at,
                                                const FrontBody& body) {
-  return front_auxiliary_field(auxiliary, TurningAxes(at), body);
+  return front_auxiliary_field(auxiliary, FrontAxesDerivatives(at), body);
 }
 
 /// Stress of a displacement gradient A in an isotropic body, lambda tr(A) I + mu (A + A^T)

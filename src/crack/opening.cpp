@@ -22,10 +22,10 @@ base::Vec2 at(const base::Vector& u, base::NodeId n) {
 
 } // namespace
 
-std::optional<std::array<double, 3>> opening_intensity(const TipSetting& set,
-                                                       const mesh::CrackedMesh& cracked,
-                                                       const mesh::CrackFront& front,
-                                                       const base::Vector& u) {
+std::optional<std::array<double, 3>> tip_K_from_face_opening(const TipContext& set,
+                                                             const mesh::CrackedMesh& cracked,
+                                                             const mesh::CrackFront& front,
+                                                             const base::Vector& u) {
   if (front.crack.index() >= cracked.faces.size()) {
     return std::nullopt;
   }
@@ -57,8 +57,8 @@ std::optional<std::array<double, 3>> opening_intensity(const TipSetting& set,
   const double denominator = std::sqrt(r[0]) * r[1] - std::sqrt(r[1]) * r[0];
   const base::Vec2 A = (apart[0] * r[1] - apart[1] * r[0]) / denominator;
   const double shear = set.material.E / (2.0 * (1.0 + set.material.nu));
-  const double factor =
-      shear * std::sqrt(2.0 * std::numbers::pi) / (kolosov(set.material.nu, set.state()) + 1.0);
+  const double factor = shear * std::sqrt(2.0 * std::numbers::pi) /
+                        (kolosov_constant(set.material.nu, set.state()) + 1.0);
   return std::array{factor * A.y(), factor * A.x(), 0.0};
 }
 

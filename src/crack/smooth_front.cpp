@@ -116,7 +116,7 @@ base::Matrix hat_means(const FrontStations& at, const Splines& splines) {
 } // namespace
 
 // K of a point is the mean over its hat: the spline gives back what that has smeared.
-base::Matrix smooth_values(const FrontStations& at, const base::Matrix& values) {
+base::Matrix smooth_values_along_front(const FrontStations& at, const base::Matrix& values) {
   const auto counting = std::ranges::count_if(at.weight, [](double w) { return w > 0.0; });
   // A closed front needs four pieces, so that no spline meets itself.
   if (counting < 5 || (at.closed && at.s.size() < 8)) {
@@ -159,8 +159,9 @@ base::Vector weights_at_zero(const std::vector<double>& d) {
 
 } // namespace
 
-std::optional<base::Vector> value_from_inside(const FrontStations& at, const base::Matrix& values,
-                                              const ExtrapolationPoint& beside) {
+std::optional<base::Vector> extrapolate_front_value(const FrontStations& at,
+                                                    const base::Matrix& values,
+                                                    const ExtrapolationPoint& beside) {
   constexpr std::size_t fewest = 5;
   constexpr std::size_t most = 9;
   constexpr double counted = 1.5; // times an error of the values

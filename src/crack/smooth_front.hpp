@@ -21,7 +21,7 @@ struct FrontStations {
 /// The cubic spline with a knot at every second point whose means over the points' hats fit the
 /// values [point, quantity] best, at the points (crack_space.15). Fewer than 5 points that count:
 /// the values themselves.
-base::Matrix smooth_values(const FrontStations& at, const base::Matrix& values);
+base::Matrix smooth_values_along_front(const FrontStations& at, const base::Matrix& values);
 
 /// A place of a front, and how far values beside it are looked at [length].
 struct ExtrapolationPoint {
@@ -31,7 +31,8 @@ struct ExtrapolationPoint {
 /// to it that count: all that are nearer than `far`, five at least, more (nine at most) where
 /// errors of theirs would count 1.5 times; a line through two or three, nothing with fewer
 /// (crack_space.16). [quantity]
-std::optional<base::Vector> value_from_inside(const FrontStations& at, const base::Matrix& values,
-                                              const ExtrapolationPoint& beside);
+std::optional<base::Vector> extrapolate_front_value(const FrontStations& at,
+                                                    const base::Matrix& values,
+                                                    const ExtrapolationPoint& beside);
 
 } // namespace spricka::crack

@@ -11,7 +11,7 @@ double energy_release_rate(double E_effective, double mu, const std::array<doubl
   return (K[0] * K[0] + K[1] * K[1]) / E_effective + K[2] * K[2] / (2.0 * mu);
 }
 
-void summarise_domains(double mu, std::size_t compared, StressIntensity& result) {
+void summarise_domain_intensities(double mu, std::size_t compared, StressIntensity& result) {
   const auto count = static_cast<double>(result.domains.size());
   std::array<double, 3> low{};
   std::array<double, 3> high{};

@@ -45,6 +45,6 @@ double energy_release_rate(double E_effective, double mu, const std::array<doubl
 
 /// From the domains of a point, one at least, its means, G of K and spread: the largest range of
 /// the first `compared` modes over sqrt(E' G of K). Two materials and E' are known.
-void summarise_domains(double mu, std::size_t compared, StressIntensity& result);
+void summarise_domain_intensities(double mu, std::size_t compared, StressIntensity& result);
 
 } // namespace spricka::crack

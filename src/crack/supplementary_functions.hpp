@@ -14,7 +14,7 @@
 namespace spricka::crack {
 
 /// Coefficients of linear functions, one in each column.
-using SparseRows = Eigen::SparseMatrix<double>;
+using SparseLinearFunctionals = Eigen::SparseMatrix<double>;
 
 /// Functions beside those of the nodes, three directions each.
 struct SupplementaryFunctions {

@@ -24,7 +24,7 @@ constexpr double piercing = 0.3;
 } // namespace
 
 SurfaceNodeMotion::SurfaceNodeMotion(const model::Mesh& mesh, const std::vector<model::Face>& sides,
-                                     const InTheWay& in_the_way) {
+                                     const ObstructionTest& in_the_way) {
   for (const model::Face& face : sides) {
     const geometry::ElementSide side = model::element_side(mesh, face);
     for (int i = 0; i < static_cast<int>(side.nodes.size()); ++i) {

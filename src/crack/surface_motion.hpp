@@ -14,9 +14,9 @@ namespace spricka::crack {
 class SurfaceNodeMotion {
 public:
   /// Of the nodes of these sides that are in their way.
-  using InTheWay = std::function<bool(base::NodeId, const model::Face&)>;
+  using ObstructionTest = std::function<bool(base::NodeId, const model::Face&)>;
   SurfaceNodeMotion(const model::Mesh& mesh, const std::vector<model::Face>& sides,
-                    const InTheWay& in_the_way);
+                    const ObstructionTest& in_the_way);
 
   /// m, or where a surface is in its way m + c t along it; nothing where no c does it: the surface
   /// runs along the front, or two surfaces meet. Nodes off the sides take m.

@@ -37,10 +37,11 @@ private:
   std::map<base::NodeId, int> place_;
 };
 
-std::vector<base::ElementId> all_of_domains(const std::vector<ExtensionField>& fields,
-                                            std::vector<base::ElementId> ExtensionField::*member) {
+std::vector<base::ElementId>
+all_of_domains(const std::vector<VirtualExtensionField>& fields,
+               std::vector<base::ElementId> VirtualExtensionField::*member) {
   std::vector<base::ElementId> all;
-  for (const ExtensionField& f : fields) {
+  for (const VirtualExtensionField& f : fields) {
     all.insert(all.end(), (f.*member).begin(), (f.*member).end());
   }
   std::ranges::sort(all);
@@ -61,9 +62,11 @@ DeformationState<2> SectionElasticity::state(const Tensor<2>& H, double hoop) co
   return state;
 }
 
-TipFields::TipFields(const TipSetting& set, const std::vector<ExtensionField>& fields)
-    : set_(set), strained_(all_of_domains(fields, &ExtensionField::elements)) {
-  const std::vector<base::ElementId> inside = all_of_domains(fields, &ExtensionField::inside);
+TipAuxiliaryFields::TipAuxiliaryFields(const TipContext& set,
+                                       const std::vector<VirtualExtensionField>& fields)
+    : set_(set), strained_(all_of_domains(fields, &VirtualExtensionField::elements)) {
+  const std::vector<base::ElementId> inside =
+      all_of_domains(fields, &VirtualExtensionField::inside);
   std::ranges::set_difference(inside, strained_, std::back_inserter(rigid_));
   if (!set.is_axisymmetric() || set.crack_faces == nullptr) {
     return;
@@ -84,7 +87,7 @@ TipFields::TipFields(const TipSetting& set, const std::vector<ExtensionField>& f
   }
 }
 
-std::vector<shape::QuadraturePoint<2>> TipFields::rule(base::ElementId e) const {
+std::vector<shape::QuadraturePoint<2>> TipAuxiliaryFields::rule(base::ElementId e) const {
   const PlaneElement& element = plane_element(set_.mesh, e);
   const std::array<base::NodeId, 1> tips{set_.tip_node};
   const int corner = set_.is_axisymmetric() ? fe::find_tip_corner(set_.mesh, e, tips) : -1;
@@ -101,10 +104,10 @@ std::vector<shape::QuadraturePoint<2>> TipFields::rule(base::ElementId e) const 
   return points;
 }
 
-AuxiliaryField<2> TipFields::field(base::ElementId /*e*/, std::size_t /*number*/,
-                                   const base::Vec2& x, std::size_t auxiliary,
-                                   const SectionElasticity& k) const {
-  const Polar at = polar(set_.tip, x);
+AuxiliaryField<2> TipAuxiliaryFields::field(base::ElementId /*e*/, std::size_t /*number*/,
+                                            const base::Vec2& x, std::size_t auxiliary,
+                                            const SectionElasticity& k) const {
+  const PolarCoordinates at = polar(set_.tip, x);
   const Tensor<2> H = auxiliary_field_gradient(set_, at, auxiliary);
   if (!set_.is_axisymmetric()) {
     return {k.state(H, 0.0), base::Vec2::Zero()};
@@ -117,8 +120,8 @@ AuxiliaryField<2> TipFields::field(base::ElementId /*e*/, std::size_t /*number*/
 }
 
 // Towards the tip 1 + xi = 2 t^2.
-std::vector<shape::QuadraturePoint<2>> tip_side_rule(const TipSetting& set,
-                                                     const geometry::ElementSide& side) {
+std::vector<shape::QuadraturePoint<2>> tip_side_quadrature(const TipContext& set,
+                                                           const geometry::ElementSide& side) {
   const double from = side.nodes[0] == set.tip_node   ? 1.0
                       : side.nodes[1] == set.tip_node ? -1.0
                                                       : 0.0;
@@ -135,8 +138,8 @@ std::vector<shape::QuadraturePoint<2>> tip_side_rule(const TipSetting& set,
 
 // Of points much nearer to the tip than sixteen digits of their coordinates tell, as a rule has
 // them where a load jumps at the tip, the distance is right even so: nodes are seen from the tip.
-std::optional<TipPlace> TipFields::place(const geometry::ElementSide& side, const base::Vec2& r,
-                                         CrackFaceSide /*on*/) const {
+std::optional<TipPlace> TipAuxiliaryFields::place(const geometry::ElementSide& side,
+                                                  const base::Vec2& r, CrackFaceSide /*on*/) const {
   const Eigen::Matrix2Xd R = side.X.topRows<2>().colwise() - set_.tip.x;
   const base::Vec2 from = R * side.N(r);
   const base::Vec2 along = R * side.dN(r).col(0); // the body on the left
@@ -149,8 +152,8 @@ std::optional<TipPlace> TipFields::place(const geometry::ElementSide& side, cons
                   set_.tip.x + from, tangent, side.element};
 }
 
-base::Vec2 TipFields::traction(const Place& at, std::size_t auxiliary,
-                               const base::Vec2& area) const {
+base::Vec2 TipAuxiliaryFields::traction(const Place& at, std::size_t auxiliary,
+                                        const base::Vec2& area) const {
   const double outwards = auxiliary_field_displacement(set_, at.polar, auxiliary).x();
   return elasticity(at.element).law.lambda * outwards / at.x.x() * area;
 }

@@ -16,7 +16,7 @@ struct SectionElasticity {
   fe::Elasticity<2> D; ///< in the section
   fe::ConstitutiveLaw law;
 
-  SectionElasticity(const TipSetting& set, base::ElementId e)
+  SectionElasticity(const TipContext& set, base::ElementId e)
       : D(set.elasticity(e)), law(fe::constitutive_law(set.model, set.mesh, e)) {}
   /// With the stress of a gradient.
   [[nodiscard]] DeformationState<2> state(const Tensor<2>& H, double hoop) const;
@@ -24,7 +24,7 @@ struct SectionElasticity {
 
 /// A point as seen from the tip; on a face with the unit tangent of that.
 struct TipPlace {
-  Polar polar;
+  PolarCoordinates polar;
   base::Vec2 x = base::Vec2::Zero();
   base::Vec2 tangent = base::Vec2::Zero();
   base::ElementId element = {}; ///< of the face
@@ -33,20 +33,20 @@ struct TipPlace {
 /// The points of a side in the plane: products of auxiliary fields with derivatives of
 /// displacements go with roots of the distance from the tip, and are polynomials of what is
 /// integrated by on straight sides, with and without a quarter point.
-std::vector<shape::QuadraturePoint<2>> tip_side_rule(const TipSetting& set,
-                                                     const geometry::ElementSide& side);
+std::vector<shape::QuadraturePoint<2>> tip_side_quadrature(const TipContext& set,
+                                                           const geometry::ElementSide& side);
 
 /// The domains of a tip and the auxiliary fields at their points. About an axis these fields are
 /// carried round with the section (crack.38) and press on the faces of the crack with lambda v_x /
 /// x, which does not come from the tip (crack.40).
-class TipFields {
+class TipAuxiliaryFields {
 public:
   static constexpr int dim = 2;
   using Place = TipPlace;
 
-  TipFields(const TipSetting& set, const std::vector<ExtensionField>& fields);
+  TipAuxiliaryFields(const TipContext& set, const std::vector<VirtualExtensionField>& fields);
 
-  [[nodiscard]] const TipSetting& set() const { return set_; }
+  [[nodiscard]] const TipContext& set() const { return set_; }
   /// Elements where q of some domain varies, ascending.
   [[nodiscard]] const std::vector<base::ElementId>& strained() const { return strained_; }
   /// Others where q is not zero, ascending.
@@ -55,7 +55,7 @@ public:
   [[nodiscard]] const std::vector<MovedFreeSide>& sides() const { return sides_; }
 
   /// Whether a displacement counts in rigid() as well: about an axis these come to other radii.
-  [[nodiscard]] bool is_contracted_inside() const { return set_.is_axisymmetric(); }
+  [[nodiscard]] bool contracts_rigid_elements() const { return set_.is_axisymmetric(); }
 
   /// The points of an element of a domain. About an axis the elements at the tip count as well
   /// (crack.37), where auxiliary fields are singular: by charts collapsed into it.
@@ -72,12 +72,12 @@ public:
   }
 
   /// Which face of the crack a loaded side is, as far as fields need it: its normal tells.
-  [[nodiscard]] std::optional<CrackFaceSide> side_of(const model::Face& /*face*/) const {
+  [[nodiscard]] std::optional<CrackFaceSide> crack_face_of_side(const model::Face& /*face*/) const {
     return CrackFaceSide::none;
   }
   [[nodiscard]] std::vector<shape::QuadraturePoint<2>>
   side_rule(const geometry::ElementSide& side) const {
-    return tip_side_rule(set_, side);
+    return tip_side_quadrature(set_, side);
   }
   /// A point of a side; nothing at the tip itself and where the side has no length.
   [[nodiscard]] std::optional<Place> place(const geometry::ElementSide& side, const base::Vec2& r,
@@ -91,7 +91,7 @@ public:
                                     const base::Vec2& area) const;
 
 private:
-  const TipSetting& set_;
+  const TipContext& set_;
   std::vector<base::ElementId> strained_;
   std::vector<base::ElementId> rigid_;
   std::vector<MovedFreeSide> sides_;

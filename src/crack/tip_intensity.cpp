@@ -21,7 +21,7 @@ namespace spricka::crack {
 namespace {
 
 // The E' that K belongs to.
-double used_modulus(const TipSetting& set, model::CrackTipPlaneState request) {
+double used_modulus(const TipContext& set, model::CrackTipPlaneState request) {
   switch (request) {
   case model::CrackTipPlaneState::stress:
     return fe::effective_modulus(set.material, model::StressState::plane_stress);
@@ -33,18 +33,18 @@ double used_modulus(const TipSetting& set, model::CrackTipPlaneState request) {
   return fe::effective_modulus(set.material, set.state());
 }
 // What makes K of it from K of the property's own E' (crack.13).
-double restated(const TipSetting& set, model::CrackTipPlaneState request) {
+double restated(const TipContext& set, model::CrackTipPlaneState request) {
   return std::sqrt(used_modulus(set, request) / fe::effective_modulus(set.material, set.state()));
 }
 
 // All terms of G, K and T: each adds to the forces of the nodes it touches.
-ConfigurationalForces<2> configurational_forces(const TipSetting& set,
-                                                const std::vector<ExtensionField>& domains,
+ConfigurationalForces<2> configurational_forces(const TipContext& set,
+                                                const std::vector<VirtualExtensionField>& domains,
                                                 const base::Vector& u) {
   ConfigurationalForces<2> forces(set.mesh.node_count());
-  const TipFields fields(set, domains);
+  const TipAuxiliaryFields fields(set, domains);
   add_domain_terms(fields, u, forces);
-  add_face_forces(fields, forces_on_faces(set.mesh, set.loads), u, forces);
+  add_face_load_terms(fields, load_forces_on_faces(set.mesh, set.loads), u, forces);
   add_auxiliary_tractions(fields, u, forces);
   return forces;
 }
@@ -59,7 +59,7 @@ void take_shift(DomainIntensity& value, double G) {
 }
 
 // What the strain round the axis, u_x / x at the tip, adds to T (crack.41).
-double stress_of_hoop(const TipSetting& set, const base::Vector& u) {
+double stress_of_hoop(const TipContext& set, const base::Vector& u) {
   const double E = fe::effective_modulus(set.material, set.state());
   return set.is_axisymmetric() ? E * set.material.nu / set.tip.x.x() *
                                      u[2 * static_cast<Eigen::Index>(set.tip_node.index())]
@@ -67,9 +67,9 @@ double stress_of_hoop(const TipSetting& set, const base::Vector& u) {
 }
 
 // What temperatures and forces between the crack faces add to the sums of one domain.
-std::array<double, auxiliary_field_count<2>> added_terms(const TipSetting& set,
+std::array<double, auxiliary_field_count<2>> added_terms(const TipContext& set,
                                                          const mesh::CrackFront& front,
-                                                         const ExtensionField& field,
+                                                         const VirtualExtensionField& field,
                                                          const base::Vector& u) {
   std::array<double, auxiliary_field_count<2>> sum{};
   if (set.affine) {
@@ -92,16 +92,16 @@ Eigen::Index freedoms(const mesh::CrackedMesh& cracked) {
 
 StressIntensity tip_intensity(const model::Model& model, const mesh::CrackedMesh& cracked,
                               const mesh::CrackFront& front,
-                              const std::vector<ExtensionField>& fields,
+                              const std::vector<VirtualExtensionField>& fields,
                               const FrontIntensityRequest& request, const base::Vector& u,
                               const FrontLoads& loads) {
   StressIntensity result;
-  TipSetting set = tip_setting(model, cracked, front, fields, loads);
+  TipContext set = make_tip_context(model, cracked, front, fields, loads);
   set.affine = fit_affine_temperature(set, front, fields);
   result.E_effective = used_modulus(set, request.state);
   const double restate = restated(set, request.state);
   result.two_materials = std::ranges::any_of(
-      fields, [&](const ExtensionField& f) { return between_materials(set, f); });
+      fields, [&](const VirtualExtensionField& f) { return is_between_materials(set, f); });
   const ConfigurationalForces<2> forces = configurational_forces(set, fields, u);
   // What stands beside the bracket of (crack.26).
   const double T_of_tip =
@@ -110,14 +110,14 @@ StressIntensity tip_intensity(const model::Model& model, const mesh::CrackedMesh
   double shifted = 0.0;
   double analytic = 0.0;
   double invalid_reason = 0.0; // what is rough in one domain is so for the displacements in all
-  for (const ExtensionField& field : fields) {
+  for (const VirtualExtensionField& field : fields) {
     invalid_reason = std::max(invalid_reason, set.halves * G_uncertainty(set, field));
   }
-  for (const ExtensionField& field : fields) {
+  for (const VirtualExtensionField& field : fields) {
     std::array<double, auxiliary_field_count<2>> sum = forces.released_energies(field);
     const std::array<double, auxiliary_field_count<2>> more = added_terms(set, front, field, u);
     for (std::size_t k = 0; k < sum.size(); ++k) {
-      sum[k] = set.conversion_factor(k) * (sum[k] + more[k]);
+      sum[k] = set.intensity_conversion_factor(k) * (sum[k] + more[k]);
     }
     DomainIntensity value{.rings = field.rings,
                           .K1 = restate * sum[1],
@@ -128,13 +128,14 @@ StressIntensity tip_intensity(const model::Model& model, const mesh::CrackedMesh
     const bool jumps = set.affine && has_temperature_jump(set, field);
     if (request.shift && !jumps) {
       const double G =
-          set.halves * (shifted_release_rate(set, field, *request.shift * front.size, u) + more[0]);
+          set.halves *
+          (finite_shift_release_rate(set, field, *request.shift * front.size, u) + more[0]);
       shifted += G;
       analytic += value.G;
       take_shift(value, G);
     }
     const double known = (value.K1 * value.K1 + value.K2 * value.K2) / result.E_effective;
-    if (jumps || invalid_reason > worst_invalid_reason * known) {
+    if (jumps || invalid_reason > largest_relative_G_uncertainty * known) {
       value.G = std::numeric_limits<double>::quiet_NaN();
     }
     if (result.two_materials) {
@@ -146,73 +147,74 @@ StressIntensity tip_intensity(const model::Model& model, const mesh::CrackedMesh
     result.shift_error = shifted / analytic - 1.0;
   }
   if (request.opening) {
-    result.opening = opening_intensity(set, cracked, front, u);
+    result.opening = tip_K_from_face_opening(set, cracked, front, u);
     if (result.opening) {
       std::ranges::for_each(*result.opening, [&](double& K) { K *= restate; });
     }
   }
-  summarise_domains(set.material.E / (2.0 * (1.0 + set.material.nu)), 1, result);
+  summarise_domain_intensities(set.material.E / (2.0 * (1.0 + set.material.nu)), 1, result);
   return result;
 }
 
-SparseRows tip_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                              const mesh::CrackFront& front,
-                              const std::vector<ExtensionField>& fields,
-                              model::CrackTipPlaneState state) {
+SparseLinearFunctionals tip_intensity_functionals(const model::Model& model,
+                                                  const mesh::CrackedMesh& cracked,
+                                                  const mesh::CrackFront& front,
+                                                  const std::vector<VirtualExtensionField>& fields,
+                                                  model::CrackTipPlaneState state) {
   const FrontLoads none;
-  const TipSetting set = tip_setting(model, cracked, front, fields, none);
-  if (between_materials(set, fields.front())) {
+  const TipContext set = make_tip_context(model, cracked, front, fields, none);
+  if (is_between_materials(set, fields.front())) {
     return {freedoms(cracked), 2};
   }
-  const TipFields source(set, fields);
-  return restated(set, state) * IntensityRowBuilder<TipFields>({source, front, {fields}}).rows();
+  const TipAuxiliaryFields source(set, fields);
+  return restated(set, state) *
+         IntensityRowBuilder<TipAuxiliaryFields>({source, front, {fields}}).rows();
 }
 
-std::vector<IntensityFunctionalPoint> intensity_points(const model::Model& model,
-                                                       const mesh::CrackedMesh& cracked,
-                                                       const mesh::CrackFront& front,
-                                                       const std::vector<ExtensionField>& fields,
-                                                       model::CrackTipPlaneState state) {
+std::vector<IntensityFunctionalPoint> intensity_functional_points(
+    const model::Model& model, const mesh::CrackedMesh& cracked, const mesh::CrackFront& front,
+    const std::vector<VirtualExtensionField>& fields, model::CrackTipPlaneState state) {
   std::vector<IntensityFunctionalPoint> points;
   const FrontLoads none;
   if (fields.empty()) {
     return points;
   }
-  const TipSetting set = tip_setting(model, cracked, front, fields, none);
-  if (between_materials(set, fields.front())) {
+  const TipContext set = make_tip_context(model, cracked, front, fields, none);
+  if (is_between_materials(set, fields.front())) {
     return points;
   }
-  const double factor = restated(set, state) * set.conversion_factor(1);
-  const TipFields source(set, fields);
-  const FrontContractions<TipFields> contractions(source, front, {fields});
+  const double factor = restated(set, state) * set.intensity_conversion_factor(1);
+  const TipAuxiliaryFields source(set, fields);
+  const FrontContractions<TipAuxiliaryFields> contractions(source, front, {fields});
   for (const base::ElementId e : contractions.contracted_elements()) {
-    contractions.for_contractions(e, contractions.moving_points(e), [&](const auto& at) {
-      IntensityFunctionalPoint point{e, at.r, {Tensor<2>::Zero(), Tensor<2>::Zero()}, {}};
-      for (std::size_t mode = 0; mode < at.tensors.size(); ++mode) {
-        point.M[mode] = factor * at.tensors[mode].M;
-        point.hoop[mode] = factor * at.tensors[mode].hoop;
-      }
-      points.push_back(point);
-    });
+    contractions.visit_contraction_points(
+        e, contractions.moving_front_points(e), [&](const auto& at) {
+          IntensityFunctionalPoint point{e, at.r, {Tensor<2>::Zero(), Tensor<2>::Zero()}, {}};
+          for (std::size_t mode = 0; mode < at.tensors.size(); ++mode) {
+            point.M[mode] = factor * at.tensors[mode].M;
+            point.hoop[mode] = factor * at.tensors[mode].hoop;
+          }
+          points.push_back(point);
+        });
   }
   return points;
 }
 
-base::Matrix face_force_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                       const mesh::CrackFront& front,
-                                       const std::vector<ExtensionField>& fields,
-                                       model::CrackTipPlaneState state,
-                                       const std::vector<model::Face>& faces) {
+base::Matrix face_force_tip_functionals(const model::Model& model, const mesh::CrackedMesh& cracked,
+                                        const mesh::CrackFront& front,
+                                        const std::vector<VirtualExtensionField>& fields,
+                                        model::CrackTipPlaneState state,
+                                        const std::vector<model::Face>& faces) {
   base::Matrix rows = base::Matrix::Zero(freedoms(cracked), 2);
   if (fields.empty()) {
     return rows;
   }
   const FrontLoads none;
-  const TipSetting set = tip_setting(model, cracked, front, fields, none);
+  const TipContext set = make_tip_context(model, cracked, front, fields, none);
   // The mean over the domains, as K itself is.
-  const double factor =
-      restated(set, state) * set.conversion_factor(1) / static_cast<double>(fields.size());
-  for (const ExtensionField& field : fields) {
+  const double factor = restated(set, state) * set.intensity_conversion_factor(1) /
+                        static_cast<double>(fields.size());
+  for (const VirtualExtensionField& field : fields) {
     for (const auto& [node, weight] : crack_face_weights(set, field, faces)) {
       const auto at = 2 * static_cast<Eigen::Index>(node.index());
       rows.col(0).segment<2>(at) += factor * weight[0];

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-/// What front_intensity and front_intensity_rows do with a tip in the plane, and its K as a
+/// What front_intensity and front_intensity_functionals do with a tip in the plane, and its K as a
 /// functional of other functions.
 namespace spricka::crack {
 
@@ -33,16 +33,17 @@ struct FrontIntensityRequest {
 /// the interaction form.
 StressIntensity tip_intensity(const model::Model& model, const mesh::CrackedMesh& cracked,
                               const mesh::CrackFront& front,
-                              const std::vector<ExtensionField>& fields,
+                              const std::vector<VirtualExtensionField>& fields,
                               const FrontIntensityRequest& request, const base::Vector& u,
                               const FrontLoads& loads);
 
 /// K1 and K2 of a tip with one domain at least as functions of u; zero between two materials.
 /// [2 * node, 2]
-SparseRows tip_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                              const mesh::CrackFront& front,
-                              const std::vector<ExtensionField>& fields,
-                              model::CrackTipPlaneState state);
+SparseLinearFunctionals tip_intensity_functionals(const model::Model& model,
+                                                  const mesh::CrackedMesh& cracked,
+                                                  const mesh::CrackFront& front,
+                                                  const std::vector<VirtualExtensionField>& fields,
+                                                  model::CrackTipPlaneState state);
 
 /// The same functional of any displacement gradient, also of functions that are not the mesh's: K_m
 /// is the sum over the points of M_m : grad u (row i: gradient of u_i), about an axis with hoop_m
@@ -55,17 +56,15 @@ struct IntensityFunctionalPoint {
 };
 /// The functional of K at the integration points of all domains. Empty without a domain and where
 /// the tip lies between two materials; on a symmetric half that of K2 is zero.
-std::vector<IntensityFunctionalPoint> intensity_points(const model::Model& model,
-                                                       const mesh::CrackedMesh& cracked,
-                                                       const mesh::CrackFront& front,
-                                                       const std::vector<ExtensionField>& fields,
-                                                       model::CrackTipPlaneState state);
+std::vector<IntensityFunctionalPoint> intensity_functional_points(
+    const model::Model& model, const mesh::CrackedMesh& cracked, const mesh::CrackFront& front,
+    const std::vector<VirtualExtensionField>& fields, model::CrackTipPlaneState state);
 /// The same for forces between the faces: rows^T f is what FrontLoads::crack_faces add to K1
 /// and K2. [dim * node, 2]
-base::Matrix face_force_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                       const mesh::CrackFront& front,
-                                       const std::vector<ExtensionField>& fields,
-                                       model::CrackTipPlaneState state,
-                                       const std::vector<model::Face>& faces);
+base::Matrix face_force_tip_functionals(const model::Model& model, const mesh::CrackedMesh& cracked,
+                                        const mesh::CrackFront& front,
+                                        const std::vector<VirtualExtensionField>& fields,
+                                        model::CrackTipPlaneState state,
+                                        const std::vector<model::Face>& faces);
 
 } // namespace spricka::crack

@@ -39,7 +39,7 @@ struct AffineTemperature {
 
 /// Everything the kernels need of one tip. Material and property are those of the auxiliary fields;
 /// of a tip between two materials, which has none, the ones on one side.
-struct TipSetting {
+struct TipContext {
   const model::Model& model;
   const model::Mesh& mesh;
   const model::ElasticMaterial& material;
@@ -75,34 +75,35 @@ struct TipSetting {
   [[nodiscard]] fe::Elasticity<2> elasticity(base::ElementId e) const;
   /// What turns the product of an extension and the forces of an auxiliary field into G, K1, K2 and
   /// T (crack.11, crack.12, crack.26), K as that of the property's own E'.
-  [[nodiscard]] double conversion_factor(std::size_t auxiliary) const {
+  [[nodiscard]] double intensity_conversion_factor(std::size_t auxiliary) const {
     const double E = fe::effective_modulus(material, state());
     return halves * (auxiliary == 0 ? 1.0 : auxiliary == force_auxiliary<2> ? E : 0.5 * E);
   }
 };
 /// Gathers the material, axes, crack faces and loads of a tip. There must be a domain; the property
 /// is that of its first element.
-TipSetting tip_setting(const model::Model& model, const mesh::CrackedMesh& cracked,
-                       const mesh::CrackFront& front, const std::vector<ExtensionField>& fields,
-                       const FrontLoads& loads);
+TipContext make_tip_context(const model::Model& model, const mesh::CrackedMesh& cracked,
+                            const mesh::CrackFront& front,
+                            const std::vector<VirtualExtensionField>& fields,
+                            const FrontLoads& loads);
 
 /// Whether the elements of a field have more than one material or state.
-bool between_materials(const TipSetting& set, const ExtensionField& field);
+bool is_between_materials(const TipContext& set, const VirtualExtensionField& field);
 
 /// Displacement gradient of auxiliary field 1 to 3 at a point off the tip.
-Eigen::Matrix2d auxiliary_field_gradient(const TipSetting& set, const Polar& at,
+Eigen::Matrix2d auxiliary_field_gradient(const TipContext& set, const PolarCoordinates& at,
                                          std::size_t auxiliary);
 /// Its displacement. About an axis a motion along the radius is none of a rigid body: the tip of
 /// auxiliary fields 1 and 2 rests, and auxiliary field 3 is zero in a distance of the front's
 /// radius.
-base::Vec2 auxiliary_field_displacement(const TipSetting& set, const Polar& at,
+base::Vec2 auxiliary_field_displacement(const TipContext& set, const PolarCoordinates& at,
                                         std::size_t auxiliary);
 
 /// The q of a node; 0 where it rests.
-double extension_of(const std::map<base::NodeId, double>& q, base::NodeId n);
+double extension_of_node(const std::map<base::NodeId, double>& q, base::NodeId n);
 /// The q of a field at the nodes of an element.
-PlaneValues extension_at(const model::Mesh& mesh, base::ElementId e,
-                         const std::map<base::NodeId, double>& q);
+PlaneValues extension_at_element_nodes(const model::Mesh& mesh, base::ElementId e,
+                                       const std::map<base::NodeId, double>& q);
 
 /// In the elements where q varies the auxiliary fields behave like r^-1/2 or r^-1 but are smooth;
 /// degree 9 leaves 1e-7 of them.

@@ -13,7 +13,7 @@ constexpr double beside = 1e-9;
 
 } // namespace
 
-double stress_on_crack_faces_at_tip(const TipSetting& set, const mesh::CrackFront& front) {
+double stress_on_crack_faces_at_tip(const TipContext& set, const mesh::CrackFront& front) {
   double sum = 0.0;
   for (const ActingLoad& acting : set.loads.loads) {
     for (const model::Face& face : acting.faces) {
@@ -27,7 +27,8 @@ double stress_on_crack_faces_at_tip(const TipSetting& set, const mesh::CrackFron
         // on the crack face, should the load end at the tip
         const base::Vec2 x = set.tip.x + beside * (middle - set.tip.x);
         sum += normal.dot(
-            face_force(acting, {x.x(), x.y(), 0.0}, {normal.x(), normal.y(), 0.0}).head<2>());
+            load_force_on_face(acting, {x.x(), x.y(), 0.0}, {normal.x(), normal.y(), 0.0})
+                .head<2>());
       }
     }
   }
@@ -35,7 +36,7 @@ double stress_on_crack_faces_at_tip(const TipSetting& set, const mesh::CrackFron
   return front.symmetric_half ? sum : 0.5 * sum;
 }
 
-double thermal_stress_at_tip(const TipSetting& set, const mesh::CrackFront& front) {
+double thermal_stress_at_tip(const TipContext& set, const mesh::CrackFront& front) {
   if (set.loads.temperature.size() == 0) {
     return 0.0;
   }

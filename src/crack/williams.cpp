@@ -58,26 +58,26 @@ AngularParts line_force(const SectionPolarPoint& at, const SectionBody& body) {
 
 } // namespace
 
-Polar polar(const TipFrame& tip, const base::Vec2& at) {
+PolarCoordinates polar(const TipFrame& tip, const base::Vec2& at) {
   const base::Vec2 d = at - tip.x;
   const double x1 = d.dot(tip.e1);
   const double x2 = d.dot(tip.e2);
   return {std::hypot(x1, x2), std::atan2(x2, x1)};
 }
 
-Polar polar_on_face(const TipFrame& tip, const base::Vec2& at, const base::Vec2& n) {
-  const Polar p = polar(tip, at);
+PolarCoordinates polar_on_face(const TipFrame& tip, const base::Vec2& at, const base::Vec2& n) {
+  const PolarCoordinates p = polar(tip, at);
   // On the faces theta is pi or -pi by round-off: the side that the body lies on decides.
   return {p.r, std::copysign(p.theta, -n.dot(tip.e2))};
 }
 
-double kolosov(double nu, model::StressState state) {
+double kolosov_constant(double nu, model::StressState state) {
   return state == model::StressState::plane_stress ? (3.0 - nu) / (1.0 + nu) : 3.0 - 4.0 * nu;
 }
 
-SectionBody section_body(const model::ElasticMaterial& material, model::StressState state,
-                         double unit) {
-  return {material.E / (2.0 * (1.0 + material.nu)), kolosov(material.nu, state), unit};
+SectionBody make_section_body(const model::ElasticMaterial& material, model::StressState state,
+                              double unit) {
+  return {material.E / (2.0 * (1.0 + material.nu)), kolosov_constant(material.nu, state), unit};
 }
 
 SectionPolarPoint::SectionPolarPoint(double radius, double angle)
@@ -112,8 +112,8 @@ SectionField section_field(std::size_t auxiliary, const SectionPolarPoint& at,
   return w;
 }
 
-Eigen::Matrix2d near_tip_gradient(const TipFrame& tip, const Polar& at, std::size_t auxiliary,
-                                  const SectionBody& body) {
+Eigen::Matrix2d near_tip_gradient(const TipFrame& tip, const PolarCoordinates& at,
+                                  std::size_t auxiliary, const SectionBody& body) {
   const SectionField f = section_field(auxiliary, {at.r, at.theta}, body);
   Eigen::Matrix2d local;
   local << f.w_y.head<2>(), f.w_z.head<2>();
@@ -122,8 +122,8 @@ Eigen::Matrix2d near_tip_gradient(const TipFrame& tip, const Polar& at, std::siz
   return Q * local * Q.transpose();
 }
 
-base::Vec2 near_tip_displacement(const TipFrame& tip, const Polar& at, std::size_t auxiliary,
-                                 const SectionBody& body) {
+base::Vec2 near_tip_displacement(const TipFrame& tip, const PolarCoordinates& at,
+                                 std::size_t auxiliary, const SectionBody& body) {
   const base::Vec3 u = section_field(auxiliary, {at.r, at.theta}, body).w;
   return u.x() * tip.e1 + u.y() * tip.e2;
 }

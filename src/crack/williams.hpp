@@ -16,17 +16,17 @@ struct TipFrame {
 };
 
 /// A point seen from the tip, theta from e1 in -pi .. pi.
-struct Polar {
+struct PolarCoordinates {
   double r = 0.0, theta = 0.0;
 };
 /// Polar coordinates of a point about a tip: distance [length] and angle [rad] from e1.
-Polar polar(const TipFrame& tip, const base::Vec2& at);
+PolarCoordinates polar(const TipFrame& tip, const base::Vec2& at);
 /// The same of a point of a face whose outer normal is n: round-off does not take a point of one
 /// crack face to the other.
-Polar polar_on_face(const TipFrame& tip, const base::Vec2& at, const base::Vec2& n);
+PolarCoordinates polar_on_face(const TipFrame& tip, const base::Vec2& at, const base::Vec2& n);
 
 /// Kolosov's constant: 3 - 4 nu in plane strain, (3 - nu)/(1 + nu) in plane stress.
-double kolosov(double nu, model::StressState state);
+double kolosov_constant(double nu, model::StressState state);
 
 /// What the fields in a section depend on: shear modulus [stress], Kolosov's constant, and a length
 /// to count logarithms in, as a rigid motion is free.
@@ -35,8 +35,8 @@ struct SectionBody {
   double unit = 1.0;
 };
 /// Of a plane body.
-SectionBody section_body(const model::ElasticMaterial& material, model::StressState state,
-                         double unit = 1.0);
+SectionBody make_section_body(const model::ElasticMaterial& material, model::StressState state,
+                              double unit = 1.0);
 
 /// The number of the field of a unit force per thickness, along the growth direction, at the tip of
 /// a half-infinite crack (the auxiliary field of T: Kfouri 1986): s_rr = - cos(theta) / (pi r) is
@@ -64,10 +64,10 @@ SectionField section_field(std::size_t auxiliary, const SectionPolarPoint& at,
 
 /// Displacement gradient du_i/dx_j in global axes of auxiliary field 1, 2 or 4 in the plane, at a
 /// point off the tip.
-Eigen::Matrix2d near_tip_gradient(const TipFrame& tip, const Polar& at, std::size_t auxiliary,
-                                  const SectionBody& body);
+Eigen::Matrix2d near_tip_gradient(const TipFrame& tip, const PolarCoordinates& at,
+                                  std::size_t auxiliary, const SectionBody& body);
 /// The displacement itself, global axes.
-base::Vec2 near_tip_displacement(const TipFrame& tip, const Polar& at, std::size_t auxiliary,
-                                 const SectionBody& body);
+base::Vec2 near_tip_displacement(const TipFrame& tip, const PolarCoordinates& at,
+                                 std::size_t auxiliary, const SectionBody& body);
 
 } // namespace spricka::crack

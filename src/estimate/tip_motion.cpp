@@ -32,7 +32,7 @@ double shortest_side(const model::Mesh& mesh, const std::vector<base::ElementId>
 } // namespace
 
 TipMeshMotion make_tip_mesh_motion(const mesh::CrackedMesh& cracked, std::size_t tip,
-                                   crack::ExtensionField field) {
+                                   crack::VirtualExtensionField field) {
   const double step = share * shortest_side(cracked.mesh, field.elements);
   return {tip, std::move(field), step};
 }
@@ -51,11 +51,11 @@ mesh::CrackedMesh move_tip_mesh(const mesh::CrackedMesh& cracked, const TipMeshM
 }
 
 bool moves_fields_rigidly(const model::Mesh& mesh, const TipMeshMotion& motion,
-                          const std::vector<crack::ExtensionField>& fields) {
+                          const std::vector<crack::VirtualExtensionField>& fields) {
   const std::map<base::NodeId, double> q = motion.field.extension_by_node();
   bool all = true;
   bool none = true;
-  for (const crack::ExtensionField& field : fields) {
+  for (const crack::VirtualExtensionField& field : fields) {
     for (const base::ElementId e : field.elements) {
       for (const base::NodeId n : mesh.element_nodes(e)) {
         const auto at = q.find(n);

@@ -35,7 +35,7 @@ constexpr double part_of_size = 1e-6;
 constexpr double share_of_axis = 0.5;
 
 // Nodes of free sides of the body, without those of the crack's faces.
-std::set<base::NodeId> skin_of(const model::Mesh& mesh, const crack::FrontExtensions& fields) {
+std::set<base::NodeId> skin_of(const model::Mesh& mesh, const crack::FrontIntegralDomains& fields) {
   std::set<base::NodeId> nodes;
   for (const crack::MovedFreeSide& side : fields.sides) {
     if (side.on == crack::CrackFaceSide::none) {
@@ -51,9 +51,9 @@ struct Carried {
   double q = 0.0;
   Vec3 along = Vec3::Zero();
 };
-std::map<base::NodeId, Carried> carried_by(const crack::FrontExtensions& fields) {
+std::map<base::NodeId, Carried> carried_by(const crack::FrontIntegralDomains& fields) {
   std::map<base::NodeId, Carried> sum;
-  for (const std::vector<crack::ExtensionField>& point : fields.points) {
+  for (const std::vector<crack::VirtualExtensionField>& point : fields.points) {
     if (point.empty()) {
       continue;
     }
@@ -68,16 +68,16 @@ std::map<base::NodeId, Carried> carried_by(const crack::FrontExtensions& fields)
 
 // How far nodes go along with points belongs to the nodes: hats have kinks at places where nodes
 // are. Only the directions are those of the moved front.
-void keep_shares(const crack::FrontExtensions& own, crack::FrontExtensions& moved) {
+void keep_shares(const crack::FrontIntegralDomains& own, crack::FrontIntegralDomains& moved) {
   for (std::size_t i = 0; i < own.points.size(); ++i) {
     std::map<base::NodeId, Vec3> along;
-    for (const crack::ExtensionField& field : moved.points[i]) {
+    for (const crack::VirtualExtensionField& field : moved.points[i]) {
       for (const crack::NodeMotion& motion : field.motion) {
         along.emplace(motion.node, motion.along);
       }
     }
     moved.points[i] = own.points[i];
-    for (crack::ExtensionField& field : moved.points[i]) {
+    for (crack::VirtualExtensionField& field : moved.points[i]) {
       for (crack::NodeMotion& motion : field.motion) {
         const auto at = along.find(motion.node);
         motion.along = at == along.end() ? motion.along : at->second;
@@ -147,7 +147,7 @@ std::vector<bool> VirtualAxisExtension::resting() const {
 // the front as they are, on the surface as domains do (sensitivity.15).
 std::vector<Vec3> VirtualAxisExtension::motion_of(std::size_t f) const {
   const mesh::CrackFront& front = scene_.cracked.fronts[f];
-  const crack::FrontExtensions& domains = scene_.domains[f];
+  const crack::FrontIntegralDomains& domains = scene_.domains[f];
   const model::PlanarCrack& plane = model_.cracks[crack_.index()].plane;
   const model::Mesh& mesh = scene_.cracked.mesh;
   std::vector<Vec3> velocity(mesh.node_count(), Vec3::Zero());
@@ -235,8 +235,8 @@ void VirtualAxisExtension::move() {
     moved.curve =
         std::make_shared<const mesh::FrontCurve>(std::move(points), normals, front.curve->closed());
     mesh::update_points(moved_.cracked.mesh, moved);
-    moved_.domains[f] = crack::front_extensions(moved_.cracked, moved, domain_rings(model_, crack_),
-                                                domain_limits(model_, scene_, front));
+    moved_.domains[f] = crack::build_front_domains(
+        moved_.cracked, moved, domain_rings(model_, crack_), domain_limits(model_, scene_, front));
     keep_shares(scene_.domains[f], moved_.domains[f]);
   }
 }

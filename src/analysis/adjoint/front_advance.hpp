@@ -53,9 +53,9 @@ private:
   std::vector<base::ElementId> strained_;     ///< elements with a node that moves
   double step_ = 0.0;                         ///< [length] of the axis
   Discretisation moved_;
-  crack::SparseRows rows_;         ///< K of the moved scene by displacements
-  base::Matrix of_force_;          ///< the same by contact forces; empty: no pair moves
-  std::vector<std::size_t> pairs_; ///< that have nodes which move
+  crack::SparseLinearFunctionals rows_; ///< K of the moved scene by displacements
+  base::Matrix of_force_;               ///< the same by contact forces; empty: no pair moves
+  std::vector<std::size_t> pairs_;      ///< that have nodes which move
   std::string why_never_;
 };
 

@@ -41,8 +41,8 @@ bool settled(const Discretisation& scene, const base::Vector& more, const base::
   return change <= small_change * size;
 }
 
-crack::SparseRows goal_rows(const model::Model& model, const Discretisation& scene,
-                            const estimate::SolidEnrichment& enrichment) {
+crack::SparseLinearFunctionals goal_rows(const model::Model& model, const Discretisation& scene,
+                                         const estimate::SolidEnrichment& enrichment) {
   crack::SupplementaryFunctions others;
   others.count = enrichment.freedoms() / 3;
   others.of_element = [&](base::ElementId e) { return enrichment.element_modes(e); };
@@ -55,17 +55,17 @@ crack::SparseRows goal_rows(const model::Model& model, const Discretisation& sce
   std::size_t first = 0;
   for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {
     const mesh::CrackFront& front = scene.cracked.fronts[f];
-    const crack::SparseRows own =
-        crack::supplementary_front_rows(model, scene.cracked, front, scene.domains[f], others);
+    const crack::SparseLinearFunctionals own =
+        crack::supplementary_K_functionals(model, scene.cracked, front, scene.domains[f], others);
     for (Eigen::Index c = 0; c < own.cols(); ++c) {
-      for (crack::SparseRows::InnerIterator it(own, c); it; ++it) {
+      for (crack::SparseLinearFunctionals::InnerIterator it(own, c); it; ++it) {
         entries.emplace_back(it.row(), layout.first_index(first) + c,
                              it.value() * enrichment.free_mode_mask()[it.row()]);
       }
     }
     first += front.points.size();
   }
-  crack::SparseRows rows(enrichment.freedoms(), layout.count());
+  crack::SparseLinearFunctionals rows(enrichment.freedoms(), layout.count());
   rows.setFromTriplets(entries.begin(), entries.end());
   return rows;
 }

@@ -38,7 +38,7 @@ private:
                      results::FrontResult& front, results::StepResult& result) const;
 
   std::optional<estimate::SolidEnrichment> enrichment_;
-  crack::SparseRows goals_; ///< [freedoms of modes, K]
+  crack::SparseLinearFunctionals goals_; ///< [freedoms of modes, K]
   /// Steps with bars: where the same rows are closed in another and its residual is a multiple of
   /// this one's, as in load cycles, so is the rest.
   struct ReusableFrontEstimate {

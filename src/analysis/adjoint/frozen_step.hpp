@@ -7,8 +7,8 @@ namespace spricka::analysis {
 
 /// K along the fronts of a scene as functions of displacements and contact forces.
 struct FrontKFunctionals {
-  crack::SparseRows rows; ///< [3 * node, K]
-  base::Matrix of_force;  ///< [K, row of the table]
+  crack::SparseLinearFunctionals rows; ///< [3 * node, K]
+  base::Matrix of_force;               ///< [K, row of the table]
 };
 
 /// One solved step and what its answer is when something is changed.

@@ -108,8 +108,8 @@ base::Matrix loads_by_materials(const KDependence& K) {
 // [point] whose modulus K goes with: that of a first element of its front's domains; that behind
 // the last where it has none.
 std::vector<std::size_t> point_materials(const model::Model& model, const Discretisation& scene) {
-  const auto material = [&](const crack::FrontExtensions& domains) {
-    for (const std::vector<crack::ExtensionField>& point : domains.points) {
+  const auto material = [&](const crack::FrontIntegralDomains& domains) {
+    for (const std::vector<crack::VirtualExtensionField>& point : domains.points) {
       if (!point.empty() && !point.front().elements.empty()) {
         return model.element_property(scene.cracked.mesh, point.front().elements.front())
             .material.index();

@@ -32,7 +32,7 @@ const model::VirtualCrackExtensionSettings* request_of(const model::Model& model
 
 // What contacts press on the free sides that domains move.
 std::vector<crack::FacePointForces> contact_forces(const Discretisation& scene,
-                                                   const crack::FrontExtensions& fields,
+                                                   const crack::FrontIntegralDomains& fields,
                                                    const StepState& state) {
   std::set<model::Face> moved;
   for (const crack::MovedFreeSide& side : fields.sides) {
@@ -101,9 +101,9 @@ std::vector<bool> discontinuous_domains(const model::Model& model, const Discret
   if (scene.domains[f].empty()) {
     return {};
   }
-  const std::vector<crack::ExtensionField>& fields = scene.domains[f].points.front();
-  return crack::load_jump_domains(
-      crack::tip_setting(model, scene.cracked, scene.cracked.fronts[f], fields, loads), fields,
+  const std::vector<crack::VirtualExtensionField>& fields = scene.domains[f].points.front();
+  return crack::domains_with_load_jumps(
+      crack::make_tip_context(model, scene.cracked, scene.cracked.fronts[f], fields, loads), fields,
       std::hypot(K.K1, K.K2));
 }
 

@@ -17,7 +17,7 @@ namespace spricka::analysis {
 namespace {
 
 // K1, K2, K3 of the points as a smooth curve along the front.
-void smooth_front(const mesh::CrackFront& is, const crack::FrontExtensions& domains,
+void smooth_front(const mesh::CrackFront& is, const crack::FrontIntegralDomains& domains,
                   Eigen::Index first, const solve::SolutionPath& found,
                   results::LoadPathFront& front) {
   const std::size_t n = front.points.size();

@@ -104,7 +104,7 @@ private:
   const Discretisation& scene_;
   const std::vector<SubstructuredBody>& bodies_;
   std::map<std::size_t, LoadPathEnd> ends_;     ///< by step
-  crack::SparseRows K_rows_;                    ///< made with rows_
+  crack::SparseLinearFunctionals K_rows_;       ///< made with rows_
   std::optional<ContactForceFunctionals> rows_; ///< made once
   base::Matrix of_case_; ///< [functional, case] of the bodies alone; made once
   std::vector<FaceNodePair> watches_;

@@ -20,7 +20,7 @@ struct ForcePlaces {
   std::vector<Eigen::Triplet<double>> by_row; ///< [3 * point, row]
 };
 
-ForcePlaces force_places(const Discretisation& scene, const crack::FrontExtensions& fields) {
+ForcePlaces force_places(const Discretisation& scene, const crack::FrontIntegralDomains& fields) {
   std::set<model::Face> moved;
   for (const crack::MovedFreeSide& side : fields.sides) {
     moved.insert(side.face);
@@ -57,9 +57,9 @@ void add_K_by_face_forces(const model::Model& model, const Discretisation& scene
     return;
   }
   // K by a nodal force on either face [dim * node, 2]; a unit of a row puts its weights there.
-  const base::Matrix weight =
-      crack::face_force_intensity_rows(model, scene.cracked, front, scene.domains[f].points.front(),
-                                       model.cracks[front.crack.index()].state, crack_face->sides);
+  const base::Matrix weight = crack::face_force_tip_functionals(
+      model, scene.cracked, front, scene.domains[f].points.front(),
+      model.cracks[front.crack.index()].state, crack_face->sides);
   for (std::size_t r = scene.table.first[crack_face->pair];
        r < scene.table.first[crack_face->pair + 1]; ++r) {
     for (const contact::RowEntry& entry : scene.contact_row(r).entries) {
@@ -78,39 +78,39 @@ void add_K_by_tractions(const model::Model& model, const Discretisation& scene, 
   if (places.by_row.empty()) {
     return;
   }
-  const crack::SparseRows rows = crack::front_force_rows(
+  const crack::SparseLinearFunctionals rows = crack::face_force_front_functionals(
       model, scene.cracked, scene.cracked.fronts[f], scene.domains[f], places.faces);
-  crack::SparseRows by_row(rows.rows(), of_row.cols());
+  crack::SparseLinearFunctionals by_row(rows.rows(), of_row.cols());
   by_row.setFromTriplets(places.by_row.begin(), places.by_row.end());
-  const crack::SparseRows product = rows.transpose() * by_row;
+  const crack::SparseLinearFunctionals product = rows.transpose() * by_row;
   of_row.middleRows(scene.k_layout().first_index(point), product.rows()) += product;
 }
 
 } // namespace
 
-crack::SparseRows front_K_rows(const model::Model& model, const Discretisation& scene,
-                               std::size_t f) {
+crack::SparseLinearFunctionals front_K_rows(const model::Model& model, const Discretisation& scene,
+                                            std::size_t f) {
   const mesh::CrackFront& front = scene.cracked.fronts[f];
-  return crack::front_intensity_rows(model, scene.cracked, front, scene.domains[f],
-                                     model.cracks[front.crack.index()].state);
+  return crack::front_intensity_functionals(model, scene.cracked, front, scene.domains[f],
+                                            model.cracks[front.crack.index()].state);
 }
 
-crack::SparseRows K_rows(const model::Model& model, const Discretisation& scene) {
+crack::SparseLinearFunctionals K_rows(const model::Model& model, const Discretisation& scene) {
   std::vector<Eigen::Triplet<double>> entries;
   const crack::KLayout layout = scene.k_layout();
   std::size_t first = 0;
   for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {
-    const crack::SparseRows own = front_K_rows(model, scene, f);
+    const crack::SparseLinearFunctionals own = front_K_rows(model, scene, f);
     for (Eigen::Index c = 0; c < own.cols(); ++c) {
-      for (crack::SparseRows::InnerIterator it(own, c); it; ++it) {
+      for (crack::SparseLinearFunctionals::InnerIterator it(own, c); it; ++it) {
         entries.emplace_back(it.row(), layout.first_index(first) + c, it.value());
       }
     }
     first += scene.cracked.fronts[f].points.size();
   }
-  crack::SparseRows rows(static_cast<Eigen::Index>(scene.cracked.mesh.node_count()) *
-                             scene.cracked.mesh.dim,
-                         layout.count());
+  crack::SparseLinearFunctionals rows(static_cast<Eigen::Index>(scene.cracked.mesh.node_count()) *
+                                          scene.cracked.mesh.dim,
+                                      layout.count());
   rows.setFromTriplets(entries.begin(), entries.end());
   return rows;
 }
@@ -137,7 +137,7 @@ base::Vector K_values(const model::Model& model, const Discretisation& scene, co
   std::size_t first = 0;
   for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {
     const mesh::CrackFront& front = scene.cracked.fronts[f];
-    const crack::FrontExtensions& domains = scene.domains[f];
+    const crack::FrontIntegralDomains& domains = scene.domains[f];
     crack::FrontIntensityRequest request; // without SHIFT: linear in u
     request.state = model.cracks[front.crack.index()].state;
     for (const crack::StressIntensity& K :
@@ -178,13 +178,13 @@ bool acts_on_domains(const model::Model& model, const Discretisation& scene,
              return !acting.elements.empty() || !acting.faces.empty();
            });
   };
-  return std::ranges::any_of(scene.domains, [&](const crack::FrontExtensions& domains) {
+  return std::ranges::any_of(scene.domains, [&](const crack::FrontIntegralDomains& domains) {
     return acts(front_loads(model, scene, domains, case_factor));
   });
 }
 
 std::vector<std::array<double, 3>> smooth_front_K(const mesh::CrackFront& front,
-                                                  const crack::FrontExtensions& domains,
+                                                  const crack::FrontIntegralDomains& domains,
                                                   const base::Vector& K, Eigen::Index first) {
   std::vector<crack::StressIntensity> points(front.points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -195,7 +195,7 @@ std::vector<std::array<double, 3>> smooth_front_K(const mesh::CrackFront& front,
     points[i].front = crack::FrontPointIntensity();
     points[i].domains.resize(domains.points[i].size());
   }
-  crack::smooth_along(front, domains, points);
+  crack::smooth_intensity_along_front(front, domains, points);
   std::vector<std::array<double, 3>> smooth;
   smooth.reserve(points.size());
   for (const crack::StressIntensity& point : points) {

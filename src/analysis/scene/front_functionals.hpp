@@ -11,11 +11,11 @@
 namespace spricka::analysis {
 
 /// K of one front as functions of displacements. [dim * node, K of its points]
-crack::SparseRows front_K_rows(const model::Model& model, const Discretisation& scene,
-                               std::size_t f);
+crack::SparseLinearFunctionals front_K_rows(const model::Model& model, const Discretisation& scene,
+                                            std::size_t f);
 
 /// K as functions of displacements. [dim * node, K]
-crack::SparseRows K_rows(const model::Model& model, const Discretisation& scene);
+crack::SparseLinearFunctionals K_rows(const model::Model& model, const Discretisation& scene);
 
 /// What a unit of each row of the table adds to K by its traction on sides that domains move
 /// (crack_space.9), in the plane by its forces between faces of cracks (crack.33). [K, row]
@@ -40,7 +40,7 @@ bool acts_on_domains(const model::Model& model, const Discretisation& scene,
 /// the front's begin at `first`; at the surface what points further in go on to (crack_space.15,
 /// crack_space.16). Linear in K.
 std::vector<std::array<double, 3>> smooth_front_K(const mesh::CrackFront& front,
-                                                  const crack::FrontExtensions& domains,
+                                                  const crack::FrontIntegralDomains& domains,
                                                   const base::Vector& K, Eigen::Index first);
 
 } // namespace spricka::analysis

@@ -19,7 +19,7 @@ namespace {
 
 using base::Vec3;
 
-std::string why_none(const crack::FrontExtensions& fields) {
+std::string why_none(const crack::FrontIntegralDomains& fields) {
   std::set<std::string> reasons;
   for (const crack::OmittedDomain& out : fields.left_out) {
     reasons.insert(out.why);
@@ -49,7 +49,7 @@ std::string remedy_at(const model::Model& model, const Discretisation& scene,
 
 // Points inside the body that no domain belongs to.
 std::vector<std::size_t> points_without(const mesh::CrackFront& front,
-                                        const crack::FrontExtensions& fields) {
+                                        const crack::FrontIntegralDomains& fields) {
   std::vector<std::size_t> without;
   for (std::size_t i = 0; i < front.points.size(); ++i) {
     if (fields.points.empty() || (fields.points[i].empty() && !front.points[i].at_surface)) {
@@ -62,18 +62,20 @@ std::vector<std::size_t> points_without(const mesh::CrackFront& front,
 // Layers of tetrahedra reach unevenly far, and wide ones of a tube where the front turns sharply:
 // where those of the usual domains have no room the first one is a domain, too. Where that has none
 // a smooth curve through the others would be no K.
-crack::FrontExtensions fields_of(const model::Model& model, const Discretisation& scene,
-                                 const mesh::CrackFront& front, base::Diagnostics& diagnostics) {
+crack::FrontIntegralDomains fields_of(const model::Model& model, const Discretisation& scene,
+                                      const mesh::CrackFront& front,
+                                      base::Diagnostics& diagnostics) {
   std::vector<int> rings = domain_rings(model, front.crack);
   const crack::DomainLimits limits = domain_limits(model, scene, front);
-  crack::FrontExtensions fields = crack::front_extensions(scene.cracked, front, rings, limits);
+  crack::FrontIntegralDomains fields =
+      crack::build_front_domains(scene.cracked, front, rings, limits);
   const bool given =
       std::ranges::any_of(model.vces, [&](const model::VirtualCrackExtensionSettings& vce) {
         return vce.crack == front.crack && !vce.domains.empty();
       });
   if (!points_without(front, fields).empty() && !given) {
     rings.insert(rings.begin(), 1);
-    fields = crack::front_extensions(scene.cracked, front, rings, limits);
+    fields = crack::build_front_domains(scene.cracked, front, rings, limits);
   }
   const std::vector<std::size_t> without = points_without(front, fields);
   const model::CrackDefinition& crack = model.cracks[front.crack.index()];
@@ -121,19 +123,19 @@ double crack_size(const model::Model& model, const mesh::CrackedMesh& cracked,
                                                                 : front.a;
 }
 
-crack::FrontExtensions tip_domains(const model::Model& model, Discretisation& scene,
-                                   const mesh::CrackFront& front,
-                                   const crack::TipNeighbourhood& around,
-                                   base::Diagnostics& diagnostics) {
+crack::FrontIntegralDomains tip_domains(const model::Model& model, Discretisation& scene,
+                                        const mesh::CrackFront& front,
+                                        const crack::TipNeighbourhood& around,
+                                        base::Diagnostics& diagnostics) {
   std::vector<int> left_out;
   const crack::DomainLimits limits = domain_limits(model, scene, front);
-  crack::FrontExtensions domains = crack::tip_extensions(around.extension_fields(
+  crack::FrontIntegralDomains domains = crack::make_tip_domains(around.extension_fields(
       scene.cracked, front, domain_rings(model, front.crack), left_out, limits));
-  const std::vector<crack::ExtensionField>& fields = domains.points.front();
+  const std::vector<crack::VirtualExtensionField>& fields = domains.points.front();
   if (!fields.empty()) {
     std::vector<int> ignored;
     // One ring more carries all domains along as one (sensitivity.9).
-    std::vector<crack::ExtensionField> wider =
+    std::vector<crack::VirtualExtensionField> wider =
         around.extension_fields(scene.cracked, front, {fields.back().rings + 1}, ignored, limits);
     if (!wider.empty()) {
       domains.beyond = std::move(wider.front());

@@ -24,10 +24,10 @@ struct Near {
   std::set<base::ElementId> elements;
 };
 
-Near near_front(const crack::FrontExtensions& domains) {
+Near near_front(const crack::FrontIntegralDomains& domains) {
   Near near;
-  for (const std::vector<crack::ExtensionField>& point : domains.points) {
-    for (const crack::ExtensionField& field : point) {
+  for (const std::vector<crack::VirtualExtensionField>& point : domains.points) {
+    for (const crack::VirtualExtensionField& field : point) {
       near.elements.insert(field.elements.begin(), field.elements.end());
       near.elements.insert(field.inside.begin(), field.inside.end());
       for (const crack::NodeMotion& moved : field.motion) {
@@ -215,7 +215,7 @@ std::vector<std::int64_t> material_zones(const model::Model& model, const model:
 }
 
 crack::FrontLoads front_loads(const model::Model& model, const Discretisation& scene,
-                              const crack::FrontExtensions& domains,
+                              const crack::FrontIntegralDomains& domains,
                               const base::Vector& case_factor) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const Near near = near_front(domains);

@@ -12,7 +12,7 @@ namespace spricka::analysis {
 /// What acts on the elements and faces of a front's domains under the cases' factors [case]. The
 /// model must outlive it.
 crack::FrontLoads front_loads(const model::Model& model, const Discretisation& scene,
-                              const crack::FrontExtensions& domains,
+                              const crack::FrontIntegralDomains& domains,
                               const base::Vector& case_factor);
 
 /// Elements between which a domain cannot tell apart: of properties that differ in nothing but

@@ -56,8 +56,8 @@ struct Discretisation {
   std::vector<std::optional<CrackFacePair>>
       crack_face_pairs; ///< [crack line] empty: its faces are open
   ContactRowTable table;
-  std::vector<crack::FrontExtensions> domains; ///< [front of `cracked`]
-  std::vector<bool> rest_element;              ///< [element] no crack of the run touches it
+  std::vector<crack::FrontIntegralDomains> domains; ///< [front of `cracked`]
+  std::vector<bool> rest_element;                   ///< [element] no crack of the run touches it
   std::vector<std::string> notes;
   /// By case; where ties have a right-hand side, what they ask for is a last column of its own.
   base::Matrix case_load;         ///< [dim * node, case] consistent loads

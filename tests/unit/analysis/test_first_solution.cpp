@@ -107,10 +107,10 @@ TEST(FirstSolution, EdgeCrackInAStrip) {
   // K1 and K2 by virtual extension of the crack, the mean over rings 2 to 5 (crack.11)
   const mesh::CrackFront& front = cracked.fronts.front();
   std::vector<int> left_out;
-  const std::vector<crack::ExtensionField> q =
+  const std::vector<crack::VirtualExtensionField> q =
       crack::TipNeighbourhood(mesh).extension_fields(cracked, front, {2, 3, 4, 5}, left_out);
   const crack::StressIntensity at_tip =
-      crack::front_intensity(model, cracked, front, crack::tip_extensions(q), {}, u, {}).front();
+      crack::front_intensity(model, cracked, front, crack::make_tip_domains(q), {}, u, {}).front();
 
   // Tada, Paris and Irwin 2000, half a per cent off at most; the mesh adds a tenth
   const double c = std::numbers::pi * a / (2.0 * W);

@@ -129,7 +129,7 @@ TEST(SolidFaceContact, FacesThatStickAreNoCrack) {
 std::vector<crack::StressIntensity> without_faces(const SolvedScene& solved,
                                                   const analysis::StepState& state) {
   const mesh::CrackedMesh& cracked = solved.scene().cracked;
-  const crack::FrontExtensions& domains = solved.scene().domains.front();
+  const crack::FrontIntegralDomains& domains = solved.scene().domains.front();
   const crack::FrontLoads loads =
       analysis::front_loads(solved.model(), solved.scene(), domains, state.case_factor);
   return crack::front_intensity(solved.model(), cracked, cracked.fronts.front(), domains, {},

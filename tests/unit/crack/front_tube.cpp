@@ -190,8 +190,8 @@ base::Vector Tube::rough() const {
   return values;
 }
 
-crack::FrontExtensions Tube::fields(const std::vector<int>& rings) const {
-  return crack::front_extensions(cracked, front(), rings);
+crack::FrontIntegralDomains Tube::fields(const std::vector<int>& rings) const {
+  return crack::build_front_domains(cracked, front(), rings);
 }
 
 std::vector<crack::StressIntensity> Tube::K(const base::Vector& u,

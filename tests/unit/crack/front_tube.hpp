@@ -35,7 +35,7 @@ struct Tube {
   [[nodiscard]] base::Vector at_nodes(const CardField& u) const;
   /// Values without a pattern, a reproducible part of one.
   [[nodiscard]] base::Vector rough() const;
-  [[nodiscard]] crack::FrontExtensions fields(const std::vector<int>& rings = {1, 2}) const;
+  [[nodiscard]] crack::FrontIntegralDomains fields(const std::vector<int>& rings = {1, 2}) const;
   [[nodiscard]] std::vector<crack::StressIntensity> K(const base::Vector& u,
                                                       const crack::FrontLoads& loads = {}) const;
 };

@@ -9,7 +9,7 @@ inline Eigen::Matrix2d near_tip_gradient(const crack::TipFrame& tip, const base:
                                          const model::ElasticMaterial& material,
                                          model::StressState state) {
   return crack::near_tip_gradient(tip, crack::polar(tip, at), static_cast<std::size_t>(mode),
-                                  crack::section_body(material, state));
+                                  crack::make_section_body(material, state));
 }
 
 /// The near-tip displacement [length] for K = 1 at a point given by its coordinates.
@@ -17,7 +17,7 @@ inline base::Vec2 near_tip_displacement(const crack::TipFrame& tip, const base::
                                         const model::ElasticMaterial& material,
                                         model::StressState state) {
   return crack::near_tip_displacement(tip, crack::polar(tip, at), static_cast<std::size_t>(mode),
-                                      crack::section_body(material, state));
+                                      crack::make_section_body(material, state));
 }
 
 } // namespace spricka::test

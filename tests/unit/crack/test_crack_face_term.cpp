@@ -21,7 +21,7 @@ namespace {
 struct Plate {
   model::Model model;
   mesh::CrackedMesh cracked;
-  std::vector<crack::ExtensionField> fields;
+  std::vector<crack::VirtualExtensionField> fields;
   std::vector<model::Face> faces;
   base::Vec2 e1;
 
@@ -104,7 +104,7 @@ TEST(CrackFaceTerm, IsThatOfTractionsNextToTheTip) {
     for (const bool quarter : {true, false}) {
       const Plate plate(angle, quarter, 2.5);
       ASSERT_EQ(plate.fields.size(), 3U);
-      for (const crack::ExtensionField& field : plate.fields) {
+      for (const crack::VirtualExtensionField& field : plate.fields) {
         double R = 0.0;
         double S = 1e9;
         for (const base::NodeId n : plate.cracked.faces[0].left) {
@@ -115,7 +115,7 @@ TEST(CrackFaceTerm, IsThatOfTractionsNextToTheTip) {
             S = std::min(S, plate.from_tip(n));
           }
         }
-        const base::Matrix rows = crack::face_force_intensity_rows(
+        const base::Matrix rows = crack::face_force_tip_functionals(
             plate.model, plate.cracked, plate.cracked.fronts[1], {field},
             model::CrackTipPlaneState::automatic, plate.faces);
         const base::Vector pressed = rows.transpose() * plate.forces(0.0, 3.0);
@@ -141,13 +141,13 @@ TEST(CrackFaceTerm, RowsAreTheTerm) {
   request.state = model::CrackTipPlaneState::stress;
   const crack::StressIntensity K =
       crack::front_intensity(plate.model, plate.cracked, plate.cracked.fronts[1],
-                             crack::tip_extensions(plate.fields), request, none, loads)
+                             crack::make_tip_domains(plate.fields), request, none, loads)
           .front();
-  const base::Vector of_rows =
-      crack::face_force_intensity_rows(plate.model, plate.cracked, plate.cracked.fronts[1],
-                                       plate.fields, model::CrackTipPlaneState::stress, plate.faces)
-          .transpose() *
-      loads.crack_faces->force;
+  const base::Vector of_rows = crack::face_force_tip_functionals(
+                                   plate.model, plate.cracked, plate.cracked.fronts[1],
+                                   plate.fields, model::CrackTipPlaneState::stress, plate.faces)
+                                   .transpose() *
+                               loads.crack_faces->force;
   EXPECT_NEAR(K.K1, of_rows[0], 1e-12 * std::abs(of_rows[0]));
   EXPECT_NEAR(K.K2, of_rows[1], 1e-12 * std::abs(of_rows[1]));
   EXPECT_EQ(K.G, 0.0); // the faces do not slip

@@ -50,7 +50,7 @@ struct Block {
   [[nodiscard]] std::vector<int> rings() const {
     std::vector<int> kept;
     std::vector<int> left_out;
-    for (const ExtensionField& field :
+    for (const VirtualExtensionField& field :
          TipNeighbourhood(cracked.mesh)
              .extension_fields(cracked, cracked.fronts[0], {1, 2, 3}, left_out)) {
       kept.push_back(field.rings);
@@ -72,7 +72,7 @@ TEST(Extension, MovesItsOwnFacesButNotTheMouth) {
 TEST(Extension, NodesMoveAlongTheGrowthOfTheirPoint) {
   const Block block;
   std::vector<int> left_out;
-  const std::vector<ExtensionField> fields =
+  const std::vector<VirtualExtensionField> fields =
       TipNeighbourhood(block.cracked.mesh)
           .extension_fields(block.cracked, block.cracked.fronts[0], {2}, left_out);
   ASSERT_EQ(fields.size(), 1U);

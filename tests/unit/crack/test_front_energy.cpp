@@ -135,7 +135,7 @@ private:
   std::map<base::ElementId, int> degree_ = tube_.fields().degree;
 };
 
-model::Mesh moved(const Tube& tube, const crack::ExtensionField& field, double way) {
+model::Mesh moved(const Tube& tube, const crack::VirtualExtensionField& field, double way) {
   model::Mesh mesh = tube.mesh();
   for (const crack::NodeMotion& motion : field.motion) {
     mesh.x[motion.node.index()] += way * motion.q * motion.along;
@@ -147,12 +147,12 @@ model::Mesh moved(const Tube& tube, const crack::ExtensionField& field, double w
 void expect_released(const Tube& tube, const Acting& acting, double tolerance) {
   const base::Vector u = tube.rough();
   const Potential potential(tube, acting);
-  const crack::FrontExtensions fields = tube.fields();
+  const crack::FrontIntegralDomains fields = tube.fields();
   const auto K = tube.K(u, potential.loads());
   const double h = 1e-6 * tube.front().radius;
   for (std::size_t i = 0; i < K.size(); ++i) {
     ASSERT_EQ(K[i].domains.size(), 2U);
-    const crack::ExtensionField& domain = fields.points[i].back();
+    const crack::VirtualExtensionField& domain = fields.points[i].back();
     const double slope =
         (potential.of(moved(tube, domain, h), u) - potential.of(moved(tube, domain, -h), u)) /
         (2.0 * h);
@@ -183,7 +183,7 @@ TEST(FrontEnergyOfCurvedFronts, IsReleasedAsNodesMove) {
 TEST(FrontEnergyOfObliqueEnds, IsReleasedAsNodesMove) {
   const Tube tube(test::straight_front(1.0), {.segments = 3, .sectors = 4, .shear = 0.4});
   expect_released(tube, {.pressure = true}, 1e-6);
-  const crack::FrontExtensions fields = tube.fields();
+  const crack::FrontIntegralDomains fields = tube.fields();
   for (const crack::NodeMotion& motion : fields.points.front().back().motion) {
     const Vec3& x = tube.mesh().x[motion.node.index()];
     const Vec3 n = Vec3(0.4, 0.0, -1.0).normalized(); // of the end

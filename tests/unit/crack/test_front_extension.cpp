@@ -20,7 +20,7 @@ using test::Tube;
 // along m, and none beyond the next.
 TEST(FrontExtension, PointsAddUpToAWholeAdvance) {
   const Tube tube(test::straight_front(1.0), {.segments = 4});
-  const crack::FrontExtensions fields = tube.fields({1});
+  const crack::FrontIntegralDomains fields = tube.fields({1});
   EXPECT_FALSE(fields.closed);
   EXPECT_TRUE(fields.left_out.empty());
   std::map<base::NodeId, Vec3> sum;
@@ -41,7 +41,7 @@ TEST(FrontExtension, PointsAddUpToAWholeAdvance) {
 
 TEST(FrontExtension, HatsAreLinearBetweenPoints) {
   const Tube tube(test::straight_front(1.0), {.segments = 4});
-  const crack::FrontExtensions fields = tube.fields({2});
+  const crack::FrontIntegralDomains fields = tube.fields({2});
   for (const crack::NodeMotion& motion : fields.points[1].front().motion) {
     const Vec3& x = tube.mesh().x[motion.node.index()];
     if (x.head<2>().norm() < 0.21) {
@@ -52,7 +52,7 @@ TEST(FrontExtension, HatsAreLinearBetweenPoints) {
 
 TEST(FrontExtension, ClosedFrontHasNoEnds) {
   const Tube tube(test::penny_front(1.0), {.segments = 8});
-  const crack::FrontExtensions fields = tube.fields({1});
+  const crack::FrontIntegralDomains fields = tube.fields({1});
   EXPECT_TRUE(fields.closed);
   EXPECT_TRUE(fields.left_out.empty());
   // The first and the last point share the elements between them.
@@ -63,7 +63,7 @@ TEST(FrontExtension, ClosedFrontHasNoEnds) {
 // The tube's own rim is the surface of the body here: what reaches it is left out and says so.
 TEST(FrontExtension, LeavesOutWhatWouldMoveTheSurface) {
   const Tube tube(test::penny_front(1.0), {.segments = 8});
-  const crack::FrontExtensions fields = tube.fields({2, 3});
+  const crack::FrontIntegralDomains fields = tube.fields({2, 3});
   ASSERT_EQ(fields.left_out.size(), 8U);
   EXPECT_EQ(fields.left_out.front().rings, 3);
   EXPECT_NE(fields.left_out.front().why.find("surface"), std::string::npos);
@@ -75,15 +75,15 @@ TEST(FrontExtension, LeavesOutHeldNodesAndOtherMaterials) {
   crack::DomainLimits limits;
   limits.node.assign(tube.mesh().node_count(), false);
   limits.node[tube.front().points.front().node.index()] = true;
-  const crack::FrontExtensions held =
-      crack::front_extensions(tube.cracked, tube.front(), {1}, limits);
+  const crack::FrontIntegralDomains held =
+      crack::build_front_domains(tube.cracked, tube.front(), {1}, limits);
   EXPECT_TRUE(held.points[0].empty());
   EXPECT_FALSE(held.points[1].empty());
   crack::DomainLimits zones;
   zones.zone.assign(tube.mesh().element_count(), 0);
   zones.zone.back() = 1;
-  const crack::FrontExtensions other =
-      crack::front_extensions(tube.cracked, tube.front(), {2}, zones);
+  const crack::FrontIntegralDomains other =
+      crack::build_front_domains(tube.cracked, tube.front(), {2}, zones);
   EXPECT_TRUE(other.points[4].empty());
   EXPECT_FALSE(other.points[0].empty());
 }
@@ -103,7 +103,7 @@ TEST(FrontExtension, TiedNodesFollowTheirMasters) {
   const base::NodeId b = tube.front().points[2].node;
   const base::NodeId slave = tube.mesh().element_nodes(base::ElementId(std::size_t{0}))[1];
   tube.cracked.ties = {{slave, {a, b}, {0.25, 0.75}, base::CrackId(std::size_t{0})}};
-  const crack::FrontExtensions fields = tube.fields({1});
+  const crack::FrontIntegralDomains fields = tube.fields({1});
   const auto q = fields.points[2].front().extension_by_node();
   EXPECT_NEAR(q.at(slave), 0.75, 1e-12);
 }
@@ -127,19 +127,19 @@ TEST(SmoothFront, KeepsCubicsAndCircles) {
     const double s = open.s[static_cast<std::size_t>(i)];
     values(i, 0) = 1.0 + s - 0.2 * s * s + 0.01 * s * s * s;
   }
-  EXPECT_LT((crack::smooth_values(open, values) - values).norm(), 1e-10);
+  EXPECT_LT((crack::smooth_values_along_front(open, values) - values).norm(), 1e-10);
   const crack::FrontStations round = stations(16, true);
   base::Matrix wave(16, 1);
   for (Eigen::Index i = 0; i < 16; ++i) {
     wave(i, 0) = std::cos(2.0 * std::numbers::pi * round.s[static_cast<std::size_t>(i)] / 16.0);
   }
-  EXPECT_LT((crack::smooth_values(round, wave) - wave).cwiseAbs().maxCoeff(), 3e-3);
+  EXPECT_LT((crack::smooth_values_along_front(round, wave) - wave).cwiseAbs().maxCoeff(), 3e-3);
   // What alternates from point to point goes.
   base::Matrix rough = wave;
   for (Eigen::Index i = 0; i < 16; ++i) {
     rough(i, 0) += i % 2 == 0 ? 0.1 : -0.1;
   }
-  EXPECT_LT((crack::smooth_values(round, rough) - wave).cwiseAbs().maxCoeff(), 0.05);
+  EXPECT_LT((crack::smooth_values_along_front(round, rough) - wave).cwiseAbs().maxCoeff(), 0.05);
 }
 
 // Means over hats are undone: of s^2 they are h^2 / 6 too high.
@@ -151,7 +151,7 @@ TEST(SmoothFront, GivesBackWhatHatsSmear) {
     at.local[i] = i == 0 || i == 10;
     values(static_cast<Eigen::Index>(i), 0) = at.s[i] * at.s[i] + (at.local[i] ? 0.0 : 1.0 / 6.0);
   }
-  const base::Matrix smooth = crack::smooth_values(at, values);
+  const base::Matrix smooth = crack::smooth_values_along_front(at, values);
   for (std::size_t i = 0; i < 11; ++i) {
     EXPECT_NEAR(smooth(static_cast<Eigen::Index>(i), 0), at.s[i] * at.s[i], 1e-9);
   }
@@ -174,14 +174,15 @@ TEST(SmoothFront, GoesOnToTheSurfaceFromInside) {
       values(i, 0) = 2.0 - 0.5 * s + 0.03 * s * s;
     }
     values(0, 0) = 77.0;
-    const auto value = crack::value_from_inside(at, values, {at.s[0], 0.0});
+    const auto value = crack::extrapolate_front_value(at, values, {at.s[0], 0.0});
     ASSERT_TRUE(value.has_value());
     EXPECT_NEAR((*value)[0], 2.0 - 0.5 * at.s[0] + 0.03 * at.s[0] * at.s[0], 1e-9);
     for (Eigen::Index i = 1; i < count; ++i) {
       base::Matrix wrong = values;
       wrong(i, 0) += 0.1;
-      EXPECT_LT(std::abs((*crack::value_from_inside(at, wrong, {at.s[0], 0.0}))[0] - (*value)[0]),
-                0.15);
+      EXPECT_LT(
+          std::abs((*crack::extrapolate_front_value(at, wrong, {at.s[0], 0.0}))[0] - (*value)[0]),
+          0.15);
     }
   }
 }
@@ -191,11 +192,11 @@ TEST(SmoothFront, GoesOnFromFewPointsByALine) {
   at.weight = {0.0, 1.0, 1.0, 0.0};
   base::Matrix values(4, 1);
   values << 77.0, 2.0 - 0.5 * at.s[1], 2.0 - 0.5 * at.s[2], 77.0;
-  const auto value = crack::value_from_inside(at, values, {0.0, 0.0});
+  const auto value = crack::extrapolate_front_value(at, values, {0.0, 0.0});
   ASSERT_TRUE(value.has_value());
   EXPECT_NEAR((*value)[0], 2.0, 1e-12);
   at.weight = {0.0, 1.0, 0.0, 0.0};
-  EXPECT_FALSE(crack::value_from_inside(at, values, {0.0, 0.0}).has_value());
+  EXPECT_FALSE(crack::extrapolate_front_value(at, values, {0.0, 0.0}).has_value());
 }
 
 } // namespace

@@ -212,14 +212,15 @@ TEST_F(PressedPenny, TakesPressureBetweenItsFaces) {
 }
 
 TEST_F(PressedPenny, RowsGiveTheSameK) {
-  const crack::FrontExtensions fields = tube.fields();
+  const crack::FrontIntegralDomains fields = tube.fields();
   const base::Vector u = pressed + sheared + 1e-3 * tube.rough();
   crack::FrontLoads loads;
   loads.contact = pressure();
   const crack::KLayout layout(tube.front().points.size(), 3);
-  const auto rows = crack::front_intensity_rows(tube.model, tube.cracked, tube.front(), fields);
-  const auto force_rows =
-      crack::front_force_rows(tube.model, tube.cracked, tube.front(), fields, loads.contact);
+  const auto rows =
+      crack::front_intensity_functionals(tube.model, tube.cracked, tube.front(), fields);
+  const auto force_rows = crack::face_force_front_functionals(tube.model, tube.cracked,
+                                                              tube.front(), fields, loads.contact);
   std::vector<double> f;
   for (const crack::FacePointForces& on : loads.contact) {
     for (const fe::LoadPoint& point : on.points) {

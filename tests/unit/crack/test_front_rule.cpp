@@ -25,7 +25,8 @@ struct RuledPenny : testing::Test {
       return std::hypot(std::hypot(x.x(), x.y()) - 1.0, x.z()) < 1e-3;
     });
   }
-  [[nodiscard]] std::vector<crack::StressIntensity> K(const crack::FrontExtensions& fields) const {
+  [[nodiscard]] std::vector<crack::StressIntensity>
+  K(const crack::FrontIntegralDomains& fields) const {
     const base::Vector u = tube.at_nodes([](const Vec3& x, crack::CrackFaceSide side) -> Vec3 {
       constexpr double mu = 1000.0 / 2.6;
       return test::pressed_penny(x, side, mu, 0.3) + test::sheared_penny(x, side, mu, 0.3);
@@ -35,7 +36,7 @@ struct RuledPenny : testing::Test {
 };
 
 TEST_F(RuledPenny, IsFineAtTheFrontAndCoarserAway) {
-  const crack::FrontExtensions fields = tube.fields({2, 3});
+  const crack::FrontIntegralDomains fields = tube.fields({2, 3});
   std::size_t near = 0;
   for (const auto& [e, degree] : fields.degree) {
     EXPECT_EQ(degree == crack::front_degree, at_front(e)) << e.index();
@@ -47,7 +48,7 @@ TEST_F(RuledPenny, IsFineAtTheFrontAndCoarserAway) {
 
 TEST_F(RuledPenny, FinerRulesAwayFromTheFrontLeaveKAlone) {
   const std::vector<crack::StressIntensity> own = K(tube.fields({2, 3}));
-  crack::FrontExtensions finer = tube.fields({2, 3});
+  crack::FrontIntegralDomains finer = tube.fields({2, 3});
   for (auto& [e, degree] : finer.degree) {
     degree = at_front(e) ? degree : 13;
   }
@@ -64,7 +65,7 @@ TEST_F(RuledPenny, FinerRulesAwayFromTheFrontLeaveKAlone) {
 struct RuledBend : testing::Test {
   Tube tube{test::ellipse_front(1.0, 0.5, 1.0),
             {.segments = 48, .radii = {0.023, 0.046, 0.093, 0.147}}};
-  crack::FrontExtensions own = tube.fields({2, 3});
+  crack::FrontIntegralDomains own = tube.fields({2, 3});
 };
 
 TEST_F(RuledBend, IsFinerTowardsTheCentresOfCurvature) {
@@ -102,10 +103,10 @@ TEST_F(RuledBend, FinerRulesLeaveKAlone) {
     }
     return sum.x() * at.frame.m + sum.y() * at.frame.b + sum.z() * at.frame.t;
   });
-  const auto K = [&](const crack::FrontExtensions& fields) {
+  const auto K = [&](const crack::FrontIntegralDomains& fields) {
     return crack::front_intensity(tube.model, tube.cracked, tube.front(), fields, {}, u, {});
   };
-  crack::FrontExtensions finer = tube.fields({2, 3});
+  crack::FrontIntegralDomains finer = tube.fields({2, 3});
   for (auto& [e, degree] : finer.degree) {
     degree = 15;
   }

@@ -51,7 +51,8 @@ TEST_P(Partner, GradientIsThatOfTheDisplacement) {
   const Vec3 x = axes.locate_point(Vec3(1.2, -1.5, 0.5)).frame.x + Vec3(0.2, -0.1, 0.3);
   const auto displacement = [&](const Vec3& at) -> Vec3 {
     const FrontCoordinates place = axes.locate_point(at);
-    return TurningAxes(place).Q * section_field(GetParam(), {place.r, place.theta}, body).w;
+    return FrontAxesDerivatives(place).Q *
+           section_field(GetParam(), {place.r, place.theta}, body).w;
   };
   Tensor<3> differences;
   const double h = 1e-5;

@@ -47,11 +47,12 @@ struct Faces {
     front.tip_point().growth = base::Vec3::UnitX();
     for (const std::size_t n : {1U, 2U, 3U, 4U}) {
       const bool upper = n < 3;
-      const crack::Polar at{-cracked.mesh.x[n].x(), upper ? std::numbers::pi : -std::numbers::pi};
+      const crack::PolarCoordinates at{-cracked.mesh.x[n].x(),
+                                       upper ? std::numbers::pi : -std::numbers::pi};
       base::Vec2 moved = K1 * crack::near_tip_displacement(
-                                  {}, at, 1, crack::section_body(model.materials[0], state)) +
+                                  {}, at, 1, crack::make_section_body(model.materials[0], state)) +
                          K2 * crack::near_tip_displacement(
-                                  {}, at, 2, crack::section_body(model.materials[0], state));
+                                  {}, at, 2, crack::make_section_body(model.materials[0], state));
       moved.y() += (upper ? linear : -linear) * at.r;
       u.segment<2>(2 * static_cast<Eigen::Index>(n)) = moved;
     }
@@ -59,7 +60,7 @@ struct Faces {
 
   [[nodiscard]] std::optional<std::array<double, 3>> intensity() const {
     const crack::FrontLoads loads;
-    const crack::TipSetting set{.model = model,
+    const crack::TipContext set{.model = model,
                                 .mesh = cracked.mesh,
                                 .material = model.materials[0],
                                 .property = model.properties[0],
@@ -67,7 +68,7 @@ struct Faces {
                                 .tip_node = front.tip_point().node,
                                 .crack_faces = cracked.faces.data(),
                                 .loads = loads};
-    return crack::opening_intensity(set, cracked, front, u);
+    return crack::tip_K_from_face_opening(set, cracked, front, u);
   }
 };
 

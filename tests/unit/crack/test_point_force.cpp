@@ -30,7 +30,7 @@ protected:
   [[nodiscard]] Eigen::Matrix2d stress(const TipFrame& tip, const base::Vec2& x) const {
     const Eigen::Matrix2d H =
         crack::near_tip_gradient(tip, crack::polar(tip, x), crack::line_force_auxiliary,
-                                 crack::section_body(material, GetParam()));
+                                 crack::make_section_body(material, GetParam()));
     const fe::Strain<2> s = fe::elasticity<2>(material, GetParam()) * fe::strain<2>(H);
     return fe::stress_tensor<2>(s);
   }
@@ -41,13 +41,13 @@ TEST_P(PointForce, GradientIsTheDerivativeOfTheDisplacement) {
   const TipFrame tip = turned(0.7);
   const auto u = [&](const base::Vec2& x) {
     return crack::near_tip_displacement(tip, crack::polar(tip, x), crack::line_force_auxiliary,
-                                        crack::section_body(material, GetParam()));
+                                        crack::make_section_body(material, GetParam()));
   };
   for (const double angle : {-2.9, -1.0, 0.2, 1.7, 3.0}) {
     const base::Vec2 x = tip.x + 0.8 * (std::cos(angle) * tip.e1 + std::sin(angle) * tip.e2);
     const Eigen::Matrix2d H =
         crack::near_tip_gradient(tip, crack::polar(tip, x), crack::line_force_auxiliary,
-                                 crack::section_body(material, GetParam()));
+                                 crack::make_section_body(material, GetParam()));
     const double h = 1e-6;
     for (int j = 0; j < 2; ++j) {
       const base::Vec2 d = h * base::Vec2::Unit(j);
@@ -98,11 +98,11 @@ TEST_P(PointForce, FindsTheTOfAKnownField) {
   mesh::CrackFront front;
   front.tip_point().growth = base::Vec3::UnitX();
   front.a = 1.0;
-  crack::ExtensionField field;
+  crack::VirtualExtensionField field;
   const double K1 = 3.0;
   const double K2 = -1.25;
   const double T = -2.5;
-  const double kappa = crack::kolosov(material.nu, GetParam());
+  const double kappa = crack::kolosov_constant(material.nu, GetParam());
   const double mu = material.E / (2.0 * (1.0 + material.nu));
   base::Vector u(2 * static_cast<Eigen::Index>(model.mesh.node_count()));
   for (std::size_t n = 0; n < model.mesh.node_count(); ++n) {
@@ -117,7 +117,7 @@ TEST_P(PointForce, FindsTheTOfAKnownField) {
     field.elements.emplace_back(e);
   }
   const crack::StressIntensity found =
-      crack::front_intensity(model, cracked, front, crack::tip_extensions({field}), {}, u, {})
+      crack::front_intensity(model, cracked, front, crack::make_tip_domains({field}), {}, u, {})
           .front();
   EXPECT_NEAR(found.T, T, 1e-3 * std::abs(T));
   EXPECT_NEAR(found.K1, K1, 1e-3 * K1);

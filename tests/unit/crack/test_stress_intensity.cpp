@@ -24,7 +24,7 @@ struct Annulus {
   model::Model model;
   mesh::CrackedMesh cracked;
   mesh::CrackFront front;
-  std::vector<crack::ExtensionField> fields;
+  std::vector<crack::VirtualExtensionField> fields;
   base::Vector u;
 
   Annulus(int nr, int nt, model::StressState state, base::ElementType type) {
@@ -47,7 +47,7 @@ struct Annulus {
     front.tip_point().growth = base::Vec3::UnitX();
     front.a = 1.0;
     front.size = 0.5;
-    crack::ExtensionField field;
+    crack::VirtualExtensionField field;
     for (std::size_t n = 0; n < model.mesh.node_count(); ++n) {
       const double r = model.mesh.x[n].norm();
       field.motion.push_back({.node = base::NodeId(n), .q = (1.0 - r) / 0.5});
@@ -74,8 +74,8 @@ TEST_P(NearTipField, GivesItsOwnK) {
   const auto [state, type] = GetParam();
   const Annulus a(6, 48, state, type);
   const crack::StressIntensity K =
-      crack::front_intensity(a.model, a.cracked, a.front, crack::tip_extensions(a.fields), {}, a.u,
-                             {})
+      crack::front_intensity(a.model, a.cracked, a.front, crack::make_tip_domains(a.fields), {},
+                             a.u, {})
           .front();
   EXPECT_NEAR(K.K1, K1, 1e-4 * K1);
   EXPECT_NEAR(K.K2, K2, 1e-4 * K1);
@@ -91,7 +91,7 @@ TEST_P(NearTipField, ConvergesToItsOwnK) {
   for (int level = 0; level < 2; ++level) {
     const Annulus a(2 << level, 12 << level, state, type);
     const crack::StressIntensity K =
-        crack::front_intensity(a.model, a.cracked, a.front, crack::tip_extensions(a.fields), {},
+        crack::front_intensity(a.model, a.cracked, a.front, crack::make_tip_domains(a.fields), {},
                                a.u, {})
             .front();
     error[level] = std::hypot(K.K1 - K1, K.K2 - K2);
@@ -108,7 +108,7 @@ TEST_P(NearTipField, FiniteShiftTendsToTheAnalyticDerivative) {
     crack::FrontIntensityRequest request;
     request.shift = i == 0 ? 1e-2 : 1e-3;
     const crack::StressIntensity K =
-        crack::front_intensity(a.model, a.cracked, a.front, crack::tip_extensions(a.fields),
+        crack::front_intensity(a.model, a.cracked, a.front, crack::make_tip_domains(a.fields),
                                request, a.u, {})
             .front();
     ASSERT_TRUE(K.shift_error.has_value());
@@ -128,20 +128,20 @@ TEST(StressIntensity, RowsGiveTheSameKOfAnyDisplacement) {
   for (const model::CrackTipPlaneState state :
        {model::CrackTipPlaneState::automatic, model::CrackTipPlaneState::strain}) {
     Annulus a(4, 24, model::StressState::plane_stress, base::ElementType::quamc8);
-    crack::ExtensionField narrow = a.fields.front(); // a second domain
+    crack::VirtualExtensionField narrow = a.fields.front(); // a second domain
     for (crack::NodeMotion& moved : narrow.motion) {
       moved.q *= moved.q;
     }
     a.fields.push_back(narrow);
-    const base::Matrix rows = crack::front_intensity_rows(a.model, a.cracked, a.front,
-                                                          crack::tip_extensions(a.fields), state);
+    const base::Matrix rows = crack::front_intensity_functionals(
+        a.model, a.cracked, a.front, crack::make_tip_domains(a.fields), state);
     for (Eigen::Index i = 0; i < a.u.size(); ++i) {
       a.u[i] += 1e-3 * std::sin(1.7 * static_cast<double>(i * i % 97)); // rough
     }
     crack::FrontIntensityRequest request;
     request.state = state;
     const crack::StressIntensity K =
-        crack::front_intensity(a.model, a.cracked, a.front, crack::tip_extensions(a.fields),
+        crack::front_intensity(a.model, a.cracked, a.front, crack::make_tip_domains(a.fields),
                                request, a.u, {})
             .front();
     const double size = rows.cwiseAbs().transpose().row(0).dot(a.u.cwiseAbs());
@@ -156,11 +156,11 @@ TEST(StressIntensity, StateOfTheCrackRescalesK) {
   crack::FrontIntensityRequest strain;
   strain.state = model::CrackTipPlaneState::strain;
   const double own = crack::front_intensity(a.model, a.cracked, a.front,
-                                            crack::tip_extensions(a.fields), {}, a.u, {})
+                                            crack::make_tip_domains(a.fields), {}, a.u, {})
                          .front()
                          .K1;
   const double other = crack::front_intensity(a.model, a.cracked, a.front,
-                                              crack::tip_extensions(a.fields), strain, a.u, {})
+                                              crack::make_tip_domains(a.fields), strain, a.u, {})
                            .front()
                            .K1;
   EXPECT_NEAR(other / own, 1.0 / std::sqrt(1.0 - 0.3 * 0.3), 1e-12);

@@ -39,7 +39,7 @@ struct Plate {
   model::Model model;
   mesh::CrackedMesh cracked;
   mesh::CrackFaceSides crack_faces;
-  std::vector<crack::ExtensionField> fields;
+  std::vector<crack::VirtualExtensionField> fields;
   base::Vector u;
 
   explicit Plate(model::StressState state) {
@@ -147,26 +147,26 @@ TEST_P(TipTerm, IsTheDerivativeOfTheEnergy) {
   const Plate plate(state);
   const model::Load load = load_of(what);
   const crack::FrontLoads loads = acting(plate, load, 1e3);
-  const crack::TipSetting set =
-      crack::tip_setting(plate.model, plate.cracked, plate.front(), plate.fields, loads);
+  const crack::TipContext set =
+      crack::make_tip_context(plate.model, plate.cracked, plate.front(), plate.fields, loads);
   const crack::FrontLoads none;
-  const crack::TipSetting unloaded =
-      crack::tip_setting(plate.model, plate.cracked, plate.front(), plate.fields, none);
+  const crack::TipContext unloaded =
+      crack::make_tip_context(plate.model, plate.cracked, plate.front(), plate.fields, none);
   ASSERT_EQ(plate.fields.size(), 2U);
-  for (const crack::ExtensionField& f : plate.fields) {
+  for (const crack::VirtualExtensionField& f : plate.fields) {
     const crack::StressIntensity K =
         crack::front_intensity(plate.model, plate.cracked, plate.front(),
-                               crack::tip_extensions({f}), {}, plate.u, loads)
+                               crack::make_tip_domains({f}), {}, plate.u, loads)
             .front();
     const crack::StressIntensity bare =
         crack::front_intensity(plate.model, plate.cracked, plate.front(),
-                               crack::tip_extensions({f}), {}, plate.u, {})
+                               crack::make_tip_domains({f}), {}, plate.u, {})
             .front();
     // The stiffness itself takes fewer points than G: what it misses is no matter of the loads, but
     // for elements that expand freely.
     const double s = 1e-4 * plate.front().size;
-    const double difference = crack::shifted_release_rate(set, f, s, plate.u) -
-                              crack::shifted_release_rate(unloaded, f, s, plate.u);
+    const double difference = crack::finite_shift_release_rate(set, f, s, plate.u) -
+                              crack::finite_shift_release_rate(unloaded, f, s, plate.u);
     EXPECT_NEAR(K.G - bare.G, difference,
                 (what == What::temperature ? 2e-4 : 1e-6) * std::abs(K.G - bare.G));
     EXPECT_GT(std::abs(K.G - bare.G), 1e-4 * std::abs(bare.G)); // the term is there
@@ -185,13 +185,13 @@ TEST_P(TipTerm, IsTheConstantOfK) {
     crack::FrontIntensityRequest request;
     request.state = wish;
     const crack::StressIntensity K =
-        crack::front_intensity(model, cracked, plate.front(), crack::tip_extensions(fields),
+        crack::front_intensity(model, cracked, plate.front(), crack::make_tip_domains(fields),
                                request, u, loads)
             .front();
-    const base::Matrix rows = crack::front_intensity_rows(model, cracked, plate.front(),
-                                                          crack::tip_extensions(fields), wish);
+    const base::Matrix rows = crack::front_intensity_functionals(
+        model, cracked, plate.front(), crack::make_tip_domains(fields), wish);
     const crack::StressIntensity c =
-        crack::front_intensity(model, cracked, plate.front(), crack::tip_extensions(fields),
+        crack::front_intensity(model, cracked, plate.front(), crack::make_tip_domains(fields),
                                request, base::Vector::Zero(u.size()), loads)
             .front();
     const double size = rows.cwiseAbs().transpose().row(0).dot(u.cwiseAbs());

@@ -28,7 +28,7 @@ const base::NetId net0 = base::NetId(std::size_t{0});
 struct StripTriangle {
   model::Model model;
   mesh::CrackedMesh cracked;
-  std::vector<crack::ExtensionField> fields;
+  std::vector<crack::VirtualExtensionField> fields;
   std::vector<model::FreedomClass> cls;
   fe::DofMap map;
   fe::ConstraintTransformation ties{{}, {}};
@@ -155,10 +155,10 @@ Found estimate_of(const StripTriangle& s, const model::LoadCase& load) {
   const estimate::ModeFreedomMap map =
       estimate::map_mode_freedoms(modes, estimate::find_mode_supports(modes, s.cls, s.ties), {});
   const mesh::CrackFront& front = s.cracked.fronts[0];
-  const base::Matrix g =
-      crack::front_intensity_rows(s.model, s.cracked, front, crack::tip_extensions(s.fields),
-                                  model::CrackTipPlaneState::automatic);
-  const base::Matrix g_e = modes.mode_functional(crack::intensity_points(
+  const base::Matrix g = crack::front_intensity_functionals(s.model, s.cracked, front,
+                                                            crack::make_tip_domains(s.fields),
+                                                            model::CrackTipPlaneState::automatic);
+  const base::Matrix g_e = modes.mode_functional(crack::intensity_functional_points(
       s.model, s.cracked, front, s.fields, model::CrackTipPlaneState::automatic));
   const base::Vector f = fe::consistent_nodal_load(s.model, s.cracked.mesh, load);
   const base::Vector f_e = estimate::mode_load(
@@ -352,7 +352,7 @@ TEST_P(GoalError, DoesNotDependOnTheNumbersOfNodes) {
       }
     }
   }
-  for (crack::ExtensionField& field : other.fields) {
+  for (crack::VirtualExtensionField& field : other.fields) {
     for (crack::NodeMotion& moved : field.motion) {
       moved.node = turned(moved.node);
     }
