@@ -116,8 +116,8 @@ ClosedContactInterval measure(const ContactSurface& surface, const std::vector<N
 
 } // namespace
 
-ContactArc longest_arc(const ContactSurface& surface, const std::vector<NodePressure>& nodes,
-                       bool multipliers) {
+ContactArc find_longest_closed_arc(const ContactSurface& surface,
+                                   const std::vector<NodePressure>& nodes, bool multipliers) {
   const SequenceLinks links = links_of(surface, nodes);
   const bool round = surface.circle.has_value();
   std::vector<bool> closed;

@@ -27,7 +27,8 @@ template <class Mend> void for_axis_ends(const ContactSurface& surface, Mend&& m
 
 } // namespace
 
-void extrapolate_to_axis(const ContactSurface& surface, const Numbering& number, base::Vector& p) {
+void extrapolate_pressure_to_axis(const ContactSurface& surface, const Numbering& number,
+                                  base::Vector& p) {
   for_axis_ends(surface, [&](const Edge& edge, std::size_t end, std::size_t next) {
     const auto square = [&](std::size_t i) { return edge.x[i].x() * edge.x[i].x(); };
     const double p_mid = p[number.at(edge.nodes[2])];
@@ -37,9 +38,9 @@ void extrapolate_to_axis(const ContactSurface& surface, const Numbering& number,
   });
 }
 
-void copy_to_axis_ends(const PairConstraints& pair,
-                       const std::map<base::NodeId, std::size_t>& row_of,
-                       std::vector<NodePressure>& nodes) {
+void copy_mid_node_state_to_axis(const PairConstraints& pair,
+                                 const std::map<base::NodeId, std::size_t>& row_of,
+                                 std::vector<NodePressure>& nodes) {
   if (!pair.contact.axial || pair.segments) {
     return;
   }

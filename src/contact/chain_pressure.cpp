@@ -107,7 +107,7 @@ std::vector<RecoveryNode> ordered_places(const ContactSurface& surface) {
 // A crack mouth cuts the surface: two nodes of different numbers stand in one point.
 void mark_crack_faces(const ContactSurface& surface, std::vector<RecoveryNode>& places) {
   std::vector<std::size_t> ends;
-  for (const ChainRange& chain : chain_ranges(surface)) {
+  for (const ChainRange& chain : node_ranges_of_chains(surface)) {
     if (!chain.closed) {
       ends.push_back(chain.first);
       ends.push_back(chain.first + chain.count - 1);
@@ -125,8 +125,8 @@ void mark_crack_faces(const ContactSurface& surface, std::vector<RecoveryNode>& 
 
 // Chain after chain: lengths along the whole surface.
 void string_chains(const ContactSurface& surface, std::vector<RecoveryNode>& places) {
-  const std::vector<double> starts = chain_starts(surface);
-  const std::vector<ChainRange> chains = chain_ranges(surface);
+  const std::vector<double> starts = chain_start_lengths(surface);
+  const std::vector<ChainRange> chains = node_ranges_of_chains(surface);
   for (std::size_t c = 0; c < chains.size(); ++c) {
     for (std::size_t i = 0; i < chains[c].count; ++i) {
       places[chains[c].first + i].at.arc += starts[c];
@@ -232,8 +232,8 @@ NodalPressure recover(const PairConstraints& pair, const ContactRowValues& row,
   NodalPressure p{R.cwiseQuotient(area.facing), base::Vector::Zero(n), T.cwiseQuotient(area.facing),
                   base::Vector::Zero(n)};
   if (pair.contact.axial) {
-    extrapolate_to_axis(pair.contact, number, p.lumped);
-    extrapolate_to_axis(pair.contact, number, p.shear_lumped);
+    extrapolate_pressure_to_axis(pair.contact, number, p.lumped);
+    extrapolate_pressure_to_axis(pair.contact, number, p.shear_lumped);
   }
   std::vector<Eigen::Index> order;
   order.reserve(places.size());
@@ -260,14 +260,14 @@ NodalPressure recover(const PairConstraints& pair, const ContactRowValues& row,
   const std::vector<bool> paired = whole_edges(pair, area.hat, number, nullptr);
   const std::vector<bool> sound = whole_edges(pair, area.hat, number, &row.closed);
   rim_pressure(pair, number, paired, p.consistent, p.lumped);
-  filter_pressure(pair.contact, number, sound, p.consistent, p.lumped);
+  filter_alternating_pressure(pair.contact, number, sound, p.consistent, p.lumped);
   if (!pair.tangent.empty()) { // shear is treated as pressure, so that their ratio keeps its bound
     for (std::size_t i = 0; i < pair.tangent.size(); ++i) {
       p.shear_consistent[number.at(pair.tangent[i].node)] =
           -row.lambda[index(pair.normal.size() + i)];
     }
     rim_pressure(pair, number, paired, p.shear_consistent, p.shear_lumped);
-    filter_pressure(pair.contact, number, sound, p.shear_consistent, p.shear_lumped);
+    filter_alternating_pressure(pair.contact, number, sound, p.shear_consistent, p.shear_lumped);
   }
   if (!row.may_pull) { // corner functions are negative in part: a steep end pulls at a corner
     redistribute_tension(pair.contact, order, area.facing, {p.lumped, p.shear_lumped});
@@ -312,16 +312,16 @@ double recover_chain_pressure(const PairConstraints& pair, const ContactRowValue
     place.at.q_lumped = p.shear_lumped[k];
     place.at.q_consistent = p.shear_consistent[k];
     if (const auto row = row_of.find(place.at.node); row != row_of.end()) {
-      rows.set_row(pair, row->second, place.at);
+      rows.assign_row_to_node(pair, row->second, place.at);
     }
     result.nodes.push_back(place.at);
   }
-  copy_to_axis_ends(pair, row_of, result.nodes);
+  copy_mid_node_state_to_axis(pair, row_of, result.nodes);
   if (pair.faces) {
     close_tips(result.nodes);
   }
   const double area = contact_area(pair, result.nodes);
-  ContactArc arc = longest_arc(pair.contact, result.nodes, pair.segments);
+  ContactArc arc = find_longest_closed_arc(pair.contact, result.nodes, pair.segments);
   if (std::ranges::any_of(result.nodes, &NodePressure::closed)) {
     to_slave_coordinates(pair, result.nodes, arc);
   } else {

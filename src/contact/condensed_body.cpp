@@ -71,7 +71,7 @@ base::Matrix CondensedBody::compliance_root(const base::Matrix& F) const {
                   : factor_.forward_substitute(project(F));
 }
 
-base::Matrix CondensedBody::displacements_under(const base::Matrix& F) const {
+base::Matrix CondensedBody::displacements_under_forces(const base::Matrix& F) const {
   if (is_uncondensed()) {
     base::Matrix u = response(off_modes(F));
     if (Q_.cols() > 0) {

@@ -46,7 +46,7 @@ public:
     return layered_ ? layered_->L.is_positive_definite() : factor_.is_positive_definite();
   }
   /// The factor in the place of S, else null.
-  [[nodiscard]] const solve::FactoredExternals* block_factor() const {
+  [[nodiscard]] const solve::FactoredExternals* external_block_factor() const {
     return layered_ ? &*layered_ : nullptr;
   }
   /// Whether it is a UncondensedBody; then compliance() stands in the place of compliance_root().
@@ -57,7 +57,7 @@ public:
   [[nodiscard]] solve::RowCompliance
   compliance(const std::vector<std::vector<RowCoefficient>>& rows) const;
   /// S+ F [m, k].
-  [[nodiscard]] base::Matrix displacements_under(const base::Matrix& F) const;
+  [[nodiscard]] base::Matrix displacements_under_forces(const base::Matrix& F) const;
 
 private:
   [[nodiscard]] base::Matrix project(base::Matrix F) const;

@@ -72,8 +72,9 @@ struct PairConstraints {
   int merged = 0;        ///< rows covered by less than 20 % that went to a neighbour
   std::vector<SingularContactEdge>
       sharp_ends; ///< in the order of the contact surface; none on crack faces
-  std::vector<MultiplierFunction> functions; ///< as part_nodes(); none of crack faces in the plane
-  std::optional<AnalyticShape> rigid_shape;  ///< in space, of `rigid`
+  std::vector<MultiplierFunction>
+      functions; ///< as smooth_part_nodes(); none of crack faces in the plane
+  std::optional<AnalyticShape> rigid_shape; ///< in space, of `rigid`
   double unprojected_area =
       0.0; ///< in space: area that lies opposite, but whose normal meets nothing there
 };

@@ -37,15 +37,15 @@ std::map<base::NodeId, base::Vec3> pushed_nodes(const PairConstraints& pair) {
 
 ContactSurface face_surface(const model::Model& model, const model::Mesh& mesh,
                             const std::vector<base::NodeId>& crack_face) {
-  ContactSurface surface = make_surface(model, mesh, mesh::faces_within(mesh, crack_face));
+  ContactSurface surface = make_contact_surface(model, mesh, mesh::faces_within(mesh, crack_face));
   surface.circle.reset(); // places along a face are lengths, also where it is an arc
   return surface;
 }
 
 } // namespace
 
-PairConstraints crack_face_rows(const model::Model& model, const model::Mesh& mesh,
-                                const mesh::CrackFaces& crack_faces, bool friction) {
+PairConstraints build_crack_face_constraints(const model::Model& model, const model::Mesh& mesh,
+                                             const mesh::CrackFaces& crack_faces, bool friction) {
   const bool half = crack_faces.has_one_face();
   const std::vector<base::NodeId>& own = crack_faces.meshed_face();
   PairConstraints pair;
@@ -72,7 +72,7 @@ PairConstraints crack_face_rows(const model::Model& model, const model::Mesh& me
   for (const auto& [id, push] : pushes) {
     largest = std::max(largest, push.norm());
   }
-  for (const auto& [part, id] : part_nodes(pair.contact)) {
+  for (const auto& [part, id] : smooth_part_nodes(pair.contact)) {
     const auto other = opposite.find(id);
     const base::Vec3& push = pushes.at(id);
     if (other == opposite.end() || push.norm() <= no_area * largest) {

@@ -12,7 +12,7 @@ namespace spricka::contact {
 /// both faces share, has none. The left face carries the multipliers. A half model's only face
 /// meets its mirror image on the symmetry line: rows on its own nodes, none along the line. The
 /// surface runs with its body on the left: from the mouth to the tip on a left face.
-PairConstraints crack_face_rows(const model::Model& model, const model::Mesh& mesh,
-                                const mesh::CrackFaces& crack_faces, bool friction);
+PairConstraints build_crack_face_constraints(const model::Model& model, const model::Mesh& mesh,
+                                             const mesh::CrackFaces& crack_faces, bool friction);
 
 } // namespace spricka::contact

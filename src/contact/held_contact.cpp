@@ -9,14 +9,15 @@ namespace spricka::contact {
 
 using base::index;
 
-UnconstrainedResponse unconstrained_response(const ContactSystem& system,
-                                             const std::vector<base::Matrix>& load) {
+ResponseWithoutContact response_without_contact(const ContactSystem& system,
+                                                const std::vector<base::Matrix>& load) {
   const std::vector<const CondensedBody*>& bodies = system.bodies();
   // Loads without contact forces: rigid modes do not move, what acts on them is left in on_mode.
-  UnconstrainedResponse out;
-  out.on_mode.resize(system.mode_openings().cols(), load.empty() ? 0 : load.front().cols());
+  ResponseWithoutContact out;
+  out.on_mode.resize(system.openings_by_rigid_modes().cols(),
+                     load.empty() ? 0 : load.front().cols());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    out.u.push_back(bodies[b]->displacements_under(load[b]));
+    out.u.push_back(bodies[b]->displacements_under_forces(load[b]));
     const base::Matrix& Q = bodies[b]->modes();
     out.on_mode.middleRows(system.first_mode(b), Q.cols()) = Q.transpose() * load[b];
   }
@@ -43,7 +44,8 @@ FixedActiveSet::solve_response(const base::Matrix& gap, const base::Matrix& on_m
     out.force.row(index(rows_[i])) = found.lambda.row(index(i));
   }
   // Of all rows of the system: those that are away open or overlap as they like.
-  out.gap = gap + system_.row_compliance() * out.force + system_.mode_openings() * out.mode;
+  out.gap =
+      gap + system_.row_compliance() * out.force + system_.openings_by_rigid_modes() * out.mode;
   return out;
 }
 
@@ -51,12 +53,12 @@ std::vector<base::Matrix> FixedActiveSet::displacement(const std::vector<base::M
                                                        const ActiveSetResponse& response) const {
   std::vector<base::Matrix> force = load;
   for (const std::size_t row : rows_) {
-    system_.add_force(row, response.force.row(index(row)), force);
+    system_.add_row_force(row, response.force.row(index(row)), force);
   }
   std::vector<base::Matrix> u;
   for (std::size_t b = 0; b < force.size(); ++b) {
     const base::Matrix& Q = system_.bodies()[b]->modes();
-    u.push_back(system_.bodies()[b]->displacements_under(force[b]) +
+    u.push_back(system_.bodies()[b]->displacements_under_forces(force[b]) +
                 Q * response.mode.middleRows(system_.first_mode(b), Q.cols()));
   }
   return u;
@@ -65,7 +67,7 @@ std::vector<base::Matrix> FixedActiveSet::displacement(const std::vector<base::M
 base::Vector FixedActiveSet::pivots(const std::vector<std::size_t>& candidates) const {
   const auto count = index(candidates.size());
   const base::Matrix& W = system_.row_compliance();
-  const base::Matrix& B = system_.mode_openings();
+  const base::Matrix& B = system_.openings_by_rigid_modes();
   // A column for each candidate: the gap of a held row, or the force on another one, is one, and
   // the held rows answer.
   base::Matrix gap = base::Matrix::Zero(W.rows(), count);

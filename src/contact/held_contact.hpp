@@ -8,14 +8,14 @@
 namespace spricka::contact {
 
 /// Displacements, openings and loads on the modes of bodies under loads, without contact forces.
-struct UnconstrainedResponse {
+struct ResponseWithoutContact {
   std::vector<base::Matrix> u; ///< [body][m, k] external displacements
   base::Matrix opening;        ///< [row, k]
   base::Matrix on_mode;        ///< [mode, k]
 };
 /// The response to condensed loads [body][m, k].
-UnconstrainedResponse unconstrained_response(const ContactSystem& system,
-                                             const std::vector<base::Matrix>& load);
+ResponseWithoutContact response_without_contact(const ContactSystem& system,
+                                                const std::vector<base::Matrix>& load);
 
 /// A contact system with some rows held at zero gap, whatever the sign of their forces, and all
 /// others away: linear, factorised once.

@@ -80,7 +80,7 @@ public:
 
 private:
   void number_functions() {
-    for (const PartNode& key : part_nodes(own_)) {
+    for (const SmoothPartNode& key : smooth_part_nodes(own_)) {
       place_[key] = functions_.size();
       functions_.push_back({.node = key.second, .part = key.first, .held = {}});
     }
@@ -135,7 +135,7 @@ private:
     }
     const HatIntegrals sum = integrate(element, projection);
     const Eigen::Matrix3d weights = element.node_count() == 3
-                                        ? dual_weights(sum.moment)
+                                        ? dual_hat_weights(sum.moment)
                                         : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
     for (std::size_t a = 0; a < at.size(); ++a) {
       const Eigen::RowVector3d weight = weights.row(index(a));
@@ -214,7 +214,7 @@ private:
   // The next function of each along the curves.
   [[nodiscard]] SequenceLinks links_along_curves() const {
     SequenceLinks links(functions_.size());
-    for (const ChainRange& chain : chain_ranges(pair_.contact)) {
+    for (const ChainRange& chain : node_ranges_of_chains(pair_.contact)) {
       for (std::size_t i = 1; i < chain.count; ++i) {
         links.join(chain.first + i - 1, chain.first + i);
       }
@@ -304,7 +304,7 @@ private:
   std::vector<MultiplierFunction>& functions_; ///< of the pair
   SurfaceFrames frames_;
   std::size_t directions_; ///< 1, or with tangents 2 in the plane and 3 in space
-  std::map<PartNode, std::size_t> place_;
+  std::map<SmoothPartNode, std::size_t> place_;
   std::vector<std::array<ConstraintRowBuilder, 3>> rows_; ///< [function] along normal and tangents
   std::vector<std::vector<std::size_t>> beside_;          ///< [function] those of covered elements
   std::vector<double> covered_;                           ///< [function] part of its whole area
@@ -320,7 +320,7 @@ void fill_mortar_rows(PairConstraints& pair, const ElementProjector& project,
 
 std::vector<std::vector<std::size_t>> functions_by_facet(const PairConstraints& pair) {
   const FacetSurface& surface = pair.contact;
-  std::map<PartNode, std::size_t> place;
+  std::map<SmoothPartNode, std::size_t> place;
   for (std::size_t i = 0; i < pair.functions.size(); ++i) {
     place[{pair.functions[i].part, pair.functions[i].node}] = i;
   }
@@ -337,7 +337,7 @@ std::vector<std::vector<std::size_t>> functions_by_facet(const PairConstraints& 
   return all;
 }
 
-std::vector<std::vector<int>> rows_by_facet(const PairConstraints& pair) {
+std::vector<std::vector<int>> normal_rows_by_facet(const PairConstraints& pair) {
   std::vector<std::vector<int>> all;
   for (const std::vector<std::size_t>& functions : functions_by_facet(pair)) {
     std::vector<int>& rows = all.emplace_back();

@@ -33,7 +33,7 @@ constexpr int node_degree = 5;
 
 // A node of a smooth part, with the sum of its facets' normals and its share of their area.
 struct SurfaceNode {
-  PartNode key;
+  SmoothPartNode key;
   Vec3 x = Vec3::Zero();
   Vec3 normal = Vec3::Zero();
   double area = 0.0;
@@ -54,21 +54,22 @@ geometry::SideValues shape_areas(const geometry::ElementSide& facet, const PairC
 geometry::SideValues hat_areas(const geometry::ElementSide& face) {
   geometry::SideValues area = geometry::SideValues::Zero(index(face.nodes.size()));
   for (const HatNodes& t : hat_elements(face)) {
-    for_hat_points(face, t, node_degree, [&](const Vec3& hat, const Vec2& r, double weight) {
-      const Vec3 areas = weight * face.area_vector(r).norm() * hat;
-      for (std::size_t i = 0; i < t.size(); ++i) {
-        area[t[i]] += areas[index(i)];
-      }
-    });
+    for_hat_quadrature_points(face, t, node_degree,
+                              [&](const Vec3& hat, const Vec2& r, double weight) {
+                                const Vec3 areas = weight * face.area_vector(r).norm() * hat;
+                                for (std::size_t i = 0; i < t.size(); ++i) {
+                                  area[t[i]] += areas[index(i)];
+                                }
+                              });
   }
   return area;
 }
 
-// In the order of part_nodes(), so that rows run along a curve.
+// In the order of smooth_part_nodes(), so that rows run along a curve.
 std::vector<SurfaceNode> collect_nodes(const ContactSurface& surface, const PairConstraints& pair) {
   std::vector<SurfaceNode> all;
-  std::map<PartNode, std::size_t> place;
-  for (const PartNode& key : part_nodes(surface)) {
+  std::map<SmoothPartNode, std::size_t> place;
+  for (const SmoothPartNode& key : smooth_part_nodes(surface)) {
     place[key] = all.size();
     all.push_back({.key = key});
   }
@@ -158,7 +159,7 @@ std::string refusal(const PairConstraints& pair) {
 
 } // namespace
 
-void node_rows(PairConstraints& pair, std::optional<double> declared_gap, bool tangents) {
+void fill_node_pair_rows(PairConstraints& pair, std::optional<double> declared_gap, bool tangents) {
   pair.trouble = refusal(pair);
   if (!pair.trouble.empty()) {
     return;
@@ -186,12 +187,12 @@ void node_rows(PairConstraints& pair, std::optional<double> declared_gap, bool t
     }
     function.area = node.area;
     function.row = static_cast<int>(pair.normal.size());
-    NodePair both{
-        .node = node.key.second,
-        .other = other->node,
-        .push = {},
-        .area = node.area,
-        .gap = declared_gap.value_or(zero_round_off(other->gap, node.x.cwiseAbs().maxCoeff()))};
+    NodePair both{.node = node.key.second,
+                  .other = other->node,
+                  .push = {},
+                  .area = node.area,
+                  .gap = declared_gap.value_or(
+                      zero_gap_below_round_off(other->gap, node.x.cwiseAbs().maxCoeff()))};
     const std::array<Vec3, 3> along = frames.at(node.key.first, other->normal);
     for (std::size_t k = 0; k < directions; ++k) {
       both.push.emplace_back(node.area * along[k]);

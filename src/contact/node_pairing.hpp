@@ -13,6 +13,6 @@ namespace spricka::contact {
 /// rows along the surface. The pair is in `trouble` without a partner within 1e-3 of the facets'
 /// size off the normal; in space also before a rigid target and on faces of 8 nodes, where a
 /// uniform pressure pulls at corners.
-void node_rows(PairConstraints& pair, std::optional<double> declared_gap, bool tangents);
+void fill_node_pair_rows(PairConstraints& pair, std::optional<double> declared_gap, bool tangents);
 
 } // namespace spricka::contact

@@ -61,7 +61,7 @@ std::optional<PairPoint> project_point(const PairConstraints& pair, const Mortar
     on_target = to_circle(pair.target, y, n);
   }
   point.normal = base::embed_in_space(n);
-  point.gap = zero_round_off(point.gap, x.cwiseAbs().maxCoeff());
+  point.gap = zero_gap_below_round_off(point.gap, x.cwiseAbs().maxCoeff());
   // (contact.7), and the same between the circles: each surface is moved onto its own.
   point.round_gap = point.gap - to_circle(pair.contact, x, n) + on_target;
   return point;
@@ -89,7 +89,7 @@ std::vector<PairPoint> project_segment(const PairConstraints& pair, const Mortar
 class SegmentProjection {
 public:
   SegmentProjection(const PairConstraints& pair, int degree)
-      : pair_(pair), degree_(degree), segments_(find_segments(pair)) {}
+      : pair_(pair), degree_(degree), segments_(find_mortar_segments(pair)) {}
 
   [[nodiscard]] ElementPairPoints project(const HatElement& element) const {
     const geometry::ElementSide& edge = pair_.contact.facets[element.facet];
@@ -128,11 +128,12 @@ private:
   [[nodiscard]] Vec3 whole_hats(const HatElement& element) const {
     const geometry::ElementSide& edge = pair_.contact.facets[element.facet];
     Vec3 whole = Vec3::Zero();
-    for_hat_points(edge, element.node, degree_, [&](const Vec3& hat, const Vec2& r, double weight) {
-      const geometry::SidePoint at = edge.point(r);
-      whole += weight * at.area_vector().norm() *
-               out_of_plane_depth(pair_.contact, pair_.target, at.x.head<2>()) * hat;
-    });
+    for_hat_quadrature_points(
+        edge, element.node, degree_, [&](const Vec3& hat, const Vec2& r, double weight) {
+          const geometry::SidePoint at = edge.point(r);
+          whole += weight * at.area_vector().norm() *
+                   out_of_plane_depth(pair_.contact, pair_.target, at.x.head<2>()) * hat;
+        });
     return whole;
   }
 
@@ -146,29 +147,29 @@ ElementPairPoints sample_triangle(const ContactSurface& own, const SurfaceProjec
                                   const HatElement& triangle) {
   const geometry::ElementSide& face = own.facets[triangle.facet];
   ElementPairPoints found;
-  for_hat_points(face, triangle.node, triangle_sampling_degree,
-                 [&](const Vec3& hat, const Vec2& r, double weight) {
-                   const geometry::SidePoint here = face.point(r);
-                   if (std::optional<PairPoint> met = target.project_along_normal(
-                           here.x, surface_normal(own, triangle.facet, here))) {
-                     met->facet = triangle.facet;
-                     met->hat = hat;
-                     met->r = r;
-                     met->weight = weight * here.area_vector().norm();
-                     found.points.push_back(*met);
-                   }
-                 });
+  for_hat_quadrature_points(face, triangle.node, triangle_sampling_degree,
+                            [&](const Vec3& hat, const Vec2& r, double weight) {
+                              const geometry::SidePoint here = face.point(r);
+                              if (std::optional<PairPoint> met = target.project_along_normal(
+                                      here.x, surface_normal(own, triangle.facet, here))) {
+                                met->facet = triangle.facet;
+                                met->hat = hat;
+                                met->r = r;
+                                met->weight = weight * here.area_vector().norm();
+                                found.points.push_back(*met);
+                              }
+                            });
   return found;
 }
 
 } // namespace
 
-std::vector<MortarSegment> find_segments(const PairConstraints& pair) {
-  return pair.rigid ? find_segments(pair.contact, *pair.rigid)
-                    : find_segments(pair.contact, pair.target);
+std::vector<MortarSegment> find_mortar_segments(const PairConstraints& pair) {
+  return pair.rigid ? find_mortar_segments(pair.contact, *pair.rigid)
+                    : find_mortar_segments(pair.contact, pair.target);
 }
 
-std::optional<double> rigid_gap(const PairConstraints& pair, const Vec3& x) {
+std::optional<double> gap_to_rigid_target(const PairConstraints& pair, const Vec3& x) {
   if (pair.rigid_shape) {
     return pair.rigid_shape->sense * distance_to(*pair.rigid_shape, x);
   }
@@ -176,7 +177,7 @@ std::optional<double> rigid_gap(const PairConstraints& pair, const Vec3& x) {
   return foot && !foot->beyond ? std::optional(foot->gap) : std::nullopt;
 }
 
-ElementProjector target_projector(const PairConstraints& pair, ProjectionRule rule) {
+ElementProjector make_target_projector(const PairConstraints& pair, ProjectionRule rule) {
   const ContactSurface& own = pair.contact;
   const bool sampled = rule == ProjectionRule::sampling;
   if (!own.in_space()) {
@@ -184,10 +185,11 @@ ElementProjector target_projector(const PairConstraints& pair, ProjectionRule ru
                const HatElement& element) { return edges.project(element); };
   }
   if (pair.faces) {
-    const std::optional<std::vector<TwinFace>> twins = twin_faces(own, pair.target);
+    const std::optional<std::vector<CoincidentFace>> twins =
+        match_coincident_faces(own, pair.target);
     assert(twins);
     return [&own, twins = *twins](const HatElement& triangle) {
-      return project_onto_twin(own, twins[triangle.facet], triangle);
+      return project_onto_coincident_face(own, twins[triangle.facet], triangle);
     };
   }
   if (pair.rigid_shape) {

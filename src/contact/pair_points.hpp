@@ -12,11 +12,11 @@ namespace spricka::contact {
 
 /// In the plane: the stretches of contact edges that face the pair's target, in the order of the
 /// edges.
-std::vector<MortarSegment> find_segments(const PairConstraints& pair);
+std::vector<MortarSegment> find_mortar_segments(const PairConstraints& pair);
 
 /// The gap from a point x to the rigid target of a pair [length], negative inside it; none beyond
 /// the end of a line or at the centre of an arc.
-std::optional<double> rigid_gap(const PairConstraints& pair, const Vec3& x);
+std::optional<double> gap_to_rigid_target(const PairConstraints& pair, const Vec3& x);
 
 /// With how many points an element is looked at.
 enum class ProjectionRule {
@@ -28,7 +28,7 @@ enum class ProjectionRule {
 /// those of a rigid one. In the plane Gauss points of degree 9 on the stretches of segment.hpp, for
 /// samples of degree 3; in space degree 5 on clipped triangles (surface_projection.hpp), or on
 /// whole ones of crack faces, before rigid targets and for samples. The pair must outlive it.
-ElementProjector target_projector(const PairConstraints& pair,
-                                  ProjectionRule rule = ProjectionRule::integration);
+ElementProjector make_target_projector(const PairConstraints& pair,
+                                       ProjectionRule rule = ProjectionRule::integration);
 
 } // namespace spricka::contact

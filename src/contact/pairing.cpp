@@ -160,12 +160,12 @@ void add_rows(PairConstraints& pair, const model::Contact& contact) {
   const bool tangents = contact.type == model::ContactType::bonded || contact.mu > 0.0;
   const bool space = pair.contact.in_space();
   if (contact.pairing == model::PairingMethod::node) {
-    node_rows(pair, contact.gap, tangents);
+    fill_node_pair_rows(pair, contact.gap, tangents);
   } else {
     if (space && contact.multiplier == model::MultiplierNodes::corners) {
-      pair.contact.elements = corner_elements(pair.contact);
+      pair.contact.elements = corner_triangles(pair.contact);
     }
-    fill_mortar_rows(pair, target_projector(pair),
+    fill_mortar_rows(pair, make_target_projector(pair),
                      {.declared_gap = contact.gap, .tangents = tangents});
   }
   if (pair.found && (pair.segments || !space)) {
@@ -175,11 +175,11 @@ void add_rows(PairConstraints& pair, const model::Contact& contact) {
 
 } // namespace
 
-PairConstraints pair_rows(const model::Model& model, const model::Mesh& mesh,
-                          const model::Contact& contact) {
+PairConstraints build_pair_constraints(const model::Model& model, const model::Mesh& mesh,
+                                       const model::Contact& contact) {
   PairConstraints pair;
   const bool nodes = contact.pairing == model::PairingMethod::node;
-  ContactSurface slave = make_surface(model, mesh, contact.slave);
+  ContactSurface slave = make_contact_surface(model, mesh, contact.slave);
   if (contact.rigid.valid()) {
     pair.contact = std::move(slave);
     pair.target.thickness = pair.contact.thickness;
@@ -191,7 +191,7 @@ PairConstraints pair_rows(const model::Model& model, const model::Mesh& mesh,
     add_rows(pair, contact);
     return pair;
   }
-  ContactSurface master = make_surface(model, mesh, contact.master);
+  ContactSurface master = make_contact_surface(model, mesh, contact.master);
   if (slave.facets.empty() || master.facets.empty()) {
     pair.trouble = "a surface has no edges";
     return pair;
@@ -209,7 +209,8 @@ PairConstraints pair_rows(const model::Model& model, const model::Mesh& mesh,
   return pair;
 }
 
-std::vector<base::NodeId> surface_nodes(const model::Mesh& mesh, const model::Contact& contact) {
+std::vector<base::NodeId> pair_surface_nodes(const model::Mesh& mesh,
+                                             const model::Contact& contact) {
   std::vector<model::Face> faces = mesh.set_with_id(contact.slave).faces;
   if (contact.master.valid()) {
     const std::vector<model::Face>& other = mesh.set_with_id(contact.master).faces;

@@ -14,10 +14,11 @@ namespace spricka::contact {
 /// non-negative functions that contain constants. NODE: nodes that lie opposite each other.
 /// Declared gaps replace the measured ones; normals are radial on circles, and those of the target
 /// where that is rigid: there the slave carries the multipliers, and the rows are exact.
-PairConstraints pair_rows(const model::Model& model, const model::Mesh& mesh,
-                          const model::Contact& contact);
+PairConstraints build_pair_constraints(const model::Model& model, const model::Mesh& mesh,
+                                       const model::Contact& contact);
 
 /// Nodes of both surfaces of a pair: their freedoms must be external.
-std::vector<base::NodeId> surface_nodes(const model::Mesh& mesh, const model::Contact& contact);
+std::vector<base::NodeId> pair_surface_nodes(const model::Mesh& mesh,
+                                             const model::Contact& contact);
 
 } // namespace spricka::contact

@@ -29,7 +29,7 @@ std::array<base::Vector, 3> averaged_shear(const PairConstraints& pair,
         component[index(i)] = shear[static_cast<std::size_t>(row)][index(c)];
       }
     }
-    all[c] = corner_averages(pair, component, touches);
+    all[c] = average_multipliers_to_corners(pair, component, touches);
   }
   return all;
 }
@@ -110,7 +110,7 @@ void add_surface(const PairConstraints& pair, PairPressure& result) {
     const auto place = [&](int i) { return at[static_cast<std::size_t>(i)]; };
     result.triangles.push_back({place(t.node[0]), place(t.node[1]), place(t.node[2])});
   }
-  if (surface.rounds.size() == 1 && surface.rounds[0] && has_axis(*surface.rounds[0])) {
+  if (surface.rounds.size() == 1 && surface.rounds[0] && is_cylinder_or_cone(*surface.rounds[0])) {
     for (const NodePressure& at : result.nodes) {
       const double here = surface.rounds[0]->radius + surface.rounds[0]->slope * at.arc;
       result.radius += here / static_cast<double>(result.nodes.size());
@@ -120,8 +120,8 @@ void add_surface(const PairConstraints& pair, PairPressure& result) {
 
 } // namespace
 
-double recover_part_pressure(const PairConstraints& pair, const ContactRowValues& rows,
-                             const ContactSideForce& force, PairPressure& result) {
+double recover_solid_pair_pressure(const PairConstraints& pair, const ContactRowValues& rows,
+                                   const ContactSideForce& force, PairPressure& result) {
   const auto n = index(pair.functions.size());
   base::Vector p = base::Vector::Zero(n);
   std::vector<bool> touches(pair.functions.size(), false);
@@ -131,7 +131,7 @@ double recover_part_pressure(const PairConstraints& pair, const ContactRowValues
       touches[i] = rows.closed[static_cast<std::size_t>(row)];
     }
   }
-  const base::Vector smooth = corner_averages(pair, p, touches);
+  const base::Vector smooth = average_multipliers_to_corners(pair, p, touches);
   const std::vector<base::Vec3> shear = shear_on_slave(pair, rows.lambda, force);
   const std::array<base::Vector, 3> smooth_shear = averaged_shear(pair, shear, touches);
   if (!pair.segments && n > 0) { // multipliers at nodes where no pressure acts say nothing
@@ -145,7 +145,7 @@ double recover_part_pressure(const PairConstraints& pair, const ContactRowValues
     at.p_lumped = smooth[index(i)];
     if (function.row >= 0) {
       const auto row = static_cast<std::size_t>(function.row);
-      rows.set_row(pair, row, at);
+      rows.assign_row_to_node(pair, row, at);
       at.q_consistent = shear[row].norm();
       if (!pair.tangent.empty()) {
         at.shear = {smooth_shear[0][index(i)], smooth_shear[1][index(i)],

@@ -9,7 +9,7 @@ namespace spricka::contact {
 /// corner are covered and closed, and linear between corners: multipliers of faces of second order
 /// go up and down by a few per mille about it. Elsewhere, as where contact ends, it is the
 /// multiplier. The area of the part in contact.
-double recover_part_pressure(const PairConstraints& pair, const ContactRowValues& rows,
-                             const ContactSideForce& force, PairPressure& result);
+double recover_solid_pair_pressure(const PairConstraints& pair, const ContactRowValues& rows,
+                                   const ContactSideForce& force, PairPressure& result);
 
 } // namespace spricka::contact

@@ -120,7 +120,7 @@ double end_of_contact(const std::vector<std::array<double, 2>>& last, double ope
 
 } // namespace
 
-std::vector<ChainRange> chain_ranges(const ContactSurface& surface) {
+std::vector<ChainRange> node_ranges_of_chains(const ContactSurface& surface) {
   std::vector<ChainRange> all;
   std::size_t first = 0;
   for (const EdgeChain& chain : surface.plane.chains) {
@@ -136,7 +136,7 @@ std::vector<ChainRange> chain_ranges(const ContactSurface& surface) {
 
 void redistribute_tension(const ContactSurface& surface, const std::vector<Index>& order,
                           const base::Vector& area, NodalTraction traction) {
-  for (const ChainRange& range : chain_ranges(surface)) {
+  for (const ChainRange& range : node_ranges_of_chains(surface)) {
     const auto begin = order.begin() + static_cast<std::ptrdiff_t>(range.first);
     ChainTensionRedistribution(range, {begin, begin + static_cast<std::ptrdiff_t>(range.count)},
                                area, traction)
@@ -151,7 +151,7 @@ double contact_area(const PairConstraints& pair, const std::vector<NodePressure>
       area += pair.normal[static_cast<std::size_t>(node.row)].area;
     }
   }
-  for (const ChainRange& chain : chain_ranges(pair.contact)) {
+  for (const ChainRange& chain : node_ranges_of_chains(pair.contact)) {
     const auto at = [&](std::size_t i) -> const NodePressure& { return nodes[chain.first + i]; };
     for (std::size_t i = 0; i < chain.count; ++i) {
       for (const bool ahead : {false, true}) {

@@ -15,7 +15,7 @@ struct ChainRange {
   std::size_t first = 0, count = 0;
   bool closed = false;
 };
-std::vector<ChainRange> chain_ranges(const ContactSurface& surface);
+std::vector<ChainRange> node_ranges_of_chains(const ContactSurface& surface);
 
 /// Nodal pressures with the shear beside them [node, as numbered]; no shear: empty.
 struct NodalTraction {

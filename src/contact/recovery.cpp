@@ -70,7 +70,7 @@ PairPressure recover_pressure(const PairConstraints& pair, const base::Vector& l
   if (!pair.contact.in_space()) {
     area = recover_chain_pressure(pair, rows, force, result);
   } else if (!pair.functions.empty()) { // none of a pair in trouble
-    area = recover_part_pressure(pair, rows, force, result);
+    area = recover_solid_pair_pressure(pair, rows, force, result);
   }
   result.mean_pressure = area > 0.0 ? thrust / area : 0.0;
   return result;

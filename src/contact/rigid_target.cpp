@@ -92,8 +92,8 @@ std::optional<RigidProjection> normal_projection(const model::RigidTarget& rigid
   return foot;
 }
 
-std::vector<MortarSegment> find_segments(const ContactSurface& contact,
-                                         const model::RigidTarget& rigid) {
+std::vector<MortarSegment> find_mortar_segments(const ContactSurface& contact,
+                                                const model::RigidTarget& rigid) {
   std::vector<MortarSegment> all;
   std::size_t number = 0;
   for (const Edge& edge : contact.plane.edges) {

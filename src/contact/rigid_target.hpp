@@ -24,7 +24,7 @@ std::optional<RigidProjection> normal_projection(const model::RigidTarget& rigid
 /// The stretches of contact edges that face the target, in the order of the edges, cut exactly at
 /// the ends of a line and in the middle of quadratic edges; target_edge is 0. What looks away from
 /// the target or lies farther off than a fifth of the surface's extent does not count.
-std::vector<MortarSegment> find_segments(const ContactSurface& contact,
-                                         const model::RigidTarget& rigid);
+std::vector<MortarSegment> find_mortar_segments(const ContactSurface& contact,
+                                                const model::RigidTarget& rigid);
 
 } // namespace spricka::contact

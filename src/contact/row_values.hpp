@@ -18,7 +18,7 @@ struct ContactRowValues {
   bool may_pull = false;           ///< a bonded pair, whose pressures may be negative
 
   /// Gives a node the row of a pair, its state and its gap.
-  void set_row(const PairConstraints& pair, std::size_t row, NodePressure& node) const {
+  void assign_row_to_node(const PairConstraints& pair, std::size_t row, NodePressure& node) const {
     node.row = static_cast<int>(row);
     node.closed = closed[row];
     node.gap = gap[base::index(row)] / pair.normal[row].area;

@@ -122,8 +122,8 @@ std::optional<double> ray_intersection(const Edge& target, const Vec2& x, const 
   return eta;
 }
 
-std::vector<MortarSegment> find_segments(const ContactSurface& contact,
-                                         const ContactSurface& target) {
+std::vector<MortarSegment> find_mortar_segments(const ContactSurface& contact,
+                                                const ContactSurface& target) {
   const std::vector<Edge>& targets = target.plane.edges;
   std::vector<EdgeBoundingCircle> balls;
   balls.reserve(targets.size());

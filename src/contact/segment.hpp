@@ -27,7 +27,7 @@ std::optional<double> ray_intersection(const Edge& target, const Vec2& x, const 
 
 /// All segments, in the order of the contact edges. Target edges that look the same way, or lie
 /// further off than a fifth of the contact surface's extent, do not count.
-std::vector<MortarSegment> find_segments(const ContactSurface& contact,
-                                         const ContactSurface& target);
+std::vector<MortarSegment> find_mortar_segments(const ContactSurface& contact,
+                                                const ContactSurface& target);
 
 } // namespace spricka::contact

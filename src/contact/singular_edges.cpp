@@ -88,7 +88,7 @@ std::vector<SurfaceEnd> ends_of_edges(const PairConstraints& pair) {
   const std::vector<EdgeEnds> edges = edges_with_ends(pair.contact);
   const std::vector<EdgeEnds> targets = edges_with_ends(pair.target);
   std::vector<SurfaceEnd> ends;
-  for (const MortarSegment& s : find_segments(pair)) {
+  for (const MortarSegment& s : find_mortar_segments(pair)) {
     const EdgeEnds& own = edges[s.contact_edge];
     for (const bool upward : {false, true}) {
       const double xi = upward ? s.to : s.from;

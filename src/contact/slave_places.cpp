@@ -139,11 +139,11 @@ ContactArc ordered(ContactArc arc, bool angles) {
 
 } // namespace
 
-bool uses_angles(const PairConstraints& pair) {
+bool uses_angular_coordinate(const PairConstraints& pair) {
   return slave_of(pair).circle.has_value();
 }
 
-std::vector<double> chain_starts(const ContactSurface& surface) {
+std::vector<double> chain_start_lengths(const ContactSurface& surface) {
   const std::size_t count = surface.plane.chains.size();
   std::vector<std::optional<std::size_t>> next(count);
   std::vector<std::optional<std::size_t>> last(count);
@@ -189,7 +189,7 @@ void to_slave_coordinates(const PairConstraints& pair, std::vector<NodePressure>
   const ContactSurface& slave = pair.target;
   const bool from_angles = pair.contact.circle.has_value();
   const bool to_angles = slave.circle.has_value();
-  const std::vector<double> starts = chain_starts(slave);
+  const std::vector<double> starts = chain_start_lengths(slave);
   std::vector<std::pair<double, double>> knots;
   for (NodePressure& node : nodes) {
     const double own = from_angles ? node.theta : node.arc;

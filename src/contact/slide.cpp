@@ -63,7 +63,7 @@ double size_of_measure(double measure, const geometry::ElementSide& facet) {
 }
 
 double facet_size(const geometry::ElementSide& facet) {
-  return size_of_measure(facet_measure(facet), facet);
+  return size_of_measure(facet_length_or_area(facet), facet);
 }
 
 // The gap from a point on along a normal n to the edges of a surface, at most about `near` off;
@@ -92,7 +92,7 @@ class SlideMeasurement {
 public:
   SlideMeasurement(const PairConstraints& pair, const base::Vector& lambda, const base::Vector& u,
                    std::span<const base::Matrix* const> motions)
-      : pair_(pair), lambda_(lambda), u_(u), motions_(motions), rows_(rows_by_facet(pair)),
+      : pair_(pair), lambda_(lambda), u_(u), motions_(motions), rows_(normal_rows_by_facet(pair)),
         moved_own_(displaced(pair.contact, u)), moved_other_(displaced(pair.target, u)) {
     if (!pair.rigid && pair.target.plane.edges.empty()) { // but faces
       // Fits move bodies as far as they are large: what a body is moved off by is still opposite.
@@ -107,7 +107,7 @@ public:
       return {};
     }
     const double least = least_looked_at * largest;
-    const ElementProjector drawn = target_projector(pair_, ProjectionRule::sampling);
+    const ElementProjector drawn = make_target_projector(pair_, ProjectionRule::sampling);
     for (const HatElement& element : pair_.contact.elements) {
       const Eigen::Vector3d p = pressures(element);
       if (p.maxCoeff() <= least) {
@@ -141,7 +141,7 @@ private:
   [[nodiscard]] std::optional<double>
   gap_now(const PairPoint& drawn, const geometry::SidePoint& here, const Vec3& relative) const {
     if (pair_.rigid) {
-      return rigid_gap(pair_, drawn.x - relative);
+      return gap_to_rigid_target(pair_, drawn.x - relative);
     }
     if (projection_) {
       const std::optional<PairPoint> met =

@@ -181,7 +181,7 @@ private:
 // The surface of each body on one side of a contact.
 std::map<std::size_t, SurfaceMotionSums> motions_on(std::size_t contact,
                                                     const std::vector<SurfaceNodeNormal>& points,
-                                                    const ModesAt& modes_at) {
+                                                    const RigidModesLookup& modes_at) {
   std::map<std::size_t, SurfaceMotionSums> found;
   for (const SurfaceNodeNormal& point : points) {
     const std::optional<RigidModesAtNode> at = modes_at(point.node);
@@ -216,8 +216,8 @@ std::vector<SurfaceNodeNormal> surface_node_normals(const ContactSurface& surfac
 }
 
 void remove_self_sliding(const std::vector<ContactRowSurfaces>& contacts,
-                         const std::vector<Eigen::Index>& first_mode, const ModesAt& modes_at,
-                         base::Matrix& B) {
+                         const std::vector<Eigen::Index>& first_mode,
+                         const RigidModesLookup& modes_at, base::Matrix& B) {
   std::map<std::size_t, std::vector<SurfaceMotionSums>> bodies;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     auto own = motions_on(c, contacts[c].surface[0], modes_at);

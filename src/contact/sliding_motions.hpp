@@ -35,13 +35,13 @@ struct RigidModesAtNode {
   std::size_t body = 0;
   base::Matrix motion;
 };
-using ModesAt = std::function<std::optional<RigidModesAtNode>(base::NodeId)>;
+using RigidModesLookup = std::function<std::optional<RigidModesAtNode>(base::NodeId)>;
 
 /// Takes from B [row, mode], what a unit of each rigid mode opens, all that motions open by which
 /// the surface of a body slides on itself within 1e-4 (root mean square of what its points move
 /// along their normals over that of what they move). `first_mode` [body + 1].
 void remove_self_sliding(const std::vector<ContactRowSurfaces>& contacts,
-                         const std::vector<Eigen::Index>& first_mode, const ModesAt& modes_at,
-                         base::Matrix& B);
+                         const std::vector<Eigen::Index>& first_mode,
+                         const RigidModesLookup& modes_at, base::Matrix& B);
 
 } // namespace spricka::contact

@@ -51,9 +51,9 @@ std::vector<EdgePressure> edge_pressures(std::span<const Edge> edges, const Numb
 
 } // namespace
 
-void filter_pressure(const ContactSurface& surface, const Numbering& number,
-                     const std::vector<bool>& sound, const base::Vector& lambda,
-                     base::Vector& pressure) {
+void filter_alternating_pressure(const ContactSurface& surface, const Numbering& number,
+                                 const std::vector<bool>& sound, const base::Vector& lambda,
+                                 base::Vector& pressure) {
   std::size_t first = 0;
   for (const EdgeChain& chain : surface.plane.chains) {
     const std::span<const Edge> edges = surface.plane.edges_of_chain(chain);

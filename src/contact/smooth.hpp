@@ -15,8 +15,8 @@ using Numbering = std::map<base::NodeId, Eigen::Index>;
 /// chain]: wholly paired and closed; only these are smoothed, and corners where such edges meet or
 /// where the surface ends. `lambda` and `pressure` [node, as numbered]; linear edges stay as they
 /// are.
-void filter_pressure(const ContactSurface& surface, const Numbering& number,
-                     const std::vector<bool>& sound, const base::Vector& lambda,
-                     base::Vector& pressure);
+void filter_alternating_pressure(const ContactSurface& surface, const Numbering& number,
+                                 const std::vector<bool>& sound, const base::Vector& lambda,
+                                 base::Vector& pressure);
 
 } // namespace spricka::contact

@@ -15,7 +15,7 @@ namespace {
 // Where the function of each front node of a face goes: that of a corner to the next node of an
 // edge that leaves the front (a quarter point), that of a middle on the front across the face.
 void find_behind(const geometry::ElementSide& face, const std::set<base::NodeId>& front,
-                 NodesBehind& behind) {
+                 NodesBehindFront& behind) {
   const auto corners = static_cast<std::size_t>(face.corners());
   const bool quadratic = face.nodes.size() > corners;
   const auto on_front = [&](std::size_t n) { return front.contains(face.nodes[n]); };
@@ -35,14 +35,14 @@ void find_behind(const geometry::ElementSide& face, const std::set<base::NodeId>
 
 } // namespace
 
-PairConstraints solid_crack_rows(const model::Model& model, const model::Mesh& mesh,
-                                 const mesh::CrackFaces& crack_faces, bool friction) {
+PairConstraints build_solid_crack_constraints(const model::Model& model, const model::Mesh& mesh,
+                                              const mesh::CrackFaces& crack_faces, bool friction) {
   PairConstraints pair;
   pair.faces = true;
   pair.choice = "upper face: twins";
-  pair.contact = make_surface(model, mesh, crack_faces.left_sides);
-  pair.target = make_surface(model, mesh, crack_faces.right_sides);
-  if (!twin_faces(pair.contact, pair.target)) {
+  pair.contact = make_contact_surface(model, mesh, crack_faces.left_sides);
+  pair.target = make_contact_surface(model, mesh, crack_faces.right_sides);
+  if (!match_coincident_faces(pair.contact, pair.target)) {
     pair.trouble = "the faces of the crack do not lie on one another node by node";
     return pair;
   }
@@ -52,11 +52,11 @@ PairConstraints solid_crack_rows(const model::Model& model, const model::Mesh& m
       front.insert(crack_faces.left[i]);
     }
   }
-  NodesBehind behind;
+  NodesBehindFront behind;
   for (const geometry::ElementSide& face : pair.contact.facets) {
     find_behind(face, front, behind);
   }
-  fill_mortar_rows(pair, target_projector(pair),
+  fill_mortar_rows(pair, make_target_projector(pair),
                    {.declared_gap = 0.0, .tangents = friction, .at_front = std::move(behind)});
   return pair;
 }

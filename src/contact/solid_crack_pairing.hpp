@@ -11,7 +11,7 @@ namespace spricka::contact {
 /// front, where the faces cannot part, gives its function to the node behind it, across the first
 /// elements; with friction there are two rows along the faces for each normal one. `trouble` where
 /// the faces are no twins.
-PairConstraints solid_crack_rows(const model::Model& model, const model::Mesh& mesh,
-                                 const mesh::CrackFaces& crack_faces, bool friction);
+PairConstraints build_solid_crack_constraints(const model::Model& model, const model::Mesh& mesh,
+                                              const mesh::CrackFaces& crack_faces, bool friction);
 
 } // namespace spricka::contact

@@ -200,8 +200,8 @@ private:
 
 } // namespace
 
-base::Vector corner_averages(const PairConstraints& pair, const base::Vector& p,
-                             const std::vector<bool>& closed) {
+base::Vector average_multipliers_to_corners(const PairConstraints& pair, const base::Vector& p,
+                                            const std::vector<bool>& closed) {
   // Twins pass pressures on without a ripple; their faces are coarse where a crack is wide, and a
   // mean would flatten what changes over a few of them.
   return pair.faces ? p : Averages(pair, p, closed).values();

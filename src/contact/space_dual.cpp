@@ -11,7 +11,7 @@ constexpr double least_moment = 1e-8; // of a sliver's hats, scaled: they are on
 
 } // namespace
 
-Eigen::Matrix3d dual_weights(const Eigen::Matrix3d& moment) {
+Eigen::Matrix3d dual_hat_weights(const Eigen::Matrix3d& moment) {
   const Eigen::Vector3d area = moment.rowwise().sum();
   const Eigen::Vector3d scale = moment.diagonal().cwiseSqrt();
   if (!(scale.minCoeff() > 0.0)) {

@@ -76,7 +76,7 @@ int largest_disc(const std::vector<std::set<std::size_t>>& next, std::size_t row
 
 } // namespace
 
-std::vector<std::set<std::size_t>> row_neighbours(const PairConstraints& pair) {
+std::vector<std::set<std::size_t>> neighbouring_normal_rows(const PairConstraints& pair) {
   std::vector<std::set<std::size_t>> next(pair.normal.size());
   const std::vector<std::vector<std::size_t>> faces = functions_by_facet(pair);
   const auto row_of = [&](const HatElement& t, int i) {
@@ -107,7 +107,7 @@ double elements_across_peak(const PairConstraints& pair, const base::Vector& lam
   if (!(most > 0.0) || !closed[at] || is_at_sharp_edge(pair, pair.normal[at].node)) {
     return no_edge;
   }
-  const int steps = largest_disc(row_neighbours(pair), at, closed);
+  const int steps = largest_disc(neighbouring_normal_rows(pair), at, closed);
   if (steps == 0) {
     return no_edge;
   }

@@ -8,7 +8,7 @@
 namespace spricka::contact {
 
 /// Normal rows of a solid pair whose pressures meet on a triangle of its surface [row].
-std::vector<std::set<std::size_t>> row_neighbours(const PairConstraints& pair);
+std::vector<std::set<std::size_t>> neighbouring_normal_rows(const PairConstraints& pair);
 
 /// How many elements of its surface lie across the spot where a solid pair presses most: across the
 /// largest disc of closed nodes that holds its largest pressure. Infinite where the contact has no

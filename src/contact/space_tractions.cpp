@@ -48,7 +48,7 @@ public:
 
   std::vector<UnitFaceTraction> make() {
     const bool target_side = std::ranges::any_of(other_wanted_, [](bool wanted) { return wanted; });
-    const ElementProjector see = target_projector(pair_);
+    const ElementProjector see = make_target_projector(pair_);
     for (const HatElement& triangle : own_.elements) {
       if (own_wanted_[triangle.facet] || target_side) {
         add(triangle, see(triangle));
@@ -68,7 +68,7 @@ private:
     for (const PairPoint& p : projection.points) {
       moment += p.weight * p.hat * p.hat.transpose();
     }
-    const Eigen::Matrix3d dual = dual_weights(moment);
+    const Eigen::Matrix3d dual = dual_hat_weights(moment);
     std::array<RowsAlong, 3> rows{};
     for (std::size_t a = 0; a < 3; ++a) {
       const std::size_t at = functions_[triangle.facet][static_cast<std::size_t>(triangle.node[a])];
@@ -114,18 +114,19 @@ private:
 } // namespace
 
 std::vector<UnitFaceTraction>
-space_unit_tractions(const PairConstraints& pair,
-                     const std::function<bool(const model::Face&)>& wanted) {
+solid_pair_unit_tractions(const PairConstraints& pair,
+                          const std::function<bool(const model::Face&)>& wanted) {
   if (!pair.segments) {
     return {};
   }
   return Tractions(pair, wanted).make();
 }
 
-std::vector<FaceTraction> space_tractions(const PairConstraints& pair, const base::Vector& lambda,
-                                          const std::function<bool(const model::Face&)>& wanted) {
+std::vector<FaceTraction>
+solid_pair_tractions(const PairConstraints& pair, const base::Vector& lambda,
+                     const std::function<bool(const model::Face&)>& wanted) {
   std::vector<FaceTraction> all;
-  for (const UnitFaceTraction& unit : space_unit_tractions(pair, wanted)) {
+  for (const UnitFaceTraction& unit : solid_pair_unit_tractions(pair, wanted)) {
     FaceTraction& on_face = all.emplace_back();
     on_face.face = unit.face;
     for (const UnitTractionPoint& point : unit.points) {

@@ -23,8 +23,9 @@ struct FaceTraction {
 /// press on the faces of both sides that `wanted` names, point by point: the sum of a face's node
 /// functions times the forces is what the rows put on the nodes. Empty where rows are made of
 /// single nodes (PAIRING=NODE).
-std::vector<FaceTraction> space_tractions(const PairConstraints& pair, const base::Vector& lambda,
-                                          const std::function<bool(const model::Face&)>& wanted);
+std::vector<FaceTraction>
+solid_pair_tractions(const PairConstraints& pair, const base::Vector& lambda,
+                     const std::function<bool(const model::Face&)>& wanted);
 
 /// What a unit of each row's multiplier presses at a point of a face.
 struct UnitTractionPoint {
@@ -40,9 +41,9 @@ struct UnitFaceTraction {
   std::vector<UnitTractionPoint> points;
 };
 
-/// The same by row: space_tractions() is their sum times the multipliers.
+/// The same by row: solid_pair_tractions() is their sum times the multipliers.
 std::vector<UnitFaceTraction>
-space_unit_tractions(const PairConstraints& pair,
-                     const std::function<bool(const model::Face&)>& wanted);
+solid_pair_unit_tractions(const PairConstraints& pair,
+                          const std::function<bool(const model::Face&)>& wanted);
 
 } // namespace spricka::contact

@@ -75,13 +75,13 @@ double out_of_plane_depth(const ContactSurface& contact, const ContactSurface& t
   return std::min(contact.thickness, target.thickness);
 }
 
-ContactSurface make_surface(const model::Model& model, const model::Mesh& mesh,
-                            base::FaceSetId set) {
-  return make_surface(model, mesh, mesh.set_with_id(set).faces);
+ContactSurface make_contact_surface(const model::Model& model, const model::Mesh& mesh,
+                                    base::FaceSetId set) {
+  return make_contact_surface(model, mesh, mesh.set_with_id(set).faces);
 }
 
-ContactSurface make_surface(const model::Model& model, const model::Mesh& mesh,
-                            const std::vector<model::Face>& faces) {
+ContactSurface make_contact_surface(const model::Model& model, const model::Mesh& mesh,
+                                    const std::vector<model::Face>& faces) {
   const bool plane = mesh.dim == 2;
   ContactSurface surface;
   std::vector<model::Face> ordered = plane ? std::vector<model::Face>() : faces;

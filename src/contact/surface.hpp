@@ -37,10 +37,10 @@ double out_of_plane_depth(const ContactSurface& contact, const ContactSurface& t
 /// In the plane strings the faces of a set into chains and looks whether they lie on one circle
 /// (deviation below 1e-4 of the radius, radius below 1e3 extents); in space
 /// make_facet_surface().
-ContactSurface make_surface(const model::Model& model, const model::Mesh& mesh,
-                            base::FaceSetId set);
-ContactSurface make_surface(const model::Model& model, const model::Mesh& mesh,
-                            const std::vector<model::Face>& faces);
+ContactSurface make_contact_surface(const model::Model& model, const model::Mesh& mesh,
+                                    base::FaceSetId set);
+ContactSurface make_contact_surface(const model::Model& model, const model::Mesh& mesh,
+                                    const std::vector<model::Face>& faces);
 
 /// Unit normal of the surface at a point of a facet: that of the circle or of the shape that its
 /// part lies on, where there is one.

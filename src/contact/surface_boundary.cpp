@@ -54,7 +54,7 @@ geometry::BodyBoundary make_body_boundary(const model::Model& model, const model
                                           const std::vector<model::Face>& faces,
                                           const base::Vector& u) {
   if (mesh.dim == 2) {
-    return make_plane_boundary(make_surface(model, mesh, faces), u);
+    return make_plane_boundary(make_contact_surface(model, mesh, faces), u);
   }
   std::vector<geometry::BoundaryFacet> facets;
   for (const model::Face& side : faces) {

@@ -99,7 +99,7 @@ GapSurvey survey_gaps(const ContactSurface& from, const ContactSurface& to) {
         return [projection = std::make_shared<SurfaceProjection>(from, to)](
                    const HatElement& triangle) { return projection->project_triangle(triangle); };
       },
-      [&] { return find_segments(from, to); },
+      [&] { return find_mortar_segments(from, to); },
       [&](const MortarSegment& s, const Edge& edge, double xi) -> std::optional<SurveyedPoint> {
         const Edge& target = to.plane.edges[s.target_edge];
         const Vec2 n = surface_normal(from, edge, xi);
@@ -122,7 +122,7 @@ GapSurvey survey_gaps(const ContactSurface& from, const model::RigidTarget& to) 
           return project_onto_rigid(from, shape, triangle);
         };
       },
-      [&] { return find_segments(from, to); },
+      [&] { return find_mortar_segments(from, to); },
       [&](const MortarSegment&, const Edge& edge, double xi) -> std::optional<SurveyedPoint> {
         const std::optional<RigidProjection> foot = normal_projection(to, point_on(edge, xi));
         if (!foot) {

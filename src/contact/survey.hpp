@@ -18,7 +18,9 @@ struct GapSurvey {
   double angle_high = 0.0; ///< largest angle between one normal and the other reversed [rad]
 
   /// Part of the surface that sees nothing, 0 to 1.
-  [[nodiscard]] double overhang() const { return length > 0.0 ? 1.0 - seen / length : 1.0; }
+  [[nodiscard]] double unpaired_fraction() const {
+    return length > 0.0 ? 1.0 - seen / length : 1.0;
+  }
 };
 
 /// Surveys the segments that pairing uses: at their ends and at Gauss points between; in space at

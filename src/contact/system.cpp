@@ -104,7 +104,7 @@ void ContactSystem::let_slide(const std::vector<ContactRowSurfaces>& sliding, in
 // Of a layered factor only the early rows outlast a length; a body with S of its own is kept as a
 // whole or not at all.
 bool ContactSystem::may_last(std::size_t body, std::size_t row) const {
-  const solve::FactoredExternals* factor = bodies_[body]->block_factor();
+  const solve::FactoredExternals* factor = bodies_[body]->external_block_factor();
   return factor == nullptr || std::ranges::all_of(rows_[row], [&](const BodyRowEntry& e) {
            return e.body != body || factor->row[at(e.at)] < factor->L.first_block_size();
          });
@@ -117,7 +117,8 @@ ContactSystem::shares_of(std::size_t body, const std::vector<std::size_t>& list,
     std::vector<RowCoefficient>& own = out.emplace_back();
     for (const BodyRowEntry& e : rows_[r]) {
       if (e.body == body) {
-        own.push_back({early ? bodies_[body]->block_factor()->row[at(e.at)] : e.at, e.weight});
+        own.push_back(
+            {early ? bodies_[body]->external_block_factor()->row[at(e.at)] : e.at, e.weight});
       }
     }
   }
@@ -141,7 +142,7 @@ void ContactSystem::add_body(std::size_t body, const PersistentRowSet& lasting,
       stay, {}, [&](std::size_t r) { return std::pair(rows[r]->node, rows[r]->tangential); });
   const std::vector<std::vector<RowCoefficient>> moving = shares_of(body, move, false);
   const CondensedBody& own = *bodies_[body];
-  const solve::FactoredExternals* factor = own.block_factor();
+  const solve::FactoredExternals* factor = own.external_block_factor();
   if (own.is_uncondensed()) {
     const solve::RowCompliance found = own.compliance(moving);
     row_flops_ += found.flops;
@@ -156,7 +157,7 @@ void ContactSystem::add_body(std::size_t body, const PersistentRowSet& lasting,
   if (stay.empty()) {
     return;
   }
-  PersistentRows& kept = *lasting.kept[body];
+  PersistentRowCompliance& kept = *lasting.kept[body];
   std::vector<std::vector<RowCoefficient>> staying = shares_of(body, stay, factor != nullptr);
   // What is kept serves only if its rows weigh the same freedoms, number by number.
   if (kept.rows != staying) {
@@ -243,7 +244,7 @@ std::size_t ContactSystem::body_of_mode(Eigen::Index mode) const {
 base::Vector ContactSystem::motion_of(const IncrementProblem& problem, std::size_t body) const {
   const bool known = body < problem.motion.size() && problem.motion[body].size() > 0;
   return known ? problem.motion[body]
-               : base::Vector(bodies_[body]->displacements_under(problem.load[body]));
+               : base::Vector(bodies_[body]->displacements_under_forces(problem.load[body]));
 }
 
 solve::ContactProblem ContactSystem::condensed(const IncrementProblem& problem) const {
@@ -293,8 +294,8 @@ base::Matrix ContactSystem::openings(const std::vector<base::Matrix>& u) const {
   return out;
 }
 
-void ContactSystem::add_force(std::size_t row, const Eigen::RowVectorXd& force,
-                              std::vector<base::Matrix>& load) const {
+void ContactSystem::add_row_force(std::size_t row, const Eigen::RowVectorXd& force,
+                                  std::vector<base::Matrix>& load) const {
   for (const BodyRowEntry& e : rows_[row]) {
     load[e.body].row(e.at) += e.weight * force;
   }
@@ -338,7 +339,7 @@ ContactSystem::solve(const IncrementProblem& problem,
     }
   }
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    solution.u.push_back(bodies_[b]->displacements_under(force[b]) +
+    solution.u.push_back(bodies_[b]->displacements_under_forces(force[b]) +
                          bodies_[b]->modes() *
                              s.alpha.segment(mode_start_[b], bodies_[b]->modes().cols()));
     if (b < problem.motion.size() && problem.motion[b].size() > 0) {

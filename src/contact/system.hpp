@@ -15,7 +15,7 @@
 namespace spricka::contact {
 
 /// The part of a body's compliance that belongs to rows which the next crack length has again.
-struct PersistentRows {
+struct PersistentRowCompliance {
   std::vector<std::vector<RowCoefficient>> rows; ///< [k] in a canonical order
   base::Matrix Y;         ///< [m, k] their half compliance; of early rows only
   base::Matrix W;         ///< [k, k] Y^T Y
@@ -25,8 +25,8 @@ struct PersistentRows {
 /// The rows that the next crack length has again, and what is kept of them for each body. The
 /// compliances come out with the same bits whether anything was kept before or not.
 struct PersistentRowSet {
-  std::vector<bool> row;             ///< [row] whether it is one of them; empty: none is
-  std::vector<PersistentRows*> kept; ///< [body]; null where nothing may be kept
+  std::vector<bool> row;                      ///< [row] whether it is one of them; empty: none is
+  std::vector<PersistentRowCompliance*> kept; ///< [body]; null where nothing may be kept
 };
 
 /// All constraint rows of an increment on all bodies, condensed to compliances once; then any
@@ -78,11 +78,11 @@ public:
   /// The same of all rows for several displacements [body][m, k]: [row, k].
   [[nodiscard]] base::Matrix openings(const std::vector<base::Matrix>& u) const;
   [[nodiscard]] const base::Matrix& row_compliance() const { return W_; } ///< [row, row] compliance
-  [[nodiscard]] const base::Matrix& mode_openings() const { return B_; }  ///< [row, mode]
+  [[nodiscard]] const base::Matrix& openings_by_rigid_modes() const { return B_; } ///< [row, mode]
   [[nodiscard]] double row_flops() const { return row_flops_; } ///< of rows on whole bodies
   /// Adds what forces [k] of a row load the bodies with [body][m, k].
-  void add_force(std::size_t row, const Eigen::RowVectorXd& force,
-                 std::vector<base::Matrix>& load) const;
+  void add_row_force(std::size_t row, const Eigen::RowVectorXd& force,
+                     std::vector<base::Matrix>& load) const;
   [[nodiscard]] const std::vector<const CondensedBody*>& bodies() const { return bodies_; }
   /// Which body and which combination of its modes an entry of alpha belongs to.
   [[nodiscard]] std::size_t body_of_mode(Eigen::Index mode) const;

@@ -78,7 +78,8 @@ std::vector<ContactEdge> contact_edges_of_pair(const EdgeTable& table,
   }
   if (!pair.rigid) {
     std::vector<double> faced(others.size(), 0.0);
-    for (const contact::MortarSegment& s : contact::find_segments(pair.contact, pair.target)) {
+    for (const contact::MortarSegment& s :
+         contact::find_mortar_segments(pair.contact, pair.target)) {
       ContactEdge& a = result[s.contact_edge];
       ContactEdge& b = result[own.size() + s.target_edge];
       const contact::Edge& ea = own[s.contact_edge];

@@ -66,7 +66,8 @@ public:
 
 private:
   void look_at(const model::Contact& contact) {
-    const contact::ContactSurface slave = contact::make_surface(model_, mesh_, contact.slave);
+    const contact::ContactSurface slave =
+        contact::make_contact_surface(model_, mesh_, contact.slave);
     if (contact.mu > most_mu) {
       list_.warning(contact.span, "W445",
                     fmt::format("contact {}: MU = {:.4g} is a coefficient that hardly any pair of "
@@ -81,7 +82,8 @@ private:
       look_at_gap(contact, seen, faceting_error(slave), slave);
       return;
     }
-    const contact::ContactSurface master = contact::make_surface(model_, mesh_, contact.master);
+    const contact::ContactSurface master =
+        contact::make_contact_surface(model_, mesh_, contact.master);
     // Rays go out from the smaller surface: all of it should meet the other.
     const bool slave_smaller = slave.extent <= master.extent;
     const contact::GapSurvey seen =
@@ -175,7 +177,7 @@ private:
     if (rest.empty()) {
       return;
     }
-    const contact::ContactSurface left = contact::make_surface(model_, mesh_, rest);
+    const contact::ContactSurface left = contact::make_contact_surface(model_, mesh_, rest);
     const std::vector<double> measure = facet_measures(surface);
     std::vector<double> seen(measure.size(), 0.0);
     std::vector<double> missed(measure.size(), 0.0);

@@ -117,7 +117,7 @@ std::vector<FacingPart> facing_parts(const contact::ContactSurface& surface,
     }
     return parts;
   }
-  for (const contact::MortarSegment& s : contact::find_segments(surface, target)) {
+  for (const contact::MortarSegment& s : contact::find_mortar_segments(surface, target)) {
     // Coordinates of an edge run from -1 to 1: half the stretch is its part of the edge.
     parts.push_back({s.contact_edge, 0.5 * (s.to - s.from),
                      gap_at(surface, surface.plane.edges[s.contact_edge], target, s)});
@@ -128,7 +128,7 @@ std::vector<FacingPart> facing_parts(const contact::ContactSurface& surface,
 std::vector<double> facet_measures(const contact::ContactSurface& surface) {
   std::vector<double> all;
   for (const geometry::ElementSide& facet : surface.facets) {
-    all.push_back(contact::facet_measure(facet));
+    all.push_back(contact::facet_length_or_area(facet));
   }
   return all;
 }

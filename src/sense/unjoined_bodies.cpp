@@ -187,7 +187,8 @@ private:
     sides_.resize(bodies_.size());
     length_.resize(bodies_.size(), 0.0);
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      const contact::ContactSurface surface = contact::make_surface(model_, mesh_, faces[b]);
+      const contact::ContactSurface surface =
+          contact::make_contact_surface(model_, mesh_, faces[b]);
       outlines_.push_back(contact::make_plane_boundary(surface, base::Vector()));
       for (const contact::Edge& edge : surface.plane.edges) {
         sides_[b].push_back(edge);

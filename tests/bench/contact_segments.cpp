@@ -43,11 +43,11 @@ public:
       for (const contact::HatElement& s : target_.elements) {
         const std::array<Vec3, 3> y = corners(target_, s);
         const contact::PlaneTriangle there{flat(y[0]), flat(y[2]), flat(y[1])};
-        sum +=
-            std::abs((y[0] - x[0]).dot(n)) < reach && contact::twice_area(there) > 0.0 &&
-                    area(contact::common_polygon(here, there)) > 1e-12 * contact::twice_area(here)
-                ? 1U
-                : 0U;
+        sum += std::abs((y[0] - x[0]).dot(n)) < reach && contact::twice_area(there) > 0.0 &&
+                       area(contact::intersect_triangles(here, there)) >
+                           1e-12 * contact::twice_area(here)
+                   ? 1U
+                   : 0U;
       }
     }
     return sum;
@@ -72,7 +72,7 @@ private:
 };
 
 std::size_t points_of(const contact::PairConstraints& pair) {
-  const auto see = contact::target_projector(pair);
+  const auto see = contact::make_target_projector(pair);
   std::size_t sum = 0;
   for (const contact::HatElement& t : pair.contact.elements) {
     sum += see(t).points.size();
@@ -89,7 +89,7 @@ double time_rows(const contact::PairConstraints& pair, const model::Contact& car
     again.normal.clear();
     again.tangent.clear();
     const base::Stopwatch watch;
-    contact::fill_mortar_rows(again, contact::target_projector(again),
+    contact::fill_mortar_rows(again, contact::make_target_projector(again),
                               {.declared_gap = card.gap, .tangents = !pair.tangent.empty()});
     best = std::min(best, watch.cpu_time());
   }

@@ -95,7 +95,7 @@ JoinedSurfaces joined_surfaces(const Discretisation& scene, const StepState& sta
 JoinedSurfaces joined_surfaces(const SolvedMeshState& set, const model::TransitionTie& transition) {
   const model::Mesh& mesh = set.scene.cracked.mesh;
   JoinedSurfaces found{"the TRANSITION", {}, {}, true};
-  add_sides(contact::make_surface(set.model, mesh, transition.master), found.sides);
+  add_sides(contact::make_contact_surface(set.model, mesh, transition.master), found.sides);
   std::vector<bool> slave(mesh.node_count(), false);
   for (const base::NodeId n : mesh.set_with_id(transition.slave).nodes) {
     slave[n.index()] = true;

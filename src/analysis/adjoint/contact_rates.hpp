@@ -12,10 +12,10 @@ namespace spricka::analysis {
 
 /// Loads and gaps per unit of something; condensed as the contact system takes them.
 struct LoadAndGapRates {
-  std::vector<base::Matrix> load;      ///< [body][m, k]
-  contact::UnconstrainedResponse free; ///< to them
-  base::Matrix gap;                    ///< [table row, k] that come on top
-  base::Vector load_scale;             ///< [k] a typical force
+  std::vector<base::Matrix> load;       ///< [body][m, k]
+  contact::ResponseWithoutContact free; ///< to them
+  base::Matrix gap;                     ///< [table row, k] that come on top
+  base::Vector load_scale;              ///< [k] a typical force
 };
 
 /// Contact at the end of a step: rows in force, their forces and gaps.

@@ -260,7 +260,7 @@ void VirtualAxisExtension::move_pairs() {
       continue; // between the faces of a crack
     }
     contact::PairConstraints& pair = moved_.pairs[c];
-    pair = contact::pair_rows(model_, moved_.cracked.mesh, model_.contacts[c]);
+    pair = contact::build_pair_constraints(model_, moved_.cracked.mesh, model_.contacts[c]);
     apply_supports(pair, scene_.cls);
     const auto same_row = [](const auto& own, const auto& other) { return own.node == other.node; };
     if (!std::ranges::equal(pair.normal, scene_.pairs[c].normal, same_row) ||

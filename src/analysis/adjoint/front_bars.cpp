@@ -114,9 +114,10 @@ base::Vector FrontErrorBars::load(const StepState& state) {
   });
   for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
     if (state.mounted[c]) {
-      enrichment_->add_tractions(contact::space_tractions(scene_.pairs[c], state.pair_lambda[c],
-                                                          [](const model::Face&) { return true; }),
-                                 f);
+      enrichment_->add_tractions(
+          contact::solid_pair_tractions(scene_.pairs[c], state.pair_lambda[c],
+                                        [](const model::Face&) { return true; }),
+          f);
     }
   }
   return f;

@@ -107,7 +107,7 @@ void add_lines_of(const Discretisation& scene, const StepState& state, std::size
                   std::vector<RowLine>& lines) {
   const contact::PairConstraints& pair = scene.pairs[c];
   const std::vector<bool>& closed = state.pair_closed[c];
-  const Neighbours next = contact::row_neighbours(pair);
+  const Neighbours next = contact::neighbouring_normal_rows(pair);
   std::vector<bool> last(closed.size(), false);
   std::vector<bool> beyond(closed.size(), false);
   for (std::size_t r = 0; r < closed.size(); ++r) {

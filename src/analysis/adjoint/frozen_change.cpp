@@ -98,7 +98,7 @@ FrozenContactResponse FrozenContactSystem::solve_response(CondensedLoads& loads,
       for (const std::size_t b : solver_.condensed_bodies()) {
         loads.external.push_back(loads.of_body[b].external);
       }
-      loads.free = contact::unconstrained_response(*solver_.contact_system(), loads.external);
+      loads.free = contact::response_without_contact(*solver_.contact_system(), loads.external);
     }
     const contact::FixedActiveSet::ActiveSetResponse found = held_->solve_response(
         gaps.cols() > 0 ? base::Matrix(loads.free.opening + gaps) : loads.free.opening,

@@ -26,9 +26,9 @@ inline constexpr const char* depends_on_history =
 /// Loads, or other linear functionals of the displacements, condensed on the bodies once.
 struct CondensedLoads {
   Eigen::Index freedoms = 0, columns = 0;
-  std::vector<CondensedLoad> of_body;  ///< [body]
-  std::vector<base::Matrix> external;  ///< [body of the contact system], at first use
-  contact::UnconstrainedResponse free; ///< to those, likewise
+  std::vector<CondensedLoad> of_body;   ///< [body]
+  std::vector<base::Matrix> external;   ///< [body of the contact system], at first use
+  contact::ResponseWithoutContact free; ///< to those, likewise
 };
 /// Of loads [dim * node, k], of which only those on independent freedoms count once ties are
 /// reduced.
@@ -44,10 +44,10 @@ struct UnheldLoadLimit {
 /// What displacements and contact forces change by as loads and gaps do, rows that are closed
 /// staying so and open ones open: one back-substitution for each column.
 struct FrozenContactResponse {
-  base::Matrix u;                      ///< [dim * node, k]
-  base::Matrix force;                  ///< [row of the table, k]
-  contact::UnconstrainedResponse free; ///< without contact forces, where there are contacts
-  std::string why_not;                 ///< empty: there is one
+  base::Matrix u;                       ///< [dim * node, k]
+  base::Matrix force;                   ///< [row of the table, k]
+  contact::ResponseWithoutContact free; ///< without contact forces, where there are contacts
+  std::string why_not;                  ///< empty: there is one
 };
 
 /// All must outlive it.

@@ -102,7 +102,7 @@ LoadAndGapRates TipSensitivityAnalysis::rates(const StepSolver& solver,
     for (const std::size_t b : solver.condensed_bodies()) {
       case_externals_.emplace_back(bodies_[b].external_load.leftCols(cases));
     }
-    of_cases_ = contact::unconstrained_response(*solver.contact_system(), case_externals_);
+    of_cases_ = contact::response_without_contact(*solver.contact_system(), case_externals_);
   }
   const auto k = static_cast<Eigen::Index>(count);
   const auto rows = static_cast<Eigen::Index>(scene_.table.size());
@@ -136,7 +136,7 @@ LoadAndGapRates TipSensitivityAnalysis::all_rates(const StepSolver& solver,
     load.leftCols(case_externals_[b].cols()) = case_externals_[b];
     out.load.push_back(std::move(load));
   }
-  out.free = contact::unconstrained_response(*solver.contact_system(), out.load);
+  out.free = contact::response_without_contact(*solver.contact_system(), out.load);
   return out;
 }
 

@@ -41,7 +41,7 @@ private:
   const std::vector<SubstructuredBody>& bodies_;
   base::Matrix case_load_;                   ///< [dim * node, case] with the pull of supports
   std::vector<base::Matrix> case_externals_; ///< [body of the contact system] condensed
-  contact::UnconstrainedResponse of_cases_;
+  contact::ResponseWithoutContact of_cases_;
   base::Matrix of_loads_; ///< [K, case] what loads add to K themselves
   std::vector<std::unique_ptr<VirtualTipExtension>> advances_; ///< [tip]
 };

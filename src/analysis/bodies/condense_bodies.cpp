@@ -325,7 +325,7 @@ std::vector<SubstructuredBody> condense_bodies(const CondensationRequest& reques
       SubstructuredBody& body = bodies[b];
       if (body.is_uncondensed()) {
         // A step adds these up, where a condensed body has a small matrix to ask.
-        body.case_motion = body.condensed->displacements_under(body.external_load);
+        body.case_motion = body.condensed->displacements_under_forces(body.external_load);
       }
     });
   }

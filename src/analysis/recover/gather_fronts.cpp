@@ -40,9 +40,9 @@ std::vector<crack::FacePointForces> contact_forces(const Discretisation& scene,
   }
   std::vector<crack::FacePointForces> forces;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
-    for (const contact::FaceTraction& traction :
-         contact::space_tractions(scene.pairs[c], state.pair_lambda[c],
-                                  [&](const model::Face& face) { return moved.contains(face); })) {
+    for (const contact::FaceTraction& traction : contact::solid_pair_tractions(
+             scene.pairs[c], state.pair_lambda[c],
+             [&](const model::Face& face) { return moved.contains(face); })) {
       crack::FacePointForces& on_face = forces.emplace_back();
       on_face.face = traction.face;
       for (const contact::TractionPoint& point : traction.points) {

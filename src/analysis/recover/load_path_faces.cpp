@@ -39,8 +39,8 @@ std::vector<LoadPathSolver::FaceNodePair> LoadPathSolver::watch_faces(const mode
     if (!model.cracks[i].faces_in_contact || scene.crack_face_pairs[i]) {
       continue;
     }
-    contact::PairConstraints pair =
-        contact::crack_face_rows(model, scene.cracked.mesh, scene.cracked.faces[i], true);
+    contact::PairConstraints pair = contact::build_crack_face_constraints(
+        model, scene.cracked.mesh, scene.cracked.faces[i], true);
     for (std::size_t r = 0; r < pair.normal.size(); ++r) {
       FaceNodePair& watch = watches.emplace_back(FaceNodePair{i, std::move(pair.normal[r]), {}});
       if (!pair.tangent.empty()) {

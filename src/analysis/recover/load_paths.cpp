@@ -89,7 +89,7 @@ LoadPathSolver::ContactForceFunctionals LoadPathSolver::functionals(const StepSo
     std::vector<base::Matrix> moved;
     for (const std::size_t b : solver.condensed_bodies()) {
       external.push_back(condense_load(bodies_[b], *scene_.ties, nodal).external);
-      moved.push_back(bodies_[b].condensed->displacements_under(external.back()));
+      moved.push_back(bodies_[b].condensed->displacements_under_forces(external.back()));
     }
     for (Eigen::Index k = 0; k < nodal.cols(); ++k) {
       std::vector<base::Vector> u;
@@ -116,7 +116,7 @@ base::Vector LoadPathSolver::free_values(const base::Vector& case_factor) const 
   for (const SubstructuredBody& body : bodies_) {
     base::Vector external;
     if (body.condensed) {
-      external = body.condensed->displacements_under(body.external_load * case_factor);
+      external = body.condensed->displacements_under_forces(body.external_load * case_factor);
     }
     recover_body(body, external, case_factor, u);
   }
@@ -188,7 +188,7 @@ void LoadPathSolver::contacts(const solve::SolutionPath& found, const LoadPathEn
     }
     results::LoadPathContact contact;
     contact.name = scene_.contacts[c].name;
-    contact.round = contact::uses_angles(pair);
+    contact.round = contact::uses_angular_coordinate(pair);
     contact.rows = static_cast<int>(normal);
     std::unordered_map<std::int32_t, double> place_of;
     for (const results::ContactPoint& p : end.result.contacts[c].points) {

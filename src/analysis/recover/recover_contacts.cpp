@@ -39,7 +39,7 @@ void gather_friction(const Discretisation& scene, const StepState& state, std::s
     double& sum = shear[pair.tangent[i].normal];
     sum = std::hypot(sum, state.pair_lambda[c][normals + static_cast<Eigen::Index>(i)]);
   }
-  const bool round = contact::uses_angles(pair);
+  const bool round = contact::uses_angular_coordinate(pair);
   std::vector<contact::ContactArcNode> arc;
   std::vector<bool> counted(pair.normal.size(), false); // in space nodes may have one row
   result.rubs = true;
@@ -257,7 +257,7 @@ void recover_contacts(const Discretisation& scene, const StepState& state,
     result.max_penetration = p.max_penetration;
     result.area = p.area;
     result.space = scene.cracked.mesh.dim == 3;
-    result.round = contact::uses_angles(pair);
+    result.round = contact::uses_angular_coordinate(pair);
     result.arc_from = p.arc_from;
     result.arc_to = p.arc_to;
     result.closed = p.closed;

@@ -28,7 +28,7 @@ ForcePlaces force_places(const Discretisation& scene, const crack::FrontIntegral
   ForcePlaces places;
   Eigen::Index at = 0;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
-    for (const contact::UnitFaceTraction& traction : contact::space_unit_tractions(
+    for (const contact::UnitFaceTraction& traction : contact::solid_pair_unit_tractions(
              scene.pairs[c], [&](const model::Face& face) { return moved.contains(face); })) {
       crack::FacePointForces& on_face = places.faces.emplace_back();
       on_face.face = traction.face;

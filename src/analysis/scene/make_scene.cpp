@@ -39,7 +39,7 @@ double removed_part(const contact::PairConstraints& pair) {
 std::vector<base::NodeId> contact_nodes(const model::Mesh& mesh, const model::Contact& contact,
                                         const contact::PairConstraints& pair) {
   if (mesh.dim == 2) {
-    return contact::surface_nodes(mesh, contact);
+    return contact::pair_surface_nodes(mesh, contact);
   }
   return contact_row_nodes(pair);
 }
@@ -64,7 +64,7 @@ bool make_pairs(const model::Model& model, Discretisation& scene, base::Diagnost
   scene.contacts = model.contacts;
   scene.crack_face_pairs.resize(scene.cracked.faces.size());
   for (const model::Contact& contact : model.contacts) {
-    scene.pairs.push_back(contact::pair_rows(model, mesh, contact));
+    scene.pairs.push_back(contact::build_pair_constraints(model, mesh, contact));
     if (mesh.dim == 3) {
       apply_supports(scene.pairs.back(), scene.cls);
     }

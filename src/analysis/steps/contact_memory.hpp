@@ -42,7 +42,7 @@ public:
 private:
   struct PersistentBodyRows {
     std::shared_ptr<const void> of; ///< what the rows are kept for: a body, or its early rows
-    contact::PersistentRows rows;
+    contact::PersistentRowCompliance rows;
   };
   using Place = std::array<std::int64_t, 3>; ///< contact, node, which of the node's rows
   std::vector<std::unique_ptr<PersistentBodyRows>> bodies_;

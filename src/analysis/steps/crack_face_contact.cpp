@@ -91,8 +91,9 @@ void add_crack_face_pairs(const model::Model& model, const std::vector<std::size
     scene.crack_face_pairs[i] = CrackFacePair{scene.pairs.size(), sides_of(mesh, crack_faces)};
     const bool friction = contact.mu > 0.0;
     contact.pairing = space ? model::PairingMethod::segment : model::PairingMethod::node;
-    scene.pairs.push_back(space ? solid_face_pair(model, scene, i, friction)
-                                : contact::crack_face_rows(model, mesh, crack_faces, friction));
+    scene.pairs.push_back(
+        space ? solid_face_pair(model, scene, i, friction)
+              : contact::build_crack_face_constraints(model, mesh, crack_faces, friction));
     scene.contacts.push_back(std::move(contact));
     std::vector<base::NodeId> nodes = crack_faces.left;
     nodes.insert(nodes.end(), crack_faces.right.begin(), crack_faces.right.end());

@@ -38,8 +38,8 @@ FaceRowJump motion_of(const contact::ConstraintRow& row, const base::Vector& u) 
 
 contact::PairConstraints solid_face_pair(const model::Model& model, const Discretisation& scene,
                                          std::size_t line, bool friction) {
-  contact::PairConstraints pair =
-      contact::solid_crack_rows(model, scene.cracked.mesh, scene.cracked.faces[line], friction);
+  contact::PairConstraints pair = contact::build_solid_crack_constraints(
+      model, scene.cracked.mesh, scene.cracked.faces[line], friction);
   apply_supports(pair, scene.cls);
   return pair;
 }

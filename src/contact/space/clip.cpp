@@ -18,7 +18,7 @@ double twice_area(const PlaneTriangle& t) {
   return left_of(t[0], t[1], t[2]);
 }
 
-std::vector<Vec2> common_polygon(const PlaneTriangle& a, const PlaneTriangle& b) {
+std::vector<Vec2> intersect_triangles(const PlaneTriangle& a, const PlaneTriangle& b) {
   std::vector<Vec2> polygon(a.begin(), a.end());
   std::vector<Vec2> cut;
   for (std::size_t i = 0; i < b.size() && !polygon.empty(); ++i) {
@@ -45,7 +45,7 @@ std::vector<Vec2> common_polygon(const PlaneTriangle& a, const PlaneTriangle& b)
   return polygon;
 }
 
-Eigen::Vector3d barycentric(const PlaneTriangle& t, const Vec2& x) {
+Eigen::Vector3d barycentric_coordinates(const PlaneTriangle& t, const Vec2& x) {
   const double whole = twice_area(t);
   const double b = left_of(t[2], t[0], x) / whole;
   const double c = left_of(t[0], t[1], x) / whole;

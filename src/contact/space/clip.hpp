@@ -15,9 +15,9 @@ double twice_area(const PlaneTriangle& t);
 
 /// What two counter-clockwise triangles have in common: a convex polygon of at most six corners,
 /// counter-clockwise, empty where they do not overlap (Sutherland and Hodgman 1974).
-std::vector<base::Vec2> common_polygon(const PlaneTriangle& a, const PlaneTriangle& b);
+std::vector<base::Vec2> intersect_triangles(const PlaneTriangle& a, const PlaneTriangle& b);
 
 /// Barycentric coordinates of x.
-Eigen::Vector3d barycentric(const PlaneTriangle& t, const base::Vec2& x);
+Eigen::Vector3d barycentric_coordinates(const PlaneTriangle& t, const base::Vec2& x);
 
 } // namespace spricka::contact

@@ -43,7 +43,7 @@ FacetSurface make_facet_surface(const model::Mesh& mesh, const std::vector<model
   for (const model::Face& face : faces) {
     const geometry::ElementSide& own = surface.facets.emplace_back(model::element_side(mesh, face));
     box.extend({own.X.rowwise().minCoeff(), own.X.rowwise().maxCoeff()});
-    size += facet_measure(own);
+    size += facet_length_or_area(own);
     for (const HatNodes& nodes : hat_elements(own)) {
       surface.elements.push_back({surface.facets.size() - 1, nodes});
     }
@@ -59,7 +59,7 @@ FacetSurface make_facet_surface(const model::Mesh& mesh, const std::vector<model
     surface.rounds.resize(1);
     return surface;
   }
-  surface.part = smooth_parts(surface.facets);
+  surface.part = smooth_part_numbers(surface.facets);
   const std::size_t parts = *std::ranges::max_element(surface.part) + 1;
   for (std::size_t p = 0; p < parts; ++p) {
     surface.rounds.push_back(shape_of(mesh, surface, p));
@@ -67,9 +67,9 @@ FacetSurface make_facet_surface(const model::Mesh& mesh, const std::vector<model
   return surface;
 }
 
-std::vector<PartNode> part_nodes(const FacetSurface& surface) {
-  std::set<PartNode> seen;
-  std::vector<PartNode> nodes;
+std::vector<SmoothPartNode> smooth_part_nodes(const FacetSurface& surface) {
+  std::set<SmoothPartNode> seen;
+  std::vector<SmoothPartNode> nodes;
   for (const HatElement& element : surface.elements) {
     for (std::size_t i = 0; i < element.node_count(); ++i) {
       if (seen.insert(surface.part_node(element, i)).second) {
@@ -77,15 +77,15 @@ std::vector<PartNode> part_nodes(const FacetSurface& surface) {
       }
     }
   }
-  return surface.in_space() ? std::vector<PartNode>(seen.begin(), seen.end()) : nodes;
+  return surface.in_space() ? std::vector<SmoothPartNode>(seen.begin(), seen.end()) : nodes;
 }
 
-double facet_measure(const geometry::ElementSide& facet) {
+double facet_length_or_area(const geometry::ElementSide& facet) {
   constexpr int edge_degree = 5; // 1e-8 of the length of arcs of 30 degrees
   return facet.is_edge() ? facet.area(edge_degree) : facet.area();
 }
 
-std::vector<HatElement> corner_elements(const FacetSurface& surface) {
+std::vector<HatElement> corner_triangles(const FacetSurface& surface) {
   std::vector<HatElement> triangles;
   for (std::size_t f = 0; f < surface.facets.size(); ++f) {
     for (const HatNodes& nodes : corner_hat_elements(surface.facets[f])) {

@@ -21,7 +21,7 @@ struct HatElement {
 };
 
 /// A node on a smooth part of a surface: at a ridge one node is one of each part.
-using PartNode = std::pair<std::size_t, base::NodeId>;
+using SmoothPartNode = std::pair<std::size_t, base::NodeId>;
 
 /// A surface: its facets, in space the smooth parts they belong to and the shapes of these.
 struct FacetSurface {
@@ -33,7 +33,7 @@ struct FacetSurface {
   double extent = 0.0;    ///< diagonal of the bounding box [length]
   double mean_size = 0.0; ///< mean length of edges, root of the mean area of faces [length]
 
-  [[nodiscard]] PartNode part_node(const HatElement& element, std::size_t i) const {
+  [[nodiscard]] SmoothPartNode part_node(const HatElement& element, std::size_t i) const {
     return {part[element.facet],
             facets[element.facet].nodes[static_cast<std::size_t>(element.node[i])]};
   }
@@ -45,16 +45,16 @@ struct FacetSurface {
 
 /// The nodes of a surface's elements, one for each of their parts: in the plane in the order of the
 /// edges, mid nodes between their ends, in space by part and node.
-std::vector<PartNode> part_nodes(const FacetSurface& surface);
+std::vector<SmoothPartNode> smooth_part_nodes(const FacetSurface& surface);
 
 /// The surface that faces of elements make up, in their order.
 FacetSurface make_facet_surface(const model::Mesh& mesh, const std::vector<model::Face>& faces);
 
 /// Length of an edge, area of a face.
-double facet_measure(const geometry::ElementSide& facet);
+double facet_length_or_area(const geometry::ElementSide& facet);
 
 /// The triangles of a surface in space between corners only, face by face.
-std::vector<HatElement> corner_elements(const FacetSurface& surface);
+std::vector<HatElement> corner_triangles(const FacetSurface& surface);
 
 /// Unit normal of the surface at a point x of a facet, given what the facet itself has there: that
 /// of its shape where it has one.

@@ -20,7 +20,7 @@ SurfaceFrames::SurfaceFrames(const FacetSurface& surface) {
     const std::optional<AnalyticShape>& round = surface.rounds[p];
     Eigen::Index least = 0;
     most[p].minCoeff(&least);
-    axis_.push_back(round && has_axis(*round) ? round->axis : Vec3(Vec3::Unit(least)));
+    axis_.push_back(round && is_cylinder_or_cone(*round) ? round->axis : Vec3(Vec3::Unit(least)));
   }
 }
 

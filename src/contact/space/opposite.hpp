@@ -11,7 +11,7 @@ inline constexpr double farthest_opposite = 0.2;
 
 /// A measured gap, or zero where sixteen digits of coordinates as large as `largest` cannot tell it
 /// from that: bodies that touch put no force on each other.
-inline double zero_round_off(double gap, double largest) {
+inline double zero_gap_below_round_off(double gap, double largest) {
   constexpr double digits = 8.0 * std::numeric_limits<double>::epsilon();
   return std::abs(gap) <= digits * largest ? 0.0 : gap;
 }

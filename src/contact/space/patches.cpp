@@ -25,7 +25,7 @@ Vec3 normal_on_edge(const geometry::ElementSide& face, int corner, int next) {
 
 } // namespace
 
-std::vector<std::size_t> smooth_parts(const std::vector<geometry::ElementSide>& faces) {
+std::vector<std::size_t> smooth_part_numbers(const std::vector<geometry::ElementSide>& faces) {
   base::DisjointSets smooth(faces.size());
   struct Side {
     std::size_t face = 0;

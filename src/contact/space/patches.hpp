@@ -10,6 +10,6 @@ namespace spricka::contact {
 /// [face] number of the smooth part of the surface that a face belongs to, counted in the order of
 /// the faces. Parts end at edges where normals turn by more than 30 degrees: there a node has two
 /// normals, and a pressure for each. Faces that share a corner only belong together through others.
-std::vector<std::size_t> smooth_parts(const std::vector<geometry::ElementSide>& faces);
+std::vector<std::size_t> smooth_part_numbers(const std::vector<geometry::ElementSide>& faces);
 
 } // namespace spricka::contact

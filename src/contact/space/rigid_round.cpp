@@ -46,7 +46,7 @@ ElementPairPoints project_onto_rigid(const FacetSurface& contact, const Analytic
   const geometry::ElementSide& face = contact.facets[triangle.facet];
   const double reach = farthest_opposite * contact.extent;
   ElementPairPoints projection;
-  for_hat_points(
+  for_hat_quadrature_points(
       face, triangle.node, triangle_degree, [&](const Vec3& hat, const Vec2& r, double weight) {
         PairPoint p;
         p.facet = triangle.facet;
@@ -59,12 +59,13 @@ ElementPairPoints project_onto_rigid(const FacetSurface& contact, const Analytic
         // A motion along the normal closes the gap.
         p.normal = -outer_normal(target, p.x);
         p.turn = here.area_vector().normalized().dot(p.normal);
-        p.gap = zero_round_off(target.sense * distance_to(target, p.x), p.x.cwiseAbs().maxCoeff());
+        p.gap = zero_gap_below_round_off(target.sense * distance_to(target, p.x),
+                                         p.x.cwiseAbs().maxCoeff());
         p.round_gap = p.gap;
         if (const std::optional<AnalyticShape>& own = contact.analytic_shape(triangle.facet);
             own && own->exact) {
           // Where the faces were the shape they stand for: along the target's normal.
-          p.round_gap -= distance_along(*own, p.x, p.normal).value_or(0.0);
+          p.round_gap -= distance_along_direction(*own, p.x, p.normal).value_or(0.0);
         }
         if (p.turn > 0.0 && std::abs(p.gap) <= reach) {
           projection.points.push_back(p);

@@ -63,7 +63,8 @@ Vec3 outer_normal(const AnalyticShape& round, const Vec3& x) {
   return round.sense * distance_gradient(round, x);
 }
 
-std::optional<double> distance_along(const AnalyticShape& round, const Vec3& x, const Vec3& n) {
+std::optional<double> distance_along_direction(const AnalyticShape& round, const Vec3& x,
+                                               const Vec3& n) {
   constexpr int most_steps = 20;
   double g = 0.0;
   for (int i = 0; i < most_steps; ++i) {
@@ -81,12 +82,12 @@ std::optional<double> distance_along(const AnalyticShape& round, const Vec3& x, 
   return g;
 }
 
-bool has_axis(const AnalyticShape& round) {
+bool is_cylinder_or_cone(const AnalyticShape& round) {
   return round.kind == AnalyticShapeKind::cylinder || round.kind == AnalyticShapeKind::cone;
 }
 
 CylindricalCoordinates cylindrical_coordinates(const AnalyticShape& round, const Vec3& x) {
-  if (!has_axis(round)) {
+  if (!is_cylinder_or_cone(round)) {
     return {};
   }
   const bool along_x = std::abs(round.axis.x()) > 0.9;

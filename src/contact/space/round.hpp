@@ -32,11 +32,11 @@ base::Vec3 distance_gradient(const AnalyticShape& round, const base::Vec3& x);
 base::Vec3 outer_normal(const AnalyticShape& round, const base::Vec3& x);
 /// How far along the unit vector n the shape is from x; none where n runs more than 60 degrees off
 /// its normal.
-std::optional<double> distance_along(const AnalyticShape& round, const base::Vec3& x,
-                                     const base::Vec3& n);
+std::optional<double> distance_along_direction(const AnalyticShape& round, const base::Vec3& x,
+                                               const base::Vec3& n);
 
 /// Whether the shape is one about an axis: a cylinder or a cone.
-bool has_axis(const AnalyticShape& round);
+bool is_cylinder_or_cone(const AnalyticShape& round);
 /// Angle about the axis of a cylinder or cone [rad] and place along it [length]; zero of others.
 /// Angles count from +x, or where the axis is that, from +y.
 struct CylindricalCoordinates {

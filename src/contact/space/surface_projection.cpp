@@ -37,7 +37,7 @@ Vec2 mixed(const std::array<Vec2, 3>& at, const Eigen::Vector3d& share) {
 // How far along n the shape that a surface's nodes lie on is from a point of its faces.
 double to_round(const FacetSurface& surface, std::size_t face, const Vec3& x, const Vec3& n) {
   const std::optional<AnalyticShape>& round = surface.analytic_shape(face);
-  return round && round->exact ? distance_along(*round, x, n).value_or(0.0) : 0.0;
+  return round && round->exact ? distance_along_direction(*round, x, n).value_or(0.0) : 0.0;
 }
 
 } // namespace
@@ -109,7 +109,7 @@ bool SurfaceProjection::meet(std::size_t face, PairPoint& point) const {
   }
   const Vec3 back = y.area_vector();
   point.turn = -back.normalized().dot(point.normal);
-  point.gap = zero_round_off(g, point.x.cwiseAbs().maxCoeff());
+  point.gap = zero_gap_below_round_off(g, point.x.cwiseAbs().maxCoeff());
   return size < 1e-6 && target.distance_outside(point.s) <= beyond && point.turn > 0.0 &&
          std::abs(g) <= reach_;
 }
@@ -129,7 +129,7 @@ void SurfaceProjection::see_target(const Frame& frame, std::size_t target,
   if (twice_area(flat) <= std::max(least_piece * frame.area2, steepest * true_area2)) {
     return;
   }
-  const std::vector<Vec2> polygon = common_polygon(frame.flat, flat);
+  const std::vector<Vec2> polygon = intersect_triangles(frame.flat, flat);
   const HatElement& t = target_.elements[target];
   const std::array<Vec2, 3> s = places_of(target_, {t.facet, {t.node[0], t.node[2], t.node[1]}});
   for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
@@ -144,9 +144,9 @@ void SurfaceProjection::see_target(const Frame& frame, std::size_t target,
       PairPoint point;
       point.facet = frame.number;
       point.target = t.facet;
-      point.hat = barycentric(frame.flat, at);
+      point.hat = barycentric_coordinates(frame.flat, at);
       point.r = mixed(frame.r, point.hat);
-      point.s = mixed(s, barycentric(flat, at));
+      point.s = mixed(s, barycentric_coordinates(flat, at));
       const geometry::SidePoint here = frame.face.point(point.r);
       point.x = here.x;
       point.normal = surface_normal(contact_, frame.number, here);
@@ -209,10 +209,10 @@ ElementPairPoints SurfaceProjection::project_triangle(const HatElement& triangle
   const Frame frame(contact_, triangle);
   ElementPairPoints projection;
   projection.flat_area = 0.5 * frame.area2;
-  for_hat_points(frame.face, triangle.node, piece_degree,
-                 [&](const Vec3& hat, const Vec2& r, double weight) {
-                   projection.whole += weight * frame.face.area_vector(r).norm() * hat;
-                 });
+  for_hat_quadrature_points(frame.face, triangle.node, piece_degree,
+                            [&](const Vec3& hat, const Vec2& r, double weight) {
+                              projection.whole += weight * frame.face.area_vector(r).norm() * hat;
+                            });
   // The prism over the triangle, as far as a target may lie off.
   const Vec3 up = reach_ * frame.n.cwiseAbs();
   geometry::Box<3> box = geometry::Box<3>::around(frame.x);

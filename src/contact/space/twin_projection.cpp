@@ -24,9 +24,9 @@ Vec3 centre_of(const geometry::ElementSide& face) {
 }
 
 // Where the corners of a face are on another one; nothing where they are not its corners.
-std::optional<TwinFace> matched(const geometry::ElementSide& face,
-                                const geometry::ElementSide& other, double apart) {
-  TwinFace twin;
+std::optional<CoincidentFace> matched(const geometry::ElementSide& face,
+                                      const geometry::ElementSide& other, double apart) {
+  CoincidentFace twin;
   for (std::size_t c = 0; c < corner_count(face); ++c) {
     bool met = false;
     for (std::size_t k = 0; k < corner_count(face) && !met; ++k) {
@@ -43,7 +43,7 @@ std::optional<TwinFace> matched(const geometry::ElementSide& face,
 
 // Faces of one shape go onto one another by their corners alone: bilinear between four of them is
 // linear, as the square is turned or mirrored.
-Vec2 place_on_twin(const TwinFace& twin, std::size_t corners, const Vec2& r) {
+Vec2 place_on_twin(const CoincidentFace& twin, std::size_t corners, const Vec2& r) {
   if (corners == 3) {
     return (1.0 - r[0] - r[1]) * twin.corner[0] + r[0] * twin.corner[1] + r[1] * twin.corner[2];
   }
@@ -55,18 +55,18 @@ Vec2 place_on_twin(const TwinFace& twin, std::size_t corners, const Vec2& r) {
 
 } // namespace
 
-std::optional<std::vector<TwinFace>> twin_faces(const FacetSurface& own,
-                                                const FacetSurface& other) {
+std::optional<std::vector<CoincidentFace>> match_coincident_faces(const FacetSurface& own,
+                                                                  const FacetSurface& other) {
   const double apart = twins_apart * own.mean_size;
   std::vector<geometry::Box<3>> boxes;
   for (const geometry::ElementSide& face : other.facets) {
     boxes.push_back({centre_of(face), centre_of(face)});
   }
   const geometry::BoxTree<3> tree(boxes);
-  std::vector<TwinFace> twins;
+  std::vector<CoincidentFace> twins;
   for (const geometry::ElementSide& face : own.facets) {
     const Vec3 centre = centre_of(face);
-    std::optional<TwinFace> twin;
+    std::optional<CoincidentFace> twin;
     for (const std::size_t f :
          tree.boxes_intersecting(geometry::Box<3>{centre, centre}.grown(apart))) {
       if (!twin && other.facets[f].nodes.size() == face.nodes.size()) {
@@ -84,28 +84,28 @@ std::optional<std::vector<TwinFace>> twin_faces(const FacetSurface& own,
   return twins;
 }
 
-ElementPairPoints project_onto_twin(const FacetSurface& own, const TwinFace& twin,
-                                    const HatElement& triangle) {
+ElementPairPoints project_onto_coincident_face(const FacetSurface& own, const CoincidentFace& twin,
+                                               const HatElement& triangle) {
   const geometry::ElementSide& face = own.facets[triangle.facet];
   const std::size_t corners = corner_count(face);
   ElementPairPoints projection;
-  for_hat_points(face, triangle.node, twin_degree,
-                 [&](const Vec3& hat, const Vec2& r, double weight) {
-                   PairPoint point;
-                   point.facet = triangle.facet;
-                   point.target = twin.face;
-                   point.r = r;
-                   point.s = place_on_twin(twin, corners, r);
-                   point.hat = hat;
-                   const geometry::SidePoint at = face.point(point.r);
-                   point.x = at.x;
-                   point.normal = surface_normal(own, triangle.facet, at);
-                   point.turn = 1.0;
-                   point.weight = weight * at.area_vector().norm();
-                   projection.whole += point.weight * point.hat;
-                   projection.flat_area += point.weight;
-                   projection.points.push_back(point);
-                 });
+  for_hat_quadrature_points(face, triangle.node, twin_degree,
+                            [&](const Vec3& hat, const Vec2& r, double weight) {
+                              PairPoint point;
+                              point.facet = triangle.facet;
+                              point.target = twin.face;
+                              point.r = r;
+                              point.s = place_on_twin(twin, corners, r);
+                              point.hat = hat;
+                              const geometry::SidePoint at = face.point(point.r);
+                              point.x = at.x;
+                              point.normal = surface_normal(own, triangle.facet, at);
+                              point.turn = 1.0;
+                              point.weight = weight * at.area_vector().norm();
+                              projection.whole += point.weight * point.hat;
+                              projection.flat_area += point.weight;
+                              projection.points.push_back(point);
+                            });
   projection.flat_seen = projection.flat_area;
   return projection;
 }

@@ -12,17 +12,18 @@
 namespace spricka::contact {
 
 /// The face of the target that lies on a face of the contact surface.
-struct TwinFace {
+struct CoincidentFace {
   std::size_t face = 0;
   std::array<Vec2, 4> corner{}; ///< of the contact surface's face: reference places on it
 };
 
 /// [face of `own`] its twin, whose corners are at the same places. Empty: a face has
 /// none.
-std::optional<std::vector<TwinFace>> twin_faces(const FacetSurface& own, const FacetSurface& other);
+std::optional<std::vector<CoincidentFace>> match_coincident_faces(const FacetSurface& own,
+                                                                  const FacetSurface& other);
 
 /// What a triangle sees of the twin of its face: all of it, without a gap, by a rule of degree 5.
-ElementPairPoints project_onto_twin(const FacetSurface& own, const TwinFace& twin,
-                                    const HatElement& triangle);
+ElementPairPoints project_onto_coincident_face(const FacetSurface& own, const CoincidentFace& twin,
+                                               const HatElement& triangle);
 
 } // namespace spricka::contact

@@ -69,7 +69,8 @@ void SurfaceChart::sort_facets() {
 namespace {
 
 /// Barycentric coordinates of a place in the plane of a triangle.
-Eigen::Vector3d barycentric(const Vec2& p, const Vec2& a, const Vec2& b, const Vec2& c) {
+Eigen::Vector3d barycentric_coordinates(const Vec2& p, const Vec2& a, const Vec2& b,
+                                        const Vec2& c) {
   const double area = cross(b - a, c - a);
   const double hb = cross(p - a, c - a) / area;
   const double hc = cross(b - a, p - a) / area;
@@ -80,8 +81,9 @@ Eigen::Vector3d barycentric(const Vec2& p, const Vec2& a, const Vec2& b, const V
 
 Eigen::Vector3d SurfaceChart::hats(std::size_t facet, const Vec2& u) const {
   const auto& v = net_.facets()[facet].vertex;
-  return barycentric(u, u_[static_cast<std::size_t>(v[0])], u_[static_cast<std::size_t>(v[1])],
-                     u_[static_cast<std::size_t>(v[2])]);
+  return barycentric_coordinates(u, u_[static_cast<std::size_t>(v[0])],
+                                 u_[static_cast<std::size_t>(v[1])],
+                                 u_[static_cast<std::size_t>(v[2])]);
 }
 
 /// The facet that has u, the first of several; beyond the border the nearest, and the nearest place
@@ -122,7 +124,7 @@ Vec2 SurfaceChart::at(std::size_t face, const Vec2& r) const {
     double most = -std::numeric_limits<double>::max();
     for (std::size_t f = net_.first_facet(i); f < net_.first_facet(i + 1); ++f) {
       const FacetNet::SurfaceFacet& facet = net_.facets()[f];
-      const Eigen::Vector3d hat = barycentric(r, facet.r[0], facet.r[1], facet.r[2]);
+      const Eigen::Vector3d hat = barycentric_coordinates(r, facet.r[0], facet.r[1], facet.r[2]);
       const double least = std::min({hat[1], hat[2], hat[0]});
       if (least > most) {
         most = least;

@@ -148,8 +148,8 @@ std::vector<results::ContactPairPreview> preview_pairs(const analysis::Discretis
     preview.slave_facing = slave.facing;
     preview.master_edges = master.edges;
     preview.master_facing = master.facing;
-    preview.slave_overhang = slave.overhang();
-    preview.master_overhang = master.overhang();
+    preview.slave_overhang = slave.unpaired_fraction();
+    preview.master_overhang = master.unpaired_fraction();
     preview.pairing = card.pairing == model::PairingMethod::node ? "node" : "segment";
     preview.choice = pair.choice;
     preview.rows = pair.normal.size() + pair.tangent.size();

@@ -27,7 +27,8 @@ struct Case {
 class Axial : public testing::TestWithParam<Case> {
 protected:
   [[nodiscard]] static contact::PairConstraints rows(double from, const model::Model& model) {
-    contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+    contact::PairConstraints pair =
+        contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
     EXPECT_TRUE(pair.found && pair.trouble.empty()) << from << pair.trouble;
     return pair;
   }
@@ -118,7 +119,8 @@ TEST(AxialRecovery, PressureAtTheAxisConverges) {
     TwoBlocks spec;
     spec.lower = spec.upper = n;
     const model::Model model = test::two_blocks(spec);
-    const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+    const contact::PairConstraints pair =
+        contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
     base::Vector lambda(static_cast<Eigen::Index>(pair.normal.size()));
     for (std::size_t i = 0; i < pair.normal.size(); ++i) {
       const double r = model.mesh.x[pair.normal[i].node.index()].x();

@@ -40,26 +40,26 @@ TEST(Clip, PiecesOfATriangleMakeItUp) {
     const Vec2 inner = a * whole[0] + b * whole[1] + (1.0 - a - b) * whole[2];
     double sum = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
-      sum += area_of(common_polygon({whole[k], whole[(k + 1) % 3], inner}, other));
+      sum += area_of(intersect_triangles({whole[k], whole[(k + 1) % 3], inner}, other));
     }
-    EXPECT_NEAR(sum, area_of(common_polygon(whole, other)), 1e-14);
-    EXPECT_NEAR(area_of(common_polygon(other, whole)), area_of(common_polygon(whole, other)),
-                1e-14);
-    EXPECT_LE(common_polygon(whole, other).size(), 6U);
+    EXPECT_NEAR(sum, area_of(intersect_triangles(whole, other)), 1e-14);
+    EXPECT_NEAR(area_of(intersect_triangles(other, whole)),
+                area_of(intersect_triangles(whole, other)), 1e-14);
+    EXPECT_LE(intersect_triangles(whole, other).size(), 6U);
   }
 }
 
 TEST(Clip, TheSameTwiceIsItself) {
   const PlaneTriangle t{Vec2(0.0, 0.0), Vec2(3.0, 0.0), Vec2(1.0, 2.0)};
-  EXPECT_DOUBLE_EQ(area_of(common_polygon(t, t)), 3.0);
-  EXPECT_TRUE(common_polygon(t, {Vec2(4.0, 0.0), Vec2(5.0, 0.0), Vec2(4.0, 1.0)}).empty());
+  EXPECT_DOUBLE_EQ(area_of(intersect_triangles(t, t)), 3.0);
+  EXPECT_TRUE(intersect_triangles(t, {Vec2(4.0, 0.0), Vec2(5.0, 0.0), Vec2(4.0, 1.0)}).empty());
 }
 
 TEST(Clip, BarycentricCoordinatesGiveThePointBack) {
   std::mt19937 random(5);
   const PlaneTriangle t = random_triangle(random);
   const Vec2 x(0.3, -2.0); // outside too
-  const Eigen::Vector3d share = barycentric(t, x);
+  const Eigen::Vector3d share = barycentric_coordinates(t, x);
   EXPECT_NEAR(share.sum(), 1.0, 1e-14);
   EXPECT_LT((share[0] * t[0] + share[1] * t[1] + share[2] * t[2] - x).norm(), 1e-12);
 }

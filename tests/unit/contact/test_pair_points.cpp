@@ -27,10 +27,10 @@ struct Overlap {
 
 Overlap overlap(ElementType type, bool swapped) {
   Overlap blocks{test::two_blocks({type, model::StressState::plane_strain, 5, 7, 0.3, 1.45}), {}};
-  contact::ContactSurface low = contact::make_surface(blocks.model, blocks.model.mesh,
-                                                      test::face_set(blocks.model, "LO.YMAX"));
-  contact::ContactSurface up = contact::make_surface(blocks.model, blocks.model.mesh,
-                                                     test::face_set(blocks.model, "UP.YMIN"));
+  contact::ContactSurface low = contact::make_contact_surface(
+      blocks.model, blocks.model.mesh, test::face_set(blocks.model, "LO.YMAX"));
+  contact::ContactSurface up = contact::make_contact_surface(
+      blocks.model, blocks.model.mesh, test::face_set(blocks.model, "UP.YMIN"));
   blocks.pair.contact = std::move(swapped ? up : low);
   blocks.pair.target = std::move(swapped ? low : up);
   return blocks;
@@ -39,7 +39,7 @@ Overlap overlap(ElementType type, bool swapped) {
 // What all elements of the contact surface meet together.
 contact::ElementPairPoints projected(const contact::PairConstraints& pair) {
   contact::ElementPairPoints all;
-  const contact::ElementProjector project = contact::target_projector(pair);
+  const contact::ElementProjector project = contact::make_target_projector(pair);
   for (const contact::HatElement& element : pair.contact.elements) {
     const contact::ElementPairPoints one = project(element);
     EXPECT_TRUE(one.trouble.empty()) << one.trouble;
@@ -104,13 +104,13 @@ TEST_P(PairPoints, LinearFieldsAreIntegratedExactly) {
 TEST_P(PairPoints, RowsAreAPartitionOfUnity) {
   const model::Model model = test::two_rings(16, 21, GetParam());
   contact::PairConstraints pair;
-  pair.contact = contact::make_surface(model, model.mesh, model.contacts[0].slave);
-  pair.target = contact::make_surface(model, model.mesh, model.contacts[0].master);
+  pair.contact = contact::make_contact_surface(model, model.mesh, model.contacts[0].slave);
+  pair.target = contact::make_contact_surface(model, model.mesh, model.contacts[0].master);
   double weight = 0.0;
   for (const contact::PairPoint& p : projected(pair).points) {
     weight += p.weight;
   }
-  contact::fill_mortar_rows(pair, contact::target_projector(pair),
+  contact::fill_mortar_rows(pair, contact::make_target_projector(pair),
                             {.declared_gap = 0.01, .tangents = true});
   ASSERT_TRUE(pair.found);
   ASSERT_EQ(pair.tangent.size(), pair.normal.size());

@@ -26,7 +26,8 @@ class PairingMethod : public testing::TestWithParam<ElementType> {};
 
 TEST_P(PairingMethod, RowsOfFullCirclesCoverTheWholeSurface) {
   const model::Model model = test::two_rings(16, 21, GetParam());
-  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair =
+      contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
   ASSERT_TRUE(pair.found);
   EXPECT_TRUE(pair.trouble.empty()) << pair.trouble;
   double area = 0.0;
@@ -43,7 +44,8 @@ TEST_P(PairingMethod, RowsOfFullCirclesCoverTheWholeSurface) {
 
 TEST_P(PairingMethod, ForcesOfARowBalanceAndHaveNoMoment) {
   const model::Model model = test::two_rings(16, 21, GetParam());
-  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair =
+      contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
   for (const contact::ConstraintRow& row : pair.normal) {
     base::Vec3 sum = base::Vec3::Zero();
     double moment = 0.0;
@@ -59,7 +61,8 @@ TEST_P(PairingMethod, ForcesOfARowBalanceAndHaveNoMoment) {
 
 TEST_P(PairingMethod, RotationOfOneRingOpensNothing) {
   const model::Model model = test::two_rings(16, 21, GetParam());
-  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair =
+      contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
   for (const contact::ConstraintRow& row : pair.normal) {
     const double g = opening(row, model.mesh, [&](const base::Vec3& x, base::NodeId n) {
       const bool inner = model.mesh.node_net[n.index()] == base::NetId(std::size_t{0});
@@ -76,30 +79,33 @@ INSTANTIATE_TEST_SUITE_P(Types, PairingMethod,
 TEST(PairingMethod, DeclaredGapIsUsedExactly) {
   model::Model model = test::two_rings(12, 15, ElementType::quamc8);
   model.contacts[0].gap = -0.01;
-  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair =
+      contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
   for (const contact::ConstraintRow& row : pair.normal) {
     EXPECT_DOUBLE_EQ(row.gap, -0.01 * row.area);
   }
 }
 
 TEST(PairingMethod, SofterSideCarriesTheMultipliersWhenSizesAreAlike) {
-  EXPECT_TRUE(contact::pair_rows(test::two_rings(16, 17, ElementType::quamc8, 0.1),
-                                 test::two_rings(16, 17, ElementType::quamc8, 0.1).mesh,
-                                 test::two_rings(16, 17, ElementType::quamc8, 0.1).contacts[0])
-                  .swapped);
+  EXPECT_TRUE(
+      contact::build_pair_constraints(test::two_rings(16, 17, ElementType::quamc8, 0.1),
+                                      test::two_rings(16, 17, ElementType::quamc8, 0.1).mesh,
+                                      test::two_rings(16, 17, ElementType::quamc8, 0.1).contacts[0])
+          .swapped);
   const model::Model stiff = test::two_rings(16, 17, ElementType::quamc8, 10.0);
-  EXPECT_FALSE(contact::pair_rows(stiff, stiff.mesh, stiff.contacts[0]).swapped);
+  EXPECT_FALSE(contact::build_pair_constraints(stiff, stiff.mesh, stiff.contacts[0]).swapped);
 }
 
 TEST(PairingMethod, CoarserSideCarriesTheMultipliers) {
   const model::Model model = test::two_rings(40, 12, ElementType::quamc8, 10.0);
-  EXPECT_TRUE(contact::pair_rows(model, model.mesh, model.contacts[0]).swapped);
+  EXPECT_TRUE(contact::build_pair_constraints(model, model.mesh, model.contacts[0]).swapped);
 }
 
 TEST(PairingMethod, NodePairsThatDoNotMatchAreRefused) {
   model::Model model = test::two_rings(16, 21, ElementType::quamc8);
   model.contacts[0].pairing = model::PairingMethod::node;
-  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair =
+      contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
   EXPECT_TRUE(!pair.trouble.empty() || !pair.found);
 }
 
@@ -110,7 +116,8 @@ TEST(PairingMethod, SurfacesThatLookAwayAreNotFound) {
       model.contacts[0].master = base::FaceSetId(i);
     }
   }
-  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair =
+      contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
   EXPECT_FALSE(pair.found);
 }
 
@@ -119,12 +126,13 @@ TEST(PairingMethod, SurfacesThatLookAwayAreNotFound) {
 TEST(PairingMethod, FrictionHasTheSlipRowsOfABondedPair) {
   model::Model model = test::two_rings(16, 21, ElementType::quamc8);
   model::Contact contact = model.contacts[0];
-  EXPECT_TRUE(contact::pair_rows(model, model.mesh, contact).tangent.empty());
+  EXPECT_TRUE(contact::build_pair_constraints(model, model.mesh, contact).tangent.empty());
   contact.mu = 0.3;
-  const contact::PairConstraints rubs = contact::pair_rows(model, model.mesh, contact);
+  const contact::PairConstraints rubs = contact::build_pair_constraints(model, model.mesh, contact);
   contact.mu = 0.0;
   contact.type = model::ContactType::bonded;
-  const contact::PairConstraints bonded = contact::pair_rows(model, model.mesh, contact);
+  const contact::PairConstraints bonded =
+      contact::build_pair_constraints(model, model.mesh, contact);
   ASSERT_EQ(rubs.tangent.size(), rubs.normal.size());
   ASSERT_EQ(rubs.tangent.size(), bonded.tangent.size());
   for (std::size_t i = 0; i < rubs.tangent.size(); ++i) {

@@ -36,9 +36,9 @@ TEST(PushOnly, ForceAndShearStayAndNothingPulls) {
     const model::Model model = round ? test::two_rings(24, 24, base::ElementType::quamc8)
                                      : test::two_blocks({.lower = 12, .upper = 12});
     const contact::ContactSurface surface =
-        contact::make_surface(model, model.mesh, model.contacts[0].slave);
-    const std::size_t n = contact::chain_ranges(surface).front().count;
-    ASSERT_EQ(contact::chain_ranges(surface).front().closed, round);
+        contact::make_contact_surface(model, model.mesh, model.contacts[0].slave);
+    const std::size_t n = contact::node_ranges_of_chains(surface).front().count;
+    ASSERT_EQ(contact::node_ranges_of_chains(surface).front().closed, round);
     for (int k = 0; k < 200; ++k) {
       Vector p(static_cast<Eigen::Index>(n));
       Vector area(p.size());
@@ -61,7 +61,7 @@ TEST(PushOnly, ForceAndShearStayAndNothingPulls) {
 TEST(PushOnly, TheNearestNodesBearIt) {
   const model::Model model = test::two_blocks({.lower = 4, .upper = 4});
   const contact::ContactSurface surface =
-      contact::make_surface(model, model.mesh, model.contacts[0].slave);
+      contact::make_contact_surface(model, model.mesh, model.contacts[0].slave);
   Vector p = Vector::Constant(9, 2.0);
   Vector q;
   p[3] = -1.0;
@@ -95,7 +95,7 @@ TEST(PushOnly, MeanOfHertzIsThatOfThePartInContact) {
       model.contacts[0].pairing =
           nodes ? model::PairingMethod::node : model::PairingMethod::segment;
       const contact::PairConstraints pair =
-          contact::pair_rows(model, model.mesh, model.contacts[0]);
+          contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
       const double spacing = type == base::ElementType::quam4 ? 0.05 : 0.025;
       for (double a = 0.5; a < 0.5 + spacing; a += 0.2 * spacing) {
         Vector lambda(static_cast<Eigen::Index>(pair.normal.size()));
@@ -122,7 +122,8 @@ TEST(PushOnly, RecoveredPressureOfARandomPairNeverPulls) {
     model::Model model = test::two_blocks(
         {.state = model::StressState::plane_stress, .lower = 10, .upper = nodes ? 10 : 7});
     model.contacts[0].pairing = nodes ? model::PairingMethod::node : model::PairingMethod::segment;
-    const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+    const contact::PairConstraints pair =
+        contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
     for (int k = 0; k < 100; ++k) {
       Vector lambda(static_cast<Eigen::Index>(pair.normal.size()));
       std::vector<bool> closed;
@@ -146,7 +147,8 @@ TEST(PushOnly, RecoveredPressureOfARandomPairNeverPulls) {
 // What is glued may pull.
 TEST(PushOnly, BondedPairsPull) {
   const model::Model model = test::two_blocks({.state = model::StressState::plane_stress});
-  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair =
+      contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
   const auto n = static_cast<Eigen::Index>(pair.normal.size());
   const contact::PairPressure p =
       contact::recover_pressure(pair, Vector::Constant(n, -3.0), Vector::Zero(n),

@@ -14,7 +14,8 @@ namespace {
 
 TEST(Recovery, UniformPressureComesBackFromBothMasses) {
   const model::Model model = test::two_rings(24, 31, base::ElementType::quamc8);
-  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair =
+      contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
   const auto n = static_cast<Eigen::Index>(pair.normal.size());
   const contact::PairPressure p =
       contact::recover_pressure(pair, base::Vector::Constant(n, 7.0), base::Vector::Zero(n),
@@ -44,7 +45,8 @@ TEST(Recovery, NodePairsGiveUniformPressureFromConsistentForces) {
     }
   }
   model.contacts[0].pairing = model::PairingMethod::node;
-  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair =
+      contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
   ASSERT_TRUE(pair.found && pair.trouble.empty()) << pair.trouble;
   const auto n = static_cast<Eigen::Index>(pair.normal.size());
   const double t = std::numbers::pi / 24.0;
@@ -68,7 +70,8 @@ TEST(Recovery, RimOfThePairedPartKeepsItsPressure) {
   model::Model model = test::two_rings(24, 31, base::ElementType::quamc8);
   std::vector<model::Face>& outer = model.mesh.face_sets[model.contacts[0].master.index()].faces;
   outer.erase(outer.begin(), outer.begin() + 12);
-  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair =
+      contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
   ASSERT_FALSE(pair.swapped);
   const auto n = static_cast<Eigen::Index>(pair.normal.size());
   const contact::PairPressure p =
@@ -97,7 +100,8 @@ double hertz_mean(double theta, double c, double d) {
 // p = p0 sqrt(1 - (theta / c)^2) over |theta| < c: its force and moment find c between the nodes.
 TEST(Recovery, ArcEndsFollowTheSquareRootLaw) {
   const model::Model model = test::two_rings(72, 72, base::ElementType::quamc8);
-  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair =
+      contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
   const double c = 1.234;
   base::Vector lambda(static_cast<Eigen::Index>(pair.normal.size()));
   std::vector<bool> closed;
@@ -122,7 +126,8 @@ TEST(Recovery, ArcEndsWhereTheSurfaceEnds) {
   std::vector<model::Face>& inner = model.mesh.face_sets[model.contacts[0].slave.index()].faces;
   inner.erase(inner.begin() + 18, inner.end()); // 0 to 180 degrees stay
   for (const bool flipped : {false, true}) {
-    const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+    const contact::PairConstraints pair =
+        contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
     ASSERT_FALSE(pair.swapped);
     const double c = 1.234;
     base::Vector lambda = base::Vector::Zero(static_cast<Eigen::Index>(pair.normal.size()));
@@ -148,7 +153,8 @@ TEST(Recovery, ArcEndsWhereTheSurfaceEnds) {
 // A pair that is open all along has no arc, whatever gap is left.
 TEST(Recovery, OpenPairHasNoArc) {
   const model::Model model = test::two_rings(24, 31, base::ElementType::quamc8);
-  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair =
+      contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
   const auto n = static_cast<Eigen::Index>(pair.normal.size());
   const contact::PairPressure p =
       contact::recover_pressure(pair, base::Vector::Zero(n), base::Vector::Constant(n, 1.0),
@@ -188,17 +194,18 @@ TEST(Recovery, WavesBetweenCornersAndMiddlesAreLeftOut) {
     lambda[static_cast<Eigen::Index>(i)] = 3.0 - 0.5 * place[i];
   }
   base::Vector plain = base::Vector::Zero(lambda.size());
-  contact::filter_pressure(surface, number, std::vector<bool>(5, true), lambda, plain);
+  contact::filter_alternating_pressure(surface, number, std::vector<bool>(5, true), lambda, plain);
   EXPECT_LT((plain - lambda).cwiseAbs().maxCoeff(), 1e-14);
   base::Vector wave = lambda;
   for (Eigen::Index i = 0; i < wave.size(); ++i) {
     wave[i] += i % 2 == 0 ? 0.1 : -0.1;
   }
   base::Vector without = base::Vector::Zero(lambda.size());
-  contact::filter_pressure(surface, number, std::vector<bool>(5, true), wave, without);
+  contact::filter_alternating_pressure(surface, number, std::vector<bool>(5, true), wave, without);
   EXPECT_LT((without - plain).cwiseAbs().maxCoeff(), 1e-14);
   base::Vector open = base::Vector::Constant(lambda.size(), -1.0); // edge 2 is open
-  contact::filter_pressure(surface, number, {true, true, false, true, true}, wave, open);
+  contact::filter_alternating_pressure(surface, number, {true, true, false, true, true}, wave,
+                                       open);
   for (const Eigen::Index i : {4, 5, 6}) {
     EXPECT_EQ(open[i], -1.0);
   }

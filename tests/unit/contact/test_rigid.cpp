@@ -33,7 +33,7 @@ TwoBlocks plane(ElementType type) {
 }
 
 contact::PairConstraints pair_of(const model::Model& model) {
-  return contact::pair_rows(model, model.mesh, model.contacts[0]);
+  return contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
 }
 
 // Sum and first moment of the forces of a unit pressure.
@@ -159,7 +159,7 @@ TEST_P(RigidArc, NormalsAreRadialAndGapsThoseOfTheMesh) {
     const contact::GapSurvey seen = contact::survey_gaps(pair.contact, *pair.rigid);
     EXPECT_EQ(seen.facing, seen.edges);
     EXPECT_NEAR(seen.gap_mean, 0.25, sagitta * (bore ? 3.0 : 1.0));
-    EXPECT_LT(seen.overhang(), 1e-9);
+    EXPECT_LT(seen.unpaired_fraction(), 1e-9);
     EXPECT_TRUE(contact::find_singular_edges(pair).empty());
   }
 }

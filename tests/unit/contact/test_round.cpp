@@ -131,7 +131,7 @@ TEST_P(CrackDistances, AlongARayItEndsOnTheShape) {
   const Samples samples = sampled(shape, 2.0, 4.0);
   for (const PointNormal& at : samples.normals) {
     const Vec3 n = (at.normal + 0.3 * at.normal.unitOrthogonal()).normalized();
-    const std::optional<double> g = distance_along(shape, at.x - 0.05 * n, n);
+    const std::optional<double> g = distance_along_direction(shape, at.x - 0.05 * n, n);
     ASSERT_TRUE(g);
     EXPECT_NEAR(*g, 0.05, 1e-12);
   }

@@ -23,7 +23,7 @@ using base::ElementType;
 using base::Vec3;
 
 contact::PairConstraints pair_of(const model::Model& model) {
-  return contact::pair_rows(model, model.mesh, model.contacts[0]);
+  return contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
 }
 
 base::Vector field(const model::Mesh& mesh,

@@ -41,7 +41,7 @@ protected:
     spec.upper_is_slave = upper_is_slave;
     spec.more_on_upper = soft_upper;
     model = test::stacked_solids(spec);
-    pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+    pair = contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
   }
   model::Model model;
   contact::PairConstraints pair;
@@ -123,12 +123,13 @@ TEST(SpaceSide, TheCoarserSideCarriesTheMultipliers) {
   spec.upper_cells = 3; // 2 wide against 10/9
   spec.lower_cells = 9;
   const model::Model model = test::stacked_solids(spec);
-  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair =
+      contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
   EXPECT_FALSE(pair.swapped);
   EXPECT_EQ(pair.choice, "slave side: coarser where they meet");
   spec.upper_is_slave = false;
   const model::Model other = test::stacked_solids(spec);
-  EXPECT_TRUE(contact::pair_rows(other, other.mesh, other.contacts[0]).swapped);
+  EXPECT_TRUE(contact::build_pair_constraints(other, other.mesh, other.contacts[0]).swapped);
 }
 
 // A coarse side of which the other meets few faces would have few functions there.
@@ -137,7 +138,8 @@ TEST(SpaceSide, AFootOnFewCoarseFacesHasThemItself) {
   spec.lower_cells = 2;
   spec.upper_cells = 4;
   const model::Model model = test::stacked_solids(spec);
-  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair =
+      contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
   EXPECT_FALSE(pair.swapped);
   EXPECT_EQ(pair.choice, "slave side: few faces of the coarser one are met");
 }
@@ -156,7 +158,8 @@ TEST(SpaceSide, FacesFarFromThePartnerDoNotCount) {
       x[c] *= std::abs(x[c]) > 3.0 ? 1.0 + 4.0 * (std::abs(x[c]) - 3.0) : 1.0;
     }
   }
-  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair =
+      contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
   EXPECT_FALSE(pair.swapped) << pair.choice; // 1 against 0.5
 }
 
@@ -165,7 +168,8 @@ TEST(SpaceOverhang, WeakFunctionsJoinTheirNeighbours) {
   spec.upper_cells = 8;
   spec.lower_cells = 5;
   const model::Model model = test::stacked_solids(spec);
-  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair =
+      contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
   EXPECT_TRUE(pair.swapped);
   EXPECT_GT(pair.merged, 0);
   double area = 0.0;
@@ -193,7 +197,8 @@ TEST(SpaceGap, MeasuredAlongTheNormal) {
       model.mesh.x[n].z() += 0.05 + 0.01 * model.mesh.x[n].x();
     }
   }
-  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair =
+      contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
   double volume = 0.0;
   double round = 0.0;
   for (const contact::ConstraintRow& row : pair.normal) {
@@ -207,7 +212,8 @@ TEST(SpaceGap, MeasuredAlongTheNormal) {
 
 TEST(SpacePressure, OfEqualMultipliersIsTheSameEverywhere) {
   const model::Model model = test::stacked_solids({});
-  const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const contact::PairConstraints pair =
+      contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
   const auto n = static_cast<Eigen::Index>(pair.normal.size());
   const contact::PairPressure p =
       contact::recover_pressure(pair, base::Vector::Constant(n, 3.0), base::Vector::Zero(n),

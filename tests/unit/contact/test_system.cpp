@@ -23,7 +23,7 @@ TEST(CondensedBody, PseudoInverseLeavesTheFreeModeOut) {
   ASSERT_TRUE(body.is_factorised());
   base::Matrix F(2, 1);
   F << 5.0, 2.0;
-  const base::Matrix u = body.displacements_under(F);
+  const base::Matrix u = body.displacements_under_forces(F);
   EXPECT_NEAR(u(0, 0), 0.0, 1e-14);
   EXPECT_NEAR(u(1, 0), 0.5, 1e-14);
 }
@@ -39,7 +39,7 @@ TEST(CondensedBody, PseudoInverseOfARandomSemidefiniteMatrix) {
   const base::Matrix S = A * A.transpose();
   const contact::CondensedBody body({0, 1, 2, 3, 4, 5}, S, modes);
   const base::Matrix F = base::Matrix::NullaryExpr(6, 3, [&] { return value(random); });
-  const base::Matrix u = body.displacements_under(F);
+  const base::Matrix u = body.displacements_under_forces(F);
   EXPECT_LT((S * u - (F - N * F)).norm(), 1e-12);
   EXPECT_LT((modes.transpose() * u).norm(), 1e-12);
   const base::Matrix Y = body.compliance_root(F);
@@ -89,7 +89,7 @@ TEST(ContactSystem, LastingRowsChangeNoBit) {
     all.push_back(&rows[r]);
   }
   const contact::ContactSystem plain({&body}, all, 2, 8);
-  contact::PersistentRows kept;
+  contact::PersistentRowCompliance kept;
   const contact::PersistentRowSet lasting{{true, false, true, true}, {&kept}};
   const contact::ContactSystem made({&body}, all, 2, 8, {}, lasting);
   EXPECT_EQ(kept.rows.size(), 3U);
@@ -97,7 +97,7 @@ TEST(ContactSystem, LastingRowsChangeNoBit) {
             1e-13 * plain.row_compliance().norm());
   rows[1].entries[0].weight.x() = 0.5; // what does not last may change
   const contact::ContactSystem taken({&body}, all, 2, 8, {}, lasting);
-  contact::PersistentRows none;
+  contact::PersistentRowCompliance none;
   const contact::ContactSystem anew({&body}, all, 2, 8, {}, {{true, false, true, true}, {&none}});
   EXPECT_EQ((taken.row_compliance() - anew.row_compliance()).cwiseAbs().maxCoeff(), 0.0);
   rows[0].entries[0].weight.x() = 0.25; // a row that was to last did not
@@ -127,7 +127,7 @@ TEST(ContactSystem, RowsOnEarlyRowsLastFromBodyToBody) {
     rows[r].entries = {{base::NodeId(r), {value(random), value(random), 0.0}}};
     all.push_back(&rows[r]);
   }
-  contact::PersistentRows kept;
+  contact::PersistentRowCompliance kept;
   for (int length = 0; length < 3; ++length) {
     const base::Matrix own = positive(6);
     base::Matrix whole = base::Matrix::Zero(10, 10);
@@ -147,12 +147,12 @@ TEST(ContactSystem, RowsOnEarlyRowsLastFromBodyToBody) {
     EXPECT_EQ(kept.rows.size(), 2U); // row 2 would last, but its freedoms are not early
     EXPECT_LT((kept_rows.row_compliance() - plain.row_compliance()).norm(),
               1e-11 * plain.row_compliance().norm());
-    contact::PersistentRows none;
+    contact::PersistentRowCompliance none;
     const contact::ContactSystem anew({&body}, all, 2, 8, {}, {{true, true, true, false}, {&none}});
     EXPECT_EQ((kept_rows.row_compliance() - anew.row_compliance()).cwiseAbs().maxCoeff(), 0.0);
     const base::Matrix F = base::Matrix::NullaryExpr(8, 2, [&] { return value(random); });
-    const base::Matrix u = plain_body.displacements_under(F);
-    EXPECT_LT((body.displacements_under(F) - u).norm(), 1e-11 * u.norm());
+    const base::Matrix u = plain_body.displacements_under_forces(F);
+    EXPECT_LT((body.displacements_under_forces(F) - u).norm(), 1e-11 * u.norm());
   }
 }
 
@@ -191,7 +191,7 @@ TEST(ContactSystem, PivotsOfHeldRowsAreInversesOfThoseOfOpenOnes) {
   const contact::FixedActiveSet fixed(system, held);
   ASSERT_TRUE(fixed.is_consistent());
   const std::vector<base::Matrix> load{force, on_other};
-  const contact::UnconstrainedResponse free = contact::unconstrained_response(system, load);
+  const contact::ResponseWithoutContact free = contact::response_without_contact(system, load);
   const std::vector<base::Matrix> moved =
       fixed.displacement(load, fixed.solve_response(free.opening, free.on_mode));
   EXPECT_NEAR(system.opening(2, {moved[0].col(0), moved[1].col(0)}), fixed.pivots({2})[0], 1e-12);

@@ -20,7 +20,8 @@ TEST(ContactLoad, ALinearPressureWorksOnTheModesAsInTheIntegral) {
     spec.lower = lower;
     spec.upper = upper;
     const model::Model model = test::two_blocks(spec);
-    const contact::PairConstraints pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+    const contact::PairConstraints pair =
+        contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
     ASSERT_FALSE(pair.swapped);
     const estimate::EdgeTable table = estimate::find_edges(model.mesh);
     std::map<std::size_t, double> force; // by freedom
