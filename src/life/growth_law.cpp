@@ -134,7 +134,7 @@ double GrowthRateLaw::by_root(double rate, double R) const {
     }
     begin = end - reach;
   }
-  const std::optional<double> root = increasing_root(excess, begin, end);
+  const std::optional<double> root = root_of_increasing_function(excess, begin, end);
   return root ? std::exp(*root) : no_value;
 }
 
@@ -166,14 +166,14 @@ double GrowthRateLaw::K_range_for_rate(double rate, double R) const {
   return found > constants_.threshold ? found : no_value;
 }
 
-std::optional<std::array<double, 2>> GrowthRateLaw::table_ends() const {
+std::optional<std::array<double, 2>> GrowthRateLaw::table_K_range() const {
   if (law_ != CrackGrowthLaw::table) {
     return std::nullopt;
   }
   return std::array{std::exp(log_k_.front()), std::exp(log_k_.back())};
 }
 
-bool GrowthRateLaw::table_covers(double delta_K) const {
+bool GrowthRateLaw::is_within_table(double delta_K) const {
   if (law_ != CrackGrowthLaw::table) {
     return true;
   }

@@ -40,9 +40,9 @@ public:
   [[nodiscard]] std::optional<double> toughness() const { return constants_.k_c; }
   [[nodiscard]] double threshold() const { return constants_.threshold; }
   /// Whether delta K lies within the rows of a table; the other laws have no such bounds.
-  [[nodiscard]] bool table_covers(double delta_K) const;
+  [[nodiscard]] bool is_within_table(double delta_K) const;
   /// Delta K of the first and the last row of a table [stress intensity]; empty for other laws.
-  [[nodiscard]] std::optional<std::array<double, 2>> table_ends() const;
+  [[nodiscard]] std::optional<std::array<double, 2>> table_K_range() const;
 
 private:
   [[nodiscard]] double formula(double range, double R) const;

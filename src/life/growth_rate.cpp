@@ -48,8 +48,8 @@ double scatter_of(std::span<const CrackReading> readings) {
   return *middle / median_of_normal;
 }
 
-MeasuredRates secants(std::span<const CrackReading> readings) {
-  MeasuredRates found;
+MeasuredGrowthRates secants(std::span<const CrackReading> readings) {
+  MeasuredGrowthRates found;
   found.scatter = scatter_of(readings);
   // So many degrees of freedom that the quantile is that of the normal distribution (life.15).
   const double both_ends = std::sqrt(2.0) * found.scatter * student_quantile(1e9);
@@ -99,9 +99,9 @@ Parabola fit(std::span<const CrackReading> window, bool logarithmic) {
           .square = (y - X * b).squaredNorm()};
 }
 
-MeasuredRates polynomials(std::span<const CrackReading> readings, std::size_t window,
-                          bool logarithmic) {
-  MeasuredRates found;
+MeasuredGrowthRates polynomials(std::span<const CrackReading> readings, std::size_t window,
+                                bool logarithmic) {
+  MeasuredGrowthRates found;
   const double freedoms = static_cast<double>(window) - 3.0;
   const double quantile = student_quantile(freedoms);
   double square = 0.0;
@@ -122,7 +122,7 @@ MeasuredRates polynomials(std::span<const CrackReading> readings, std::size_t wi
   return found;
 }
 
-MeasuredRates splines(std::span<const CrackReading> readings) {
+MeasuredGrowthRates splines(std::span<const CrackReading> readings) {
   std::vector<double> x, y, weight;
   for (const CrackReading& reading : readings) {
     x.push_back(reading.cycles);
@@ -131,7 +131,7 @@ MeasuredRates splines(std::span<const CrackReading> readings) {
     weight.push_back(reading.a);
   }
   const SmoothedCurve curve = smoothing_spline(x, y, weight);
-  MeasuredRates found;
+  MeasuredGrowthRates found;
   found.scatter = curve.deviation;
   found.freedoms = curve.freedoms;
   const double quantile = student_quantile(static_cast<double>(x.size()) - curve.freedoms);
@@ -147,8 +147,8 @@ MeasuredRates splines(std::span<const CrackReading> readings) {
 
 } // namespace
 
-MeasuredRates measured_rates(std::span<const CrackReading> readings, TestRateMethod method,
-                             int window) {
+MeasuredGrowthRates compute_growth_rates(std::span<const CrackReading> readings,
+                                         TestRateMethod method, int window) {
   assert(readings.size() >= model::readings_needed(method, window));
   assert(window >= 5 && window % 2 == 1);
   switch (method) {

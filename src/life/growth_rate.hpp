@@ -13,21 +13,21 @@ struct CrackReading {
   double a = 0.0; ///< [length]
 };
 
-struct MeasuredRate {
+struct MeasuredGrowthRate {
   double cycles = 0.0;
   double a = 0.0;          ///< smoothed; of a secant half way
   double rate = 0.0;       ///< da/dN [length per cycle]; scatter may make it negative
   double half_width = 0.0; ///< the rate lies within rate +- this with 95 %
 };
 
-struct MeasuredRates {
-  std::vector<MeasuredRate> points; ///< by cycles
-  double scatter = 0.0;             ///< standard deviation of the readings of a [length]
-  double freedoms = 0.0;            ///< spline: how many parameters it is worth
+struct MeasuredGrowthRates {
+  std::vector<MeasuredGrowthRate> points; ///< by cycles
+  double scatter = 0.0;                   ///< standard deviation of the readings of a [length]
+  double freedoms = 0.0;                  ///< spline: how many parameters it is worth
 };
 
 /// da/dN from readings [>= model::readings_needed] with ascending cycles and a > 0.
-MeasuredRates measured_rates(std::span<const CrackReading> readings, model::TestRateMethod method,
-                             int window = 7);
+MeasuredGrowthRates compute_growth_rates(std::span<const CrackReading> readings,
+                                         model::TestRateMethod method, int window = 7);
 
 } // namespace spricka::life

@@ -6,7 +6,7 @@
 namespace spricka::life {
 
 /// GSL ends the program at a mistake unless told otherwise: here its return values are looked at.
-inline void quiet_gsl() {
+inline void disable_gsl_error_handler() {
   [[maybe_unused]] static gsl_error_handler_t* const before = gsl_set_error_handler_off();
 }
 

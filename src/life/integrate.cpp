@@ -21,7 +21,7 @@ Integral integrate(const std::function<double(double)>& f, double begin, double 
   if (begin == end) {
     return found;
   }
-  quiet_gsl();
+  disable_gsl_error_handler();
   const std::unique_ptr<gsl_integration_workspace, GslDeleter<gsl_integration_workspace_free>> work(
       gsl_integration_workspace_alloc(k_most_parts));
   const GslFunction function(f);

@@ -5,12 +5,12 @@
 
 namespace spricka::life {
 
-std::vector<MeasuredK> infer_K_from_growth(const MeasuredRates& rates,
+std::vector<InferredK> infer_K_from_growth(const MeasuredGrowthRates& rates,
                                            const GrowthRateLaw& reference,
                                            const std::function<double(double)>& R) {
-  std::vector<MeasuredK> found;
-  for (const MeasuredRate& point : rates.points) {
-    MeasuredK k;
+  std::vector<InferredK> found;
+  for (const MeasuredGrowthRate& point : rates.points) {
+    InferredK k;
     k.cycles = point.cycles;
     k.a = point.a;
     k.rate = point.rate;
@@ -22,7 +22,7 @@ std::vector<MeasuredK> infer_K_from_growth(const MeasuredRates& rates,
     k.K_max = range / open;
     k.low = reference.K_range_for_rate(k.rate_low, k.R) / open;
     k.high = reference.K_range_for_rate(k.rate_high, k.R) / open;
-    k.covered = reference.table_covers(range);
+    k.covered = reference.is_within_table(range);
     found.push_back(k);
   }
   return found;

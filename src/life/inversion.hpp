@@ -9,7 +9,7 @@
 namespace spricka::life {
 
 /// K that a crack must have had to grow as it was measured to.
-struct MeasuredK {
+struct InferredK {
   double cycles = 0.0;
   double a = 0.0;
   double rate = 0.0, rate_low = 0.0, rate_high = 0.0; ///< with their 95 % band
@@ -20,7 +20,7 @@ struct MeasuredK {
 
 /// The range of K at which the reference grows as the part did (Ansell, Fredriksson 1984, equations
 /// 12 and 13; life.21): K_max = delta K / (1 - max(R, 0)) of every rate. R(a): the ratio of K.
-std::vector<MeasuredK> infer_K_from_growth(const MeasuredRates& rates,
+std::vector<InferredK> infer_K_from_growth(const MeasuredGrowthRates& rates,
                                            const GrowthRateLaw& reference,
                                            const std::function<double(double)>& R);
 

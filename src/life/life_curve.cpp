@@ -94,7 +94,7 @@ double LifeCurve::length_at(double N) const {
   const double part = (N - at_[i - 1]) / (at_[i] - at_[i - 1]);
   const auto excess = [&](double a) { return cycles(a_[i - 1], a) / (at_[i] - at_[i - 1]) - part; };
   // at the last station round-off may leave N a little behind
-  return increasing_root(excess, a_[i - 1], a_[i]).value_or(a_[i]);
+  return root_of_increasing_function(excess, a_[i - 1], a_[i]).value_or(a_[i]);
 }
 
 // What log_rate_ changes by at x when a station next to it is left out: the larger of two.

@@ -10,8 +10,8 @@
 
 namespace spricka::life {
 
-std::optional<double> increasing_root(const std::function<double(double)>& f, double begin,
-                                      double end) {
+std::optional<double> root_of_increasing_function(const std::function<double(double)>& f,
+                                                  double begin, double end) {
   // y / (1 + |y|) has f's root and is finite where f is not
   const auto bounded = [&](double x) {
     const double y = f(x);
@@ -25,7 +25,7 @@ std::optional<double> increasing_root(const std::function<double(double)>& f, do
   if (first == 0.0 || last == 0.0) {
     return first == 0.0 ? begin : end;
   }
-  quiet_gsl();
+  disable_gsl_error_handler();
   const std::unique_ptr<gsl_root_fsolver, GslDeleter<gsl_root_fsolver_free>> solver(
       gsl_root_fsolver_alloc(gsl_root_fsolver_brent));
   const GslFunction function(bounded);

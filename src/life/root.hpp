@@ -7,7 +7,7 @@ namespace spricka::life {
 
 /// Root of an increasing function between begin < end, to a few bits of x (Brent 1973). f may be
 /// infinite at and near both ends. Nothing if f has one sign on both.
-std::optional<double> increasing_root(const std::function<double(double)>& f, double begin,
-                                      double end);
+std::optional<double> root_of_increasing_function(const std::function<double(double)>& f,
+                                                  double begin, double end);
 
 } // namespace spricka::life

@@ -119,7 +119,7 @@ SmoothingFit best_fit(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
 SmoothedCurve smoothing_spline(const std::vector<double>& x, const std::vector<double>& y,
                                const std::vector<double>& weight) {
   assert(x.size() >= 8 && y.size() == x.size() && weight.size() == x.size());
-  quiet_gsl();
+  disable_gsl_error_handler();
   const double length = x.back() - x.front();
   std::vector<double> s;
   s.reserve(x.size());

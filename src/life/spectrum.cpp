@@ -166,7 +166,7 @@ bool CountedSpectrum::within(const base::PiecewiseLinear& K1) const {
   return !K1.empty() && lowest() >= K1.knots().front() && highest() <= K1.knots().back();
 }
 
-bool CountedSpectrum::counts_on_K(const base::PiecewiseLinear& K1) const {
+bool CountedSpectrum::requires_counting_on_K(const base::PiecewiseLinear& K1) const {
   bool rises = false;
   bool falls = false;
   for (std::size_t s = 0; s < K1.segments(); ++s) {
@@ -214,7 +214,7 @@ double CountedSpectrum::growth_per_pass(const GrowthRateLaw& law,
     return no_value;
   }
   double sum = 0.0;
-  if (counts_on_K(K1)) {
+  if (requires_counting_on_K(K1)) {
     for (const LoadCycle& cycle : cycles_of_K(K1)) {
       sum += cycle.count * law.growth_rate(cycle.high, cycle.low);
     }

@@ -23,11 +23,11 @@ public:
 
   /// Growth of one pass, da [length], at a fixed length of the crack whose K is K1(t). Where K1
   /// rises or falls all the way between the lowest and the highest load, cycles of t are cycles of
-  /// K; else the history is counted again on K (`counts_on_K`).
+  /// K; else the history is counted again on K (`requires_counting_on_K`).
   [[nodiscard]] double growth_per_pass(const GrowthRateLaw& law,
                                        const base::PiecewiseLinear& K1) const;
   /// Whether `growth` counts on K for this map: K1 turns within the loads.
-  [[nodiscard]] bool counts_on_K(const base::PiecewiseLinear& K1) const;
+  [[nodiscard]] bool requires_counting_on_K(const base::PiecewiseLinear& K1) const;
   /// Smallest and largest K of a pass.
   [[nodiscard]] std::pair<double, double> extreme_K(const base::PiecewiseLinear& K1) const;
 

@@ -127,7 +127,7 @@ void look_at_beginning(const results::GrowthResult& growth, std::vector<std::str
 // largest cycles are known here, and its small ones may well lie below all rows.
 void look_at_table(const results::GrowthResult& growth, const life::GrowthRateLaw& law,
                    std::vector<std::string>& warnings) {
-  const std::optional<std::array<double, 2>> rows = law.table_ends();
+  const std::optional<std::array<double, 2>> rows = law.table_K_range();
   if (!rows) {
     return;
   }
@@ -151,10 +151,10 @@ void look_at_table(const results::GrowthResult& growth, const life::GrowthRateLa
         "rate there is the table's straight line gone on, not measured",
         tip.name, tip.a, range(&tip) / row, which));
   };
-  if (highest != nullptr && !law.table_covers(range(highest)) && range(highest) > (*rows)[1]) {
+  if (highest != nullptr && !law.is_within_table(range(highest)) && range(highest) > (*rows)[1]) {
     warn(*highest, (*rows)[1], "last");
   }
-  if (lowest != nullptr && growth.unit != "pass" && !law.table_covers(range(lowest)) &&
+  if (lowest != nullptr && growth.unit != "pass" && !law.is_within_table(range(lowest)) &&
       range(lowest) < (*rows)[0]) {
     warn(*lowest, (*rows)[0], "first");
   }

@@ -87,7 +87,7 @@ bool GrowthRateEvaluator::by_spectrum(const SolvedCrackState& at, const GrowingP
   found.K_min = low;
   found.K_max = std::max(0.0, high);
   found.rate = spectrum_->growth_per_pass(law_, K);
-  counted_on_K_ = counted_on_K_ || spectrum_->counts_on_K(K);
+  counted_on_K_ = counted_on_K_ || spectrum_->requires_counting_on_K(K);
   if (std::isnan(found.rate)) {
     return no_rate(fmt::format("spectrum {}: the growth of a pass is not a number {}", card.name,
                                tip ? fmt::format("at a = {:.6g}", front.is.a)

@@ -276,11 +276,12 @@ results::GrowthTestResult invert(const model::Model& model, const results::RunRe
   for (const auto& [cycles, a] : card.readings) {
     readings.push_back({cycles, a});
   }
-  const life::MeasuredRates rates = life::measured_rates(readings, card.method, card.window);
+  const life::MeasuredGrowthRates rates =
+      life::compute_growth_rates(readings, card.method, card.window);
   test.scatter = rates.scatter;
   test.freedoms = rates.freedoms;
   const life::GrowthRateLaw reference = reference_of(model, card);
-  for (const life::MeasuredK& k :
+  for (const life::InferredK& k :
        life::infer_K_from_growth(rates, reference, [&](double a) { return computed.R(a); })) {
     test.points.push_back({.cycles = k.cycles,
                            .a = k.a,

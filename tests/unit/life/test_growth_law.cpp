@@ -158,10 +158,10 @@ TEST(GrowthLaw, TableIsStraightInItsLogarithms) {
   for (const double range : {50.0, 100.0, 130.0, 200.0, 390.0, 1000.0}) {
     EXPECT_NEAR(table.growth_rate(range, 0.0) / (1e-5 * std::pow(range / 100.0, 3.0)), 1.0, 1e-12);
   }
-  EXPECT_TRUE(table.table_covers(100.0));
-  EXPECT_TRUE(table.table_covers(400.0));
-  EXPECT_FALSE(table.table_covers(99.9));
-  EXPECT_FALSE(table.table_covers(401.0));
+  EXPECT_TRUE(table.is_within_table(100.0));
+  EXPECT_TRUE(table.is_within_table(400.0));
+  EXPECT_FALSE(table.is_within_table(99.9));
+  EXPECT_FALSE(table.is_within_table(401.0));
 }
 
 TEST(GrowthLaw, ATableThatFallsHasNoInverse) {

@@ -54,10 +54,10 @@ struct Deviation {
 
 // Of beta from its value.
 Deviation deviation_of(const std::vector<CrackReading>& test, model::TestRateMethod method) {
-  const std::vector<MeasuredK> found =
-      infer_K_from_growth(measured_rates(test, method), reference(), [](double) { return 0.0; });
+  const std::vector<InferredK> found = infer_K_from_growth(compute_growth_rates(test, method),
+                                                           reference(), [](double) { return 0.0; });
   Deviation d;
-  for (const MeasuredK& k : found) {
+  for (const InferredK& k : found) {
     const double beta = k.K_max / (k_stress * std::sqrt(std::numbers::pi * k.a));
     const double off = std::fabs(beta / k_beta - 1.0);
     EXPECT_FALSE(std::isnan(off)) << k.a;
@@ -90,8 +90,8 @@ TEST(Inversion, G02Rounded) {
 // large by 7 h^2 a''' / 6 over seven readings h apart: beta by 14 / 3 (h / (N_end - N))^2 here.
 TEST(Inversion, E647HasTheErrorOfItsParabola) {
   const double h = 500.0;
-  const MeasuredRates found = measured_rates(readings(h), model::TestRateMethod::e647);
-  for (const MeasuredRate& point : found.points) {
+  const MeasuredGrowthRates found = compute_growth_rates(readings(h), model::TestRateMethod::e647);
+  for (const MeasuredGrowthRate& point : found.points) {
     const double x = h * half_rate() / (1.0 - point.cycles * half_rate());
     const double true_rate = 2.0 * half_rate() * std::pow(exact_length(point.cycles), 1.5);
     EXPECT_NEAR((point.rate / true_rate - 1.0) / (14.0 * x * x), 1.0, 0.15);
@@ -115,9 +115,9 @@ TEST_P(Noise, BandsHoldTheTruth) {
     for (CrackReading& reading : test) {
       reading.a += noise(engine);
     }
-    const MeasuredRates found = measured_rates(test, GetParam());
+    const MeasuredGrowthRates found = compute_growth_rates(test, GetParam());
     variance += found.scatter * found.scatter / tests;
-    for (const MeasuredRate& point : found.points) {
+    for (const MeasuredGrowthRate& point : found.points) {
       const double truth = 2.0 * half_rate() * std::pow(exact_length(point.cycles), 1.5);
       inside += std::fabs(point.rate - truth) <= point.half_width ? 1 : 0;
       ++all;
@@ -137,8 +137,9 @@ INSTANTIATE_TEST_SUITE_P(Methods, Noise,
 // Growth that scatter turns back has no K, and its neighbours keep theirs.
 TEST(Inversion, ShrinkingHasNoK) {
   const std::vector<CrackReading> test{{0, 1.0}, {100, 1.1}, {200, 1.09}, {300, 1.3}};
-  const std::vector<MeasuredK> found = infer_K_from_growth(
-      measured_rates(test, model::TestRateMethod::secant), reference(), [](double) { return 0.0; });
+  const std::vector<InferredK> found =
+      infer_K_from_growth(compute_growth_rates(test, model::TestRateMethod::secant), reference(),
+                          [](double) { return 0.0; });
   ASSERT_EQ(found.size(), 3U);
   EXPECT_GT(found[0].K_max, 0.0);
   EXPECT_TRUE(std::isnan(found[1].K_max));
@@ -147,7 +148,7 @@ TEST(Inversion, ShrinkingHasNoK) {
 
 // R of the part, not of the reference: the same delta K makes a larger K_max.
 TEST(Inversion, TheRatioOfKGivesTheMaximum) {
-  const MeasuredRates rates = measured_rates(readings(), model::TestRateMethod::secant);
+  const MeasuredGrowthRates rates = compute_growth_rates(readings(), model::TestRateMethod::secant);
   const auto at = [&](double R) {
     return infer_K_from_growth(rates, reference(), [R](double) { return R; }).front().K_max;
   };
@@ -160,8 +161,8 @@ TEST(Inversion, RatesBeyondTheReferenceAreMarked) {
   model::GrowthLawConstants c;
   c.delta_k = {100.0, 400.0};
   c.growth = {k_C * 1e6, k_C * 64e6};
-  const std::vector<MeasuredK> found = infer_K_from_growth(
-      measured_rates(readings(), model::TestRateMethod::secant),
+  const std::vector<InferredK> found = infer_K_from_growth(
+      compute_growth_rates(readings(), model::TestRateMethod::secant),
       GrowthRateLaw(model::CrackGrowthLaw::table, c), [](double) { return 0.0; });
   EXPECT_TRUE(found.front().covered);
   EXPECT_FALSE(found.back().covered);

@@ -59,7 +59,7 @@ TEST(Spectrum, EqualsTheSumOverItsCycles) {
     for (const LoadCycle& cycle : rainflow(history, repeated)) {
       sum += cycle.count * 1e-11 * std::pow(K(cycle.high) - K(cycle.low), 3.0);
     }
-    EXPECT_FALSE(spectrum.counts_on_K(K));
+    EXPECT_FALSE(spectrum.requires_counting_on_K(K));
     EXPECT_NEAR(spectrum.growth_per_pass(paris(3.0), K) / sum, 1.0, 1e-12);
   }
 }
@@ -75,7 +75,7 @@ TEST(Spectrum, AFallingMapIsAsGoodAsARisingOne) {
   const base::PiecewiseLinear rising = map({-1.5, -0.4, 0.5}, {50, 500, 900});
   const CountedSpectrum a = CountedSpectrum::from_sequence(history);
   const CountedSpectrum b = CountedSpectrum::from_sequence(upside_down);
-  EXPECT_FALSE(a.counts_on_K(falling));
+  EXPECT_FALSE(a.requires_counting_on_K(falling));
   EXPECT_NEAR(a.growth_per_pass(paris(3.0), falling) / b.growth_per_pass(paris(3.0), rising), 1.0,
               1e-12);
 }
@@ -85,13 +85,13 @@ TEST(Spectrum, CountsOnKWhereKTurns) {
   const base::PiecewiseLinear K = map({-2, 0, 2}, {200, 0, 200});
   const double one = 1e-11 * 1e6;
   const CountedSpectrum sequence = CountedSpectrum::from_sequence({-1, 1, -1, 1});
-  EXPECT_TRUE(sequence.counts_on_K(K));
+  EXPECT_TRUE(sequence.requires_counting_on_K(K));
   EXPECT_NEAR(sequence.growth_per_pass(paris(3.0), K), 4.0 * one, 1e-12 * one);
   const CountedSpectrum blocks = CountedSpectrum::from_cycles({{-1, 1, 2}});
   EXPECT_NEAR(blocks.growth_per_pass(paris(3.0), K), 4.0 * one, 1e-12 * one);
   EXPECT_EQ(blocks.extreme_K(K), std::pair(0.0, 100.0));
   const CountedSpectrum tension = CountedSpectrum::from_cycles({{0.5, 1, 2}});
-  EXPECT_FALSE(tension.counts_on_K(K));
+  EXPECT_FALSE(tension.requires_counting_on_K(K));
   EXPECT_NEAR(tension.growth_per_pass(paris(1.0), K), 2.0 * 1e-11 * 50.0, 1e-22);
 }
 
@@ -113,7 +113,7 @@ TEST(Spectrum, NoWayOfKIsLost) {
     }
   }
   const CountedSpectrum spectrum = CountedSpectrum::from_sequence(history);
-  EXPECT_TRUE(spectrum.counts_on_K(K));
+  EXPECT_TRUE(spectrum.requires_counting_on_K(K));
   EXPECT_NEAR(spectrum.growth_per_pass(paris(1.0), K) / (0.5e-11 * way), 1.0, 1e-4);
 }
 
