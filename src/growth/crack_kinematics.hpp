@@ -46,20 +46,20 @@ public:
   /// Whether the way on follows from K.
   [[nodiscard]] virtual bool can_kink() const = 0;
   /// What headings scatter by from mesh to mesh [rad]: no advance is too long for that.
-  [[nodiscard]] virtual double kink_scatter() const { return 0.0; }
+  [[nodiscard]] virtual double heading_scatter() const { return 0.0; }
   /// Goes on from the last station of an earlier run. Throws base::CorruptStoredField where its
   /// cracks are not those of the deck.
   virtual void resume_from(const GrowthState& state) = 0;
   /// The cracks as they are at the last station that counts; then the state on trial.
-  [[nodiscard]] virtual CrackGeometry current_state() = 0;
+  [[nodiscard]] virtual CrackGeometry current_cracks() = 0;
   /// The arm of a tip before anything has grown [length].
-  [[nodiscard]] virtual double initial_extent(std::size_t tip) const = 0;
+  [[nodiscard]] virtual double initial_tip_extent(std::size_t tip) const = 0;
   /// What a tip can grow from the last station on, at most [length].
   [[nodiscard]] virtual double remaining_ligament(const GrowthState& state,
                                                   std::size_t tip) const = 0;
   /// How far all may go (`ds` at most) for the sake of a tip that takes `share` of it.
-  [[nodiscard]] virtual AdvanceLimit step_limit(const GrowthState& state, std::size_t tip,
-                                                double share, double ds) const = 0;
+  [[nodiscard]] virtual AdvanceLimit advance_limit(const GrowthState& state, std::size_t tip,
+                                                   double share, double ds) const = 0;
   /// Turns an advance [tip] into the one that a front makes which takes the shape it tends to;
   /// false: there is no such front.
   virtual bool smooth_front(const GrowthState& /*state*/, std::vector<double>& /*by*/) const {
@@ -67,8 +67,8 @@ public:
   }
   /// What is left of `deferred_advance` [tip] when the last station's tips have advanced `by`
   /// [tip]: waves of such a front die away by themselves.
-  virtual void damp_deferred(std::vector<double>& /*owed*/,
-                             const std::vector<double>& /*by*/) const {}
+  virtual void damp_deferred_advance(std::vector<double>& /*owed*/,
+                                     const std::vector<double>& /*by*/) const {}
   /// The cracks after an advance [tip] from the last station, then the state on trial; empty, with
   /// errors: there are none.
   virtual std::optional<CrackGeometry> advance_cracks(const GrowthState& state,
@@ -76,7 +76,7 @@ public:
                                                       base::Diagnostics& diagnostics) = 0;
   /// What K at its places means for the tips of the state on trial: where they stand and head to
   /// (in the plane), how their arms grow with the rates found (TipStation::extent_rate_ratio).
-  virtual void locate_tips(std::vector<TipStation>& found) const = 0;
+  virtual void evaluate_trial_tips(std::vector<TipStation>& found) const = 0;
   /// The state on trial counts: it is the last station's from now on, kept in `state`.
   virtual void accept_trial(GrowthState& state) = 0;
   /// The advance asked for last, a `passage` or not, cannot be made, however short (a passage:
@@ -85,8 +85,8 @@ public:
                                                                   const std::string& why) = 0;
   /// Cracks straight on from the last station by so much at each tip, for a look ahead; in space
   /// none, as nothing looks ahead there.
-  [[nodiscard]] virtual CrackGeometry extend_straight(const GrowthState& /*state*/,
-                                                      double /*advance*/) const {
+  [[nodiscard]] virtual CrackGeometry extend_cracks_straight(const GrowthState& /*state*/,
+                                                             double /*advance*/) const {
     return {};
   }
 

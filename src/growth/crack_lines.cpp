@@ -141,8 +141,8 @@ struct CrackLineBuilder {
       const geometry::SplineCurve curve = curve_through(line.points);
       // Arms count from the middle of the curve as drawn; beyond its ends it goes straight on.
       const double half = 0.5 * curve.length();
-      line.points = line.embedded ? as_polyline(curve, half - arms.first, half + a, true)
-                                  : as_polyline(curve, 0.0, a, false);
+      line.points = line.embedded ? polyline_of_curve(curve, half - arms.first, half + a, true)
+                                  : polyline_of_curve(curve, 0.0, a, false);
       return line;
     }
     // Beyond its last point a free crack goes straight on; an embedded one at both ends.
@@ -182,7 +182,7 @@ struct CrackLineBuilder {
   std::optional<mesh::CrackLine> line(std::size_t number, TipLengths arms) {
     const model::CrackDefinition& crack = model.cracks[number];
     // A crack that does not grow, and one without a length of its own here, has its first length.
-    if (!crack_grows(model, number) || arms.last <= 0.0) {
+    if (!is_growing_crack(model, number) || arms.last <= 0.0) {
       arms.first = arms.last = first_length(crack);
     }
     const double a = arms.last;
@@ -218,18 +218,19 @@ struct CrackLineBuilder {
 
 } // namespace
 
-std::vector<double> crack_lengths(const model::Model& model) {
+std::vector<double> growth_loop_lengths(const model::Model& model) {
   if (model.growth && !model.growth->lengths.empty() && !model.cracks.empty()) {
     return model.growth->lengths;
   }
   return {0.0};
 }
 
-std::vector<model::CrackDefinition> scale_cracks(const model::Model& model, double a) {
+std::vector<model::CrackDefinition> scale_solid_cracks(const model::Model& model, double a) {
   std::vector<model::CrackDefinition> cracks = model.cracks;
   for (std::size_t i = 0; i < cracks.size(); ++i) {
     model::PlanarCrack& plane = cracks[i].plane;
-    if (a > 0.0 && crack_grows(model, i) && cracks[i].kind == model::CrackDefinitionKind::ellipse) {
+    if (a > 0.0 && is_growing_crack(model, i) &&
+        cracks[i].kind == model::CrackDefinitionKind::ellipse) {
       plane.c *= a / plane.a;
       plane.a = a;
     }
@@ -237,7 +238,7 @@ std::vector<model::CrackDefinition> scale_cracks(const model::Model& model, doub
   return cracks;
 }
 
-bool crack_grows(const model::Model& model, std::size_t crack) {
+bool is_growing_crack(const model::Model& model, std::size_t crack) {
   if (!model.growth) {
     return false;
   }

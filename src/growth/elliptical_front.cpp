@@ -63,7 +63,7 @@ EllipticalFront::EllipticalFront(const model::Model& model) : FrontKinematics(mo
 void EllipticalFront::find_tips() {
   for (std::size_t c = 0; c < now_.cracks.size(); ++c) {
     const model::CrackDefinition& crack = now_.cracks[c];
-    if (!crack_grows(model_, c) || crack.kind != model::CrackDefinitionKind::ellipse) {
+    if (!is_growing_crack(model_, c) || crack.kind != model::CrackDefinitionKind::ellipse) {
       continue;
     }
     for (const bool on_a : {true, false}) {
@@ -138,7 +138,7 @@ CrackGeometry EllipticalFront::state_of(const Ellipses& ellipses) const {
   return state;
 }
 
-CrackGeometry EllipticalFront::current_state() {
+CrackGeometry EllipticalFront::current_cracks() {
   trial_ = now_;
   return state_of(trial_);
 }
@@ -323,7 +323,7 @@ double EllipticalFront::moved_by(const GrownTip& arm, const model::CrackDefiniti
   return way * along.dot(outwards(crack, phi));
 }
 
-void EllipticalFront::locate_tips(std::vector<TipStation>& found) const {
+void EllipticalFront::evaluate_trial_tips(std::vector<TipStation>& found) const {
   const std::vector<GrownTip>& arms = trial_.arms;
   for (std::size_t c = 0; c < trial_.cracks.size(); ++c) {
     std::vector<std::size_t> own;

@@ -19,14 +19,14 @@ public:
 
   /// Takes the ellipses and what the tips move of them out of the state.
   void resume_from(const GrowthState& state) override;
-  [[nodiscard]] CrackGeometry current_state() override;
+  [[nodiscard]] CrackGeometry current_cracks() override;
   /// The ellipses with longer axes: an arm whose opposite end lies in the body too shifts the
   /// centre by half. Empty, with an error, where no ellipse is about two that meet.
   std::optional<CrackGeometry> advance_cracks(const GrowthState& state, const TrialAdvance& advance,
                                               base::Diagnostics& diagnostics) override;
   /// Turns the rates at the places of K into rates of the axes' ends, by how each end moves each
   /// place.
-  void locate_tips(std::vector<TipStation>& found) const override;
+  void evaluate_trial_tips(std::vector<TipStation>& found) const override;
   /// Keeps the ellipses on trial, and what the tips move of them in `state`.
   void accept_trial(GrowthState& state) override;
 

@@ -51,10 +51,10 @@ FreeFrontShape::FreeFrontShape(const model::Model& model)
   now_.cracks = model.cracks;
   for (std::size_t c = 0; c < now_.cracks.size(); ++c) {
     const model::CrackDefinition& crack = now_.cracks[c];
-    if (!crack_grows(model_, c)) {
+    if (!is_growing_crack(model_, c)) {
       continue;
     }
-    std::vector<BodyFrontArc> arcs = arcs_in_body(crack, around_);
+    std::vector<BodyFrontArc> arcs = front_arcs_in_body(crack, around_);
     if (can_kink() && arcs.size() > 1) {
       continue; // heights of a front history are those behind one
     }
@@ -113,7 +113,7 @@ void FreeFrontShape::resume_from(const GrowthState& state) {
     if (tips.empty()) {
       continue;
     }
-    std::vector<BodyFrontArc> arcs = arcs_in_body(now_.cracks[c], around_);
+    std::vector<BodyFrontArc> arcs = front_arcs_in_body(now_.cracks[c], around_);
     if (arcs.size() != tips.size()) {
       throw base::CorruptStoredField("tip.front", "the crack has another number of fronts");
     }
@@ -124,7 +124,7 @@ void FreeFrontShape::resume_from(const GrowthState& state) {
   update_fronts(state);
 }
 
-CrackGeometry FreeFrontShape::current_state() {
+CrackGeometry FreeFrontShape::current_cracks() {
   trial_ = now_;
   kinks_.reset_trial();
   return state_of(trial_);
@@ -162,8 +162,8 @@ std::optional<FrontKinematics::NeighbourCrack> FreeFrontShape::neighbour(std::si
   return nearest;
 }
 
-FrontRates FreeFrontShape::waves_of(const GrowingFront& of) const {
-  FrontRates front;
+FrontGrowthRates FreeFrontShape::waves_of(const GrowingFront& of) const {
+  FrontGrowthRates front;
   front.stiffness = exponent() / of.arc.curve.length();
   front.kind = of.kind();
   return front;
@@ -174,8 +174,8 @@ double FreeFrontShape::exponent() const {
   return m > 0.0 ? m : usual_exponent;
 }
 
-FrontRates FreeFrontShape::rates_of(const GrowingFront& of, const GrowthState& state) const {
-  FrontRates front = waves_of(of);
+FrontGrowthRates FreeFrontShape::rates_of(const GrowingFront& of, const GrowthState& state) const {
+  FrontGrowthRates front = waves_of(of);
   const SolvedStation& here = state.stations.back();
   const std::size_t count = state.stations.size();
   // A breakthrough has nothing in common with what was before.
@@ -194,7 +194,7 @@ FrontRates FreeFrontShape::rates_of(const GrowingFront& of, const GrowthState& s
 
 bool FreeFrontShape::smooth_front(const GrowthState& state, std::vector<double>& by) const {
   for (const GrowingFront& of : now_.growing) {
-    const FrontRates front = rates_of(of, state);
+    const FrontGrowthRates front = rates_of(of, state);
     double sum = 0.0;
     double rates = 0.0;
     for (const std::size_t tip : of.tips) {
@@ -212,16 +212,16 @@ bool FreeFrontShape::smooth_front(const GrowthState& state, std::vector<double>&
   return true;
 }
 
-void FreeFrontShape::damp_deferred(std::vector<double>& deferred_advance,
-                                   const std::vector<double>& by) const {
+void FreeFrontShape::damp_deferred_advance(std::vector<double>& deferred_advance,
+                                           const std::vector<double>& by) const {
   for (const GrowingFront& of : now_.growing) {
-    FrontRates front = waves_of(of);
+    FrontGrowthRates front = waves_of(of);
     double mean = 0.0;
     for (const std::size_t tip : of.tips) {
       front.deferred_advance.push_back(deferred_advance[tip]);
       mean += by[tip] / static_cast<double>(of.tips.size());
     }
-    const std::vector<double> left = front.remaining_deferred(mean);
+    const std::vector<double> left = front.remaining_deferred_advance(mean);
     for (std::size_t i = 0; i < left.size(); ++i) {
       deferred_advance[of.tips[i]] = left[i];
     }
@@ -255,9 +255,9 @@ std::optional<CrackGeometry> FreeFrontShape::advance_cracks(const GrowthState& /
   return state_of(trial_);
 }
 
-void FreeFrontShape::locate_tips(std::vector<TipStation>& found) const {
+void FreeFrontShape::evaluate_trial_tips(std::vector<TipStation>& found) const {
   for (const GrowingFront& of : trial_.growing) {
-    kinks_.place_turns(of, found);
+    kinks_.add_smoothed_turns(of, found);
     std::vector<double> rate;
     for (const std::size_t tip : of.tips) {
       rate.push_back(found[tip].rate);
@@ -265,7 +265,8 @@ void FreeFrontShape::locate_tips(std::vector<TipStation>& found) const {
     if (std::ranges::any_of(rate, [](double r) { return !std::isfinite(r); })) {
       continue;
     }
-    const std::vector<double> smooth = smooth_rates(rate, of.kind(), exponent() * scatter_of_K);
+    const std::vector<double> smooth =
+        smooth_front_rates(rate, of.kind(), exponent() * scatter_of_K);
     for (std::size_t i = 0; i < of.tips.size(); ++i) {
       TipStation& at = found[of.tips[i]];
       if (at.rate > 0.0) {
@@ -298,23 +299,24 @@ void FreeFrontShape::accept_trial(GrowthState& state) {
 }
 
 // K2 scatters by some per cent of K1 along fronts.
-double FreeFrontShape::kink_scatter() const {
+double FreeFrontShape::heading_scatter() const {
   constexpr double scatter = 0.04;
   return scatter;
 }
 
-AdvanceLimit FreeFrontShape::step_limit(const GrowthState& state, std::size_t tip, double share,
-                                        double ds) const {
+AdvanceLimit FreeFrontShape::advance_limit(const GrowthState& state, std::size_t tip, double share,
+                                           double ds) const {
   const TipOnFront at = place_of(tip);
   const Vec3& normal = now_.cracks[at.of.crack].plane.normal;
-  if (std::abs(kinks_.way_on(at.tip_frame(), tip, 0.0).dot(normal)) > futility_policy.steepest) {
+  if (std::abs(kinks_.tip_growth_direction(at.tip_frame(), tip, 0.0).dot(normal)) >
+      futility_policy.steepest) {
     return {.ds = ds,
             .event = GrowthEvent{.kind = GrowthEventKind::curl,
                                  .reason = fmt::format(
                                      "{} has turned by more than 75 degrees out of its first plane",
                                      tips_[tip].name)}};
   }
-  return FrontKinematics::step_limit(state, tip, share, ds);
+  return FrontKinematics::advance_limit(state, tip, share, ds);
 }
 
 std::optional<SurfaceLigament> FreeFrontShape::left_in_corner(std::size_t tip) const {

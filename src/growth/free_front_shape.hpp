@@ -25,24 +25,24 @@ public:
   /// Takes the fronts and their history out of the state and finds their arcs in the body anew.
   void resume_from(const GrowthState& state) override;
   [[nodiscard]] bool can_kink() const override { return kinks_.allowed(); }
-  [[nodiscard]] double kink_scatter() const override;
+  [[nodiscard]] double heading_scatter() const override;
   /// As of all fronts in space; it also ends a front that has turned too far out of its first
   /// plane.
-  [[nodiscard]] AdvanceLimit step_limit(const GrowthState& state, std::size_t tip, double share,
-                                        double ds) const override;
-  [[nodiscard]] CrackGeometry current_state() override;
+  [[nodiscard]] AdvanceLimit advance_limit(const GrowthState& state, std::size_t tip, double share,
+                                           double ds) const override;
+  [[nodiscard]] CrackGeometry current_cracks() override;
   /// Replaces the advances of each front by those of its smooth shape, with their mean kept. Fronts
   /// that do not grow, or without a bound, are left as they are. Always true.
   bool smooth_front(const GrowthState& state, std::vector<double>& by) const override;
   /// Lets waves of the deferred advances along each front die away with its mean advance.
-  void damp_deferred(std::vector<double>& deferred_advance,
-                     const std::vector<double>& by) const override;
+  void damp_deferred_advance(std::vector<double>& deferred_advance,
+                             const std::vector<double>& by) const override;
   /// The fronts drawn anew through their advanced points. Empty, with an error, where a front would
   /// fall into several parts or two that meet would have no common one.
   std::optional<CrackGeometry> advance_cracks(const GrowthState& state, const TrialAdvance& advance,
                                               base::Diagnostics& diagnostics) override;
   /// Places the turning of each tip and smooths the rates along each front whose rates are finite.
-  void locate_tips(std::vector<TipStation>& found) const override;
+  void evaluate_trial_tips(std::vector<TipStation>& found) const override;
   /// Keeps the fronts on trial, in `state` as well, with what follows from them: turning,
   /// ligaments, uncertain parts of the rates.
   void accept_trial(GrowthState& state) override;
@@ -93,9 +93,9 @@ private:
                            model::CrackDefinition& drawn) const;
   [[nodiscard]] double exponent() const; ///< of the law
   /// How the waves of a front die, nothing else of it.
-  [[nodiscard]] FrontRates waves_of(const GrowingFront& of) const;
+  [[nodiscard]] FrontGrowthRates waves_of(const GrowingFront& of) const;
   /// Of all that a front has made on its way to the last station.
-  [[nodiscard]] FrontRates rates_of(const GrowingFront& of, const GrowthState& state) const;
+  [[nodiscard]] FrontGrowthRates rates_of(const GrowingFront& of, const GrowthState& state) const;
   /// Moves a front on trial to where its points have advanced by `by` [tip] on their way.
   void go_round(const GrowingFront& from, const std::vector<double>& by, GrowingFront& of);
   /// Of one crack against the other: what is nearer to it than `reach` does not stay.

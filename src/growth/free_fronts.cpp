@@ -52,7 +52,7 @@ FreeFrontShape::next_fronts(std::size_t growing, const TrialAdvance& advance) co
   const bool through = advance.is(GrowthEventKind::breakthrough);
   const double gap =
       through ? passage_policy.left_out * surface_policy.passed * advance.lengthening : -1.0;
-  const std::vector<PointRun> runs =
+  const std::vector<FrontPointRun> runs =
       ligaments_.staying(of, growing, gap, through ? advance.by : std::vector<double>());
   if ((can_kink() && runs.size() > 1) || runs.size() * fewest_front_points > of.tips.size()) {
     return {}; // heights of a front history are those behind one; and all have points
@@ -72,9 +72,10 @@ FreeFrontShape::next_fronts(std::size_t growing, const TrialAdvance& advance) co
     for (const double number : runs[r]) {
       const mesh::FrontFrame& at = from.emplace_back(of.frame_between(number));
       const double by = of.advance_between(number, advance.by);
-      front.next.points.emplace_back(at.x + by * kinks_.way_on(at, of.nearest_tip(number), by));
+      front.next.points.emplace_back(
+          at.x + by * kinks_.tip_growth_direction(at, of.nearest_tip(number), by));
     }
-    front.next.points = without_crossings(from, front.next.points, front.next.closed);
+    front.next.points = drop_crossing_points(from, front.next.points, front.next.closed);
   }
   return fronts;
 }
@@ -83,12 +84,13 @@ bool FreeFrontShape::draw(const NextPoints& next, GrowingFront& of) {
   model::CrackDefinition& crack = trial_.cracks[of.crack];
   std::optional<model::CrackDefinition> drawn;
   if (next.points.size() >= fewest_front_points) {
-    drawn = crack_through(crack, next.points, next.closed, around_);
+    drawn = make_crack_through_points(crack, next.points, next.closed, around_);
   }
   if (drawn && can_kink()) {
     leave_front_history(of.crack, next, *drawn);
   }
-  std::optional<BodyFrontArc> arc = drawn ? arc_in_body(*drawn, around_) : std::nullopt;
+  std::optional<BodyFrontArc> arc =
+      drawn ? single_front_arc_in_body(*drawn, around_) : std::nullopt;
   if (!arc) {
     return false;
   }
@@ -141,7 +143,7 @@ bool FreeFrontShape::draw_together(std::size_t crack) {
   }
   drawn.points = std::move(points);
   // As a run that goes on finds them.
-  std::vector<BodyFrontArc> arcs = arcs_in_body(drawn, around_);
+  std::vector<BodyFrontArc> arcs = front_arcs_in_body(drawn, around_);
   if (arcs.size() != parts.size()) {
     return false;
   }
@@ -171,7 +173,7 @@ void FreeFrontShape::go_round(const GrowingFront& from, const std::vector<double
       const mesh::FrontFrame before = from.frame_at(i);
       const mesh::FrontFrame behind = of.frame_at(i);
       const std::size_t tip = of.tips[i];
-      const Vec3 way = (kinks_.way_on(before, tip, by[tip]) + behind.m).normalized();
+      const Vec3 way = (kinks_.tip_growth_direction(before, tip, by[tip]) + behind.m).normalized();
       const double missed = by[tip] - (behind.x - before.x).dot(way);
       if (std::abs(missed) > largest_miss * by[tip]) {
         return; // a notch, or a front that has come to lie otherwise
@@ -189,7 +191,7 @@ void FreeFrontShape::leave_front_history(std::size_t crack, const NextPoints& ne
                                          model::CrackDefinition& drawn) const {
   const auto from = std::ranges::find(now_.growing, crack, &GrowingFront::crack);
   const model::CrackDefinition& before = now_.cracks[crack];
-  drawn.front_history = extend_history(
+  drawn.front_history = extend_front_history(
       before, from->arc.curve,
       mesh::FrontCurve(next.points, crack_normals(before, next.points), next.closed));
 }

@@ -85,8 +85,8 @@ double BodyFrontArc::arc_position(double number, std::size_t count) const {
   return curve.length() * number / static_cast<double>(parts);
 }
 
-std::vector<BodyFrontArc> arcs_in_body(const model::CrackDefinition& crack,
-                                       const SolidBodyQuery& around) {
+std::vector<BodyFrontArc> front_arcs_in_body(const model::CrackDefinition& crack,
+                                             const SolidBodyQuery& around) {
   const mesh::FrontCurve whole = whole_front(crack);
   const bool closed = whole.closed();
   const int n = closed ? looks_along : looks_along + 1;
@@ -125,15 +125,15 @@ std::vector<BodyFrontArc> arcs_in_body(const model::CrackDefinition& crack,
   return arcs;
 }
 
-std::optional<BodyFrontArc> arc_in_body(const model::CrackDefinition& crack,
-                                        const SolidBodyQuery& around) {
-  std::vector<BodyFrontArc> arcs = arcs_in_body(crack, around);
+std::optional<BodyFrontArc> single_front_arc_in_body(const model::CrackDefinition& crack,
+                                                     const SolidBodyQuery& around) {
+  std::vector<BodyFrontArc> arcs = front_arcs_in_body(crack, around);
   return arcs.size() == 1 ? std::optional(std::move(arcs.front())) : std::nullopt;
 }
 
-std::optional<model::CrackDefinition> crack_through(const model::CrackDefinition& before,
-                                                    const std::vector<Vec3>& points, bool closed,
-                                                    const SolidBodyQuery& around) {
+std::optional<model::CrackDefinition>
+make_crack_through_points(const model::CrackDefinition& before, const std::vector<Vec3>& points,
+                          bool closed, const SolidBodyQuery& around) {
   const mesh::FrontCurve curve(points, crack_normals(before, points), closed);
   model::CrackDefinition crack = before;
   crack.kind = model::CrackDefinitionKind::drawn;
@@ -162,8 +162,8 @@ std::optional<model::CrackDefinition> crack_through(const model::CrackDefinition
   return crack;
 }
 
-std::vector<Vec3> without_crossings(const std::vector<mesh::FrontFrame>& from,
-                                    const std::vector<Vec3>& to, bool closed) {
+std::vector<Vec3> drop_crossing_points(const std::vector<mesh::FrontFrame>& from,
+                                       const std::vector<Vec3>& to, bool closed) {
   std::vector<std::size_t> kept(from.size());
   std::iota(kept.begin(), kept.end(), std::size_t{0});
   for (bool more = true; more && kept.size() > fewest_front_points;) {

@@ -27,22 +27,23 @@ struct BodyFrontArc {
 };
 
 /// The parts of a front that are in the body, in the order along it.
-std::vector<BodyFrontArc> arcs_in_body(const model::CrackDefinition& crack,
-                                       const SolidBodyQuery& around);
+std::vector<BodyFrontArc> front_arcs_in_body(const model::CrackDefinition& crack,
+                                             const SolidBodyQuery& around);
 
 /// The only part; empty: there is none, or more than one.
-std::optional<BodyFrontArc> arc_in_body(const model::CrackDefinition& crack,
-                                        const SolidBodyQuery& around);
+std::optional<BodyFrontArc> single_front_arc_in_body(const model::CrackDefinition& crack,
+                                                     const SolidBodyQuery& around);
 
 /// A crack whose front goes through these points, in the order of an arc's, and straight on out of
 /// the body at the ends of an open one. Empty: it does not come out.
-std::optional<model::CrackDefinition> crack_through(const model::CrackDefinition& before,
-                                                    const std::vector<base::Vec3>& points,
-                                                    bool closed, const SolidBodyQuery& around);
+std::optional<model::CrackDefinition>
+make_crack_through_points(const model::CrackDefinition& before,
+                          const std::vector<base::Vec3>& points, bool closed,
+                          const SolidBodyQuery& around);
 
 /// Where places of a front (`from`) go to, without those that would pass one another, where a notch
 /// closes: the ends of an open front stay.
-std::vector<base::Vec3> without_crossings(const std::vector<mesh::FrontFrame>& from,
-                                          const std::vector<base::Vec3>& to, bool closed);
+std::vector<base::Vec3> drop_crossing_points(const std::vector<mesh::FrontFrame>& from,
+                                             const std::vector<base::Vec3>& to, bool closed);
 
 } // namespace spricka::growth

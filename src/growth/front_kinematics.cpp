@@ -30,12 +30,12 @@ double FrontKinematics::remaining_ligament(const GrowthState& state, std::size_t
          state.stations.back().tips[tip].a;
 }
 
-AdvanceLimit FrontKinematics::step_limit(const GrowthState& state, std::size_t tip, double share,
-                                         double ds) const {
+AdvanceLimit FrontKinematics::advance_limit(const GrowthState& state, std::size_t tip, double share,
+                                            double ds) const {
   AdvanceLimit limit{
       .ds = std::min({ds, remaining_ligament(state, tip) / share, longest_advance(tip) / share})};
   if (const std::optional<NeighbourCrack> other = neighbour(tip)) {
-    limit_advance(
+    limit_advance_by_obstacle(
         front_policy,
         {.distance = other->gap,
          .part = other->gap / behind(tip),
@@ -47,14 +47,15 @@ AdvanceLimit FrontKinematics::step_limit(const GrowthState& state, std::size_t t
   }
   const std::optional<SurfaceLigament> before = ligament(tip);
   if (before && !limit.event) {
-    limit_advance(surface_policy,
-                  {.distance = before->left,
-                   .part = before->left_fraction(),
-                   .reason = fmt::format("{} reaches the surface: {:.3g} is left of the ligament, "
-                                         "in which K grows without bound",
-                                         tips_[tip].name, before->left),
-                   .goes_on = [&] { return goes_on_behind(tip, *before); }},
-                  share, must_break_through_early_, limit);
+    limit_advance_by_obstacle(
+        surface_policy,
+        {.distance = before->left,
+         .part = before->remaining_fraction(),
+         .reason = fmt::format("{} reaches the surface: {:.3g} is left of the ligament, "
+                               "in which K grows without bound",
+                               tips_[tip].name, before->left),
+         .goes_on = [&] { return goes_on_behind(tip, *before); }},
+        share, must_break_through_early_, limit);
   }
   return limit;
 }
@@ -115,7 +116,7 @@ std::optional<GrowthEvent> FrontKinematics::reject_advance(bool passage, const s
   for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
     std::optional<SurfaceLigament> before = ligament(tip);
     before = before ? before : left_in_corner(tip);
-    if (before && (!least || before->left_fraction() < least->left_fraction())) {
+    if (before && (!least || before->remaining_fraction() < least->remaining_fraction())) {
       least = before;
       at = tip;
     }
@@ -123,12 +124,13 @@ std::optional<GrowthEvent> FrontKinematics::reject_advance(bool passage, const s
     meets = meets ||
             (other && other->gap < front_policy.passed_early * behind(tip) && joins(tip, *other));
   }
-  if (may_pass_early && (meets || (least && least->left_fraction() < surface_policy.passed_early &&
-                                   goes_on_behind(at, *least)))) {
+  if (may_pass_early &&
+      (meets || (least && least->remaining_fraction() < surface_policy.passed_early &&
+                 goes_on_behind(at, *least)))) {
     must_break_through_early_ = true;
     return std::nullopt;
   }
-  if (least && least->left_fraction() < surface_left_unmeshed) {
+  if (least && least->remaining_fraction() < surface_left_unmeshed) {
     return GrowthEvent{.kind = GrowthEventKind::surface_reached,
                        .reason = fmt::format("{} is {:.3g} from the surface, and no front can be "
                                              "meshed in what is left: {}",

@@ -30,12 +30,14 @@ public:
   [[nodiscard]] bool can_kink() const override { return false; }
   /// Of the deck's crack, whatever it has become: the half axis that ends at a tip of an ellipse,
   /// else from the place of its crack to a tip [length].
-  [[nodiscard]] double initial_extent(std::size_t tip) const override { return first_arm_[tip]; }
+  [[nodiscard]] double initial_tip_extent(std::size_t tip) const override {
+    return first_arm_[tip];
+  }
   /// What is left to the largest length that $GROW allows, unbounded without one [length].
   [[nodiscard]] double remaining_ligament(const GrowthState& state, std::size_t tip) const override;
   /// Limits the advance by surfaces ahead, by other fronts and by the front's own size.
-  [[nodiscard]] AdvanceLimit step_limit(const GrowthState& state, std::size_t tip, double share,
-                                        double ds) const override;
+  [[nodiscard]] AdvanceLimit advance_limit(const GrowthState& state, std::size_t tip, double share,
+                                           double ds) const override;
   /// Ends the growth at a surface that is next to reached, else because no mesh could be made.
   /// Empty the first time where a breakthrough, earlier than usual, is another way.
   [[nodiscard]] std::optional<GrowthEvent> reject_advance(bool passage,

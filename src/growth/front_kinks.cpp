@@ -28,7 +28,7 @@ void FrontKinks::update(const GrowthState& state) {
     // curvature, and a breakthrough has nothing in common with what was before.
     if (count > 3 && state.stations[count - 1].breakthroughs == 0 &&
         state.stations[count - 2].breakthroughs == 0) {
-      turning_[tip].curvature = way_curvature(state.stations[count - 3].tips[tip], here);
+      turning_[tip].curvature = tip_path_curvature(state.stations[count - 3].tips[tip], here);
     }
   }
 }
@@ -48,7 +48,8 @@ double FrontKinks::turn_on(std::size_t tip, double by) const {
   return turning_[tip].turn + 0.5 * turning_[tip].curvature * by;
 }
 
-Vec3 FrontKinks::way_on(const mesh::FrontFrame& at, std::size_t tip, double by) const {
+Vec3 FrontKinks::tip_growth_direction(const mesh::FrontFrame& at, std::size_t tip,
+                                      double by) const {
   if (!allowed()) {
     return at.m;
   }
@@ -57,7 +58,7 @@ Vec3 FrontKinks::way_on(const mesh::FrontFrame& at, std::size_t tip, double by) 
 }
 
 // Turns without the scatter from mesh to mesh, as rates are.
-void FrontKinks::place_turns(const GrowingFront& of, std::vector<TipStation>& found) const {
+void FrontKinks::add_smoothed_turns(const GrowingFront& of, std::vector<TipStation>& found) const {
   if (!allowed()) {
     return;
   }
@@ -65,7 +66,7 @@ void FrontKinks::place_turns(const GrowingFront& of, std::vector<TipStation>& fo
   for (const std::size_t tip : of.tips) {
     turn.push_back(found[tip].turn);
   }
-  const std::vector<double> smooth = smooth_angles(turn, of.kind());
+  const std::vector<double> smooth = smooth_front_angles(turn, of.kind());
   for (std::size_t i = 0; i < of.tips.size(); ++i) {
     found[of.tips[i]].turn = smooth[i];
     found[of.tips[i]].heading = part_[of.tips[i]] + found[of.tips[i]].turn;

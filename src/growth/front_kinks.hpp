@@ -26,9 +26,10 @@ public:
   void reset_trial();
   void set_trial(const std::vector<double>& by);
   /// The way on of a tip, unit, of a part of an advance that ends so far ahead [length].
-  [[nodiscard]] base::Vec3 way_on(const mesh::FrontFrame& at, std::size_t tip, double by) const;
+  [[nodiscard]] base::Vec3 tip_growth_direction(const mesh::FrontFrame& at, std::size_t tip,
+                                                double by) const;
   /// Smooths the turns found along a front on trial and adds them up to headings.
-  void place_turns(const GrowingFront& of, std::vector<TipStation>& found) const;
+  void add_smoothed_turns(const GrowingFront& of, std::vector<TipStation>& found) const;
 
 private:
   /// What the last station says of a tip that turns.

@@ -72,7 +72,7 @@ FrontLigaments::Ligaments FrontLigaments::look_ahead(const model::CrackDefinitio
   for (std::size_t i = 0; i < count; ++i) {
     std::optional<SurfaceLigament>& before = at_tip_[of.tips[i]];
     before = ligament_at(crack, of, static_cast<double>(i), own);
-    near = near || (before && before->left_fraction() < near_surface);
+    near = near || (before && before->remaining_fraction() < near_surface);
   }
   Ligaments between;
   const std::size_t places =
@@ -92,7 +92,7 @@ FrontLigaments::ligament_at(const model::CrackDefinition& crack, const GrowingFr
       std::clamp(arc.arc_position(number, of.tips.size()), edge, arc.curve.length() - edge);
   const mesh::FrontFrame at = arc.curve.at(s);
   // The surface that an end lies on is none ahead: the front slides along it.
-  const Vec3 way = kinks_.way_on(at, of.nearest_tip(number), 0.0);
+  const Vec3 way = kinks_.tip_growth_direction(at, of.nearest_tip(number), 0.0);
   const auto ahead = around_.surface_ahead(at.x, way, crack.net);
   if (!ahead || std::ranges::find(own, ahead->piece) != own.end()) {
     return std::nullopt;
@@ -113,17 +113,18 @@ double FrontLigaments::reach_back(const model::CrackDefinition& crack, const Gro
   return met ? std::min(whole.norm(), back->distance) : whole.norm();
 }
 
-std::vector<PointRun> FrontLigaments::staying(const GrowingFront& of, std::size_t number,
-                                              double gap, const std::vector<double>& by) const {
+std::vector<FrontPointRun> FrontLigaments::staying(const GrowingFront& of, std::size_t number,
+                                                   double gap,
+                                                   const std::vector<double>& by) const {
   const auto stays = [&](const std::optional<SurfaceLigament>& before, double at) {
-    return !before || (before->left_fraction() > gap &&
+    return !before || (before->remaining_fraction() > gap &&
                        (by.empty() || before->left > of.advance_between(at, by)));
   };
   std::vector<bool> points;
   for (std::size_t i = 0; i < of.tips.size(); ++i) {
     points.push_back(stays(at_tip_[of.tips[i]], static_cast<double>(i)));
   }
-  std::vector<PointRun> found;
+  std::vector<FrontPointRun> found;
   std::size_t fewest = of.tips.size();
   for (const std::vector<std::size_t>& run : staying_runs(points, of.arc.is_closed())) {
     fewest = std::min(fewest, run.size());
@@ -131,7 +132,7 @@ std::vector<PointRun> FrontLigaments::staying(const GrowingFront& of, std::size_
   }
   const Ligaments& between = between_[number];
   if ((!found.empty() && fewest >= fewest_front_points) || between.empty()) {
-    std::erase_if(found, [](const PointRun& run) { return run.size() < fewest_front_points; });
+    std::erase_if(found, [](const FrontPointRun& run) { return run.size() < fewest_front_points; });
     return found;
   }
   std::vector<bool> places;
@@ -144,7 +145,7 @@ std::vector<PointRun> FrontLigaments::staying(const GrowingFront& of, std::size_
       continue;
     }
     const std::size_t count = std::max(fewest_front_points, run.size() / looks_between + 1);
-    PointRun& spread = found.emplace_back();
+    FrontPointRun& spread = found.emplace_back();
     for (std::size_t i = 0; i < count; ++i) {
       spread.push_back(number_of(run[i * (run.size() - 1) / (count - 1)]));
     }

@@ -11,7 +11,7 @@
 namespace spricka::growth {
 
 /// Points of a front one after another by their numbers, or places between them.
-using PointRun = std::vector<double>;
+using FrontPointRun = std::vector<double>;
 
 /// The ways to surfaces before free fronts at one state of the cracks.
 class FrontLigaments {
@@ -31,8 +31,8 @@ public:
   /// `gap` of their way to a surface is left, and more than they advance `by` [tip] (empty: not
   /// asked). Where few points stay, as of a wide crack, places between them, by what is left
   /// against the crack's depth.
-  [[nodiscard]] std::vector<PointRun> staying(const GrowingFront& of, std::size_t number,
-                                              double gap, const std::vector<double>& by) const;
+  [[nodiscard]] std::vector<FrontPointRun> staying(const GrowingFront& of, std::size_t number,
+                                                   double gap, const std::vector<double>& by) const;
 
 private:
   using Ligaments = std::vector<std::optional<SurfaceLigament>>;

@@ -98,7 +98,7 @@ double decayed_rise(double z) {
 
 } // namespace
 
-std::vector<double> FrontRates::point_advances(double mean) const {
+std::vector<double> FrontGrowthRates::point_advances(double mean) const {
   const auto n = static_cast<Eigen::Index>(rate.size());
   const Waves waves(n, kind == FrontKind::closed);
   const base::Vector now = vector_of(rate) / vector_of(rate).mean();
@@ -134,7 +134,7 @@ std::vector<double> FrontRates::point_advances(double mean) const {
   return by;
 }
 
-std::vector<double> FrontRates::remaining_deferred(double mean) const {
+std::vector<double> FrontGrowthRates::remaining_deferred_advance(double mean) const {
   const Waves waves(static_cast<Eigen::Index>(deferred_advance.size()), kind == FrontKind::closed);
   const base::Vector dying = (-mean * waves.decay(stiffness)).array().exp();
   const base::Vector left =
@@ -142,7 +142,7 @@ std::vector<double> FrontRates::remaining_deferred(double mean) const {
   return {left.begin(), left.end()};
 }
 
-std::vector<double> FrontRates::uncertain_fraction() const {
+std::vector<double> FrontGrowthRates::uncertain_fraction() const {
   const Waves waves(static_cast<Eigen::Index>(deferred_advance.size()), kind == FrontKind::closed);
   const base::Vector part =
       waves.shape * waves.decay(stiffness).cwiseProduct(waves.heights(vector_of(deferred_advance)));
@@ -153,8 +153,8 @@ std::vector<double> FrontRates::uncertain_fraction() const {
   return {part.begin(), part.end()};
 }
 
-std::vector<double> smooth_rates(const std::vector<double>& values, FrontKind kind,
-                                 double scatter) {
+std::vector<double> smooth_front_rates(const std::vector<double>& values, FrontKind kind,
+                                       double scatter) {
   if (std::ranges::any_of(values, [](double v) { return !(v > 0.0); })) {
     return values;
   }
@@ -166,7 +166,7 @@ std::vector<double> smooth_rates(const std::vector<double>& values, FrontKind ki
   return {found.begin(), found.end()};
 }
 
-std::vector<double> smooth_angles(const std::vector<double>& angles, FrontKind kind) {
+std::vector<double> smooth_front_angles(const std::vector<double>& angles, FrontKind kind) {
   return fitted(vector_of(angles), kind, turns);
 }
 

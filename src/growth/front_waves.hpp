@@ -18,13 +18,14 @@ inline constexpr int closed_front_points = 32;
 /// logarithms as the polynomial of degree 8 (round; straight: 4) or by twelve harmonics (closed)
 /// that fits best; and what that leaves, as far as it is more than `scatter` (rms of a logarithm):
 /// waves that rates did not know would stay for ever (growth.16).
-std::vector<double> smooth_rates(const std::vector<double>& values, FrontKind kind, double scatter);
+std::vector<double> smooth_front_rates(const std::vector<double>& values, FrontKind kind,
+                                       double scatter);
 
 /// The same of angles [point] as they are.
-std::vector<double> smooth_angles(const std::vector<double>& angles, FrontKind kind);
+std::vector<double> smooth_front_angles(const std::vector<double>& angles, FrontKind kind);
 
 /// What is known of a front that goes on.
-struct FrontRates {
+struct FrontGrowthRates {
   std::vector<double> rate;             ///< [point]
   std::vector<double> rate_before;      ///< [point] one advance ago; empty: not known
   std::vector<double> last;             ///< [point] that advance [length]
@@ -36,7 +37,7 @@ struct FrontRates {
   /// to the shape that it tends to (growth.13) [length].
   [[nodiscard]] std::vector<double> point_advances(double mean) const;
   /// The advance still deferred [point] after an advance by `mean`, whose waves die away [length].
-  [[nodiscard]] std::vector<double> remaining_deferred(double mean) const;
+  [[nodiscard]] std::vector<double> remaining_deferred_advance(double mean) const;
   /// Part by which rates [point] are wrong where the front is not where it should be; of a
   /// straight front that of their sum, on which cycles are counted: its ends swing about where they
   /// should be.

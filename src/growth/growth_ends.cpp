@@ -23,12 +23,12 @@ bool closed(const SolvedStation& station) {
 
 } // namespace
 
-GrowthEvent GrowthEnds::at_last(GrowthEventKind kind, std::string reason) const {
+GrowthEvent GrowthEndCriteria::at_last(GrowthEventKind kind, std::string reason) const {
   return {.kind = kind, .reason = std::move(reason), .s = stations.back().s};
 }
 
-std::optional<GrowthEvent> GrowthEnds::find_crossing(const GrowthTrajectory& between, double s0,
-                                                     double s1) const {
+std::optional<GrowthEvent> GrowthEndCriteria::find_crossing(const GrowthTrajectory& between,
+                                                            double s0, double s1) const {
   std::optional<GrowthEvent> first;
   const auto consider = [&](std::optional<double> s, GrowthEventKind kind, std::string reason) {
     if (s && (!first || *s < first->s)) {
@@ -40,28 +40,29 @@ std::optional<GrowthEvent> GrowthEnds::find_crossing(const GrowthTrajectory& bet
   for (std::size_t tip = 0; tip < tips.size(); ++tip) {
     const TipStation& here = last.tips[tip];
     if (const auto K_c = rules.constants.k_c; K_c && here.K_max >= *K_c) {
-      consider(first_crossing([&](double s) { return between.K_max(tip, s) - *K_c; }, s0, s1),
+      consider(find_first_crossing([&](double s) { return between.K_max(tip, s) - *K_c; }, s0, s1),
                GrowthEventKind::fracture, fmt::format("K of {} reaches KC", tips[tip].name));
     }
     if (rules.flow_stress && here.plastic >= 1.0) {
-      consider(first_crossing([&](double s) { return between.plastic_load_ratio(tip, s) - 1.0; },
-                              s0, s1),
+      consider(find_first_crossing(
+                   [&](double s) { return between.plastic_load_ratio(tip, s) - 1.0; }, s0, s1),
                GrowthEventKind::net_section,
                fmt::format("the ligament ahead of {} reaches its plastic limit", tips[tip].name));
     }
   }
   if (!(last.growth_rate() > 0.0)) {
     const bool shut = closed(last);
-    consider(
-        first_crossing([&](double s) { return between.growth_rate(s) > 0.0 ? -1.0 : 1.0; }, s0, s1),
-        shut ? GrowthEventKind::closed : GrowthEventKind::threshold,
-        shut ? "no crack grows any more: none opens at the largest load, K1 is not above 0"
-             : "no crack grows any more: delta K has fallen to the threshold");
+    consider(find_first_crossing(
+                 [&](double s) { return between.growth_rate(s) > 0.0 ? -1.0 : 1.0; }, s0, s1),
+             shut ? GrowthEventKind::closed : GrowthEventKind::threshold,
+             shut ? "no crack grows any more: none opens at the largest load, K1 is not above 0"
+                  : "no crack grows any more: delta K has fallen to the threshold");
   }
   return first;
 }
 
-std::optional<GrowthEvent> GrowthEnds::find_end(const GrowthTrajectory& between) const {
+std::optional<GrowthEvent>
+GrowthEndCriteria::find_growth_end(const GrowthTrajectory& between) const {
   if (stations.size() == 1) {
     return at_start();
   }
@@ -76,7 +77,7 @@ std::optional<GrowthEvent> GrowthEnds::find_end(const GrowthTrajectory& between)
   }
   const double s_first = stations.front().s;
   if (rules.cycles && between.cycles(s_first, end ? end->s : here.s) >= *rules.cycles) {
-    if (const auto s = between.after_cycles(s_first, *rules.cycles)) {
+    if (const auto s = between.extent_after_cycles(s_first, *rules.cycles)) {
       end = GrowthEvent{.kind = GrowthEventKind::last_cycle,
                         .reason = fmt::format("{:.6g} cycles are over", *rules.cycles),
                         .s = *s};
@@ -86,7 +87,7 @@ std::optional<GrowthEvent> GrowthEnds::find_end(const GrowthTrajectory& between)
 }
 
 // The last tip of several is told.
-std::optional<GrowthEvent> GrowthEnds::at_start() const {
+std::optional<GrowthEvent> GrowthEndCriteria::at_start() const {
   const model::CrackGrowthSettings& rules = *model.growth;
   const SolvedStation& here = stations.back();
   std::optional<GrowthEvent> end;
@@ -110,7 +111,7 @@ std::optional<GrowthEvent> GrowthEnds::at_start() const {
 }
 
 // All that a tip has turned by since the first station [rad], left positive.
-double GrowthEnds::turned(std::size_t tip) const {
+double GrowthEndCriteria::turned(std::size_t tip) const {
   double sum = 0.0;
   for (std::size_t i = 1; i < stations.size(); ++i) {
     sum += std::remainder(stations[i].tips[tip].heading - stations[i - 1].tips[tip].heading,
@@ -120,7 +121,7 @@ double GrowthEnds::turned(std::size_t tip) const {
 }
 
 // More where DA is so small that the way across the body takes them.
-std::size_t GrowthEnds::most_stations() const {
+std::size_t GrowthEndCriteria::most_stations() const {
   const std::optional<double>& longest = model.growth->largest_advance;
   if (!longest) {
     return futility_policy.stations;
@@ -130,7 +131,7 @@ std::size_t GrowthEnds::most_stations() const {
 }
 
 // Growth that goes on and leads nowhere.
-std::optional<GrowthEvent> GrowthEnds::of_futility() const {
+std::optional<GrowthEvent> GrowthEndCriteria::of_futility() const {
   double fastest = 0.0;
   for (const SolvedStation& station : stations) {
     fastest = std::max(fastest, station.growth_rate());

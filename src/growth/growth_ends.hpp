@@ -12,7 +12,7 @@ namespace spricka::growth {
 
 /// Where a growth ends by what its stations and the functions between them say; all must outlive
 /// it.
-struct GrowthEnds {
+struct GrowthEndCriteria {
   const model::Model& model;
   const std::vector<TrackedTip>& tips;
   const std::vector<SolvedStation>& stations; ///< >= 1
@@ -22,7 +22,7 @@ struct GrowthEnds {
   [[nodiscard]] std::optional<GrowthEvent> find_crossing(const GrowthTrajectory& between, double s0,
                                                          double s1) const;
   /// Whether the growth has ended at the last station or since the one before.
-  [[nodiscard]] std::optional<GrowthEvent> find_end(const GrowthTrajectory& between) const;
+  [[nodiscard]] std::optional<GrowthEvent> find_growth_end(const GrowthTrajectory& between) const;
 
 private:
   [[nodiscard]] std::optional<GrowthEvent> at_start() const;

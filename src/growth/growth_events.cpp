@@ -15,8 +15,8 @@ const char* GrowthEvent::word() const {
   return words.at(static_cast<std::size_t>(kind));
 }
 
-void limit_advance(const ObstaclePolicy& policy, const WayAhead& ahead, double share, bool early,
-                   AdvanceLimit& limit) {
+void limit_advance_by_obstacle(const ObstaclePolicy& policy, const ObstacleAhead& ahead,
+                               double share, bool early, AdvanceLimit& limit) {
   limit.ds = std::min(limit.ds, policy.step * ahead.distance / share);
   if (ahead.part < (early ? policy.passed_early : policy.passed) && ahead.goes_on &&
       ahead.goes_on()) {

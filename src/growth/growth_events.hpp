@@ -151,7 +151,7 @@ struct FutilityPolicy {
 inline constexpr FutilityPolicy futility_policy{};
 
 /// What lies ahead of a tip.
-struct WayAhead {
+struct ObstacleAhead {
   double distance = 0.0;              ///< [length]
   double part = 0.0;                  ///< of what the policy compares it with
   std::string reason;                 ///< why the growth ends there, if it does
@@ -161,8 +161,8 @@ struct WayAhead {
 
 /// Limits an advance, of which the tip takes `share`, by what lies ahead of the tip. `early`:
 /// nearer to it nothing can be meshed.
-void limit_advance(const ObstaclePolicy& policy, const WayAhead& ahead, double share, bool early,
-                   AdvanceLimit& limit);
+void limit_advance_by_obstacle(const ObstaclePolicy& policy, const ObstacleAhead& ahead,
+                               double share, bool early, AdvanceLimit& limit);
 
 /// From the last station to the next.
 struct TrialAdvance {

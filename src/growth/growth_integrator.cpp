@@ -23,7 +23,7 @@ constexpr double little_left = 0.03; ///< that is left, as a part of the arm
 
 } // namespace
 
-GrowthIntegrator::GrowthIntegrator(const model::Model& model, Law law,
+GrowthIntegrator::GrowthIntegrator(const model::Model& model, GrowthRateFunction law,
                                    std::unique_ptr<CrackKinematics> kinematics, GrowthState state)
     : model_(model), law_(std::move(law)), kinematics_(std::move(kinematics)),
       state_(std::move(state)) {
@@ -35,7 +35,7 @@ GrowthIntegrator::GrowthIntegrator(const model::Model& model, Law law,
     if (state_.stations.front().tips.size() != tips().size()) {
       throw base::CorruptStoredField("station_tip.a", "stations of other tips");
     }
-    end_ = ends().find_end(trajectory());
+    end_ = ends().find_growth_end(trajectory());
   }
 }
 
@@ -70,12 +70,12 @@ std::vector<double> GrowthIntegrator::shares() const {
   return share;
 }
 
-std::optional<CrackGeometry> GrowthIntegrator::propose_step(base::Diagnostics& diagnostics) {
+std::optional<CrackGeometry> GrowthIntegrator::propose_next_cracks(base::Diagnostics& diagnostics) {
   if (end_) {
     return std::nullopt;
   }
   if (state_.stations.empty()) {
-    return kinematics_->current_state();
+    return kinematics_->current_cracks();
   }
   if (!plan()) {
     return std::nullopt;
@@ -153,7 +153,7 @@ std::optional<double> GrowthIntegrator::next_advance(const std::vector<double>& 
     if (model_.growth->largest_advance) {
       ds = std::min(ds, *model_.growth->largest_advance / share[tip]);
     }
-    AdvanceLimit limit = kinematics_->step_limit(state_, tip, share[tip], ds);
+    AdvanceLimit limit = kinematics_->advance_limit(state_, tip, share[tip], ds);
     ds = limit.ds;
     if (!limit.event) {
       continue;
@@ -180,11 +180,11 @@ bool GrowthIntegrator::accept_station(std::vector<TipStation> found) {
   station.breakthroughs = passage_ ? passage_->tip + 1 : 0;
   station.met =
       passage_ && passage_->kind == GrowthEventKind::coalescence ? passage_->crack + 1 : 0;
-  kinematics_->locate_tips(found);
+  kinematics_->evaluate_trial_tips(found);
   for (std::size_t tip = 0; tip < tips().size(); ++tip) {
     TipStation& here = found[tip];
     // The arms are the clock of the growth: summed from advances, not measured on polylines.
-    here.a = state_.stations.empty() ? kinematics_->initial_extent(tip)
+    here.a = state_.stations.empty() ? kinematics_->initial_tip_extent(tip)
                                      : state_.stations.back().tips[tip].a + advance_[tip];
     station.s += here.a;
   }
@@ -200,7 +200,7 @@ bool GrowthIntegrator::accept_station(std::vector<TipStation> found) {
   passage_.reset();
   lengthening_ = 1.0;
   kinematics_->accept_trial(state_);
-  end_ = ends().find_end(trajectory());
+  end_ = ends().find_growth_end(trajectory());
   return true;
 }
 

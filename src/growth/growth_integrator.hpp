@@ -22,11 +22,11 @@ public:
   /// `law`: empty where the stations' rates are those of a spectrum. `kinematics`: of the cracks as
   /// they are first. `state`: of a run that goes on, else new; throws base::CorruptStoredField for
   /// one of other cracks.
-  GrowthIntegrator(const model::Model& model, Law law, std::unique_ptr<CrackKinematics> kinematics,
-                   GrowthState state);
+  GrowthIntegrator(const model::Model& model, GrowthRateFunction law,
+                   std::unique_ptr<CrackKinematics> kinematics, GrowthState state);
 
   /// The cracks to be solved next; empty when the growth has ended.
-  std::optional<CrackGeometry> propose_step(base::Diagnostics& diagnostics);
+  std::optional<CrackGeometry> propose_next_cracks(base::Diagnostics& diagnostics);
   /// Takes what was found there: K, rates, turns and plastic parts by tip. False: the advance was
   /// too long for the tolerance and does not count.
   bool accept_station(std::vector<TipStation> found);
@@ -41,8 +41,8 @@ public:
   /// Estimated error of the cycles, as a part of them.
   [[nodiscard]] double cycle_error() const;
   /// Cracks straight on from the last station by so much at each growing tip, for a look ahead.
-  [[nodiscard]] CrackGeometry extend_straight(double advance) const {
-    return kinematics_->extend_straight(state_, advance);
+  [[nodiscard]] CrackGeometry extend_cracks_straight(double advance) const {
+    return kinematics_->extend_cracks_straight(state_, advance);
   }
 
 private:
@@ -55,11 +55,11 @@ private:
   [[nodiscard]] double turn_missed() const;
   [[nodiscard]] double drift() const;
   void settle();
-  [[nodiscard]] GrowthEnds ends() const { return {model_, tips(), state_.stations}; }
+  [[nodiscard]] GrowthEndCriteria ends() const { return {model_, tips(), state_.stations}; }
   void end_at_station(GrowthEvent end);
 
   const model::Model& model_;
-  Law law_;
+  GrowthRateFunction law_;
   std::unique_ptr<CrackKinematics> kinematics_;
   std::vector<double> advance_;        ///< [tip] that leads to the state on trial
   std::optional<GrowthEvent> passage_; ///< that it leads through

@@ -66,7 +66,7 @@ double GrowthIntegrator::turn_missed() const {
     const TipStation& here = all.back().tips[tip];
     const TipStation& last = all[all.size() - 2].tips[tip];
     const double curvature =
-        all.size() > 2 ? way_curvature(all[all.size() - 3].tips[tip], last) : 0.0;
+        all.size() > 2 ? tip_path_curvature(all[all.size() - 3].tips[tip], last) : 0.0;
     const double expected = last.heading + curvature * advance_[tip];
     most =
         std::max(most, std::abs(std::remainder(here.heading - expected, 2.0 * std::numbers::pi)));
@@ -90,7 +90,7 @@ void GrowthIntegrator::settle() {
   for (const TipStation& tip : all[n - 2].tips) {
     deferred_advance.push_back(tip.deferred_advance);
   }
-  kinematics_->damp_deferred(deferred_advance, advance_);
+  kinematics_->damp_deferred_advance(deferred_advance, advance_);
   const double h = all[n - 1].s - all[n - 2].s;
   for (std::size_t tip = 0; tip < tips().size(); ++tip) {
     const auto share = [&](std::size_t k) { return all[k].tips[tip].rate / all[k].growth_rate(); };
@@ -146,7 +146,7 @@ bool GrowthIntegrator::good_enough() {
   judge(missed, aimed_part * tolerance, still_good * tolerance, n > 3 ? 3.0 : 2.0);
   judge(drift(), aimed_part * tolerance, still_good * tolerance, n > 2 ? 3.0 : 2.0);
   // Behind the first kink of a front headings miss by the root of the advance, however short.
-  const double scatter = kinematics_->kink_scatter();
+  const double scatter = kinematics_->heading_scatter();
   if (kinematics_->can_kink() && (scatter == 0.0 || n > 2)) {
     judge(turn_missed(), aimed_turn_miss + scatter, largest_turn_miss + scatter, n > 2 ? 2.0 : 1.0);
   }

@@ -48,7 +48,7 @@ std::vector<TrackedTip> growing_tips(const model::Model& model,
     tips.push_back({.name = std::move(name), .line = line, .at_first = at_first});
   };
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (!crack_grows(model, lines[i].crack.index())) {
+    if (!is_growing_crack(model, lines[i].crack.index())) {
       continue;
     }
     if (lines[i].embedded) {
@@ -84,12 +84,12 @@ void PlanarTips::resume_from(const GrowthState& state) {
   }
 }
 
-CrackGeometry PlanarTips::current_state() {
+CrackGeometry PlanarTips::current_cracks() {
   trial_ = lines_;
   return {.lines = trial_};
 }
 
-double PlanarTips::initial_extent(std::size_t tip) const {
+double PlanarTips::initial_tip_extent(std::size_t tip) const {
   const mesh::CrackLine& line = lines_[tips_[tip].line];
   return (line.embedded ? 0.5 : 1.0) * geometry::polyline_length(line.points);
 }
@@ -118,8 +118,8 @@ double PlanarTips::remaining_ligament(const GrowthState& state, std::size_t tip)
   return longest - state.stations.back().tips[tip].a;
 }
 
-AdvanceLimit PlanarTips::step_limit(const GrowthState& state, std::size_t tip, double share,
-                                    double ds) const {
+AdvanceLimit PlanarTips::advance_limit(const GrowthState& state, std::size_t tip, double share,
+                                       double ds) const {
   const TrackedTip& t = tips_[tip];
   const TipStation& here = state.stations.back().tips[tip];
   AdvanceLimit limit{.ds = ds};
@@ -133,7 +133,7 @@ AdvanceLimit PlanarTips::step_limit(const GrowthState& state, std::size_t tip, d
   limit.ds = std::min(limit.ds, left / share);
   if (can_kink() && state.stations.size() > 1) {
     const TipStation& before = state.stations[state.stations.size() - 2].tips[tip];
-    const double curvature = std::abs(way_curvature(before, here));
+    const double curvature = std::abs(tip_path_curvature(before, here));
     // The curvature of the last advance is no guess of the way for a larger turn.
     limit.ds = curvature * limit.ds * share > turn_of_advance
                    ? turn_of_advance / (curvature * share)
@@ -149,22 +149,23 @@ void PlanarTips::limit_by_obstacles(const GrowthState& state, std::size_t tip, d
   const double a = state.stations.back().tips[tip].a;
   const TipGrowthDirection heading = heading_of(state, tip);
   if (const auto edge = around_.edge_ahead(lines_[t.line], heading)) {
-    limit_advance(edge_policy,
-                  {.distance = edge->distance,
-                   .part = edge->distance / a,
-                   .reason = fmt::format("{} reaches {}: {:.3g} is left of the ligament, in which "
-                                         "K grows without bound",
-                                         t.name, edge->what, edge->distance)},
-                  share, false, limit);
+    limit_advance_by_obstacle(
+        edge_policy,
+        {.distance = edge->distance,
+         .part = edge->distance / a,
+         .reason = fmt::format("{} reaches {}: {:.3g} is left of the ligament, in which "
+                               "K grows without bound",
+                               t.name, edge->what, edge->distance)},
+        share, false, limit);
   }
   const auto crack = PlaneBoundaryAhead::crack_ahead(lines_, t.line, heading);
   if (crack && !limit.event) {
-    limit_advance(plane_crack_policy,
-                  {.distance = crack->distance,
-                   .part = crack->distance / a,
-                   .reason = fmt::format("{} meets {}: {:.3g} is left between them", t.name,
-                                         crack->what, crack->distance)},
-                  share, false, limit);
+    limit_advance_by_obstacle(plane_crack_policy,
+                              {.distance = crack->distance,
+                               .part = crack->distance / a,
+                               .reason = fmt::format("{} meets {}: {:.3g} is left between them",
+                                                     t.name, crack->what, crack->distance)},
+                              share, false, limit);
   }
 }
 
@@ -209,7 +210,7 @@ void PlanarTips::extend(const GrowthState& state, std::size_t tip, double by,
   const TipStation& here = state.stations.back().tips[tip];
   double curvature = 0.0;
   if (state.stations.size() > 1) {
-    curvature = way_curvature(state.stations[state.stations.size() - 2].tips[tip], here);
+    curvature = tip_path_curvature(state.stations[state.stations.size() - 2].tips[tip], here);
   }
   const int pieces =
       std::max(1, static_cast<int>(std::ceil(std::abs(curvature) * by / turn_of_chord)));
@@ -232,7 +233,7 @@ void PlanarTips::extend(const GrowthState& state, std::size_t tip, double by,
   }
 }
 
-void PlanarTips::locate_tips(std::vector<TipStation>& found) const {
+void PlanarTips::evaluate_trial_tips(std::vector<TipStation>& found) const {
   for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
     const TrackedTip& t = tips_[tip];
     const mesh::CrackLine& line = trial_[t.line];
@@ -254,7 +255,7 @@ std::optional<GrowthEvent> PlanarTips::reject_advance(bool /*passage*/, const st
   return GrowthEvent{.reason = fmt::format("the next advance could not be meshed: {}", why)};
 }
 
-CrackGeometry PlanarTips::extend_straight(const GrowthState& state, double advance) const {
+CrackGeometry PlanarTips::extend_cracks_straight(const GrowthState& state, double advance) const {
   std::vector<mesh::CrackLine> lines = lines_;
   for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
     const TipGrowthDirection heading = heading_of(state, tip);

@@ -17,22 +17,22 @@ public:
   [[nodiscard]] bool can_kink() const override;
   /// Takes the lines of all cracks out of the state.
   void resume_from(const GrowthState& state) override;
-  [[nodiscard]] CrackGeometry current_state() override;
+  [[nodiscard]] CrackGeometry current_cracks() override;
   /// Length of a tip's crack along its line, of an embedded crack half of it [length].
-  [[nodiscard]] double initial_extent(std::size_t tip) const override;
+  [[nodiscard]] double initial_tip_extent(std::size_t tip) const override;
   /// What is left to the largest length that $GROW allows and, on a path, to its end [length].
   [[nodiscard]] double remaining_ligament(const GrowthState& state, std::size_t tip) const override;
   /// Limits the advance by the end of the path, by the curvature of the last advance where K turns
   /// the crack, and by what lies ahead.
-  [[nodiscard]] AdvanceLimit step_limit(const GrowthState& state, std::size_t tip, double share,
-                                        double ds) const override;
+  [[nodiscard]] AdvanceLimit advance_limit(const GrowthState& state, std::size_t tip, double share,
+                                           double ds) const override;
   /// The lines extended along their headings, or cut anew from the paths of the deck. Empty, with
   /// errors, where a path gives no such line.
   std::optional<CrackGeometry> advance_cracks(const GrowthState& state, const TrialAdvance& advance,
                                               base::Diagnostics& diagnostics) override;
   /// Sets the place of each tip and its heading: that of its last segment and the turn that K asks
   /// for.
-  void locate_tips(std::vector<TipStation>& found) const override;
+  void evaluate_trial_tips(std::vector<TipStation>& found) const override;
   /// Keeps the lines on trial, their points in `state` as well.
   void accept_trial(GrowthState& state) override;
   /// The end of the growth: there is no other way in the plane than the advance that failed.
@@ -40,8 +40,8 @@ public:
                                                           const std::string& why) override;
   /// The lines with a straight end along each heading, by `advance` or less, so that none leaves
   /// the body.
-  [[nodiscard]] CrackGeometry extend_straight(const GrowthState& state,
-                                              double advance) const override;
+  [[nodiscard]] CrackGeometry extend_cracks_straight(const GrowthState& state,
+                                                     double advance) const override;
 
 private:
   [[nodiscard]] TipGrowthDirection heading_of(const GrowthState& state, std::size_t tip) const;

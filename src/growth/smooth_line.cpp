@@ -18,8 +18,8 @@ constexpr double tip_part = 0.25;
 
 } // namespace
 
-std::vector<Vec3> as_polyline(const geometry::SplineCurve& curve, double s0, double s1,
-                              bool two_tips) {
+std::vector<Vec3> polyline_of_curve(const geometry::SplineCurve& curve, double s0, double s1,
+                                    bool two_tips) {
   // A piece over which the curve turns by turn_at_tip, no longer than `most`; the inner maximum
   // keeps a straight end from a division by zero.
   const double most = tip_part * (s1 - s0);

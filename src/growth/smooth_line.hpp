@@ -12,7 +12,7 @@ inline constexpr double turn_of_chord = 0.05;
 /// The stretch of a curve from s0 to s1 as a polyline whose kinks are small: a twentieth of a
 /// radian inside, and at its tips (the end, the beginning too if `two_tips`) a straight piece along
 /// the tangent over which the curve turns by a fiftieth.
-std::vector<base::Vec3> as_polyline(const geometry::SplineCurve& curve, double s0, double s1,
-                                    bool two_tips);
+std::vector<base::Vec3> polyline_of_curve(const geometry::SplineCurve& curve, double s0, double s1,
+                                          bool two_tips);
 
 } // namespace spricka::growth

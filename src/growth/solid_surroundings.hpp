@@ -11,7 +11,7 @@ namespace spricka::growth {
 struct SurfaceLigament {
   double behind = 0.0; ///< how far the crack reaches back from there [length]
   double left = 0.0;   ///< from there to the surface [length]
-  [[nodiscard]] double left_fraction() const { return left / (behind + left); }
+  [[nodiscard]] double remaining_fraction() const { return left / (behind + left); }
 };
 
 /// The body that a crack in space grows in: which places are inside of it, and how far it is to its

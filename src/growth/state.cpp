@@ -52,7 +52,7 @@ struct ColumnWriter {
 
 /// Writes what describe() names.
 struct StateWriter {
-  Arrays arrays;
+  NamedValueArrays arrays;
 
   ColumnWriter column(const char* name) { return {arrays[name]}; }
   template <class List> void resize(const char* /*name*/, const List& /*list*/) {}
@@ -112,7 +112,7 @@ private:
 /// Reads what describe() names.
 class StateReader {
 public:
-  explicit StateReader(const Arrays& arrays) : arrays_(arrays) {}
+  explicit StateReader(const NamedValueArrays& arrays) : arrays_(arrays) {}
 
   ColumnReader& column(const char* name) {
     const auto found = arrays_.find(name);
@@ -148,7 +148,7 @@ public:
   }
 
 private:
-  const Arrays& arrays_;
+  const NamedValueArrays& arrays_;
   std::map<std::string, ColumnReader> columns_;
 };
 
@@ -239,14 +239,14 @@ void check_names(const GrowthState& state) {
 
 } // namespace
 
-Arrays to_arrays(const GrowthState& state) {
+NamedValueArrays growth_state_to_arrays(const GrowthState& state) {
   StateWriter writer;
   describe(writer, state);
   std::erase_if(writer.arrays, [](const auto& array) { return array.second.empty(); });
   return std::move(writer.arrays);
 }
 
-GrowthState from_arrays(const Arrays& arrays) {
+GrowthState growth_state_from_arrays(const NamedValueArrays& arrays) {
   GrowthState state;
   StateReader reader(arrays);
   describe(reader, state);

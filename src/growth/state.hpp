@@ -41,11 +41,11 @@ struct GrowthState {
 };
 
 /// Arrays of a restart file by name, one for each member of the structs above: "station.s".
-using Arrays = std::map<std::string, std::vector<double>>;
+using NamedValueArrays = std::map<std::string, std::vector<double>>;
 /// The state as named arrays. Those without values are left out.
-Arrays to_arrays(const GrowthState& state);
+NamedValueArrays growth_state_to_arrays(const GrowthState& state);
 /// Back from there. Throws base::CorruptStoredField for an array of another length, and for a
 /// number that counts or names nothing.
-GrowthState from_arrays(const Arrays& arrays);
+GrowthState growth_state_from_arrays(const NamedValueArrays& arrays);
 
 } // namespace spricka::growth

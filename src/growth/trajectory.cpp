@@ -19,7 +19,7 @@ constexpr int degree = 9;
 
 } // namespace
 
-double way_curvature(const TipStation& before, const TipStation& here) {
+double tip_path_curvature(const TipStation& before, const TipStation& here) {
   return here.a > before.a ? std::remainder(here.heading - before.heading, 2.0 * std::numbers::pi) /
                                  (here.a - before.a)
                            : 0.0;
@@ -33,8 +33,8 @@ double SolvedStation::growth_rate() const {
   return sum;
 }
 
-GrowthTrajectory::GrowthTrajectory(const std::vector<SolvedStation>& stations, Law law,
-                                   std::size_t points)
+GrowthTrajectory::GrowthTrajectory(const std::vector<SolvedStation>& stations,
+                                   GrowthRateFunction law, std::size_t points)
     : stations_(stations), law_(std::move(law)), points_(std::min(points, stations.size())) {
   for (const SolvedStation& station : stations_) {
     extents_differ_ =
@@ -214,16 +214,16 @@ double GrowthTrajectory::cycles(double s0, double s1) const {
   return sum;
 }
 
-std::optional<double> GrowthTrajectory::after_cycles(double s0, double cycles) const {
+std::optional<double> GrowthTrajectory::extent_after_cycles(double s0, double cycles) const {
   const double last = stations_.back().s;
   if (this->cycles(s0, last) < cycles) {
     return std::nullopt;
   }
-  return first_crossing([&](double s) { return this->cycles(s0, s) - cycles; }, s0, last);
+  return find_first_crossing([&](double s) { return this->cycles(s0, s) - cycles; }, s0, last);
 }
 
-std::optional<double> first_crossing(const std::function<double(double)>& value, double s0,
-                                     double s1) {
+std::optional<double> find_first_crossing(const std::function<double(double)>& value, double s0,
+                                          double s1) {
   constexpr int looks = 16;
   double low = s0;
   for (int k = 1; k <= looks; ++k) {

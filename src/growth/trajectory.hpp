@@ -31,7 +31,7 @@ struct TipStation {
 
 /// Curvature of the way of a tip from one station to the next [rad/length], left positive; 0 where
 /// it has not grown.
-double way_curvature(const TipStation& before, const TipStation& here);
+double tip_path_curvature(const TipStation& before, const TipStation& here);
 
 /// All growing tips at one state of the cracks.
 struct SolvedStation {
@@ -46,14 +46,15 @@ struct SolvedStation {
 };
 
 /// da/dN at K_max, K_min; where it is empty (a spectrum) the stations' rates are interpolated.
-using Law = std::function<double(double K_max, double K_min)>;
+using GrowthRateFunction = std::function<double(double K_max, double K_min)>;
 
 /// Functions of s between stations by polynomials through the nearest of them: ln K_max, K_min over
 /// K_max (or ln rate) over ln s; arms by cubics that take the rates as slopes (manual, growth.3).
 class GrowthTrajectory {
 public:
   /// stations [>= 1], s ascending; `points` of each polynomial, at most as many as there are.
-  GrowthTrajectory(const std::vector<SolvedStation>& stations, Law law, std::size_t points);
+  GrowthTrajectory(const std::vector<SolvedStation>& stations, GrowthRateFunction law,
+                   std::size_t points);
 
   /// Rate of the sum of all arms at s, added up over the tips [length/cycle].
   [[nodiscard]] double growth_rate(double s) const; ///< ds per cycle
@@ -66,7 +67,7 @@ public:
   /// Cycles from s0 to s1, both within the stations: Gauss on parts of each interval (growth.4).
   [[nodiscard]] double cycles(double s0, double s1) const;
   /// Where so many cycles from s0 lead; empty: beyond the last station.
-  [[nodiscard]] std::optional<double> after_cycles(double s0, double cycles) const;
+  [[nodiscard]] std::optional<double> extent_after_cycles(double s0, double cycles) const;
 
 private:
   [[nodiscard]] std::size_t interval(double s) const;
@@ -81,14 +82,14 @@ private:
   [[nodiscard]] double gauss(double s0, double s1) const;
 
   const std::vector<SolvedStation>& stations_;
-  Law law_;
+  GrowthRateFunction law_;
   std::size_t points_;
   bool extents_differ_ = false; ///< some arm does not grow as its place does
 };
 
 /// First place between s0 and s1 (found to 1e-12 of s1) where `value` is not below 0 any more, if
 /// it is at s1; it is looked at in some places between.
-std::optional<double> first_crossing(const std::function<double(double)>& value, double s0,
-                                     double s1);
+std::optional<double> find_first_crossing(const std::function<double(double)>& value, double s0,
+                                          double s1);
 
 } // namespace spricka::growth

@@ -57,8 +57,9 @@ std::vector<Vec3> crack_normals(const model::CrackDefinition& crack,
   return normals;
 }
 
-model::FrontHistory extend_history(const model::CrackDefinition& before,
-                                   const mesh::FrontCurve& front, const mesh::FrontCurve& made) {
+model::FrontHistory extend_front_history(const model::CrackDefinition& before,
+                                         const mesh::FrontCurve& front,
+                                         const mesh::FrontCurve& made) {
   model::FrontHistory front_history = before.front_history;
   if (front_history.fronts.empty()) {
     front_history.fronts.push_back(line_of(front));

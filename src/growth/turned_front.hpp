@@ -15,7 +15,8 @@ std::vector<base::Vec3> crack_normals(const model::CrackDefinition& crack,
 /// The front history of a crack whose front has gone on: `before`, with its front there, from the
 /// surface on straight on, and the front that it has made. Its normals are those of the way between
 /// the two, or as they were where the front has not moved.
-model::FrontHistory extend_history(const model::CrackDefinition& before,
-                                   const mesh::FrontCurve& front, const mesh::FrontCurve& made);
+model::FrontHistory extend_front_history(const model::CrackDefinition& before,
+                                         const mesh::FrontCurve& front,
+                                         const mesh::FrontCurve& made);
 
 } // namespace spricka::growth

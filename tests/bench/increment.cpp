@@ -43,7 +43,7 @@ Costs solve_all(const model::Model& model) {
   base::OptionalFailure trouble;
   std::vector<results::LogLine> lines;
   const analysis::SolveOptions options{.threads = 1, .progress = {}};
-  const std::vector<double> lengths = growth::crack_lengths(model);
+  const std::vector<double> lengths = growth::growth_loop_lengths(model);
   Costs costs;
   base::Stopwatch watch;
   const analysis::RegionPlan plan = analysis::plan_region(model, lengths, diagnostics);

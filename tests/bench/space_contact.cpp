@@ -68,10 +68,11 @@ int main(int argc, char** argv) {
   }
   analysis::CondensationCache cache;
   const analysis::RegionPlan plan =
-      analysis::plan_region(*model, growth::crack_lengths(*model), diagnostics);
+      analysis::plan_region(*model, growth::growth_loop_lengths(*model), diagnostics);
   const double before = base::cpu_seconds();
   const auto length = analysis::CrackLengthAnalysis::create(
-      {.model = *model, .cache = cache}, growth::crack_lengths(*model).front(), plan, diagnostics);
+      {.model = *model, .cache = cache}, growth::growth_loop_lengths(*model).front(), plan,
+      diagnostics);
   if (!length) {
     fmt::print(stderr, "{}", base::format_messages(sources, diagnostics));
     return 3;

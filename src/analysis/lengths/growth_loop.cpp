@@ -51,7 +51,7 @@ public:
     if (!kinematics) {
       return false;
     }
-    growth::Law law;
+    growth::GrowthRateFunction law;
     // Of a spectrum the rate itself is interpolated between stations: no law is asked there.
     if (!measure_.spectrum()) {
       law = [this](double K_max, double K_min) { return measure_.law().growth_rate(K_max, K_min); };
@@ -118,12 +118,12 @@ private:
   growth::GrowthState state_from(const results::NamedArrays& arrays) {
     solver_.restore_state(arrays);
     measure_.restore_state(arrays);
-    return growth::from_arrays(arrays.reals);
+    return growth::growth_state_from_arrays(arrays.reals);
   }
 
   void keep(const growth::GrowthIntegrator& integrator, const GrowthRegion& region) {
     results::NamedArrays state;
-    state.reals = growth::to_arrays(integrator.growth_state());
+    state.reals = growth::growth_state_to_arrays(integrator.growth_state());
     solver_.save_state(state);
     region.save_state(state);
     measure_.save_state(state);
@@ -139,7 +139,7 @@ private:
   std::optional<growth::CrackGeometry> next_state(growth::GrowthIntegrator& integrator,
                                                   GrowthRegion& region) {
     const RecordedInterval span(options_.recorder, "GROW", "where to solve next");
-    std::optional<growth::CrackGeometry> next = integrator.propose_step(trial_);
+    std::optional<growth::CrackGeometry> next = integrator.propose_next_cracks(trial_);
     if (next && next->solids.empty() && !integrator.end()) { // bodies of solids stay whole
       region.update_region(next->lines, integrator, run_.log);
     }

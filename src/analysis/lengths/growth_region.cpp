@@ -35,7 +35,7 @@ void GrowthRegion::choose(const std::vector<mesh::CrackLine>& lines,
   for (int k = 1; k <= looks; ++k) {
     const double part = static_cast<double>(k) / looks;
     // Closer together near the tips, where the next stations will be.
-    add_to_region(model_, integrator.extend_straight(reach * part * part).lines, plan_);
+    add_to_region(model_, integrator.extend_cracks_straight(reach * part * part).lines, plan_);
   }
 }
 

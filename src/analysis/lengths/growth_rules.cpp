@@ -51,7 +51,7 @@ bool growth_can_begin(const model::Model& model, const growth::CrackKinematics& 
   };
   for (std::size_t c = 0; c < model.cracks.size(); ++c) {
     const model::CrackDefinition& crack = model.cracks[c];
-    if (!growth::crack_grows(model, c)) {
+    if (!growth::is_growing_crack(model, c)) {
       continue;
     }
     if (keeps_own_mesh(model, c)) {
@@ -77,10 +77,11 @@ bool growth_can_begin(const model::Model& model, const growth::CrackKinematics& 
     return no("$GROW: no crack grows");
   }
   for (std::size_t tip = 0; tip < kinematics.tips().size(); ++tip) {
-    if (model.growth->last_length && kinematics.initial_extent(tip) >= *model.growth->last_length) {
+    if (model.growth->last_length &&
+        kinematics.initial_tip_extent(tip) >= *model.growth->last_length) {
       return no(fmt::format("AMAX = {:.6g} is not longer than {} is at first, {:.6g}",
                             *model.growth->last_length, kinematics.tips()[tip].name,
-                            kinematics.initial_extent(tip)));
+                            kinematics.initial_tip_extent(tip)));
     }
   }
   return ligament_can_yield(model, no);

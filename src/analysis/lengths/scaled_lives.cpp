@@ -113,7 +113,7 @@ std::vector<results::ScaledLife> scaled_lives(const model::Model& model,
           tip.K_min = *r * tip.K_max;
         }
       }
-      const growth::Law law = [&](double K_max, double K_min) {
+      const growth::GrowthRateFunction law = [&](double K_max, double K_min) {
         return measure.law().growth_rate(K_max, K_min);
       };
       add(life("scaled", integrator, growth::GrowthTrajectory(stations, law, 4)));

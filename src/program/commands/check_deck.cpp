@@ -45,7 +45,7 @@ double stations_at_least(const model::Model& model, const std::vector<mesh::Crac
   }
   double way = *growth.last_length;
   for (const mesh::CrackLine& line : lines) {
-    if (growth::crack_grows(model, line.crack.index())) {
+    if (growth::is_growing_crack(model, line.crack.index())) {
       way = std::min(way, *growth.last_length -
                               (line.embedded ? 0.5 : 1.0) * geometry::polyline_length(line.points));
     }
@@ -85,7 +85,7 @@ public:
         return;
       }
     }
-    const std::vector<double> lengths = growth::crack_lengths(model_);
+    const std::vector<double> lengths = growth::growth_loop_lengths(model_);
     const analysis::RegionPlan plan = analysis::plan_region(model_, lengths, diagnostics);
     if (diagnostics.has_errors()) {
       return;
@@ -100,7 +100,7 @@ public:
       std::optional<model::Model> sized; // in space
       if (model_.mesh.dim == 3 && lengths[i] > 0.0) {
         sized.emplace(model_);
-        sized->cracks = growth::scale_cracks(model_, lengths[i]);
+        sized->cracks = growth::scale_solid_cracks(model_, lengths[i]);
       }
       const std::unique_ptr<analysis::CrackLengthAnalysis> length =
           analysis::CrackLengthAnalysis::create(

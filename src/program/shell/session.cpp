@@ -49,7 +49,7 @@ void begin_growth(model::Model& model) {
     return;
   }
   if (model.mesh.dim == 3) {
-    model.cracks = growth::scale_cracks(model, model.growth->lengths.front());
+    model.cracks = growth::scale_solid_cracks(model, model.growth->lengths.front());
     return;
   }
   const std::vector<base::CrackId>& grow = model.growth->cracks;
@@ -127,7 +127,7 @@ base::OptionalFailure ShellSession::open_model() {
   begin_growth(*model_);
   if (plan_.region.empty()) {
     base::Diagnostics diagnostics;
-    plan_ = analysis::plan_region(*model_, growth::crack_lengths(*model_), diagnostics);
+    plan_ = analysis::plan_region(*model_, growth::growth_loop_lengths(*model_), diagnostics);
     if (diagnostics.has_errors()) {
       return located_failure(base::Outcome::deck_error, deck_->sources, diagnostics);
     }

@@ -79,10 +79,11 @@ inline double paris(double K_max, double K_min) {
 // K1 at a place of the crack.
 using KAt = std::function<double(const growth::CrackGeometry& cracks, const Vec3& x)>;
 
-inline void run(growth::GrowthIntegrator& march, const KAt& K_at, const growth::Law& law = paris) {
+inline void run(growth::GrowthIntegrator& march, const KAt& K_at,
+                const growth::GrowthRateFunction& law = paris) {
   for (int k = 0; k < 300 && !march.end(); ++k) {
     base::Diagnostics diagnostics;
-    const auto cracks = march.propose_step(diagnostics);
+    const auto cracks = march.propose_next_cracks(diagnostics);
     if (!cracks) {
       if (!march.end()) {
         march.shorten_step("no front");

@@ -323,11 +323,12 @@ template <class Ways> void goes_on_alike() {
   growth::GrowthIntegrator whole(block.model, paris, std::make_unique<Ways>(block.model), {});
   base::Diagnostics none;
   for (int k = 0; k < 8; ++k) {
-    const auto cracks = whole.propose_step(none);
+    const auto cracks = whole.propose_next_cracks(none);
     ASSERT_TRUE(cracks);
-    const growth::GrowthState state = growth::from_arrays(growth::to_arrays(whole.growth_state()));
+    const growth::GrowthState state =
+        growth::growth_state_from_arrays(growth::growth_state_to_arrays(whole.growth_state()));
     growth::GrowthIntegrator again(block.model, paris, std::make_unique<Ways>(block.model), state);
-    const auto same = again.propose_step(none);
+    const auto same = again.propose_next_cracks(none);
     ASSERT_TRUE(same);
     ASSERT_EQ(same->aims.size(), cracks->aims.size());
     for (std::size_t i = 0; i < same->aims.size(); ++i) {
@@ -363,12 +364,13 @@ TEST(FreeFrontShape, GoesOnAlikeAsOne) {
   base::Diagnostics none;
   std::size_t behind = 0;
   for (int k = 0; k < 60 && behind < 3; ++k) {
-    const auto cracks = whole.propose_step(none);
+    const auto cracks = whole.propose_next_cracks(none);
     ASSERT_TRUE(cracks);
-    const growth::GrowthState state = growth::from_arrays(growth::to_arrays(whole.growth_state()));
+    const growth::GrowthState state =
+        growth::growth_state_from_arrays(growth::growth_state_to_arrays(whole.growth_state()));
     growth::GrowthIntegrator again(block.model, paris,
                                    std::make_unique<growth::FreeFrontShape>(block.model), state);
-    const auto same = again.propose_step(none);
+    const auto same = again.propose_next_cracks(none);
     ASSERT_TRUE(same);
     for (std::size_t i = 0; i < same->aims.size(); ++i) {
       EXPECT_EQ(same->aims[i], cracks->aims[i]) << "station " << k;

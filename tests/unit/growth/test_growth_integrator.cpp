@@ -82,7 +82,7 @@ using Measure =
 void run(growth::GrowthIntegrator& march, const Measure& measure) {
   base::Diagnostics diagnostics;
   for (int k = 0; k < 200 && !march.end(); ++k) {
-    const auto lines = march.propose_step(diagnostics);
+    const auto lines = march.propose_next_cracks(diagnostics);
     if (!lines) {
       break;
     }
@@ -107,7 +107,7 @@ TEST(GrowthIntegrator, LifeOfTheBenchmark) {
   Plate plate(0.0, 100.0, 50.0, 10);
   plate.crack("C", 0.0, 1.0);
   plate.model.growth->last_length = 10.0;
-  const growth::Law paris = [](double K_max, double K_min) {
+  const growth::GrowthRateFunction paris = [](double K_max, double K_min) {
     return 1e-11 * std::pow(K_max - K_min, 3);
   };
   growth::GrowthIntegrator march(plate.model, paris, plate.kinematics(), {});
@@ -129,7 +129,7 @@ TEST(GrowthIntegrator, KeepsItsTolerance) {
     return 50.0 * std::sqrt(40.0 * std::tan(0.5 * pi * r)) *
            (0.752 + 2.02 * r + 0.37 * std::pow(1.0 - std::sin(0.5 * pi * r), 3)) / c;
   };
-  const growth::Law paris = [](double K_max, double K_min) {
+  const growth::GrowthRateFunction paris = [](double K_max, double K_min) {
     return 1e-12 * std::pow(K_max - K_min, 3.5);
   };
   double exact = 0.0;
@@ -181,7 +181,7 @@ TEST(GrowthIntegrator, EndsAtToughness) {
   Plate plate(0.0, 1000.0, 50.0, 10);
   plate.crack("C", 0.0, 1.0);
   plate.model.growth->constants.k_c = 500.0;
-  const growth::Law forman = [](double K_max, double) {
+  const growth::GrowthRateFunction forman = [](double K_max, double) {
     return K_max < 500.0 ? 1e-9 * std::pow(K_max, 3) / (500.0 - K_max)
                          : std::numeric_limits<double>::infinity();
   };
@@ -200,7 +200,7 @@ TEST(GrowthIntegrator, EndsAfterItsCycles) {
   Plate plate(0.0, 1000.0, 50.0, 10);
   plate.crack("C", 0.0, 1.0);
   plate.model.growth->cycles = 1e4;
-  const growth::Law law = [](double K_max, double) { return 1e-4 * K_max * K_max; };
+  const growth::GrowthRateFunction law = [](double K_max, double) { return 1e-4 * K_max * K_max; };
   growth::GrowthIntegrator march(plate.model, law, plate.kinematics(), {});
   run(march, [&](const auto&, const auto& lines, auto& tips) {
     tips[0].K_max = std::sqrt(tip_x(lines[0]));
@@ -214,7 +214,9 @@ TEST(GrowthIntegrator, EndsAfterItsCycles) {
 TEST(GrowthIntegrator, EndsAtTheThreshold) {
   Plate plate(0.0, 1000.0, 50.0, 10);
   plate.crack("C", 0.0, 1.0);
-  const growth::Law law = [](double K_max, double) { return K_max > 0.5 ? 1e-4 * K_max : 0.0; };
+  const growth::GrowthRateFunction law = [](double K_max, double) {
+    return K_max > 0.5 ? 1e-4 * K_max : 0.0;
+  };
   growth::GrowthIntegrator march(plate.model, law, plate.kinematics(), {});
   run(march, [&](const auto&, const auto& lines, auto& tips) {
     tips[0].K_max = 1.0 / tip_x(lines[0]);
@@ -240,7 +242,9 @@ TEST(GrowthIntegrator, NothingGrows) {
 TEST(GrowthIntegrator, EndsWhereTheCrackCloses) {
   Plate plate(0.0, 1000.0, 50.0, 10);
   plate.crack("C", 0.0, 1.0);
-  const growth::Law law = [](double K_max, double) { return K_max > 0.0 ? 1e-4 : 0.0; };
+  const growth::GrowthRateFunction law = [](double K_max, double) {
+    return K_max > 0.0 ? 1e-4 : 0.0;
+  };
   growth::GrowthIntegrator march(plate.model, law, plate.kinematics(), {});
   run(march, [&](const auto&, const auto& lines, auto& tips) {
     tips[0].K_max = std::max(0.0, 2.0 - tip_x(lines[0]));
@@ -353,7 +357,7 @@ TEST(GrowthIntegrator, FollowsACurve) {
 
 // A state written out and read back goes on to the same numbers, to the bit.
 TEST(GrowthIntegrator, GoesOnFromItsState) {
-  const growth::Law paris = [](double K_max, double K_min) {
+  const growth::GrowthRateFunction paris = [](double K_max, double K_min) {
     return 1e-10 * std::pow(K_max - K_min, 3);
   };
   const Measure measure = [&](const auto&, const auto& lines, auto& tips) {
@@ -371,10 +375,11 @@ TEST(GrowthIntegrator, GoesOnFromItsState) {
   base::Diagnostics diagnostics;
   for (int k = 0; k < 4; ++k) {
     std::vector<TipStation> found(1);
-    measure(first, first.propose_step(diagnostics)->lines, found);
+    measure(first, first.propose_next_cracks(diagnostics)->lines, found);
     first.accept_station(std::move(found));
   }
-  const growth::GrowthState read = growth::from_arrays(growth::to_arrays(first.growth_state()));
+  const growth::GrowthState read =
+      growth::growth_state_from_arrays(growth::growth_state_to_arrays(first.growth_state()));
   growth::GrowthIntegrator second(plate.model, paris, plate.kinematics(), read);
   run(second, measure);
   ASSERT_EQ(second.growth_state().stations.size(), whole.growth_state().stations.size());

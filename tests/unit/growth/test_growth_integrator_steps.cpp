@@ -25,14 +25,17 @@ public:
 
   [[nodiscard]] bool can_kink() const override { return false; }
   void resume_from(const growth::GrowthState& /*state*/) override {}
-  [[nodiscard]] growth::CrackGeometry current_state() override { return at(initial_arm); }
-  [[nodiscard]] double initial_extent(std::size_t /*tip*/) const override { return initial_arm; }
+  [[nodiscard]] growth::CrackGeometry current_cracks() override { return at(initial_arm); }
+  [[nodiscard]] double initial_tip_extent(std::size_t /*tip*/) const override {
+    return initial_arm;
+  }
   [[nodiscard]] double remaining_ligament(const growth::GrowthState& state,
                                           std::size_t tip) const override {
     return last_arm - state.stations.back().tips[tip].a;
   }
-  [[nodiscard]] growth::AdvanceLimit step_limit(const growth::GrowthState& state, std::size_t tip,
-                                                double share, double ds) const override {
+  [[nodiscard]] growth::AdvanceLimit advance_limit(const growth::GrowthState& state,
+                                                   std::size_t tip, double share,
+                                                   double ds) const override {
     return {.ds = std::min(ds, remaining_ligament(state, tip) / share)};
   }
   bool smooth_front(const growth::GrowthState& state, std::vector<double>& by) const override {
@@ -45,7 +48,7 @@ public:
                                                       base::Diagnostics& /*diagnostics*/) override {
     return at(state.stations.back().tips[0].a + advance.by[0]);
   }
-  void locate_tips(std::vector<TipStation>& /*found*/) const override {}
+  void evaluate_trial_tips(std::vector<TipStation>& /*found*/) const override {}
   void accept_trial(growth::GrowthState& /*state*/) override {}
   [[nodiscard]] std::optional<growth::GrowthEvent> reject_advance(bool /*passage*/,
                                                                   const std::string& why) override {
@@ -75,14 +78,14 @@ Marched march_to_the_end(double least) {
   model.growth->law = model::CrackGrowthLaw::paris;
   model.growth->tolerance = 1e-6;
   model.growth->last_length = last_arm;
-  const growth::Law paris = [](double K_max, double K_min) {
+  const growth::GrowthRateFunction paris = [](double K_max, double K_min) {
     return 1e-3 * std::pow(K_max - K_min, 3);
   };
   growth::GrowthIntegrator march(model, paris, std::make_unique<JumpingKinematics>(least), {});
   Marched marched;
   base::Diagnostics diagnostics;
   while (marched.solved < 300) {
-    const std::optional<growth::CrackGeometry> state = march.propose_step(diagnostics);
+    const std::optional<growth::CrackGeometry> state = march.propose_next_cracks(diagnostics);
     if (!state) {
       break;
     }
@@ -107,12 +110,12 @@ TEST(GrowthIntegrator, EndsWhereWaysGoFartherThanTheyAreAsked) {
 
 TEST(WayCurvature, IsTheTurnOverTheAdvance) {
   const TipStation before{.a = 1.0, .heading = 3.0};
-  EXPECT_NEAR(growth::way_curvature(before, {.a = 1.5, .heading = 3.1}), 0.2, 1e-12);
+  EXPECT_NEAR(growth::tip_path_curvature(before, {.a = 1.5, .heading = 3.1}), 0.2, 1e-12);
   // Headings on both sides of the negative x axis are near to each other.
-  EXPECT_NEAR(growth::way_curvature(before, {.a = 1.5, .heading = -3.0}),
+  EXPECT_NEAR(growth::tip_path_curvature(before, {.a = 1.5, .heading = -3.0}),
               2.0 * (2.0 * std::acos(-1.0) - 6.0), 1e-12);
   // A tip that rests and turns does not hold the step of the others.
-  EXPECT_EQ(growth::way_curvature(before, {.a = 1.0, .heading = 2.0}), 0.0);
+  EXPECT_EQ(growth::tip_path_curvature(before, {.a = 1.0, .heading = 2.0}), 0.0);
 }
 
 } // namespace

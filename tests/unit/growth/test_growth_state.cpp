@@ -30,7 +30,8 @@ TEST(GrowthState, ComesBackFromItsArrays) {
   crack.history.normals = {Vec3::UnitX(), Vec3::UnitY()};
   state.cracks = {crack, growth::GrownCrack()};
   state.tips.push_back({.crack = 1, .number = 4, .on_a = true, .sign = -1.0, .shared = true});
-  const growth::GrowthState back = growth::from_arrays(growth::to_arrays(state));
+  const growth::GrowthState back =
+      growth::growth_state_from_arrays(growth::growth_state_to_arrays(state));
   EXPECT_EQ(back.step, 0.3);
   EXPECT_EQ(back.rejected, 2);
   ASSERT_EQ(back.stations.size(), 2U);
@@ -56,12 +57,12 @@ TEST(GrowthState, NamesTheDamagedField) {
   state.stations.push_back({1.0, {TipStation{}}});
   state.cracks.emplace_back().points = {Vec3::Zero(), Vec3::UnitX()};
   state.tips.emplace_back();
-  const growth::Arrays whole = growth::to_arrays(state);
+  const growth::NamedValueArrays whole = growth::growth_state_to_arrays(state);
   const auto trouble = [&](const char* field, const std::vector<double>& values) {
-    growth::Arrays arrays = whole;
+    growth::NamedValueArrays arrays = whole;
     arrays[field] = values;
     try {
-      growth::from_arrays(arrays);
+      growth::growth_state_from_arrays(arrays);
     } catch (const base::CorruptStoredField& damage) {
       return std::string(damage.what());
     }

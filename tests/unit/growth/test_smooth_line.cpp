@@ -22,7 +22,7 @@ std::vector<Vec3> arc_points(double alpha, int pieces) {
 
 TEST(SmoothLine, PolylineEndsAlongTheTangentAndHardlyKinks) {
   const geometry::SplineCurve curve(arc_points(0.8, 12), false);
-  const std::vector<Vec3> line = as_polyline(curve, 0.0, curve.length(), true);
+  const std::vector<Vec3> line = polyline_of_curve(curve, 0.0, curve.length(), true);
   ASSERT_GT(line.size(), 10U);
   const Vec3 out = (line.back() - line[line.size() - 2]).normalized();
   EXPECT_NEAR((out - curve.tangent(curve.length())).norm(), 0.0, 1e-12);

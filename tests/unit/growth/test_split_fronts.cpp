@@ -35,12 +35,12 @@ Grown grow(Block& block, double bend) {
   for (int k = 0; k < 200 && grown.end.empty(); ++k) {
     growth::GrowthIntegrator march(block.model, paris,
                                    std::make_unique<growth::FreeFrontShape>(block.model), state);
-    growth::GrowthIntegrator again(block.model, paris,
-                                   std::make_unique<growth::FreeFrontShape>(block.model),
-                                   growth::from_arrays(growth::to_arrays(state)));
+    growth::GrowthIntegrator again(
+        block.model, paris, std::make_unique<growth::FreeFrontShape>(block.model),
+        growth::growth_state_from_arrays(growth::growth_state_to_arrays(state)));
     while (!march.end()) {
-      const auto cracks = march.propose_step(none);
-      const auto same = again.propose_step(none);
+      const auto cracks = march.propose_next_cracks(none);
+      const auto same = again.propose_next_cracks(none);
       EXPECT_EQ(cracks.has_value(), same.has_value());
       if (!cracks) {
         if (march.end()) {

@@ -45,7 +45,7 @@ TEST(TurningFronts, APennyBecomesACone) {
   growth::CrackGeometry last;
   for (bool first = true; !march.end(); first = false) {
     base::Diagnostics diagnostics;
-    const auto cracks = march.propose_step(diagnostics);
+    const auto cracks = march.propose_next_cracks(diagnostics);
     ASSERT_TRUE(cracks);
     last = *cracks;
     march.accept_station(found_at(*cracks, first));
@@ -77,14 +77,15 @@ TEST(TurningFronts, GoOnAsTheyWere) {
   growth::GrowthIntegrator march(block.model, paris, ways(), {});
   base::Diagnostics diagnostics;
   for (int k = 0; k < 3; ++k) {
-    const auto cracks = march.propose_step(diagnostics);
+    const auto cracks = march.propose_next_cracks(diagnostics);
     ASSERT_TRUE(cracks);
     march.accept_station(found_at(*cracks, k == 0));
   }
-  const growth::GrowthState kept = growth::from_arrays(growth::to_arrays(march.growth_state()));
+  const growth::GrowthState kept =
+      growth::growth_state_from_arrays(growth::growth_state_to_arrays(march.growth_state()));
   growth::GrowthIntegrator again(block.model, paris, ways(), kept);
-  const auto one = march.propose_step(diagnostics);
-  const auto other = again.propose_step(diagnostics);
+  const auto one = march.propose_next_cracks(diagnostics);
+  const auto other = again.propose_next_cracks(diagnostics);
   ASSERT_TRUE(one && other);
   EXPECT_EQ(one->aims, other->aims);
   EXPECT_EQ(one->solids[0].points, other->solids[0].points);
@@ -98,7 +99,7 @@ TEST(TurningFronts, EndWhereTheyStandOnTheirPlane) {
                                  std::make_unique<growth::FreeFrontShape>(block.model), {});
   for (int k = 0; k < 40 && !march.end(); ++k) {
     base::Diagnostics diagnostics;
-    const auto cracks = march.propose_step(diagnostics);
+    const auto cracks = march.propose_next_cracks(diagnostics);
     if (cracks) {
       march.accept_station(found_at(*cracks, true)); // further at each front
     }
