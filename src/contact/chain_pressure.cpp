@@ -155,11 +155,11 @@ NodeArea node_areas(const PairConstraints& pair, const std::vector<RecoveryNode>
     normal[at(number.at(p.at.node))] = p.normal;
   }
   const auto add = [&](const Edge& edge, double xi, double weight) {
-    const std::array<double, 3> N = edge_N(edge, xi);
+    const std::array<double, 3> N = edge_shape_functions(edge, xi);
     const std::array<double, 3> hat = edge_hats(edge, xi);
     const Vec2 here = surface_normal(surface, edge, xi);
-    const double w = weight * tangent_on(edge, xi).norm() *
-                     out_of_plane_depth(surface, pair.target, point_on(edge, xi));
+    const double w = weight * edge_tangent(edge, xi).norm() *
+                     out_of_plane_depth(surface, pair.target, point_on_edge(edge, xi));
     for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count); ++i) {
       const Eigen::Index k = number.at(edge.nodes[i]);
       area.facing[k] += w * N[i] * here.dot(normal[at(k)]);

@@ -37,7 +37,8 @@ std::map<base::NodeId, base::Vec3> pushed_nodes(const PairConstraints& pair) {
 
 ContactSurface face_surface(const model::Model& model, const model::Mesh& mesh,
                             const std::vector<base::NodeId>& crack_face) {
-  ContactSurface surface = make_contact_surface(model, mesh, mesh::faces_within(mesh, crack_face));
+  ContactSurface surface =
+      make_contact_surface(model, mesh, mesh::boundary_faces_with_all_nodes_in(mesh, crack_face));
   surface.circle.reset(); // places along a face are lengths, also where it is an arc
   return surface;
 }
@@ -61,7 +62,7 @@ PairConstraints build_crack_face_constraints(const model::Model& model, const mo
     pair.target = face_surface(model, mesh, crack_faces.right);
   }
   std::map<base::NodeId, base::NodeId> opposite; // the tips are left out
-  for (const auto& [left, right] : crack_faces.node_pairs()) {
+  for (const auto& [left, right] : crack_faces.coincident_node_pairs()) {
     opposite[left] = right;
   }
   for (std::size_t i = 0; half && i + 1 < own.size(); ++i) {

@@ -37,7 +37,7 @@ double to_circle(const ContactSurface& surface, const Vec2& x, const Vec2& n) {
 std::optional<PairPoint> project_point(const PairConstraints& pair, const MortarSegment& segment,
                                        double xi) {
   const Edge& edge = pair.contact.plane.edges[segment.contact_edge];
-  const Vec2 x = point_on(edge, xi);
+  const Vec2 x = point_on_edge(edge, xi);
   PairPoint point{.facet = segment.contact_edge, .r = {xi, 0.0}, .x = base::embed_in_space(x)};
   Vec2 n = surface_normal(pair.contact, edge, xi);
   double on_target = 0.0; // circle of the target's, beyond its edge
@@ -54,7 +54,7 @@ std::optional<PairPoint> project_point(const PairConstraints& pair, const Mortar
     if (!eta) {
       return std::nullopt;
     }
-    const Vec2 y = point_on(target, *eta);
+    const Vec2 y = point_on_edge(target, *eta);
     point.target = segment.target_edge;
     point.s = {*eta, 0.0};
     point.gap = (y - x).dot(n);
@@ -77,7 +77,7 @@ std::vector<PairPoint> project_segment(const PairConstraints& pair, const Mortar
     const double xi = 0.5 * ((segment.to + segment.from) + length * r[0]);
     if (std::optional<PairPoint> point = project_point(pair, segment, xi)) {
       // (contact.12): the area that the point stands for.
-      point->weight = 0.5 * length * weight * tangent_on(edge, xi).norm() *
+      point->weight = 0.5 * length * weight * edge_tangent(edge, xi).norm() *
                       out_of_plane_depth(pair.contact, pair.target, point->x.head<2>());
       points.push_back(*point);
     }

@@ -13,10 +13,10 @@
 namespace spricka::contact {
 
 using Edge = mesh::PlaneEdge;
-using mesh::edge_N;
+using mesh::edge_shape_functions;
+using mesh::edge_tangent;
 using mesh::outer_normal;
-using mesh::point_on;
-using mesh::tangent_on;
+using mesh::point_on_edge;
 
 /// Hats on half edges: piecewise linear, non-negative, sum 1; [node of the edge], those behind its
 /// last node zero.

@@ -66,7 +66,7 @@ void settle(std::vector<double>& cuts) {
 // Whether a point of an edge looks at the target, near enough and between its ends.
 bool faces(const ContactSurface& contact, const Edge& edge, const model::RigidTarget& rigid,
            double xi) {
-  const std::optional<RigidProjection> foot = normal_projection(rigid, point_on(edge, xi));
+  const std::optional<RigidProjection> foot = normal_projection(rigid, point_on_edge(edge, xi));
   return foot && !foot->beyond && outer_normal(edge, xi).dot(foot->normal) > 0.0 &&
          std::abs(foot->gap) <= farthest_opposite * contact.extent;
 }

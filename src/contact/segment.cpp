@@ -15,7 +15,7 @@ struct EdgeBoundingCircle {
 
 // A circle about an edge, to leave out at once what is too far off.
 EdgeBoundingCircle ball_of(const Edge& edge) {
-  const Vec2 centre = point_on(edge, 0.0);
+  const Vec2 centre = point_on_edge(edge, 0.0);
   return {centre, std::max((edge.x[0] - centre).norm(), (edge.x[1] - centre).norm())};
 }
 
@@ -38,12 +38,12 @@ void add_segments(const ContactSurface& contact, const Edge& edge, const Edge& t
   }
   const double middle = 0.5 * (from + to);
   const Vec2 n = surface_normal(contact, edge, middle);
-  const Vec2 x = point_on(edge, middle);
+  const Vec2 x = point_on_edge(edge, middle);
   const std::optional<double> eta = ray_intersection(target, x, n);
   // Judged in the middle of the stretch: sides that look the same way, as those of a thin body, and
   // edges far off are not faced.
   if (!eta || outer_normal(target, std::clamp(*eta, -1.0, 1.0)).dot(n) >= 0.0 ||
-      std::abs((point_on(target, *eta) - x).dot(n)) > farthest_opposite * contact.extent) {
+      std::abs((point_on_edge(target, *eta) - x).dot(n)) > farthest_opposite * contact.extent) {
     return;
   }
   MortarSegment s = proto;
@@ -72,8 +72,8 @@ std::optional<double> normal_projection(const ContactSurface& surface, const Edg
   xi = std::clamp(xi, -3.0, 3.0);
   for (int i = 0; i < 30; ++i) {
     const Vec2 n = surface_normal(surface, edge, xi);
-    const double r = cross(point - point_on(edge, xi), n);
-    const double slope = -cross(tangent_on(edge, xi), n);
+    const double r = cross(point - point_on_edge(edge, xi), n);
+    const double slope = -cross(edge_tangent(edge, xi), n);
     // The normal runs nearly along the edge: it has no foot worth naming.
     if (std::abs(slope) < 1e-3 * edge.length) {
       return std::nullopt;
@@ -108,8 +108,8 @@ std::optional<double> ray_intersection(const Edge& target, const Vec2& x, const 
   }
   double eta = 2.0 * cross(x - target.x[0], normal) / slope0 - 1.0;
   for (int i = 0; i < 30; ++i) {
-    const double r = cross(point_on(target, eta) - x, normal);
-    const double slope = cross(tangent_on(target, eta), normal);
+    const double r = cross(point_on_edge(target, eta) - x, normal);
+    const double slope = cross(edge_tangent(target, eta), normal);
     if (std::abs(slope) < 1e-6 * target.length || std::abs(eta) > 10.0) {
       return std::nullopt;
     }

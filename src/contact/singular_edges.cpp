@@ -58,7 +58,7 @@ std::vector<EdgeEnds> edges_with_ends(const ContactSurface& surface) {
 // Whether the target's surface ends opposite a point of a contact edge.
 bool target_ends(const PairConstraints& pair, const std::vector<EdgeEnds>& targets,
                  const Edge& edge, const MortarSegment& s, double xi) {
-  const Vec2 x = point_on(edge, xi);
+  const Vec2 x = point_on_edge(edge, xi);
   if (pair.rigid) {
     const std::optional<RigidProjection> foot = normal_projection(*pair.rigid, x);
     const double near = at_node * edge.length;
@@ -92,7 +92,7 @@ std::vector<SurfaceEnd> ends_of_edges(const PairConstraints& pair) {
     const EdgeEnds& own = edges[s.contact_edge];
     for (const bool upward : {false, true}) {
       const double xi = upward ? s.to : s.from;
-      ends.push_back({.x = base::embed_in_space(point_on(*own.edge, xi)),
+      ends.push_back({.x = base::embed_in_space(point_on_edge(*own.edge, xi)),
                       .nodes = nodes_at(*own.edge, xi),
                       .contact_ends = (upward ? own.open_last : own.open_first) &&
                                       std::abs(xi - (upward ? 1.0 : -1.0)) < at_node,

@@ -33,7 +33,7 @@ double length_to(const Edge& edge, double xi) {
   double length = 0.0;
   for (const auto& [r, weight] : shape::line_rule(5)) {
     const double at = -1.0 + 0.5 * (xi + 1.0) * (r[0] + 1.0);
-    length += 0.5 * (xi + 1.0) * weight * tangent_on(edge, at).norm();
+    length += 0.5 * (xi + 1.0) * weight * edge_tangent(edge, at).norm();
   }
   return length;
 }
@@ -45,13 +45,13 @@ double nearest_xi(const Edge& edge, const Vec2& x) {
   double best = -1.0;
   for (int i = 1; i <= tried; ++i) {
     const double xi = -1.0 + 2.0 * i / tried;
-    if ((point_on(edge, xi) - x).norm() < (point_on(edge, best) - x).norm()) {
+    if ((point_on_edge(edge, xi) - x).norm() < (point_on_edge(edge, best) - x).norm()) {
       best = xi;
     }
   }
   for (int i = 0; i < steps; ++i) {
-    const Vec2 t = tangent_on(edge, best);
-    best = std::clamp(best + t.dot(x - point_on(edge, best)) / t.squaredNorm(), -1.0, 1.0);
+    const Vec2 t = edge_tangent(edge, best);
+    best = std::clamp(best + t.dot(x - point_on_edge(edge, best)) / t.squaredNorm(), -1.0, 1.0);
   }
   return best;
 }
@@ -74,13 +74,13 @@ double place_on(const ContactSurface& surface, const std::vector<double>& starts
     double before = starts[c];
     for (const Edge& edge : surface.plane.edges_of_chain(chain)) {
       const double xi = nearest_xi(edge, x);
-      const Vec2 off = x - point_on(edge, xi);
+      const Vec2 off = x - point_on_edge(edge, xi);
       if (off.norm() < least) {
         least = off.norm();
         // pieces follow one another: only the first and the last of all go on beyond their ends
         const bool first = xi == -1.0 && before == 0.0 && !chain.closed;
         const bool last = xi == 1.0 && !chain.closed && before + edge.length >= whole;
-        const double beyond = first || last ? off.dot(tangent_on(edge, xi).normalized()) : 0.0;
+        const double beyond = first || last ? off.dot(edge_tangent(edge, xi).normalized()) : 0.0;
         place = before + length_to(edge, xi) + beyond;
       }
       before += edge.length;

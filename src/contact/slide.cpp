@@ -72,7 +72,7 @@ std::optional<double> gap_to_edges(const std::vector<Edge>& edges, const Vec2& x
                                    double near) {
   std::optional<double> gap;
   for (const Edge& edge : edges) {
-    const Vec2 centre = point_on(edge, 0.0);
+    const Vec2 centre = point_on_edge(edge, 0.0);
     const double radius = std::max((edge.x[0] - centre).norm(), (edge.x[1] - centre).norm());
     // Farther off than the drawn gap and the motion since: not what the point faces.
     if ((centre - x).norm() > 1.01 * radius + near) {
@@ -80,7 +80,7 @@ std::optional<double> gap_to_edges(const std::vector<Edge>& edges, const Vec2& x
     }
     const std::optional<double> eta = ray_intersection(edge, x, n);
     if (eta && std::abs(*eta) <= 1.0 + 1e-6) {
-      const double g = (point_on(edge, *eta) - x).dot(n);
+      const double g = (point_on_edge(edge, *eta) - x).dot(n);
       // The nearest of several: the ray may run on through the body and out at its far side.
       gap = !gap || std::abs(g) < std::abs(*gap) ? g : *gap;
     }

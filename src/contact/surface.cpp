@@ -86,7 +86,7 @@ ContactSurface make_contact_surface(const model::Model& model, const model::Mesh
   ContactSurface surface;
   std::vector<model::Face> ordered = plane ? std::vector<model::Face>() : faces;
   for (const mesh::FaceChain& chain :
-       plane ? mesh::build_chains(mesh, faces) : std::vector<mesh::FaceChain>()) {
+       plane ? mesh::build_face_chains(mesh, faces) : std::vector<mesh::FaceChain>()) {
     surface.plane.chains.push_back({ordered.size(), chain.faces.size(), chain.closed});
     ordered.insert(ordered.end(), chain.faces.begin(), chain.faces.end());
   }
@@ -120,7 +120,7 @@ Vec3 surface_normal(const ContactSurface& surface, std::size_t facet,
 
 Vec2 surface_normal(const ContactSurface& surface, const Edge& edge, double xi) {
   const Vec2 n = outer_normal(edge, xi);
-  return surface.circle ? radial_normal(*surface.circle, point_on(edge, xi), n) : n;
+  return surface.circle ? radial_normal(*surface.circle, point_on_edge(edge, xi), n) : n;
 }
 
 } // namespace spricka::contact

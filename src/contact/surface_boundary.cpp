@@ -24,7 +24,7 @@ std::vector<Vec3> points_along(std::span<const Edge> edges, bool closed, const b
     }
     const int n = edge.count == 3 ? parts : 1;
     for (int k = 0; k < n; ++k) {
-      add(point_on(edge, -1.0 + 2.0 * k / n));
+      add(point_on_edge(edge, -1.0 + 2.0 * k / n));
     }
     if (!closed && e + 1 == edges.size()) {
       add(edge.x[1]);

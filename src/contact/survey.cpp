@@ -82,7 +82,7 @@ GapSurvey survey(const ContactSurface& from, Projector&& projector, Segments&& s
       const double xi = 0.5 * ((s.to + s.from) + (s.to - s.from) * sample_r[i]);
       if (std::optional<SurveyedPoint> point = look(s, edge, xi)) {
         point->facet = s.contact_edge;
-        point->weight = 0.5 * (s.to - s.from) * sample_w[i] * tangent_on(edge, xi).norm();
+        point->weight = 0.5 * (s.to - s.from) * sample_w[i] * edge_tangent(edge, xi).norm();
         points.push_back(*point);
       }
     }
@@ -103,13 +103,13 @@ GapSurvey survey_gaps(const ContactSurface& from, const ContactSurface& to) {
       [&](const MortarSegment& s, const Edge& edge, double xi) -> std::optional<SurveyedPoint> {
         const Edge& target = to.plane.edges[s.target_edge];
         const Vec2 n = surface_normal(from, edge, xi);
-        const Vec2 x = point_on(edge, xi);
+        const Vec2 x = point_on_edge(edge, xi);
         const std::optional<double> eta = ray_intersection(target, x, n);
         if (!eta) {
           return std::nullopt;
         }
         const Vec2 back = surface_normal(to, target, std::clamp(*eta, -1.0, 1.0));
-        return SurveyedPoint{.gap = (point_on(target, *eta) - x).dot(n),
+        return SurveyedPoint{.gap = (point_on_edge(target, *eta) - x).dot(n),
                              .angle = angle_between(n, -back)};
       });
 }
@@ -124,7 +124,7 @@ GapSurvey survey_gaps(const ContactSurface& from, const model::RigidTarget& to) 
       },
       [&] { return find_mortar_segments(from, to); },
       [&](const MortarSegment&, const Edge& edge, double xi) -> std::optional<SurveyedPoint> {
-        const std::optional<RigidProjection> foot = normal_projection(to, point_on(edge, xi));
+        const std::optional<RigidProjection> foot = normal_projection(to, point_on_edge(edge, xi));
         if (!foot) {
           return std::nullopt;
         }

@@ -69,7 +69,7 @@ private:
   [[nodiscard]] VirtualExtensionField field(const mesh::CrackFront& front, int rings) const;
 
   const model::Mesh& mesh_;
-  mesh::NodeElements elements_;
+  mesh::NodeToElementsMap elements_;
 };
 
 } // namespace spricka::crack

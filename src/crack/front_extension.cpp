@@ -290,7 +290,7 @@ private:
   const model::Mesh& mesh_;
   const mesh::CrackFront& front_;
   const DomainLimits& limits_;
-  mesh::NodeElements elements_;
+  mesh::NodeToElementsMap elements_;
   FrontMidNodes line_;
   FrontElementLayers layers_;
   const mesh::FrontCurve& curve_;

@@ -18,7 +18,7 @@ using base::ElementId;
 using base::NodeId;
 
 // The mid node of the edge from a to b, of any element that has it; a itself: an edge without one.
-NodeId middle_of_edge(const model::Mesh& mesh, const mesh::NodeElements& elements, NodeId a,
+NodeId middle_of_edge(const model::Mesh& mesh, const mesh::NodeToElementsMap& elements, NodeId a,
                       NodeId b) {
   for (const ElementId e : elements.elements_around(a)) {
     const base::ElementType type = mesh.type[e.index()];
@@ -38,7 +38,7 @@ NodeId middle_of_edge(const model::Mesh& mesh, const mesh::NodeElements& element
 
 } // namespace
 
-FrontMidNodes front_mid_nodes(const model::Mesh& mesh, const mesh::NodeElements& elements,
+FrontMidNodes front_mid_nodes(const model::Mesh& mesh, const mesh::NodeToElementsMap& elements,
                               const mesh::CrackFront& front) {
   FrontMidNodes line;
   const std::size_t count = front.points.size();
@@ -60,7 +60,7 @@ FrontMidNodes front_mid_nodes(const model::Mesh& mesh, const mesh::NodeElements&
 }
 
 FrontElementLayers find_front_element_layers(const model::Mesh& mesh,
-                                             const mesh::NodeElements& elements,
+                                             const mesh::NodeToElementsMap& elements,
                                              const mesh::CrackFront& front,
                                              const FrontMidNodes& line, int count) {
   FrontElementLayers layers;

@@ -17,7 +17,7 @@ struct FrontMidNodes {
 };
 /// Finds the mid nodes of the element edges between neighbouring points of a front; a front of
 /// fewer than three points cannot be closed.
-FrontMidNodes front_mid_nodes(const model::Mesh& mesh, const mesh::NodeElements& elements,
+FrontMidNodes front_mid_nodes(const model::Mesh& mesh, const mesh::NodeToElementsMap& elements,
                               const mesh::CrackFront& front);
 
 /// Layers of elements by nodes in common, the first those that have a node of the front.
@@ -34,7 +34,7 @@ struct FrontElementLayers {
 /// The first `count` layers of elements round a front, found from its points and the mid nodes of
 /// `line` outward.
 FrontElementLayers find_front_element_layers(const model::Mesh& mesh,
-                                             const mesh::NodeElements& elements,
+                                             const mesh::NodeToElementsMap& elements,
                                              const mesh::CrackFront& front,
                                              const FrontMidNodes& line, int count);
 

@@ -36,7 +36,7 @@ void crack_path(DeckContext& c, const CheckedCard& card, model::CrackDefinition&
             "make an $NSET with FROM and ORDER");
   } else if (crack.a0 && *crack.a0 >= length) {
     c.error(card.find("A0")->span, "E317", fmt::format("A0: the path is only {} long", length));
-  } else if (const auto gap = mesh::path_gap(c.model.mesh, nodes)) {
+  } else if (const auto gap = mesh::find_path_gap(c.model.mesh, nodes)) {
     const auto label = [&](std::size_t i) { return c.model.mesh.node_label[nodes[i].index()]; };
     c.error(reference.span, "E317",
             fmt::format("nodes {} and {} follow each other in the path, but no element edge joins "

@@ -125,7 +125,7 @@ void symmetry(DeckContext& c, const CheckedCard& card) {
 void build_properties(DeckContext& context) {
   context.for_sound_cards("MATERIAL", [&](const CheckedCard& card) { material(context, card); });
   for (const mesh::ImportedPhysics& physics : context.imported) {
-    mesh::append_physics(context.model, physics);
+    mesh::append_imported_physics(context.model, physics);
   }
   for (const CheckedCard& card : context.cards) {
     if (card.spec->name == "PROPERTY" && !card.bad) {

@@ -124,7 +124,7 @@ void check_mesh(DeckContext& context) {
     return;
   }
   one_space(context);
-  const mesh::MeshFaults faults = mesh::mesh_faults(mesh);
+  const mesh::MeshFaults faults = mesh::find_mesh_faults(mesh);
   report_bad(context, faults.bad);
   tell_corners(context, faults.corners);
   if (context.property_sound) {

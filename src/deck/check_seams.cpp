@@ -23,7 +23,7 @@ namespace {
 using base::NodeId;
 
 void doubled(DeckContext& c) {
-  auto pairs = mesh::doubled_elements(c.model.mesh);
+  auto pairs = mesh::find_duplicate_elements(c.model.mesh);
   std::erase_if(pairs, [&](const auto& pair) { // bodies of their own may be drawn on each other
     return c.model.mesh.element_net[pair.first.index()] !=
            c.model.mesh.element_net[pair.second.index()];
@@ -116,8 +116,8 @@ void open_seams(DeckContext& c) {
   std::erase_if(seams, [&](const mesh::CoincidentFacePair& seam) {
     return mesh.element_net[seam.first.element.index()] !=
                mesh.element_net[seam.second.element.index()] ||
-           mesh::lies_within(mesh, seam.first, known) ||
-           mesh::lies_within(mesh, seam.second, known);
+           mesh::face_has_all_nodes_inside(mesh, seam.first, known) ||
+           mesh::face_has_all_nodes_inside(mesh, seam.second, known);
   });
   take_out_cracks(c.model, seams);
   if (seams.empty()) {
@@ -160,7 +160,7 @@ void hanging_nodes(DeckContext& c) {
       const std::vector<NodeId> corners = model::side_nodes(mesh, {base::ElementId(e), side});
       for (const model::Face& other : sides.find(corners)) {
         if (!is_linear(mesh.type[other.element.index()]) &&
-            !mesh::lies_within(mesh, other, known)) {
+            !mesh::face_has_all_nodes_inside(mesh, other, known)) {
           first = first ? first : std::optional(std::pair(base::ElementId(e), other.element));
           ++count;
         }

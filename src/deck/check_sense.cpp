@@ -118,10 +118,10 @@ void crack_starts(DeckContext& c) {
   const mesh::HostMesh host(c.model.mesh);
   for (const model::CrackDefinition& crack : c.model.cracks) {
     if (!drawn(crack) || mesh::locate_crack_start(host, crack.points.front(), crack.net) !=
-                             mesh::CrackStart::inside) {
+                             mesh::CrackStartLocation::inside) {
       continue;
     }
-    const mesh::NearestMouth edge = mesh::find_mouth(host, crack.points.front(), crack.net);
+    const mesh::NearestMouth edge = mesh::find_crack_mouth(host, crack.points.front(), crack.net);
     if (edge.distance < missed * length_of(crack)) {
       c.warning(
           crack.span, "W345",

@@ -94,7 +94,7 @@ void import_card(DeckContext& c, const CheckedCard& card) {
     return; // one file has taken all the time there is: the others wait until it is mended
   } else if (!card.has_word("FORMAT", "INP")) {
     std::vector<mesh::GeometryScriptConstant> constants =
-        mesh::import_mesh(c.model.mesh, request, c.diagnostics);
+        mesh::import_gmsh_mesh(c.model.mesh, request, c.diagnostics);
     if (request.format == mesh::ImportFormat::geo) {
       c.scripts.push_back({request.file.string(), card.net, card.span, std::move(constants)});
     }

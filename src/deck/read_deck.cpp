@@ -25,7 +25,7 @@ void divide_elements(DeckContext& context) {
     if (std::ranges::none_of(nets, [](bool divided) { return divided; })) {
       return;
     }
-    mesh::subdivide(model.mesh, nets);
+    mesh::subdivide_plane_elements(model.mesh, nets);
   }
 }
 

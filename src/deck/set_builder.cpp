@@ -210,7 +210,7 @@ std::optional<std::vector<model::Face>> faces_of_card(DeckContext& c, const Chec
     }
     const auto others =
         std::stable_partition(faces.begin(), faces.end(), [&](const model::Face& face) {
-          return mesh::lies_within(mesh, face, inside);
+          return mesh::face_has_all_nodes_inside(mesh, face, inside);
         });
     const std::vector<model::Face> left_out(others, faces.end());
     faces.erase(others, faces.end());
@@ -251,7 +251,7 @@ std::vector<model::Face> boundary_within(DeckContext& context,
   const std::vector<bool> inside = model::mark_members(mesh.node_count(), nodes);
   std::vector<model::Face> result;
   for (const model::Face& face : boundary(context)) {
-    if (mesh::lies_within(mesh, face, inside)) {
+    if (mesh::face_has_all_nodes_inside(mesh, face, inside)) {
       result.push_back(face);
     }
   }

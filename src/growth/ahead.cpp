@@ -56,7 +56,7 @@ PlaneBoundaryAhead::PlaneBoundaryAhead(const model::Mesh& host) : host_(host) {
     const int parts = edge.mid.valid() ? pieces_of_edge : 1;
     for (int k = 0; k < parts; ++k) {
       const auto at = [&](int i) {
-        return plane(mesh::point_on(host, edge, -1.0 + 2.0 * i / parts));
+        return plane(mesh::point_on_edge(host, edge, -1.0 + 2.0 * i / parts));
       };
       pieces_.push_back({at(k), at(k + 1), net, face});
     }

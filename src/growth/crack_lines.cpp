@@ -124,7 +124,7 @@ struct CrackLineBuilder {
     line.points = crack.points;
     line.embedded = !line.points.empty() &&
                     mesh::locate_crack_start(model.mesh, line.points.front(), line.net) ==
-                        mesh::CrackStart::inside;
+                        mesh::CrackStartLocation::inside;
     if (crack.angle && line.points.size() == 1) {
       const base::Vec3 along(std::cos(*crack.angle), std::sin(*crack.angle), 0.0);
       // of given lengths the first tip of an embedded crack stays at the point
@@ -166,7 +166,7 @@ struct CrackLineBuilder {
   // Length of the crack that the points draw; of an embedded one, half of it.
   [[nodiscard]] double own_length(const model::CrackDefinition& crack) const {
     const bool inside = mesh::locate_crack_start(model.mesh, crack.points.front(), crack.net) ==
-                        mesh::CrackStart::inside;
+                        mesh::CrackStartLocation::inside;
     const bool curved = crack.smooth && crack.points.size() > 2;
     return (inside ? 0.5 : 1.0) * (curved ? curve_through(crack.points).length()
                                           : geometry::polyline_length(crack.points));

@@ -22,7 +22,7 @@ public:
 
   /// Whether a place lies in a body of the net (invalid: any), its surface included.
   [[nodiscard]] bool inside(const base::Vec3& x, base::NetId net) const {
-    return host_.element_at(x, net).has_value();
+    return host_.find_element_at(x, net).has_value();
   }
   /// The surface ahead: how far, which of its pieces between sharp edges, how steeply met.
   struct SurfaceAhead {
@@ -44,7 +44,7 @@ public:
                                     base::NetId net) const;
 
 private:
-  mesh::SolidHost host_;
+  mesh::SolidHostMesh host_;
 };
 
 } // namespace spricka::growth

@@ -79,7 +79,7 @@ std::vector<model::Face> boundary_faces(const model::Mesh& mesh) {
   return SideIndex(mesh).unshared_sides();
 }
 
-std::vector<model::Face> outer_faces(const model::Mesh& mesh) {
+std::vector<model::Face> outer_surface_faces(const model::Mesh& mesh) {
   const SideIndex sides(mesh);
   std::vector<model::Face> faces = sides.unshared_sides();
   if (mesh.dim != 3) {
@@ -99,11 +99,13 @@ std::vector<model::Face> outer_faces(const model::Mesh& mesh) {
   return faces;
 }
 
-std::vector<model::Face> faces_within(const model::Mesh& mesh,
-                                      const std::vector<base::NodeId>& nodes) {
+std::vector<model::Face> boundary_faces_with_all_nodes_in(const model::Mesh& mesh,
+                                                          const std::vector<base::NodeId>& nodes) {
   const std::vector<bool> inside = model::mark_members(mesh.node_count(), nodes);
   std::vector<model::Face> result = boundary_faces(mesh);
-  std::erase_if(result, [&](const model::Face& face) { return !lies_within(mesh, face, inside); });
+  std::erase_if(result, [&](const model::Face& face) {
+    return !face_has_all_nodes_inside(mesh, face, inside);
+  });
   return result;
 }
 
@@ -112,8 +114,8 @@ FaceNodes face_nodes(const model::Mesh& mesh, const model::Face& face) {
           shape::side_corners(mesh.type[face.element.index()], face.side)};
 }
 
-bool lies_within(const model::Mesh& mesh, const model::Face& face,
-                 const std::vector<bool>& inside) {
+bool face_has_all_nodes_inside(const model::Mesh& mesh, const model::Face& face,
+                               const std::vector<bool>& inside) {
   return std::ranges::all_of(face_nodes(mesh, face).all,
                              [&](base::NodeId n) { return inside[n.index()]; });
 }
@@ -130,8 +132,8 @@ std::vector<base::NodeId> nodes_of_faces(const model::Mesh& mesh,
   return result;
 }
 
-std::vector<FaceChain> build_chains(const model::Mesh& mesh,
-                                    const std::vector<model::Face>& faces) {
+std::vector<FaceChain> build_face_chains(const model::Mesh& mesh,
+                                         const std::vector<model::Face>& faces) {
   std::multimap<base::NodeId, std::size_t> leaving; // equal keys keep the order of insertion
   std::map<base::NodeId, int> surplus;              // edges that leave minus edges that arrive
   std::vector<std::pair<base::NodeId, base::NodeId>> ends;

@@ -15,11 +15,11 @@ std::vector<model::Face> boundary_faces(const model::Mesh& mesh);
 /// Those of them that are surface of the body: without quadrilaterals inside that triangles meet,
 /// and without these triangles (two on a diagonal of the quadrilateral, or four round a node in it;
 /// what of theirs it has not is tied to it).
-std::vector<model::Face> outer_faces(const model::Mesh& mesh);
+std::vector<model::Face> outer_surface_faces(const model::Mesh& mesh);
 
 /// Boundary sides all of whose nodes lie in `nodes`, in the order of boundary_faces.
-std::vector<model::Face> faces_within(const model::Mesh& mesh,
-                                      const std::vector<base::NodeId>& nodes);
+std::vector<model::Face> boundary_faces_with_all_nodes_in(const model::Mesh& mesh,
+                                                          const std::vector<base::NodeId>& nodes);
 
 /// Nodes of a side of an element, of an edge in the plane or a face in space: corners first.
 struct FaceNodes {
@@ -45,7 +45,8 @@ struct FaceNodes {
 FaceNodes face_nodes(const model::Mesh& mesh, const model::Face& face);
 
 /// Whether all nodes of a face are marked in `inside` [node].
-bool lies_within(const model::Mesh& mesh, const model::Face& face, const std::vector<bool>& inside);
+bool face_has_all_nodes_inside(const model::Mesh& mesh, const model::Face& face,
+                               const std::vector<bool>& inside);
 
 /// Nodes of some faces, ascending, each once.
 std::vector<base::NodeId> nodes_of_faces(const model::Mesh& mesh,
@@ -59,6 +60,7 @@ struct FaceChain {
 };
 /// Strings edges together from end to end: open chains from their free ends, then what is closed.
 /// Every edge of `faces` is in one chain.
-std::vector<FaceChain> build_chains(const model::Mesh& mesh, const std::vector<model::Face>& faces);
+std::vector<FaceChain> build_face_chains(const model::Mesh& mesh,
+                                         const std::vector<model::Face>& faces);
 
 } // namespace spricka::mesh

@@ -33,7 +33,7 @@ constexpr std::array<int, 9> over_quadrilateral{0, 3, 2, 1, 7, 6, 5, 4, 8};
 
 } // namespace
 
-std::optional<GmshElementType> from_gmsh(int number) {
+std::optional<GmshElementType> find_gmsh_element_type(int number) {
   const auto* const at = std::find_if(table.begin(), table.end(),
                                       [&](const GmshElementType& e) { return e.number == number; });
   if (at == table.end()) {
@@ -42,7 +42,7 @@ std::optional<GmshElementType> from_gmsh(int number) {
   return *at;
 }
 
-std::span<const int> reversed_order(ElementType type) {
+std::span<const int> reversed_node_order(ElementType type) {
   const base::ElementInfo& info = base::element_info(type);
   const auto nodes = static_cast<std::size_t>(info.nodes);
   return info.corners == 3 ? std::span<const int>(over_triangle).first(nodes)

@@ -18,9 +18,9 @@ struct GmshElementType {
 
 /// Empty for a type that the element library does not have. Source: gmsh 4.8 reference manual,
 /// "Node ordering".
-std::optional<GmshElementType> from_gmsh(int number);
+std::optional<GmshElementType> find_gmsh_element_type(int number);
 
 /// Places of the nodes of a 2D element turned over, so that it runs anticlockwise.
-std::span<const int> reversed_order(base::ElementType type);
+std::span<const int> reversed_node_order(base::ElementType type);
 
 } // namespace spricka::mesh

@@ -43,7 +43,7 @@ std::span<const Count> counts(StressState state) {
 
 } // namespace
 
-std::optional<InpElementType> from_inp(std::string_view name) {
+std::optional<InpElementType> find_inp_element_type(std::string_view name) {
   for (const InpElementFamily& family : families) {
     if (!name.starts_with(family.prefix)) {
       continue;
@@ -61,7 +61,7 @@ std::optional<InpElementType> from_inp(std::string_view name) {
   return std::nullopt;
 }
 
-std::string to_inp(ElementType type, StressState state) {
+std::string inp_element_name(ElementType type, StressState state) {
   const auto* const family =
       std::find_if(families.begin(), families.end(),
                    [&](const InpElementFamily& f) { return f.state == state; });

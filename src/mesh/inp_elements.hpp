@@ -18,9 +18,9 @@ struct InpElementType {
 };
 
 /// Empty for names the element library has nothing for.
-std::optional<InpElementType> from_inp(std::string_view name);
+std::optional<InpElementType> find_inp_element_type(std::string_view name);
 
 /// CPS8, CPE8, CAX8 or C3D20 for a type; empty for those that have no name there (9 and 27 nodes).
-std::string to_inp(base::ElementType type, model::StressState state);
+std::string inp_element_name(base::ElementType type, model::StressState state);
 
 } // namespace spricka::mesh

@@ -3,7 +3,7 @@
 
 namespace spricka::mesh {
 
-NodeElements::NodeElements(const model::Mesh& mesh)
+NodeToElementsMap::NodeToElementsMap(const model::Mesh& mesh)
     : start_(mesh.node_count() + 1, 0), elements_(mesh.nodes.size()) {
   for (const base::NodeId n : mesh.nodes) {
     ++start_[n.index() + 1];

@@ -9,9 +9,9 @@
 namespace spricka::mesh {
 
 /// The elements that have each node, ascending.
-class NodeElements {
+class NodeToElementsMap {
 public:
-  explicit NodeElements(const model::Mesh& mesh);
+  explicit NodeToElementsMap(const model::Mesh& mesh);
 
   /// Elements that have a node, ascending; empty for a node of none.
   [[nodiscard]] std::span<const base::ElementId> elements_around(base::NodeId node) const {

@@ -31,7 +31,7 @@ base::Label next_element_label(const model::Mesh& mesh, base::NetId net) {
   return next(mesh.element_label, mesh.element_net, net);
 }
 
-std::vector<base::Label> unique_labels(const std::vector<base::Label>& labels) {
+std::vector<base::Label> make_labels_unique(const std::vector<base::Label>& labels) {
   std::vector<base::Label> result = labels;
   if (LabelIndex(labels).has_duplicates()) {
     std::iota(result.begin(), result.end(), base::Label{1});

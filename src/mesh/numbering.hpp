@@ -14,6 +14,6 @@ base::Label next_element_label(const model::Mesh& mesh, base::NetId net);
 
 /// Labels by which a file can name things: the labels themselves, or where one stands twice, in
 /// nets, numbers from 1 on.
-std::vector<base::Label> unique_labels(const std::vector<base::Label>& labels);
+std::vector<base::Label> make_labels_unique(const std::vector<base::Label>& labels);
 
 } // namespace spricka::mesh

@@ -21,12 +21,12 @@ PlaneEdge plane_edge(const model::Mesh& mesh, const model::Face& face) {
   }
   // exact for the length of a straight edge, 1e-8 for arcs of 30 degrees
   for (const auto& [r, weight] : shape::line_rule(5)) {
-    edge.length += weight * tangent_on(edge, r[0]).norm();
+    edge.length += weight * edge_tangent(edge, r[0]).norm();
   }
   return edge;
 }
 
-std::array<double, 3> edge_N(const PlaneEdge& edge, double xi) {
+std::array<double, 3> edge_shape_functions(const PlaneEdge& edge, double xi) {
   if (edge.count == 2) {
     return {0.5 * (1.0 - xi), 0.5 * (1.0 + xi), 0.0};
   }
@@ -53,16 +53,16 @@ Vec2 combine_nodes(const PlaneEdge& edge, const std::array<double, 3>& factor) {
 
 } // namespace
 
-Vec2 point_on(const PlaneEdge& edge, double xi) {
-  return combine_nodes(edge, edge_N(edge, xi));
+Vec2 point_on_edge(const PlaneEdge& edge, double xi) {
+  return combine_nodes(edge, edge_shape_functions(edge, xi));
 }
 
-Vec2 tangent_on(const PlaneEdge& edge, double xi) {
+Vec2 edge_tangent(const PlaneEdge& edge, double xi) {
   return combine_nodes(edge, edge_dN(edge, xi));
 }
 
 Vec2 outer_normal(const PlaneEdge& edge, double xi) {
-  const Vec2 t = tangent_on(edge, xi).normalized();
+  const Vec2 t = edge_tangent(edge, xi).normalized();
   return {t.y(), -t.x()};
 }
 

@@ -20,12 +20,12 @@ struct PlaneEdge {
 PlaneEdge plane_edge(const model::Mesh& mesh, const model::Face& face);
 
 /// Values of the shape functions of an edge at xi; entry 2 is zero for straight edges.
-std::array<double, 3> edge_N(const PlaneEdge& edge, double xi);
+std::array<double, 3> edge_shape_functions(const PlaneEdge& edge, double xi);
 
 /// The place on an edge at xi, from -1 to 1.
-base::Vec2 point_on(const PlaneEdge& edge, double xi);
+base::Vec2 point_on_edge(const PlaneEdge& edge, double xi);
 /// Tangent of an edge at xi in the direction in which it runs, not of unit length.
-base::Vec2 tangent_on(const PlaneEdge& edge, double xi); ///< dx/dxi
+base::Vec2 edge_tangent(const PlaneEdge& edge, double xi); ///< dx/dxi
 /// Unit normal that leaves the body.
 base::Vec2 outer_normal(const PlaneEdge& edge, double xi);
 

@@ -183,7 +183,7 @@ Fault check(base::ElementType type, std::span<const base::NodeId> nodes,
 
 } // namespace
 
-MeshFaults mesh_faults(const model::Mesh& mesh) {
+MeshFaults find_mesh_faults(const model::Mesh& mesh) {
   MeshFaults faults;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     InvalidElement worst{base::ElementId(e)};
@@ -202,8 +202,8 @@ MeshFaults mesh_faults(const model::Mesh& mesh) {
   return faults;
 }
 
-std::vector<InvalidElement> bad_elements(const model::Mesh& mesh) {
-  return mesh_faults(mesh).bad;
+std::vector<InvalidElement> find_invalid_elements(const model::Mesh& mesh) {
+  return find_mesh_faults(mesh).bad;
 }
 
 } // namespace spricka::mesh

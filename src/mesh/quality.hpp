@@ -32,9 +32,9 @@ struct MeshFaults {
 
 /// Looks at every element. Zero determinants at single nodes of quarter-point or collapsed elements
 /// are accepted.
-MeshFaults mesh_faults(const model::Mesh& mesh);
+MeshFaults find_mesh_faults(const model::Mesh& mesh);
 
-/// Elements that cannot be computed with, ascending: mesh_faults without the folded corners.
-std::vector<InvalidElement> bad_elements(const model::Mesh& mesh);
+/// Elements that cannot be computed with, ascending: find_mesh_faults without the folded corners.
+std::vector<InvalidElement> find_invalid_elements(const model::Mesh& mesh);
 
 } // namespace spricka::mesh

@@ -19,7 +19,7 @@ inline std::string upper_case(std::string_view text) {
 
 /// A name from a file as the deck can write it: upper case, what is neither letter nor digit
 /// becomes an underscore, and so begins a name that would begin with a digit.
-inline std::string valid_set_name(std::string_view text) {
+inline std::string make_valid_set_name(std::string_view text) {
   std::string name = upper_case(text);
   std::replace_if(
       name.begin(), name.end(),

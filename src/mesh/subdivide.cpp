@@ -322,7 +322,7 @@ private:
 
 } // namespace
 
-void subdivide(model::Mesh& mesh, const std::vector<bool>& nets) {
+void subdivide_plane_elements(model::Mesh& mesh, const std::vector<bool>& nets) {
   Subdivision(mesh, nets).run();
 }
 

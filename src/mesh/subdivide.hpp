@@ -13,6 +13,6 @@ namespace spricka::mesh {
 /// quarters, a face set both halves of a side, a node set the new nodes of edges and elements whose
 /// nodes are all in it, between those of an edge where they stand one after another (a path stays
 /// one). Elements in space are left as they are.
-void subdivide(model::Mesh& mesh, const std::vector<bool>& nets);
+void subdivide_plane_elements(model::Mesh& mesh, const std::vector<bool>& nets);
 
 } // namespace spricka::mesh

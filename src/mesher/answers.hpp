@@ -18,7 +18,7 @@ mesh::TetrahedronFill fill_region(const mesh::SolidRegion& region, const mesh::S
 /// Opens the file that `path` names, meshes it if it is a script without a mesh, and takes out all
 /// that is wanted. `meshing` is called when the script is read. Errors and warnings are in the
 /// model.
-mesh::GmshModel read_gmsh_model(const mesh::MesherImport& import, const std::string& path,
+mesh::GmshModel read_gmsh_model(const mesh::MesherImportRequest& import, const std::string& path,
                                 const std::function<void()>& meshing);
 
 } // namespace spricka::mesher

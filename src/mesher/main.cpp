@@ -69,7 +69,7 @@ void say(MesherFrameKind kind) {
 }
 
 /// A name without a value in gmsh is left out; a list has no value here.
-std::string with_questions(const mesh::MesherImport& import) {
+std::string with_questions(const mesh::MesherImportRequest& import) {
   std::string text = import.text;
   for (const std::string& name : import.constants) {
     text.append("\nIf (Exists(").append(name).append("))\nSetNumber(\"spricka/").append(name);
@@ -85,8 +85,9 @@ std::string bad_request() {
 template <int dim> std::string filling_answer(ByteReader& in) {
   mesh::FillRegion<dim> region;
   mesh::SizeGrading<dim> size;
-  return mesh::read_fill_request(in, region, size) ? mesh::fill_answer(fill_region(region, size))
-                                                   : bad_request();
+  return mesh::decode_fill_request(in, region, size)
+             ? mesh::encode_fill_answer(fill_region(region, size))
+             : bad_request();
 }
 
 std::string answer(std::string_view request, bool locked) {
@@ -99,13 +100,13 @@ std::string answer(std::string_view request, bool locked) {
     return filling_answer<3>(in);
   }
   if (kind == MesherFrameKind::import) {
-    mesh::MesherImport import;
+    mesh::MesherImportRequest import;
     const char no_sandbox = static_cast<char>(MesherFrameKind::no_sandbox);
-    if (mesh::read_import_request(in, import) &&
+    if (mesh::decode_import_request(in, import) &&
         (!locked ||
          set_memory_file(import.name, import.script ? with_questions(import) : import.text))) {
-      return locked ? mesh::model_answer(read_gmsh_model(import, import.name,
-                                                         [] { say(MesherFrameKind::meshing); }))
+      return locked ? mesh::encode_model_answer(read_gmsh_model(
+                          import, import.name, [] { say(MesherFrameKind::meshing); }))
                     : std::string(1, no_sandbox);
     }
   }

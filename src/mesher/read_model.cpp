@@ -15,19 +15,19 @@
 namespace spricka::mesher {
 namespace {
 
-using mesh::GmshBlock;
-using mesh::GmshGroup;
+using mesh::GmshElementBlock;
 using mesh::GmshModel;
+using mesh::GmshPhysicalGroup;
 
 /// Elements on one entity, a block for each type.
-void add_blocks(int dim, int entity, std::vector<GmshBlock>& blocks) {
+void add_blocks(int dim, int entity, std::vector<GmshElementBlock>& blocks) {
   std::vector<int> types;
   std::vector<std::vector<std::size_t>> tags;
   std::vector<std::vector<std::size_t>> nodes;
   gmsh::model::mesh::getElements(types, tags, nodes, dim, entity);
   for (std::size_t t = 0; t < types.size(); ++t) {
-    GmshBlock block{entity, types[t], {}, std::move(tags[t]), std::move(nodes[t])};
-    if (!mesh::from_gmsh(types[t])) {
+    GmshElementBlock block{entity, types[t], {}, std::move(tags[t]), std::move(nodes[t])};
+    if (!mesh::find_gmsh_element_type(types[t])) {
       int itself = 0;
       int order = 0;
       int count = 0;
@@ -51,7 +51,7 @@ int find_dim(std::vector<int>& types) {
   return 0;
 }
 
-int make_mesh(const mesh::MesherImport& import) {
+int make_mesh(const mesh::MesherImportRequest& import) {
   std::vector<int> types;
   int dim = find_dim(types);
   if (dim == 0 && import.script) {
@@ -62,7 +62,7 @@ int make_mesh(const mesh::MesherImport& import) {
     dim = find_dim(types);
   }
   const bool linear = std::any_of(types.begin(), types.end(), [](int number) {
-    const auto known = mesh::from_gmsh(number);
+    const auto known = mesh::find_gmsh_element_type(number);
     return known && !base::element_info(known->type).quadratic;
   });
   if (import.quadratic && linear) {
@@ -76,7 +76,7 @@ void take_groups(GmshModel& model) {
   std::set<int> met;
   gmsh::model::getPhysicalGroups(physical);
   for (const auto& [dim, tag] : physical) {
-    GmshGroup group;
+    GmshPhysicalGroup group;
     group.dim = dim;
     group.tag = tag;
     gmsh::model::getPhysicalName(dim, tag, group.name);
@@ -106,7 +106,7 @@ void take_mesh(GmshModel& model) {
 }
 
 /// Their values at the end of the script, which has left them in gmsh's own parameters.
-void take_constants(const mesh::MesherImport& import, GmshModel& model) {
+void take_constants(const mesh::MesherImportRequest& import, GmshModel& model) {
   for (const std::string& name : import.constants) {
     std::vector<double> value;
     gmsh::onelab::getNumber("spricka/" + name, value);
@@ -118,7 +118,7 @@ void take_constants(const mesh::MesherImport& import, GmshModel& model) {
 
 } // namespace
 
-mesh::GmshModel read_gmsh_model(const mesh::MesherImport& import, const std::string& path,
+mesh::GmshModel read_gmsh_model(const mesh::MesherImportRequest& import, const std::string& path,
                                 const std::function<void()>& meshing) {
   GmshModel model;
   const GmshSession session;

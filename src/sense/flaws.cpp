@@ -19,9 +19,9 @@ namespace spricka::sense {
 namespace {
 
 using base::Vec3;
+using mesh::BodyFaceAtCrackMouth;
 using mesh::CrackConfiguration;
-using mesh::CrackInBody;
-using mesh::CrackMouthFace;
+using mesh::CrackExtentInBody;
 
 constexpr double degree = 180.0 / std::numbers::pi;
 
@@ -30,7 +30,7 @@ std::string place_of(const Vec3& x) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", tidy(x.x()), tidy(x.y()), tidy(x.z()));
 }
 
-std::string name_of_face(const CrackMouthFace& face) {
+std::string name_of_face(const BodyFaceAtCrackMouth& face) {
   return face.name.empty() ? "the face at " + place_of(face.at) : face.name;
 }
 
@@ -50,10 +50,10 @@ public:
 
   std::vector<std::string> tell() {
     std::vector<std::string> lines;
-    for (const mesh::SolidCrack& cut : mesh::solid_cracks(model_)) {
+    for (const mesh::SolidCrack& cut : mesh::make_solid_cracks(model_)) {
       const model::CrackDefinition& crack = model_.cracks[cut.crack.index()];
       look_for_kinks(crack);
-      const std::optional<CrackInBody> extent = mesh::measure_crack(host_, cut);
+      const std::optional<CrackExtentInBody> extent = mesh::measure_crack_in_body(host_, cut);
       if (!extent) {
         continue;
       }
@@ -73,7 +73,7 @@ private:
   }
 
   [[nodiscard]] std::string line_of(const model::CrackDefinition& crack,
-                                    const CrackInBody& extent) const {
+                                    const CrackExtentInBody& extent) const {
     std::string text =
         fmt::format("crack {}: {} crack", crack.name, mesh::configuration_name(extent.kind));
     const std::string along = lengths_of(extent, " (held as a plane of symmetry)");
@@ -95,7 +95,7 @@ private:
   // A face that cuts the ellipse off beside its centre: the flaw is none of the quarters and halves
   // that A and C tell. A through crack whose ends on both faces are as far is one with a bowed
   // front, and the longer the ellipse, the straighter that is.
-  void compare_with_drawn(const model::CrackDefinition& crack, const CrackInBody& extent) {
+  void compare_with_drawn(const model::CrackDefinition& crack, const CrackExtentInBody& extent) {
     if (crack.kind != model::CrackDefinitionKind::ellipse) {
       return;
     }
@@ -105,8 +105,8 @@ private:
     constexpr double opposite = 0.9; // cosine
     const bool through = extent.kind == CrackConfiguration::through;
     std::vector<std::string> off;
-    std::vector<const CrackMouthFace*> cut;
-    for (const CrackMouthFace& face : extent.open) {
+    std::vector<const BodyFaceAtCrackMouth*> cut;
+    for (const BodyFaceAtCrackMouth& face : extent.open) {
       if (std::abs(face.offset) < (through ? nearly_straight : on_it) || held_across(face)) {
         continue;
       }
@@ -134,9 +134,9 @@ private:
   }
 
   // `held`: what is said of faces that are held across.
-  [[nodiscard]] std::string lengths_of(const CrackInBody& extent, const char* held) const {
+  [[nodiscard]] std::string lengths_of(const CrackExtentInBody& extent, const char* held) const {
     std::vector<std::string> along;
-    for (const CrackMouthFace& face : extent.open) {
+    for (const BodyFaceAtCrackMouth& face : extent.open) {
       along.push_back(length(face.length) + " along " + name_of_face(face) +
                       (held_across(face) ? held : ""));
     }
@@ -145,7 +145,7 @@ private:
 
   // A surface crack beside an edge, nearer than half its own length and nowhere near another one:
   // as a corner crack whose centre has missed its edge.
-  void look_for_edge(const model::CrackDefinition& crack, const CrackInBody& extent) {
+  void look_for_edge(const model::CrackDefinition& crack, const CrackExtentInBody& extent) {
     constexpr double eccentric = 2.0;
     if (crack.kind != model::CrackDefinitionKind::ellipse ||
         extent.kind != CrackConfiguration::surface) {
@@ -154,7 +154,7 @@ private:
     const std::size_t end = extent.to_edge[0] < extent.to_edge[1] ? 0 : 1;
     const double near = extent.to_edge.at(end);
     double mouth = 0.0;
-    for (const CrackMouthFace& face : extent.open) {
+    for (const BodyFaceAtCrackMouth& face : extent.open) {
       mouth += face.length;
     }
     if (near < 0.5 * mouth && extent.to_edge.at(1 - end) > eccentric * near) {
@@ -168,7 +168,7 @@ private:
     }
   }
 
-  void look_at_section(const model::CrackDefinition& crack, const CrackInBody& extent) {
+  void look_at_section(const model::CrackDefinition& crack, const CrackExtentInBody& extent) {
     constexpr double most = 0.75;
     if (extent.of_section > most) { // false where it is not a number
       list_.warning(crack.span, "W461",
@@ -183,14 +183,14 @@ private:
 
   // Of the two faces at a corner crack one is a plane of symmetry. $SYMMETRY has found out that the
   // crack is drawn for the whole body; by supports alone nobody knows.
-  void look_at_symmetry(const model::CrackDefinition& crack, const CrackInBody& extent) {
+  void look_at_symmetry(const model::CrackDefinition& crack, const CrackExtentInBody& extent) {
     if (extent.kind != CrackConfiguration::corner || extent.open.size() != 2 ||
         !model_.mirrors.empty()) {
       return;
     }
     for (std::size_t i = 0; i < 2; ++i) {
-      const CrackMouthFace& face = extent.open[i];
-      const CrackMouthFace& other = extent.open[1 - i];
+      const BodyFaceAtCrackMouth& face = extent.open[i];
+      const BodyFaceAtCrackMouth& other = extent.open[1 - i];
       if (held_across(face) && !held_across(other)) {
         list_.warning(crack.span, "W462",
                       fmt::format("crack {}: {} is held across like a plane of symmetry. In the "
@@ -204,7 +204,7 @@ private:
     }
   }
 
-  void look_at_elements(const model::CrackDefinition& crack, const CrackInBody& extent) {
+  void look_at_elements(const model::CrackDefinition& crack, const CrackExtentInBody& extent) {
     const base::ElementInfo& info = base::element_info(model_.mesh.type[extent.seed.index()]);
     if (!info.quadratic) {
       list_.warning(crack.span, "W426",
@@ -217,7 +217,7 @@ private:
   }
 
   /// Whether all nodes of a plane face across an axis are held along that axis.
-  [[nodiscard]] bool held_across(const CrackMouthFace& face) const {
+  [[nodiscard]] bool held_across(const BodyFaceAtCrackMouth& face) const {
     constexpr double along_it = 1.0 - 1e-6;
     Eigen::Index axis = 0;
     if (face.normal.cwiseAbs().maxCoeff(&axis) < along_it) {
@@ -249,7 +249,7 @@ private:
 
   const model::Model& model_;
   base::Diagnostics& list_;
-  mesh::SolidHost host_;
+  mesh::SolidHostMesh host_;
   std::vector<model::FreedomClass> cls_; ///< [3 * node]
 };
 

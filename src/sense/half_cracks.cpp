@@ -92,13 +92,13 @@ std::vector<base::NodeId> nodes_along(const model::Model& model,
   if (mouth == places.end() || mouth->first > plane.reach) {
     return {};
   }
-  const bool inside =
-      mouth != places.begin() && !mesh::path_gap(mesh, {std::prev(mouth)->second, mouth->second});
+  const bool inside = mouth != places.begin() &&
+                      !mesh::find_path_gap(mesh, {std::prev(mouth)->second, mouth->second});
   std::vector<base::NodeId> nodes;
   for (auto place = mouth; place != places.end(); ++place) {
     nodes.push_back(place->second);
   }
-  nodes.resize(mesh::path_gap(mesh, nodes).value_or(nodes.size()));
+  nodes.resize(mesh::find_path_gap(mesh, nodes).value_or(nodes.size()));
   const double end = (mesh.x[nodes.back().index()] - line.mouth).dot(line.way);
   return inside || end <= line.length ? std::vector<base::NodeId>() : nodes;
 }

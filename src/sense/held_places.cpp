@@ -170,7 +170,7 @@ private:
   void look_at_mouth(const model::CrackDefinition& crack, const mesh::HostMesh& host) {
     const base::Vec3& start = crack.points.front();
     double near = 0.0;
-    const mesh::NearestMouth mouth = mesh::find_mouth(host, start, crack.net);
+    const mesh::NearestMouth mouth = mesh::find_crack_mouth(host, start, crack.net);
     for (const model::Face& face : host.boundary()) {
       const mesh::ElementEdge edge = mesh::element_edge(mesh_, face);
       const double length = (mesh_.x[edge.b.index()] - mesh_.x[edge.a.index()]).norm();

@@ -39,7 +39,7 @@ std::vector<model::Face> skin_of(const model::Mesh& mesh,
     model::add_element(part, mesh.type[e.index()], mesh.element_nodes(e),
                        mesh.element_label[e.index()], mesh.element_net[e.index()]);
   }
-  std::vector<model::Face> faces = mesh::outer_faces(part);
+  std::vector<model::Face> faces = mesh::outer_surface_faces(part);
   for (model::Face& face : faces) {
     face.element = elements[face.element.index()];
   }
@@ -108,7 +108,7 @@ private:
   }
 
   [[nodiscard]] BoundaryPart places_of_nodes(const std::vector<base::NodeId>& nodes) const {
-    return {mesh_, mesh::faces_within(mesh_, nodes), nodes};
+    return {mesh_, mesh::boundary_faces_with_all_nodes_in(mesh_, nodes), nodes};
   }
   [[nodiscard]] BoundaryPart places_of(const model::Load& load) const {
     if (load.nodes.valid()) {

@@ -354,14 +354,14 @@ std::optional<Vec3> find_exit_point(const model::Mesh& section, base::NetId net,
   const base::Vec2 way = (through - from).head<2>();
   double nearest = std::numeric_limits<double>::infinity();
   for (const model::Face& face : host.boundary()) {
-    if (!mesh::in_net(section, face, net)) {
+    if (!mesh::face_belongs_to_net(section, face, net)) {
       continue;
     }
     const mesh::ElementEdge edge = mesh::element_edge(section, face);
     constexpr int pieces = 8; // of a curved edge
     for (int k = 0; k < pieces; ++k) {
       const auto at = [&](int i) -> base::Vec2 {
-        return mesh::point_on(section, edge, 2.0 * i / pieces - 1.0).head<2>();
+        return mesh::point_on_edge(section, edge, 2.0 * i / pieces - 1.0).head<2>();
       };
       const base::Vec2 a = at(k) - from.head<2>();
       const base::Vec2 chord = at(k + 1) - at(k);
@@ -378,7 +378,7 @@ std::optional<Vec3> find_exit_point(const model::Mesh& section, base::NetId net,
     return std::nullopt;
   }
   const Vec3 out = from + nearest * Vec3(way.x(), way.y(), 0.0);
-  return mesh::find_mouth(host, out, net).at;
+  return mesh::find_crack_mouth(host, out, net).at;
 }
 
 } // namespace spricka::sense

@@ -20,7 +20,7 @@ double facet_of(const contact::PlanarEdgeChains& plane, const contact::SurfaceCi
   double most = 0.0;
   for (const contact::Edge& edge : plane.edges) {
     for (const double xi : {-0.5, 0.0, 0.5}) {
-      const base::Vec2 x = contact::point_on(edge, xi);
+      const base::Vec2 x = contact::point_on_edge(edge, xi);
       most = std::max(most, std::abs((x - circle.centre).norm() - circle.radius));
     }
   }
@@ -40,8 +40,8 @@ double error_of_edges(const contact::ContactSurface& surface) {
       }
       const contact::Edge& a = edges[e];
       const contact::Edge& b = edges[(e + 1) % n];
-      const base::Vec2 s = contact::tangent_on(a, 1.0);
-      const base::Vec2 t = contact::tangent_on(b, -1.0);
+      const base::Vec2 s = contact::edge_tangent(a, 1.0);
+      const base::Vec2 t = contact::edge_tangent(b, -1.0);
       const double turn = std::abs(std::atan2(s.x() * t.y() - s.y() * t.x(), s.dot(t)));
       most = std::max(most, turn < corner ? 0.125 * turn * std::max(a.length, b.length) : 0.0);
     }
@@ -77,11 +77,11 @@ double error_of_faces(const contact::FacetSurface& surface) {
 double gap_at(const contact::ContactSurface& surface, const contact::Edge& edge,
               const contact::ContactSurface& target, const contact::MortarSegment& s) {
   const double xi = 0.5 * (s.from + s.to);
-  const base::Vec2 x = contact::point_on(edge, xi);
+  const base::Vec2 x = contact::point_on_edge(edge, xi);
   const base::Vec2 n = contact::surface_normal(surface, edge, xi);
   const contact::Edge& other = target.plane.edges[s.target_edge];
   const std::optional<double> eta = contact::ray_intersection(other, x, n);
-  return eta ? (contact::point_on(other, *eta) - x).dot(n) : 0.0;
+  return eta ? (contact::point_on_edge(other, *eta) - x).dot(n) : 0.0;
 }
 
 } // namespace

@@ -98,8 +98,8 @@ private:
       const base::Vec3 one = middle(mesh_.element_nodes(seam.first.element)) - at;
       const base::Vec3 two = middle(mesh_.element_nodes(seam.second.element)) - at;
       if (bodies_[a].net == bodies_[b].net || joined_.contains(std::minmax(a, b)) ||
-          one.dot(two) >= 0.0 || mesh::lies_within(mesh_, seam.first, cared_for_) ||
-          mesh::lies_within(mesh_, seam.second, cared_for_)) {
+          one.dot(two) >= 0.0 || mesh::face_has_all_nodes_inside(mesh_, seam.first, cared_for_) ||
+          mesh::face_has_all_nodes_inside(mesh_, seam.second, cared_for_)) {
         continue; // within a net: W341
       }
       Touching& touching = found[std::minmax(a, b)];
@@ -227,7 +227,7 @@ private:
       }
       double part = 0.0;
       for (const double xi : places) {
-        const base::Vec3 x = base::embed_in_space(contact::point_on(side, xi));
+        const base::Vec3 x = base::embed_in_space(contact::point_on_edge(side, xi));
         const base::Vec3 out =
             beside * side.length * base::embed_in_space(contact::outer_normal(side, xi));
         const std::optional<geometry::BoundaryDistance> on = other.signed_distance(x, side.length);
@@ -269,7 +269,7 @@ private:
         touch(large, outlines_[small]).length == 0.0) {
       return;
     }
-    const base::Vec2 at = contact::point_on(sides_[small][touching.first], 0.0);
+    const base::Vec2 at = contact::point_on_edge(sides_[small][touching.first], 0.0);
     list_.warning(
         place_of(bodies_[b]), "W451",
         fmt::format("{} and {} are drawn touching along {:.4g} {} of their boundaries, near "

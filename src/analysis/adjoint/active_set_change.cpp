@@ -40,7 +40,7 @@ double spacing_at(const contact::ContactSurface& surface, const base::Vec2& x) {
   double spacing = 0.0;
   for (const contact::Edge& edge : surface.plane.edges) {
     for (const double xi : {-1.0, 0.0, 1.0}) {
-      const double distance = (contact::point_on(edge, xi) - x).norm();
+      const double distance = (contact::point_on_edge(edge, xi) - x).norm();
       if (distance < closest) {
         closest = distance;
         spacing = 0.5 * edge.length;

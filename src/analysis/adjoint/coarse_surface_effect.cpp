@@ -62,7 +62,7 @@ double size_of(const geometry::ElementSide& face) {
 void add_sides(const contact::ContactSurface& surface, std::vector<AdjacentSurfacePiece>& sides) {
   for (const contact::Edge& edge : surface.plane.edges) {
     sides.push_back(
-        {{base::embed_in_space(edge.x[0]), base::embed_in_space(contact::point_on(edge, 0.0)),
+        {{base::embed_in_space(edge.x[0]), base::embed_in_space(contact::point_on_edge(edge, 0.0)),
           base::embed_in_space(edge.x[1])},
          edge.length,
          {edge.nodes[0], edge.nodes[1]}});

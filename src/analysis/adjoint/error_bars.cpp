@@ -189,7 +189,7 @@ bool TipErrorBars::coarse_contact(const StepState& state, const mesh::CrackFront
       // A quadratic edge has a node in its middle.
       const double spacing = 0.5 * edge.length;
       const double reach = 2.0 * front.a + 0.5 * edge.length;
-      const base::Vec2 middle = contact::point_on(edge, 0.0);
+      const base::Vec2 middle = contact::point_on_edge(edge, 0.0);
       return spacing > 0.5 * front.a && (middle - front.tip_point().x.head<2>()).norm() < reach;
     };
     if (std::ranges::any_of(scene_.pairs[c].contact.plane.edges, near_and_coarse) ||

@@ -234,7 +234,7 @@ void VirtualAxisExtension::move() {
     mesh::CrackFront& moved = moved_.cracked.fronts[f];
     moved.curve =
         std::make_shared<const mesh::FrontCurve>(std::move(points), normals, front.curve->closed());
-    mesh::update_points(moved_.cracked.mesh, moved);
+    mesh::update_front_points(moved_.cracked.mesh, moved);
     moved_.domains[f] = crack::build_front_domains(
         moved_.cracked, moved, domain_rings(model_, crack_), domain_limits(model_, scene_, front));
     keep_shares(scene_.domains[f], moved_.domains[f]);

@@ -29,7 +29,7 @@ std::vector<results::OuterSurfaceFace> outer_surface(const model::Mesh& mesh) {
   if (mesh.dim != 3) {
     return surface;
   }
-  for (const model::Face& face : mesh::outer_faces(mesh)) {
+  for (const model::Face& face : mesh::outer_surface_faces(mesh)) {
     const base::ElementType type = mesh.type[face.element.index()];
     const std::span<const int> side = shape::side_nodes(type, face.side);
     results::OuterSurfaceFace out;

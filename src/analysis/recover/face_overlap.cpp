@@ -21,7 +21,7 @@ std::string face_overlap(const Discretisation& scene, const mesh::CrackFront& fr
   double deepest = 0.0;
   double largest = 0.0;
   std::size_t count = 0;
-  const auto twins = faces.node_pairs();
+  const auto twins = faces.coincident_node_pairs();
   for (const auto& [upper, lower] : twins) {
     const base::Vec3 apart = state.u.segment<3>(3 * static_cast<Eigen::Index>(upper.index())) -
                              state.u.segment<3>(3 * static_cast<Eigen::Index>(lower.index()));

@@ -162,7 +162,7 @@ void place_points(const model::Model& model, const Discretisation& scene, std::s
     reach = std::max(reach, point.x.cwiseAbs().maxCoeff());
   }
   for (results::FrontPointResult& point : result.points) {
-    point.phi = result.has_angles ? mesh::front_angle(crack, point.x) : 0.0;
+    point.phi = result.has_angles ? mesh::ellipse_parametric_angle(crack, point.x) : 0.0;
     point.x = without_round_off(point.x, reach);
   }
 }

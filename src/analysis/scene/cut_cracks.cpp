@@ -103,7 +103,7 @@ bool find_cracks(const model::Model& model, mesh::CrackedMesh& cracked,
 
 std::optional<mesh::CrackedMesh> cracked_solid(const model::Model& model,
                                                base::Diagnostics& diagnostics) {
-  std::vector<mesh::SolidCrack> cut = mesh::solid_cracks(model);
+  std::vector<mesh::SolidCrack> cut = mesh::make_solid_cracks(model);
   std::vector<mesh::TubeMeshParameters> tubes;
   std::vector<base::SourceSpan> cards;
   const std::vector<mesh::TubeMeshParameters> all = tube_meshes(model);
@@ -113,8 +113,8 @@ std::optional<mesh::CrackedMesh> cracked_solid(const model::Model& model,
   }
   std::optional<mesh::CrackedMesh> cracked =
       cut.empty() ? without_cracks(model.mesh)
-                  : mesh::insert_solid_cracks(mesh::SolidHost(model.mesh, sets_in_use(model)), cut,
-                                              tubes, cards, diagnostics);
+                  : mesh::insert_solid_cracks(mesh::SolidHostMesh(model.mesh, sets_in_use(model)),
+                                              cut, tubes, cards, diagnostics);
   if (!cracked) {
     return cracked;
   }
@@ -176,7 +176,8 @@ void add_to_region(const model::Model& model, const std::vector<mesh::CrackLine>
   plan.region.resize(model.mesh.element_count(), false);
   plan.split = true;
   const mesh::HostMesh host(model.mesh);
-  for (const base::ElementId e : mesh::crack_region(host, lines, tip_meshes(model, host, lines))) {
+  for (const base::ElementId e :
+       mesh::crack_region_elements(host, lines, tip_meshes(model, host, lines))) {
     plan.region[e.index()] = true;
   }
 }

@@ -227,8 +227,9 @@ std::optional<NodeId> unassigned_reaction(const model::Model& model, const model
   if (removed.empty()) {
     return std::nullopt;
   }
-  const std::vector<bool> stands_in =
-      marked(host.node_count(), mesh::nodes_of_faces(host, mesh::faces_within(host, asked->nodes)));
+  const std::vector<bool> stands_in = marked(
+      host.node_count(),
+      mesh::nodes_of_faces(host, mesh::boundary_faces_with_all_nodes_in(host, asked->nodes)));
   const auto at = std::ranges::find_if(removed, [&](NodeId n) { return !stands_in[n.index()]; });
   return at == removed.end() ? std::nullopt : std::optional(*at);
 }

@@ -28,7 +28,8 @@ std::vector<model::Face> sides_of(const model::Mesh& mesh, const mesh::CrackFace
   }
   for (const std::vector<base::NodeId>* crack_face : {&crack_faces.left, &crack_faces.right}) {
     if (!crack_face->empty()) {
-      const std::vector<model::Face> own = mesh::faces_within(mesh, *crack_face);
+      const std::vector<model::Face> own =
+          mesh::boundary_faces_with_all_nodes_in(mesh, *crack_face);
       sides.insert(sides.end(), own.begin(), own.end());
     }
   }

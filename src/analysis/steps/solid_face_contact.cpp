@@ -47,7 +47,7 @@ contact::PairConstraints solid_face_pair(const model::Model& model, const Discre
 double solid_face_overlap(const model::Model& model, const Discretisation& scene, std::size_t line,
                           const base::Vector& u) {
   double largest = 0.0;
-  for (const auto& [upper, lower] : scene.cracked.faces[line].node_pairs()) {
+  for (const auto& [upper, lower] : scene.cracked.faces[line].coincident_node_pairs()) {
     largest = std::max(largest, (at_node(u, upper) - at_node(u, lower)).norm());
   }
   if (!(largest > slip_of_solid_round_off * u.lpNorm<Eigen::Infinity>())) {

@@ -124,8 +124,8 @@ public:
   [[nodiscard]] Cavity cavity() const {
     Cavity result;
     result.elements = elements();
-    for (const FaceChain& chain : build_chains(mesh_, outline())) {
-      std::vector<OutlineEdge> loop;
+    for (const FaceChain& chain : build_face_chains(mesh_, outline())) {
+      std::vector<CavityOutlineEdge> loop;
       for (const model::Face& face : chain.faces) {
         loop.push_back({face, element_edge(mesh_, face), !host_.neighbour(face).has_value()});
       }
@@ -163,7 +163,7 @@ private:
   }
   [[nodiscard]] bool is_long(const ElementEdge& edge) const {
     return std::ranges::any_of(places_, [&](const CrackPlacement* place) {
-      return mesh::exceeds_clearance(mesh_, *place, edge, 1.0 / edge_room);
+      return mesh::edge_exceeds_clearance(mesh_, *place, edge, 1.0 / edge_room);
     });
   }
   [[nodiscard]] std::vector<ElementId> elements() const {
@@ -226,10 +226,10 @@ std::optional<std::pair<std::size_t, std::size_t>> take_all(std::vector<CavityFi
 
 } // namespace
 
-bool exceeds_clearance(const model::Mesh& mesh, const CrackPlacement& placement,
-                       const ElementEdge& edge, double part) {
-  const Vec2 a = placement.frame.rounded_local(mesh.x[edge.a.index()]).head<2>();
-  const Vec2 b = placement.frame.rounded_local(mesh.x[edge.b.index()]).head<2>();
+bool edge_exceeds_clearance(const model::Mesh& mesh, const CrackPlacement& placement,
+                            const ElementEdge& edge, double part) {
+  const Vec2 a = placement.frame.rounded_local_coordinates(mesh.x[edge.a.index()]).head<2>();
+  const Vec2 b = placement.frame.rounded_local_coordinates(mesh.x[edge.b.index()]).head<2>();
   // The edge's chord as a polygon without area.
   double room = distance({a, b, a}, placement.line);
   for (const PlacedTip& tip : placement.tips) {

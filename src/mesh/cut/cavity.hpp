@@ -10,7 +10,7 @@
 namespace spricka::mesh {
 
 /// An edge of a cavity, cavity on the left.
-struct OutlineEdge {
+struct CavityOutlineEdge {
   model::Face face; ///< of the host element inside the cavity
   ElementEdge edge;
   bool free = false; ///< on the host's boundary; else elements that stay lie beyond
@@ -19,7 +19,7 @@ struct OutlineEdge {
 /// The host elements that a patch replaces, ascending, and the closed loops that bound them.
 struct Cavity {
   std::vector<base::ElementId> elements;
-  std::vector<std::vector<OutlineEdge>> loops;
+  std::vector<std::vector<CavityOutlineEdge>> loops;
 };
 
 /// Elements that cracks and rosettes touch or come near, and as much as one layer more: connected
@@ -33,7 +33,7 @@ Cavities find_cavities(const HostMesh& host, std::span<const CrackPlacement> pla
 
 /// Whether an edge is longer than its room, times `part`: its distance from the crack and from the
 /// rosettes.
-bool exceeds_clearance(const model::Mesh& mesh, const CrackPlacement& placement,
-                       const ElementEdge& edge, double part);
+bool edge_exceeds_clearance(const model::Mesh& mesh, const CrackPlacement& placement,
+                            const ElementEdge& edge, double part);
 
 } // namespace spricka::mesh

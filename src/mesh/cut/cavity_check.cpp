@@ -54,7 +54,8 @@ std::vector<Vec2> fine_curve(const model::Mesh& mesh, const ElementEdge& edge,
   std::vector<Vec2> result;
   result.reserve(xi.size());
   for (const double t : xi) {
-    result.push_back(placement.frame.exact_local(point_on(mesh, edge, t)).head<2>());
+    result.push_back(
+        placement.frame.exact_local_coordinates(point_on_edge(mesh, edge, t)).head<2>());
   }
   return result;
 }
@@ -66,9 +67,9 @@ bool starts_inside(const HostMesh& host, const CrackPlacement& placement, const 
   const auto angle = [&](const Vec2& p) { // from the crack, in (-pi, pi]
     return std::atan2(cross(along, p), along.dot(p));
   };
-  for (const std::vector<OutlineEdge>& loop : cavity.loops) {
+  for (const std::vector<CavityOutlineEdge>& loop : cavity.loops) {
     std::vector<Vec2> points;
-    for (const OutlineEdge& edge : loop) {
+    for (const CavityOutlineEdge& edge : loop) {
       const std::vector<Vec2> curve = fine_curve(host.mesh(), edge.edge, placement);
       points.insert(points.end(), curve.begin(), curve.end() - 1);
     }
@@ -97,8 +98,8 @@ std::optional<Vec2> way_out(const HostMesh& host, const CrackPlacement& placemen
   // A tip may be as near to the boundary as its rosette allows: the limit shrinks with a small one.
   const double room = std::min(beside_boundary, beside_tip * placement.radius);
   const std::vector<Vec2> line = placement.mouth ? without_mouth(placement.line) : placement.line;
-  for (const std::vector<OutlineEdge>& loop : cavity.loops) {
-    for (const OutlineEdge& edge : loop) {
+  for (const std::vector<CavityOutlineEdge>& loop : cavity.loops) {
+    for (const CavityOutlineEdge& edge : loop) {
       const std::vector<Vec2> curve = fine_curve(host.mesh(), edge.edge, placement);
       for (std::size_t i = 0; edge.free && i + 1 < curve.size(); ++i) {
         for (std::size_t k = 0; k + 1 < line.size(); ++k) {
@@ -156,9 +157,9 @@ bool check_cavity(const HostMesh& host, const CrackPlacement& placement, const C
                       "smaller RADIUS on $TIPNET");
     return false;
   }
-  for (const std::vector<OutlineEdge>& loop : cavity.loops) {
-    for (const OutlineEdge& edge : loop) {
-      if (!edge.free && exceeds_clearance(mesh, placement, edge.edge, longest_border)) {
+  for (const std::vector<CavityOutlineEdge>& loop : cavity.loops) {
+    for (const CavityOutlineEdge& edge : loop) {
+      if (!edge.free && edge_exceeds_clearance(mesh, placement, edge.edge, longest_border)) {
         const base::Vec3& at = mesh.x[edge.edge.a.index()];
         diagnostics.error(
             span, "E424",

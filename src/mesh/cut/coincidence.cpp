@@ -103,7 +103,8 @@ std::vector<CoincidentFacePair> find_coincident_faces(const model::Mesh& mesh,
   return list;
 }
 
-std::vector<std::pair<base::ElementId, base::ElementId>> doubled_elements(const model::Mesh& mesh) {
+std::vector<std::pair<base::ElementId, base::ElementId>>
+find_duplicate_elements(const model::Mesh& mesh) {
   double shortest = std::numeric_limits<double>::max();
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const std::span<const NodeId> nodes = mesh.element_nodes(base::ElementId(e));

@@ -49,6 +49,7 @@ std::vector<CoincidentFacePair> find_coincident_faces(const model::Mesh& mesh,
                                                       const std::vector<model::Face>& boundary);
 
 /// Elements whose corners all stand where those of an earlier element do, each with that element.
-std::vector<std::pair<base::ElementId, base::ElementId>> doubled_elements(const model::Mesh& mesh);
+std::vector<std::pair<base::ElementId, base::ElementId>>
+find_duplicate_elements(const model::Mesh& mesh);
 
 } // namespace spricka::mesh

@@ -34,7 +34,7 @@ CrackFaceMembership::CrackFaceMembership(const model::Mesh& mesh,
                                          std::span<const CrackFaces> crack_faces)
     : group_of_(mesh.node_count(), -1) {
   for (const CrackFaces& crack_face : crack_faces) {
-    for (const auto& [left, right] : crack_face.node_pairs()) {
+    for (const auto& [left, right] : crack_face.coincident_node_pairs()) {
       add_group(left, right);
     }
   }

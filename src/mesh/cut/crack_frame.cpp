@@ -5,8 +5,8 @@
 
 namespace spricka::mesh {
 
-base::Vec3 CrackFrame::rounded_local(const base::Vec3& x) const {
-  return rounded(exact_local(x));
+base::Vec3 CrackFrame::rounded_local_coordinates(const base::Vec3& x) const {
+  return rounded(exact_local_coordinates(x));
 }
 
 } // namespace spricka::mesh

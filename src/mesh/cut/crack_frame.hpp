@@ -14,11 +14,11 @@ struct CrackFrame {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< [, axis]
   double a = 1.0;
 
-  [[nodiscard]] base::Vec3 exact_local(const base::Vec3& x) const {
+  [[nodiscard]] base::Vec3 exact_local_coordinates(const base::Vec3& x) const {
     // Divided first: the first segment of a straight crack of length a lies on the axis exactly.
     return axes.transpose() * ((x - origin) / a);
   }
-  [[nodiscard]] base::Vec3 rounded_local(const base::Vec3& x) const;
+  [[nodiscard]] base::Vec3 rounded_local_coordinates(const base::Vec3& x) const;
   [[nodiscard]] base::Vec3 global(const base::Vec3& p) const { return origin + a * (axes * p); }
 };
 

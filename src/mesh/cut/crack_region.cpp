@@ -9,8 +9,8 @@ namespace spricka::mesh {
 using base::ElementId;
 using base::NodeId;
 
-std::vector<ElementId> crack_region(const HostMesh& host, std::span<const CrackLine> lines,
-                                    std::span<const TipMeshParameters> tips) {
+std::vector<ElementId> crack_region_elements(const HostMesh& host, std::span<const CrackLine> lines,
+                                             std::span<const TipMeshParameters> tips) {
   const model::Mesh& mesh = host.mesh();
   std::vector<bool> in(mesh.element_count(), false);
   base::Diagnostics ignored; // insert_cracks reports
@@ -18,10 +18,10 @@ std::vector<ElementId> crack_region(const HostMesh& host, std::span<const CrackL
   std::vector<ElementId> core;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (tips[i].patch) {
-      if (auto placement = place_crack(host, lines[i], tips[i], {}, ignored)) {
+      if (auto placement = place_crack_in_host(host, lines[i], tips[i], {}, ignored)) {
         placements.push_back(std::move(*placement));
       }
-    } else if (const auto path = path_nodes(host, lines[i], {}, ignored)) {
+    } else if (const auto path = find_crack_path_nodes(host, lines[i], {}, ignored)) {
       for (const NodeId n : *path) {
         core.insert(core.end(), host.elements_around(n).begin(), host.elements_around(n).end());
       }

@@ -117,7 +117,7 @@ struct CrackFaces {
     return left.empty() ? right : left;
   }
   /// Nodes of both faces that lie on one another, left and right; not those that are one node.
-  [[nodiscard]] std::vector<std::pair<base::NodeId, base::NodeId>> node_pairs() const {
+  [[nodiscard]] std::vector<std::pair<base::NodeId, base::NodeId>> coincident_node_pairs() const {
     std::vector<std::pair<base::NodeId, base::NodeId>> pairs;
     for (std::size_t i = 0; i < left.size() && i < right.size(); ++i) {
       if (left[i] != right[i]) {

@@ -8,9 +8,9 @@ namespace spricka::mesh {
 
 using base::NodeId;
 
-std::vector<InvalidElement> folded_elements(std::span<const PatchNode> nodes,
-                                            std::span<const PatchElement> elements,
-                                            const std::vector<std::size_t>& asked) {
+std::vector<InvalidElement> find_folded_elements(std::span<const PatchNode> nodes,
+                                                 std::span<const PatchElement> elements,
+                                                 const std::vector<std::size_t>& asked) {
   model::Mesh mesh;
   std::vector<NodeId> number(nodes.size());
   std::vector<NodeId> own_nodes;
@@ -25,21 +25,21 @@ std::vector<InvalidElement> folded_elements(std::span<const PatchNode> nodes,
     }
     model::add_element(mesh, elements[e].type, own_nodes, 0, {});
   }
-  std::vector<InvalidElement> bad = bad_elements(mesh);
+  std::vector<InvalidElement> bad = find_invalid_elements(mesh);
   for (InvalidElement& element : bad) {
     element.element = base::ElementId(asked[element.element.index()]);
   }
   return bad;
 }
 
-std::vector<InvalidElement> folded_elements(std::span<const PatchNode> nodes,
-                                            std::span<const PatchElement> elements) {
+std::vector<InvalidElement> find_folded_elements(std::span<const PatchNode> nodes,
+                                                 std::span<const PatchElement> elements) {
   std::vector<std::size_t> all(elements.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  return folded_elements(nodes, elements, all);
+  return find_folded_elements(nodes, elements, all);
 }
 
-const InvalidElement& worst_element(const std::vector<InvalidElement>& folded) {
+const InvalidElement& most_folded_element(const std::vector<InvalidElement>& folded) {
   return *std::ranges::min_element(folded, {}, &InvalidElement::jacobian);
 }
 

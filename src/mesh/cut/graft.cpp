@@ -221,7 +221,7 @@ private:
 
     void replace_faces() {
       for (const auto& [face, pieces] : grafter.faces_) {
-        if (lies_within(grafter.host_, face, old_member)) {
+        if (face_has_all_nodes_inside(grafter.host_, face, old_member)) {
           for (const NodeId n : nodes_in_order(grafter.result_.mesh, pieces)) {
             join(n);
           }
@@ -233,7 +233,7 @@ private:
     }
 
     void replace_held_edges(std::size_t g) {
-      for (const HeldEdgePieces& edge : grafter.grafts_[g].patch.edges) {
+      for (const HeldEdgeReplacement& edge : grafter.grafts_[g].patch.edges) {
         if (!std::ranges::all_of(edge.host,
                                  [&](NodeId n) { return !n.valid() || old_member[n.index()]; })) {
           continue;
@@ -290,7 +290,7 @@ private:
     std::vector<geometry::Box<3>> boxes;
     for (const auto& [face, pieces] : faces_) {
       for (const model::Face& piece : pieces) {
-        if (lies_within(result_.mesh, piece, member)) {
+        if (face_has_all_nodes_inside(result_.mesh, piece, member)) {
           const FaceNodes nodes = face_nodes(result_.mesh, piece);
           const auto x = [&](std::size_t i) { return result_.mesh.x[nodes.all[i].index()]; };
           for (std::size_t i = 2; i < nodes.corners; ++i) {

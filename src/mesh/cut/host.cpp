@@ -19,7 +19,7 @@ ElementEdge element_edge(const model::Mesh& mesh, const model::Face& face) {
           local.size() == 3 ? nodes[static_cast<std::size_t>(local[2])] : base::NodeId()};
 }
 
-base::Vec3 point_on(const model::Mesh& mesh, const ElementEdge& edge, double xi) {
+base::Vec3 point_on_edge(const model::Mesh& mesh, const ElementEdge& edge, double xi) {
   const base::Vec3& a = mesh.x[edge.a.index()];
   const base::Vec3& b = mesh.x[edge.b.index()];
   if (!edge.mid.valid()) {
@@ -30,11 +30,11 @@ base::Vec3 point_on(const model::Mesh& mesh, const ElementEdge& edge, double xi)
   return N[0] * a + N[1] * b + N[2] * mesh.x[edge.mid.index()];
 }
 
-base::Vec2 point_on(const model::Mesh& mesh, const CrackFrame& frame, const ElementEdge& edge,
-                    double xi) {
-  const base::Vec2 a = frame.rounded_local(mesh.x[edge.a.index()]).head<2>();
-  const base::Vec2 b = frame.rounded_local(mesh.x[edge.b.index()]).head<2>();
-  const base::Vec2 m = frame.rounded_local(mesh.x[edge.mid.index()]).head<2>();
+base::Vec2 point_on_edge(const model::Mesh& mesh, const CrackFrame& frame, const ElementEdge& edge,
+                         double xi) {
+  const base::Vec2 a = frame.rounded_local_coordinates(mesh.x[edge.a.index()]).head<2>();
+  const base::Vec2 b = frame.rounded_local_coordinates(mesh.x[edge.b.index()]).head<2>();
+  const base::Vec2 m = frame.rounded_local_coordinates(mesh.x[edge.mid.index()]).head<2>();
   const Eigen::Vector3d N = shape::Line3::N(shape::Point<1>(xi));
   return N[0] * a + N[1] * b + N[2] * m;
 }
@@ -42,7 +42,7 @@ base::Vec2 point_on(const model::Mesh& mesh, const CrackFrame& frame, const Elem
 NearestEdgePoint nearest_on(const model::Mesh& mesh, const ElementEdge& edge, const base::Vec3& p) {
   NearestEdgePoint best{0.0, std::numeric_limits<double>::max()};
   const auto meet = [&](double xi) {
-    const double d = (point_on(mesh, edge, xi) - p).norm();
+    const double d = (point_on_edge(mesh, edge, xi) - p).norm();
     if (d < best.distance) {
       best = {xi, d};
     }
@@ -55,8 +55,8 @@ NearestEdgePoint nearest_on(const model::Mesh& mesh, const ElementEdge& edge, co
     constexpr double h = 1e-5;   // the curve is a parabola: central differences are exact
     const double xi = best.xi;
     const base::Vec3 tangent =
-        (point_on(mesh, edge, xi + h) - point_on(mesh, edge, xi - h)) / (2.0 * h);
-    const double step = (p - point_on(mesh, edge, xi)).dot(tangent) / tangent.squaredNorm();
+        (point_on_edge(mesh, edge, xi + h) - point_on_edge(mesh, edge, xi - h)) / (2.0 * h);
+    const double step = (p - point_on_edge(mesh, edge, xi)).dot(tangent) / tangent.squaredNorm();
     if (std::abs(step) < 1e-15) {
       break;
     }
@@ -65,8 +65,8 @@ NearestEdgePoint nearest_on(const model::Mesh& mesh, const ElementEdge& edge, co
   return best;
 }
 
-bool is_beyond(const model::Mesh& mesh, const ElementEdge& edge, const base::Vec3& p,
-               double distance) {
+bool is_edge_beyond_distance(const model::Mesh& mesh, const ElementEdge& edge, const base::Vec3& p,
+                             double distance) {
   const base::Vec3& a = mesh.x[edge.a.index()];
   // No point of the edge is taken to be farther from its first end than twice the chord.
   return (a - p).norm() - 2.0 * (mesh.x[edge.b.index()] - a).norm() > distance;
@@ -77,9 +77,9 @@ std::vector<base::Vec2> polygon(const model::Mesh& mesh, base::ElementId e,
   std::vector<base::Vec2> result;
   for (int s = 0; s < base::element_info(mesh.type[e.index()]).sides; ++s) {
     const ElementEdge edge = element_edge(mesh, {e, s});
-    result.push_back(frame.rounded_local(mesh.x[edge.a.index()]).head<2>());
+    result.push_back(frame.rounded_local_coordinates(mesh.x[edge.a.index()]).head<2>());
     if (edge.mid.valid()) {
-      result.push_back(frame.rounded_local(mesh.x[edge.mid.index()]).head<2>());
+      result.push_back(frame.rounded_local_coordinates(mesh.x[edge.mid.index()]).head<2>());
     }
   }
   return result;
@@ -103,7 +103,7 @@ std::size_t ElementOutlines::nearest(const base::Vec2& p) const {
       .value_or(0);
 }
 
-bool in_net(const model::Mesh& mesh, const model::Face& face, base::NetId net) {
+bool face_belongs_to_net(const model::Mesh& mesh, const model::Face& face, base::NetId net) {
   return !net.valid() || mesh.element_net[face.element.index()] == net;
 }
 

@@ -22,11 +22,11 @@ struct ElementEdge {
 ElementEdge element_edge(const model::Mesh& mesh, const model::Face& face);
 
 /// Point of an edge at xi in [-1, 1] on its own, straight or quadratic, curve.
-base::Vec3 point_on(const model::Mesh& mesh, const ElementEdge& edge, double xi);
+base::Vec3 point_on_edge(const model::Mesh& mesh, const ElementEdge& edge, double xi);
 
 /// The same, of an edge with a middle node, in a crack's frame: from rounded coordinates.
-base::Vec2 point_on(const model::Mesh& mesh, const CrackFrame& frame, const ElementEdge& edge,
-                    double xi);
+base::Vec2 point_on_edge(const model::Mesh& mesh, const CrackFrame& frame, const ElementEdge& edge,
+                         double xi);
 
 /// The point of an edge nearest to p.
 struct NearestEdgePoint {
@@ -36,8 +36,8 @@ struct NearestEdgePoint {
 NearestEdgePoint nearest_on(const model::Mesh& mesh, const ElementEdge& edge, const base::Vec3& p);
 
 /// Whether an edge is for certain farther from p than `distance`: a quick test.
-bool is_beyond(const model::Mesh& mesh, const ElementEdge& edge, const base::Vec3& p,
-               double distance);
+bool is_edge_beyond_distance(const model::Mesh& mesh, const ElementEdge& edge, const base::Vec3& p,
+                             double distance);
 
 /// Corner and mid nodes of an element in the crack's frame, in order round it.
 std::vector<base::Vec2> polygon(const model::Mesh& mesh, base::ElementId e,
@@ -58,7 +58,7 @@ private:
 };
 
 /// Whether the element of a face belongs to a net (any net: invalid).
-bool in_net(const model::Mesh& mesh, const model::Face& face, base::NetId net);
+bool face_belongs_to_net(const model::Mesh& mesh, const model::Face& face, base::NetId net);
 
 /// A mesh, plane or solid, with its neighbourhoods. Functions that want one take a mesh as well;
 /// who calls several makes it once.
@@ -94,7 +94,7 @@ private:
   }
 
   const model::Mesh& mesh_;
-  NodeElements elements_;
+  NodeToElementsMap elements_;
   std::vector<std::int32_t> beyond_; ///< [most_sides * element + side] element there or -1
   std::vector<model::Face> boundary_;
   std::vector<model::Face> borders_;

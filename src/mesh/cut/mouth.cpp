@@ -11,23 +11,23 @@ using base::NodeId;
 using base::Vec2;
 using base::Vec3;
 
-NearestMouth find_mouth(const HostMesh& host, const Vec3& start, base::NetId net) {
+NearestMouth find_crack_mouth(const HostMesh& host, const Vec3& start, base::NetId net) {
   constexpr double at_node = 1e-6; // of the edge: a mouth this near to a node is at the node
   const model::Mesh& mesh = host.mesh();
   NearestMouth found;
   for (const model::Face& face : host.boundary()) {
-    if (!in_net(mesh, face, net)) {
+    if (!face_belongs_to_net(mesh, face, net)) {
       continue;
     }
     const ElementEdge edge = element_edge(mesh, face);
     const double chord = (mesh.x[edge.b.index()] - mesh.x[edge.a.index()]).norm();
-    if (is_beyond(mesh, edge, start, found.distance)) {
+    if (is_edge_beyond_distance(mesh, edge, start, found.distance)) {
       continue;
     }
     const NearestEdgePoint p = nearest_on(mesh, edge, start);
     // At a node two edges are equally near: the first one counts, not the better by round-off.
     if (p.distance < found.distance - 1e-9 * chord) {
-      found = {{face, p.xi, {}}, point_on(mesh, edge, p.xi), p.distance, chord};
+      found = {{face, p.xi, {}}, point_on_edge(mesh, edge, p.xi), p.distance, chord};
     }
   }
   if (found.on_boundary()) {
@@ -42,7 +42,7 @@ NearestMouth find_mouth(const HostMesh& host, const Vec3& start, base::NetId net
   return found;
 }
 
-base::ElementId element_at(const model::Mesh& mesh, const Vec3& point, base::NetId net) {
+base::ElementId find_element_at(const model::Mesh& mesh, const Vec3& point, base::NetId net) {
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
     const base::ElementId e(i);
     if (net.valid() && mesh.element_net[i] != net) {
@@ -59,12 +59,13 @@ base::ElementId element_at(const model::Mesh& mesh, const Vec3& point, base::Net
   return {};
 }
 
-CrackStart locate_crack_start(const HostMesh& host, const Vec3& point, base::NetId net) {
-  const NearestMouth found = find_mouth(host, point, net);
+CrackStartLocation locate_crack_start(const HostMesh& host, const Vec3& point, base::NetId net) {
+  const NearestMouth found = find_crack_mouth(host, point, net);
   if (found.on_boundary()) {
-    return CrackStart::boundary;
+    return CrackStartLocation::boundary;
   }
-  return element_at(host.mesh(), point, net).valid() ? CrackStart::inside : CrackStart::outside;
+  return find_element_at(host.mesh(), point, net).valid() ? CrackStartLocation::inside
+                                                          : CrackStartLocation::outside;
 }
 
 } // namespace spricka::mesh

@@ -28,14 +28,15 @@ struct NearestMouth {
   }
 };
 /// On the boundary of a net (any net: invalid); at a node where one is there.
-NearestMouth find_mouth(const HostMesh& host, const base::Vec3& start, base::NetId net);
+NearestMouth find_crack_mouth(const HostMesh& host, const base::Vec3& start, base::NetId net);
 
 /// The element of a net (any net: invalid) that a point lies in, or an invalid one.
-base::ElementId element_at(const model::Mesh& mesh, const base::Vec3& point, base::NetId net);
+base::ElementId find_element_at(const model::Mesh& mesh, const base::Vec3& point, base::NetId net);
 
 /// Where the first point of a free crack lies: on the boundary of the net (any net if invalid),
 /// inside it, or neither.
-enum class CrackStart { boundary, inside, outside };
-CrackStart locate_crack_start(const HostMesh& host, const base::Vec3& point, base::NetId net);
+enum class CrackStartLocation { boundary, inside, outside };
+CrackStartLocation locate_crack_start(const HostMesh& host, const base::Vec3& point,
+                                      base::NetId net);
 
 } // namespace spricka::mesh

@@ -77,7 +77,7 @@ public:
 
 private:
   bool find_path(Work& work) {
-    auto path = path_nodes(host_, *work.line, work.span, diagnostics_);
+    auto path = find_crack_path_nodes(host_, *work.line, work.span, diagnostics_);
     if (path) {
       work.path = std::move(*path);
     }
@@ -85,7 +85,7 @@ private:
   }
 
   bool find_place(Work& work) {
-    auto placement = place_crack(host_, *work.line, *work.tip, work.span, diagnostics_);
+    auto placement = place_crack_in_host(host_, *work.line, *work.tip, work.span, diagnostics_);
     if (placement) {
       work.place = placements_.size();
       placements_.push_back(std::move(*placement));
@@ -184,14 +184,15 @@ private:
     }
     std::string trouble;
     for (const double fineness : {1.0, 2.0, 4.0}) {
-      patch = mesh_cavity(host_, cracks, filled.cavity, fineness);
+      patch = mesh_plane_cavity(host_, cracks, filled.cavity, fineness);
       trouble = patch.trouble;
       if (trouble.empty()) {
-        const std::vector<InvalidElement> folded = folded_elements(patch.nodes, patch.elements);
+        const std::vector<InvalidElement> folded =
+            find_folded_elements(patch.nodes, patch.elements);
         if (folded.empty()) {
           return true;
         }
-        const Vec3& at = worst_element(folded).at;
+        const Vec3& at = most_folded_element(folded).at;
         trouble = fmt::format("an element at ({:.6g}, {:.6g}) is folded", at.x(), at.y());
       }
     }
@@ -233,7 +234,8 @@ private:
       }
       if (work.line->symmetric_half) {
         add_half_crack_face(work);
-      } else if (auto crack_faces = split_along(result_.mesh, work.path, work.line->embedded)) {
+      } else if (auto crack_faces =
+                     open_crack_along_path(result_.mesh, work.path, work.line->embedded)) {
         result_.faces.push_back(std::move(*crack_faces));
       } else {
         diagnostics_.error(
@@ -252,7 +254,7 @@ private:
     CrackFaces crack_faces;
     const bool left = work.tip->patch
                           ? placements_[work.place].half > 0
-                          : body_on_left(host_, work.path[0], work.path[path_step(work)]);
+                          : is_body_on_left(host_, work.path[0], work.path[path_step(work)]);
     (left ? crack_faces.left : crack_faces.right) = work.path;
     result_.faces.push_back(std::move(crack_faces));
   }
@@ -316,9 +318,10 @@ private:
     front.tip_point().growth = last.normalized();
     front.size = last.norm();
     front.radius = front.size;
-    const int moved =
-        work.tip->quarter_point ? move_quarter_points(result_.mesh, front.tip_point().node) : 0;
-    if (const double part = worst_mid_node(result_.mesh, front.tip_point().node);
+    const int moved = work.tip->quarter_point
+                          ? make_quarter_point_edges(result_.mesh, front.tip_point().node)
+                          : 0;
+    if (const double part = worst_mid_node_position(result_.mesh, front.tip_point().node);
         std::min(std::abs(part - 0.25), std::abs(part - 0.5)) > neither) {
       diagnostics_.warning(work.span, "W505",
                            fmt::format("{}: middle nodes at {:.3g} of edges that leave the tip are "

@@ -6,15 +6,15 @@
 namespace spricka::mesh {
 namespace {
 
-bool has_mouth(const CrackPlacement& place, const OutlineEdge& edge) {
+bool has_mouth(const CrackPlacement& place, const CavityOutlineEdge& edge) {
   return place.mouth && edge.face == place.mouth->face &&
          (!place.mouth->node.valid() || place.mouth->node == edge.edge.mid);
 }
 
 } // namespace
 
-std::vector<std::pair<double, std::size_t>> mouths_on(const OutlineEdge& edge,
-                                                      const std::vector<PatchCrack>& cracks) {
+std::vector<std::pair<double, std::size_t>> mouths_on_edge(const CavityOutlineEdge& edge,
+                                                           const std::vector<PatchCrack>& cracks) {
   std::vector<std::pair<double, std::size_t>> result;
   for (std::size_t i = 0; i < cracks.size(); ++i) {
     if (has_mouth(cracks[i].place, edge)) {

@@ -19,7 +19,7 @@ struct PatchCrack {
 
 /// Where on an edge of the outline (xi in [-1, 1]) mouths are, in order, with the numbers of the
 /// cracks they belong to.
-std::vector<std::pair<double, std::size_t>> mouths_on(const OutlineEdge& edge,
-                                                      const std::vector<PatchCrack>& cracks);
+std::vector<std::pair<double, std::size_t>> mouths_on_edge(const CavityOutlineEdge& edge,
+                                                           const std::vector<PatchCrack>& cracks);
 
 } // namespace spricka::mesh

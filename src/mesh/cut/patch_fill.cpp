@@ -10,7 +10,8 @@
 
 namespace spricka::mesh {
 
-std::string triangulate_patch(PatchNet& net, const PatchContours& contours, const Grading& size) {
+std::string triangulate_patch(PatchMeshBuilder& net, const PatchContours& contours,
+                              const Grading& size) {
   PlaneRegion region;
   std::map<int, int> place; // patch node -> point
   std::vector<int> node;    // and back
@@ -38,7 +39,7 @@ std::string triangulate_patch(PatchNet& net, const PatchContours& contours, cons
     return filling.trouble;
   }
   for (const base::Vec2& p : filling.added) {
-    node.push_back(net.new_node_at(base::embed_in_space(p)));
+    node.push_back(net.add_node_at_local_position(base::embed_in_space(p)));
   }
   for (const std::array<int, 3>& t : filling.cells) {
     PatchTriangle corners{};

@@ -16,6 +16,7 @@ struct PatchContours {
 
 /// Adds triangles between the contours to a patch, with all edges of these. Returns what the mesher
 /// said if it failed; empty if not.
-std::string triangulate_patch(PatchNet& net, const PatchContours& contours, const Grading& size);
+std::string triangulate_patch(PatchMeshBuilder& net, const PatchContours& contours,
+                              const Grading& size);
 
 } // namespace spricka::mesh

@@ -61,7 +61,7 @@ private:
 
 } // namespace
 
-double placed_length(const CrackPlacement& placement) {
+double placed_crack_length(const CrackPlacement& placement) {
   const double length = geometry::polyline_length(placement.line);
   return placement.mouth ? length : 0.5 * length;
 }
@@ -80,7 +80,7 @@ void add_gap_sizes(const std::vector<const CrackPlacement*>& cracks,
         const Vec2 p = a + s / length * along;
         const double gap = std::max(gaps.at(*crack, p, before + s, k), least_gap * total);
         if (gap < total) {
-          size.add_source(p, gap);
+          size.add_size_source(p, gap);
         }
         // The next place to ask at is one gap on: in between the size has grown by a part of that
         // only (mesh.4).

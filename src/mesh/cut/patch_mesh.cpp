@@ -35,7 +35,7 @@ public:
         crack.rosettes.push_back(add_rosette(net_, crack.place, at, *crack.tip));
       }
     }
-    size_ = curve_sizes(host_, cracks_, cavity_, net_, fineness);
+    size_ = patch_curve_sizes(host_, cracks_, cavity_, net_, fineness);
     add_loops();
     for (const PatchCrack& crack : cracks_) {
       add_crack(crack);
@@ -44,22 +44,22 @@ public:
       add_rims();
       patch_.trouble = triangulate_patch(net_, contours_, fill_size_);
     }
-    net_.move_into(patch_);
+    net_.move_into_patch(patch_);
     return std::move(patch_);
   }
 
 private:
   [[nodiscard]] Vec2 local(const ElementEdge& edge, double xi) const {
-    return point_on(host_.mesh(), frame_, edge, xi);
+    return point_on_edge(host_.mesh(), frame_, edge, xi);
   }
 
   /// The loops of the cavity, their free edges divided where the crack asks for it. The line of a
   /// half crack is left out and put in by add_crack.
   void add_loops() {
-    for (const std::vector<OutlineEdge>& loop : cavity_.loops) {
+    for (const std::vector<CavityOutlineEdge>& loop : cavity_.loops) {
       std::vector<int> nodes;
-      for (const OutlineEdge& edge : loop) {
-        nodes.push_back(net_.host_node(edge.edge.a));
+      for (const CavityOutlineEdge& edge : loop) {
+        nodes.push_back(net_.find_or_add_host_node(edge.edge.a));
         if (half_ != 0 && symmetry_line_.contains(edge)) {
           symmetry_line_.add_edge(edge);
           continue;
@@ -72,13 +72,13 @@ private:
     for (PatchCrack& crack : cracks_) {
       const auto& mouth = crack.place.mouth;
       if (mouth && mouth->node.valid() && crack.mouth < 0) {
-        crack.mouth = net_.host_node(mouth->node);
+        crack.mouth = net_.find_or_add_host_node(mouth->node);
       }
     }
   }
 
   /// Nodes inside one edge of the outline, after it has been divided.
-  std::vector<int> add_edge(const OutlineEdge& edge) {
+  std::vector<int> add_edge(const CavityOutlineEdge& edge) {
     if (!edge.free) {
       return transition_ ? add_tied_parts(edge) : add_parts(edge, {-1.0, 1.0});
     }
@@ -89,7 +89,7 @@ private:
       xi.insert(xi.end(), part.begin() + 1, part.end());
     };
     // Divided from mouth to mouth, each of which so becomes a corner node.
-    for (const auto& [at, crack] : mouths_on(edge, cracks_)) {
+    for (const auto& [at, crack] : mouths_on_edge(edge, cracks_)) {
       divide_to(at);
     }
     divide_to(1.0);
@@ -98,7 +98,7 @@ private:
 
   /// At least two parts, the middle node of the host's edge between them: the rim follows the
   /// host's displacements exactly, as both are parabolas on each part.
-  std::vector<int> add_tied_parts(const OutlineEdge& edge) {
+  std::vector<int> add_tied_parts(const CavityOutlineEdge& edge) {
     const auto curve = [&](double t) { return local(edge.edge, t); };
     std::vector<double> xi = divide(curve, -1.0, 0.0, size_);
     const std::vector<double> rest = divide(curve, 0.0, 1.0, size_);
@@ -120,30 +120,33 @@ private:
   void tie(int node, const ElementEdge& edge, double xi) {
     const Eigen::Vector3d N = shape::Line3::N(shape::Point<1>(xi));
     net_.ties.push_back({node,
-                         {net_.host_node(edge.a), net_.host_node(edge.b), net_.host_node(edge.mid)},
+                         {net_.find_or_add_host_node(edge.a), net_.find_or_add_host_node(edge.b),
+                          net_.find_or_add_host_node(edge.mid)},
                          {N[0], N[1], N[2]}});
   }
 
-  std::vector<int> add_parts(const OutlineEdge& edge, const std::vector<double>& xi) {
+  std::vector<int> add_parts(const CavityOutlineEdge& edge, const std::vector<double>& xi) {
     const ElementEdge& e = edge.edge;
-    const auto mouths = edge.free ? mouths_on(edge, cracks_) : decltype(mouths_on(edge, cracks_))();
+    const auto mouths =
+        edge.free ? mouths_on_edge(edge, cracks_) : decltype(mouths_on_edge(edge, cracks_))();
     std::vector<int> inner;
     std::vector<std::vector<int>> pieces;
-    int from = net_.host_node(e.a);
+    int from = net_.find_or_add_host_node(e.a);
     for (std::size_t i = 1; i < xi.size(); ++i) {
       const bool last = i + 1 == xi.size();
       int to = 0;
       if (last) {
-        to = net_.host_node(e.b);
+        to = net_.find_or_add_host_node(e.b);
       } else if (xi[i] == 0.0) {
-        to = net_.host_node(e.mid);
+        to = net_.find_or_add_host_node(e.mid);
       } else {
-        to = net_.new_node(point_on(host_.mesh(), e, xi[i]));
+        to = net_.add_node_at_position(point_on_edge(host_.mesh(), e, xi[i]));
       }
       // An edge in one piece keeps its middle node, which elements that stay may have as well.
       const bool whole = xi.size() == 2;
-      const Vec3 half = point_on(host_.mesh(), e, 0.5 * (xi[i - 1] + xi[i]));
-      net_.set_mid_node(from, to, whole ? net_.host_node(e.mid) : net_.new_node(half));
+      const Vec3 half = point_on_edge(host_.mesh(), e, 0.5 * (xi[i - 1] + xi[i]));
+      net_.set_mid_node(
+          from, to, whole ? net_.find_or_add_host_node(e.mid) : net_.add_node_at_position(half));
       pieces.push_back({from, to});
       if (!last) {
         inner.push_back(to);
@@ -167,7 +170,7 @@ private:
     const std::vector<double> t = divide(curve, 0.0, 1.0, size_);
     std::vector<int> nodes;
     for (std::size_t i = 1; i + 1 < t.size(); ++i) {
-      nodes.push_back(net_.new_node_at(base::embed_in_space(curve(t[i]))));
+      nodes.push_back(net_.add_node_at_local_position(base::embed_in_space(curve(t[i]))));
     }
     return nodes;
   }
@@ -189,7 +192,7 @@ private:
       const std::vector<int> inner = add_interval(from, to);
       crack_face.insert(crack_face.end(), inner.begin(), inner.end());
       crack_face.push_back(last ? last_rosette.behind.back()
-                                : net_.new_node_at(base::embed_in_space(to)));
+                                : net_.add_node_at_local_position(base::embed_in_space(to)));
       from = to;
     }
     for (std::size_t i = 0; i + 1 < crack_face.size(); ++i) {
@@ -230,7 +233,7 @@ private:
     const std::vector<int> inner =
         add_interval(net_.local_position(ligament[0]).head<2>(), {end.x, 0.0});
     ligament.insert(ligament.end(), inner.begin(), inner.end());
-    ligament.push_back(net_.host_node(end.node));
+    ligament.push_back(net_.find_or_add_host_node(end.node));
     for (std::size_t i = 0; i + 1 < ligament.size(); ++i) {
       add_edge_size(fill_size_, net_, ligament[i], ligament[i + 1]);
     }
@@ -240,7 +243,7 @@ private:
     line.push_back(rosette.tip);
     line.insert(line.end(), rosette.ahead.begin(), rosette.ahead.end());
     line.insert(line.end(), ligament.begin() + 1, ligament.end());
-    const std::vector<FacePieces> pieces = symmetry_line_.edge_pieces(net_, line);
+    const std::vector<HostFaceReplacement> pieces = symmetry_line_.edge_replacements(net_, line);
     patch_.faces.insert(patch_.faces.end(), pieces.begin(), pieces.end());
     // what the filling sees: over the rosette
     std::vector<int> contour(crack_face.begin(), crack_face.end() - 1);
@@ -253,7 +256,7 @@ private:
     if (half_ < 0) {
       std::reverse(contour.begin(), contour.end());
     }
-    if (!replace_between(contours_.loops, contour)) {
+    if (!insert_contour_into_loop(contours_.loops, contour)) {
       patch_.trouble = "the symmetry line is not a straight part of the boundary";
     }
   }
@@ -278,7 +281,7 @@ private:
   CrackFrame frame_;
   int half_;
   const Cavity& cavity_;
-  PatchNet net_;
+  PatchMeshBuilder net_;
   PlanePatch patch_;
   Grading size_;      ///< along curves, before they are divided
   Grading fill_size_; ///< in the region, from the edges that were made
@@ -289,8 +292,8 @@ private:
 
 } // namespace
 
-PlanePatch mesh_cavity(const HostMesh& host, const std::vector<PatchCrack>& cracks,
-                       const Cavity& cavity, double fineness) {
+PlanePatch mesh_plane_cavity(const HostMesh& host, const std::vector<PatchCrack>& cracks,
+                             const Cavity& cavity, double fineness) {
   return PlanePatchBuilder(host, cracks, cavity).build(fineness);
 }
 

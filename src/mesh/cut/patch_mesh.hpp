@@ -17,7 +17,7 @@ struct PlanePatch : Patch {
 
 /// Meshes a cavity round its cracks: rosettes at the tips, graded triangles in the rest. `fineness`
 /// divides the wanted sizes along the boundary of the host.
-PlanePatch mesh_cavity(const HostMesh& host, const std::vector<PatchCrack>& cracks,
-                       const Cavity& cavity, double fineness);
+PlanePatch mesh_plane_cavity(const HostMesh& host, const std::vector<PatchCrack>& cracks,
+                             const Cavity& cavity, double fineness);
 
 } // namespace spricka::mesh

@@ -11,47 +11,47 @@ namespace spricka::mesh {
 using base::NodeId;
 using base::Vec3;
 
-int PatchNet::host_node(NodeId n) {
+int PatchMeshBuilder::find_or_add_host_node(NodeId n) {
   const auto [at, fresh] = of_host_.try_emplace(n.value, static_cast<int>(nodes.size()));
   if (fresh) {
-    nodes.push_back({host_.x[n.index()], frame_.rounded_local(host_.x[n.index()]), n});
+    nodes.push_back({host_.x[n.index()], frame_.rounded_local_coordinates(host_.x[n.index()]), n});
   }
   return at->second;
 }
 
-int PatchNet::new_node(const Vec3& x) {
-  nodes.push_back({x, frame_.rounded_local(x), {}});
+int PatchMeshBuilder::add_node_at_position(const Vec3& x) {
+  nodes.push_back({x, frame_.rounded_local_coordinates(x), {}});
   return static_cast<int>(nodes.size()) - 1;
 }
 
-int PatchNet::new_node_at(const Vec3& place) {
+int PatchMeshBuilder::add_node_at_local_position(const Vec3& place) {
   nodes.push_back({frame_.global(place), rounded(place), {}});
   return static_cast<int>(nodes.size()) - 1;
 }
 
-int PatchNet::duplicate_node(int n) {
+int PatchMeshBuilder::duplicate_node(int n) {
   PatchNode node = nodes[static_cast<std::size_t>(n)];
   node.host = {};
   nodes.push_back(node);
   return static_cast<int>(nodes.size()) - 1;
 }
 
-std::optional<int> PatchNet::known_mid_node(int a, int b) const {
+std::optional<int> PatchMeshBuilder::find_mid_node(int a, int b) const {
   const auto at = mid_.find(key(a, b));
   return at == mid_.end() ? std::nullopt : std::optional(at->second);
 }
 
-int PatchNet::mid_node(int a, int b) {
-  if (const auto known = known_mid_node(a, b)) {
+int PatchMeshBuilder::mid_node(int a, int b) {
+  if (const auto known = find_mid_node(a, b)) {
     return *known;
   }
   const Vec3 half = 0.5 * (position(a) + position(b));
-  const int node = new_node(half);
+  const int node = add_node_at_position(half);
   set_mid_node(a, b, node);
   return node;
 }
 
-void PatchNet::add_element(base::ElementType type, std::span<const int> corners) {
+void PatchMeshBuilder::add_element(base::ElementType type, std::span<const int> corners) {
   PatchElement& element = elements.emplace_back(PatchElement{type, {}});
   element.nodes.assign(corners.begin(), corners.end());
   for (int m = 0; m < shape::edge_count(type); ++m) {
@@ -61,13 +61,13 @@ void PatchNet::add_element(base::ElementType type, std::span<const int> corners)
   }
 }
 
-double PatchNet::six_volumes(int a, int b, int c, int d) const {
+double PatchMeshBuilder::six_times_volume(int a, int b, int c, int d) const {
   return (local_position(b) - local_position(a))
       .cross(local_position(c) - local_position(a))
       .dot(local_position(d) - local_position(a));
 }
 
-void PatchNet::move_into(Patch& patch) {
+void PatchMeshBuilder::move_into_patch(Patch& patch) {
   patch.nodes = std::move(nodes);
   patch.elements = std::move(elements);
   patch.ties = std::move(ties);

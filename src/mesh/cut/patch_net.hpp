@@ -39,11 +39,11 @@ using PatchTriangle = std::array<int, 3>;
 
 /// A side of the host and the sides of the patch in its place, by corners: edges of a plane patch
 /// from end to end. Sides that end at a crack may be there twice, with the nodes of either face.
-using FacePieces = std::pair<model::Face, std::vector<std::vector<int>>>;
+using HostFaceReplacement = std::pair<model::Face, std::vector<std::vector<int>>>;
 
 /// What takes the place of an edge of a host of solids that a held set has: nodes of the patch,
 /// both of a mouth that it ends at.
-struct HeldEdgePieces {
+struct HeldEdgeReplacement {
   std::array<base::NodeId, 3> host; ///< ends and middle, invalid in linear elements
   std::vector<int> ends;
   int mid = -1; ///< none: what lies there belongs to another piece
@@ -54,27 +54,27 @@ struct Patch {
   std::vector<PatchNode> nodes;
   std::vector<PatchElement> elements;
   std::vector<PatchTie> ties;
-  std::vector<FacePieces> faces;     ///< of the cavity that belonged to its elements
-  std::vector<HeldEdgePieces> edges; ///< of the cavity that held sets have
-  std::string trouble;               ///< why there is no patch
+  std::vector<HostFaceReplacement> faces; ///< of the cavity that belonged to its elements
+  std::vector<HeldEdgeReplacement> edges; ///< of the cavity that held sets have
+  std::string trouble;                    ///< why there is no patch
 };
 
 /// Collects nodes, elements and ties of a patch; an edge has one node in its middle.
-class PatchNet {
+class PatchMeshBuilder {
 public:
   /// Both must outlive the net.
-  PatchNet(const model::Mesh& host, const CrackFrame& frame) : host_(host), frame_(frame) {}
+  PatchMeshBuilder(const model::Mesh& host, const CrackFrame& frame) : host_(host), frame_(frame) {}
 
-  int host_node(base::NodeId n);
-  int new_node(const base::Vec3& x);
+  int find_or_add_host_node(base::NodeId n);
+  int add_node_at_position(const base::Vec3& x);
   /// At a place in the crack's frame, which is not rounded.
-  int new_node_at(const base::Vec3& place);
+  int add_node_at_local_position(const base::Vec3& place);
   /// A second node in the place of another.
   int duplicate_node(int n);
 
   /// The node in the middle of an edge, made half way if the edge has none.
   int mid_node(int a, int b);
-  [[nodiscard]] std::optional<int> known_mid_node(int a, int b) const;
+  [[nodiscard]] std::optional<int> find_mid_node(int a, int b) const;
   void set_mid_node(int a, int b, int node) { mid_.insert_or_assign(key(a, b), node); }
   /// Adds a quadratic element of these corners, with the nodes in the middle of its edges.
   void add_element(base::ElementType type, std::span<const int> corners);
@@ -86,10 +86,10 @@ public:
     return nodes[static_cast<std::size_t>(n)].local;
   }
   /// Six times the volume of a tetrahedron, by rounded coordinates.
-  [[nodiscard]] double six_volumes(int a, int b, int c, int d) const;
+  [[nodiscard]] double six_times_volume(int a, int b, int c, int d) const;
 
   /// Moves nodes, elements and ties into a patch.
-  void move_into(Patch& patch);
+  void move_into_patch(Patch& patch);
 
   std::vector<PatchNode> nodes;
   std::vector<PatchElement> elements;

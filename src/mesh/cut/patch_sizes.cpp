@@ -33,7 +33,7 @@ public:
         frame_(cracks.front().place.frame), half_(cracks.front().place.half),
         size_(patch_grading(cracks)) {}
 
-  Grading take(const PatchNet& net) {
+  Grading take(const PatchMeshBuilder& net) {
     for (const PatchCrack& crack : cracks_) {
       add_rosettes(crack, net);
       add_mouth(crack);
@@ -41,7 +41,7 @@ public:
     const bool transition =
         std::ranges::any_of(cracks_, [](const PatchCrack& crack) { return crack.tip->transition; });
     for (const auto& loop : cavity_.loops) {
-      for (const OutlineEdge& edge : loop) {
+      for (const CavityOutlineEdge& edge : loop) {
         add_edge(edge, transition);
       }
     }
@@ -51,10 +51,10 @@ public:
 
 private:
   [[nodiscard]] Vec2 local(const ElementEdge& edge, double xi) const {
-    return point_on(mesh_, frame_, edge, xi);
+    return point_on_edge(mesh_, frame_, edge, xi);
   }
 
-  void add_rosettes(const PatchCrack& crack, const PatchNet& net) {
+  void add_rosettes(const PatchCrack& crack, const PatchMeshBuilder& net) {
     for (const Rosette& rosette : crack.rosettes) {
       const std::size_t rim = rosette.rim.size();
       // The rim of a half is open: no edge leads from its last node to the first.
@@ -69,25 +69,26 @@ private:
       const double finer = finest(cracks_);
       const double part =
           crack.tip->pressed ? pressed_mouth_size / std::max(finer, 1.0) : mouth_size / finer;
-      size_.add_source(crack.place.line.front(), part * placed_length(crack.place) / fineness_);
+      size_.add_size_source(crack.place.line.front(),
+                            part * placed_crack_length(crack.place) / fineness_);
     }
   }
 
-  void add_edge(const OutlineEdge& edge, bool transition) {
+  void add_edge(const CavityOutlineEdge& edge, bool transition) {
     const double length = (local(edge.edge, 1.0) - local(edge.edge, -1.0)).norm();
     if (edge.free || !transition) { // an edge that is tied asks for nothing
-      size_.add_source(local(edge.edge, 0.0), edge.free ? length / fineness_ : length);
+      size_.add_size_source(local(edge.edge, 0.0), edge.free ? length / fineness_ : length);
     }
     std::vector<double> ends{-1.0};
     // A mouth cuts the edge: both parts ask for their own length, the shorter one for less than the
     // edge.
-    for (const auto& [xi, crack] : mouths_on(edge, cracks_)) {
+    for (const auto& [xi, crack] : mouths_on_edge(edge, cracks_)) {
       ends.push_back(xi);
     }
     ends.push_back(1.0);
     for (std::size_t i = 1; i < ends.size() && ends.size() > 2; ++i) {
       const double part = 0.5 * (ends[i] - ends[i - 1]); // may be short indeed
-      size_.add_source(local(edge.edge, 0.5 * (ends[i - 1] + ends[i])), part * length);
+      size_.add_size_source(local(edge.edge, 0.5 * (ends[i - 1] + ends[i])), part * length);
     }
   }
 
@@ -99,7 +100,7 @@ private:
     }
     std::vector<std::array<Vec2, 3>> boundary;
     for (const auto& loop : cavity_.loops) {
-      for (const OutlineEdge& edge : loop) {
+      for (const CavityOutlineEdge& edge : loop) {
         if (edge.free && half_ == 0) {
           boundary.push_back(
               {local(edge.edge, -1.0), local(edge.edge, 0.0), local(edge.edge, 1.0)});
@@ -124,15 +125,15 @@ Grading patch_grading(const std::vector<PatchCrack>& cracks) {
   return Grading(Grading::usual_growth / finest(cracks));
 }
 
-Grading curve_sizes(const HostMesh& host, const std::vector<PatchCrack>& cracks,
-                    const Cavity& cavity, const PatchNet& net, double fineness) {
+Grading patch_curve_sizes(const HostMesh& host, const std::vector<PatchCrack>& cracks,
+                          const Cavity& cavity, const PatchMeshBuilder& net, double fineness) {
   return CurveSizes(host, cracks, cavity, fineness).take(net);
 }
 
-void add_edge_size(Grading& grading, const PatchNet& net, int a, int b) {
+void add_edge_size(Grading& grading, const PatchMeshBuilder& net, int a, int b) {
   const Vec2 p = net.local_position(a).head<2>();
   const Vec2 q = net.local_position(b).head<2>();
-  grading.add_source(0.5 * (p + q), (q - p).norm());
+  grading.add_size_source(0.5 * (p + q), (q - p).norm());
 }
 
 } // namespace spricka::mesh

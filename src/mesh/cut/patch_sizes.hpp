@@ -15,10 +15,10 @@ Grading patch_grading(const std::vector<PatchCrack>& cracks);
 /// Sizes wanted along the curves of a patch before they are divided: those of the rosettes' rims,
 /// of mouths, of the cavity's edges, of gaps beside cracks. `fineness` divides those along the
 /// boundary of the host. The rosettes are made already.
-Grading curve_sizes(const HostMesh& host, const std::vector<PatchCrack>& cracks,
-                    const Cavity& cavity, const PatchNet& net, double fineness);
+Grading patch_curve_sizes(const HostMesh& host, const std::vector<PatchCrack>& cracks,
+                          const Cavity& cavity, const PatchMeshBuilder& net, double fineness);
 
 /// Asks for the length of the edge between two nodes of a patch, at its middle.
-void add_edge_size(Grading& grading, const PatchNet& net, int a, int b);
+void add_edge_size(Grading& grading, const PatchMeshBuilder& net, int a, int b);
 
 } // namespace spricka::mesh

@@ -48,15 +48,16 @@ std::optional<ElementEdge> edge_between(const HostMesh& host, NodeId from, NodeI
 
 } // namespace
 
-bool body_on_left(const HostMesh& host, NodeId from, NodeId to) {
+bool is_body_on_left(const HostMesh& host, NodeId from, NodeId to) {
   return find_edge(host, from,
                    [&](const ElementEdge& edge) { return edge.a == from && edge.b == to; })
       .has_value();
 }
 
-std::optional<std::vector<NodeId>> path_nodes(const HostMesh& host, const CrackLine& line,
-                                              base::SourceSpan span,
-                                              base::Diagnostics& diagnostics) {
+std::optional<std::vector<NodeId>> find_crack_path_nodes(const HostMesh& host,
+                                                         const CrackLine& line,
+                                                         base::SourceSpan span,
+                                                         base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = host.mesh();
   const double a = geometry::polyline_length(line.points);
   std::vector<NodeId> corners;

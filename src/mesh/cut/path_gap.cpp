@@ -8,8 +8,8 @@
 
 namespace spricka::mesh {
 
-std::optional<std::size_t> path_gap(const model::Mesh& mesh,
-                                    const std::vector<base::NodeId>& path) {
+std::optional<std::size_t> find_path_gap(const model::Mesh& mesh,
+                                         const std::vector<base::NodeId>& path) {
   if (mesh.dim != 2 || path.size() < 2) {
     return std::nullopt;
   }

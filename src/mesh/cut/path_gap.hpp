@@ -10,6 +10,7 @@ namespace spricka::mesh {
 
 /// The first i for which no element edge holds both node i - 1 and node i of a path; empty when the
 /// path runs along edges. Mid nodes may be in it or left out. In space every path passes.
-std::optional<std::size_t> path_gap(const model::Mesh& mesh, const std::vector<base::NodeId>& path);
+std::optional<std::size_t> find_path_gap(const model::Mesh& mesh,
+                                         const std::vector<base::NodeId>& path);
 
 } // namespace spricka::mesh

@@ -33,8 +33,8 @@ bool on_axis(const Vec2& p) {
 int side_of_body(const HostMesh& host, const CrackFrame& frame) {
   for (const model::Face& face : host.boundary()) {
     const ElementEdge edge = element_edge(host.mesh(), face);
-    const Vec2 a = frame.rounded_local(host.mesh().x[edge.a.index()]).head<2>();
-    const Vec2 b = frame.rounded_local(host.mesh().x[edge.b.index()]).head<2>();
+    const Vec2 a = frame.rounded_local_coordinates(host.mesh().x[edge.a.index()]).head<2>();
+    const Vec2 b = frame.rounded_local_coordinates(host.mesh().x[edge.b.index()]).head<2>();
     if (on_axis(a) && on_axis(b) && std::max(a.x(), b.x()) > same &&
         std::min(a.x(), b.x()) < 1.0 - same) {
       // Edges run with the body on their left: one that runs as the crack does has it on the
@@ -53,7 +53,7 @@ double tip_clearance(const HostMesh& host, const CrackFrame& frame, const std::v
   const Vec3 tip = frame.global(base::embed_in_space(line.back()));
   const Vec2 along = (line.back() - line[line.size() - 2]).normalized();
   const auto is_ahead = [&](base::NodeId n) {
-    const Vec2 x = frame.exact_local(mesh.x[n.index()]).head<2>();
+    const Vec2 x = frame.exact_local_coordinates(mesh.x[n.index()]).head<2>();
     return std::abs(cross(along, x - line.back())) < same;
   };
   const auto on_line = [&](const ElementEdge& edge) {
@@ -63,7 +63,8 @@ double tip_clearance(const HostMesh& host, const CrackFrame& frame, const std::v
   for (const model::Face& face : faces) {
     const ElementEdge edge = element_edge(mesh, face);
     // The quick test first: the nearest point of a curved edge takes some steps.
-    if (in_net(mesh, face, net) && !is_beyond(mesh, edge, tip, least) && !(half && on_line(edge))) {
+    if (face_belongs_to_net(mesh, face, net) && !is_edge_beyond_distance(mesh, edge, tip, least) &&
+        !(half && on_line(edge))) {
       least = std::min(least, nearest_on(mesh, edge, tip).distance);
     }
   }
@@ -88,7 +89,7 @@ CrackFrame make_crack_frame(const CrackLine& line) {
   return frame;
 }
 
-double ring_sum(int rings, double factor) {
+double geometric_ring_sum(int rings, double factor) {
   double sum = 0.0;
   for (int k = 0; k < rings; ++k) {
     sum = sum * factor + 1.0;
@@ -106,7 +107,7 @@ std::string text(const Vec3& p) {
 bool put_start(const HostMesh& host, const CrackLine& line, CrackPlacement& result,
                base::Diagnostics& diagnostics, base::SourceSpan span) {
   const Vec3& start = line.points.front();
-  const NearestMouth found = find_mouth(host, start, line.net);
+  const NearestMouth found = find_crack_mouth(host, start, line.net);
   const bool mouth = found.on_boundary();
   if (mouth && !line.embedded) {
     result.mouth = found.mouth;
@@ -114,7 +115,7 @@ bool put_start(const HostMesh& host, const CrackLine& line, CrackPlacement& resu
     result.frame.origin = found.at;
     return true;
   }
-  result.seed = element_at(host.mesh(), start, line.net);
+  result.seed = find_element_at(host.mesh(), start, line.net);
   if (!mouth && line.embedded && result.seed.valid() &&
       found.distance > short_of_boundary * result.frame.a) {
     return true;
@@ -159,7 +160,7 @@ double ligament_of(const HostMesh& host, const CrackPlacement& placement, base::
 void report_removed_section(const HostMesh& host, const CrackLine& line, const CrackFrame& frame,
                             double room, base::Diagnostics& diagnostics, base::SourceSpan span) {
   const Vec3 middle = 0.5 * (line.points[0] + line.points[1]);
-  if (find_mouth(host, middle, line.net).distance < 1e-6 * frame.a) {
+  if (find_crack_mouth(host, middle, line.net).distance < 1e-6 * frame.a) {
     const bool path = !line.path.empty();
     diagnostics.error(
         span, "E423",
@@ -205,13 +206,13 @@ constexpr double steepest = 6.0;
 constexpr double usual_steep = 2.0;
 
 bool rings_follow(const TipMeshParameters& tip) {
-  return tip.rings < 2 || tip.radius <= ring_sum(tip.rings, steepest) * tip.size;
+  return tip.rings < 2 || tip.radius <= geometric_ring_sum(tip.rings, steepest) * tip.size;
 }
 
 void report_steep_rings(const CrackLine& line, const TipMeshParameters& tip,
                         base::Diagnostics& diagnostics, base::SourceSpan span) {
   int rings = tip.rings;
-  while (ring_sum(rings, usual_steep) * tip.size < tip.radius) {
+  while (geometric_ring_sum(rings, usual_steep) * tip.size < tip.radius) {
     ++rings;
   }
   diagnostics.error(
@@ -220,14 +221,15 @@ void report_steep_rings(const CrackLine& line, const TipMeshParameters& tip,
                   "{:.0f} times from one to the next: K would be wrong",
                   line.display_name(), tip.rings, tip.size, tip.radius, steepest),
       fmt::format("SIZE={:.3g} of $TIPNET goes with these rings, or RINGS={} with that SIZE",
-                  tip.radius / ring_sum(tip.rings, usual_steep), rings));
+                  tip.radius / geometric_ring_sum(tip.rings, usual_steep), rings));
 }
 
 } // namespace
 
-std::optional<CrackPlacement> place_crack(const HostMesh& host, const CrackLine& line,
-                                          const TipMeshParameters& tip, base::SourceSpan span,
-                                          base::Diagnostics& diagnostics) {
+std::optional<CrackPlacement> place_crack_in_host(const HostMesh& host, const CrackLine& line,
+                                                  const TipMeshParameters& tip,
+                                                  base::SourceSpan span,
+                                                  base::Diagnostics& diagnostics) {
   CrackPlacement result;
   CrackFrame& frame = result.frame;
   frame = make_crack_frame(line);
@@ -236,7 +238,8 @@ std::optional<CrackPlacement> place_crack(const HostMesh& host, const CrackLine&
   }
   for (const Vec3& p : line.points) {
     // The start was moved onto the boundary and takes the line along: its length and shape stay.
-    result.line.push_back(frame.exact_local(p - line.points[0] + frame.origin).head<2>());
+    result.line.push_back(
+        frame.exact_local_coordinates(p - line.points[0] + frame.origin).head<2>());
   }
   result.line[0].setZero();
   // A straight crack lies on the axis exactly, whatever round-off its direction has.
@@ -301,7 +304,7 @@ CrackPlacement seen_from(const CrackPlacement& placement, const CrackFrame& fram
   const Vec3 to = own.axes.col(0);
   const double turn = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
   const auto moved = [&](const Vec2& p) -> Vec2 {
-    return frame.exact_local(own.global(base::embed_in_space(p))).head<2>();
+    return frame.exact_local_coordinates(own.global(base::embed_in_space(p))).head<2>();
   };
   for (Vec2& p : result.line) {
     p = moved(p);

@@ -37,13 +37,14 @@ struct CrackPlacement {
 };
 
 /// What rings that grow by `factor` from one to the next reach, in thicknesses of the first.
-double ring_sum(int rings, double factor);
+double geometric_ring_sum(int rings, double factor);
 
 /// Puts a crack with a patch into its host. Empty, with an error at `span`, if it does not start
 /// where it should or a rosette does not fit.
-std::optional<CrackPlacement> place_crack(const HostMesh& host, const CrackLine& line,
-                                          const TipMeshParameters& tip, base::SourceSpan span,
-                                          base::Diagnostics& diagnostics);
+std::optional<CrackPlacement> place_crack_in_host(const HostMesh& host, const CrackLine& line,
+                                                  const TipMeshParameters& tip,
+                                                  base::SourceSpan span,
+                                                  base::Diagnostics& diagnostics);
 
 /// The same crack in another frame; unchanged in its own.
 CrackPlacement seen_from(const CrackPlacement& placement, const CrackFrame& frame);

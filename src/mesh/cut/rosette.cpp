@@ -16,7 +16,7 @@ std::vector<double> ring_radii(double size, double radius, int rings) {
   double high = radius / size; // (radius/size)^(rings-1) alone is enough
   for (int i = 0; i < 200 && rings > 1; ++i) {
     const double q = 0.5 * (low + high);
-    (ring_sum(rings, q) * size < radius ? low : high) = q;
+    (geometric_ring_sum(rings, q) * size < radius ? low : high) = q;
   }
   std::vector<double> r;
   double thickness = size;
@@ -33,7 +33,7 @@ std::vector<double> ring_radii(double size, double radius, int rings) {
 
 } // namespace
 
-Rosette add_rosette(PatchNet& net, const CrackPlacement& placement, const PlacedTip& at,
+Rosette add_rosette(PatchMeshBuilder& net, const CrackPlacement& placement, const PlacedTip& at,
                     const TipMeshParameters& tip) {
   constexpr double pi = std::numbers::pi;
   const bool half = placement.half != 0;
@@ -46,7 +46,7 @@ Rosette add_rosette(PatchNet& net, const CrackPlacement& placement, const Placed
   const std::vector<double> radii = ring_radii(placement.size, placement.radius, tip.rings);
 
   Rosette result;
-  result.tip = net.new_node_at(base::embed_in_space(at.at));
+  result.tip = net.add_node_at_local_position(base::embed_in_space(at.at));
   const bool backward = std::abs(at.direction) == pi; // along the axis, too
   std::vector<std::vector<int>> corner(radii.size(), std::vector<int>(rays));
   for (std::size_t k = 0; k < radii.size(); ++k) {
@@ -59,7 +59,7 @@ Rosette add_rosette(PatchNet& net, const CrackPlacement& placement, const Placed
                         (std::abs(t) < same || std::abs(std::abs(t) - pi) < same);
       const base::Vec2 unit = axis ? base::Vec2((std::abs(t) < same) != backward ? 1.0 : -1.0, 0.0)
                                    : base::Vec2(std::cos(angle), std::sin(angle));
-      corner[k][j] = net.new_node_at(base::embed_in_space(at.at + radii[k] * unit));
+      corner[k][j] = net.add_node_at_local_position(base::embed_in_space(at.at + radii[k] * unit));
     }
   }
   for (std::size_t j = 0; j < rays; ++j) {
@@ -68,7 +68,7 @@ Rosette add_rosette(PatchNet& net, const CrackPlacement& placement, const Placed
     const double part = tip.quarter_point ? 0.25 : 0.5;
     const base::Vec3& x = net.position(result.tip);
     const base::Vec3 quarter = x + part * (net.position(corner[0][j]) - x);
-    net.set_mid_node(result.tip, corner[0][j], net.new_node(quarter));
+    net.set_mid_node(result.tip, corner[0][j], net.add_node_at_position(quarter));
   }
   for (std::size_t j = 0; j < sectors; ++j) {
     const std::size_t next = (j + 1) % rays;

@@ -18,7 +18,7 @@ struct Rosette {
 };
 
 /// Adds the rosette of one tip of a crack to a patch.
-Rosette add_rosette(PatchNet& net, const CrackPlacement& placement, const PlacedTip& at,
+Rosette add_rosette(PatchMeshBuilder& net, const CrackPlacement& placement, const PlacedTip& at,
                     const TipMeshParameters& tip);
 
 } // namespace spricka::mesh

@@ -53,8 +53,8 @@ right_of_path(const model::Mesh& mesh, NodeId node, const std::vector<ElementId>
 
 } // namespace
 
-std::optional<CrackFaces> split_along(model::Mesh& mesh, const std::vector<NodeId>& path,
-                                      bool embedded) {
+std::optional<CrackFaces> open_crack_along_path(model::Mesh& mesh, const std::vector<NodeId>& path,
+                                                bool embedded) {
   std::map<NodeId, std::vector<ElementId>> around;
   for (const NodeId n : path) {
     around[n];
@@ -134,7 +134,7 @@ template <class F> void for_edges_at(const model::Mesh& mesh, NodeId tip, F&& f)
 
 } // namespace
 
-double worst_mid_node(const model::Mesh& mesh, NodeId tip) {
+double worst_mid_node_position(const model::Mesh& mesh, NodeId tip) {
   double odd = 0.5;
   const auto off = [](double part) {
     return std::min(std::abs(part - 0.25), std::abs(part - 0.5));
@@ -148,7 +148,7 @@ double worst_mid_node(const model::Mesh& mesh, NodeId tip) {
   return odd;
 }
 
-int move_quarter_points(model::Mesh& mesh, NodeId tip) {
+int make_quarter_point_edges(model::Mesh& mesh, NodeId tip) {
   int moved = 0;
   for_edges_at(mesh, tip, [&](NodeId other, NodeId mid) {
     const base::Vec3& x = mesh.x[tip.index()];

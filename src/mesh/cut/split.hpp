@@ -11,14 +11,14 @@ namespace spricka::mesh {
 /// the first one, too), are doubled, and the elements on the right of the path get the new ones.
 /// `path` holds mid nodes too. Empty if the elements on both sides
 /// hang together round a node of the path, as they do when it does not start on the boundary.
-std::optional<CrackFaces> split_along(model::Mesh& mesh, const std::vector<base::NodeId>& path,
-                                      bool embedded);
+std::optional<CrackFaces>
+open_crack_along_path(model::Mesh& mesh, const std::vector<base::NodeId>& path, bool embedded);
 
 /// Moves the mid nodes of all edges that leave a tip to their quarter points. Returns how many.
-int move_quarter_points(model::Mesh& mesh, base::NodeId tip);
+int make_quarter_point_edges(model::Mesh& mesh, base::NodeId tip);
 
 /// Where the middle node of an edge at the tip lies, as a part of the edge from the tip: of the one
 /// that is farthest from being a quarter point or a middle.
-double worst_mid_node(const model::Mesh& mesh, base::NodeId tip);
+double worst_mid_node_position(const model::Mesh& mesh, base::NodeId tip);
 
 } // namespace spricka::mesh

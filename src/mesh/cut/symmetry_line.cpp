@@ -10,18 +10,18 @@ namespace spricka::mesh {
 using base::NodeId;
 using base::Vec2;
 
-bool SymmetryLine::contains(const OutlineEdge& edge) const {
+bool SymmetryLine::contains(const CavityOutlineEdge& edge) const {
   // Ahead of the mouth only: the boundary may go on straight behind it.
-  const auto local = [&](double xi) { return point_on(host_, frame_, edge.edge, xi); };
+  const auto local = [&](double xi) { return point_on_edge(host_, frame_, edge.edge, xi); };
   return edge.free && std::abs(local(-1.0).y()) < same && std::abs(local(0.0).y()) < same &&
          std::abs(local(1.0).y()) < same && std::max(local(-1.0).x(), local(1.0).x()) > same;
 }
 
 SymmetryLine::SymmetryLineEnd SymmetryLine::end() const {
   SymmetryLineEnd result;
-  for (const OutlineEdge& edge : edges_) {
+  for (const CavityOutlineEdge& edge : edges_) {
     for (const NodeId n : {edge.edge.a, edge.edge.b}) {
-      const double x = frame_.rounded_local(host_.x[n.index()]).x();
+      const double x = frame_.rounded_local_coordinates(host_.x[n.index()]).x();
       if (x > result.x) {
         result = {n, x};
       }
@@ -30,12 +30,12 @@ SymmetryLine::SymmetryLineEnd SymmetryLine::end() const {
   return result;
 }
 
-std::vector<FacePieces> SymmetryLine::edge_pieces(const PatchNet& net,
-                                                  const std::vector<int>& line) const {
-  std::vector<FacePieces> result;
-  for (const OutlineEdge& edge : edges_) {
-    const double x0 = point_on(host_, frame_, edge.edge, -1.0).x();
-    const double x1 = point_on(host_, frame_, edge.edge, 1.0).x();
+std::vector<HostFaceReplacement>
+SymmetryLine::edge_replacements(const PatchMeshBuilder& net, const std::vector<int>& line) const {
+  std::vector<HostFaceReplacement> result;
+  for (const CavityOutlineEdge& edge : edges_) {
+    const double x0 = point_on_edge(host_, frame_, edge.edge, -1.0).x();
+    const double x1 = point_on_edge(host_, frame_, edge.edge, 1.0).x();
     std::vector<std::vector<int>> pieces;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
       const double x =
@@ -56,7 +56,8 @@ std::vector<FacePieces> SymmetryLine::edge_pieces(const PatchNet& net,
   return result;
 }
 
-bool replace_between(std::vector<std::vector<int>>& loops, const std::vector<int>& contour) {
+bool insert_contour_into_loop(std::vector<std::vector<int>>& loops,
+                              const std::vector<int>& contour) {
   for (std::vector<int>& loop : loops) {
     const auto first = std::find(loop.begin(), loop.end(), contour.front());
     if (first == loop.end()) {

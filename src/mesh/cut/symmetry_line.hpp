@@ -14,8 +14,8 @@ public:
   SymmetryLine(const model::Mesh& host, const CrackFrame& frame) : host_(host), frame_(frame) {}
 
   /// Whether an edge of the cavity's outline lies on the line.
-  [[nodiscard]] bool contains(const OutlineEdge& edge) const;
-  void add_edge(const OutlineEdge& edge) { edges_.push_back(edge); }
+  [[nodiscard]] bool contains(const CavityOutlineEdge& edge) const;
+  void add_edge(const CavityOutlineEdge& edge) { edges_.push_back(edge); }
 
   /// The node of these edges that lies farthest ahead.
   struct SymmetryLineEnd {
@@ -26,17 +26,18 @@ public:
 
   /// The edges between nodes of the patch along the whole line, in the direction of growth: each
   /// belongs to the host edge that its middle lies on.
-  [[nodiscard]] std::vector<FacePieces> edge_pieces(const PatchNet& net,
-                                                    const std::vector<int>& line) const;
+  [[nodiscard]] std::vector<HostFaceReplacement>
+  edge_replacements(const PatchMeshBuilder& net, const std::vector<int>& line) const;
 
 private:
   const model::Mesh& host_;
   CrackFrame frame_;
-  std::vector<OutlineEdge> edges_;
+  std::vector<CavityOutlineEdge> edges_;
 };
 
 /// Puts the contour of a half into the loop that has its ends, in the place of what lies between
 /// them there; false if none has.
-bool replace_between(std::vector<std::vector<int>>& loops, const std::vector<int>& contour);
+bool insert_contour_into_loop(std::vector<std::vector<int>>& loops,
+                              const std::vector<int>& contour);
 
 } // namespace spricka::mesh

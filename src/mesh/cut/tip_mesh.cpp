@@ -45,7 +45,7 @@ TipMeshParameters choose_tip_mesh(const HostMesh& host, const CrackLine& line,
   } else {
     std::vector<Vec2> local;
     for (const Vec3& p : line.points) {
-      local.push_back(frame.rounded_local(p).head<2>());
+      local.push_back(frame.rounded_local_coordinates(p).head<2>());
     }
     double room = std::min(1.0, clearance_to_cracks(line, all) / frame.a);
     for (int end = 0; end < (line.embedded ? 2 : 1); ++end) {

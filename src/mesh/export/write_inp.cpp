@@ -37,7 +37,7 @@ class InpWriter {
 public:
   explicit InpWriter(const model::Model& model) : model_(model), mesh_(model.mesh) {
     node_ = inp_node_numbers(mesh_);
-    element_ = unique_labels(mesh_.element_label);
+    element_ = make_labels_unique(mesh_.element_label);
     used_ = model::mark_nodes_in_use(mesh_);
   }
 
@@ -59,7 +59,7 @@ private:
   }
   /// A name that no other set or material has.
   std::string unique(const std::string& name) {
-    const std::string wanted = valid_set_name(name);
+    const std::string wanted = make_valid_set_name(name);
     std::string free = wanted;
     for (int n = 2; !names_.insert(free).second; ++n) {
       free = fmt::format("{}_{}", wanted, n);
@@ -98,7 +98,7 @@ private:
     std::string before;
     std::vector<Label> row;
     for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
-      std::string type = to_inp(mesh_.type[e], state_of(e));
+      std::string type = inp_element_name(mesh_.type[e], state_of(e));
       if (type != before) {
         put("*ELEMENT, TYPE={}\n", type);
         before = std::move(type);
@@ -209,12 +209,12 @@ private:
 
 } // namespace
 
-std::vector<std::string> types_without_inp(const model::Mesh& mesh) {
+std::vector<std::string> types_without_inp_name(const model::Mesh& mesh) {
   std::set<std::string> missing;
   for (const base::ElementType type : mesh.type) {
     const base::ElementInfo& info = base::element_info(type);
     const auto state = info.dim == 3 ? model::StressState::solid : model::StressState::plane_stress;
-    if (to_inp(type, state).empty()) {
+    if (inp_element_name(type, state).empty()) {
       missing.insert(std::string(info.name));
     }
   }
@@ -222,7 +222,7 @@ std::vector<std::string> types_without_inp(const model::Mesh& mesh) {
 }
 
 std::vector<base::Label> inp_node_numbers(const model::Mesh& mesh) {
-  return unique_labels(mesh.node_label);
+  return make_labels_unique(mesh.node_label);
 }
 
 std::string write_inp(const model::Model& model, const InpStep* step) {

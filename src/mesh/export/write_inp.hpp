@@ -23,7 +23,7 @@ struct InpStep {
 };
 
 /// Types of the model that Abaqus and CalculiX have no name for, as the deck calls them.
-std::vector<std::string> types_without_inp(const model::Mesh& mesh);
+std::vector<std::string> types_without_inp_name(const model::Mesh& mesh);
 
 /// The numbers that write_inp() gives to the nodes of a mesh. [node]
 std::vector<base::Label> inp_node_numbers(const model::Mesh& mesh);

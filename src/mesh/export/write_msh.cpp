@@ -69,7 +69,7 @@ const GmshElementType& to_gmsh(base::ElementType type) {
   static const std::vector<GmshElementType> known = [] {
     std::vector<GmshElementType> all(base::element_infos.size());
     for (int number = 1; number < 32; ++number) {
-      if (const auto element = from_gmsh(number)) {
+      if (const auto element = find_gmsh_element_type(number)) {
         all[static_cast<std::size_t>(element->type)] = *element;
       }
     }
@@ -133,7 +133,7 @@ private:
 
   void number_nodes() {
     used_ = model::mark_nodes_in_use(mesh_);
-    tag_ = unique_labels(mesh_.node_label);
+    tag_ = make_labels_unique(mesh_.node_label);
   }
 
   Cells bodies() {
@@ -155,7 +155,7 @@ private:
       name_group(mesh_.dim, tag, "REST");
       cells.classes.sets(0).push_back(tag);
     }
-    cells.label = unique_labels(mesh_.element_label);
+    cells.label = make_labels_unique(mesh_.element_label);
     return cells;
   }
 

@@ -43,7 +43,7 @@ constexpr int key_ring = 0, key_core = 1, key_ray = 2, key_centre = 3, key_edge 
 
 void add_annulus(Lattice& lattice, const RingSpec& spec, const std::string& prefix) {
   const Turn turn(spec);
-  const std::vector<double> s = graded_lines(spec.nr, spec.bias);
+  const std::vector<double> s = graded_lattice_positions(spec.nr, spec.bias);
   const auto map = [&](int i, int j) {
     const double r = i == 2 * spec.nr ? spec.ro : spec.ri + (spec.ro - spec.ri) * at(s, i);
     return Point{{key_ring, i, turn.wrap(j), 0}, turn.centre + r * turn.ray(j)};
@@ -85,7 +85,7 @@ class QuadDisc {
 public:
   QuadDisc(const RingSpec& spec, int sectors)
       : spec_(spec), turn_(spec), sectors_(sectors), n_(spec.nt / (2 * sectors)),
-        lines_(graded_lines(spec.nr, spec.bias)) {
+        lines_(graded_lattice_positions(spec.nr, spec.bias)) {
     // core so large that its elements are about as long as those of the rings
     core_ = std::clamp(1.0 / (1.0 + spec.nr / static_cast<double>(n_) / 1.2), 0.4, 0.75);
   }
@@ -163,7 +163,7 @@ private:
 class TriangleDisc {
 public:
   explicit TriangleDisc(const RingSpec& spec)
-      : spec_(spec), turn_(spec), lines_(graded_lines(spec.nr, spec.bias)) {
+      : spec_(spec), turn_(spec), lines_(graded_lattice_positions(spec.nr, spec.bias)) {
     const auto circles = static_cast<std::size_t>(spec.nr);
     count_.assign(circles + 1, spec.nt);
     for (std::size_t k = circles - 1; k >= 1; --k) {
@@ -244,8 +244,8 @@ private:
 void generate_block(model::Mesh& mesh, base::NetId net, const std::string& prefix,
                     const BlockSpec& spec) {
   Lattice lattice(mesh, net, spec.type);
-  const std::vector<double> sx = graded_lines(spec.nx, spec.bias);
-  const std::vector<double> sy = graded_lines(spec.ny, 1.0);
+  const std::vector<double> sx = graded_lattice_positions(spec.nx, spec.bias);
+  const std::vector<double> sy = graded_lattice_positions(spec.ny, 1.0);
   const auto map = [&](int i, int j) {
     return Point{{0, i, j, 0},
                  spec.origin + Vec3(spec.size.x() * at(sx, i), spec.size.y() * at(sy, j), 0.0)};

@@ -29,7 +29,7 @@ public:
     assert(spec.ri > 0.0 && spec.ri < b_ && spec.ri < spec.length);
     // radial sizes in proportion to the radius: elements keep their shape from bore to edge
     const double ratio = b_ / spec.ri;
-    lines_ = graded_lines(spec.nr, std::pow(ratio, (spec.nr - 1.0) / spec.nr));
+    lines_ = graded_lattice_positions(spec.nr, std::pow(ratio, (spec.nr - 1.0) / spec.nr));
     shank_ =
         eye_ == spec.length
             ? 0

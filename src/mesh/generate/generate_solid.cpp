@@ -21,9 +21,9 @@ class SolidBlock {
 public:
   SolidBlock(model::Mesh& mesh, base::NetId net, const BlockSpec& spec)
       : mesh_(mesh), net_(net), spec_(spec), info_(base::element_info(spec.type)),
-        count_(spec.nx, spec.ny, spec.nz), lines_{graded_lines(spec.nx, spec.bias),
-                                                  graded_lines(spec.ny, 1.0),
-                                                  graded_lines(spec.nz, 1.0)},
+        count_(spec.nx, spec.ny, spec.nz), lines_{graded_lattice_positions(spec.nx, spec.bias),
+                                                  graded_lattice_positions(spec.ny, 1.0),
+                                                  graded_lattice_positions(spec.nz, 1.0)},
         next_node_(next_node_label(mesh, net)), next_element_(next_element_label(mesh, net)) {
     std::size_t points = 1;
     for (const auto& line : lines_) {

@@ -102,7 +102,7 @@ base::Vec3 unit_direction(double angle) {
   return {std::cos(angle), std::sin(angle), 0.0};
 }
 
-std::vector<double> graded_lines(int n, double bias) {
+std::vector<double> graded_lattice_positions(int n, double bias) {
   assert(n >= 1 && bias > 0.0);
   const double ratio = n > 1 ? std::pow(bias, 1.0 / (n - 1)) : 1.0;
   std::vector<double> line(static_cast<std::size_t>(2 * n + 1));

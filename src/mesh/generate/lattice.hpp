@@ -62,6 +62,6 @@ base::Vec3 unit_direction(double angle);
 
 /// Positions 0 .. 1 of the 2n + 1 lattice lines of n intervals whose sizes grow geometrically, last
 /// over first = bias; odd lines halve their interval.
-std::vector<double> graded_lines(int n, double bias);
+std::vector<double> graded_lattice_positions(int n, double bias);
 
 } // namespace spricka::mesh

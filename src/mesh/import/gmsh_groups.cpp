@@ -26,7 +26,7 @@ public:
 
   void add(const GmshModel& from) {
     const SideIndex sides(mesh_, numbers_.first_element);
-    for (const GmshGroup& group : from.groups) {
+    for (const GmshPhysicalGroup& group : from.groups) {
       const std::vector<int>& members = group.entities;
       if (group.dim == numbers_.dim) {
         model::ElementSet set{group.set, {}, request_.span};
@@ -54,7 +54,7 @@ public:
   }
 
 private:
-  void add_node_set(const GmshGroup& group) {
+  void add_node_set(const GmshPhysicalGroup& group) {
     std::set<NodeId> nodes;
     for (const Tag tag : group.nodes) {
       if (const NodeId node = numbers_.node_with_tag(tag); node.valid()) {
@@ -88,12 +88,12 @@ private:
     return found.front();
   }
 
-  void add_face_set(const GmshGroup& group, const std::vector<GmshBlock>& blocks,
+  void add_face_set(const GmshPhysicalGroup& group, const std::vector<GmshElementBlock>& blocks,
                     const SideIndex& sides) {
     model::FaceSet set{group.set, {}, request_.span};
     std::size_t strange = 0;
     for (const int entity : group.entities) {
-      for (const GmshBlock& block : blocks) {
+      for (const GmshElementBlock& block : blocks) {
         if (block.entity == entity) {
           add_faces(block, sides, set, strange);
         }
@@ -110,10 +110,10 @@ private:
     mesh_.face_sets.push_back(std::move(set));
   }
 
-  void add_faces(const GmshBlock& block, const SideIndex& sides, model::FaceSet& set,
+  void add_faces(const GmshElementBlock& block, const SideIndex& sides, model::FaceSet& set,
                  std::size_t& strange) const {
     const std::size_t count = block.tags.empty() ? 1 : block.nodes.size() / block.tags.size();
-    const auto known = from_gmsh(block.type);
+    const auto known = find_gmsh_element_type(block.type);
     const auto corners =
         static_cast<std::size_t>(known ? base::element_info(known->type).corners : 2);
     for (std::size_t e = 0; e < block.tags.size(); ++e) {
@@ -139,13 +139,13 @@ private:
 } // namespace
 
 bool name_gmsh_sets(const ImportRequest& request, base::Diagnostics& diagnostics,
-                    std::vector<GmshGroup>& groups) {
+                    std::vector<GmshPhysicalGroup>& groups) {
   std::vector<bool> used(request.renames.size(), false);
   std::vector<std::string> names;
-  for (GmshGroup& group : groups) {
+  for (GmshPhysicalGroup& group : groups) {
     const std::string name = group.name.empty() ? fmt::format("GROUP{}", group.tag) : group.name;
     names.push_back(name);
-    std::string set = valid_set_name(name);
+    std::string set = make_valid_set_name(name);
     for (std::size_t i = 0; i < used.size(); ++i) {
       if (upper_case(request.renames[i].first) == upper_case(name)) {
         set = request.renames[i].second;

@@ -33,7 +33,7 @@ struct GmshNumbering {
 
 /// Gives the physical groups the names of their sets; false after an error.
 bool name_gmsh_sets(const ImportRequest& request, base::Diagnostics& diagnostics,
-                    std::vector<GmshGroup>& groups);
+                    std::vector<GmshPhysicalGroup>& groups);
 
 /// Sets of the groups: of elements, of faces one dimension lower, else of nodes.
 void add_gmsh_sets(model::Mesh& mesh, const ImportRequest& request, const GmshModel& from,

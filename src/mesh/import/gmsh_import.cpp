@@ -85,12 +85,12 @@ private:
   /// gmsh itself saves a mesh, else all.
   bool read_elements() {
     std::set<int> wanted;
-    for (const GmshGroup& group : from_.groups) {
+    for (const GmshPhysicalGroup& group : from_.groups) {
       if (group.dim == numbers_.dim) {
         wanted.insert(group.entities.begin(), group.entities.end());
       }
     }
-    for (const GmshBlock& block : from_.elements) {
+    for (const GmshElementBlock& block : from_.elements) {
       if ((wanted.empty() || wanted.contains(block.entity)) && !read_block(block)) {
         return false;
       }
@@ -107,8 +107,8 @@ private:
     return true;
   }
 
-  bool read_block(const GmshBlock& block) {
-    const auto known = from_gmsh(block.type);
+  bool read_block(const GmshElementBlock& block) {
+    const auto known = find_gmsh_element_type(block.type);
     if (!known) {
       error("E334", fmt::format("{}: elements of gmsh's type '{}' are not known", file_name(),
                                 block.type_name));
@@ -203,7 +203,7 @@ private:
       }
       if (numbers_.dim == 2 && runs_clockwise(nodes, info.corners)) {
         const std::vector<NodeId> before = nodes;
-        const std::span<const int> over = reversed_order(elements_.type[e]);
+        const std::span<const int> over = reversed_node_order(elements_.type[e]);
         std::transform(over.begin(), over.end(), nodes.begin(),
                        [&](int i) { return before[static_cast<std::size_t>(i)]; });
       }
@@ -245,8 +245,8 @@ private:
 
 } // namespace
 
-std::vector<GeometryScriptConstant> import_mesh(model::Mesh& mesh, const ImportRequest& request,
-                                                base::Diagnostics& diagnostics) {
+std::vector<GeometryScriptConstant>
+import_gmsh_mesh(model::Mesh& mesh, const ImportRequest& request, base::Diagnostics& diagnostics) {
   return GmshImport(mesh, request, diagnostics).run();
 }
 

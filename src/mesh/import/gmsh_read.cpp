@@ -55,7 +55,7 @@ private:
     import_.quadratic = request_.quadratic;
     import_.size = request_.size;
     if (!import_.script) {
-      const std::string trouble = check_msh(import_.text);
+      const std::string trouble = find_msh_format_error(import_.text);
       if (!trouble.empty()) {
         error("E331", fmt::format("{}: {}", file_name(), trouble));
       }
@@ -90,7 +90,8 @@ private:
                                 o.word, o.does));
     }
     const std::size_t errors = diagnostics_.error_count();
-    PreparedScript script = with_parameters(import_.text, scan, request_, diagnostics_);
+    PreparedScript script =
+        prepare_script_with_parameters(import_.text, scan, request_, diagnostics_);
     import_.text = std::move(script.text);
     constants_ = std::move(script.constants);
     for (const GeometryScriptConstant& constant : constants_) {
@@ -111,7 +112,7 @@ private:
 
   /// The model that gmsh makes of the file.
   bool ask() {
-    const MesherAnswer answer = ask_mesher(import_request(import_));
+    const MesherAnswer answer = request_from_mesher(encode_import_request(import_));
     if (answer.end != MesherOutcome::answered) {
       report(answer);
       return false;
@@ -125,9 +126,9 @@ private:
                         file_name()));
       return false;
     }
-    if (kind != MesherFrameKind::model || !read_model_answer(in, from_)) {
+    if (kind != MesherFrameKind::model || !decode_model_answer(in, from_)) {
       from_ = {};
-      dismiss_mesher();
+      end_mesher_process();
       error("E331", fmt::format("{}: gmsh makes no mesh of it", file_name()));
       return false;
     }
@@ -142,7 +143,7 @@ private:
       error("E331", fmt::format("{}: gmsh gave up", file_name()));
     }
     if (from_.gave_up || !from_.errors.empty()) {
-      dismiss_mesher(); // who knows what it left behind
+      end_mesher_process(); // who knows what it left behind
       return false;
     }
     return true;
@@ -189,7 +190,7 @@ private:
 
   const ImportRequest& request_;
   base::Diagnostics& diagnostics_;
-  MesherImport import_;
+  MesherImportRequest import_;
   GmshModel from_;
   std::vector<GeometryScriptConstant> constants_;
 };

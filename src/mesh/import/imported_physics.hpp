@@ -21,6 +21,6 @@ struct ImportedPhysics {
 
 /// Puts imported materials, properties and equations behind those of a model and gives the elements
 /// their properties.
-void append_physics(model::Model& model, const ImportedPhysics& physics);
+void append_imported_physics(model::Model& model, const ImportedPhysics& physics);
 
 } // namespace spricka::mesh

@@ -40,7 +40,7 @@ public:
 
   ImportedPhysics run() {
     std::vector<InpIssue> complaints;
-    data_ = read_inp(request_.file, complaints, request_.skip_loads);
+    data_ = read_inp_data(request_.file, complaints, request_.skip_loads);
     std::stable_sort(
         complaints.begin(), complaints.end(), [](const InpIssue& a, const InpIssue& b) {
           return std::pair(a.place.file, a.place.line) < std::pair(b.place.file, b.place.line);
@@ -58,7 +58,7 @@ public:
     const MeshCounts before{mesh_.node_sets.size(), mesh_.element_sets.size(),
                             mesh_.face_sets.size()};
     add_sets();
-    ImportedPhysics physics = read_physics(
+    ImportedPhysics physics = read_inp_physics(
         data_, request_, mesh_, {*node_index_, node_, set_of_name_, first_element_, dim_}, words_);
     if (!sound()) {
       mesh_.node_sets.resize(before.nodes);
@@ -153,7 +153,7 @@ private:
         return request_.prefix + request_.renames[i].second;
       }
     }
-    return request_.prefix + valid_set_name(written);
+    return request_.prefix + make_valid_set_name(written);
   }
 
   void add_sets() {

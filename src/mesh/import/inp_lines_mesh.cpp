@@ -60,7 +60,7 @@ public:
       start_bars();
       return;
     }
-    const auto known = from_inp(name_);
+    const auto known = find_inp_element_type(name_);
     if (!known) {
       complain(key_.place, fmt::format("elements of type {} are not known", name_),
                "known: CPS, CPE and CAX with 3, 4, 6, 8 nodes; C3D with 4, 6, 8, 10, 15, 20");

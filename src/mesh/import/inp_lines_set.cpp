@@ -40,7 +40,7 @@ protected:
   [[nodiscard]] bool sound() const { return sound_; }
   void member(std::string_view field) {
     auto& into = sets_[set_].members;
-    if (const auto label = inp_integer(field)) {
+    if (const auto label = parse_inp_integer(field)) {
       into.push_back(*label);
       return;
     }
@@ -115,7 +115,7 @@ public:
       return;
     }
     entry.side = side[1] - '1';
-    if (const auto label = inp_integer(what)) {
+    if (const auto label = parse_inp_integer(what)) {
       entry.element = *label;
     } else {
       entry.elements = plain(what);

@@ -28,7 +28,7 @@ public:
         words_.error(m.place, "E302", fmt::format("material {} is defined twice", m.name));
       }
       model::ElasticMaterial material;
-      material.name = request_.prefix + valid_set_name(m.name);
+      material.name = request_.prefix + make_valid_set_name(m.name);
       material.E = m.E;
       material.nu = m.nu;
       material.rho = m.rho;
@@ -139,9 +139,9 @@ private:
 
 } // namespace
 
-ImportedPhysics read_physics(const InpData& data, const ImportRequest& request,
-                             const model::Mesh& mesh, const InpMeshNumbering& places,
-                             InpMessages& words) {
+ImportedPhysics read_inp_physics(const InpData& data, const ImportRequest& request,
+                                 const model::Mesh& mesh, const InpMeshNumbering& places,
+                                 InpMessages& words) {
   return Physics(data, request, mesh, places, words).run();
 }
 

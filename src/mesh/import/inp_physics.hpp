@@ -23,8 +23,8 @@ struct InpMeshNumbering {
 
 /// Materials, properties and equations of a file whose sets are in the mesh already. What is wrong
 /// goes to `words`.
-ImportedPhysics read_physics(const InpData& data, const ImportRequest& request,
-                             const model::Mesh& mesh, const InpMeshNumbering& places,
-                             InpMessages& words);
+ImportedPhysics read_inp_physics(const InpData& data, const ImportRequest& request,
+                                 const model::Mesh& mesh, const InpMeshNumbering& places,
+                                 InpMessages& words);
 
 } // namespace spricka::mesh

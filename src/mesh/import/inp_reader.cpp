@@ -79,7 +79,7 @@ public:
   void run() {
     std::unique_ptr<InpKeywordReader> lines;
     while (text_.next_line()) {
-      if (text_.at_keyword()) {
+      if (text_.is_at_keyword()) {
         if (lines != nullptr) {
           lines->finish_keyword();
         }
@@ -190,8 +190,8 @@ private:
 
 } // namespace
 
-InpData read_inp(const std::filesystem::path& file, std::vector<InpIssue>& complaints,
-                 bool skip_loads) {
+InpData read_inp_data(const std::filesystem::path& file, std::vector<InpIssue>& complaints,
+                      bool skip_loads) {
   InpData data;
   InpFileReader(file, data, complaints, skip_loads).run();
   return data;

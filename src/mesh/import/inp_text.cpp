@@ -124,7 +124,7 @@ bool InpLineReader::raw_line() {
 
 bool InpLineReader::next_line() {
   while (raw_line()) {
-    if (!at_keyword()) {
+    if (!is_at_keyword()) {
       return true;
     }
     read_keyword();
@@ -206,10 +206,10 @@ std::optional<double> InpFields::next_real() {
 }
 
 std::optional<std::int64_t> InpFields::next_integer() {
-  return inp_integer(next_text());
+  return parse_inp_integer(next_text());
 }
 
-std::optional<std::int64_t> inp_integer(std::string_view text) {
+std::optional<std::int64_t> parse_inp_integer(std::string_view text) {
   text = unsigned_part(text);
   std::int64_t value = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -40,7 +40,7 @@ public:
 
   /// Moves to the next line; false at the end.
   bool next_line();
-  [[nodiscard]] bool at_keyword() const { return line_[0] == '*'; }
+  [[nodiscard]] bool is_at_keyword() const { return line_[0] == '*'; }
   /// The keyword at this line. *INCLUDE is followed and never seen.
   [[nodiscard]] const InpKeyword& keyword() const { return keyword_; }
   /// A data line without the blanks at its ends.
@@ -89,6 +89,6 @@ private:
 };
 
 /// A whole number, if the text is one.
-std::optional<std::int64_t> inp_integer(std::string_view text);
+std::optional<std::int64_t> parse_inp_integer(std::string_view text);
 
 } // namespace spricka::mesh

@@ -58,7 +58,7 @@ std::string format_trouble(std::string_view head) {
 
 } // namespace
 
-std::string check_msh(std::string_view text) {
+std::string find_msh_format_error(std::string_view text) {
   if (text.empty()) {
     return "it is empty";
   }

@@ -9,6 +9,6 @@ namespace spricka::mesh {
 /// file (what begins otherwise gmsh would run as a script), a version other than 2.2 and 4.1,
 /// another byte order, sections that do not end. Empty for a sound frame. Source: gmsh 4.8
 /// reference manual, "MSH file format".
-std::string check_msh(std::string_view text);
+std::string find_msh_format_error(std::string_view text);
 
 } // namespace spricka::mesh

@@ -40,8 +40,9 @@ std::vector<std::string> meant_by(const std::string& parameter, const ScriptScan
 
 } // namespace
 
-PreparedScript with_parameters(const std::string& text, const ScriptScan& scan,
-                               const ImportRequest& request, base::Diagnostics& diagnostics) {
+PreparedScript prepare_script_with_parameters(const std::string& text, const ScriptScan& scan,
+                                              const ImportRequest& request,
+                                              base::Diagnostics& diagnostics) {
   PreparedScript result;
   std::set<std::string> from_deck;
   std::set<std::string> constants;

@@ -19,7 +19,8 @@ struct PreparedScript {
 /// letters, and in upper and lower case for scripts that use a name they do not define. (gmsh's
 /// DefineConstant leaves a name alone that has a value.) Constants that differ by case only take
 /// the parameter that is written like them; without such a one they are an error.
-PreparedScript with_parameters(const std::string& text, const ScriptScan& scan,
-                               const ImportRequest& request, base::Diagnostics& diagnostics);
+PreparedScript prepare_script_with_parameters(const std::string& text, const ScriptScan& scan,
+                                              const ImportRequest& request,
+                                              base::Diagnostics& diagnostics);
 
 } // namespace spricka::mesh

@@ -94,26 +94,26 @@ private:
 } // namespace
 
 template <int dim>
-MeshFill<dim> ask_for_fill(const FillRegion<dim>& region, const SizeGrading<dim>& size) {
-  const MesherAnswer answer = ask_mesher(fill_request(region, size));
+MeshFill<dim> request_mesh_fill(const FillRegion<dim>& region, const SizeGrading<dim>& size) {
+  const MesherAnswer answer = request_from_mesher(encode_fill_request(region, size));
   MeshFill<dim> filling;
   if (answer.end != MesherOutcome::answered) {
     filling.trouble = answer.trouble;
     return filling;
   }
   ByteReader in(answer.frame);
-  if (!read_fill_answer(in, region, filling)) {
+  if (!decode_fill_answer(in, region, filling)) {
     filling = {};
     filling.trouble = "gmsh gave no mesh";
   }
   return filling;
 }
 
-template TriangleFill ask_for_fill(const PlaneRegion&, const Grading&);
-template TetrahedronFill ask_for_fill(const SolidRegion&, const SolidGrading&);
+template TriangleFill request_mesh_fill(const PlaneRegion&, const Grading&);
+template TetrahedronFill request_mesh_fill(const SolidRegion&, const SolidGrading&);
 
 TriangleFill fill_triangles(const PlaneRegion& region, const Grading& size) {
-  TriangleFill filling = ask_for_fill(region, size);
+  TriangleFill filling = request_mesh_fill(region, size);
   if (filling.trouble.empty()) {
     Reversals(region, filling).run();
   }

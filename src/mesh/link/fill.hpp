@@ -14,6 +14,6 @@ TetrahedronFill fill_tetrahedra(const SolidRegion& region, const SolidGrading& s
 
 /// What the mesher makes of a region as it is, for these two.
 template <int dim>
-MeshFill<dim> ask_for_fill(const FillRegion<dim>& region, const SizeGrading<dim>& size);
+MeshFill<dim> request_mesh_fill(const FillRegion<dim>& region, const SizeGrading<dim>& size);
 
 } // namespace spricka::mesh

@@ -73,7 +73,7 @@ void turn_positive(const SolidRegion& region, TetrahedronFill& filling) {
 } // namespace
 
 TetrahedronFill fill_tetrahedra(const SolidRegion& region, const SolidGrading& size) {
-  TetrahedronFill filling = ask_for_fill(region, size);
+  TetrahedronFill filling = request_mesh_fill(region, size);
   if (filling.trouble.empty()) {
     filling.trouble = fault_of(region, filling);
     turn_positive(region, filling);

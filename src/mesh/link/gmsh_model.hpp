@@ -8,7 +8,7 @@
 namespace spricka::mesh {
 
 /// Elements of one type on one entity, as gmsh has them.
-struct GmshBlock {
+struct GmshElementBlock {
   int entity = 0;
   int type = 0;                   ///< gmsh's number
   std::string type_name;          ///< in gmsh's words; empty for types we know
@@ -17,7 +17,7 @@ struct GmshBlock {
 };
 
 /// A physical group of a model.
-struct GmshGroup {
+struct GmshPhysicalGroup {
   int dim = 0;
   int tag = 0;
   std::string name; ///< empty if it has none
@@ -31,9 +31,9 @@ struct GmshModel {
   int dim = 0; ///< of the elements; 0: there are none
   std::vector<std::size_t> node_tags;
   std::vector<double> x; ///< three for each tag
-  std::vector<GmshBlock> elements;
-  std::vector<GmshBlock> sides; ///< elements one dimension lower, of groups
-  std::vector<GmshGroup> groups;
+  std::vector<GmshElementBlock> elements;
+  std::vector<GmshElementBlock> sides; ///< elements one dimension lower, of groups
+  std::vector<GmshPhysicalGroup> groups;
   std::vector<std::pair<std::string, double>> constants; ///< those that were asked for
   std::vector<std::string> errors;                       ///< gmsh's words
   std::vector<std::string> warnings;

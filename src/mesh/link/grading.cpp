@@ -9,7 +9,8 @@ namespace spricka::mesh {
 
 using base::Vec2;
 
-std::vector<double> divide_evenly(const std::vector<double>& s, const std::vector<double>& N) {
+std::vector<double> divide_by_cumulative_count(const std::vector<double>& s,
+                                               const std::vector<double>& N) {
   const int count = std::max(1, static_cast<int>(std::floor(N.back() + 0.5 + same)));
   std::vector<double> ends{s.front()};
   std::size_t k = 1;
@@ -42,7 +43,7 @@ std::vector<double> divide(const std::function<Vec2(double)>& x, double t0, doub
     N.push_back(N.back() + (x(next) - x(now)).norm() / h);
     t.push_back(next);
   }
-  return divide_evenly(t, N);
+  return divide_by_cumulative_count(t, N);
 }
 
 } // namespace spricka::mesh

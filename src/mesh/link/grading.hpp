@@ -29,9 +29,9 @@ public:
 
   explicit SizeGrading(double growth = usual_growth) : growth_(growth) {}
   /// Asks for an element size at a place [length]; it grows as was said at first.
-  void add_source(const Point& at, double size) { sources_.push_back({at, size, growth_}); }
+  void add_size_source(const Point& at, double size) { sources_.push_back({at, size, growth_}); }
   /// Asks for an element size round a place.
-  void add_source(const SizeSource& source) { sources_.push_back(source); }
+  void add_size_source(const SizeSource& source) { sources_.push_back(source); }
   /// The size at a place [length]; endless without sources.
   [[nodiscard]] double operator()(const Point& p) const {
     double least = std::numeric_limits<double>::max();
@@ -53,7 +53,8 @@ using SolidGrading = SizeGrading<3>;
 /// Divides a stretch into elements by N, the number of elements that it takes up to each of the
 /// values s [value], both ascending, from N = 0: as many as it takes in all, rounded, and each the
 /// same part of it. Returns the values of s at their ends, the first and the last included.
-std::vector<double> divide_evenly(const std::vector<double>& s, const std::vector<double>& N);
+std::vector<double> divide_by_cumulative_count(const std::vector<double>& s,
+                                               const std::vector<double>& N);
 
 /// Divides a curve x(t), from t0 to t1, into elements of the wanted sizes. Returns the values of t
 /// at their ends, both ends of the curve included.

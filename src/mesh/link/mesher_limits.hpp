@@ -9,7 +9,7 @@ struct MesherLimits {
   double seconds = 12.0;  ///< of processor time; a quarter of it for reading a script
   std::size_t memory = 0; ///< [bytes] beyond what the mesher has at its start
 
-  [[nodiscard]] double reading_seconds() const { return 0.25 * seconds; }
+  [[nodiscard]] double script_reading_seconds() const { return 0.25 * seconds; }
   /// Of waiting without a wish for a processor [s]: it has nothing to wait for.
   double waiting = 60.0;
 };

@@ -139,7 +139,7 @@ private:
 
   [[nodiscard]] std::optional<MesherAnswer> too_late(double processor, double waited) const {
     const MesherLimits& limits = mesher_limits();
-    const double may = meshing_ ? limits.seconds : limits.reading_seconds();
+    const double may = meshing_ ? limits.seconds : limits.script_reading_seconds();
     const char* const doing = meshing_ ? "meshing" : "reading";
     if (processor > may) {
       return trouble(MesherOutcome::no_time,
@@ -221,7 +221,7 @@ MesherAnswer ask(Mesher& m, std::string_view request) {
 
 } // namespace
 
-MesherAnswer ask_mesher(std::string_view request) {
+MesherAnswer request_from_mesher(std::string_view request) {
   Mesher& m = mesher();
   const std::scoped_lock lock(m.turn);
   if (!mesher_listener()) {
@@ -241,7 +241,7 @@ MesherAnswer ask_mesher(std::string_view request) {
   return answer;
 }
 
-void dismiss_mesher() {
+void end_mesher_process() {
   Mesher& m = mesher();
   const std::scoped_lock lock(m.turn);
   m.process.reset();

@@ -27,9 +27,9 @@ struct MesherAnswer {
 /// start programs nor reach the network or any file, and that is limited in time and memory
 /// (mesher_limits.hpp). It goes on for later requests; after trouble the next one starts another.
 /// One request runs at a time, others wait. Throws std::system_error where none can be started.
-MesherAnswer ask_mesher(std::string_view request);
+MesherAnswer request_from_mesher(std::string_view request);
 
 /// Ends the mesher, if there is one: what a file has done to it is not to outlive that file.
-void dismiss_mesher();
+void end_mesher_process();
 
 } // namespace spricka::mesh

@@ -137,7 +137,7 @@ pid_t spawn(const std::string& path, std::size_t memory, const MesherChannels& e
 
 } // namespace
 
-std::string mesher_path() {
+std::string mesher_program_path() {
   std::error_code unknown;
   const fs::path self = fs::read_symlink("/proc/self/exe", unknown);
   std::vector<fs::path> places{self.parent_path() / program,
@@ -155,7 +155,7 @@ std::string mesher_path() {
 }
 
 std::unique_ptr<MesherProcess> MesherProcess::start(std::size_t memory) {
-  const std::string path = mesher_path();
+  const std::string path = mesher_program_path();
   if (path.empty()) {
     throw std::system_error(ENOENT, std::generic_category(),
                             fmt::format("the program {} is not installed beside spricka", program));

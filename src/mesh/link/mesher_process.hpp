@@ -57,6 +57,6 @@ private:
 
 /// Where spricka-mesher is: beside the running program, in ../libexec/spricka, or for a program of
 /// a build tree in that tree. Empty if there is none.
-std::string mesher_path();
+std::string mesher_program_path();
 
 } // namespace spricka::mesh

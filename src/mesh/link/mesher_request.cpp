@@ -55,8 +55,8 @@ template <class Bytes, class Model> void exchange_model(Bytes& bytes, Model& mod
 }
 
 /// The nodes of a block are as many as its elements have, and these are of the right dimension.
-bool belong_together(const GmshBlock& block, int dim) {
-  const auto known = from_gmsh(block.type);
+bool belong_together(const GmshElementBlock& block, int dim) {
+  const auto known = find_gmsh_element_type(block.type);
   if (known && base::element_info(known->type).dim != dim) {
     return false;
   }
@@ -81,31 +81,31 @@ template <class List> bool are_within(const List& list, std::size_t points) {
 } // namespace
 
 template <int dim>
-std::string fill_request(const FillRegion<dim>& region, const SizeGrading<dim>& size) {
+std::string encode_fill_request(const FillRegion<dim>& region, const SizeGrading<dim>& size) {
   ByteWriter out = frame(dim == 2 ? MesherFrameKind::fill : MesherFrameKind::fill_solid);
   exchange_region(out, region, size.sources());
   return out.release();
 }
 
 template <int dim>
-bool read_fill_request(ByteReader& in, FillRegion<dim>& region, SizeGrading<dim>& size) {
+bool decode_fill_request(ByteReader& in, FillRegion<dim>& region, SizeGrading<dim>& size) {
   std::vector<typename SizeGrading<dim>::SizeSource> sources;
   exchange_region(in, region, sources);
   for (const auto& source : sources) {
-    size.add_source(source);
+    size.add_size_source(source);
   }
   return in.at_end() && are_within(region.boundaries, region.points.size()) &&
          are_within(region.embedded, region.points.size());
 }
 
-template <int dim> std::string fill_answer(const MeshFill<dim>& filling) {
+template <int dim> std::string encode_fill_answer(const MeshFill<dim>& filling) {
   ByteWriter out = frame(dim == 2 ? MesherFrameKind::filling : MesherFrameKind::solid_filling);
   exchange_fill(out, filling);
   return out.release();
 }
 
 template <int dim>
-bool read_fill_answer(ByteReader& in, const FillRegion<dim>& region, MeshFill<dim>& filling) {
+bool decode_fill_answer(ByteReader& in, const FillRegion<dim>& region, MeshFill<dim>& filling) {
   if (in.read_value<MesherFrameKind>() !=
       (dim == 2 ? MesherFrameKind::filling : MesherFrameKind::solid_filling)) {
     return false;
@@ -115,16 +115,16 @@ bool read_fill_answer(ByteReader& in, const FillRegion<dim>& region, MeshFill<di
          std::ranges::all_of(filling.added, [](const auto& x) { return x.allFinite(); });
 }
 
-template std::string fill_request(const PlaneRegion&, const Grading&);
-template std::string fill_request(const SolidRegion&, const SolidGrading&);
-template bool read_fill_request(ByteReader&, PlaneRegion&, Grading&);
-template bool read_fill_request(ByteReader&, SolidRegion&, SolidGrading&);
-template std::string fill_answer(const TriangleFill&);
-template std::string fill_answer(const TetrahedronFill&);
-template bool read_fill_answer(ByteReader&, const PlaneRegion&, TriangleFill&);
-template bool read_fill_answer(ByteReader&, const SolidRegion&, TetrahedronFill&);
+template std::string encode_fill_request(const PlaneRegion&, const Grading&);
+template std::string encode_fill_request(const SolidRegion&, const SolidGrading&);
+template bool decode_fill_request(ByteReader&, PlaneRegion&, Grading&);
+template bool decode_fill_request(ByteReader&, SolidRegion&, SolidGrading&);
+template std::string encode_fill_answer(const TriangleFill&);
+template std::string encode_fill_answer(const TetrahedronFill&);
+template bool decode_fill_answer(ByteReader&, const PlaneRegion&, TriangleFill&);
+template bool decode_fill_answer(ByteReader&, const SolidRegion&, TetrahedronFill&);
 
-std::string import_request(const MesherImport& import) {
+std::string encode_import_request(const MesherImportRequest& import) {
   ByteWriter out = frame(MesherFrameKind::import);
   exchange_import(out, import);
   out.fields(static_cast<bool>(import.size));
@@ -135,7 +135,7 @@ std::string import_request(const MesherImport& import) {
   return out.release();
 }
 
-bool read_import_request(ByteReader& in, MesherImport& import) {
+bool decode_import_request(ByteReader& in, MesherImportRequest& import) {
   exchange_import(in, import);
   if (in.read_value<char>() != 0) {
     in.fields(import.size.scale);
@@ -146,16 +146,16 @@ bool read_import_request(ByteReader& in, MesherImport& import) {
   return in.at_end();
 }
 
-std::string model_answer(const GmshModel& model) {
+std::string encode_model_answer(const GmshModel& model) {
   ByteWriter out = frame(MesherFrameKind::model);
   exchange_model(out, model);
   return out.release();
 }
 
-bool read_model_answer(ByteReader& in, GmshModel& model) {
+bool decode_model_answer(ByteReader& in, GmshModel& model) {
   exchange_model(in, model);
   const auto belongs = [&](int dim) {
-    return [dim](const GmshBlock& block) { return belong_together(block, dim); };
+    return [dim](const GmshElementBlock& block) { return belong_together(block, dim); };
   };
   return in.at_end() && std::ranges::all_of(model.elements, belongs(model.dim)) &&
          std::ranges::all_of(model.sides, belongs(model.dim - 1)) && model.dim >= 0 &&

@@ -30,7 +30,7 @@ enum class MesherFrameKind : char {
 };
 
 /// A geometry script or mesh file, by its text.
-struct MesherImport {
+struct MesherImportRequest {
   std::string name; ///< for gmsh's messages: letters, digits, "._-"; ends with .geo or .msh
   std::string text;
   bool script = false;
@@ -41,29 +41,29 @@ struct MesherImport {
 
 /// The request that asks the mesher process to fill a region of the plane or of space, as bytes.
 template <int dim>
-std::string fill_request(const FillRegion<dim>& region, const SizeGrading<dim>& size);
+std::string encode_fill_request(const FillRegion<dim>& region, const SizeGrading<dim>& size);
 
 /// Reads such a request behind its kind. False if the bytes are none or name points that are not
 /// there.
 template <int dim>
-bool read_fill_request(ByteReader& in, FillRegion<dim>& region, SizeGrading<dim>& size);
+bool decode_fill_request(ByteReader& in, FillRegion<dim>& region, SizeGrading<dim>& size);
 
 /// The answer of the mesher process to such a request, as bytes.
-template <int dim> std::string fill_answer(const MeshFill<dim>& filling);
+template <int dim> std::string encode_fill_answer(const MeshFill<dim>& filling);
 
 /// Reads the answer to a request for `region`. False if the bytes are none, name points that are
 /// not there, or give places that are not finite.
 template <int dim>
-bool read_fill_answer(ByteReader& in, const FillRegion<dim>& region, MeshFill<dim>& filling);
+bool decode_fill_answer(ByteReader& in, const FillRegion<dim>& region, MeshFill<dim>& filling);
 
 /// The request that asks the mesher process to read a script or mesh file, as bytes.
-std::string import_request(const MesherImport& import);
+std::string encode_import_request(const MesherImportRequest& import);
 /// Reads such a request. False if the bytes are none.
-bool read_import_request(ByteReader& in, MesherImport& import);
+bool decode_import_request(ByteReader& in, MesherImportRequest& import);
 
 /// The answer to such a request, as bytes: nodes, elements, groups, constants and messages.
-std::string model_answer(const GmshModel& model);
+std::string encode_model_answer(const GmshModel& model);
 /// Checks that all lists belong together, so that nothing need be looked at twice.
-bool read_model_answer(ByteReader& in, GmshModel& model);
+bool decode_model_answer(ByteReader& in, GmshModel& model);
 
 } // namespace spricka::mesh

@@ -27,7 +27,7 @@ constexpr double is_cylinder = 1e-3; // of the radius
 constexpr double widest = 100.0;     // extents: a wider cylinder is unrolled by least squares
 constexpr double longest = 8.0;      // radii of a ring: sizes in its map change by e^8
 
-Vec3 area_vector(const FacetNet& net, const FacetNet::SurfaceFacet& facet) {
+Vec3 area_vector(const FacetTriangulation& net, const FacetTriangulation::SurfaceFacet& facet) {
   const auto [a, b, c] = net.corners(facet);
   return 0.5 * (b - a).cross(c - a);
 }
@@ -63,7 +63,7 @@ struct Cylinder {
 
 std::optional<Cylinder> fit_cylinder(const ChartPatch& patch) {
   Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
-  for (const FacetNet::SurfaceFacet& facet : patch.net.facets()) {
+  for (const FacetTriangulation::SurfaceFacet& facet : patch.net.facets()) {
     const Vec3 n = area_vector(patch.net, facet);
     moment += n * n.transpose() / std::max(n.norm(), 1e-300);
   }
@@ -111,7 +111,7 @@ std::optional<Cylinder> fit_cylinder(const ChartPatch& patch) {
 /// Angles of vertices about an axis, each near that of its neighbours, from the first on.
 class Angles {
 public:
-  Angles(const FacetNet& net, const Cylinder& cylinder) : net_(net) {
+  Angles(const FacetTriangulation& net, const Cylinder& cylinder) : net_(net) {
     const Vec3 across = cylinder.axis.cross(cylinder.start);
     for (const Vec3& x : net.vertices()) {
       const Vec3 d = x - cylinder.point;
@@ -127,7 +127,7 @@ private:
 
   void spread() {
     std::vector<std::vector<std::size_t>> near(angle_.size());
-    for (const FacetNet::SurfaceFacet& facet : net_.facets()) {
+    for (const FacetTriangulation::SurfaceFacet& facet : net_.facets()) {
       for (std::size_t c = 0; c < 3; ++c) {
         near[static_cast<std::size_t>(facet.vertex[c])].push_back(
             static_cast<std::size_t>(facet.vertex[(c + 1) % 3]));
@@ -160,7 +160,7 @@ private:
     }
   }
 
-  const FacetNet& net_;
+  const FacetTriangulation& net_;
   std::vector<double> angle_;
   bool round_ = false;
 };
@@ -183,10 +183,10 @@ int farthest_from(const ChartPatch& patch, const Vec3& from) {
 /// vertices is given, 0 and 1.
 class ConformalEquations {
 public:
-  ConformalEquations(const FacetNet& net, int p, int q)
+  ConformalEquations(const FacetTriangulation& net, int p, int q)
       : p_(p), q_(q), size_(2 * static_cast<Eigen::Index>(net.vertices().size())),
         right_(base::Vector::Zero(2 * static_cast<Eigen::Index>(net.facets().size()))) {
-    for (const FacetNet::SurfaceFacet& facet : net.facets()) {
+    for (const FacetTriangulation::SurfaceFacet& facet : net.facets()) {
       add(net, facet);
     }
   }
@@ -209,7 +209,7 @@ public:
   }
 
 private:
-  void add(const FacetNet& net, const FacetNet::SurfaceFacet& facet) {
+  void add(const FacetTriangulation& net, const FacetTriangulation::SurfaceFacet& facet) {
     const auto [a, b, c] = net.corners(facet);
     const Vec3 normal = area_vector(net, facet);
     const Vec3 e1 = (b - a).normalized();
@@ -242,8 +242,9 @@ private:
 
 } // namespace
 
-bool all_face_up(const FacetNet& net, const FlatPlaces& places) {
-  return std::ranges::all_of(net.facets(), [&](const FacetNet::SurfaceFacet& facet) {
+bool has_no_inverted_facets(const FacetTriangulation& net,
+                            const FlattenedVertexCoordinates& places) {
+  return std::ranges::all_of(net.facets(), [&](const FacetTriangulation::SurfaceFacet& facet) {
     const Vec2& a = places[static_cast<std::size_t>(facet.vertex[0])];
     const Vec2& b = places[static_cast<std::size_t>(facet.vertex[1])];
     const Vec2& c = places[static_cast<std::size_t>(facet.vertex[2])];
@@ -252,7 +253,7 @@ bool all_face_up(const FacetNet& net, const FlatPlaces& places) {
 }
 
 std::optional<ChartPlaneFrame> fit_plane_frame(const ChartPatch& patch) {
-  const ChartPlaneFrame frame = mean_frame(patch);
+  const ChartPlaneFrame frame = mean_plane_frame(patch);
   const Vec3 normal = frame.e1.cross(frame.e2);
   const Vec3& first = patch.net.vertices().front();
   const double most = is_flat * geometry::Box<3>::around(patch.net.vertices()).diagonal();
@@ -262,15 +263,15 @@ std::optional<ChartPlaneFrame> fit_plane_frame(const ChartPatch& patch) {
   return flat ? std::optional(frame) : std::nullopt;
 }
 
-ChartPlaneFrame mean_frame(const ChartPatch& patch) {
+ChartPlaneFrame mean_plane_frame(const ChartPatch& patch) {
   Vec3 normal = Vec3::Zero();
-  for (const FacetNet::SurfaceFacet& facet : patch.net.facets()) {
+  for (const FacetTriangulation::SurfaceFacet& facet : patch.net.facets()) {
     normal += area_vector(patch.net, facet);
   }
   return frame_across(normal.normalized(), patch.plane);
 }
 
-std::optional<FlatPlaces> unroll_cylinder(const ChartPatch& patch) {
+std::optional<FlattenedVertexCoordinates> unroll_cylinder(const ChartPatch& patch) {
   const std::optional<Cylinder> cylinder = fit_cylinder(patch);
   if (!cylinder) {
     return std::nullopt;
@@ -278,7 +279,7 @@ std::optional<FlatPlaces> unroll_cylinder(const ChartPatch& patch) {
   const Angles angles(patch.net, *cylinder);
   const double R = cylinder->radius;
   double sense = 0.0; // of a pin above 0
-  for (const FacetNet::SurfaceFacet& facet : patch.net.facets()) {
+  for (const FacetTriangulation::SurfaceFacet& facet : patch.net.facets()) {
     const auto [a, b, c] = patch.net.corners(facet);
     const Vec3 d = (a + b + c) / 3.0 - cylinder->point;
     sense += area_vector(patch.net, facet).dot(d - d.dot(cylinder->axis) * cylinder->axis);
@@ -292,7 +293,7 @@ std::optional<FlatPlaces> unroll_cylinder(const ChartPatch& patch) {
   if (angles.round() && high - low > longest * R) {
     return std::nullopt;
   }
-  FlatPlaces places;
+  FlattenedVertexCoordinates places;
   for (std::size_t v = 0; v < z.size(); ++v) {
     const double angle = sense * angles.angle()[v];
     if (angles.round()) {
@@ -305,21 +306,21 @@ std::optional<FlatPlaces> unroll_cylinder(const ChartPatch& patch) {
   return places;
 }
 
-std::optional<FlatPlaces> conformal_map(const ChartPatch& patch) {
-  const FacetNet& net = patch.net;
+std::optional<FlattenedVertexCoordinates> conformal_map(const ChartPatch& patch) {
+  const FacetTriangulation& net = patch.net;
   const int p = farthest_from(patch, net.vertices().front());
   const int q = farthest_from(patch, net.vertices()[static_cast<std::size_t>(p)]);
   const std::optional<base::Vector> u = ConformalEquations(net, p, q).solve();
   if (!u) {
     return std::nullopt;
   }
-  FlatPlaces places;
+  FlattenedVertexCoordinates places;
   for (Eigen::Index v = 0; v < u->size(); v += 2) {
     places.emplace_back(u->segment<2>(v));
   }
   double area = 0.0;
   double flat = 0.0;
-  for (const FacetNet::SurfaceFacet& facet : net.facets()) {
+  for (const FacetTriangulation::SurfaceFacet& facet : net.facets()) {
     const auto at = [&](std::size_t k) {
       return places[static_cast<std::size_t>(facet.vertex[k])];
     };

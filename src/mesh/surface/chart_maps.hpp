@@ -10,13 +10,13 @@
 /// lengths of the crack, none of the facets turned over.
 namespace spricka::mesh {
 
-using FlatPlaces = std::vector<base::Vec2>; ///< [vertex]
+using FlattenedVertexCoordinates = std::vector<base::Vec2>; ///< [vertex]
 
 /// A patch cut out of the surface, all of it on one smooth piece and connected.
 struct ChartPatch {
   const SurfaceGeometry& surface;
   const std::vector<std::size_t>& faces;
-  const FacetNet& net;
+  const FacetTriangulation& net;
   const CrackReferencePlane& plane;
 };
 
@@ -31,17 +31,18 @@ struct ChartPlaneFrame {
 /// Of a plane patch; none of others.
 std::optional<ChartPlaneFrame> fit_plane_frame(const ChartPatch& patch);
 /// Straight onto a plane across the mean normal.
-ChartPlaneFrame mean_frame(const ChartPatch& patch);
+ChartPlaneFrame mean_plane_frame(const ChartPatch& patch);
 
 /// A circular cylinder unrolled; where the patch goes all the way round, by the exponential
 /// function, which keeps angles too, onto a ring. None if it is no cylinder.
-std::optional<FlatPlaces> unroll_cylinder(const ChartPatch& patch);
+std::optional<FlattenedVertexCoordinates> unroll_cylinder(const ChartPatch& patch);
 
 /// Angles kept as well as can be, by least squares (Levy, Petitjean, Ray and Maillot 2002), total
 /// area kept; none if the equations have no solution.
-std::optional<FlatPlaces> conformal_map(const ChartPatch& patch);
+std::optional<FlattenedVertexCoordinates> conformal_map(const ChartPatch& patch);
 
 /// Whether all facets lie face up.
-bool all_face_up(const FacetNet& net, const FlatPlaces& places);
+bool has_no_inverted_facets(const FacetTriangulation& net,
+                            const FlattenedVertexCoordinates& places);
 
 } // namespace spricka::mesh

@@ -105,8 +105,8 @@ void NonPlanarCrackSurface::find_bends() {
     for (std::size_t i = 0; i < line.size(); ++i) {
       const Vec3 m =
           fronts_.normal.cross(flat(geometry::polyline_direction_at(line, i))).normalized();
-      const Vec3 before = fronts_.normal - height_slope(line[i] - beside * narrowest_ * m);
-      const Vec3 behind = fronts_.normal - height_slope(line[i] + beside * narrowest_ * m);
+      const Vec3 before = fronts_.normal - crack_height_gradient(line[i] - beside * narrowest_ * m);
+      const Vec3 behind = fronts_.normal - crack_height_gradient(line[i] + beside * narrowest_ * m);
       turned.push_back(std::atan2(before.cross(behind).norm(), before.dot(behind)));
     }
   }
@@ -123,7 +123,7 @@ bool NonPlanarCrackSurface::behind_first(const Vec3& q) const {
   return (q - flat(on.interpolate(line))).dot(fronts_.normal.cross(t)) <= 0.0;
 }
 
-double NonPlanarCrackSurface::height_above(const Vec3& x) const {
+double NonPlanarCrackSurface::crack_height_over_plane(const Vec3& x) const {
   const Vec3& n = fronts_.normal;
   const Vec3 q = flat(x);
   if (behind_first(q)) {
@@ -134,7 +134,7 @@ double NonPlanarCrackSurface::height_above(const Vec3& x) const {
   return n.dot(strip.x0 - x) + strip.slope.dot(at.at - strip.x0);
 }
 
-Vec3 NonPlanarCrackSurface::height_slope(const Vec3& x) const {
+Vec3 NonPlanarCrackSurface::crack_height_gradient(const Vec3& x) const {
   const Vec3 q = flat(x);
   return behind_first(q) ? Vec3::Zero() : strips_[tree_.nearest(q).given].slope;
 }

@@ -23,9 +23,9 @@ public:
   explicit NonPlanarCrackSurface(SuccessiveFronts fronts);
 
   /// How far the crack lies above a place, along the normal of its plane.
-  [[nodiscard]] double height_above(const base::Vec3& x) const;
+  [[nodiscard]] double crack_height_over_plane(const base::Vec3& x) const;
   /// How that height of the crack changes in the plane, at right angles to its normal.
-  [[nodiscard]] base::Vec3 height_slope(const base::Vec3& x) const;
+  [[nodiscard]] base::Vec3 crack_height_gradient(const base::Vec3& x) const;
   /// Of the crack at its present front, where that is nearest to x.
   [[nodiscard]] base::Vec3 normal_at_front(const base::Vec3& x) const;
   /// Of a place from the nearest front before the present one at which the crack turns by more
@@ -44,7 +44,7 @@ public:
   /// The box that holds all fronts.
   [[nodiscard]] const geometry::Box<3>& box() const { return box_; }
   /// The shortest way of the crack from one front to the next, where it is longest.
-  [[nodiscard]] double narrowest_strip() const { return narrowest_; }
+  [[nodiscard]] double narrowest_strip_width() const { return narrowest_; }
 
 private:
   struct StripTriangle {

@@ -39,7 +39,8 @@ struct FaceGrid {
 
 } // namespace
 
-FacetNet::FacetNet(const SurfaceGeometry& surface, std::span<const std::size_t> faces, int finer)
+FacetTriangulation::FacetTriangulation(const SurfaceGeometry& surface,
+                                       std::span<const std::size_t> faces, int finer)
     : finer_(finer) {
   for (const std::size_t face : faces) {
     first_.push_back(facets_.size());
@@ -48,11 +49,11 @@ FacetNet::FacetNet(const SurfaceGeometry& surface, std::span<const std::size_t> 
   first_.push_back(facets_.size());
 }
 
-int FacetNet::steps(const geometry::ElementSide& face) const {
+int FacetTriangulation::steps(const geometry::ElementSide& face) const {
   return (face.quadratic() ? divisions : 1) * finer_;
 }
 
-int FacetNet::corner(const geometry::ElementSide& face, int i) {
+int FacetTriangulation::corner(const geometry::ElementSide& face, int i) {
   const auto [at, fresh] =
       corner_.try_emplace(face.nodes[static_cast<std::size_t>(i)], static_cast<int>(x_.size()));
   if (fresh) {
@@ -62,13 +63,13 @@ int FacetNet::corner(const geometry::ElementSide& face, int i) {
 }
 
 /// The vertex k steps along side i of a face.
-int FacetNet::on_side(const SurfaceGeometry& surface, std::size_t face, int i, int k) {
+int FacetTriangulation::on_side(const SurfaceGeometry& surface, std::size_t face, int i, int k) {
   const geometry::ElementSide& f = surface.face(face);
   const int n = steps(f);
   if (k == 0 || k == n) {
     return corner(f, (i + k / n) % f.corners());
   }
-  const std::size_t e = surface.face_edge(face, i);
+  const std::size_t e = surface.face_edge_index(face, i);
   const bool along = f.nodes[static_cast<std::size_t>(i)] == surface.edges()[e].ends[0];
   const int step = along ? k : n - k;
   const auto [at, fresh] = inner_.try_emplace({e, step}, static_cast<int>(x_.size()));
@@ -78,7 +79,7 @@ int FacetNet::on_side(const SurfaceGeometry& surface, std::size_t face, int i, i
   return at->second;
 }
 
-void FacetNet::add_face(const SurfaceGeometry& surface, std::size_t face) {
+void FacetTriangulation::add_face(const SurfaceGeometry& surface, std::size_t face) {
   const geometry::ElementSide& f = surface.face(face);
   const FaceGrid grid{f.corners() == 3, steps(f)};
   const int n = grid.n;
@@ -88,7 +89,7 @@ void FacetNet::add_face(const SurfaceGeometry& surface, std::size_t face) {
     return vertex[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)];
   };
   for (int s = 0; s < f.corners(); ++s) {
-    const std::size_t e = surface.face_edge(face, s);
+    const std::size_t e = surface.face_edge_index(face, s);
     const bool along = f.nodes[static_cast<std::size_t>(s)] == surface.edges()[e].ends[0];
     for (int k = 0; k <= n; ++k) {
       const auto [i, j] = grid.at(s, k);
@@ -132,7 +133,7 @@ void FacetNet::add_face(const SurfaceGeometry& surface, std::size_t face) {
   }
 }
 
-const FacetNet::FacetEdgeSegment* FacetNet::edge_segment(int v, int w) const {
+const FacetTriangulation::FacetEdgeSegment* FacetTriangulation::edge_segment(int v, int w) const {
   const auto found = sides_.find(std::minmax(v, w));
   return found == sides_.end() ? nullptr : &found->second;
 }

@@ -12,7 +12,7 @@ namespace spricka::mesh {
 
 /// Faces divided into plane triangles by their own maps, which meet in the vertices of the edges
 /// they share: linear faces into 1 or 2, quadratic ones into 16 or 32.
-class FacetNet {
+class FacetTriangulation {
 public:
   static constexpr int divisions = 4; ///< of an edge of a quadratic face
 
@@ -28,7 +28,8 @@ public:
   };
 
   /// With so many times more divisions.
-  FacetNet(const SurfaceGeometry& surface, std::span<const std::size_t> faces, int finer = 1);
+  FacetTriangulation(const SurfaceGeometry& surface, std::span<const std::size_t> faces,
+                     int finer = 1);
 
   [[nodiscard]] const std::vector<base::Vec3>& vertices() const { return x_; } ///< [vertex]
   [[nodiscard]] const std::vector<SurfaceFacet>& facets() const { return facets_; }

@@ -91,8 +91,8 @@ struct FeatureLines::Chain {
   std::vector<double> arc{0.0};
 };
 
-FeatureLines::FeatureLines(const SurfaceGeometry& surface, const RegionPatches& patches,
-                           const SizeAt& size,
+FeatureLines::FeatureLines(const SurfaceGeometry& surface, const SmoothSurfacePatches& patches,
+                           const SizeFunction& size,
                            std::map<std::size_t, std::vector<FeatureEdgePoint>> crossings,
                            RemeshedSurface& out)
     : surface_(surface), patches_(patches), size_(size), on_edge_(std::move(crossings)), out_(out) {
@@ -200,7 +200,7 @@ void FeatureLines::divide(const FeatureChain& feature) {
     if (fixed[i + 1] - fixed[i] <= 1e-9 * chain.length()) {
       continue;
     }
-    const std::vector<double> part = divide_length(fixed[i], fixed[i + 1], [&](double at) {
+    const std::vector<double> part = divide_line_by_size(fixed[i], fixed[i + 1], [&](double at) {
       return size_(chain.surface_place(chain.place(at)).x);
     });
     s.insert(s.end(), part.begin() + 1, part.end());

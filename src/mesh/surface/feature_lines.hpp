@@ -20,7 +20,8 @@ struct FeatureEdgePoint {
 class FeatureLines {
 public:
   /// `crossings`: points that must be there, by edge.
-  FeatureLines(const SurfaceGeometry& surface, const RegionPatches& patches, const SizeAt& size,
+  FeatureLines(const SurfaceGeometry& surface, const SmoothSurfacePatches& patches,
+               const SizeFunction& size,
                std::map<std::size_t, std::vector<FeatureEdgePoint>> crossings,
                RemeshedSurface& out);
 
@@ -39,8 +40,8 @@ private:
   int point_on_node(base::NodeId node, const SurfacePlace& place);
 
   const SurfaceGeometry& surface_;
-  const RegionPatches& patches_;
-  const SizeAt& size_;
+  const SmoothSurfacePatches& patches_;
+  const SizeFunction& size_;
   std::map<std::size_t, std::vector<FeatureEdgePoint>> on_edge_;
   std::map<base::NodeId, int> on_node_;
   RemeshedSurface& out_;

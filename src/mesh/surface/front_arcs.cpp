@@ -78,7 +78,7 @@ private:
     double height = (x(from) - before.x).dot(before.normal);
     for (int i = 0; i < chords; ++i) {
       const double s = from + i * ds;
-      std::vector<CrossingGuess> guesses = segment_guesses(surface_, x(s), x(s + ds));
+      std::vector<CrossingGuess> guesses = guess_segment_crossings(surface_, x(s), x(s + ds));
       const SurfacePlace after = surface_.nearest_place(x(s + ds));
       const double next = (x(s + ds) - after.x).dot(after.normal);
       if ((height > 0.0) != (next > 0.0)) {
@@ -167,7 +167,8 @@ private:
 
 } // namespace
 
-InteriorFrontArcs arcs_inside(const SurfaceGeometry& surface, const FrontCurve& front) {
+InteriorFrontArcs find_interior_front_arcs(const SurfaceGeometry& surface,
+                                           const FrontCurve& front) {
   return FrontWalk(surface, front).arcs();
 }
 

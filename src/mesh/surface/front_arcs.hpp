@@ -27,6 +27,6 @@ struct InteriorFrontArcs {
 inline constexpr double front_reach = 0.1;
 
 /// Which parts of a front the body has.
-InteriorFrontArcs arcs_inside(const SurfaceGeometry& surface, const FrontCurve& front);
+InteriorFrontArcs find_interior_front_arcs(const SurfaceGeometry& surface, const FrontCurve& front);
 
 } // namespace spricka::mesh

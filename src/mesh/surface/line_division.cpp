@@ -7,7 +7,8 @@
 
 namespace spricka::mesh {
 
-std::vector<double> divide_length(double s0, double s1, const std::function<double(double)>& size) {
+std::vector<double> divide_line_by_size(double s0, double s1,
+                                        const std::function<double(double)>& size) {
   // N(s) = integral of ds / h, in steps that are short against h
   constexpr double part = 0.05;
   std::vector<double> s{s0};
@@ -19,7 +20,7 @@ std::vector<double> divide_length(double s0, double s1, const std::function<doub
     N.push_back(N.back() + (next - now) / size(0.5 * (now + next)));
     s.push_back(next);
   }
-  return divide_evenly(s, N);
+  return divide_by_cumulative_count(s, N);
 }
 
 } // namespace spricka::mesh

@@ -29,7 +29,7 @@ struct SurfaceRegion {
   std::vector<std::vector<base::Vec3>> caps;
   std::vector<SurfaceMouth> mouths;
   CrackReferencePlane plane; ///< of the crack: for rounded coordinates
-  SizeAt size;
+  SizeFunction size;
   double growth = 0.3; ///< of the size for each unit of distance
 };
 

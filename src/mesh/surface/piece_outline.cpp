@@ -67,7 +67,7 @@ bool clash(const PlaneRegion& region, const Line& one, const Line& two) {
 /// are smaller than the size.
 class WantedSizes {
 public:
-  WantedSizes(const SurfaceChart& chart, const PlaneRegion& region, const SizeAt& size,
+  WantedSizes(const SurfaceChart& chart, const PlaneRegion& region, const SizeFunction& size,
               Grading& grading)
       : chart_(chart), region_(region), size_(size), grading_(grading) {}
 
@@ -115,20 +115,20 @@ private:
     }
     const double size = rounded(size_(chart_.map_to_surface(u).x) * chart_.parameter_scale(u));
     if (grading_(u) > coarser * size) {
-      grading_.add_source(u, size);
+      grading_.add_size_source(u, size);
     }
     return size;
   }
 
   const SurfaceChart& chart_;
   const PlaneRegion& region_;
-  const SizeAt& size_;
+  const SizeFunction& size_;
   Grading& grading_;
 };
 
 } // namespace
 
-int ChartOutline::region_point(int of_surface, const Vec2& u) {
+int ChartOutline::find_or_add_region_point(int of_surface, const Vec2& u) {
   const auto [at, fresh] = known_.try_emplace(of_surface, static_cast<int>(point.size()));
   if (fresh) {
     point.push_back(of_surface);
@@ -137,8 +137,8 @@ int ChartOutline::region_point(int of_surface, const Vec2& u) {
   return at->second;
 }
 
-std::optional<LineIntersection> find_intersection(const PlaneRegion& region,
-                                                  std::size_t first_cap) {
+std::optional<LineIntersection> find_line_intersection(const PlaneRegion& region,
+                                                       std::size_t first_cap) {
   const std::vector<Line> lines = lines_of(region);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -164,8 +164,8 @@ std::optional<LineIntersection> find_intersection(const PlaneRegion& region,
   return std::nullopt;
 }
 
-Grading chart_grading(const SurfaceChart& chart, const PlaneRegion& region, const SizeAt& size,
-                      double growth) {
+Grading chart_grading(const SurfaceChart& chart, const PlaneRegion& region,
+                      const SizeFunction& size, double growth) {
   Grading grading(growth);
   for (const auto& [a, b] : lines_of(region)) {
     const Vec2& p = point_of(region, a);
@@ -173,7 +173,7 @@ Grading chart_grading(const SurfaceChart& chart, const PlaneRegion& region, cons
     const Vec2 middle = 0.5 * (p + q);
     const double wanted =
         rounded(size(chart.map_to_surface(middle).x) * chart.parameter_scale(middle));
-    grading.add_source(middle, std::min((q - p).norm(), wanted));
+    grading.add_size_source(middle, std::min((q - p).norm(), wanted));
   }
   WantedSizes(chart, region, size, grading).add();
   return grading;

@@ -20,7 +20,7 @@ struct ChartOutline {
 
   /// The region's number of a point of the new surface, which is taken in with its parameters if it
   /// is not yet there.
-  int region_point(int of_surface, const base::Vec2& u);
+  int find_or_add_region_point(int of_surface, const base::Vec2& u);
 
 private:
   std::map<int, int> known_;
@@ -35,10 +35,11 @@ struct LineIntersection {
 
 /// The first mistake found: edges of loops and embedded lines that meet other than in their ends,
 /// or loops from `first_cap` on that lie outside of the others.
-std::optional<LineIntersection> find_intersection(const PlaneRegion& region, std::size_t first_cap);
+std::optional<LineIntersection> find_line_intersection(const PlaneRegion& region,
+                                                       std::size_t first_cap);
 
 /// Sizes in parameters: as wanted on the surface, and those of the lines where they are finer.
-Grading chart_grading(const SurfaceChart& chart, const PlaneRegion& region, const SizeAt& size,
-                      double growth);
+Grading chart_grading(const SurfaceChart& chart, const PlaneRegion& region,
+                      const SizeFunction& size, double growth);
 
 } // namespace spricka::mesh

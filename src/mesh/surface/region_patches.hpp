@@ -10,7 +10,7 @@
 namespace spricka::mesh {
 
 /// A side of a face on the border of a patch, as the face runs round.
-struct PatchSide {
+struct PatchBorderSide {
   std::size_t face = nowhere;
   int side = 0;
   std::size_t edge = nowhere;
@@ -18,9 +18,9 @@ struct PatchSide {
 };
 
 /// A region of the surface in parts, patches, each on one smooth piece and connected.
-class RegionPatches {
+class SmoothSurfacePatches {
 public:
-  RegionPatches(const SurfaceGeometry& surface, std::span<const std::size_t> faces);
+  SmoothSurfacePatches(const SurfaceGeometry& surface, std::span<const std::size_t> faces);
 
   [[nodiscard]] const SurfaceFailure& failure() const { return trouble_; }
   [[nodiscard]] std::size_t count() const { return faces_.size(); }
@@ -31,7 +31,8 @@ public:
     return faces_[patch];
   }
   /// Closed borders of a patch, which lies on the left seen from outside the body.
-  [[nodiscard]] const std::vector<std::vector<PatchSide>>& border_loops(std::size_t patch) const {
+  [[nodiscard]] const std::vector<std::vector<PatchBorderSide>>&
+  border_loops(std::size_t patch) const {
     return loops_[patch];
   }
   /// All faces of the region, ascending.
@@ -46,7 +47,7 @@ private:
   void sort_edges();
   void string_loops(std::size_t patch);
   [[nodiscard]] std::size_t across(std::size_t face, int side) const;
-  [[nodiscard]] PatchSide side_after(const PatchSide& at) const;
+  [[nodiscard]] PatchBorderSide side_after(const PatchBorderSide& at) const;
   [[nodiscard]] bool is_border(std::size_t face, int side) const;
 
   const SurfaceGeometry& surface_;
@@ -54,7 +55,7 @@ private:
   std::vector<std::size_t> all_;
   std::map<std::size_t, std::size_t> patch_; ///< of a face
   std::vector<std::vector<std::size_t>> faces_;
-  std::vector<std::vector<std::vector<PatchSide>>> loops_;
+  std::vector<std::vector<std::vector<PatchBorderSide>>> loops_;
   std::vector<std::size_t> features_, rim_;
 };
 

@@ -46,7 +46,7 @@ public:
       fill_patch(p);
     }
     if (!out_.trouble) {
-      out_.trouble = find_surface_fold(surface_, out_);
+      out_.trouble = find_remeshed_surface_fault(surface_, out_);
     }
     if (out_.trouble) {
       return {{}, {}, {}, {}, {}, out_.trouble};
@@ -162,7 +162,7 @@ private:
 
   /// Feature edges beside a cap, or a mouth's end, are divided no coarser than they are far from
   /// it.
-  [[nodiscard]] SizeAt size_near_caps() const {
+  [[nodiscard]] SizeFunction size_near_caps() const {
     return [this](const Vec3& x) {
       const double wanted = region_.size(x);
       double away = wanted;
@@ -183,13 +183,13 @@ private:
   }
 
   /// The points on one side of a patch's border, but for its end.
-  void go_along(const PatchSide& side, const SurfaceChart& chart, ChartOutline& outline,
+  void go_along(const PatchBorderSide& side, const SurfaceChart& chart, ChartOutline& outline,
                 std::vector<int>& loop) {
     const geometry::ElementSide& face = surface_.face(side.face);
     const SurfaceEdge& edge = surface_.edges()[side.edge];
     const auto take = [&](int point, double t) {
-      loop.push_back(
-          outline.region_point(point, chart.at(side.face, face.edge_coordinates(side.side, t))));
+      loop.push_back(outline.find_or_add_region_point(
+          point, chart.at(side.face, face.edge_coordinates(side.side, t))));
     };
     const NodeId from = face.nodes[static_cast<std::size_t>(side.side)];
     if (lines_->point_at_node(from) >= 0) {
@@ -210,9 +210,9 @@ private:
       return;
     }
     ChartOutline outline;
-    for (const std::vector<PatchSide>& sides : patches_.border_loops(patch)) {
+    for (const std::vector<PatchBorderSide>& sides : patches_.border_loops(patch)) {
       std::vector<int> loop;
-      for (const PatchSide& side : sides) {
+      for (const PatchBorderSide& side : sides) {
         go_along(side, chart, outline, loop);
       }
       outline.region.boundaries.push_back(loop);
@@ -221,7 +221,7 @@ private:
     add_caps(patch, chart, outline);
     embed_mouths(patch, chart, outline);
     embed_creases(patch, chart, outline);
-    if (const auto clash = find_intersection(outline.region, first_cap)) {
+    if (const auto clash = find_line_intersection(outline.region, first_cap)) {
       tell(*clash, outline);
       return;
     }
@@ -243,7 +243,8 @@ private:
       }
       std::vector<int> loop;
       for (const int point : cap) {
-        loop.push_back(outline.region_point(point, chart.at(place(point).face, place(point).r)));
+        loop.push_back(
+            outline.find_or_add_region_point(point, chart.at(place(point).face, place(point).r)));
       }
       const auto u = [&](std::size_t i) -> const Vec2& {
         return outline.region.points[static_cast<std::size_t>(loop[i % loop.size()])];
@@ -278,8 +279,8 @@ private:
         const bool here = patches_.patch_containing(line.mids[i].face) == patch;
         for (const std::size_t k : {i, i + 1}) {
           if (here && (k > i || chain.empty())) {
-            chain.push_back(
-                outline.region_point(out_.mouths[m][k], mouth_at(patch, line, {m, k}, chart)));
+            chain.push_back(outline.find_or_add_region_point(out_.mouths[m][k],
+                                                             mouth_at(patch, line, {m, k}, chart)));
           }
         }
         if (!chain.empty() && (!here || i + 1 == line.mids.size())) {
@@ -323,7 +324,7 @@ private:
       }
       std::vector<int>& chain = outline.region.embedded.emplace_back();
       for (const int point : made.points) {
-        chain.push_back(outline.region_point(point, point_at(patch, point, chart)));
+        chain.push_back(outline.find_or_add_region_point(point, point_at(patch, point, chart)));
       }
     }
   }
@@ -384,7 +385,7 @@ private:
 
   const SurfaceGeometry& surface_;
   const SurfaceRegion& region_;
-  RegionPatches patches_;
+  SmoothSurfacePatches patches_;
   RemeshedSurface out_;
   std::map<std::size_t, std::vector<FeatureEdgePoint>> crossings_;
   std::optional<FeatureLines> lines_;

@@ -29,7 +29,7 @@ SurfaceChart::SurfaceChart(const SurfaceGeometry& surface, const std::vector<std
 void SurfaceChart::flatten_onto_plane(const CrackReferencePlane& plane) {
   const ChartPatch patch{surface_, faces_, net_, plane};
   const auto straight = [&](const ChartPlaneFrame& frame) {
-    FlatPlaces places;
+    FlattenedVertexCoordinates places;
     for (const Vec3& x : net_.vertices()) {
       places.push_back(frame(x));
     }
@@ -41,14 +41,14 @@ void SurfaceChart::flatten_onto_plane(const CrackReferencePlane& plane) {
     return;
   }
   for (const auto& way : {unroll_cylinder, conformal_map}) {
-    const std::optional<FlatPlaces> places = way(patch);
-    if (places && all_face_up(net_, *places)) {
+    const std::optional<FlattenedVertexCoordinates> places = way(patch);
+    if (places && has_no_inverted_facets(net_, *places)) {
       u_ = *places;
       return;
     }
   }
-  u_ = straight(mean_frame(patch));
-  if (!all_face_up(net_, u_)) {
+  u_ = straight(mean_plane_frame(patch));
+  if (!has_no_inverted_facets(net_, u_)) {
     trouble_ = {"the surface that the crack's cavity takes away is curved too much to be meshed "
                 "anew",
                 net_.vertices().front()};
@@ -57,7 +57,7 @@ void SurfaceChart::flatten_onto_plane(const CrackReferencePlane& plane) {
 
 void SurfaceChart::sort_facets() {
   std::vector<geometry::Box<2>> boxes;
-  for (const FacetNet::SurfaceFacet& facet : net_.facets()) {
+  for (const FacetTriangulation::SurfaceFacet& facet : net_.facets()) {
     const auto u = [&](std::size_t k) { return u_[static_cast<std::size_t>(facet.vertex[k])]; };
     boxes.push_back(geometry::Box<2>::around(std::array{u(0), u(1), u(2)}).grown(1e-7));
   }
@@ -123,7 +123,7 @@ Vec2 SurfaceChart::at(std::size_t face, const Vec2& r) const {
         static_cast<std::size_t>(std::ranges::lower_bound(faces_, face) - faces_.begin());
     double most = -std::numeric_limits<double>::max();
     for (std::size_t f = net_.first_facet(i); f < net_.first_facet(i + 1); ++f) {
-      const FacetNet::SurfaceFacet& facet = net_.facets()[f];
+      const FacetTriangulation::SurfaceFacet& facet = net_.facets()[f];
       const Eigen::Vector3d hat = barycentric_coordinates(r, facet.r[0], facet.r[1], facet.r[2]);
       const double least = std::min({hat[1], hat[2], hat[0]});
       if (least > most) {
@@ -181,7 +181,7 @@ SurfaceChart::ChartPreimage SurfaceChart::flat_place(std::size_t face, const Vec
 
 SurfacePlace SurfaceChart::map_to_surface(const Vec2& u) const {
   const BarycentricPoint spot = find(u);
-  const FacetNet::SurfaceFacet& facet = net_.facets()[spot.facet];
+  const FacetTriangulation::SurfaceFacet& facet = net_.facets()[spot.facet];
   Vec2 r = spot.hat[0] * facet.r[0] + spot.hat[1] * facet.r[1] + spot.hat[2] * facet.r[2];
   r = surface_.face(facet.face).clamp(r);
   if (!flat_) {
@@ -197,7 +197,7 @@ SurfacePlace SurfaceChart::midpoint(const SurfacePlace& a, const SurfacePlace& b
 }
 
 double SurfaceChart::parameter_scale(const Vec2& u) const {
-  const FacetNet::SurfaceFacet& facet = net_.facets()[find(u).facet];
+  const FacetTriangulation::SurfaceFacet& facet = net_.facets()[find(u).facet];
   const auto at = [&](std::size_t k) { return static_cast<std::size_t>(facet.vertex[k]); };
   const Vec3 b = net_.vertices()[at(1)] - net_.vertices()[at(0)];
   const Vec3 c = net_.vertices()[at(2)] - net_.vertices()[at(0)];

@@ -47,10 +47,10 @@ private:
 
   const SurfaceGeometry& surface_;
   std::vector<std::size_t> faces_;
-  FacetNet net_;
+  FacetTriangulation net_;
   SurfaceFailure trouble_;
   std::optional<ChartPlaneFrame> flat_;  ///< of a plane patch, whose parameters are exact
-  FlatPlaces u_;                         ///< [vertex]
+  FlattenedVertexCoordinates u_;         ///< [vertex]
   geometry::BoxTree<2> facets_;          ///< by their parameters
   geometry::Box<2> extent_;              ///< of all parameters
   base::Vec2 room_ = base::Vec2::Zero(); ///< in which the facets near a place are sought

@@ -29,7 +29,8 @@ Vec3 triangle_normal(const RemeshedSurface& made, const RemeshedTriangle& triang
   return T.col(0).cross(T.col(1));
 }
 
-SurfaceFailure find_surface_fold(const SurfaceGeometry& surface, const RemeshedSurface& made) {
+SurfaceFailure find_remeshed_surface_fault(const SurfaceGeometry& surface,
+                                           const RemeshedSurface& made) {
   std::vector<int> count(made.edges.size(), 0);
   for (const RemeshedTriangle& triangle : made.triangles) {
     const Vec3 outward = surface.place_at_coordinates(triangle.face, {1.0 / 3.0, 1.0 / 3.0}).normal;

@@ -6,7 +6,8 @@ namespace spricka::mesh {
 
 /// What is wrong with a new surface: triangles that fold or look into the body, edges of a kind
 /// that do not have as many triangles as they should. Empty if nothing is.
-SurfaceFailure find_surface_fold(const SurfaceGeometry& surface, const RemeshedSurface& made);
+SurfaceFailure find_remeshed_surface_fault(const SurfaceGeometry& surface,
+                                           const RemeshedSurface& made);
 
 /// Normal of a curved triangle at the reference place r (not unit: twice the area of the plane
 /// one).

@@ -77,13 +77,13 @@ public:
 
   [[nodiscard]] const std::vector<SurfaceEdge>& edges() const { return edges_; }
   /// The edge from corner i of a face to the next.
-  [[nodiscard]] std::size_t face_edge(std::size_t face, int i) const {
+  [[nodiscard]] std::size_t face_edge_index(std::size_t face, int i) const {
     return face_edges_[face][static_cast<std::size_t>(i)];
   }
   /// The place at t of an edge, on its first face (or its second, if it has no first).
   [[nodiscard]] SurfacePlace place_on_edge(std::size_t edge, double t) const;
   /// The smooth piece of a face, counted from 0 in the order of the faces.
-  [[nodiscard]] std::size_t smooth_piece(std::size_t face) const { return piece_[face]; }
+  [[nodiscard]] std::size_t smooth_piece_index(std::size_t face) const { return piece_[face]; }
   [[nodiscard]] std::size_t piece_count() const { return pieces_; }
   /// Which of the sets kept have a face, ascending, by their place in `kept`.
   [[nodiscard]] const std::vector<std::size_t>& face_sets(std::size_t face) const {

@@ -23,8 +23,9 @@ constexpr double box_room = 1e-6;  // of its box's diagonal, by which a line may
 constexpr double on_face = 1e-9;   // outside of a face in reference coordinates
 
 /// Where the line x + part d passes the plane of a facet.
-std::optional<CrossingGuess> pass(const FacetNet& net, const FacetNet::SurfaceFacet& facet,
-                                  const Vec3& x, const Vec3& d) {
+std::optional<CrossingGuess> pass(const FacetTriangulation& net,
+                                  const FacetTriangulation::SurfaceFacet& facet, const Vec3& x,
+                                  const Vec3& d) {
   const std::array<Vec3, 3> p = net.corners(facet);
   const Vec3 u = p[1] - p[0];
   const Vec3 v = p[2] - p[0];
@@ -78,14 +79,14 @@ std::optional<SurfaceCrossing> refine_crossing(const SurfaceGeometry& surface,
   return met ? std::optional(SurfaceCrossing{s, place, tangent}) : std::nullopt;
 }
 
-std::vector<CrossingGuess> segment_guesses(const SurfaceGeometry& surface, const Vec3& from,
-                                           const Vec3& to) {
+std::vector<CrossingGuess> guess_segment_crossings(const SurfaceGeometry& surface, const Vec3& from,
+                                                   const Vec3& to) {
   std::vector<CrossingGuess> guesses;
   const Vec3 d = to - from;
   for (const std::size_t f : surface.boxes().boxes_meeting_segment(from - facet_room * d,
                                                                    to + facet_room * d, box_room)) {
-    const FacetNet net(surface, std::array{f});
-    for (const FacetNet::SurfaceFacet& facet : net.facets()) {
+    const FacetTriangulation net(surface, std::array{f});
+    for (const FacetTriangulation::SurfaceFacet& facet : net.facets()) {
       if (const auto guess = pass(net, facet, from, d)) {
         guesses.push_back(*guess);
       }
@@ -94,13 +95,13 @@ std::vector<CrossingGuess> segment_guesses(const SurfaceGeometry& surface, const
   return guesses;
 }
 
-std::vector<SurfaceHit> find_hits(const SurfaceGeometry& surface, const Vec3& x, const Vec3& d,
-                                  double most) {
+std::vector<SurfaceHit> intersect_line_with_surface(const SurfaceGeometry& surface, const Vec3& x,
+                                                    const Vec3& d, double most) {
   constexpr int steps = 20;
   const double same = 1e-9 * surface.diagonal();
   const auto line = [&](double along) { return CurveTangent{x + along * d, d}; };
   std::vector<SurfaceHit> all;
-  for (const CrossingGuess& guess : segment_guesses(surface, x, x + most * d)) {
+  for (const CrossingGuess& guess : guess_segment_crossings(surface, x, x + most * d)) {
     const auto hit = refine_crossing(surface, guess, guess.part * most, line, steps);
     if (hit && hit->s >= -same && hit->s <= most + same) {
       all.push_back({hit->place, hit->s});
@@ -130,7 +131,9 @@ bool is_inside(const SurfaceGeometry& surface, const Vec3& x) {
                                               Vec3(0.1763, -0.8622, 0.4749).normalized()};
   int votes = 0;
   for (const Vec3& d : directions) {
-    votes += find_hits(surface, x, d, 2.0 * surface.diagonal()).size() % 2 == 1 ? 1 : 0;
+    votes += intersect_line_with_surface(surface, x, d, 2.0 * surface.diagonal()).size() % 2 == 1
+                 ? 1
+                 : 0;
   }
   return votes >= 2;
 }

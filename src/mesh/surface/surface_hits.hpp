@@ -19,8 +19,9 @@ struct SurfaceHit {
 
 /// All of them up to x + most d, nearest first, on the true faces; an edge or a corner that the
 /// line passes through counts once. Empty: it meets nothing.
-std::vector<SurfaceHit> find_hits(const SurfaceGeometry& surface, const base::Vec3& x,
-                                  const base::Vec3& d, double most);
+std::vector<SurfaceHit> intersect_line_with_surface(const SurfaceGeometry& surface,
+                                                    const base::Vec3& x, const base::Vec3& d,
+                                                    double most);
 
 /// Whether x lies in the body (on the surface: either), by what lines from it pass.
 bool is_inside(const SurfaceGeometry& surface, const base::Vec3& x);
@@ -51,7 +52,7 @@ std::optional<SurfaceCrossing> refine_crossing(const SurfaceGeometry& surface,
                                                int steps);
 /// First guesses of where the segment from `from` to `to` passes the faces; those that it only
 /// comes near to are among them.
-std::vector<CrossingGuess> segment_guesses(const SurfaceGeometry& surface, const base::Vec3& from,
-                                           const base::Vec3& to);
+std::vector<CrossingGuess> guess_segment_crossings(const SurfaceGeometry& surface,
+                                                   const base::Vec3& from, const base::Vec3& to);
 
 } // namespace spricka::mesh

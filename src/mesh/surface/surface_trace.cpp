@@ -53,7 +53,7 @@ public:
   }
 
   [[nodiscard]] const std::vector<Passing>& passings() const { return passings_; }
-  [[nodiscard]] const FacetNet::SurfaceFacet& facet(std::size_t passing) const {
+  [[nodiscard]] const FacetTriangulation::SurfaceFacet& facet(std::size_t passing) const {
     return net_.facets()[passings_[passing].facet];
   }
   [[nodiscard]] Vec3 x(const Side& side) const { return at_.at(side).x; }
@@ -84,14 +84,14 @@ public:
   }
   /// The passing point of a side in the reference coordinates of a facet.
   [[nodiscard]] Vec2 r(std::size_t passing, const Side& side) const {
-    const FacetNet::SurfaceFacet& facet = this->facet(passing);
+    const FacetTriangulation::SurfaceFacet& facet = this->facet(passing);
     const double part = at_.at(side).part;
     return (1.0 - part) * r_of(facet, side.first) + part * r_of(facet, side.second);
   }
   [[nodiscard]] TracePoint point(std::size_t passing, const Side& side) const {
     TracePoint point;
     point.place = surface_.place_at_coordinates(facet(passing).face, r(passing, side));
-    const FacetNet::FacetEdgeSegment* on = net_.edge_segment(side.first, side.second);
+    const FacetTriangulation::FacetEdgeSegment* on = net_.edge_segment(side.first, side.second);
     if (on != nullptr && surface_.edges()[on->edge].feature) {
       point.edge = on->edge;
       point.t = on->t[0] + at_.at(side).part * (on->t[1] - on->t[0]);
@@ -111,7 +111,7 @@ private:
     for (std::size_t f = 0; f < surface.faces().size(); ++f) {
       const geometry::Box<3> box = surface.face(f).bounding_box();
       const auto& [low, high] = box;
-      const double middle = plane.plane_distance(0.5 * (low + high));
+      const double middle = plane.signed_plane_distance(0.5 * (low + high));
       const double half = 0.5 * (high - low).dot(plane.normal.cwiseAbs());
       if (std::abs(middle) <= half + 1e-6 * plane.length ||
           (plane.relief && plane.relief->box().meets(box))) {
@@ -130,18 +130,18 @@ private:
     for (std::size_t f = 0; f < surface.faces().size() && plane.relief; ++f) {
       const geometry::Box<3> box = surface.face(f).bounding_box();
       if (plane.relief->box().meets(box)) {
-        const double own = surface.face(f).quadratic() ? FacetNet::divisions : 1;
+        const double own = surface.face(f).quadratic() ? FacetTriangulation::divisions : 1;
         longest = std::max(longest, box.diagonal() / own);
       }
     }
     if (!(longest > 0.0)) {
       return 1;
     }
-    const double wanted = std::ceil(longest / (of_strip * plane.relief->narrowest_strip()));
+    const double wanted = std::ceil(longest / (of_strip * plane.relief->narrowest_strip_width()));
     return static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(most)));
   }
 
-  static Vec2 r_of(const FacetNet::SurfaceFacet& facet, int vertex) {
+  static Vec2 r_of(const FacetTriangulation::SurfaceFacet& facet, int vertex) {
     std::size_t c = 0;
     while (facet.vertex[c] != vertex) {
       ++c;
@@ -154,7 +154,7 @@ private:
   }
 
   void add(std::size_t f) {
-    const FacetNet::SurfaceFacet& facet = net_.facets()[f];
+    const FacetTriangulation::SurfaceFacet& facet = net_.facets()[f];
     Passing passing{f, {}};
     std::size_t count = 0;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -180,7 +180,7 @@ private:
 
   /// Where between the two vertices the curved face passes the plane, by bisection and secants
   /// (Illinois); at a vertex that lies on the plane, there.
-  [[nodiscard]] double root(const FacetNet::SurfaceFacet& facet, const Side& side) const {
+  [[nodiscard]] double root(const FacetTriangulation::SurfaceFacet& facet, const Side& side) const {
     for (const auto& [vertex, part] : {std::pair(side.first, 0.0), std::pair(side.second, 1.0)}) {
       if (height_[static_cast<std::size_t>(vertex)] == 0.0) {
         return part;
@@ -218,7 +218,7 @@ private:
 
   const SurfaceGeometry& surface_;
   const CrackReferencePlane& plane_;
-  FacetNet net_;
+  FacetTriangulation net_;
   std::vector<double> height_; ///< [vertex] rounded
   std::vector<Passing> passings_;
   std::map<Side, PlaneCrossing> at_;
@@ -285,8 +285,8 @@ private:
       points_.push_back(point);
     } else if (point.edge != nowhere) {
       if (before.edge != nowhere && segments_.size() > 0 && before.edge != point.edge &&
-          surface_.smooth_piece(segments_.back().face) ==
-              surface_.smooth_piece(line_.facet(passing).face)) {
+          surface_.smooth_piece_index(segments_.back().face) ==
+              surface_.smooth_piece_index(line_.facet(passing).face)) {
         return;
       }
       before.edge = point.edge;
@@ -325,8 +325,9 @@ SurfacePlace SurfaceTrace::at(double s) const {
                                         onto_plane(surface_->face(segment.face), plane_, r));
 }
 
-TraceResult trace_plane(const SurfaceGeometry& surface, const CrackReferencePlane& plane,
-                        const SurfacePlace& from, const SurfacePlace& to, const Vec3& towards) {
+TraceResult trace_crack_plane(const SurfaceGeometry& surface, const CrackReferencePlane& plane,
+                              const SurfacePlace& from, const SurfacePlace& to,
+                              const Vec3& towards) {
   return TraceWalk(surface, plane).go(from, to, towards);
 }
 

@@ -34,16 +34,16 @@ struct CrackReferencePlane {
 
   /// Distance of a point from the plane along its normal, signed; with a relief from the plane
   /// through the first point of the first front [length].
-  [[nodiscard]] double plane_distance(const base::Vec3& x) const {
+  [[nodiscard]] double signed_plane_distance(const base::Vec3& x) const {
     return (x - (relief ? relief->fronts().points.front().front() : origin)).dot(normal);
   }
   /// Of a place over the crack.
   [[nodiscard]] double height(const base::Vec3& x) const {
-    return relief ? -relief->height_above(x) : plane_distance(x);
+    return relief ? -relief->crack_height_over_plane(x) : signed_plane_distance(x);
   }
   /// How that height changes in space.
   [[nodiscard]] base::Vec3 height_gradient(const base::Vec3& x) const {
-    return relief ? base::Vec3(normal - relief->height_slope(x)) : normal;
+    return relief ? base::Vec3(normal - relief->crack_height_gradient(x)) : normal;
   }
 };
 
@@ -92,12 +92,12 @@ struct TraceResult {
 
 /// The line of the plane on the surface from one place to another, both on the plane; it leaves
 /// `from` to the side of `towards`. The surface must outlive the trace.
-TraceResult trace_plane(const SurfaceGeometry& surface, const CrackReferencePlane& plane,
-                        const SurfacePlace& from, const SurfacePlace& to,
-                        const base::Vec3& towards);
+TraceResult trace_crack_plane(const SurfaceGeometry& surface, const CrackReferencePlane& plane,
+                              const SurfacePlace& from, const SurfacePlace& to,
+                              const base::Vec3& towards);
 
 /// A size of elements wanted at a point of space [length].
-using SizeAt = std::function<double(const base::Vec3&)>;
+using SizeFunction = std::function<double(const base::Vec3&)>;
 
 /// A line on the surface divided into edges: corners, and a middle between each two, all on the
 /// plane and the true faces.
@@ -111,6 +111,6 @@ inline constexpr double bent = 0.03;
 
 /// Divides a trace into edges of the wanted sizes. Where it crosses feature edges or is bent there
 /// are corners.
-DividedTrace divide(const SurfaceTrace& trace, const SizeAt& size);
+DividedTrace divide(const SurfaceTrace& trace, const SizeFunction& size);
 
 } // namespace spricka::mesh

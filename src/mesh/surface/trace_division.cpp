@@ -32,7 +32,7 @@ std::vector<double> SurfaceTrace::kink_positions(double angle) const {
         (strip(middle) == last ? low : high) = middle;
       }
       if (now != last &&
-          crack.distance_to_kink(at(high).x, angle) < crack.narrowest_strip() / looks) {
+          crack.distance_to_kink(at(high).x, angle) < crack.narrowest_strip_width() / looks) {
         all.push_back(high);
       }
       before = here;
@@ -42,13 +42,13 @@ std::vector<double> SurfaceTrace::kink_positions(double angle) const {
   return all;
 }
 
-DividedTrace divide(const SurfaceTrace& trace, const SizeAt& size) {
+DividedTrace divide(const SurfaceTrace& trace, const SizeFunction& size) {
   const auto size_of = [&](double at) { return size(trace.at(at).x); };
   DividedTrace line;
   double begin = 0.0;
   line.corners.push_back(trace.points().front());
   const auto go_to = [&](double end, const TracePoint& there) {
-    const std::vector<double> s = divide_length(begin, end, size_of);
+    const std::vector<double> s = divide_line_by_size(begin, end, size_of);
     for (std::size_t i = 0; i + 1 < s.size(); ++i) {
       line.mids.push_back(trace.at(0.5 * (s[i] + s[i + 1])));
       line.corners.push_back(i + 2 < s.size() ? TracePoint{trace.at(s[i + 1]), nowhere, 0.0}

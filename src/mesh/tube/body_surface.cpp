@@ -64,8 +64,9 @@ void BodySurface::add_node_sets(const model::Mesh& mesh, const SetUsage& use) {
     const model::NodeSet& set = mesh.node_sets[s];
     const std::vector<bool> member = model::mark_members(mesh.node_count(), set.nodes);
     model::FaceSet own{set.name, {}, set.span};
-    std::ranges::copy_if(boundary, std::back_inserter(own.faces),
-                         [&](const model::Face& face) { return lies_within(body_, face, member); });
+    std::ranges::copy_if(boundary, std::back_inserter(own.faces), [&](const model::Face& face) {
+      return face_has_all_nodes_inside(body_, face, member);
+    });
     std::ranges::sort(own.faces);
     const bool used = SetUsage::is_used(use.nodes, s);
     const auto [at, fresh] = known.try_emplace(own.faces, body_.face_sets.size());
@@ -78,14 +79,14 @@ void BodySurface::add_node_sets(const model::Mesh& mesh, const SetUsage& use) {
   }
 }
 
-const SurfaceGeometry& BodySurface::geometry(KeptBorders borders) const {
+const SurfaceGeometry& BodySurface::geometry(KeptSetBorders borders) const {
   std::optional<SurfaceGeometry>& made = geometry_[static_cast<std::size_t>(borders)];
   if (!made) {
     std::vector<base::FaceSetId> kept = kept_;
-    if (borders == KeptBorders::used) {
+    if (borders == KeptSetBorders::used) {
       std::erase_if(kept, [&](base::FaceSetId set) { return !used_[set.index()]; });
     }
-    made.emplace(body_, kept, borders != KeptBorders::none, lines_);
+    made.emplace(body_, kept, borders != KeptSetBorders::none, lines_);
   }
   return *made;
 }

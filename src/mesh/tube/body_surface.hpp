@@ -11,7 +11,7 @@
 namespace spricka::mesh {
 
 /// Borders of which sets are edges of a surface.
-enum class KeptBorders {
+enum class KeptSetBorders {
   all,
   used, ///< sets that something asks for
   none, ///< sharp edges only
@@ -27,7 +27,7 @@ public:
 
   /// With fewer borders where a crack leaves no room for all. Made when first asked for, by one
   /// thread at a time. Faces have the same numbers in all of them, sets in `all` and `none`.
-  [[nodiscard]] const SurfaceGeometry& geometry(KeptBorders borders = KeptBorders::all) const;
+  [[nodiscard]] const SurfaceGeometry& geometry(KeptSetBorders borders = KeptSetBorders::all) const;
   /// Names of the sets of the geometries; empty for those of single cards.
   [[nodiscard]] const std::string& face_set_name(std::size_t set) const {
     return body_.face_sets[set].name;

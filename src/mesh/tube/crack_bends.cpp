@@ -19,7 +19,7 @@ constexpr double at_mouth = 0.05;
 class BendLines {
 public:
   BendLines(const CrackDistanceField& reach, double finer, const std::vector<int>& rim,
-            const PatchNet& net)
+            const PatchMeshBuilder& net)
       : reach_(reach), finer_(finer), rim_(rim), net_(net) {}
 
   std::vector<KinkLine> make() {
@@ -31,14 +31,15 @@ public:
 
 private:
   [[nodiscard]] double size_of(const Vec3& x) const {
-    return graded_size(reach_.distance(x), CrackDistanceField::usual_growth / finer_) / finer_;
+    return size_at_front_distance(reach_.distance(x), CrackDistanceField::usual_growth / finer_) /
+           finer_;
   }
   /// Within the loops, and not beside one.
   [[nodiscard]] bool free(const Vec3& x) const {
     const base::Vec2 q = reach_.plane().project(x);
     const double away = least_of_size * size_of(x);
     const CrackDistanceField::CrackDistances d = reach_.distance(x);
-    return reach_.polygons().contains(q) && reach_.polygons().outline_distance(q) > away &&
+    return reach_.polygons().contains(q) && reach_.polygons().distance_to_outlines(q) > away &&
            d.front > d.radius + away;
   }
 
@@ -77,7 +78,7 @@ private:
     };
     KinkLine made;
     for (const double s :
-         divide_length(0.0, arc.back(), [&](double s) { return size_of(at(s)); })) {
+         divide_line_by_size(0.0, arc.back(), [&](double s) { return size_of(at(s)); })) {
       made.points.push_back({-1, at(s), size_of(at(s))});
     }
     made.points.front().node = from;
@@ -113,14 +114,14 @@ private:
   const CrackDistanceField& reach_;
   double finer_;
   const std::vector<int>& rim_;
-  const PatchNet& net_;
+  const PatchMeshBuilder& net_;
   std::vector<KinkLine> lines_;
 };
 
 } // namespace
 
 std::vector<KinkLine> build_kink_lines(const CrackDistanceField& reach, double finer,
-                                       const std::vector<int>& rim, const PatchNet& net) {
+                                       const std::vector<int>& rim, const PatchMeshBuilder& net) {
   if (!reach.plane().relief) {
     return {};
   }

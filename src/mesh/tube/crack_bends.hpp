@@ -21,6 +21,6 @@ struct KinkLine {
 /// Lines within the loops of a crack, whose nodes are `rim`, away from its tubes; in the frame of
 /// the patch.
 std::vector<KinkLine> build_kink_lines(const CrackDistanceField& reach, double finer,
-                                       const std::vector<int>& rim, const PatchNet& net);
+                                       const std::vector<int>& rim, const PatchMeshBuilder& net);
 
 } // namespace spricka::mesh

@@ -25,12 +25,12 @@ struct Chord {
 
 class CrackInBodyMeasurement {
 public:
-  CrackInBodyMeasurement(const SolidHost& host, const SolidCrack& crack,
+  CrackInBodyMeasurement(const SolidHostMesh& host, const SolidCrack& crack,
                          const LocatedSolidCrack& placed)
       : crack_(crack), placed_(placed), body_(host.body_surface(placed.seed)),
         surface_(body_.geometry()), area_(crack, placed.outlines) {}
 
-  CrackInBody measure() {
+  CrackExtentInBody measure() {
     find_chords();
     extent_.kind = classify_crack(placed_);
     extent_.seed = placed_.seed;
@@ -46,7 +46,7 @@ public:
 
 private:
   void find_chords() {
-    placed_.for_mouth_pieces([&](const Vec3& from, const Vec3& to) {
+    placed_.for_each_mouth_segment([&](const Vec3& from, const Vec3& to) {
       if ((to - from).norm() > 0.0) {
         chords_.push_back({from, to, surface_.nearest_place(0.5 * (from + to))});
       }
@@ -79,7 +79,7 @@ private:
     std::vector<double> nearest;    // [open face] of its stretches to the centre
     for (const Chord& chord : chords_) {
       const std::string name = name_of_face(chord.place.face);
-      const std::size_t own = surface_.smooth_piece(chord.place.face);
+      const std::size_t own = surface_.smooth_piece_index(chord.place.face);
       std::size_t k = 0;
       while (k < piece.size() &&
              (extent_.open[k].name != name || (name.empty() && piece[k] != own))) {
@@ -88,12 +88,12 @@ private:
       if (k == piece.size()) {
         piece.push_back(own);
         nearest.push_back(std::numeric_limits<double>::max());
-        CrackMouthFace& fresh = extent_.open.emplace_back();
+        BodyFaceAtCrackMouth& fresh = extent_.open.emplace_back();
         fresh.name = name;
         fresh.at = chord.place.x;
         fresh.normal = chord.place.normal;
       }
-      CrackMouthFace& open = extent_.open[k];
+      BodyFaceAtCrackMouth& open = extent_.open[k];
       open.length += (chord.to - chord.from).norm();
       const model::Face side = body_.face(chord.place.face);
       if (std::ranges::find(open.faces, side) == open.faces.end()) {
@@ -107,7 +107,7 @@ private:
 
   /// Of the line through the stretch that is nearest to the centre; positive: the centre lies on
   /// the body's side of it.
-  void measure_offset(const Chord& chord, CrackMouthFace& open, double& nearest) const {
+  void measure_offset(const Chord& chord, BodyFaceAtCrackMouth& open, double& nearest) const {
     const double away = geometry::distance_to_segment(*crack_.middle, chord.from, chord.to);
     if (away >= nearest) {
       return;
@@ -145,7 +145,7 @@ private:
     constexpr int samples = 64;
     const bool inside = extent_.kind == CrackConfiguration::embedded;
     extent_.depth = inside ? std::numeric_limits<double>::max() : 0.0;
-    for (const SolidFront& front : placed_.fronts) {
+    for (const InteriorFront& front : placed_.fronts) {
       for (int i = 0; i <= samples; ++i) {
         const Vec3 x = front.curve->at(static_cast<double>(i) / samples * front.curve->length()).x;
         if (inside) {
@@ -170,10 +170,11 @@ private:
     if (placed_.fronts.size() != 1 || placed_.fronts.front().curve->closed()) {
       return;
     }
-    const SolidFront& front = placed_.fronts.front();
+    const InteriorFront& front = placed_.fronts.front();
     const FrontCurve& curve = *front.curve;
-    const TraceResult round = trace_plane(surface_, reference_plane(crack_), front.end[1],
-                                          front.end[0], curve.at(curve.length()).m);
+    const TraceResult round =
+        trace_crack_plane(surface_, crack_reference_plane(crack_), front.end[1], front.end[0],
+                          curve.at(curve.length()).m);
     if (round.trouble) {
       return;
     }
@@ -207,7 +208,7 @@ private:
   PlanePolygons area_;
   std::vector<Chord> chords_;
   std::map<std::size_t, std::size_t> members_; ///< of sets of the surface: their faces
-  CrackInBody extent_;
+  CrackExtentInBody extent_;
 };
 
 } // namespace
@@ -215,7 +216,7 @@ private:
 CrackConfiguration classify_crack(const LocatedSolidCrack& placed) {
   std::size_t mouths = placed.holes.size();
   std::size_t passed = 0;
-  for (const SolidFront& front : placed.fronts) {
+  for (const InteriorFront& front : placed.fronts) {
     mouths += front.curve->closed() ? 0 : 1;
     passed += front.edges;
   }
@@ -225,10 +226,11 @@ CrackConfiguration classify_crack(const LocatedSolidCrack& placed) {
                                     : CrackConfiguration::surface;
 }
 
-std::optional<CrackInBody> measure_crack(const SolidHost& host, const SolidCrack& crack) {
+std::optional<CrackExtentInBody> measure_crack_in_body(const SolidHostMesh& host,
+                                                       const SolidCrack& crack) {
   LocatedSolidCrack request{&crack, nullptr, {}, {}};
   base::Diagnostics reported_by_the_cut;
-  if (!locate_crack(host, request, reported_by_the_cut)) {
+  if (!locate_crack_in_host(host, request, reported_by_the_cut)) {
     return std::nullopt;
   }
   return CrackInBodyMeasurement(host, crack, request).measure();

@@ -15,7 +15,7 @@ namespace spricka::mesh {
 struct LocatedSolidCrack;
 
 /// A face of the body at which a crack opens. Lengths are those of the deck.
-struct CrackMouthFace {
+struct BodyFaceAtCrackMouth {
   std::string name;                       ///< of the smallest set that has it; empty: none has it
   base::Vec3 at = base::Vec3::Zero();     ///< a place of the mouth on it
   base::Vec3 normal = base::Vec3::Zero(); ///< unit, out of the body there
@@ -27,7 +27,7 @@ struct CrackMouthFace {
 };
 
 /// What the body has of a crack before it is cut.
-struct CrackInBody {
+struct CrackExtentInBody {
   CrackConfiguration kind = CrackConfiguration::embedded;
   base::ElementId seed{}; ///< one of the body's elements that its front passes
   double area = 0.0;      ///< of one of its faces
@@ -36,7 +36,7 @@ struct CrackInBody {
   /// least distance from the surface.
   double depth = 0.0;
   std::string nearest; ///< of an embedded one: the name of the face there
-  std::vector<CrackMouthFace> open;
+  std::vector<BodyFaceAtCrackMouth> open;
   /// Area of the crack as a part of the section of the body that its front divides; not a number
   /// where no one front does.
   double of_section = std::numeric_limits<double>::quiet_NaN();
@@ -51,6 +51,7 @@ CrackConfiguration classify_crack(const LocatedSolidCrack& placed);
 
 /// Finds it; empty where the crack cannot be placed (which a cut reports). The crack has not turned
 /// out of its plane.
-std::optional<CrackInBody> measure_crack(const SolidHost& host, const SolidCrack& crack);
+std::optional<CrackExtentInBody> measure_crack_in_body(const SolidHostMesh& host,
+                                                       const SolidCrack& crack);
 
 } // namespace spricka::mesh

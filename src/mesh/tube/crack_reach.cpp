@@ -20,7 +20,7 @@ void CrackDistanceField::add_tube(const Tube& tube) {
     const std::size_t next = (i + 1) % n;
     pieces_.push_back({tube.stations[i].x, tube.stations[next].x,
                        std::max(tube.radius[i], tube.radius[next]),
-                       std::max(tube.size_beside(i), tube.size_beside(next))});
+                       std::max(tube.fill_size_beside_tube(i), tube.fill_size_beside_tube(next))});
   }
   geometry::Box<3> box;
   double most = 0.0;

@@ -45,8 +45,8 @@ private:
 };
 
 /// Size of the elements wanted at a distance from a front.
-inline double graded_size(const CrackDistanceField::CrackDistances& d,
-                          double growth = CrackDistanceField::usual_growth) {
+inline double size_at_front_distance(const CrackDistanceField::CrackDistances& d,
+                                     double growth = CrackDistanceField::usual_growth) {
   return d.size + growth * std::max(0.0, d.front - d.radius);
 }
 

@@ -11,9 +11,9 @@ namespace spricka::mesh {
 
 using base::Vec2;
 
-CrackTriangulation mesh_crack(const CrackDistanceField& reach,
-                              const std::vector<std::vector<int>>& loops, double finer,
-                              PatchNet& net) {
+CrackTriangulation triangulate_crack_area(const CrackDistanceField& reach,
+                                          const std::vector<std::vector<int>>& loops, double finer,
+                                          PatchMeshBuilder& net) {
   CrackTriangulation surface;
   PlaneRegion region;
   // Layers of elements round a free front are to be alike.
@@ -29,8 +29,9 @@ CrackTriangulation mesh_crack(const CrackDistanceField& reach,
       region.points.emplace_back(rounded(q.x()), rounded(q.y()));
       surface.nodes.push_back(n);
       const CrackDistanceField::CrackDistances d = reach.distance(net.local_position(n));
-      const double wanted = graded_size(d, CrackDistanceField::usual_growth / finer) / finer;
-      size.add_source(region.points.back(), rounded(wanted));
+      const double wanted =
+          size_at_front_distance(d, CrackDistanceField::usual_growth / finer) / finer;
+      size.add_size_source(region.points.back(), rounded(wanted));
     }
     if ((twice_area(region.points, loop) < 0.0) == region.boundaries.empty()) {
       std::reverse(loop.begin(), loop.end());
@@ -48,8 +49,8 @@ CrackTriangulation mesh_crack(const CrackDistanceField& reach,
       const Vec2 q = reach.plane().project(point.x);
       chain.push_back(static_cast<int>(region.points.size()));
       region.points.emplace_back(rounded(q.x()), rounded(q.y()));
-      surface.nodes.push_back(net.new_node_at(point.x));
-      size.add_source(region.points.back(), rounded(point.size));
+      surface.nodes.push_back(net.add_node_at_local_position(point.x));
+      size.add_size_source(region.points.back(), rounded(point.size));
     }
     if (bend.closed) {
       chain.push_back(chain.front());
@@ -58,7 +59,7 @@ CrackTriangulation mesh_crack(const CrackDistanceField& reach,
   const TriangleFill filling = fill_triangles(region, size);
   surface.trouble = filling.trouble;
   for (const Vec2& q : filling.added) {
-    surface.nodes.push_back(net.new_node_at(reach.plane().lift_to_crack(q)));
+    surface.nodes.push_back(net.add_node_at_local_position(reach.plane().lift_to_crack(q)));
   }
   for (const std::array<int, 3>& t : filling.cells) {
     PatchTriangle triangle{};

@@ -17,8 +17,8 @@ struct CrackTriangulation {
 
 /// Fills the first of some loops, closed polygons of nodes of the patch in the plane of the crack,
 /// but for the others, which are holes in it.
-CrackTriangulation mesh_crack(const CrackDistanceField& reach,
-                              const std::vector<std::vector<int>>& loops, double finer,
-                              PatchNet& net);
+CrackTriangulation triangulate_crack_area(const CrackDistanceField& reach,
+                                          const std::vector<std::vector<int>>& loops, double finer,
+                                          PatchMeshBuilder& net);
 
 } // namespace spricka::mesh

@@ -52,7 +52,7 @@ std::vector<Vec3> drawn_front(const model::CrackDefinition& crack) {
 
 } // namespace
 
-std::vector<SolidCrack> solid_cracks(const model::Model& model) {
+std::vector<SolidCrack> make_solid_cracks(const model::Model& model) {
   std::vector<SolidCrack> cracks;
   for (std::size_t i = 0; i < model.cracks.size(); ++i) {
     const model::CrackDefinition& crack = model.cracks[i];
@@ -81,7 +81,7 @@ std::vector<SolidCrack> solid_cracks(const model::Model& model) {
   return cracks;
 }
 
-double front_angle(const model::CrackDefinition& crack, const Vec3& x) {
+double ellipse_parametric_angle(const model::CrackDefinition& crack, const Vec3& x) {
   const model::PlanarCrack& plane = crack.plane;
   const Vec3 from = x - plane.place;
   return std::atan2(from.dot(plane.transverse_axis()) / plane.a, from.dot(plane.along) / plane.c);

@@ -12,9 +12,9 @@ struct CrackDefinition;
 namespace spricka::mesh {
 
 /// The cracks of a deck in space, ready to be cut. [crack]
-std::vector<SolidCrack> solid_cracks(const model::Model& model);
+std::vector<SolidCrack> make_solid_cracks(const model::Model& model);
 
 /// Parametric angle of a place on the front of an ellipse, from its axis C [rad], -pi .. pi.
-double front_angle(const model::CrackDefinition& crack, const base::Vec3& x);
+double ellipse_parametric_angle(const model::CrackDefinition& crack, const base::Vec3& x);
 
 } // namespace spricka::mesh

@@ -150,7 +150,7 @@ private:
       point.size = size_at(line[k], {line.begin(), line.end()});
       point.radius = rings_of_front * point.size;
     }
-    update_points(mesh_, front);
+    update_front_points(mesh_, front);
     front.size = std::ranges::min(front.points, {}, &FrontPoint::size).size;
     front.radius = rings_of_front * front.size;
     front.kind = closed ? CrackConfiguration::embedded : CrackConfiguration::surface;

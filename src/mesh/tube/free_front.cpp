@@ -21,7 +21,7 @@ double size_at_front(double radius, const TubeMeshParameters& given) {
 
 } // namespace
 
-TubeSizes tubeless_sizes(TubeSizes sizes, const TubeMeshParameters& given) {
+TubeSizes tubeless_front_sizes(TubeSizes sizes, const TubeMeshParameters& given) {
   for (std::size_t i = 0; i < sizes.s.size(); ++i) {
     const double size = size_at_front(sizes.radius[i], given);
     sizes.length[i] = std::clamp(sizes.length[i], shortest_edge * size, size);
@@ -62,8 +62,8 @@ Tube make_tubeless_front(const FrontCurve& curve, const TubeSizes& sizes,
   return tube;
 }
 
-void divide_chords(const PlaneBasis& plane, const std::set<int>& front, PatchNet& net,
-                   CrackTriangulation& surface) {
+void divide_front_chord_edges(const PlaneBasis& plane, const std::set<int>& front,
+                              PatchMeshBuilder& net, CrackTriangulation& surface) {
   using Edge = std::pair<int, int>;
   std::map<Edge, std::vector<std::size_t>> chords;
   // Triangles that come of a division are looked at again: they may have a second chord.
@@ -83,7 +83,7 @@ void divide_chords(const PlaneBasis& plane, const std::set<int>& front, PatchNet
         continue;
       }
       const Vec3 half = 0.5 * (net.local_position(edge.first) + net.local_position(edge.second));
-      const int middle = net.new_node_at(plane.lift_to_crack(plane.project(half)));
+      const int middle = net.add_node_at_local_position(plane.lift_to_crack(plane.project(half)));
       surface.nodes.push_back(middle);
       for (const std::size_t t : beside) {
         PatchTriangle other = surface.triangles[t];

@@ -9,7 +9,7 @@
 namespace spricka::mesh {
 
 /// Elements along a free front as long as those round it are large (mesh.13).
-TubeSizes tubeless_sizes(TubeSizes sizes, const TubeMeshParameters& given);
+TubeSizes tubeless_front_sizes(TubeSizes sizes, const TubeMeshParameters& given);
 
 /// The front alone, as a tube without elements.
 Tube make_tubeless_front(const FrontCurve& curve, const TubeSizes& sizes,
@@ -17,7 +17,7 @@ Tube make_tubeless_front(const FrontCurve& curve, const TubeSizes& sizes,
 
 /// Divides the edges of a crack's triangles that join two nodes of free fronts across the crack:
 /// with no node between them that is there twice the crack could not open there.
-void divide_chords(const PlaneBasis& plane, const std::set<int>& front, PatchNet& net,
-                   CrackTriangulation& surface);
+void divide_front_chord_edges(const PlaneBasis& plane, const std::set<int>& front,
+                              PatchMeshBuilder& net, CrackTriangulation& surface);
 
 } // namespace spricka::mesh

@@ -60,7 +60,7 @@ std::shared_ptr<const FrontCurve> fit_front_curve(const CrackFront& front,
                                             is_closed(front));
 }
 
-void weigh_points(bool closed, CrackFront& front) {
+void compute_front_point_weights(bool closed, CrackFront& front) {
   const std::size_t n = front.points.size();
   for (FrontPoint& point : front.points) {
     point.weight = 0.0;
@@ -74,7 +74,7 @@ void weigh_points(bool closed, CrackFront& front) {
   }
 }
 
-void update_points(const model::Mesh& mesh, CrackFront& front) {
+void update_front_points(const model::Mesh& mesh, CrackFront& front) {
   const bool closed = is_closed(front);
   double first = 0.0;
   for (std::size_t k = 0; k < front.points.size(); ++k) {
@@ -86,7 +86,7 @@ void update_points(const model::Mesh& mesh, CrackFront& front) {
     point.s = s - first;
     point.s += closed && point.s < 0.0 ? front.curve->length() : 0.0;
   }
-  weigh_points(closed, front);
+  compute_front_point_weights(closed, front);
 }
 
 } // namespace spricka::mesh

@@ -7,7 +7,7 @@
 namespace spricka::mesh {
 
 /// Weights of the points of a front: the lengths below their linear hats, from their s.
-void weigh_points(bool closed, CrackFront& front);
+void compute_front_point_weights(bool closed, CrackFront& front);
 
 /// The front as smooth as its elements have it: the spline through its points, near the ends of an
 /// open one through those that lie half a radius of the tube or more apart. What is shorter than
@@ -16,6 +16,6 @@ void weigh_points(bool closed, CrackFront& front);
 std::shared_ptr<const FrontCurve> fit_front_curve(const CrackFront& front, const SolidCrack& crack);
 
 /// Places, growth directions, s and weights of points whose nodes or curve have been moved.
-void update_points(const model::Mesh& mesh, CrackFront& front);
+void update_front_points(const model::Mesh& mesh, CrackFront& front);
 
 } // namespace spricka::mesh

@@ -22,7 +22,7 @@ using base::Vec3;
 
 class SolidInserter {
 public:
-  SolidInserter(const SolidHost& host, base::Diagnostics& diagnostics)
+  SolidInserter(const SolidHostMesh& host, base::Diagnostics& diagnostics)
       : host_(host), diagnostics_(diagnostics) {}
 
   std::optional<CrackedMesh> insert(std::span<const SolidCrack> cracks,
@@ -33,7 +33,7 @@ public:
     why_free_.resize(cracks.size());
     for (std::size_t i = 0; i < cracks.size(); ++i) {
       requests_.push_back({&cracks[i], &tubes_[i], spans[i]});
-      good = locate_crack(host_, requests_.back(), diagnostics_) && good;
+      good = locate_crack_in_host(host_, requests_.back(), diagnostics_) && good;
       groups_.push_back({{i}});
     }
     // Each stage looks at all cracks before it fails, so that one run tells all that is wrong.
@@ -110,8 +110,9 @@ private:
   std::optional<PatchSolidCrack> place(const CrackFrame& frame, std::size_t i) {
     const auto attempt = [&](base::Diagnostics& found) {
       auto crack = place_tubes(host_, frame, requests_[i], requests_, found);
-      return crack && find_mouths(host_, frame, requests_[i], *crack, found) ? std::move(crack)
-                                                                             : std::nullopt;
+      return crack && divide_crack_mouths(host_, frame, requests_[i], *crack, found)
+                 ? std::move(crack)
+                 : std::nullopt;
     };
     base::Diagnostics found;
     std::optional<PatchSolidCrack> crack = attempt(found);
@@ -158,7 +159,7 @@ private:
         } else if (!group.patch.trouble.empty()) {
           refuse(group, group.patch.trouble);
         } else if (good) {
-          report_moved_sets(host_, requests_, group, diagnostics_);
+          warn_of_moved_set_borders(host_, requests_, group, diagnostics_);
         }
       }
       if (!good && !more) {
@@ -208,9 +209,9 @@ private:
     bool widened = false;
     for (int refined = 0; refined <= most_finer;) {
       patch = mesh_solid_cavity(host_, group.frame, group.cracks, group.cavity, request);
-      if (!patch.trouble.empty() && patch.at_border && request.borders != KeptBorders::none) {
+      if (!patch.trouble.empty() && patch.at_border && request.borders != KeptSetBorders::none) {
         request.borders =
-            request.borders == KeptBorders::all ? KeptBorders::used : KeptBorders::none;
+            request.borders == KeptSetBorders::all ? KeptSetBorders::used : KeptSetBorders::none;
         continue;
       }
       if (!patch.folded && !(request.renew && !patch.trouble.empty())) {
@@ -262,11 +263,12 @@ private:
 
   void refuse(const CavityCrackGroup& group, const std::string& why) {
     const std::size_t first = group.members.front();
-    diagnostics_.error(
-        requests_[first].span, "E429",
-        fmt::format("no patch could be made round {}: {}", group_title(requests_, group), why),
-        why_free_[first].empty() ? std::string()
-                                 : "nor does a tube of elements fit: " + why_free_[first]);
+    diagnostics_.error(requests_[first].span, "E429",
+                       fmt::format("no patch could be made round {}: {}",
+                                   crack_group_title(requests_, group), why),
+                       why_free_[first].empty()
+                           ? std::string()
+                           : "nor does a tube of elements fit: " + why_free_[first]);
   }
 
   void graft() {
@@ -274,7 +276,7 @@ private:
     for (const CavityCrackGroup& group : groups_) {
       const std::vector<ElementId>& elements = group.cavity.elements;
       // Where all of them are in the same sets, whatever is of some is of all.
-      const bool uniform = split_sets(host_, group.cavity).empty();
+      const bool uniform = find_sets_cut_by_cavity(host_, group.cavity).empty();
       grafts.push_back({group.patch, elements, [this, &elements, uniform](const PatchNode& middle) {
                           return uniform ? elements.front()
                                          : host_.nearest_element(elements, middle.x);
@@ -338,13 +340,13 @@ private:
         point.at_surface = !tube.closed && (k == 0 || k + 1 == n);
       }
       front.curve = fit_front_curve(front, crack);
-      update_points(result_.mesh, front);
-      result_.notes.push_back(front_note(request, group, {c, t}, front));
+      update_front_points(result_.mesh, front);
+      result_.notes.push_back(front_mesh_note(request, group, {c, t}, front));
       result_.fronts.push_back(std::move(front));
     }
   }
 
-  const SolidHost& host_;
+  const SolidHostMesh& host_;
   base::Diagnostics& diagnostics_;
   std::vector<TubeMeshParameters> tubes_; ///< [crack]
   std::vector<std::string> why_free_;     ///< [crack] why it has no tube, if not by the deck's wish
@@ -355,7 +357,7 @@ private:
 
 } // namespace
 
-std::optional<CrackedMesh> insert_solid_cracks(const SolidHost& host,
+std::optional<CrackedMesh> insert_solid_cracks(const SolidHostMesh& host,
                                                std::span<const SolidCrack> cracks,
                                                std::span<const TubeMeshParameters> tubes,
                                                std::span<const base::SourceSpan> spans,

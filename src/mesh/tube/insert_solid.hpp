@@ -16,7 +16,7 @@ namespace spricka::mesh {
 /// meet quadrilaterals or linear elements (`ties`). Patches are meshed in the crack's frame,
 /// coordinates divided by its size and rounded (to 2^-26, for the choice of elements only), so that
 /// units and position do not change the mesh. Always cuts from the host.
-std::optional<CrackedMesh> insert_solid_cracks(const SolidHost& host,
+std::optional<CrackedMesh> insert_solid_cracks(const SolidHostMesh& host,
                                                std::span<const SolidCrack> cracks,
                                                std::span<const TubeMeshParameters> tubes,
                                                std::span<const base::SourceSpan> spans,

@@ -18,13 +18,13 @@ using base::Vec3;
 
 class SurfaceOpener {
 public:
-  SurfaceOpener(const MouthSurfaceRequest& request, PatchNet& net,
-                std::unordered_map<int, int>& lower, std::vector<FacePieces>& pieces)
+  SurfaceOpener(const MouthSurfaceRequest& request, PatchMeshBuilder& net,
+                std::unordered_map<int, int>& lower, std::vector<HostFaceReplacement>& pieces)
       : body_(request.body), borders_(request.borders), geometry_(body_.geometry(request.borders)),
         frame_(request.frame), cracks_(request.cracks), tubes_(request.tubes), net_(net),
         lower_(lower), pieces_(pieces) {}
 
-  MouthSurface open(const std::vector<CavityFace>& faces) {
+  RemeshedMouthSurface open(const std::vector<CavityFace>& faces) {
     for (const CavityFace& face : faces) {
       region_.faces.push_back(body_.face_index(face.face));
       // Also those that no triangle will lie on are replaced.
@@ -35,9 +35,10 @@ public:
     region_.size = [&](const Vec3& x) {
       double least = std::numeric_limits<double>::max();
       for (const PatchSolidCrack& crack : cracks_) {
-        least = std::min(least, graded_size(crack.reach.distance(frame_.rounded_local(x)),
-                                            CrackDistanceField::usual_growth / crack.finer) /
-                                    crack.finer);
+        least = std::min(
+            least, size_at_front_distance(crack.reach.distance(frame_.rounded_local_coordinates(x)),
+                                          CrackDistanceField::usual_growth / crack.finer) /
+                       crack.finer);
       }
       return frame_.a * least;
     };
@@ -122,7 +123,8 @@ private:
     for (std::size_t i = 0; i < surface_.points.size(); ++i) {
       const RemeshedPoint& point = surface_.points[i];
       if (node_[i] < 0) {
-        node_[i] = point.host.valid() ? net_.host_node(point.host) : net_.new_node(point.place.x);
+        node_[i] = point.host.valid() ? net_.find_or_add_host_node(point.host)
+                                      : net_.add_node_at_position(point.place.x);
       }
     }
   }
@@ -143,7 +145,7 @@ private:
   std::vector<int> doubled(const std::vector<int>& points, std::size_t first) {
     std::vector<int> nodes;
     for (std::size_t i = first; i + 1 < points.size(); ++i) {
-      const int n = net_.new_node(place_of(points[i]));
+      const int n = net_.add_node_at_position(place_of(points[i]));
       node_[static_cast<std::size_t>(points[i])] = n;
       lower_[n] = net_.duplicate_node(n);
       nodes.push_back(n);
@@ -164,11 +166,11 @@ private:
     for (const RemeshedEdge& edge : surface_.edges) {
       const int a = node(edge.points[0]);
       const int b = node(edge.points[1]);
-      if (edge.kind == RemeshedEdgeKind::outline || net_.known_mid_node(a, b)) {
+      if (edge.kind == RemeshedEdgeKind::outline || net_.find_mid_node(a, b)) {
         continue; // the tube's, the host's
       }
-      const int mid =
-          edge.host_mid.valid() ? net_.host_node(edge.host_mid) : net_.new_node(edge.mid.x);
+      const int mid = edge.host_mid.valid() ? net_.find_or_add_host_node(edge.host_mid)
+                                            : net_.add_node_at_position(edge.mid.x);
       net_.set_mid_node(a, b, mid);
       if (edge.kind == RemeshedEdgeKind::mouth) {
         net_.set_mid_node(below(a), below(b), net_.duplicate_node(mid));
@@ -191,7 +193,7 @@ private:
     std::set<std::size_t> removed;
     for (const std::size_t face : region_.faces) {
       for (int s = 0; s < geometry_.face(face).corners(); ++s) {
-        const std::size_t e = geometry_.face_edge(face, s);
+        const std::size_t e = geometry_.face_edge_index(face, s);
         if (geometry_.edges()[e].feature && !geometry_.node_sets(e).empty()) {
           removed.insert(e);
         }
@@ -210,7 +212,7 @@ private:
       std::vector<int> upper(triangle.begin(), triangle.end());
       std::vector<int> lower;
       std::ranges::transform(triangle, std::back_inserter(lower), [&](int n) { return below(n); });
-      FacePieces& pieces =
+      HostFaceReplacement& pieces =
           pieces_.emplace_back(body_.face(t.face), std::vector<std::vector<int>>{upper});
       if (lower != upper) {
         pieces.second.push_back(std::move(lower));
@@ -245,7 +247,7 @@ private:
   [[nodiscard]] bool has_borders() const {
     return std::ranges::any_of(region_.faces, [&](std::size_t face) {
       for (int s = 0; s < geometry_.face(face).corners(); ++s) {
-        if (geometry_.edges()[geometry_.face_edge(face, s)].border) {
+        if (geometry_.edges()[geometry_.face_edge_index(face, s)].border) {
           return true;
         }
       }
@@ -254,7 +256,7 @@ private:
   }
 
   void find_shifts() {
-    if (borders_ != KeptBorders::none) {
+    if (borders_ != KeptSetBorders::none) {
       return; // kept by their lines
     }
     std::set<std::size_t> left(region_.faces.begin(), region_.faces.end());
@@ -273,7 +275,7 @@ private:
   void look_at(const Vec3& x, std::size_t face) {
     const std::vector<std::size_t>& sets = geometry_.face_sets(face);
     const SurfacePlace here = geometry_.nearest_place(x, region_.faces);
-    if (borders_ != KeptBorders::none || geometry_.face_sets(here.face) == sets) {
+    if (borders_ != KeptSetBorders::none || geometry_.face_sets(here.face) == sets) {
       return;
     }
     std::vector<std::size_t> alike;
@@ -290,7 +292,7 @@ private:
     const geometry::ElementSide& own = geometry_.face(face);
     const double edge = (own.X.col(1) - own.X.col(0)).norm();
     for (int s = 0; s < own.corners(); ++s) {
-      const SurfaceEdge& side = geometry_.edges()[geometry_.face_edge(face, s)];
+      const SurfaceEdge& side = geometry_.edges()[geometry_.face_edge_index(face, s)];
       const std::size_t other = side.faces[0] == face ? side.faces[1] : side.faces[0];
       if (!side.feature && other != nowhere) {
         add_shifts(geometry_.face_sets(face), geometry_.face_sets(other), edge, own.X.col(0));
@@ -318,32 +320,33 @@ private:
   }
 
   const BodySurface& body_;
-  KeptBorders borders_;
+  KeptSetBorders borders_;
   const SurfaceGeometry& geometry_;
   const CrackFrame& frame_;
   std::span<const PatchSolidCrack> cracks_;
   const std::vector<std::vector<PlacedTube>>& tubes_;
-  PatchNet& net_;
+  PatchMeshBuilder& net_;
   std::unordered_map<int, int>& lower_;
-  std::vector<FacePieces>& pieces_;
+  std::vector<HostFaceReplacement>& pieces_;
   SurfaceRegion region_{};
   std::vector<CapPlace> caps_; ///< of the region's
   RemeshedSurface surface_;
   std::vector<int> node_; ///< [point of the surface]
-  MouthSurface made_;
+  RemeshedMouthSurface made_;
 };
 
 } // namespace
 
-MouthSurface mesh_mouth_surface(const MouthSurfaceRequest& request, PatchNet& net,
-                                std::unordered_map<int, int>& lower,
-                                std::vector<FacePieces>& pieces) {
+RemeshedMouthSurface mesh_mouth_surface(const MouthSurfaceRequest& request, PatchMeshBuilder& net,
+                                        std::unordered_map<int, int>& lower,
+                                        std::vector<HostFaceReplacement>& pieces) {
   return SurfaceOpener(request, net, lower, pieces).open(request.faces);
 }
 
-void choose_edge_ends(std::span<const PatchElement> elements, std::vector<HeldEdgePieces>& edges) {
+void choose_held_edge_ends(std::span<const PatchElement> elements,
+                           std::vector<HeldEdgeReplacement>& edges) {
   std::unordered_map<int, std::set<int>> beside; // nodes of the elements at the middle of an edge
-  for (const HeldEdgePieces& edge : edges) {
+  for (const HeldEdgeReplacement& edge : edges) {
     if (edge.mid >= 0) {
       beside[edge.mid];
     }
@@ -356,7 +359,7 @@ void choose_edge_ends(std::span<const PatchElement> elements, std::vector<HeldEd
       }
     }
   }
-  for (HeldEdgePieces& edge : edges) {
+  for (HeldEdgeReplacement& edge : edges) {
     std::erase_if(edge.ends, [&](int n) { return !beside.at(edge.mid).contains(n); });
   }
 }

@@ -18,13 +18,13 @@ struct SetBorderShift {
 };
 
 /// The surface of the body where cracks come out, meshed anew and put into a patch.
-struct MouthSurface {
+struct RemeshedMouthSurface {
   std::vector<PatchTriangle> triangles; ///< part of a shell
   /// [crack][mouth] nodes between those of the tubes, which are not among them.
   std::vector<std::vector<std::vector<int>>> mouths;
   std::vector<std::vector<std::vector<int>>> holes; ///< [crack][hole] nodes all round
   std::vector<SetBorderShift> shifts; ///< of the borders of used sets that are not kept
-  std::vector<HeldEdgePieces> edges;
+  std::vector<HeldEdgeReplacement> edges;
   std::string trouble;
   bool at_border = false; ///< borders of sets may be the trouble
 };
@@ -42,17 +42,18 @@ struct MouthSurfaceRequest {
   std::span<const PatchSolidCrack> cracks;
   const std::vector<std::vector<PlacedTube>>& tubes; ///< [crack][tube]
   std::vector<CavityFace> faces;                     ///< of the cavity, free ones
-  KeptBorders borders = KeptBorders::all;            ///< of sets that are kept
+  KeptSetBorders borders = KeptSetBorders::all;      ///< of sets that are kept
 };
 
 /// What takes the place of the faces is added to `pieces`. Nodes of mouths get a second node in
 /// `lower`.
-MouthSurface mesh_mouth_surface(const MouthSurfaceRequest& request, PatchNet& net,
-                                std::unordered_map<int, int>& lower,
-                                std::vector<FacePieces>& pieces);
+RemeshedMouthSurface mesh_mouth_surface(const MouthSurfaceRequest& request, PatchMeshBuilder& net,
+                                        std::unordered_map<int, int>& lower,
+                                        std::vector<HostFaceReplacement>& pieces);
 
 /// Of two nodes at a mouth an edge keeps that of its side: the one that an element at the edge's
 /// middle has.
-void choose_edge_ends(std::span<const PatchElement> elements, std::vector<HeldEdgePieces>& edges);
+void choose_held_edge_ends(std::span<const PatchElement> elements,
+                           std::vector<HeldEdgeReplacement>& edges);
 
 } // namespace spricka::mesh

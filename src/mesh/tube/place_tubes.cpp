@@ -32,7 +32,7 @@ constexpr double most_free_elements = 2000.0;
 
 class TubeLayer {
 public:
-  TubeLayer(const SolidHost& host, const CrackFrame& frame, const LocatedSolidCrack& request,
+  TubeLayer(const SolidHostMesh& host, const CrackFrame& frame, const LocatedSolidCrack& request,
             base::Diagnostics& diagnostics)
       : host_(host), frame_(frame), request_(request), diagnostics_(diagnostics),
         mesh_(*request.mesh) {
@@ -43,16 +43,16 @@ public:
 
   std::optional<PatchSolidCrack> place(std::span<const LocatedSolidCrack> all) {
     const Eigen::Matrix3d axes = frame_.axes.transpose() * make_crack_frame(*request_.crack).axes;
-    const PlaneBasis plane{frame_.exact_local(make_crack_frame(*request_.crack).origin),
+    const PlaneBasis plane{frame_.exact_local_coordinates(make_crack_frame(*request_.crack).origin),
                            axes.col(0), axes.col(1), axes.col(2),
-                           surface_in_frame(frame_, *request_.crack)};
+                           crack_surface_in_frame(frame_, *request_.crack)};
     std::vector<std::vector<Vec3>> outlines;
     for (const std::vector<Vec3>& outline : request_.outlines) {
       outlines.push_back(local(outline));
     }
     PatchSolidCrack made{
         CrackDistanceField(PlanePolygons(plane, outlines)), {}, request_.mesh->finer, {}, {}};
-    for (const SolidFront& front : request_.fronts) {
+    for (const InteriorFront& front : request_.fronts) {
       const FrontCurve curve(local(front.curve->points()),
                              plane.relief
                                  ? directions(front.curve->normals())
@@ -70,7 +70,7 @@ public:
                       straight(round)},
                      mesh_);
       if (!mesh_.tube) {
-        sizes = tubeless_sizes(std::move(sizes), mesh_);
+        sizes = tubeless_front_sizes(std::move(sizes), mesh_);
       }
       if (!fits(curve, sizes)) {
         return std::nullopt;
@@ -95,7 +95,7 @@ private:
   [[nodiscard]] std::vector<Vec3> local(const std::vector<Vec3>& points) const {
     std::vector<Vec3> result;
     std::ranges::transform(points, std::back_inserter(result),
-                           [&](const Vec3& x) { return frame_.exact_local(x); });
+                           [&](const Vec3& x) { return frame_.exact_local_coordinates(x); });
     return result;
   }
 
@@ -120,14 +120,15 @@ private:
     const Vec3 d = frame_.axes * t;
     const Vec3 x = frame_.global(p) - most * frame_.a * d;
     std::optional<double> best;
-    for (const SurfaceHit& hit : find_hits(surface, x, d, 2.0 * most * frame_.a)) {
+    for (const SurfaceHit& hit :
+         intersect_line_with_surface(surface, x, d, 2.0 * most * frame_.a)) {
       const double along = hit.along / frame_.a - most;
       best = !best || std::abs(along) < std::abs(*best) ? along : *best;
     }
     return best;
   }
 
-  bool stands(const SolidFront& front, const TubeClearance& round) {
+  bool stands(const InteriorFront& front, const TubeClearance& round) {
     const double most = mesh_.tube ? most_lean : most_lean_free;
     for (const std::size_t end : {0U, 1U}) {
       if (!front.curve->closed() && round.end_inclination(end) > most) {
@@ -211,7 +212,7 @@ private:
     return true;
   }
 
-  const SolidHost& host_;
+  const SolidHostMesh& host_;
   const CrackFrame& frame_;
   const LocatedSolidCrack& request_;
   base::Diagnostics& diagnostics_;
@@ -220,7 +221,7 @@ private:
 
 } // namespace
 
-std::optional<PatchSolidCrack> place_tubes(const SolidHost& host, const CrackFrame& frame,
+std::optional<PatchSolidCrack> place_tubes(const SolidHostMesh& host, const CrackFrame& frame,
                                            const LocatedSolidCrack& request,
                                            std::span<const LocatedSolidCrack> all,
                                            base::Diagnostics& diagnostics) {

@@ -9,7 +9,7 @@
 namespace spricka::mesh {
 
 /// The crack with its tubes in a frame; empty, with an error, where a tube does not fit.
-std::optional<PatchSolidCrack> place_tubes(const SolidHost& host, const CrackFrame& frame,
+std::optional<PatchSolidCrack> place_tubes(const SolidHostMesh& host, const CrackFrame& frame,
                                            const LocatedSolidCrack& request,
                                            std::span<const LocatedSolidCrack> all,
                                            base::Diagnostics& diagnostics);

@@ -67,7 +67,7 @@ double PlanePolygons::area() const {
   return sum;
 }
 
-double PlanePolygons::outline_distance(const Vec2& q) const {
+double PlanePolygons::distance_to_outlines(const Vec2& q) const {
   double least = std::numeric_limits<double>::max();
   for (const std::vector<Vec2>& outline : outlines_) {
     least = std::min(least, geometry::distance_to_outline(q, outline));
@@ -77,7 +77,7 @@ double PlanePolygons::outline_distance(const Vec2& q) const {
 
 double PlanePolygons::distance(const Vec3& x) const {
   const Vec2 q = plane_.project(x);
-  return std::hypot(plane_.height(x), contains(q) ? 0.0 : outline_distance(q));
+  return std::hypot(plane_.height(x), contains(q) ? 0.0 : distance_to_outlines(q));
 }
 
 std::vector<Vec3> PlanePolygons::intersect_triangle(const CornerPlaces& triangle) const {

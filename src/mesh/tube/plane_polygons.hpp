@@ -21,10 +21,10 @@ public:
   [[nodiscard]] double area() const; ///< without holes
   /// Of a place in space from the areas; of a place in the plane from their outlines.
   [[nodiscard]] double distance(const base::Vec3& x) const;
-  [[nodiscard]] double outline_distance(const base::Vec2& q) const;
+  [[nodiscard]] double distance_to_outlines(const base::Vec2& q) const;
   /// Whether a place of the plane lies within the areas, farther than `rim` from their outlines.
-  [[nodiscard]] bool well_within(const base::Vec2& q, double rim) const {
-    return contains(q) && outline_distance(q) > rim;
+  [[nodiscard]] bool is_well_within(const base::Vec2& q, double rim) const {
+    return contains(q) && distance_to_outlines(q) > rim;
   }
   /// Places along the line in which a triangle cuts the plane; empty: it does not.
   [[nodiscard]] std::vector<base::Vec3> intersect_triangle(const CornerPlaces& triangle) const;

@@ -61,7 +61,7 @@ void add_moments(base::ElementType type, std::span<const std::size_t> nodes,
 
 } // namespace
 
-Matrix tie_weights(std::span<const Vec3> nodes) {
+Matrix quadrilateral_tie_weights(std::span<const Vec3> nodes) {
   assert(nodes.size() == middle || nodes.size() == middle + 1);
   const base::ElementType type =
       nodes.size() == middle ? base::ElementType::quamc8 : base::ElementType::quamc9;

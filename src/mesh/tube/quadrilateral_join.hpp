@@ -15,6 +15,6 @@ namespace spricka::mesh {
 /// tetrahedra pass the patch test of a linear stress. Of all such weights those that differ least
 /// from the shape functions; of displacements that are quadratic these are exact, and stay so.
 /// `nodes`: corners in order, middles of the edges after them, and the middle (any unit of length).
-base::Matrix tie_weights(std::span<const base::Vec3> nodes);
+base::Matrix quadrilateral_tie_weights(std::span<const base::Vec3> nodes);
 
 } // namespace spricka::mesh

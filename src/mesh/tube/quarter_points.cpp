@@ -14,7 +14,7 @@ using base::Vec3;
 
 class QuarterMover {
 public:
-  QuarterMover(PatchNet& net, const std::set<int>& front,
+  QuarterMover(PatchMeshBuilder& net, const std::set<int>& front,
                const std::vector<std::pair<int, int>>& twins)
       : net_(net) {
     for (const auto& [upper, lower] : twins) {
@@ -94,7 +94,7 @@ private:
     }
     std::set<std::size_t> bad;
     for (const InvalidElement& element :
-         folded_elements(net_.nodes, net_.elements, {touched.begin(), touched.end()})) {
+         find_folded_elements(net_.nodes, net_.elements, {touched.begin(), touched.end()})) {
       bad.insert(element.element.index());
     }
     for (auto& [mid, edge] : edges_) {
@@ -106,15 +106,15 @@ private:
     return !bad.empty();
   }
 
-  PatchNet& net_;
+  PatchMeshBuilder& net_;
   std::map<int, int> upper_of_;           ///< of two nodes at one place
   std::map<int, QuarterPointEdge> edges_; ///< [mid node, the upper one of two]
 };
 
 } // namespace
 
-QuarterPointCounts move_to_quarters(PatchNet& net, const std::set<int>& front,
-                                    const std::vector<std::pair<int, int>>& twins) {
+QuarterPointCounts move_mid_nodes_to_quarters(PatchMeshBuilder& net, const std::set<int>& front,
+                                              const std::vector<std::pair<int, int>>& twins) {
   return QuarterMover(net, front, twins).move();
 }
 

@@ -16,7 +16,7 @@ struct QuarterPointCounts {
 /// Moves the mid nodes of the edges of tetrahedra that leave free fronts to a quarter of their way,
 /// on edges that are curved along these. Nodes that lie on one another on the two faces of a crack
 /// (`twins`) stay so.
-QuarterPointCounts move_to_quarters(PatchNet& net, const std::set<int>& front,
-                                    const std::vector<std::pair<int, int>>& twins);
+QuarterPointCounts move_mid_nodes_to_quarters(PatchMeshBuilder& net, const std::set<int>& front,
+                                              const std::vector<std::pair<int, int>>& twins);
 
 } // namespace spricka::mesh

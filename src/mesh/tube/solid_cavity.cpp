@@ -24,7 +24,8 @@ constexpr double clear_of_faces = 0.5;
 
 class Digger {
 public:
-  Digger(const SolidHost& host, const CrackFrame& frame, std::span<const CrackDistanceField> cracks)
+  Digger(const SolidHostMesh& host, const CrackFrame& frame,
+         std::span<const CrackDistanceField> cracks)
       : host_(host), mesh_(host.mesh()), frame_(frame), cracks_(cracks),
         in_(mesh_.element_count(), false) {}
 
@@ -52,8 +53,8 @@ private:
   using EdgeKey = std::pair<NodeId, NodeId>;
 
   [[nodiscard]] bool wanted(ElementId e) const {
-    const SolidHost::ElementExtent& extent = host_.extent(e);
-    const Vec3 middle = frame_.rounded_local(extent.middle);
+    const SolidHostMesh::ElementExtent& extent = host_.extent(e);
+    const Vec3 middle = frame_.rounded_local_coordinates(extent.middle);
     const double radius = extent.radius / frame_.a;
     const double edge = extent.edge / frame_.a;
     return std::ranges::any_of(cracks_, [&](const CrackDistanceField& crack) {
@@ -64,12 +65,13 @@ private:
       }
       const CrackDistanceField::CrackDistances d = crack.distance(middle);
       if (d.front < radius + clear_of_tube * d.radius + same ||
-          d.surface < radius + clear_of_faces * graded_size(d) + same) {
+          d.surface < radius + clear_of_faces * size_at_front_distance(d) + same) {
         return true;
       }
       double nearest = d.front;
       for (const NodeId n : mesh_.element_nodes(e)) {
-        nearest = std::min(nearest, crack.distance(frame_.rounded_local(mesh_.x[n.index()])).front);
+        nearest = std::min(
+            nearest, crack.distance(frame_.rounded_local_coordinates(mesh_.x[n.index()])).front);
       }
       return edge > nearest + d.radius + same;
     });
@@ -215,7 +217,7 @@ private:
     return result;
   }
 
-  const SolidHost& host_;
+  const SolidHostMesh& host_;
   const model::Mesh& mesh_;
   const CrackFrame& frame_;
   std::span<const CrackDistanceField> cracks_;
@@ -229,14 +231,15 @@ private:
 
 } // namespace
 
-SolidCavity find_solid_cavity(const SolidHost& host, const CrackFrame& frame,
+SolidCavity find_solid_cavity(const SolidHostMesh& host, const CrackFrame& frame,
                               std::span<const CrackDistanceField> cracks,
                               std::span<const ElementId> seeds) {
   return Digger(host, frame, cracks).build_cavities(seeds);
 }
 
-std::vector<SplitSet> split_sets(const SolidHost& host, const SolidCavity& cavity) {
-  std::vector<SplitSet> found;
+std::vector<SetCutByCavity> find_sets_cut_by_cavity(const SolidHostMesh& host,
+                                                    const SolidCavity& cavity) {
+  std::vector<SetCutByCavity> found;
   for (std::size_t s = 0; s < host.mesh().element_sets.size(); ++s) {
     const model::ElementSet& set = host.mesh().element_sets[s];
     const std::vector<bool> has = model::mark_members(host.mesh().element_count(), set.elements);

@@ -26,18 +26,19 @@ struct SolidCavity {
 /// would have them: an edge longer than the tube's radius and the distance from it. What hangs
 /// together by faces with the elements at `seeds`, and as many more that every edge and node of the
 /// cavity's surface has one sheet of it.
-SolidCavity find_solid_cavity(const SolidHost& host, const CrackFrame& frame,
+SolidCavity find_solid_cavity(const SolidHostMesh& host, const CrackFrame& frame,
                               std::span<const CrackDistanceField> cracks,
                               std::span<const base::ElementId> seeds);
 
 /// An element set whose border runs through a cavity.
-struct SplitSet {
+struct SetCutByCavity {
   std::size_t index = 0; ///< of the mesh
   std::string name;
   base::Vec3 at = base::Vec3::Zero(); ///< on the border
 };
 
 /// Sets that have some of a cavity's elements and not others.
-std::vector<SplitSet> split_sets(const SolidHost& host, const SolidCavity& cavity);
+std::vector<SetCutByCavity> find_sets_cut_by_cavity(const SolidHostMesh& host,
+                                                    const SolidCavity& cavity);
 
 } // namespace spricka::mesh

@@ -12,13 +12,13 @@ namespace spricka::mesh {
 
 using base::Vec3;
 
-std::shared_ptr<const NonPlanarCrackSurface> surface_in_frame(const CrackFrame& frame,
-                                                              const SolidCrack& crack) {
+std::shared_ptr<const NonPlanarCrackSurface> crack_surface_in_frame(const CrackFrame& frame,
+                                                                    const SolidCrack& crack) {
   if (!crack.relief) {
     return nullptr;
   }
   return std::make_shared<const NonPlanarCrackSurface>(
-      crack.relief->transformed([&](const Vec3& x) { return frame.exact_local(x); },
+      crack.relief->transformed([&](const Vec3& x) { return frame.exact_local_coordinates(x); },
                                 [&](const Vec3& d) -> Vec3 { return frame.axes.transpose() * d; }));
 }
 

@@ -13,8 +13,8 @@ namespace spricka::mesh {
 CrackFrame make_crack_frame(const SolidCrack& crack);
 
 /// What a crack has made of its plane, in a frame; empty: it has not turned.
-std::shared_ptr<const NonPlanarCrackSurface> surface_in_frame(const CrackFrame& frame,
-                                                              const SolidCrack& crack);
+std::shared_ptr<const NonPlanarCrackSurface> crack_surface_in_frame(const CrackFrame& frame,
+                                                                    const SolidCrack& crack);
 
 /// A plane in space with coordinates, (u, v) of places on it, and what a crack has made of it.
 struct PlaneBasis {
@@ -30,12 +30,12 @@ struct PlaneBasis {
   }
   /// Along the normal, above the crack.
   [[nodiscard]] double height(const base::Vec3& p) const {
-    return relief ? -relief->height_above(p) : normal.dot(p - origin);
+    return relief ? -relief->crack_height_over_plane(p) : normal.dot(p - origin);
   }
   /// On the crack.
   [[nodiscard]] base::Vec3 lift_to_crack(const base::Vec2& q) const {
     const base::Vec3 p = origin + q.x() * u + q.y() * v;
-    return relief ? base::Vec3(p + relief->height_above(p) * normal) : p;
+    return relief ? base::Vec3(p + relief->crack_height_over_plane(p) * normal) : p;
   }
 };
 

@@ -44,7 +44,7 @@ std::vector<double> steps_along(const FrontCurve& curve, const std::array<double
 
 class Placer {
 public:
-  Placer(const SolidHost& host, LocatedSolidCrack& request, base::Diagnostics& diagnostics)
+  Placer(const SolidHostMesh& host, LocatedSolidCrack& request, base::Diagnostics& diagnostics)
       : host_(host), request_(request), crack_(*request.crack), diagnostics_(diagnostics),
         whole_(crack_.front, crack_.normals_at(crack_.front), crack_.closed) {}
 
@@ -64,15 +64,15 @@ public:
                   "NORMAL, or the way from X0 to X1, is the normal of the crack's plane: a crack "
                   "that opens at a face stands across it");
     }
-    const InteriorFrontArcs arcs = arcs_inside(surface, whole_);
+    const InteriorFrontArcs arcs = find_interior_front_arcs(surface, whole_);
     if (arcs.trouble) {
       return fail(arcs.trouble.why, arcs.trouble.at);
     }
     for (const InteriorFrontArc& arc : arcs.arcs) {
       request_.fronts.push_back(front_of(arc));
     }
-    for (SolidFront& front : request_.fronts) {
-      if (!front.curve->closed() && !find_mouth(surface, front)) {
+    for (InteriorFront& front : request_.fronts) {
+      if (!front.curve->closed() && !find_crack_mouth(surface, front)) {
         return false;
       }
     }
@@ -100,7 +100,7 @@ private:
     for (int count = samples; count <= 100 * samples && !request_.seed.valid(); count *= 10) {
       for (int i = 0; i < count && !request_.seed.valid(); ++i) {
         const double s = (i + 0.5) / count * whole_.length();
-        request_.seed = host_.element_at(whole_.at(s).x, crack_.net).value_or(ElementId());
+        request_.seed = host_.find_element_at(whole_.at(s).x, crack_.net).value_or(ElementId());
       }
     }
     return request_.seed.valid();
@@ -112,7 +112,7 @@ private:
     constexpr double at_surface = 1e-3; // of the front: where bodies touch their meshes may overlap
     for (int i = 0; i < samples; ++i) {
       const Vec3 x = whole_.at((i + 0.5) / samples * whole_.length()).x;
-      const auto e = host_.element_at(x, crack_.net);
+      const auto e = host_.find_element_at(x, crack_.net);
       if (e && &host_.body_surface(*e) != &host_.body_surface(request_.seed) &&
           (surface.nearest_place(x).x - x).norm() > at_surface * whole_.length()) {
         return x;
@@ -142,7 +142,7 @@ private:
   }
 
   /// The curve of an arc on its own, through the same points.
-  [[nodiscard]] SolidFront front_of(const InteriorFrontArc& arc) const {
+  [[nodiscard]] InteriorFront front_of(const InteriorFrontArc& arc) const {
     if (arc.whole) {
       return {std::make_shared<const FrontCurve>(whole_), arc.place};
     }
@@ -159,13 +159,13 @@ private:
             arc.place};
   }
 
-  bool find_mouth(const SurfaceGeometry& surface, SolidFront& front) {
+  bool find_crack_mouth(const SurfaceGeometry& surface, InteriorFront& front) {
     const FrontFrame end = front.curve->at(front.curve->length());
     double least = std::numeric_limits<double>::max();
     SurfaceFailure trouble;
     for (std::size_t k = 0; k < request_.fronts.size(); ++k) {
-      const TraceResult traced = trace_plane(surface, reference_plane(crack_), front.end[1],
-                                             request_.fronts[k].end[0], -end.m);
+      const TraceResult traced = trace_crack_plane(surface, crack_reference_plane(crack_),
+                                                   front.end[1], request_.fronts[k].end[0], -end.m);
       trouble = traced.trouble ? traced.trouble : trouble;
       // The first front that it comes to.
       if (!traced.trouble && traced.trace.front().length() < least) {
@@ -195,7 +195,7 @@ private:
       for (; !done[k]; k = request_.fronts[k].next) {
         done[k] = true;
         area_[k] = request_.outlines.size() - 1;
-        const SolidFront& front = request_.fronts[k];
+        const InteriorFront& front = request_.fronts[k];
         const FrontCurve& curve = *front.curve;
         outline.push_back(curve.at(0.0).x);
         const double spacing = curve.length() / static_cast<double>(curve.points().size());
@@ -235,26 +235,26 @@ private:
     }
     if (std::ranges::find(kept, true) == kept.end()) {
       const SurfaceGeometry& surface = host_.body_surface(request_.seed).geometry();
-      return !host_.element_at(middle, crack_.net) &&
+      return !host_.find_element_at(middle, crack_.net) &&
              (surface.nearest_place(middle).x - middle).norm() > near;
     }
     if (std::ranges::find(kept, false) == kept.end()) {
       return true;
     }
-    std::vector<SolidFront> fronts;
+    std::vector<InteriorFront> fronts;
     std::vector<std::size_t> place(request_.fronts.size());
     for (std::size_t k = 0; k < request_.fronts.size(); ++k) {
-      SolidFront& front = request_.fronts[k];
+      InteriorFront& front = request_.fronts[k];
       const Vec3 middle = front.curve->at(0.5 * front.curve->length()).x;
       if (!kept[area_[k]]) {
         request_.left_out = middle;
         continue;
       }
-      request_.seed = host_.element_at(middle, crack_.net).value_or(request_.seed);
+      request_.seed = host_.find_element_at(middle, crack_.net).value_or(request_.seed);
       place[k] = fronts.size();
       fronts.push_back(std::move(front));
     }
-    for (SolidFront& front : fronts) {
+    for (InteriorFront& front : fronts) {
       front.next = place[front.next];
     }
     std::vector<std::vector<Vec3>> outlines;
@@ -269,10 +269,10 @@ private:
   }
 
   bool stays_in_part() {
-    for (const SolidFront& front : request_.fronts) {
+    for (const InteriorFront& front : request_.fronts) {
       for (int i = 0; i < samples; ++i) {
         const Vec3 x = front.curve->at((i + 0.5) / samples * front.curve->length()).x;
-        const auto e = host_.element_at(x, crack_.net);
+        const auto e = host_.find_element_at(x, crack_.net);
         if (e && host_.part_index(*e) != host_.part_index(request_.seed)) {
           diagnostics_.error(
               request_.span, "E424",
@@ -295,7 +295,7 @@ private:
     const SurfaceGeometry& surface = host_.body_surface(request_.seed).geometry();
     const double rim = 1e-2 * make_crack_frame(crack_).a; // a mouth lies on the surface
     const auto in_area = [&](const Vec3& x) {
-      return area.well_within(area.plane().project(x), rim);
+      return area.is_well_within(area.plane().project(x), rim);
     };
     // Flat triangles lie inside of a round surface, by more than the rim of a small crack.
     const auto truly_in_area = [&](const Vec3& x) {
@@ -336,17 +336,18 @@ private:
   /// The hole whose surface passes near a point of the crack's plane, if all of it lies within.
   bool add_hole(const PlanePolygons& area, const Vec3& at) {
     const SurfaceGeometry& surface = host_.body_surface(request_.seed).geometry();
-    const CrackReferencePlane plane = reference_plane(crack_);
+    const CrackReferencePlane plane = crack_reference_plane(crack_);
     SurfacePlace near = surface.nearest_place(at);
     const Vec3 towards = near.normal.cross(plane.normal);
-    const TraceResult first = trace_plane(surface, plane, near, near, towards);
+    const TraceResult first = trace_crack_plane(surface, plane, near, near, towards);
     if (first.trouble) {
       return false;
     }
     // Begun anew half way between two of its points, which lies on the plane and on no edge.
-    CrackHole hole{first.trace.front().at(0.5 * first.trace.front().arc_lengths()[1]), {}, {}};
+    BodyHoleInCrack hole{
+        first.trace.front().at(0.5 * first.trace.front().arc_lengths()[1]), {}, {}};
     hole.towards = hole.from.normal.cross(plane.normal);
-    const TraceResult all = trace_plane(surface, plane, hole.from, hole.from, hole.towards);
+    const TraceResult all = trace_crack_plane(surface, plane, hole.from, hole.from, hole.towards);
     if (all.trouble) {
       return false;
     }
@@ -364,7 +365,7 @@ private:
     return true;
   }
 
-  const SolidHost& host_;
+  const SolidHostMesh& host_;
   LocatedSolidCrack& request_;
   const SolidCrack& crack_;
   base::Diagnostics& diagnostics_;
@@ -378,13 +379,13 @@ std::string coordinate_text(const Vec3& x) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", x.x(), x.y(), x.z());
 }
 
-CrackReferencePlane reference_plane(const SolidCrack& crack) {
+CrackReferencePlane crack_reference_plane(const SolidCrack& crack) {
   const CrackFrame frame = make_crack_frame(crack);
   return {frame.origin, crack.normal, frame.a, frame.axes.col(0), crack.relief};
 }
 
-bool locate_crack(const SolidHost& host, LocatedSolidCrack& request,
-                  base::Diagnostics& diagnostics) {
+bool locate_crack_in_host(const SolidHostMesh& host, LocatedSolidCrack& request,
+                          base::Diagnostics& diagnostics) {
   return Placer(host, request, diagnostics).place();
 }
 

@@ -18,7 +18,7 @@ std::string coordinate_text(const base::Vec3& x);
 
 /// A part of a crack's front that lies in the body, from surface to surface, or all of a closed
 /// one.
-struct SolidFront {
+struct InteriorFront {
   std::shared_ptr<const FrontCurve> curve; ///< its length from 0
   std::array<SurfacePlace, 2> end;         ///< of an open one: where the surface is
   /// The mouth that begins at its last end: points on the surface, from that end to the first end
@@ -29,7 +29,7 @@ struct SolidFront {
 };
 
 /// A hole of the body within a crack: a mouth that runs all round.
-struct CrackHole {
+struct BodyHoleInCrack {
   SurfacePlace from; ///< on the crack's plane
   base::Vec3 towards = base::Vec3::Zero();
   std::vector<base::Vec3> mouth; ///< closed, the first point not repeated
@@ -41,21 +41,21 @@ struct LocatedSolidCrack {
   const TubeMeshParameters* mesh = nullptr;
   base::SourceSpan span;
   base::ElementId seed{}; ///< the host's element that its front begins in
-  std::vector<SolidFront> fronts = {};
-  std::vector<CrackHole> holes = {};
+  std::vector<InteriorFront> fronts = {};
+  std::vector<BodyHoleInCrack> holes = {};
   /// What fronts and mouths enclose, as closed polygons; those of holes lie within others.
   std::vector<std::vector<base::Vec3>> outlines = {};
   /// A place of what a closed front encloses elsewhere, beyond a hole or a slot: not of the crack.
   std::optional<base::Vec3> left_out = {};
 
   /// Calls f(from, to) for one piece after another of its mouths, those of holes all round.
-  template <class F> void for_mouth_pieces(F&& f) const {
-    for (const SolidFront& front : fronts) {
+  template <class F> void for_each_mouth_segment(F&& f) const {
+    for (const InteriorFront& front : fronts) {
       for (std::size_t i = 1; i < front.mouth.size(); ++i) {
         f(front.mouth[i - 1], front.mouth[i]);
       }
     }
-    for (const CrackHole& hole : holes) {
+    for (const BodyHoleInCrack& hole : holes) {
       for (std::size_t i = 0; i < hole.mouth.size(); ++i) {
         f(hole.mouth[i], hole.mouth[(i + 1) % hole.mouth.size()]);
       }
@@ -63,10 +63,10 @@ struct LocatedSolidCrack {
   }
 };
 
-CrackReferencePlane reference_plane(const SolidCrack& crack);
+CrackReferencePlane crack_reference_plane(const SolidCrack& crack);
 
 /// Finds where a crack lies; false, with an error, where that is not in one part of the host.
-bool locate_crack(const SolidHost& host, LocatedSolidCrack& request,
-                  base::Diagnostics& diagnostics);
+bool locate_crack_in_host(const SolidHostMesh& host, LocatedSolidCrack& request,
+                          base::Diagnostics& diagnostics);
 
 } // namespace spricka::mesh

@@ -53,13 +53,14 @@ void add_triangles(const model::Mesh& mesh, const model::Face& face,
   }
 }
 
-SolidHost::SolidHost(const model::Mesh& mesh, SetUsage use) : HostMesh(mesh), use_(std::move(use)) {
+SolidHostMesh::SolidHostMesh(const model::Mesh& mesh, SetUsage use)
+    : HostMesh(mesh), use_(std::move(use)) {
   find_parts();
   find_skins();
   find_extents();
 }
 
-void SolidHost::find_parts() {
+void SolidHostMesh::find_parts() {
   base::DisjointSets parts(mesh().element_count());
   for (std::size_t e = 0; e < mesh().element_count(); ++e) {
     for (int s = 0; s < base::element_info(mesh().type[e]).sides; ++s) {
@@ -78,7 +79,7 @@ void SolidHost::find_parts() {
   }
 }
 
-void SolidHost::find_skins() {
+void SolidHostMesh::find_skins() {
   surface_.resize(members_.size());
   for (std::size_t p = 0; p < members_.size(); ++p) {
     std::vector<CornerPlaces> triangles;
@@ -95,7 +96,7 @@ void SolidHost::find_skins() {
   }
 }
 
-const BodySurface& SolidHost::body_surface(ElementId e) const {
+const BodySurface& SolidHostMesh::body_surface(ElementId e) const {
   if (!surface_[part_index(e)]) {
     // All parts of the body.
     std::vector<bool> has(members_.size(), false);
@@ -123,7 +124,7 @@ const BodySurface& SolidHost::body_surface(ElementId e) const {
   return *surface_[part_index(e)];
 }
 
-void SolidHost::find_extents() {
+void SolidHostMesh::find_extents() {
   extent_.resize(mesh().element_count());
   for (std::size_t e = 0; e < mesh().element_count(); ++e) {
     const auto nodes = mesh().element_nodes(ElementId(e));
@@ -168,7 +169,7 @@ double distance_outside(const model::Mesh& mesh, ElementId e, const Vec3& x) {
   return element.distance_outside(r);
 }
 
-std::optional<ElementId> SolidHost::element_at(const Vec3& x, base::NetId net) const {
+std::optional<ElementId> SolidHostMesh::find_element_at(const Vec3& x, base::NetId net) const {
   constexpr double rim = 1e-9;
   std::optional<ElementId> best;
   double least = rim;
@@ -185,7 +186,7 @@ std::optional<ElementId> SolidHost::element_at(const Vec3& x, base::NetId net) c
   return best;
 }
 
-ElementId SolidHost::nearest_element(std::span<const ElementId> elements, const Vec3& x) const {
+ElementId SolidHostMesh::nearest_element(std::span<const ElementId> elements, const Vec3& x) const {
   constexpr double beyond = 1.1; // of curved elements
   ElementId best = elements.front();
   double least = std::numeric_limits<double>::max();

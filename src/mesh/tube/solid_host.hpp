@@ -16,10 +16,10 @@ namespace spricka::mesh {
 /// A mesh of solids with its neighbourhoods, for cuts: made once, good for any number of cracks.
 /// Elements that hang together by faces and have one property are a part; what a part ends at
 /// (surface of the body, other properties) is its skin.
-class SolidHost : public HostMesh {
+class SolidHostMesh : public HostMesh {
 public:
   /// By default all sets are used and none is held.
-  SolidHost(const model::Mesh& mesh, SetUsage use = {});
+  SolidHostMesh(const model::Mesh& mesh, SetUsage use = {});
 
   [[nodiscard]] const SetUsage& set_usage() const { return use_; }
   [[nodiscard]] std::size_t part_index(base::ElementId e) const { return part_[e.index()]; }
@@ -43,8 +43,8 @@ public:
   [[nodiscard]] const ElementExtent& extent(base::ElementId e) const { return extent_[e.index()]; }
 
   /// The element of a net (any: invalid) that a place lies in; empty outside of all.
-  [[nodiscard]] std::optional<base::ElementId> element_at(const base::Vec3& x,
-                                                          base::NetId net) const;
+  [[nodiscard]] std::optional<base::ElementId> find_element_at(const base::Vec3& x,
+                                                               base::NetId net) const;
 
   /// Of some elements the first that a place lies in, else the one it is least outside of, by that
   /// element's own coordinates.

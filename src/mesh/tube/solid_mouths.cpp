@@ -7,13 +7,14 @@ namespace spricka::mesh {
 
 using base::Vec3;
 
-bool find_mouths(const SolidHost& host, const CrackFrame& frame, const LocatedSolidCrack& request,
-                 PatchSolidCrack& crack, base::Diagnostics& diagnostics) {
+bool divide_crack_mouths(const SolidHostMesh& host, const CrackFrame& frame,
+                         const LocatedSolidCrack& request, PatchSolidCrack& crack,
+                         base::Diagnostics& diagnostics) {
   const SurfaceGeometry& surface = host.body_surface(request.seed).geometry();
   const auto size = [&](const Vec3& x) {
     return frame.a *
-           graded_size(crack.reach.distance(frame.rounded_local(x)),
-                       CrackDistanceField::usual_growth / crack.finer) /
+           size_at_front_distance(crack.reach.distance(frame.rounded_local_coordinates(x)),
+                                  CrackDistanceField::usual_growth / crack.finer) /
            crack.finer;
   };
   const auto corner = [&](std::size_t tube, std::size_t end) {
@@ -34,16 +35,16 @@ bool find_mouths(const SolidHost& host, const CrackFrame& frame, const LocatedSo
     }
     const std::size_t next = request.fronts[t].next;
     const Vec3 back = -(frame.axes * crack.tubes[t].stations.back().m);
-    const TraceResult traced =
-        trace_plane(surface, reference_plane(*request.crack), corner(t, 1), corner(next, 0), back);
+    const TraceResult traced = trace_crack_plane(surface, crack_reference_plane(*request.crack),
+                                                 corner(t, 1), corner(next, 0), back);
     if (traced.trouble) {
       return fail(traced.trouble);
     }
     crack.mouths.push_back({t, next, divide(traced.trace.front(), size)});
   }
-  for (const CrackHole& hole : request.holes) {
-    const TraceResult traced =
-        trace_plane(surface, reference_plane(*request.crack), hole.from, hole.from, hole.towards);
+  for (const BodyHoleInCrack& hole : request.holes) {
+    const TraceResult traced = trace_crack_plane(surface, crack_reference_plane(*request.crack),
+                                                 hole.from, hole.from, hole.towards);
     if (traced.trouble) {
       return fail(traced.trouble);
     }

@@ -7,7 +7,8 @@ namespace spricka::mesh {
 
 /// Divides the mouths of a crack between the ends of its tubes; false, with an error, where they
 /// cannot be followed.
-bool find_mouths(const SolidHost& host, const CrackFrame& frame, const LocatedSolidCrack& request,
-                 PatchSolidCrack& crack, base::Diagnostics& diagnostics);
+bool divide_crack_mouths(const SolidHostMesh& host, const CrackFrame& frame,
+                         const LocatedSolidCrack& request, PatchSolidCrack& crack,
+                         base::Diagnostics& diagnostics);
 
 } // namespace spricka::mesh

@@ -46,8 +46,9 @@ std::string free_text(const CavityCrackGroup& group, const Tube& tube) {
 
 } // namespace
 
-void report_moved_sets(const SolidHost& host, std::span<const LocatedSolidCrack> requests,
-                       const CavityCrackGroup& group, base::Diagnostics& diagnostics) {
+void warn_of_moved_set_borders(const SolidHostMesh& host,
+                               std::span<const LocatedSolidCrack> requests,
+                               const CavityCrackGroup& group, base::Diagnostics& diagnostics) {
   const LocatedSolidCrack& first = requests[group.members.front()];
   const auto name = [](const std::string& set) {
     return set.empty() ? std::string("a set") : "the set " + set;
@@ -61,7 +62,7 @@ void report_moved_sets(const SolidHost& host, std::span<const LocatedSolidCrack>
                     shift.by),
         "let the border keep off the end of the front, or give a smaller RADIUS on $TIPNET");
   }
-  for (const SplitSet& set : split_sets(host, group.cavity)) {
+  for (const SetCutByCavity& set : find_sets_cut_by_cavity(host, group.cavity)) {
     if (!SetUsage::is_used(host.set_usage().elements, set.index)) {
       continue;
     }
@@ -74,8 +75,8 @@ void report_moved_sets(const SolidHost& host, std::span<const LocatedSolidCrack>
   }
 }
 
-std::string group_title(std::span<const LocatedSolidCrack> requests,
-                        const CavityCrackGroup& group) {
+std::string crack_group_title(std::span<const LocatedSolidCrack> requests,
+                              const CavityCrackGroup& group) {
   std::string names;
   for (const std::size_t i : group.members) {
     names += (names.empty() ? "" : ", ") + requests[i].crack->display_name();
@@ -95,8 +96,8 @@ std::string group_title(std::span<const LocatedSolidCrack> requests,
   return names;
 }
 
-std::string front_note(const LocatedSolidCrack& request, const CavityCrackGroup& group,
-                       std::pair<std::size_t, std::size_t> at, const CrackFront& front) {
+std::string front_mesh_note(const LocatedSolidCrack& request, const CavityCrackGroup& group,
+                            std::pair<std::size_t, std::size_t> at, const CrackFront& front) {
   const Tube& tube = group.cracks[at.first].tubes[at.second];
   const double widest = group.frame.a * *std::ranges::max_element(tube.radius);
   const std::string elements =

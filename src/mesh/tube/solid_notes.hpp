@@ -23,14 +23,16 @@ struct CavityCrackGroup {
 };
 
 /// Warns (W425) of sets whose borders a patch moves.
-void report_moved_sets(const SolidHost& host, std::span<const LocatedSolidCrack> requests,
-                       const CavityCrackGroup& group, base::Diagnostics& diagnostics);
+void warn_of_moved_set_borders(const SolidHostMesh& host,
+                               std::span<const LocatedSolidCrack> requests,
+                               const CavityCrackGroup& group, base::Diagnostics& diagnostics);
 
 /// The cracks of a group by their names, with their tubes.
-std::string group_title(std::span<const LocatedSolidCrack> requests, const CavityCrackGroup& group);
+std::string crack_group_title(std::span<const LocatedSolidCrack> requests,
+                              const CavityCrackGroup& group);
 
 /// What was chosen for a front; `at`: its crack in the group and its tube.
-std::string front_note(const LocatedSolidCrack& request, const CavityCrackGroup& group,
-                       std::pair<std::size_t, std::size_t> at, const CrackFront& front);
+std::string front_mesh_note(const LocatedSolidCrack& request, const CavityCrackGroup& group,
+                            std::pair<std::size_t, std::size_t> at, const CrackFront& front);
 
 } // namespace spricka::mesh

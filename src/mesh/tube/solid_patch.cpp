@@ -24,7 +24,7 @@ using base::Vec3;
 
 class PatchBuilder {
 public:
-  PatchBuilder(const SolidHost& host, const CrackFrame& frame,
+  PatchBuilder(const SolidHostMesh& host, const CrackFrame& frame,
                std::span<const PatchSolidCrack> cracks, const SolidCavity& cavity,
                SurfaceTreatment request)
       : host_(host), frame_(frame), cracks_(cracks), cavity_(cavity), request_(request),
@@ -45,10 +45,10 @@ public:
     if (patch_.trouble.empty()) {
       promote();
       move_quarters();
-      choose_edge_ends(net_.elements, patch_.edges);
+      choose_held_edge_ends(net_.elements, patch_.edges);
       look_at_elements();
     }
-    net_.move_into(patch_);
+    net_.move_into_patch(patch_);
     return std::move(patch_);
   }
 
@@ -68,7 +68,8 @@ private:
         std::ranges::copy_if(faces, std::back_inserter(free), &CavityFace::free);
         std::erase_if(faces, [](const CavityFace& face) { return face.free; });
       }
-      std::vector<PatchTriangle> shell = cavity_shell(host_, removed, faces, net_, patch_.faces);
+      std::vector<PatchTriangle> shell =
+          triangulate_cavity_shell(host_, removed, faces, net_, patch_.faces);
       if (open[s]) {
         joined.insert(joined.end(), shell.begin(), shell.end());
       } else {
@@ -83,7 +84,7 @@ private:
     mouths_.resize(cracks_.size());
     holes_.resize(cracks_.size());
     if (!free.empty()) {
-      MouthSurface surface =
+      RemeshedMouthSurface surface =
           mesh_mouth_surface({host_.body_surface(cavity_.elements.front()), frame_, cracks_, tubes_,
                               std::move(free), request_.borders},
                              net_, lower_, patch_.faces);
@@ -187,12 +188,13 @@ private:
     }
     std::vector<PatchTriangle>& faces = faces_.emplace_back();
     for (const std::vector<int>& loop : loops_of(c)) {
-      CrackTriangulation surface = mesh_crack(crack.reach, with_holes(c, loop), crack.finer, net_);
+      CrackTriangulation surface =
+          triangulate_crack_area(crack.reach, with_holes(c, loop), crack.finer, net_);
       if (!surface.trouble.empty()) {
         patch_.trouble = "its faces: " + surface.trouble;
         return;
       }
-      divide_chords(crack.reach.plane(), free_, net_, surface);
+      divide_front_chord_edges(crack.reach.plane(), free_, net_, surface);
       for (const int n : surface.nodes) {
         if (!lower_.contains(n) && !free_.contains(n)) {
           lower_[n] = net_.duplicate_node(n);
@@ -271,10 +273,11 @@ private:
     for (const auto& faces : faces_) {
       region.embedded.push_back(points(faces));
     }
-    const TetrahedronFill filling = fill_tetrahedra(region, solid_sizes(cracks_, rims_, net_));
+    const TetrahedronFill filling =
+        fill_tetrahedra(region, solid_patch_grading(cracks_, rims_, net_));
     patch_.trouble = filling.trouble;
     for (const Vec3& p : filling.added) {
-      node.push_back(net_.new_node_at(p));
+      node.push_back(net_.add_node_at_local_position(p));
     }
     for (const std::array<int, 4>& t : filling.cells) {
       std::array<int, 4> corners{};
@@ -289,7 +292,7 @@ private:
     for (const auto& faces : faces_) {
       all.insert(all.end(), faces.begin(), faces.end());
     }
-    const OpenedFill split = split_fill(net_, all, lower_, tetrahedra_);
+    const OpenedFill split = open_crack_in_fill(net_, all, lower_, tetrahedra_);
     patch_.trouble = split.trouble;
     const std::size_t first = net_.elements.size();
     std::size_t k = 0;
@@ -332,11 +335,11 @@ private:
     for (const SolidPatch::OpenedPatchCrack& crack : patch_.cracks) {
       twins.insert(twins.end(), crack.twins.begin(), crack.twins.end());
     }
-    patch_.quarters = move_to_quarters(net_, quarter_, twins);
+    patch_.quarters = move_mid_nodes_to_quarters(net_, quarter_, twins);
   }
 
   void look_at_elements() {
-    const std::vector<InvalidElement> folded = folded_elements(net_.nodes, net_.elements);
+    const std::vector<InvalidElement> folded = find_folded_elements(net_.nodes, net_.elements);
     if (!folded.empty()) {
       patch_.folded = true;
       std::set<NodeId> of_host;
@@ -347,7 +350,7 @@ private:
       }
       of_host.erase(NodeId());
       patch_.folded_at.assign(of_host.begin(), of_host.end());
-      const InvalidElement& worst = worst_element(folded);
+      const InvalidElement& worst = most_folded_element(folded);
       patch_.trouble =
           fmt::format("{} elements are folded, a {} at {}", folded.size(),
                       base::element_info(net_.elements[worst.element.index()].type).name,
@@ -355,12 +358,12 @@ private:
     }
   }
 
-  const SolidHost& host_;
+  const SolidHostMesh& host_;
   const CrackFrame& frame_;
   std::span<const PatchSolidCrack> cracks_;
   const SolidCavity& cavity_;
   SurfaceTreatment request_;
-  PatchNet net_;
+  PatchMeshBuilder net_;
   SolidPatch patch_;
   std::vector<std::vector<PatchTriangle>> shells_;    ///< closed, the outermost first
   std::vector<std::vector<PatchTriangle>> rims_;      ///< of them, what the host gives
@@ -376,7 +379,7 @@ private:
 
 } // namespace
 
-SolidPatch mesh_solid_cavity(const SolidHost& host, const CrackFrame& frame,
+SolidPatch mesh_solid_cavity(const SolidHostMesh& host, const CrackFrame& frame,
                              std::span<const PatchSolidCrack> cracks, const SolidCavity& cavity,
                              SurfaceTreatment request) {
   return PatchBuilder(host, frame, cracks, cavity, request).build();

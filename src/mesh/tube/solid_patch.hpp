@@ -36,12 +36,13 @@ struct SolidPatch : Patch {
 
 /// How the surface of the body is treated.
 struct SurfaceTreatment {
-  KeptBorders borders = KeptBorders::all; ///< of which sets are kept; others go where triangles end
-  bool renew = false; ///< the cavity's part of it is meshed anew where no tube ends, too
+  KeptSetBorders borders =
+      KeptSetBorders::all; ///< of which sets are kept; others go where triangles end
+  bool renew = false;      ///< the cavity's part of it is meshed anew where no tube ends, too
 };
 
 /// Meshes a cavity round its cracks: tubes along their fronts, graded tetrahedra in the rest.
-SolidPatch mesh_solid_cavity(const SolidHost& host, const CrackFrame& frame,
+SolidPatch mesh_solid_cavity(const SolidHostMesh& host, const CrackFrame& frame,
                              std::span<const PatchSolidCrack> cracks, const SolidCavity& cavity,
                              SurfaceTreatment request);
 

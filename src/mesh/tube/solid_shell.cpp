@@ -17,8 +17,8 @@ using Corners = std::array<int, 4>;
 
 /// Whether of a quadrilateral, anticlockwise seen from the fill, the diagonal from corner 0 to 2
 /// bulges towards the fill (or the four lie in a plane), not that from 1 to 3.
-bool first_bulges(const PatchNet& net, const Corners& q) {
-  return net.six_volumes(q[0], q[1], q[2], q[3]) <= 0.0;
+bool first_bulges(const PatchMeshBuilder& net, const Corners& q) {
+  return net.six_times_volume(q[0], q[1], q[2], q[3]) <= 0.0;
 }
 
 std::array<PatchTriangle, 2> halves(const Corners& q, bool first) {
@@ -44,12 +44,12 @@ PatchTie middle_of(const Corners& corner, const std::array<int, 4>& mid) {
 }
 
 /// Makes the slave of a tie in its place; the tie stays if it is to hold.
-int slave_of(PatchNet& net, PatchTie tie, bool holds) {
+int slave_of(PatchMeshBuilder& net, PatchTie tie, bool holds) {
   Vec3 x = Vec3::Zero();
   for (std::size_t i = 0; i < tie.master.size(); ++i) {
     x += tie.weight[i] * net.position(tie.master[i]);
   }
-  tie.slave = net.new_node(x);
+  tie.slave = net.add_node_at_position(x);
   const int node = tie.slave;
   if (holds) {
     net.ties.push_back(std::move(tie));
@@ -59,10 +59,10 @@ int slave_of(PatchNet& net, PatchTie tie, bool holds) {
 
 /// Makes the nodes inside a quadrilateral (corners, middles, and the middle where it has one) that
 /// four triangles round it share with it, tied so that linear stresses pass. Returns its middle.
-int tie_inside(PatchNet& net, const std::vector<int>& nodes) {
+int tie_inside(PatchMeshBuilder& net, const std::vector<int>& nodes) {
   std::vector<Vec3> places;
   std::ranges::transform(nodes, std::back_inserter(places), [&](int n) { return net.position(n); });
-  const base::Matrix weights = tie_weights(places);
+  const base::Matrix weights = quadrilateral_tie_weights(places);
   Eigen::Index row = 0;
   const auto next = [&] {
     const base::Vector w = weights.row(row++).transpose();
@@ -81,14 +81,14 @@ std::vector<PatchTriangle> fan(const Corners& q, int middle) {
 
 class Sheller {
 public:
-  Sheller(const SolidHost& host, const std::vector<bool>& removed, PatchNet& net)
+  Sheller(const SolidHostMesh& host, const std::vector<bool>& removed, PatchMeshBuilder& net)
       : host_(host), mesh_(host.mesh()), removed_(removed), net_(net) {}
 
   std::vector<PatchTriangle> triangles_of(const CavityFace& face) {
     const FaceNodes nodes = face_nodes(mesh_, face.face);
     std::vector<int> corner;
     for (std::size_t i = 0; i < nodes.corners; ++i) {
-      corner.push_back(net_.host_node(nodes.all[i]));
+      corner.push_back(net_.find_or_add_host_node(nodes.all[i]));
     }
     std::vector<int> mid;
     for (std::size_t i = 0; i < nodes.corners; ++i) {
@@ -102,7 +102,7 @@ public:
       std::vector<int> all = corner;
       all.insert(all.end(), mid.begin(), mid.end());
       if (nodes.centre_node().valid()) {
-        all.push_back(net_.host_node(nodes.centre_node()));
+        all.push_back(net_.find_or_add_host_node(nodes.centre_node()));
       }
       return fan(q, tie_inside(net_, all));
     }
@@ -118,13 +118,13 @@ private:
   /// The node in the middle of the edge from corner i to the next.
   int middle(const FaceNodes& nodes, std::size_t i) {
     const auto [a, b] = nodes.edge(i);
-    const int na = net_.host_node(a);
-    const int nb = net_.host_node(b);
-    if (const auto known = net_.known_mid_node(na, nb)) {
+    const int na = net_.find_or_add_host_node(a);
+    const int nb = net_.find_or_add_host_node(b);
+    if (const auto known = net_.find_mid_node(na, nb)) {
       return *known;
     }
     const int node = nodes.mid_node(i).valid()
-                         ? net_.host_node(nodes.mid_node(i))
+                         ? net_.find_or_add_host_node(nodes.mid_node(i))
                          : slave_of(net_, {0, {na, nb}, {0.5, 0.5}}, stays(a, b));
     net_.set_mid_node(na, nb, node);
     return node;
@@ -133,7 +133,7 @@ private:
   int centre(const FaceNodes& nodes, bool free, const Corners& corner,
              const std::vector<int>& mid) {
     if (nodes.centre_node().valid()) {
-      return net_.host_node(nodes.centre_node());
+      return net_.find_or_add_host_node(nodes.centre_node());
     }
     if (nodes.mid_node(0).valid()) {
       return slave_of(net_, middle_of(corner, {mid[0], mid[1], mid[2], mid[3]}), false);
@@ -149,23 +149,25 @@ private:
     });
   }
 
-  const SolidHost& host_;
+  const SolidHostMesh& host_;
   const model::Mesh& mesh_;
   const std::vector<bool>& removed_;
-  PatchNet& net_;
+  PatchMeshBuilder& net_;
 };
 
 } // namespace
 
-std::vector<PatchTriangle> cavity_shell(const SolidHost& host, const std::vector<bool>& removed,
-                                        const std::vector<CavityFace>& faces, PatchNet& net,
-                                        std::vector<FacePieces>& pieces) {
+std::vector<PatchTriangle> triangulate_cavity_shell(const SolidHostMesh& host,
+                                                    const std::vector<bool>& removed,
+                                                    const std::vector<CavityFace>& faces,
+                                                    PatchMeshBuilder& net,
+                                                    std::vector<HostFaceReplacement>& pieces) {
   Sheller sheller(host, removed, net);
   std::vector<PatchTriangle> shell;
   for (const CavityFace& face : faces) {
     const std::vector<PatchTriangle> triangles = sheller.triangles_of(face);
     shell.insert(shell.end(), triangles.begin(), triangles.end());
-    FacePieces& own = pieces.emplace_back(face.face, std::vector<std::vector<int>>());
+    HostFaceReplacement& own = pieces.emplace_back(face.face, std::vector<std::vector<int>>());
     for (const PatchTriangle& t : triangles) {
       own.second.emplace_back(t.begin(), t.end());
     }
@@ -173,10 +175,11 @@ std::vector<PatchTriangle> cavity_shell(const SolidHost& host, const std::vector
   return shell;
 }
 
-std::vector<int> add_tube(const Tube& tube, PatchNet& net, std::vector<PatchTriangle>& shell) {
+std::vector<int> add_tube(const Tube& tube, PatchMeshBuilder& net,
+                          std::vector<PatchTriangle>& shell) {
   std::vector<int> node;
   for (const Vec3& place : tube.x) {
-    node.push_back(net.new_node_at(place));
+    node.push_back(net.add_node_at_local_position(place));
   }
   const auto at = [&](int n) { return node[static_cast<std::size_t>(n)]; };
   for (const Tube::TubeElement& element : tube.elements) {

@@ -14,12 +14,15 @@ namespace spricka::mesh {
 /// (else a flat tetrahedron might lie on it); the node in the middle of the diagonal is that of the
 /// face, or has its place: tied to the face where a linear element stays behind it. Middles of the
 /// edges of linear elements that stay are tied to these.
-std::vector<PatchTriangle> cavity_shell(const SolidHost& host, const std::vector<bool>& removed,
-                                        const std::vector<CavityFace>& faces, PatchNet& net,
-                                        std::vector<FacePieces>& pieces);
+std::vector<PatchTriangle> triangulate_cavity_shell(const SolidHostMesh& host,
+                                                    const std::vector<bool>& removed,
+                                                    const std::vector<CavityFace>& faces,
+                                                    PatchMeshBuilder& net,
+                                                    std::vector<HostFaceReplacement>& pieces);
 
 /// Puts a tube into a patch: returns its nodes there; its outside is added to `shell`, two
 /// triangles for each quadrilateral, the middle of the diagonal tied. A free front has none.
-std::vector<int> add_tube(const Tube& tube, PatchNet& net, std::vector<PatchTriangle>& shell);
+std::vector<int> add_tube(const Tube& tube, PatchMeshBuilder& net,
+                          std::vector<PatchTriangle>& shell);
 
 } // namespace spricka::mesh

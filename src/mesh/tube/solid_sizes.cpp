@@ -14,14 +14,16 @@ constexpr double growth_at_rim = 0.5;
 
 } // namespace
 
-SolidGrading solid_sizes(std::span<const PatchSolidCrack> cracks,
-                         const std::vector<std::vector<PatchTriangle>>& rims, const PatchNet& net) {
+SolidGrading solid_patch_grading(std::span<const PatchSolidCrack> cracks,
+                                 const std::vector<std::vector<PatchTriangle>>& rims,
+                                 const PatchMeshBuilder& net) {
   SolidGrading size;
   for (const PatchSolidCrack& crack : cracks) {
     for (const Tube& tube : crack.tubes) {
       for (std::size_t i = 0; i < tube.stations.size(); ++i) {
-        size.add_source({rounded(tube.stations[i].x), rounded(tube.size_beside(i)) / crack.finer,
-                         CrackDistanceField::usual_growth / crack.finer, rounded(tube.radius[i])});
+        size.add_size_source(
+            {rounded(tube.stations[i].x), rounded(tube.fill_size_beside_tube(i)) / crack.finer,
+             CrackDistanceField::usual_growth / crack.finer, rounded(tube.radius[i])});
       }
     }
   }
@@ -36,7 +38,7 @@ SolidGrading solid_sizes(std::span<const PatchSolidCrack> cracks,
                            (net.local_position(t[0]) - net.local_position(t[2])).norm()) /
                           3.0;
       if (edge < 0.7 * own(middle)) {
-        size.add_source({middle, edge, growth_at_rim});
+        size.add_size_source({middle, edge, growth_at_rim});
       }
     }
   }

@@ -11,7 +11,8 @@ namespace spricka::mesh {
 
 /// Sizes of the tetrahedra of a patch: those of the fronts, growing with the distance, and of the
 /// faces of a finer host at its rim.
-SolidGrading solid_sizes(std::span<const PatchSolidCrack> cracks,
-                         const std::vector<std::vector<PatchTriangle>>& rims, const PatchNet& net);
+SolidGrading solid_patch_grading(std::span<const PatchSolidCrack> cracks,
+                                 const std::vector<std::vector<PatchTriangle>>& rims,
+                                 const PatchMeshBuilder& net);
 
 } // namespace spricka::mesh

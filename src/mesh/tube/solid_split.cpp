@@ -28,7 +28,7 @@ PatchTriangle corners_of(const Tetrahedron& t, std::size_t side) {
 
 class Splitter {
 public:
-  Splitter(const PatchNet& net, const std::vector<PatchTriangle>& crack,
+  Splitter(const PatchMeshBuilder& net, const std::vector<PatchTriangle>& crack,
            const std::unordered_map<int, int>& lower, std::vector<Tetrahedron>& tetrahedra)
       : net_(net), crack_(crack), lower_(lower), tetrahedra_(tetrahedra) {}
 
@@ -48,7 +48,7 @@ public:
 
 private:
   struct Sheet {
-    std::vector<FillSide> sides;
+    std::vector<FillTetrahedronSide> sides;
     bool crack = false;
   };
 
@@ -72,13 +72,13 @@ private:
     for (const PatchTriangle& triangle : crack_) {
       Sheet& sheet = sheets_[in_order(triangle)];
       sheet.crack = true;
-      FillSide upper;
-      FillSide lower;
+      FillTetrahedronSide upper;
+      FillTetrahedronSide lower;
       bool both = sheet.sides.size() == 2;
-      for (const FillSide& side : sheet.sides) {
+      for (const FillTetrahedronSide& side : sheet.sides) {
         const Tetrahedron& t = tetrahedra_[side.tetrahedron];
         const int apex = t[opposite[static_cast<std::size_t>(side.side)]];
-        (net_.six_volumes(triangle[0], triangle[1], triangle[2], apex) > 0.0 ? upper : lower) =
+        (net_.six_times_volume(triangle[0], triangle[1], triangle[2], apex) > 0.0 ? upper : lower) =
             side;
       }
       both = both && upper.tetrahedron != lower.tetrahedron;
@@ -112,7 +112,8 @@ private:
           continue;
         }
         const Sheet& sheet = sheets_.at(in_order(corners));
-        for (const FillSide& side : sheet.crack ? std::vector<FillSide>() : sheet.sides) {
+        for (const FillTetrahedronSide& side :
+             sheet.crack ? std::vector<FillTetrahedronSide>() : sheet.sides) {
           fan.join(i, number(side.tetrahedron));
         }
       }
@@ -132,7 +133,7 @@ private:
     }
   }
 
-  const PatchNet& net_;
+  const PatchMeshBuilder& net_;
   const std::vector<PatchTriangle>& crack_;
   const std::unordered_map<int, int>& lower_;
   std::vector<Tetrahedron>& tetrahedra_;
@@ -145,9 +146,9 @@ private:
 
 } // namespace
 
-OpenedFill split_fill(const PatchNet& net, const std::vector<PatchTriangle>& crack,
-                      const std::unordered_map<int, int>& lower,
-                      std::vector<Tetrahedron>& tetrahedra) {
+OpenedFill open_crack_in_fill(const PatchMeshBuilder& net, const std::vector<PatchTriangle>& crack,
+                              const std::unordered_map<int, int>& lower,
+                              std::vector<Tetrahedron>& tetrahedra) {
   return Splitter(net, crack, lower, tetrahedra).split();
 }
 

@@ -36,7 +36,7 @@ constexpr double in_one_plane = 1.0 - 1e-12;
 class TubeBuilder {
 public:
   TubeBuilder(const FrontCurve& curve, const TubeSizes& sizes, const TubeMeshParameters& given,
-              const AlongToSurface& to_surface)
+              const DistanceToSurface& to_surface)
       : curve_(curve), given_(given), to_surface_(to_surface) {
     tube_.closed = curve.closed();
     const std::vector<double> at = sizes.stations(curve.closed());
@@ -141,7 +141,7 @@ private:
     double sum = 0.0;
     for (const std::size_t end : {0U, 1U}) {
       const std::size_t at = end == 0 ? 0 : tube_.stations.size() - 1;
-      const double reach = shear_length(tube_.radius[at], most_sheared(end), curve_.length());
+      const double reach = shear_fade_length(tube_.radius[at], most_sheared(end), curve_.length());
       const double u = std::abs(s - tube_.stations[at].s) / reach;
       if (u < 1.0) {
         sum += (1.0 - u) * (1.0 - u) * (1.0 + 2.0 * u) * end_shift(end, j, l);
@@ -240,7 +240,7 @@ private:
 
   const FrontCurve& curve_;
   const TubeMeshParameters& given_;
-  const AlongToSurface& to_surface_;
+  const DistanceToSurface& to_surface_;
   Tube tube_;
   int segments_ = 0;
   std::vector<std::vector<double>> rings_; ///< [station]
@@ -254,7 +254,7 @@ private:
 } // namespace
 
 Tube make_tube(const FrontCurve& curve, const TubeSizes& sizes, const TubeMeshParameters& given,
-               const AlongToSurface& to_surface) {
+               const DistanceToSurface& to_surface) {
   assert(given.rings >= 1 && given.sectors >= 4);
   return TubeBuilder(curve, sizes, given, to_surface).build();
 }

@@ -59,18 +59,18 @@ struct Tube {
   std::optional<base::Vec3> off_surface; ///< a place of an end that finds no surface: no tube
 
   /// Of the fill's elements beside it.
-  [[nodiscard]] double size_beside(std::size_t station) const {
+  [[nodiscard]] double fill_size_beside_tube(std::size_t station) const {
     return free ? size[station] : radius[station];
   }
 };
 
 /// How far a place is from the surface along a direction; empty if it finds none.
-using AlongToSurface =
+using DistanceToSurface =
     std::function<std::optional<double>(const base::Vec3& place, const base::Vec3& along)>;
 
 /// The ends of an open tube are sheared along the front onto the surface; over three radii, or
 /// three times the shear if that is more, it fades (shear_reach).
 Tube make_tube(const FrontCurve& curve, const TubeSizes& sizes, const TubeMeshParameters& given,
-               const AlongToSurface& to_surface);
+               const DistanceToSurface& to_surface);
 
 } // namespace spricka::mesh

@@ -31,8 +31,8 @@ constexpr double end_part = 0.05;
 
 } // namespace
 
-TubeClearance::TubeClearance(const SolidHost& host, const LocatedSolidCrack& request,
-                             const SolidFront& front, std::span<const LocatedSolidCrack> all)
+TubeClearance::TubeClearance(const SolidHostMesh& host, const LocatedSolidCrack& request,
+                             const InteriorFront& front, std::span<const LocatedSolidCrack> all)
     : host_(host), request_(request), front_(front), area_(*request.crack, request.outlines) {
   for (const LocatedSolidCrack& other : all) {
     if (other.crack != request.crack) {
@@ -77,7 +77,7 @@ double TubeClearance::across_section(const FrontFrame& at) const {
   for (int k = 0; k < directions; ++k) {
     const double angle = 2.0 * std::numbers::pi * k / directions;
     const Vec3 d = std::cos(angle) * at.m + std::sin(angle) * at.b;
-    for (const SurfaceHit& hit : find_hits(surface, at.x, d, least)) {
+    for (const SurfaceHit& hit : intersect_line_with_surface(surface, at.x, d, least)) {
       // What the front's end lies far beside of is another surface, however near the end is.
       const bool other = !front_.curve->closed() && hit.along > same * surface.diagonal() &&
                          std::abs(hit.place.normal.dot(front_.end[first ? 0 : 1].x - hit.place.x)) >
@@ -106,7 +106,7 @@ double TubeClearance::crack_width(double s) const {
   }
   const Vec2 end = q + *along * back;
   bool at_mouth = false;
-  request_.for_mouth_pieces([&](const Vec3& from, const Vec3& to) {
+  request_.for_each_mouth_segment([&](const Vec3& from, const Vec3& to) {
     const double away = geometry::distance_to_segment(end, plane.project(from), plane.project(to));
     at_mouth = at_mouth || away < same * *along;
   });

@@ -13,8 +13,8 @@ namespace spricka::mesh {
 /// reaches behind it. Lengths are those of the deck.
 class TubeClearance {
 public:
-  TubeClearance(const SolidHost& host, const LocatedSolidCrack& request, const SolidFront& front,
-                std::span<const LocatedSolidCrack> all);
+  TubeClearance(const SolidHostMesh& host, const LocatedSolidCrack& request,
+                const InteriorFront& front, std::span<const LocatedSolidCrack> all);
 
   [[nodiscard]] double clearance(double s) const;
   /// Twice the distance to a mouth, where the crack ends there: a surface crack is as half of one
@@ -29,9 +29,9 @@ private:
   [[nodiscard]] double free_at(const FrontFrame& at) const;
   [[nodiscard]] double across_section(const FrontFrame& at) const;
 
-  const SolidHost& host_;
+  const SolidHostMesh& host_;
   const LocatedSolidCrack& request_;
-  const SolidFront& front_;
+  const InteriorFront& front_;
   PlanePolygons area_;
   std::vector<PlanePolygons> others_;
   std::vector<double> free_; ///< at equal steps

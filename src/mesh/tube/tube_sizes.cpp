@@ -65,14 +65,14 @@ double radius_by_shear(double lean, double from_end, double bend, double length)
   const double most = most_run_together - steepest_shear / fewest_radii * std::min(1.0, lean);
   const double radius = std::min(bend > 0.0 ? most / bend : std::numeric_limits<double>::max(),
                                  most_run_together / (bend + 2.0 * steepest_shear * lean / length));
-  return from_end < shear_length(radius, lean * radius, length)
+  return from_end < shear_fade_length(radius, lean * radius, length)
              ? radius
              : std::numeric_limits<double>::max();
 }
 
 } // namespace
 
-double shear_length(double radius, double sheared, double front_length) {
+double shear_fade_length(double radius, double sheared, double front_length) {
   return std::min(fewest_radii * std::max(radius, sheared), 0.5 * front_length);
 }
 

@@ -39,7 +39,7 @@ struct TubeSizeLimits {
 
 /// Length along the front over which the shear of an end fades, `sheared` at most; its steepest
 /// slope is 3/2 of the shear over it.
-double shear_length(double radius, double sheared, double front_length);
+double shear_fade_length(double radius, double sheared, double front_length);
 
 /// The sizes of section lengths: a tenth of the crack's width, half of the radius of curvature, 0.4
 /// of the room and half of what is straight for the radius; elements as long as 0.15 and 0.25 of

@@ -135,7 +135,7 @@ private:
                     const std::vector<analysis::SubstructuredBody>& bodies) {
     preview.nets = preview_nets(model_, scene);
     preview.quality = preview_quality(model_, scene);
-    preview.inside_out = mesh::bad_elements(scene.cracked.mesh).size();
+    preview.inside_out = mesh::find_invalid_elements(scene.cracked.mesh).size();
     preview.pairs = preview_pairs(scene);
     preview.bodies = analysis::rigid_mode_support(model_, scene, bodies);
     preview.loads = sense::load_totals(model_);

@@ -52,13 +52,13 @@ model::Model read_mesh(const std::filesystem::path& file, base::Diagnostics& dia
   request.net = base::NetId(std::size_t{0});
   if (extension(file) == ".inp") {
     const mesh::ImportedPhysics physics = mesh::import_inp(model.mesh, request, diagnostics);
-    mesh::append_physics(model, physics);
+    mesh::append_imported_physics(model, physics);
     if (!physics.equations.empty()) {
       model.unavailable.push_back({"*EQUATION", request.span});
     }
   } else {
     request.format = extension(file) == ".msh" ? mesh::ImportFormat::msh : mesh::ImportFormat::geo;
-    mesh::import_mesh(model.mesh, request, diagnostics);
+    mesh::import_gmsh_mesh(model.mesh, request, diagnostics);
   }
   return model;
 }

@@ -45,7 +45,7 @@ public:
         refuse(u.span, u.what);
       }
     }
-    for (const std::string& type : mesh::types_without_inp(model_.mesh)) {
+    for (const std::string& type : mesh::types_without_inp_name(model_.mesh)) {
       refuse({}, fmt::format("the element {}", type));
     }
     if (model_.steps.empty() || refusals_.has_errors()) {

@@ -38,7 +38,7 @@ TEST(FrontPitfalls, EachLipHasItsOwnPressure) {
   const test::SolvedScene solved = pressed();
   const model::Mesh& mesh = solved.scene().cracked.mesh;
   std::size_t on_mouth = 0;
-  for (const auto& [upper, lower] : solved.scene().cracked.faces[0].node_pairs()) {
+  for (const auto& [upper, lower] : solved.scene().cracked.faces[0].coincident_node_pairs()) {
     if (std::abs(mesh.x[upper.index()].z()) > 1e-9) {
       continue;
     }

@@ -161,8 +161,8 @@ Tube::Tube(const mesh::FrontCurve& curve, const TubeSpec& spec) {
       faces.right.push_back(node);
     }
   }
-  faces.left_sides = mesh::faces_within(mesh, faces.left);
-  faces.right_sides = mesh::faces_within(mesh, faces.right);
+  faces.left_sides = mesh::boundary_faces_with_all_nodes_in(mesh, faces.left);
+  faces.right_sides = mesh::boundary_faces_with_all_nodes_in(mesh, faces.right);
   cracked.faces = {faces};
   cracked.mesh = mesh;
 }

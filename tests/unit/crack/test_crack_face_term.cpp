@@ -55,7 +55,8 @@ struct Plate {
     std::vector<int> left_out;
     fields = around.extension_fields(cracked, cracked.fronts[1], {1, 2, 4}, left_out);
     for (const auto* crack_face : {&cracked.faces[0].left, &cracked.faces[0].right}) {
-      const std::vector<model::Face> own = mesh::faces_within(cracked.mesh, *crack_face);
+      const std::vector<model::Face> own =
+          mesh::boundary_faces_with_all_nodes_in(cracked.mesh, *crack_face);
       faces.insert(faces.end(), own.begin(), own.end());
     }
   }

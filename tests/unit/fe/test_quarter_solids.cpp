@@ -96,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(K01, QuarterSolids,
                          });
 
 TEST_P(QuarterSolids, are_accepted) {
-  const mesh::MeshFaults faults = mesh::mesh_faults(quarter_cube(GetParam()).mesh);
+  const mesh::MeshFaults faults = mesh::find_mesh_faults(quarter_cube(GetParam()).mesh);
   EXPECT_TRUE(faults.bad.empty());
   EXPECT_TRUE(faults.corners.empty());
 }

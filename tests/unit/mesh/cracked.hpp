@@ -133,7 +133,7 @@ inline void expect_conforming(const mesh::CrackedMesh& cracked) {
 /// nodes unmoved unless they are quarter points.
 inline void expect_sound(const model::Mesh& host, const mesh::CrackedMesh& cracked) {
   const model::Mesh& mesh = cracked.mesh;
-  EXPECT_TRUE(mesh::bad_elements(mesh).empty());
+  EXPECT_TRUE(mesh::find_invalid_elements(mesh).empty());
   expect_conforming(cracked);
   ASSERT_EQ(cracked.host.size(), mesh.element_count());
   EXPECT_NEAR(area(mesh), area(host), 1e-12 * area(host));

@@ -136,7 +136,7 @@ inline double flat_area(const model::Mesh& mesh, const std::vector<model::Face>&
 /// What must hold however a crack was cut.
 inline void expect_sound_solid(const model::Mesh& host, const mesh::CrackedMesh& cracked) {
   const model::Mesh& mesh = cracked.mesh;
-  const mesh::MeshFaults faults = mesh::mesh_faults(mesh);
+  const mesh::MeshFaults faults = mesh::find_mesh_faults(mesh);
   EXPECT_TRUE(faults.bad.empty()) << faults.bad.size();
   EXPECT_EQ(cracked.host.size(), mesh.element_count());
   for (std::size_t n = 0; n < host.node_count(); ++n) {
@@ -179,7 +179,7 @@ inline void expect_closed(const model::Mesh& host, const mesh::CrackedMesh& crac
   }
   EXPECT_NEAR(all.norm(), 0.0, 1e-9);
   std::size_t surface = 0;
-  for (const model::Face& side : mesh::outer_faces(mesh)) {
+  for (const model::Face& side : mesh::outer_surface_faces(mesh)) {
     surface += faces.contains(side) ? 0 : triangles_of(mesh, side);
   }
   std::size_t before = 0;
@@ -264,7 +264,7 @@ inline std::vector<model::Face> faces_on_skin(const model::Mesh& mesh,
                                               const std::vector<base::NodeId>& nodes) {
   const auto at = std::ranges::find(mesh.face_sets, "SKIN", &model::FaceSet::name);
   const std::set<model::Face> skin(at->faces.begin(), at->faces.end());
-  std::vector<model::Face> faces = mesh::faces_within(mesh, nodes);
+  std::vector<model::Face> faces = mesh::boundary_faces_with_all_nodes_in(mesh, nodes);
   std::erase_if(faces, [&](const model::Face& face) { return !skin.contains(face); });
   return faces;
 }

@@ -23,11 +23,12 @@ struct Areas {
 inline Areas areas_of(const SurfaceGeometry& surface, const SurfaceCut& cut) {
   Areas areas;
   for (const std::size_t f : cut.region.faces) {
-    areas.host[surface.smooth_piece(f)] += surface.face(f).area(9);
+    areas.host[surface.smooth_piece_index(f)] += surface.face(f).area(9);
   }
   for (const RemeshedTriangle& t : cut.made.triangles) {
     for (const auto& [r, weight] : shape::triangle_rule(6)) {
-      areas.made[surface.smooth_piece(t.face)] += weight * triangle_normal(cut.made, t, r).norm();
+      areas.made[surface.smooth_piece_index(t.face)] +=
+          weight * triangle_normal(cut.made, t, r).norm();
     }
   }
   for (const std::vector<int>& cap : cut.made.caps) {
@@ -38,9 +39,8 @@ inline Areas areas_of(const SurfaceGeometry& surface, const SurfaceCut& cut) {
     for (std::size_t i = 1; i + 1 < cap.size(); ++i) {
       sum += 0.5 * (x(i) - x(0)).cross(x(i + 1) - x(0));
     }
-    areas
-        .caps[surface.smooth_piece(cut.made.points[static_cast<std::size_t>(cap[0])].place.face)] +=
-        sum.norm();
+    areas.caps[surface.smooth_piece_index(
+        cut.made.points[static_cast<std::size_t>(cap[0])].place.face)] += sum.norm();
   }
   return areas;
 }
@@ -80,7 +80,7 @@ inline void expect_sound(const SurfaceGeometry& surface, const SurfaceCut& cut) 
       EXPECT_LT(std::abs(cut.region.plane.height(a.place.x)), 1e-9);
     }
   }
-  const RegionPatches patches(surface, cut.region.faces);
+  const SmoothSurfacePatches patches(surface, cut.region.faces);
   EXPECT_EQ(rim.size(), patches.rim_edges().size());
   for (const std::size_t e : patches.rim_edges()) {
     const SurfaceEdge& edge = surface.edges()[e];

@@ -59,7 +59,7 @@ inline std::vector<Vec3> cap_round(const mesh::SurfaceGeometry& surface,
 /// Faces nearer than their own size and the wanted one to a line.
 inline std::vector<std::size_t> faces_round(const mesh::SurfaceGeometry& surface,
                                             const std::vector<Vec3>& line,
-                                            const mesh::SizeAt& size) {
+                                            const mesh::SizeFunction& size) {
   std::vector<std::size_t> faces;
   for (std::size_t f = 0; f < surface.faces().size(); ++f) {
     const geometry::Box<3> box = surface.face(f).bounding_box();
@@ -82,7 +82,7 @@ inline SurfaceCut cut_surface(const mesh::SurfaceGeometry& surface, const Ellips
                               double radius, double growth = 0.5) {
   SurfaceCut cut;
   const mesh::FrontCurve front = front_of(crack);
-  const mesh::InteriorFrontArcs arcs = arcs_inside(surface, front);
+  const mesh::InteriorFrontArcs arcs = find_interior_front_arcs(surface, front);
   if (arcs.trouble) {
     cut.trouble = arcs.trouble.why;
     return cut;
@@ -112,8 +112,8 @@ inline SurfaceCut cut_surface(const mesh::SurfaceGeometry& surface, const Ellips
     mesh::TraceResult mouth;
     std::size_t reached = 0;
     for (std::size_t k = 0; k < arcs.arcs.size(); ++k) {
-      mesh::TraceResult traced = trace_plane(surface, region.plane, arc.place[1],
-                                             arcs.arcs[k].place[0], -front.at(arc.s[1]).m);
+      mesh::TraceResult traced = trace_crack_plane(surface, region.plane, arc.place[1],
+                                                   arcs.arcs[k].place[0], -front.at(arc.s[1]).m);
       if (k == 0 || (!traced.trouble && (mouth.trouble || traced.trace.front().length() <
                                                               mouth.trace.front().length()))) {
         mouth = std::move(traced);
@@ -134,8 +134,8 @@ inline SurfaceCut cut_surface(const mesh::SurfaceGeometry& surface, const Ellips
     region.caps.push_back(cap_round(surface, arc.place[1], a, crack.normal()));
     region.caps.push_back(cap_round(surface, next.place[0], b, crack.normal()));
     const Vec3 on = trace.at(0.31 * L).x - a;
-    const mesh::TraceResult traced =
-        trace_plane(surface, region.plane, surface.nearest_place(a), surface.nearest_place(b), on);
+    const mesh::TraceResult traced = trace_crack_plane(
+        surface, region.plane, surface.nearest_place(a), surface.nearest_place(b), on);
     if (traced.trouble) {
       cut.trouble = traced.trouble.why;
       return cut;

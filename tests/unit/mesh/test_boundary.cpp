@@ -23,7 +23,7 @@ model::Mesh block(int nx, int ny) {
 
 TEST(Boundary, BodyLiesOnTheLeft) {
   const model::Mesh mesh = block(3, 2);
-  const auto chains = mesh::build_chains(mesh, mesh::boundary_faces(mesh));
+  const auto chains = mesh::build_face_chains(mesh, mesh::boundary_faces(mesh));
   ASSERT_EQ(chains.size(), 1U);
   EXPECT_TRUE(chains[0].closed);
   double twice_area = 0.0;
@@ -40,7 +40,7 @@ TEST(Boundary, ConsecutiveFacesOfAChainShareANode) {
   const model::Mesh mesh = block(4, 3);
   const auto& set = test::faces(mesh, "XMAX").faces;
   const std::vector<model::Face> shuffled{set[2], set[0], set[1]};
-  const auto chains = mesh::build_chains(mesh, shuffled);
+  const auto chains = mesh::build_face_chains(mesh, shuffled);
   ASSERT_EQ(chains.size(), 1U);
   EXPECT_FALSE(chains[0].closed);
   ASSERT_EQ(chains[0].faces.size(), 3U);
@@ -53,7 +53,7 @@ TEST(Boundary, ConsecutiveFacesOfAChainShareANode) {
 TEST(Boundary, TwoPiecesAreTwoChains) {
   const model::Mesh mesh = block(4, 1);
   const auto& set = test::faces(mesh, "YMIN").faces;
-  EXPECT_EQ(mesh::build_chains(mesh, {set[0], set[1], set[3]}).size(), 2U);
+  EXPECT_EQ(mesh::build_face_chains(mesh, {set[0], set[1], set[3]}).size(), 2U);
 }
 
 TEST(Boundary, FacesWithinNeedAllTheirNodes) {
@@ -64,7 +64,7 @@ TEST(Boundary, FacesWithinNeedAllTheirNodes) {
       nodes.emplace_back(n);
     }
   }
-  const auto found = mesh::faces_within(mesh, nodes);
+  const auto found = mesh::boundary_faces_with_all_nodes_in(mesh, nodes);
   const auto& bottom = test::faces(mesh, "YMIN").faces;
   EXPECT_EQ(found, (std::vector<model::Face>{bottom[0], bottom[1]}));
   EXPECT_EQ(mesh::nodes_of_faces(mesh, found).size(), 5U);
@@ -99,7 +99,7 @@ struct Cube {
   /// The surface's area vector, which vanishes if it is closed.
   [[nodiscard]] base::Vec3 area() const {
     base::Vec3 sum = base::Vec3::Zero();
-    for (const model::Face& face : mesh::outer_faces(mesh)) {
+    for (const model::Face& face : mesh::outer_surface_faces(mesh)) {
       const auto nodes = test::nodes_of(mesh, face);
       for (std::size_t i = 0; i < nodes.size(); ++i) {
         sum += mesh.x[nodes[i].index()].cross(mesh.x[nodes[(i + 1) % nodes.size()].index()]);
@@ -114,12 +114,13 @@ struct Cube {
 // Two tetrahedra on top of a cube, with its upper corners: they meet its face at the diagonal.
 TEST(Boundary, OuterFacesLeaveOutQuadrilateralsThatTrianglesMeet) {
   Cube cube;
-  EXPECT_EQ(mesh::outer_faces(cube.mesh), mesh::boundary_faces(cube.mesh));
+  EXPECT_EQ(mesh::outer_surface_faces(cube.mesh), mesh::boundary_faces(cube.mesh));
   cube.add_tetrahedron({4, 5, 6, 8});
-  EXPECT_EQ(mesh::outer_faces(cube.mesh), mesh::boundary_faces(cube.mesh)); // half of it is free
+  EXPECT_EQ(mesh::outer_surface_faces(cube.mesh),
+            mesh::boundary_faces(cube.mesh)); // half of it is free
   cube.add_tetrahedron({4, 6, 7, 8});
   EXPECT_EQ(mesh::boundary_faces(cube.mesh).size(), 6U + 6U);
-  EXPECT_EQ(mesh::outer_faces(cube.mesh).size(), 5U + 4U);
+  EXPECT_EQ(mesh::outer_surface_faces(cube.mesh).size(), 5U + 4U);
   EXPECT_LT(cube.area().norm(), 1e-12);
 }
 
@@ -130,9 +131,10 @@ TEST(Boundary, OuterFacesLeaveOutQuadrilateralsThatFourTrianglesMeet) {
   cube.add_tetrahedron({4, 5, 9, 8});
   cube.add_tetrahedron({5, 6, 9, 8});
   cube.add_tetrahedron({6, 7, 9, 8});
-  EXPECT_EQ(mesh::outer_faces(cube.mesh), mesh::boundary_faces(cube.mesh)); // a quarter is free
+  EXPECT_EQ(mesh::outer_surface_faces(cube.mesh),
+            mesh::boundary_faces(cube.mesh)); // a quarter is free
   cube.add_tetrahedron({7, 4, 9, 8});
-  EXPECT_EQ(mesh::outer_faces(cube.mesh).size(), 5U + 4U);
+  EXPECT_EQ(mesh::outer_surface_faces(cube.mesh).size(), 5U + 4U);
   EXPECT_LT(cube.area().norm(), 1e-12);
 }
 

@@ -104,7 +104,7 @@ std::pair<std::size_t, std::size_t> quarter_points(const mesh::CrackedMesh& crac
 
 void expect_whole(const model::Mesh& host, const mesh::CrackedMesh& cracked, double area) {
   const model::Mesh& mesh = cracked.mesh;
-  EXPECT_TRUE(mesh::mesh_faults(mesh).bad.empty());
+  EXPECT_TRUE(mesh::find_mesh_faults(mesh).bad.empty());
   EXPECT_NEAR(test::area(mesh), test::area(host), 1e-9 * test::area(host));
   ASSERT_EQ(cracked.faces.size(), 1U);
   const mesh::CrackFaces& faces = cracked.faces[0];

@@ -28,7 +28,7 @@ void expect_sets_cover(const model::Mesh& mesh, const std::vector<std::string>& 
 }
 
 void expect_sound(const model::Mesh& mesh) {
-  EXPECT_TRUE(mesh::bad_elements(mesh).empty());
+  EXPECT_TRUE(mesh::find_invalid_elements(mesh).empty());
   std::set<base::Label> labels(mesh.node_label.begin(), mesh.node_label.end());
   EXPECT_EQ(labels.size(), mesh.node_count());
   EXPECT_EQ(*labels.begin(), 1);
@@ -99,7 +99,7 @@ TEST_P(Generate, ClosedRing) {
   for (const base::NodeId n : mesh::nodes_of_faces(mesh, test::faces(mesh, "INNER").faces)) {
     EXPECT_NEAR((mesh.x[n.index()] - base::Vec3(5, 0, 0)).norm(), 2.0, 1e-15 * 8);
   }
-  const auto rings = mesh::build_chains(mesh, mesh::boundary_faces(mesh));
+  const auto rings = mesh::build_face_chains(mesh, mesh::boundary_faces(mesh));
   ASSERT_EQ(rings.size(), 2U);
   EXPECT_TRUE(rings[0].closed && rings[1].closed);
   expect_sets_cover(mesh, {"INNER", "OUTER"});
@@ -141,7 +141,7 @@ TEST_P(Generate, Disc) {
         expect_sound(mesh);
         EXPECT_NEAR(test::area(mesh), sector_area(2.0, angle, nt, quadratic()), 1e-11);
         EXPECT_EQ(test::faces(mesh, "OUTER").faces.size(), static_cast<std::size_t>(nt));
-        EXPECT_EQ(mesh::build_chains(mesh, mesh::boundary_faces(mesh)).size(), 1U);
+        EXPECT_EQ(mesh::build_face_chains(mesh, mesh::boundary_faces(mesh)).size(), 1U);
         if (angle > 6.0) {
           expect_sets_cover(mesh, {"OUTER"});
         }
@@ -175,7 +175,7 @@ TEST_P(Generate, Lug) {
         EXPECT_NEAR(mesh.x[n.index()].x(), 1.0 - length, 1e-14 * 8);
       }
       EXPECT_NEAR(test::chord_length(mesh, test::faces(mesh, "L.END").faces), 6.0, 1e-12);
-      const auto bore = mesh::build_chains(mesh, test::faces(mesh, "L.BORE").faces);
+      const auto bore = mesh::build_face_chains(mesh, test::faces(mesh, "L.BORE").faces);
       ASSERT_EQ(bore.size(), 1U);
       EXPECT_TRUE(bore[0].closed);
     }

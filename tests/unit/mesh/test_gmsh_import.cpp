@@ -49,7 +49,7 @@ protected:
     return request;
   }
   bool import(const mesh::ImportRequest& request) {
-    mesh::import_mesh(mesh_, request, diagnostics_);
+    mesh::import_gmsh_mesh(mesh_, request, diagnostics_);
     return !diagnostics_.has_errors();
   }
 
@@ -60,7 +60,7 @@ protected:
 
 TEST_F(GmshImport, LinearQuarterDisc) {
   ASSERT_TRUE(import(write("a.geo", quarter_disc)));
-  EXPECT_TRUE(mesh::bad_elements(mesh_).empty());
+  EXPECT_TRUE(mesh::find_invalid_elements(mesh_).empty());
   EXPECT_EQ(mesh_.type[0], base::ElementType::trim3);
   ASSERT_EQ(mesh_.element_sets.size(), 1U);
   EXPECT_EQ(mesh_.element_sets[0].name, "BODY");
@@ -93,7 +93,7 @@ TEST_F(GmshImport, QuadraticNodesLieOnTheArc) {
     EXPECT_NEAR(mesh_.x[n.index()].norm(), 30.0, 1e-12);
   }
   EXPECT_NEAR(test::area(mesh_), std::numbers::pi * 900.0 / 4.0, 0.02);
-  EXPECT_TRUE(mesh::bad_elements(mesh_).empty());
+  EXPECT_TRUE(mesh::find_invalid_elements(mesh_).empty());
 }
 
 // A script that fixes the numbers of elements on its curves (Transfinite Curve) is meshed finer all
@@ -120,7 +120,7 @@ Physical Curve("FLAT") = {2};
   }
   request.size.map = std::make_shared<const mesh::SizeMap>(std::move(wishes));
   ASSERT_TRUE(import(request));
-  EXPECT_TRUE(mesh::bad_elements(mesh_).empty());
+  EXPECT_TRUE(mesh::find_invalid_elements(mesh_).empty());
   double shortest = 8.0;
   for (const model::Face& face : test::faces(mesh_, "ROUND").faces) {
     const std::vector<base::NodeId> nodes = mesh::nodes_of_faces(mesh_, {face});
@@ -174,7 +174,7 @@ Recombine Surface{1};
   EXPECT_NEAR(test::area(mesh_), 2.0, 1e-13);
   ASSERT_TRUE(import(write("q9.geo", "Mesh.SecondOrderIncomplete = 0;\n" + text)));
   EXPECT_EQ(mesh_.type.back(), base::ElementType::quamc9);
-  EXPECT_TRUE(mesh::bad_elements(mesh_).empty());
+  EXPECT_TRUE(mesh::find_invalid_elements(mesh_).empty());
 }
 
 TEST_F(GmshImport, ClockwiseMshIsTurned) {
@@ -278,7 +278,7 @@ TEST_F(GmshImport, ScriptErrorsInGmshsWords) {
   EXPECT_EQ(mesh_.node_count(), 0U);
   // and the library works on afterwards
   base::Diagnostics fresh;
-  mesh::import_mesh(mesh_, write("a.geo", quarter_disc), fresh);
+  mesh::import_gmsh_mesh(mesh_, write("a.geo", quarter_disc), fresh);
   EXPECT_FALSE(fresh.has_errors());
 }
 

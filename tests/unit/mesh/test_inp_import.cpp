@@ -39,7 +39,7 @@ protected:
     model_ = {};
     diagnostics_ = {};
     physics_ = mesh::import_inp(model_.mesh, request, diagnostics_);
-    mesh::append_physics(model_, physics_);
+    mesh::append_imported_physics(model_, physics_);
     return !diagnostics_.has_errors();
   }
   /// All messages, one a line.
@@ -78,7 +78,7 @@ TEST_F(Inp, EveryTypeComesBackBitForBit) {
   for (const base::ElementType type : test::all_types) {
     model::Model wanted;
     wanted.mesh = test::distorted_block(type);
-    if (!mesh::types_without_inp(wanted.mesh).empty()) {
+    if (!mesh::types_without_inp_name(wanted.mesh).empty()) {
       EXPECT_TRUE(type == base::ElementType::quamc9 || type == base::ElementType::hexec27);
       continue;
     }
@@ -286,7 +286,7 @@ TEST_F(Inp, ElementsWithManyNodesGoOnOverLines) {
   const std::string text = mesh::write_inp(block, nullptr);
   EXPECT_NE(text.find(",\n"), std::string::npos);
   ASSERT_TRUE(import(text)) << messages();
-  EXPECT_TRUE(mesh::bad_elements(model_.mesh).empty());
+  EXPECT_TRUE(mesh::find_invalid_elements(model_.mesh).empty());
 }
 
 } // namespace

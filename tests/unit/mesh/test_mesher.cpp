@@ -36,11 +36,11 @@ namespace fs = std::filesystem;
 
 /// What the mesher does with a script that nobody has looked through before.
 mesh::MesherAnswer unseen(const std::string& text) {
-  mesh::MesherImport import;
+  mesh::MesherImportRequest import;
   import.name = "unseen.geo";
   import.text = text;
   import.script = true;
-  return mesh::ask_mesher(mesh::import_request(import));
+  return mesh::request_from_mesher(mesh::encode_import_request(import));
 }
 
 mesh::GmshModel model_of(const mesh::MesherAnswer& answer) {
@@ -48,7 +48,7 @@ mesh::GmshModel model_of(const mesh::MesherAnswer& answer) {
   mesh::ByteReader in(answer.frame);
   mesh::GmshModel model;
   EXPECT_EQ(in.read_value<mesh::MesherFrameKind>(), mesh::MesherFrameKind::model);
-  EXPECT_TRUE(mesh::read_model_answer(in, model));
+  EXPECT_TRUE(mesh::decode_model_answer(in, model));
   return model;
 }
 
@@ -61,7 +61,7 @@ protected:
   void TearDown() override {
     fs::remove_all(folder_);
     mesh::mesher_limits() = before_;
-    mesh::dismiss_mesher();
+    mesh::end_mesher_process();
   }
   [[nodiscard]] std::string made() const { return (folder_ / "made").string(); }
 
@@ -131,7 +131,7 @@ bool becomes(const std::function<bool()>& so) {
 // What keeps a mesher from the processor takes none of its time: it is stopped for longer than it
 // may wait, as it would be by other work on the machine.
 TEST_F(Mesher, TimeWithoutAProcessorIsNotItsOwn) {
-  mesh::dismiss_mesher();
+  mesh::end_mesher_process();
   mesh::mesher_limits().waiting = 0.2;
   model_of(unseen("Point(1) = {0, 0, 0};\n"));
   const pid_t mesher = child();
@@ -146,7 +146,7 @@ TEST_F(Mesher, TimeWithoutAProcessorIsNotItsOwn) {
 }
 
 TEST_F(Mesher, ItIsSeenToWait) {
-  mesh::dismiss_mesher();
+  mesh::end_mesher_process();
   const auto process = mesh::MesherProcess::start(std::size_t{2} << 30U);
   EXPECT_TRUE(becomes([&] { return process->is_waiting(); })); // for its first request
   kill(child(), SIGSTOP);
@@ -157,7 +157,7 @@ TEST_F(Mesher, MemoryIsLimited) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "its shadow is larger than any limit";
 #endif
-  mesh::dismiss_mesher();
+  mesh::end_mesher_process();
   mesh::mesher_limits().memory = std::size_t{300} << 20U;
   EXPECT_EQ(unseen("Physical Curve(\"B\") = {10:4294967297};\n").end,
             mesh::MesherOutcome::no_memory);
@@ -184,8 +184,8 @@ mesh::PlaneRegion quarter() {
 
 mesh::Grading sizes() {
   mesh::Grading size;
-  size.add_source({0.4, 0.0}, 0.03);
-  size.add_source({0.0, 1.0}, 0.1);
+  size.add_size_source({0.4, 0.0}, 0.03);
+  size.add_size_source({0.0, 1.0}, 0.1);
   return size;
 }
 
@@ -237,14 +237,14 @@ TEST_F(Mesher, BelongsToOneProcess) {
   const pid_t child = fork();
   if (child == 0) {
     const bool good = same(first, mesh::fill_triangles(region, sizes()));
-    mesh::dismiss_mesher();
+    mesh::end_mesher_process();
     _exit(good ? 0 : 1);
   }
   int status = 1;
   ASSERT_EQ(waitpid(child, &status, 0), child);
   EXPECT_EQ(status, 0);
   EXPECT_TRUE(same(first, mesh::fill_triangles(region, sizes())));
-  mesh::dismiss_mesher();
+  mesh::end_mesher_process();
   EXPECT_EQ(waitpid(-1, &status, WNOHANG), -1); // no zombie, no process
   EXPECT_EQ(errno, ECHILD);
 }
@@ -275,7 +275,7 @@ TEST_F(Mesher, WithoutASandboxNoScriptIsRun) {
         answer.end == mesh::MesherOutcome::answered &&
         answer.frame.front() == static_cast<char>(mesh::MesherFrameKind::no_sandbox);
     const bool filled = mesh::fill_triangles(quarter(), sizes()).trouble.empty();
-    mesh::dismiss_mesher();
+    mesh::end_mesher_process();
     _exit(refused && filled ? 0 : 1);
   }
   int status = 1;

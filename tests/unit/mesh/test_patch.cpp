@@ -96,7 +96,7 @@ TEST(Patch, BoreKeepsItsCurve) {
   EXPECT_NEAR(test::curve_length(cracked.mesh, after), test::curve_length(host, before),
               1e-12 * 226.0);
   // still in order round the bore, with a gap at the mouth only
-  const auto chains = mesh::build_chains(cracked.mesh, after);
+  const auto chains = mesh::build_face_chains(cracked.mesh, after);
   ASSERT_EQ(chains.size(), 1U);
   EXPECT_FALSE(chains[0].closed);
   const auto first = test::nodes_of(cracked.mesh, chains[0].faces.front())[0];
@@ -183,7 +183,8 @@ TEST(Patch, DoubleSidedLug) {
   ASSERT_EQ(cracked.fronts.size(), 2U);
   test::expect_crack_faces(cracked, 0, 10.8);
   test::expect_crack_faces(cracked, 1, 10.8);
-  EXPECT_EQ(mesh::build_chains(cracked.mesh, test::faces(cracked.mesh, "BORE").faces).size(), 2U);
+  EXPECT_EQ(mesh::build_face_chains(cracked.mesh, test::faces(cracked.mesh, "BORE").faces).size(),
+            2U);
 }
 
 TEST(Patch, UnitsAndPlaceDoNotChangeTheMesh) {
@@ -278,7 +279,7 @@ TEST(Patch, RegionHoldsEveryCavityAndALayer) {
     lines.push_back(test::crack({{0, 36, 0}, {0, 36 + a, 0}}));
     tips.push_back(mesh::choose_tip_mesh(host, lines.back(), nullptr));
   }
-  const auto region = mesh::crack_region(host, lines, tips);
+  const auto region = mesh::crack_region_elements(host, lines, tips);
   EXPECT_TRUE(std::is_sorted(region.begin(), region.end()));
   const std::set<base::ElementId> in(region.begin(), region.end());
   for (const mesh::CrackLine& line : lines) {

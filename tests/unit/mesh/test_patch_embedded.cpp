@@ -71,11 +71,12 @@ TEST(PatchEmbedded, CrackMuchShorterThanAnElement) {
 
 TEST(PatchEmbedded, WhereAStartLies) {
   const model::Mesh host = test::block(10.0, 8.0, 10, 8);
-  using mesh::CrackStart;
-  EXPECT_EQ(mesh::locate_crack_start(host, {0, 4, 0}, test::net0), CrackStart::boundary);
-  EXPECT_EQ(mesh::locate_crack_start(host, {5, 4, 0}, test::net0), CrackStart::inside); // on a node
-  EXPECT_EQ(mesh::locate_crack_start(host, {5.2, 4.1, 0}, test::net0), CrackStart::inside);
-  EXPECT_EQ(mesh::locate_crack_start(host, {-0.5, 4, 0}, test::net0), CrackStart::outside);
+  using mesh::CrackStartLocation;
+  EXPECT_EQ(mesh::locate_crack_start(host, {0, 4, 0}, test::net0), CrackStartLocation::boundary);
+  EXPECT_EQ(mesh::locate_crack_start(host, {5, 4, 0}, test::net0),
+            CrackStartLocation::inside); // on a node
+  EXPECT_EQ(mesh::locate_crack_start(host, {5.2, 4.1, 0}, test::net0), CrackStartLocation::inside);
+  EXPECT_EQ(mesh::locate_crack_start(host, {-0.5, 4, 0}, test::net0), CrackStartLocation::outside);
 }
 
 TEST(PatchEmbedded, RefusesWhatIsNoEmbeddedCrack) {

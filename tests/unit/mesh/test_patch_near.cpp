@@ -151,7 +151,7 @@ TEST(PatchNear, GivenRadiiMustNotReachAnotherCrack) {
 /// Every tie puts its node where it lies; outside them the mesh is conforming.
 void expect_tied_rim(const model::Mesh& host, const mesh::CrackedMesh& cracked) {
   const model::Mesh& mesh = cracked.mesh;
-  EXPECT_TRUE(mesh::bad_elements(mesh).empty());
+  EXPECT_TRUE(mesh::find_invalid_elements(mesh).empty());
   EXPECT_NEAR(test::area(mesh), test::area(host), 1e-12 * test::area(host));
   ASSERT_FALSE(cracked.ties.empty());
   std::set<base::NodeId> slaves;

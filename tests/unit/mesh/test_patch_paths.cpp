@@ -36,7 +36,7 @@ TEST(PathCrack, WithoutPatchNodesAreDoubled) {
   EXPECT_EQ(cracked.mesh.node_count(), host.node_count() + 6);
   EXPECT_EQ(cracked.mesh.element_count(), host.element_count());
   EXPECT_NEAR(test::area(cracked.mesh), 80.0, 1e-11);
-  EXPECT_TRUE(mesh::bad_elements(cracked.mesh).empty());
+  EXPECT_TRUE(mesh::find_invalid_elements(cracked.mesh).empty());
   EXPECT_EQ(test::expect_quarter_points(cracked, cracked.fronts[0].tip_point().node), 8);
   EXPECT_NEAR(cracked.fronts[0].size, 1.0, 1e-15);
   EXPECT_EQ(cracked.host[17], base::ElementId(std::size_t{17}));
@@ -122,7 +122,8 @@ TEST_P(HalfCrack, OnASymmetryLine) {
     const auto& set = cracked.mesh.node_sets[0].nodes;
     EXPECT_EQ(std::set<NodeId>(set.begin(), set.end()), expected);
     const char* name = y == 0.0 ? "YMIN" : "YMAX";
-    const auto chains = mesh::build_chains(cracked.mesh, test::faces(cracked.mesh, name).faces);
+    const auto chains =
+        mesh::build_face_chains(cracked.mesh, test::faces(cracked.mesh, name).faces);
     ASSERT_EQ(chains.size(), 1U);
     EXPECT_NEAR(test::chord_length(cracked.mesh, chains[0].faces), 10.0, 1e-13);
   }

@@ -89,7 +89,8 @@ protected:
     request_.file = "x.geo";
     request_.parameters = std::move(parameters);
     const std::string text = "DefineConstant[ Ro = 45, r = 1, R = 2 ]; own = 3; y = free;";
-    return mesh::with_parameters(text, mesh::scan_script(text), request_, diagnostics_);
+    return mesh::prepare_script_with_parameters(text, mesh::scan_script(text), request_,
+                                                diagnostics_);
   }
 
   mesh::ImportRequest request_;

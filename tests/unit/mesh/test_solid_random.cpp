@@ -260,7 +260,7 @@ double crack_area(const model::Mesh& mesh, const std::vector<model::Face>& sides
 
 void expect_sound(const HostMesh& host, const mesh::CrackedMesh& cracked, bool shifted) {
   const model::Mesh& mesh = cracked.mesh;
-  EXPECT_TRUE(mesh::mesh_faults(mesh).bad.empty());
+  EXPECT_TRUE(mesh::find_mesh_faults(mesh).bad.empty());
   const double v = test::area(host.mesh);
   EXPECT_NEAR(test::area(mesh), v, (host.curved ? 2e-3 : 1e-5) * v);
   for (std::size_t s = 0; s < host.mesh.face_sets.size(); ++s) {

@@ -111,7 +111,7 @@ TEST(SolidSets, NodesHeldAlongEdgesAreHeldAlongNewOnes) {
       use.held.emplace_back(std::size_t{0});
       base::Diagnostics diagnostics;
       const auto cracked = mesh::insert_solid_cracks(
-          mesh::SolidHost(host, use), std::vector{*line.crack},
+          mesh::SolidHostMesh(host, use), std::vector{*line.crack},
           std::vector<mesh::TubeMeshParameters>(1), std::vector<base::SourceSpan>(1), diagnostics);
       ASSERT_TRUE(cracked);
       EXPECT_TRUE(diagnostics.messages().empty());
@@ -142,7 +142,7 @@ TEST(SolidSets, SingleNodesHeldOnEdgesStay) {
   const mesh::SolidCrack crack =
       ellipse({-4, -4, 1.1}, axes(Vec3::UnitX(), Vec3::UnitY()), 0.9, 0.8);
   base::Diagnostics diagnostics;
-  const auto cracked = mesh::insert_solid_cracks(mesh::SolidHost(host, use), std::vector{crack},
+  const auto cracked = mesh::insert_solid_cracks(mesh::SolidHostMesh(host, use), std::vector{crack},
                                                  std::vector<mesh::TubeMeshParameters>(1),
                                                  std::vector<base::SourceSpan>(1), diagnostics);
   ASSERT_TRUE(cracked);
@@ -175,7 +175,7 @@ TEST(SolidSets, ABorderThroughTheEndOfATubeIsTold) {
   use.nodes = {false};
   use.faces = {true};
   base::Diagnostics quiet;
-  EXPECT_TRUE(mesh::insert_solid_cracks(mesh::SolidHost(host, use), std::vector{crack},
+  EXPECT_TRUE(mesh::insert_solid_cracks(mesh::SolidHostMesh(host, use), std::vector{crack},
                                         std::vector<mesh::TubeMeshParameters>(1),
                                         std::vector<base::SourceSpan>(1), quiet));
   EXPECT_TRUE(quiet.messages().empty());

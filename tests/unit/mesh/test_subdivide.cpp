@@ -40,10 +40,10 @@ class Subdivide : public testing::TestWithParam<ElementType> {};
 TEST_P(Subdivide, KeepsAreaBoundaryAndSets) {
   model::Mesh mesh = test::distorted_block(GetParam());
   const model::Mesh before = mesh;
-  mesh::subdivide(mesh, only_net);
+  mesh::subdivide_plane_elements(mesh, only_net);
   EXPECT_EQ(mesh.element_count(), 4 * before.element_count());
   EXPECT_NEAR(test::area(mesh), test::area(before), 1e-13 * test::area(before));
-  EXPECT_TRUE(mesh::bad_elements(mesh).empty());
+  EXPECT_TRUE(mesh::find_invalid_elements(mesh).empty());
   EXPECT_EQ(mesh::boundary_faces(mesh).size(), 2 * mesh::boundary_faces(before).size());
   const std::set<base::Label> labels(mesh.node_label.begin(), mesh.node_label.end());
   EXPECT_EQ(labels.size(), mesh.node_count());
@@ -57,7 +57,7 @@ TEST_P(Subdivide, KeepsAreaBoundaryAndSets) {
   for (const char* side : {"XMIN", "XMAX", "YMIN", "YMAX"}) {
     const std::vector<model::Face>& now = test::faces(mesh, side).faces;
     all.insert(all.end(), now.begin(), now.end());
-    EXPECT_EQ(mesh::build_chains(mesh, now).size(), 1U);
+    EXPECT_EQ(mesh::build_face_chains(mesh, now).size(), 1U);
   }
   std::sort(all.begin(), all.end());
   EXPECT_EQ(all, mesh::boundary_faces(mesh));
@@ -82,8 +82,8 @@ TEST_P(Subdivide, ElementSetsCoverWhatTheirParentsCovered) {
   for (const model::ElementSet& set : mesh.element_sets) {
     before.push_back(area_of(mesh, set));
   }
-  mesh::subdivide(mesh, only_net);
-  mesh::subdivide(mesh, only_net);
+  mesh::subdivide_plane_elements(mesh, only_net);
+  mesh::subdivide_plane_elements(mesh, only_net);
   for (std::size_t s = 0; s < before.size(); ++s) {
     EXPECT_NEAR(area_of(mesh, mesh.element_sets[s]), before[s], 1e-13 * before[s]);
   }
@@ -100,7 +100,7 @@ TEST_P(Subdivide, PathsStayInOrder) {
   mesh.node_sets.push_back({"PATH", bottom_line(mesh, 1.0), {}});
   mesh.node_sets.push_back({"BACK", {}, {}});
   mesh.node_sets[1].nodes.assign(mesh.node_sets[0].nodes.rbegin(), mesh.node_sets[0].nodes.rend());
-  mesh::subdivide(mesh, only_net);
+  mesh::subdivide_plane_elements(mesh, only_net);
   const std::vector<NodeId>& path = mesh.node_sets[0].nodes;
   EXPECT_EQ(path, bottom_line(mesh, 1.0));
   EXPECT_EQ(std::vector<NodeId>(path.rbegin(), path.rend()), mesh.node_sets[1].nodes);
@@ -119,7 +119,7 @@ TEST_P(Subdivide, NodeSetsGainWhatLiesBetweenTheirNodes) {
   mesh.node_sets = {{"ONE", corners, {}},
                     {"ALL", all, {}},
                     {"SIDE", mesh::nodes_of_faces(mesh, test::faces(mesh, "YMAX").faces), {}}};
-  mesh::subdivide(mesh, only_net);
+  mesh::subdivide_plane_elements(mesh, only_net);
   EXPECT_EQ(mesh.node_sets[0].nodes, corners);
   EXPECT_EQ(mesh.node_sets[1].nodes.size(), mesh.node_count());
   std::vector<NodeId> side = mesh.node_sets[2].nodes;
@@ -145,8 +145,8 @@ TEST(Subdivide, RoundEdgesStayRound) {
   spec.ro = 2.0;
   spec.nt = 24;
   mesh::generate_ring(mesh, base::NetId(0), "", spec);
-  mesh::subdivide(mesh, only_net);
-  mesh::subdivide(mesh, only_net);
+  mesh::subdivide_plane_elements(mesh, only_net);
+  mesh::subdivide_plane_elements(mesh, only_net);
   const double angle = 2.0 * std::numbers::pi / spec.nt;
   for (const NodeId n : mesh::nodes_of_faces(mesh, test::faces(mesh, "INNER").faces)) {
     EXPECT_NEAR(mesh.x[n.index()].norm(), 1.0, std::pow(angle, 4) / 100.0);
@@ -160,7 +160,7 @@ TEST(Subdivide, OtherNetsStayAsTheyAre) {
   spec.origin = {2.0, 0.0, 0.0};
   mesh::generate_block(mesh, base::NetId(1), "B.", spec);
   const model::Mesh before = mesh;
-  mesh::subdivide(mesh, {false, true});
+  mesh::subdivide_plane_elements(mesh, {false, true});
   EXPECT_EQ(mesh.element_count(), 5U);
   EXPECT_EQ(mesh.element_nodes(ElementId(0)).front(), before.element_nodes(ElementId(0)).front());
   EXPECT_EQ(test::faces(mesh, "A.XMIN").faces, test::faces(before, "A.XMIN").faces);

@@ -126,7 +126,8 @@ TEST(SurfaceHits, LinesThroughAPlateWithAHole) {
   for (const ElementType type : {ElementType::tet10, ElementType::hexec20, ElementType::hexe8}) {
     const SurfaceGeometry surface(test::hole_plate(type, {}));
     const Vec3 d = Vec3(1.0, 0.05, 0.02).normalized();
-    const std::vector<SurfaceHit> found = find_hits(surface, Vec3(-6.0, 0.1, 0.4), d, 12.0);
+    const std::vector<SurfaceHit> found =
+        intersect_line_with_surface(surface, Vec3(-6.0, 0.1, 0.4), d, 12.0);
     ASSERT_EQ(found.size(), 4U);
     for (std::size_t i = 0; i < 4; ++i) {
       EXPECT_EQ(found[i].leaves(d), i % 2 == 1);
@@ -143,7 +144,8 @@ TEST(SurfaceHits, AnEdgeOrACornerCountsOnce) {
   const SurfaceGeometry surface(test::box_host(ElementType::tet10, Vec3::Ones(), 2));
   // through nodes and edges of the mesh, straight and along diagonals
   for (const Vec2& at : {Vec2(0.5, 0.5), Vec2(0.25, 0.5), Vec2(0.3, 0.3), Vec2(0.25, 0.25)}) {
-    const auto found = find_hits(surface, {at.x(), at.y(), -1.0}, Vec3::UnitZ(), 3.0);
+    const auto found =
+        intersect_line_with_surface(surface, {at.x(), at.y(), -1.0}, Vec3::UnitZ(), 3.0);
     ASSERT_EQ(found.size(), 2U);
     EXPECT_FALSE(found[0].leaves(Vec3::UnitZ()));
     EXPECT_NEAR(found[1].along, 2.0, 1e-12);

@@ -48,7 +48,7 @@ TEST(SurfaceTrace, StraightOverABoxAndItsEdge) {
       const CrackReferencePlane plane{{1.0, y, 1.0}, Vec3::UnitY(), 0.7};
       const auto from = surface.nearest_place({0.4, y, 2.0});
       const auto to = surface.nearest_place({2.0, y, 1.3});
-      const TraceResult traced = trace_plane(surface, plane, from, to, Vec3::UnitX());
+      const TraceResult traced = trace_crack_plane(surface, plane, from, to, Vec3::UnitX());
       ASSERT_FALSE(traced.trouble) << traced.trouble.why;
       const SurfaceTrace& line = traced.trace.front();
       EXPECT_NEAR(line.length(), 1.6 + 0.7, 1e-12);
@@ -63,7 +63,7 @@ TEST(SurfaceTrace, StraightOverABoxAndItsEdge) {
       }
       EXPECT_EQ(crossings, 1);
       // The other way round: over five more edges' lengths and three more edges.
-      const TraceResult round = trace_plane(surface, plane, from, to, -Vec3::UnitX());
+      const TraceResult round = trace_crack_plane(surface, plane, from, to, -Vec3::UnitX());
       ASSERT_FALSE(round.trouble) << round.trouble.why;
       EXPECT_NEAR(round.trace.front().length(), 8.0 - 2.3, 1e-12);
     }
@@ -83,7 +83,7 @@ TEST(SurfaceTrace, FromNodeToNode) {
           const auto to = surface.nearest_place({2.0, y, 2.0 - a + noise});
           for (const auto& [way, length] :
                {std::pair(Vec3(Vec3::UnitX()), 2.0 * a), {-Vec3::UnitX(), 8.0 - 2.0 * a}}) {
-            const TraceResult traced = trace_plane(surface, plane, from, to, way);
+            const TraceResult traced = trace_crack_plane(surface, plane, from, to, way);
             ASSERT_FALSE(traced.trouble) << traced.trouble.why << base::element_info(type).name;
             EXPECT_NEAR(traced.trace.front().length(), length, 1e-12);
             expect_on_plane_and_faces(surface, plane, traced.trace.front());
@@ -103,7 +103,7 @@ TEST(SurfaceTrace, CircleOnABore) {
   const auto at = [&](double angle) {
     return surface.nearest_place({std::cos(angle), std::sin(angle), 0.3});
   };
-  const TraceResult traced = trace_plane(surface, plane, at(0.2), at(2.1), Vec3::UnitY());
+  const TraceResult traced = trace_crack_plane(surface, plane, at(0.2), at(2.1), Vec3::UnitY());
   ASSERT_FALSE(traced.trouble) << traced.trouble.why;
   EXPECT_NEAR(traced.trace.front().length(), 1.9, 2e-3); // chords of four a face
   expect_on_plane_and_faces(surface, plane, traced.trace.front());
@@ -119,8 +119,8 @@ TEST(SurfaceTrace, ObliquePlaneOnABoreIsAnEllipse) {
     const auto at = [&](double angle) -> Vec3 {
       return {std::cos(angle), std::sin(angle), 0.5 - 0.3 * std::cos(angle)};
     };
-    const TraceResult traced = trace_plane(surface, plane, surface.nearest_place(at(0.3)),
-                                           surface.nearest_place(at(2.8)), Vec3::UnitY());
+    const TraceResult traced = trace_crack_plane(surface, plane, surface.nearest_place(at(0.3)),
+                                                 surface.nearest_place(at(2.8)), Vec3::UnitY());
     ASSERT_FALSE(traced.trouble) << traced.trouble.why;
     double length = 0.0;
     for (int i = 0; i < 1000; ++i) {
@@ -134,8 +134,9 @@ TEST(SurfaceTrace, ObliquePlaneOnABoreIsAnEllipse) {
 TEST(SurfaceTrace, DividedLinesHaveTheWantedSizesAndCornersAtEdges) {
   const SurfaceGeometry surface(test::box_host(ElementType::tet10, {2.0, 2.0, 2.0}, 2));
   const CrackReferencePlane plane{{1.0, 0.813, 1.0}, Vec3::UnitY(), 0.7};
-  const TraceResult traced = trace_plane(surface, plane, surface.nearest_place({0.4, 0.813, 2.0}),
-                                         surface.nearest_place({2.0, 0.813, 1.3}), Vec3::UnitX());
+  const TraceResult traced =
+      trace_crack_plane(surface, plane, surface.nearest_place({0.4, 0.813, 2.0}),
+                        surface.nearest_place({2.0, 0.813, 1.3}), Vec3::UnitX());
   ASSERT_FALSE(traced.trouble);
   const DividedTrace line = divide(traced.trace.front(), [](const Vec3&) { return 0.1; });
   ASSERT_EQ(line.corners.size(), 16U + 7U + 1U);
@@ -156,7 +157,7 @@ TEST(InteriorFrontArcs, SemiEllipseAtAFace) {
     const SurfaceGeometry surface(test::box_host(type, {2.0, 2.0, 2.0}, 3));
     // Its centre 0.1 below the face.
     const FrontCurve front = ellipse({1.1, 0.93, 1.9}, c * Vec3::UnitX(), a * Vec3::UnitZ());
-    const InteriorFrontArcs found = arcs_inside(surface, front);
+    const InteriorFrontArcs found = find_interior_front_arcs(surface, front);
     ASSERT_FALSE(found.trouble) << found.trouble.why;
     ASSERT_EQ(found.arcs.size(), 1U);
     const double x = c * std::sqrt(1.0 - 0.01 / (a * a));
@@ -174,7 +175,7 @@ TEST(InteriorFrontArcs, SemiEllipseAtAFace) {
 TEST(InteriorFrontArcs, QuarterEllipseAtAnEdgeAndWholeInside) {
   const SurfaceGeometry surface(test::box_host(ElementType::tet10, {2.0, 2.0, 2.0}, 3));
   const FrontCurve corner = ellipse({2.0, 0.93, 2.0}, 0.5 * Vec3::UnitX(), 0.3 * Vec3::UnitZ());
-  const InteriorFrontArcs found = arcs_inside(surface, corner);
+  const InteriorFrontArcs found = find_interior_front_arcs(surface, corner);
   ASSERT_EQ(found.arcs.size(), 1U) << found.trouble.why;
   const InteriorFrontArc& arc = found.arcs.front();
   EXPECT_LT((arc.place[0].x - Vec3(2.0, 0.93, 1.7)).norm(), 1e-5);
@@ -182,13 +183,13 @@ TEST(InteriorFrontArcs, QuarterEllipseAtAnEdgeAndWholeInside) {
   EXPECT_LT((arc.place[0].normal - Vec3::UnitX()).norm(), 1e-12);
   EXPECT_LT((arc.place[1].normal - Vec3::UnitZ()).norm(), 1e-12);
 
-  const InteriorFrontArcs whole =
-      arcs_inside(surface, ellipse({1.0, 0.93, 1.0}, 0.5 * Vec3::UnitX(), 0.3 * Vec3::UnitZ()));
+  const InteriorFrontArcs whole = find_interior_front_arcs(
+      surface, ellipse({1.0, 0.93, 1.0}, 0.5 * Vec3::UnitX(), 0.3 * Vec3::UnitZ()));
   ASSERT_EQ(whole.arcs.size(), 1U);
   EXPECT_TRUE(whole.arcs.front().whole);
-  EXPECT_TRUE(
-      arcs_inside(surface, ellipse({5.0, 0.93, 1.0}, 0.5 * Vec3::UnitX(), 0.3 * Vec3::UnitZ()))
-          .trouble);
+  EXPECT_TRUE(find_interior_front_arcs(
+                  surface, ellipse({5.0, 0.93, 1.0}, 0.5 * Vec3::UnitX(), 0.3 * Vec3::UnitZ()))
+                  .trouble);
 }
 
 TEST(InteriorFrontArcs, EllipseAroundABoreHasItsPartsInThePlate) {
@@ -196,14 +197,14 @@ TEST(InteriorFrontArcs, EllipseAroundABoreHasItsPartsInThePlate) {
     const SurfaceGeometry surface(test::hole_plate(type, {}));
     // A circle of 0.8 about the middle of the bore's edge: from the bore to the plate's face.
     const FrontCurve front = ellipse({1.0, 0.0, 1.0}, 0.8 * Vec3::UnitX(), 0.8 * Vec3::UnitZ());
-    const InteriorFrontArcs found = arcs_inside(surface, front);
+    const InteriorFrontArcs found = find_interior_front_arcs(surface, front);
     ASSERT_EQ(found.arcs.size(), 1U) << found.trouble.why;
     EXPECT_LT((found.arcs[0].place[0].x - Vec3(1.8, 0.0, 1.0)).norm(), 1e-5);
     EXPECT_LT((found.arcs[0].place[1].x - Vec3(1.0, 0.0, 0.2)).norm(), 1e-5);
     EXPECT_LT((found.arcs[0].place[1].normal + Vec3::UnitX()).norm(), 1e-2);
     // One about the axis with both sides of the hole: two fronts through the thickness.
-    const InteriorFrontArcs both =
-        arcs_inside(surface, ellipse({0.0, 0.0, 0.5}, 1.6 * Vec3::UnitX(), 4.0 * Vec3::UnitZ()));
+    const InteriorFrontArcs both = find_interior_front_arcs(
+        surface, ellipse({0.0, 0.0, 0.5}, 1.6 * Vec3::UnitX(), 4.0 * Vec3::UnitZ()));
     EXPECT_EQ(both.arcs.size(), 2U) << both.trouble.why;
   }
 }
@@ -215,8 +216,8 @@ TEST(InteriorFrontArcs, CrackMuchSmallerThanTheFacetsOfABore) {
     for (double angle = 0.01; angle < 0.4; angle += 0.03) {
       const Vec3 out(std::cos(angle), std::sin(angle), 0.0);
       const Vec3 centre = surface.nearest_place(out + 0.37 * Vec3::UnitZ()).x;
-      const InteriorFrontArcs found =
-          arcs_inside(surface, ellipse(centre, size * out, 0.7 * size * Vec3::UnitZ()));
+      const InteriorFrontArcs found = find_interior_front_arcs(
+          surface, ellipse(centre, size * out, 0.7 * size * Vec3::UnitZ()));
       ASSERT_EQ(found.arcs.size(), 1U) << found.trouble.why << " at " << angle << ' ' << size;
       EXPECT_NEAR((found.arcs[0].place[1].x - found.arcs[0].place[0].x).norm(), 1.4 * size,
                   1e-3 * size);
@@ -229,12 +230,12 @@ TEST(InteriorFrontArcs, OpenFrontIsProlongedToTheSurface) {
   // A straight through front that ends 0.01 below both faces.
   const FrontCurve front({{1.5, 0.0, 0.01}, {1.5, 0.0, 0.99}}, {Vec3::UnitY(), Vec3::UnitY()},
                          false);
-  const InteriorFrontArcs found = arcs_inside(surface, front);
+  const InteriorFrontArcs found = find_interior_front_arcs(surface, front);
   ASSERT_EQ(found.arcs.size(), 1U) << found.trouble.why;
   EXPECT_NEAR(found.arcs[0].s[0], -0.01, 1e-12);
   EXPECT_NEAR(found.arcs[0].s[1], 0.99, 1e-12);
   const FrontCurve deep({{1.5, 0.0, 0.3}, {1.5, 0.0, 0.9}}, {Vec3::UnitY(), Vec3::UnitY()}, false);
-  EXPECT_TRUE(arcs_inside(surface, deep).trouble);
+  EXPECT_TRUE(find_interior_front_arcs(surface, deep).trouble);
 }
 
 } // namespace

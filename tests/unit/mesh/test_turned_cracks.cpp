@@ -112,13 +112,13 @@ double area_of(const model::Mesh& mesh, const std::vector<model::Face>& sides) {
 
 void expect_crack(const model::Mesh& host, const mesh::SolidCrack& crack, double area,
                   const mesh::CrackedMesh& cracked) {
-  EXPECT_TRUE(mesh::mesh_faults(cracked.mesh).bad.empty());
+  EXPECT_TRUE(mesh::find_mesh_faults(cracked.mesh).bad.empty());
   EXPECT_NEAR(test::area(cracked.mesh), test::area(host), 1e-7 * test::area(host));
   const mesh::CrackFaces& faces = cracked.faces[0];
   EXPECT_NEAR(area_of(cracked.mesh, faces.left_sides), area, 0.01 * area);
   EXPECT_NEAR(area_of(cracked.mesh, faces.right_sides), area, 0.01 * area);
   for (const base::NodeId n : faces.left) {
-    EXPECT_NEAR(crack.relief->height_above(cracked.mesh.x[n.index()]), 0.0, 0.06)
+    EXPECT_NEAR(crack.relief->crack_height_over_plane(cracked.mesh.x[n.index()]), 0.0, 0.06)
         << cracked.mesh.x[n.index()].transpose();
   }
 }
@@ -126,15 +126,17 @@ void expect_crack(const model::Mesh& host, const mesh::SolidCrack& crack, double
 TEST(TurnedCracks, HeightsOfStrips) {
   const mesh::SolidCrack crack = bent_edge_crack(0.5, {0.5, -0.2});
   const mesh::NonPlanarCrackSurface& relief = *crack.relief;
-  EXPECT_NEAR(relief.height_above({-2.0, 1.0, 0.3}), -0.3, 1e-12);
-  EXPECT_NEAR(relief.height_above({0.2, 1.0, 0.0}), 0.2 * std::tan(0.5), 1e-12);
+  EXPECT_NEAR(relief.crack_height_over_plane({-2.0, 1.0, 0.3}), -0.3, 1e-12);
+  EXPECT_NEAR(relief.crack_height_over_plane({0.2, 1.0, 0.0}), 0.2 * std::tan(0.5), 1e-12);
   const double x1 = 0.5 * std::cos(0.5);
   const double z1 = 0.5 * std::sin(0.5);
-  EXPECT_NEAR(relief.height_above({x1 + 2.0, -1.0, 0.0}), z1 + 2.0 * std::tan(0.3), 1e-12);
-  EXPECT_NEAR((relief.height_slope({x1 + 0.1, 0.7, 0.0}) - Vec3(std::tan(0.3), 0, 0)).norm(), 0.0,
+  EXPECT_NEAR(relief.crack_height_over_plane({x1 + 2.0, -1.0, 0.0}), z1 + 2.0 * std::tan(0.3),
               1e-12);
+  EXPECT_NEAR(
+      (relief.crack_height_gradient({x1 + 0.1, 0.7, 0.0}) - Vec3(std::tan(0.3), 0, 0)).norm(), 0.0,
+      1e-12);
   EXPECT_NEAR(relief.distance_to_kink({0.0, 0.3, 0.1}, 0.4), 0.1, 0.02);
-  EXPECT_NEAR(relief.narrowest_strip(), 0.5, 1e-9);
+  EXPECT_NEAR(relief.narrowest_strip_width(), 0.5, 1e-9);
   // elsewhere it is the same
   const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
@@ -142,7 +144,8 @@ TEST(TurnedCracks, HeightsOfStrips) {
   const mesh::NonPlanarCrackSurface there =
       relief.transformed(place, [&](const Vec3& d) { return Vec3(turn * d); });
   for (const Vec3& x : {Vec3(0.2, 1.0, 0.4), Vec3(1.3, -2.0, 0.1), Vec3(-1.0, 0.0, 0.0)}) {
-    EXPECT_NEAR(there.height_above(place(x)), 2.0 * relief.height_above(x), 1e-9);
+    EXPECT_NEAR(there.crack_height_over_plane(place(x)), 2.0 * relief.crack_height_over_plane(x),
+                1e-9);
   }
 }
 
@@ -186,7 +189,7 @@ TEST(TurnedCracks, TubesKeepAheadOfTheBend) {
     EXPECT_LT(point.radius, 0.5 * bend + 1e-3);
     // m is straight on from the strip behind
     const Vec3 behind = point.x - 0.5 * point.radius * point.growth;
-    EXPECT_NEAR(crack.relief->height_above(behind), 0.0, 0.02 * point.radius);
+    EXPECT_NEAR(crack.relief->crack_height_over_plane(behind), 0.0, 0.02 * point.radius);
   }
 }
 
