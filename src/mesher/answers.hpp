@@ -10,10 +10,11 @@
 namespace spricka::mesher {
 
 /// Fills a region by gmsh's Delaunay mesher; `trouble` has its words where it fails.
-mesh::TriangleFill fill_region(const mesh::PlaneRegion& region, const mesh::Grading& size);
+mesh::TriangleFill fill_region_by_gmsh(const mesh::PlaneRegion& region, const mesh::Grading& size);
 
 /// Fills a region of space by gmsh's Delaunay mesher; `trouble` has its words where it fails.
-mesh::TetrahedronFill fill_region(const mesh::SolidRegion& region, const mesh::SolidGrading& size);
+mesh::TetrahedronFill fill_region_by_gmsh(const mesh::SolidRegion& region,
+                                          const mesh::SolidGrading& size);
 
 /// Opens the file that `path` names, meshes it if it is a script without a mesh, and takes out all
 /// that is wanted. `meshing` is called when the script is read. Errors and warnings are in the

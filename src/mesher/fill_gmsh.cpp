@@ -186,13 +186,14 @@ mesh::MeshFill<dim> fill_described(const mesh::FillRegion<dim>& region,
 
 } // namespace
 
-mesh::TriangleFill fill_region(const PlaneRegion& region, const mesh::Grading& size) {
+mesh::TriangleFill fill_region_by_gmsh(const PlaneRegion& region, const mesh::Grading& size) {
   const GmshSession session;
   gmsh::option::setNumber("Mesh.Algorithm", 5); // Delaunay
   return fill_described(region, size);
 }
 
-mesh::TetrahedronFill fill_region(const SolidRegion& region, const mesh::SolidGrading& size) {
+mesh::TetrahedronFill fill_region_by_gmsh(const SolidRegion& region,
+                                          const mesh::SolidGrading& size) {
   const GmshSession session;
   gmsh::option::setNumber("Mesh.Renumber", 0); // our numbers of the nodes
   // HXT does not ask for sizes, the frontal one needs a library that is not there.

@@ -86,7 +86,7 @@ template <int dim> std::string filling_answer(ByteReader& in) {
   mesh::FillRegion<dim> region;
   mesh::SizeGrading<dim> size;
   return mesh::decode_fill_request(in, region, size)
-             ? mesh::encode_fill_answer(fill_region(region, size))
+             ? mesh::encode_fill_answer(fill_region_by_gmsh(region, size))
              : bad_request();
 }
 
@@ -117,7 +117,7 @@ std::string answer(std::string_view request, bool locked) {
 void serve(bool locked) {
   std::size_t size = 0;
   while (read_all(&size, sizeof size)) {
-    limit_time(time_of_a_request);
+    limit_processor_time(time_of_a_request);
     try {
       std::string request(size, '\0');
       if (!read_all(request.data(), size)) {
@@ -164,7 +164,7 @@ int run(int argc, char** argv) {
   syscall(SYS_close_range, line + 1, ~0U, 0);
   look_at_signals();
   limit_memory(memory);
-  stay_on_one_processor();
+  pin_to_one_processor();
   if (getppid() != owner) { // it went while the libraries were loaded
     return 0;
   }

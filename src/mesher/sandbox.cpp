@@ -87,7 +87,7 @@ bool enter_sandbox() {
   return filter.install();
 }
 
-void stay_on_one_processor() {
+void pin_to_one_processor() {
   const int here = sched_getcpu();
   if (here >= 0) {
     cpu_set_t one;
@@ -119,7 +119,7 @@ void limit_memory(std::size_t memory) {
 #endif
 }
 
-void limit_time(double seconds) {
+void limit_processor_time(double seconds) {
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
   rlimit both{};

@@ -12,12 +12,12 @@ bool enter_sandbox();
 
 /// The process runs on the processor that it is on, for good: libraries that start a thread for
 /// each processor they see (OpenCASCADE with TBB) start none, as the sandbox would end them.
-void stay_on_one_processor();
+void pin_to_one_processor();
 
 /// The process gets no more than `memory` bytes beyond those that it holds now, and leaves no core.
 void limit_memory(std::size_t memory);
 
 /// The kernel ends the process when it has used this much more processor time [s].
-void limit_time(double seconds);
+void limit_processor_time(double seconds);
 
 } // namespace spricka::mesher
