@@ -114,7 +114,7 @@ std::vector<CardFingerprint> card_fingerprints(const std::filesystem::path& deck
                                                const model::Model& model) {
   base::SourceTexts sources;
   base::Diagnostics known; // the deck has been read: it has no mistakes
-  const deck::DeckFileCards loaded = deck::read_deck_files(deck, sources, known);
+  const deck::DeckFileCards loaded = deck::read_deck_and_includes(deck, sources, known);
   Parameters parameters;
   for (const auto& [name, value] : model.parameters) {
     std::string key = name;

@@ -42,7 +42,7 @@ public:
       c_.error(c_.model.nets.back().span, "E114", "the net is not closed with $ENDNET");
     }
     if (!c_.scope.incomplete && !parameters_bad_) {
-      overrides_.report_unknown(c_, defined_);
+      overrides_.report_unknown_parameters(c_, defined_);
     }
   }
 
@@ -200,7 +200,8 @@ private:
     if (const base::SourceSpan token = first_token(card); token.valid()) {
       const bool continues = c_.sources.text(token).starts_with('&');
       c_.error(token, "E115", fmt::format("${} takes no data lines", card.name),
-               continues ? "a continued line follows at once" : card_hint(c_.sources.text(token)));
+               continues ? "a continued line follows at once"
+                         : card_name_hint(c_.sources.text(token)));
     }
   }
 
@@ -246,10 +247,10 @@ private:
       const bool hit = later == "*" || (later == ">0" && value.number > 0.0) ||
                        std::ranges::find(words, value.text) != words.end();
       if (hit) {
-        c_.mark_unavailable(fmt::format("${} {}{}{}", bound.spec->name, value.key->name,
-                                        value.text.empty() || later == "*" ? "" : "=",
-                                        later == "*" ? "" : value.text),
-                            value.span);
+        c_.record_unavailable_analysis(fmt::format("${} {}{}{}", bound.spec->name, value.key->name,
+                                                   value.text.empty() || later == "*" ? "" : "=",
+                                                   later == "*" ? "" : value.text),
+                                       value.span);
       }
     }
   }
@@ -278,7 +279,8 @@ void poison_names(DeckContext& c, const CheckedCard& card) {
     }
     const CheckedValue* value = card.find(key.name);
     if (value != nullptr && value->sound) {
-      c.names.poison(key.kind, is_set(key.kind) ? qualify(card.net, value->text) : value->text);
+      c.names.poison(key.kind,
+                     is_set(key.kind) ? qualified_name(card.net, value->text) : value->text);
     } else if (value != nullptr || key.required) {
       c.names.poison_kind(key.kind);
     }
@@ -322,19 +324,20 @@ void declare_names(DeckContext& c) {
     } else {
       definition.index = count[definition.kind]++;
     }
-    const std::string full = is_set(definition.kind) ? qualify(card.net, name->text) : name->text;
+    const std::string full =
+        is_set(definition.kind) ? qualified_name(card.net, name->text) : name->text;
     const NameDefinition* before = c.names.define(full, definition);
     if (before != nullptr && !before->poisoned && definition.kind != EntityKind::net) {
       card.bad = true;
-      c.report_second(definition, name->text, *before);
+      c.report_duplicate_name(definition, name->text, *before);
     }
   }
 }
 
 } // namespace
 
-const NameDefinition* look_up(DeckContext& context, EntityKind kind,
-                              const NameReference& reference) {
+const NameDefinition* resolve_definition(DeckContext& context, EntityKind kind,
+                                         const NameReference& reference) {
   const std::vector<EntityKind> kinds = accepted_kinds(kind);
   const NameDefinition* found = context.names.find(kinds, reference.name, reference.net);
   if (found != nullptr) {
@@ -353,11 +356,11 @@ const NameDefinition* look_up(DeckContext& context, EntityKind kind,
 bool check_contact_reference(DeckContext& context, const NameReference& reference) {
   constexpr std::string_view faces = ".FACES";
   if (!reference.name.ends_with(faces)) {
-    return look_up(context, EntityKind::contact, reference) != nullptr;
+    return resolve_definition(context, EntityKind::contact, reference) != nullptr;
   }
   NameReference crack = reference;
   crack.name.resize(crack.name.size() - faces.size());
-  return look_up(context, EntityKind::crack, crack) != nullptr;
+  return resolve_definition(context, EntityKind::crack, crack) != nullptr;
 }
 
 void check_references(DeckContext& context) {
@@ -369,7 +372,7 @@ void check_references(DeckContext& context) {
         continue;
       }
       for (const NameReference& name : value.names) {
-        look_up(context, value.key->kind, name);
+        resolve_definition(context, value.key->kind, name);
       }
     }
   }

@@ -80,7 +80,7 @@ void rigid(DeckContext& c, const CheckedCard& card) {
 // The surface or rigid target that MASTER means.
 void master_of(DeckContext& c, const CheckedCard& card, model::Contact& contact) {
   const NameReference master = card.name_reference("MASTER");
-  const NameDefinition* meant = look_up(c, EntityKind::surface, master);
+  const NameDefinition* meant = resolve_definition(c, EntityKind::surface, master);
   if (meant == nullptr) {
     return;
   }
@@ -103,8 +103,8 @@ void master_of(DeckContext& c, const CheckedCard& card, model::Contact& contact)
 } // namespace
 
 void build_contacts(DeckContext& context) {
-  context.for_sound_cards("RIGID", [&](const CheckedCard& card) { rigid(context, card); });
-  context.for_sound_cards("CONTACT", [&](const CheckedCard& card) {
+  context.for_each_sound_card("RIGID", [&](const CheckedCard& card) { rigid(context, card); });
+  context.for_each_sound_card("CONTACT", [&](const CheckedCard& card) {
     model::Contact contact;
     contact.name = card.word_value("NAME");
     contact.type = card.has_word("TYPE", "BONDED") ? model::ContactType::bonded
@@ -115,7 +115,7 @@ void build_contacts(DeckContext& context) {
                                                        : model::PairingMethod::segment;
     contact.multiplier = card.has_word("MULTIPLIER", "CORNER") ? model::MultiplierNodes::corners
                                                                : model::MultiplierNodes::nodes;
-    if (contact.multiplier == model::MultiplierNodes::corners && context.known_plane()) {
+    if (contact.multiplier == model::MultiplierNodes::corners && context.is_certainly_plane()) {
       context.error(card.find("MULTIPLIER")->span, "E313",
                     "MULTIPLIER=CORNER is one of contacts between solids");
     }

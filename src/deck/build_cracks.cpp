@@ -50,7 +50,7 @@ void crack_path(DeckContext& c, const CheckedCard& card, model::CrackDefinition&
 void crack_net(DeckContext& c, const CheckedCard& card, model::CrackDefinition& crack) {
   if (card.has_key("NET")) {
     const NameReference reference = card.name_reference("NET");
-    if (look_up(c, EntityKind::net, reference) != nullptr) {
+    if (resolve_definition(c, EntityKind::net, reference) != nullptr) {
       crack.net = c.find_net(reference.name);
     }
   } else if (c.model.nets.size() == 1) {
@@ -85,7 +85,7 @@ base::FaceSetId crack_face(DeckContext& c, const model::CrackDefinition& crack,
 // What is drawn by keys and points; where there is no mesh to tell, they tell plane from space.
 void drawn_crack(DeckContext& c, const CheckedCard& card, model::CrackDefinition& crack) {
   const bool meshed = c.mesh_sound && c.model.mesh.element_count() > 0;
-  const bool plane = c.known_plane();
+  const bool plane = c.is_certainly_plane();
   const char* of_space = card.has_key("A") ? "A" : card.has_key("X0") ? "X0" : nullptr;
   const bool three = !card.rows.empty() && card.rows.front().fields.size() == 3;
   if (plane && of_space != nullptr) {
@@ -116,7 +116,7 @@ void crack(DeckContext& c, const CheckedCard& card) {
   } else if (card.has_key("FRONT")) {
     crack.kind = model::CrackDefinitionKind::front;
     crack.path = resolve_node_set(c, card.name_reference("FRONT")).value_or(base::NodeSetId());
-    if (c.known_plane()) {
+    if (c.is_certainly_plane()) {
       c.error(card.find("FRONT")->span, "E313", "a crack front belongs to elements in space",
               "in the plane a crack has PATH and A0, or points");
     }
@@ -134,7 +134,8 @@ void crack(DeckContext& c, const CheckedCard& card) {
 
 // The crack a $TIPNET or $VCE belongs to; each crack has at most one of each.
 base::CrackId crack_of(DeckContext& c, const CheckedCard& card, std::set<std::size_t>& seen) {
-  const NameDefinition* found = look_up(c, EntityKind::crack, card.name_reference("CRACK"));
+  const NameDefinition* found =
+      resolve_definition(c, EntityKind::crack, card.name_reference("CRACK"));
   if (found == nullptr) {
     return {};
   }
@@ -170,7 +171,7 @@ void tip_net(DeckContext& c, const CheckedCard& card, std::set<std::size_t>& see
                                                  : model::PatchCoupling::conforming;
   tip.patch = card.has_word("PATCH", "YES");
   tip.tube = card.has_word("TUBE", "YES");
-  if (!tip.tube && c.known_plane()) {
+  if (!tip.tube && c.is_certainly_plane()) {
     c.error(card.find("TUBE")->span, "E313", "TUBE=NO means nothing in the plane",
             "round a tip in the plane stands a rosette; QUARTER=NO has ordinary elements in it");
   }

@@ -138,7 +138,7 @@ void load_row(DeckContext& c, const CheckedCard& card, const grammar::DataRow& r
   load.span = row.span;
   const auto reference = read_set_reference(c, card, row.fields.front());
   const NameDefinition* crack =
-      reference && form.of_crack ? look_up(c, EntityKind::crack, *reference) : nullptr;
+      reference && form.of_crack ? resolve_definition(c, EntityKind::crack, *reference) : nullptr;
   bool ok = reference && (form.of_crack ? crack != nullptr : load_set(c, *reference, load));
   const std::size_t given = row.fields.size() - 1;
   const auto most = static_cast<std::size_t>(form.per_direction ? c.model.mesh.dim : 1);
@@ -335,7 +335,7 @@ void fill_in(DeckContext& c, const std::vector<NodeConstraints>& held, bool soun
 
 void build_loads(DeckContext& context) {
   std::vector<model::LoadCase>& cases = context.model.cases;
-  context.for_sound_cards("LOAD", [&](const CheckedCard& card) {
+  context.for_each_sound_card("LOAD", [&](const CheckedCard& card) {
     const std::string name(card.word_value("CASE"));
     const NameDefinition* before = context.names.define(
         name,

@@ -35,13 +35,13 @@ Set* table_set(DeckContext& c, const CheckedCard& card, std::string_view key,
   const CheckedValue& value = *card.find(key);
   const NameDefinition definition{
       .kind = value.key->kind, .index = sets.size(), .span = value.span};
-  const std::string full = qualify(card.net, value.text);
+  const std::string full = qualified_name(card.net, value.text);
   const NameDefinition* before = c.names.define(full, definition);
   if (before == nullptr) {
     return &sets.emplace_back(Set{full, {}, value.span});
   }
   if (before->card) {
-    c.report_second(definition, value.text, *before);
+    c.report_duplicate_name(definition, value.text, *before);
     return nullptr;
   }
   return before->poisoned ? nullptr : &sets[before->index];
@@ -169,7 +169,7 @@ void generate(DeckContext& c, const CheckedCard& card) {
   const base::ElementType type = type_of(card);
   const std::string prefix = card.net.empty() ? "" : card.net + ".";
   model::Mesh& mesh = c.model.mesh;
-  const NetRefinement* finer = c.refinement(card.net);
+  const NetRefinement* finer = c.net_refinement(card.net);
   const int times = finer == nullptr ? 1 : finer->counts;
   if (times > 1) {
     c.remeshed.insert(card.net);
@@ -294,8 +294,8 @@ void mesh_card(DeckContext& c, const CheckedCard& card) {
                                           mesh.face_sets.size()};
   const std::size_t errors = c.diagnostics.error_count();
   if (card.spec->name == "IMPORT") {
-    import_card(c, card);
-  } else if (check_mesh_card_size(c, card) && sizes_fit(c, card)) {
+    import_mesh_file(c, card);
+  } else if (check_requested_mesh_size(c, card) && sizes_fit(c, card)) {
     generate(c, card);
   }
   adopt_labels(c, card, before[0], before[1]);
@@ -347,8 +347,8 @@ void build_mesh(DeckContext& context) {
   }
   // Nodes before the elements that use them, wherever they stand; tables before meshes, which
   // number on from the highest label of their net.
-  context.for_sound_cards("COOR", [&](const CheckedCard& card) { coordinates(context, card); });
-  context.for_sound_cards("ELEMENT", [&](const CheckedCard& card) { elements(context, card); });
+  context.for_each_sound_card("COOR", [&](const CheckedCard& card) { coordinates(context, card); });
+  context.for_each_sound_card("ELEMENT", [&](const CheckedCard& card) { elements(context, card); });
   for (const CheckedCard& card : context.cards) {
     if (!card.bad && (card.spec->name == "MESH" || card.spec->name == "IMPORT")) {
       mesh_card(context, card);
@@ -358,7 +358,7 @@ void build_mesh(DeckContext& context) {
   model::Mesh& mesh = context.model.mesh;
   mesh.dim = 2;
   for (const std::string_view name : {"MESH", "ELEMENT"}) {
-    context.for_sound_cards(name, [&](const CheckedCard& card) {
+    context.for_each_sound_card(name, [&](const CheckedCard& card) {
       mesh.dim = std::max(mesh.dim, base::element_info(type_of(card)).dim);
     });
   }

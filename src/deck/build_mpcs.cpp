@@ -91,7 +91,7 @@ private:
       return std::nullopt;
     }
     const std::string net = field.text.substr(0, dot);
-    if (look_up(c_, EntityKind::net, {net, field.span, {}}) == nullptr) {
+    if (resolve_definition(c_, EntityKind::net, {net, field.span, {}}) == nullptr) {
       return std::nullopt;
     }
     return find(field, c_.find_net(net), label);
@@ -118,7 +118,7 @@ private:
                fmt::format("expected X, Y or Z, not '{}'", c_.sources.text(field.span)));
       return std::nullopt;
     }
-    if (field.text == "Z" && c_.known_plane()) {
+    if (field.text == "Z" && c_.is_certainly_plane()) {
       c_.error(field.span, "E313", "a plane model has no freedoms along Z");
     }
     return field.text.front() - 'X';
@@ -147,7 +147,7 @@ void tie(DeckContext& c, const CheckedCard& card) {
 } // namespace
 
 void build_mpcs(DeckContext& context) {
-  context.for_sound_cards("MPC", [&](const CheckedCard& card) {
+  context.for_each_sound_card("MPC", [&](const CheckedCard& card) {
     if (card.has_word("TYPE", "EQUATION")) {
       context.model.mpcs.emplace_back(EquationReader(context, card).run());
     } else {

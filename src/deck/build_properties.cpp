@@ -41,7 +41,7 @@ void property(DeckContext& c, const CheckedCard& card) {
   model::Mesh& mesh = c.model.mesh;
   const auto elements = resolve_element_set(c, card.name_reference("ESET"));
   const NameDefinition* material_name =
-      look_up(c, EntityKind::material, card.name_reference("MATERIAL"));
+      resolve_definition(c, EntityKind::material, card.name_reference("MATERIAL"));
   if (!elements || material_name == nullptr) {
     c.property_sound = false;
     return;
@@ -95,7 +95,7 @@ void freedom(DeckContext& c, const CheckedCard& card) {
                  dof.find('Z') != std::string_view::npos};
   freedom.nodes = base::NodeSetId(c.model.mesh.node_sets.size());
   freedom.span = card.span;
-  if (freedom.dof[2] && c.known_plane()) {
+  if (freedom.dof[2] && c.is_certainly_plane()) {
     c.error(card.find("DOF")->span, "E313", "DOF: a plane model has no freedoms along Z");
   }
   c.model.mesh.node_sets.push_back({{}, std::move(*nodes), card.span});
@@ -108,7 +108,7 @@ void symmetry(DeckContext& c, const CheckedCard& card) {
   plane.above = card.has_word("KEEP", "ABOVE");
   plane.span = card.span;
   const base::SourceSpan at = card.find("NORMAL")->span;
-  if (plane.axis == 2 && c.known_plane()) {
+  if (plane.axis == 2 && c.is_certainly_plane()) {
     c.error(at, "E313", "NORMAL: a plane model has no side across Z");
   }
   if (std::ranges::any_of(c.model.mirrors, [&](const model::MirrorPlane& other) {
@@ -123,7 +123,8 @@ void symmetry(DeckContext& c, const CheckedCard& card) {
 } // namespace
 
 void build_properties(DeckContext& context) {
-  context.for_sound_cards("MATERIAL", [&](const CheckedCard& card) { material(context, card); });
+  context.for_each_sound_card("MATERIAL",
+                              [&](const CheckedCard& card) { material(context, card); });
   for (const mesh::ImportedPhysics& physics : context.imported) {
     mesh::append_imported_physics(context.model, physics);
   }

@@ -101,8 +101,8 @@ void output(DeckContext& c, const CheckedCard& card) {
     const NameReference reference{row.fields[1].text, row.fields[1].span, card.net};
     if (set                               ? resolve_set_kind(c, it->kind, reference).has_value()
         : it->kind == EntityKind::contact ? check_contact_reference(c, reference)
-                                          : look_up(c, it->kind, reference) != nullptr) {
-      const std::string own = qualify(card.net, reference.name);
+                                          : resolve_definition(c, it->kind, reference) != nullptr) {
+      const std::string own = qualified_name(card.net, reference.name);
       const bool inside = set && c.names.find(accepted_kinds(it->kind), own, {}) != nullptr;
       output.requests.push_back({std::string(it->word), inside ? own : reference.name, row.span});
     }
@@ -135,7 +135,7 @@ void restart(DeckContext& c, const CheckedCard& card) {
   if (!card.has_key("READ") && !card.has_key("WRITE")) {
     c.error(card.span, "E106", "$RESTART needs READ or WRITE", "WRITE='file.rst' keeps states");
   }
-  if (c.first_card("SWEEP") != nullptr && card.has_key("READ")) {
+  if (c.find_first_card("SWEEP") != nullptr && card.has_key("READ")) {
     c.error(card.find("READ")->span, "E110", "READ and $SWEEP exclude each other",
             "each point keeps its own state; run --restart goes on with it");
   }
@@ -150,9 +150,9 @@ void left_out(DeckContext& c, const CheckedCard& card) {
   for (const Need& need : {Need{"CONTACT", "CONTACT"}, Need{"VCE", "CRACK"}, Need{"GROW", "GROW"},
                            Need{"OUTPUT", "OUTPUT"}, Need{"STIFFNESS", "STEP"}}) {
     const std::vector<std::string>& tasks = c.model.tasks;
-    if (c.first_card(need.card) != nullptr &&
+    if (c.find_first_card(need.card) != nullptr &&
         std::ranges::find(tasks, need.processor) == tasks.end()) {
-      c.mark_unavailable(
+      c.record_unavailable_analysis(
           fmt::format("$TASK without {} in a deck with ${}", need.processor, need.card), card.span);
     }
   }
@@ -223,7 +223,7 @@ std::optional<double> sweep_value(DeckContext& c, const CardField& field, const 
   const std::optional<double> value = grammar::evaluate(field.expression, c.scope, c.diagnostics);
   const auto unit = c.scope.units_of.find(grammar::to_upper(name));
   if (value && unit != c.scope.units_of.end() && !grammar::has_unit(field.expression, c.scope) &&
-      is_foreign(c, unit->second)) {
+      is_foreign_unit(c, unit->second)) {
     warn_of_missing_unit(c, field.span, name, *value, unit->second);
   }
   return value;

@@ -24,7 +24,8 @@ public:
     spectrum_.name = card_.word_value("NAME");
     spectrum_.sequence = card_.has_word("TYPE", "SEQUENCE");
     spectrum_.span = card_.span;
-    const NameDefinition* path = look_up(c_, EntityKind::path, card_.name_reference("PATH"));
+    const NameDefinition* path =
+        resolve_definition(c_, EntityKind::path, card_.name_reference("PATH"));
     if (path != nullptr && path->index < c_.model.load_paths.size()) {
       spectrum_.path = path->index;
       last_ = c_.model.load_paths[path->index].beyond;
@@ -64,7 +65,7 @@ private:
     if (!card_.rows.empty()) {
       c_.error(card_.rows.front().span, "E115", "with FILE there are no data lines");
     }
-    const auto lines = number_file(c_, card_, "FILE");
+    const auto lines = read_number_file(c_, card_, "FILE");
     good_ = good_ && lines.has_value();
     if (good_ && spectrum_.sequence) {
       warn_of_columns(*lines);
@@ -194,8 +195,8 @@ private:
 } // namespace
 
 void build_spectra(DeckContext& context) {
-  context.for_sound_cards("SPECTRUM",
-                          [&](const CheckedCard& card) { SpectrumReader(context, card).read(); });
+  context.for_each_sound_card(
+      "SPECTRUM", [&](const CheckedCard& card) { SpectrumReader(context, card).read(); });
 }
 
 } // namespace spricka::deck

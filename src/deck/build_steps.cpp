@@ -24,11 +24,11 @@ bool says_twice(DeckContext& c, const grammar::DataRow& row, const model::Step& 
   bool twice = false;
   const auto look = [&](const auto& id) { twice = twice || id.index() == index; };
   if (verb == "LOAD") {
-    for_actions<model::ApplyLoad>(step, [&](const auto& load) { look(load.load_case); });
+    for_each_action<model::ApplyLoad>(step, [&](const auto& load) { look(load.load_case); });
   } else if (verb == "FIT") {
-    for_actions<model::ApplyFit>(step, [&](const auto& fit) { look(fit.contact); });
+    for_each_action<model::ApplyFit>(step, [&](const auto& fit) { look(fit.contact); });
   } else {
-    for_mountings(step, [&](base::ContactId contact, bool /*on*/) { look(contact); });
+    for_each_mounting(step, [&](base::ContactId contact, bool /*on*/) { look(contact); });
   }
   if (twice) {
     c.error(row.span, "E320",
@@ -52,7 +52,7 @@ void action(DeckContext& c, const grammar::DataRow& row, model::Step& step) {
   }
   const NameReference reference{row.fields[1].text, row.fields[1].span, {}};
   const NameDefinition* found =
-      look_up(c, loads ? EntityKind::load_case : EntityKind::contact, reference);
+      resolve_definition(c, loads ? EntityKind::load_case : EntityKind::contact, reference);
   const auto factor = factored ? c.read_number(row.fields[2], grammar::Quantity::number, "a factor")
                                : std::optional(1.0);
   if (found == nullptr || !factor) {
@@ -100,7 +100,7 @@ base::StepId step_id(DeckContext& c, const CheckedCard& card, std::string_view k
   if (!card.has_key(key)) {
     return {};
   }
-  const NameDefinition* found = look_up(c, EntityKind::step, card.name_reference(key));
+  const NameDefinition* found = resolve_definition(c, EntityKind::step, card.name_reference(key));
   return found == nullptr ? base::StepId() : base::StepId(found->index);
 }
 
@@ -168,8 +168,8 @@ void law_constants(const DeckContext& c, const CheckedCard& card,
   constants.q = card.number_value("Q");
   constants.alpha = card.number_value("ALPHA");
   constants.stress_ratio = card.number_value("SMAX");
-  constants.k_unit = c.deck_units(card, "KUNIT");
-  constants.a_unit = c.deck_units(card, "AUNIT");
+  constants.k_unit = c.key_unit_factor(card, "KUNIT");
+  constants.a_unit = c.key_unit_factor(card, "AUNIT");
   constants.threshold = law_intensity(card, "DKTH", constants.k_unit);
   if (card.has_key("KC")) {
     constants.k_c = law_intensity(card, "KC", constants.k_unit);
@@ -209,7 +209,7 @@ void cycles_of(DeckContext& c, const CheckedCard& card, model::CrackGrowthSettin
   }
   if (card.has_key("SPECTRUM")) {
     if (const NameDefinition* found =
-            look_up(c, EntityKind::spectrum, card.name_reference("SPECTRUM"))) {
+            resolve_definition(c, EntityKind::spectrum, card.name_reference("SPECTRUM"))) {
       growth.spectrum = found->index;
     }
   } else if (growth.law != model::CrackGrowthLaw::increment &&
@@ -228,7 +228,7 @@ void grow(DeckContext& c, const CheckedCard& card) {
                                                             : model::GrowthDirection::path;
   if (card.has_key("CRACKS")) {
     for (const NameReference& name : card.find("CRACKS")->names) {
-      if (const NameDefinition* found = look_up(c, EntityKind::crack, name)) {
+      if (const NameDefinition* found = resolve_definition(c, EntityKind::crack, name)) {
         growth.cracks.emplace_back(found->index);
       }
     }
@@ -264,7 +264,7 @@ void load_path(DeckContext& c, const CheckedCard& card) {
   }
   for (std::size_t s = std::min(path.from.index(), path.to.index()) + 1;
        known && s <= std::max(path.from.index(), path.to.index()); ++s) {
-    if (changes_contacts(steps[s])) {
+    if (mounts_or_dismounts_contact(steps[s])) {
       c.error(card.span, "E323",
               fmt::format("step {} mounts or dismounts a contact between {} and {}", steps[s].name,
                           steps[path.from.index()].name, steps[path.to.index()].name),
@@ -341,7 +341,8 @@ void build_steps(DeckContext& context) {
       grow(context, card);
     }
   }
-  context.for_sound_cards("LOADPATH", [&](const CheckedCard& card) { load_path(context, card); });
+  context.for_each_sound_card("LOADPATH",
+                              [&](const CheckedCard& card) { load_path(context, card); });
   build_spectra(context);
   paths_with_friction(context);
   build_tests(context);

@@ -32,12 +32,12 @@ public:
                                                         : model::TestRateMethod::polynomial;
     test_.window = card_.integer_value("POINTS");
     test_.ratio = card_.optional_number("RATIO");
-    test_.reference.k_unit = c_.deck_units(card_, "KUNIT");
-    test_.reference.a_unit = c_.deck_units(card_, "AUNIT");
+    test_.reference.k_unit = c_.key_unit_factor(card_, "KUNIT");
+    test_.reference.a_unit = c_.key_unit_factor(card_, "AUNIT");
     test_.on_c = card_.has_word("AXIS", "C");
     test_.span = card_.span;
     if (const NameDefinition* crack =
-            look_up(c_, EntityKind::crack, card_.name_reference("CRACK"))) {
+            resolve_definition(c_, EntityKind::crack, card_.name_reference("CRACK"))) {
       test_.crack = base::CrackId(crack->index);
     }
     if (test_.window % 2 == 0) {
@@ -56,7 +56,7 @@ public:
 
 private:
   // A crack in space has two half axes that can be read.
-  [[nodiscard]] std::size_t most_lengths() const { return c_.known_plane() ? 1 : 2; }
+  [[nodiscard]] std::size_t most_lengths() const { return c_.is_certainly_plane() ? 1 : 2; }
 
   void rows() {
     for (const grammar::DataRow& row : card_.rows) {
@@ -98,7 +98,7 @@ private:
     if (!card_.has_key(key)) {
       return;
     }
-    const auto lines = number_file(c_, card_, key);
+    const auto lines = read_number_file(c_, card_, key);
     good_ = good_ && lines.has_value();
     for (std::size_t i = 0; good_ && i < lines->size(); ++i) {
       const NumberLine& line = (*lines)[i];
@@ -175,7 +175,7 @@ private:
 
   template <class Lacks> void look_at_the_crack(Lacks&& lacks) {
     const bool space = c_.model.mesh.dim == 3;
-    if (c_.known_plane() && card_.has_key("AXIS")) {
+    if (c_.is_certainly_plane() && card_.has_key("AXIS")) {
       lacks("AXIS is of a crack in space", "in the plane a crack has one length");
     }
     if (space && test_.crack.valid() &&
@@ -215,8 +215,8 @@ private:
 } // namespace
 
 void build_tests(DeckContext& context) {
-  context.for_sound_cards("TEST",
-                          [&](const CheckedCard& card) { TestReader(context, card).read(); });
+  context.for_each_sound_card("TEST",
+                              [&](const CheckedCard& card) { TestReader(context, card).read(); });
 }
 
 } // namespace spricka::deck

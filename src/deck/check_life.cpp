@@ -19,17 +19,17 @@ bool is_net_fit(const DeckContext& c, const model::Contact& contact) {
   if (contact.gap != 0.0) {
     return false;
   }
-  const CheckedCard* card = c.named_card("CONTACT", contact.name);
+  const CheckedCard* card = c.find_sound_card_named("CONTACT", contact.name);
   const bool has_gap = card != nullptr && card->has_key("GAP");
   return has_gap && c.sources.text(card->find("GAP")->span).find('(') == std::string_view::npos;
 }
 
 // At the end of every step; what a fit of gap 0 is scaled by counts for nothing.
-std::vector<StepEnd> factors_of_steps(const DeckContext& c) {
-  std::vector<StepEnd> ends = step_ends(c.model);
+std::vector<StepEndState> factors_of_steps(const DeckContext& c) {
+  std::vector<StepEndState> ends = step_end_states(c.model);
   for (std::size_t i = 0; i < c.model.contacts.size(); ++i) {
     const bool none = is_net_fit(c, c.model.contacts[i]);
-    for (StepEnd& end : ends) {
+    for (StepEndState& end : ends) {
       end.fit[i] = none ? 0.0 : end.fit[i];
     }
   }
@@ -38,7 +38,7 @@ std::vector<StepEnd> factors_of_steps(const DeckContext& c) {
 
 void unused_cases(DeckContext& c) {
   std::vector<bool> used(c.model.cases.size(), false);
-  for_actions<model::ApplyLoad>(
+  for_each_action<model::ApplyLoad>(
       c.model.steps, [&](const model::ApplyLoad& load) { used[load.load_case.index()] = true; });
   for (std::size_t i = 0; i < used.size() && !c.model.steps.empty(); ++i) {
     const model::LoadCase& load_case = c.model.cases[i];
@@ -52,7 +52,7 @@ void unused_cases(DeckContext& c) {
 
 // A first step says where the others begin, with LOAD .. 0 too; one without a line solves what is
 // there from the beginning.
-void idle_steps(DeckContext& c, const std::vector<StepEnd>& factors) {
+void idle_steps(DeckContext& c, const std::vector<StepEndState>& factors) {
   for (std::size_t s = 0; s < factors.size(); ++s) {
     const model::Step& step = c.model.steps[s];
     const bool loads = has_action<model::ApplyLoad>(step);
@@ -62,7 +62,7 @@ void idle_steps(DeckContext& c, const std::vector<StepEnd>& factors) {
     const bool first = s == 0 && !loads && !step.actions.empty() && none;
     const bool later =
         s > 0 && factors[s].load == factors[s - 1].load && factors[s].fit == factors[s - 1].fit;
-    if ((first || later) && !changes_contacts(step)) {
+    if ((first || later) && !mounts_or_dismounts_contact(step)) {
       c.warning(
           step.span, "W453",
           s == 0
@@ -75,7 +75,8 @@ void idle_steps(DeckContext& c, const std::vector<StepEnd>& factors) {
 }
 
 // Where K has no other cause than the loads, more of them at KMIN is KMIN and KMAX exchanged.
-void exchanged_steps(DeckContext& c, const CheckedCard& card, const std::vector<StepEnd>& factors) {
+void exchanged_steps(DeckContext& c, const CheckedCard& card,
+                     const std::vector<StepEndState>& factors) {
   const model::CrackGrowthSettings& growth = *c.model.growth;
   if (!growth.kmax.valid() || !growth.kmin.valid() || !c.model.contacts.empty() ||
       !c.model.mpcs.empty()) {
@@ -149,8 +150,8 @@ void shorter_lengths(DeckContext& c, const CheckedCard& card) {
   }
 }
 
-void growing_cracks(DeckContext& c, const std::vector<StepEnd>& factors) {
-  const CheckedCard* card = c.first_card("GROW");
+void growing_cracks(DeckContext& c, const std::vector<StepEndState>& factors) {
+  const CheckedCard* card = c.find_first_card("GROW");
   if (card == nullptr || !c.model.growth) {
     return;
   }
@@ -173,7 +174,7 @@ void check_steps_and_growth(DeckContext& context) {
   if (context.diagnostics.has_errors()) {
     return;
   }
-  const std::vector<StepEnd> factors = factors_of_steps(context);
+  const std::vector<StepEndState> factors = factors_of_steps(context);
   unused_cases(context);
   idle_steps(context, factors);
   growing_cracks(context, factors);

@@ -20,7 +20,7 @@ const ElementOrigin& element_origin(const DeckContext& c, std::size_t element) {
   return *(after - 1);
 }
 
-base::SourceSpan element_span(const DeckContext& c, std::size_t element) {
+base::SourceSpan element_source_span(const DeckContext& c, std::size_t element) {
   const ElementOrigin& origin = element_origin(c, element);
   return origin.data.valid()
              ? grammar::table_label_span(c.sources, origin.data, element - origin.first)
@@ -39,7 +39,7 @@ void report_elements(DeckContext& c, const std::vector<std::size_t>& elements,
       ++j;
     }
     const std::string more = j - i > 1 ? fmt::format(" and {} more", j - i - 1) : "";
-    c.error(element_span(c, elements[i]), std::string(code),
+    c.error(element_source_span(c, elements[i]), std::string(code),
             fmt::format("element {}{} {}", c.model.mesh.element_label[elements[i]], more, what),
             std::string(hint));
     i = std::max(j, i + 1);
@@ -80,7 +80,7 @@ void tell_corners(DeckContext& c, const std::vector<mesh::FoldedCorner>& corners
       worst = corners[j].part < worst.part ? corners[j] : worst;
     }
     c.warning(
-        element_span(c, worst.element.index()), "W307",
+        element_source_span(c, worst.element.index()), "W307",
         fmt::format("element {} folds over in its corner at node {}{}: its Jacobian there is "
                     "{:.2g} % of the mean, though positive at all integration points; stresses at "
                     "that node are those of the element's middle",

@@ -47,13 +47,13 @@ void one_symmetry(DeckContext& c) {
 void solid_growth_in_reach(DeckContext& c) {
   const model::CrackGrowthSettings& growth = *c.model.growth;
   const auto no = [&](const char* what) {
-    c.mark_unavailable(fmt::format("$GROW {} with a crack in space", what), growth.span);
+    c.record_unavailable_analysis(fmt::format("$GROW {} with a crack in space", what), growth.span);
   };
   for (std::size_t i = 0; i < c.model.cracks.size(); ++i) {
     if (growth.law == model::CrackGrowthLaw::increment && growth.grows(base::CrackId(i)) &&
         c.model.cracks[i].kind != model::CrackDefinitionKind::ellipse) {
-      c.mark_unavailable("$GROW LAW=INCREMENT with a crack in space that is no ellipse",
-                         growth.span);
+      c.record_unavailable_analysis("$GROW LAW=INCREMENT with a crack in space that is no ellipse",
+                                    growth.span);
     }
   }
   const bool turns = growth.direction != model::GrowthDirection::path;
@@ -76,20 +76,20 @@ void solid_cracks_in_reach(DeckContext& c) {
   for (const model::TipMeshSettings& tip : c.model.tip_nets) {
     const bool found = c.model.cracks[tip.crack.index()].kind == model::CrackDefinitionKind::front;
     if ((!tip.patch && !found) || tip.join == model::PatchCoupling::transition) {
-      c.mark_unavailable(
+      c.record_unavailable_analysis(
           fmt::format("$TIPNET {} in space", !tip.patch ? "PATCH=NO" : "JOIN=TRANSITION"),
           tip.span);
     }
   }
   for (const model::VirtualCrackExtensionSettings& vce : c.model.vces) {
     if (vce.shift) {
-      c.mark_unavailable("$VCE SHIFT in space", vce.span);
+      c.record_unavailable_analysis("$VCE SHIFT in space", vce.span);
     }
   }
   for (const model::CrackDefinition& crack : c.model.cracks) {
     if (crack.state == model::CrackTipPlaneState::stress) {
-      c.mark_unavailable("$CRACK STATE=STRESS in space, where a front is in plane strain,",
-                         crack.span);
+      c.record_unavailable_analysis(
+          "$CRACK STATE=STRESS in space, where a front is in plane strain,", crack.span);
     }
   }
 }
@@ -99,8 +99,8 @@ void cracks_in_reach(DeckContext& c) {
   const bool axial = model::axisymmetric(c.model);
   for (const model::CrackDefinition& crack : c.model.cracks) {
     if (axial && crack.state == model::CrackTipPlaneState::stress) {
-      c.mark_unavailable("$CRACK STATE=STRESS about an axis, where a front is in plane strain,",
-                         crack.span);
+      c.record_unavailable_analysis(
+          "$CRACK STATE=STRESS about an axis, where a front is in plane strain,", crack.span);
     }
   }
   if (space) {
@@ -118,7 +118,7 @@ void cracks_in_reach(DeckContext& c) {
     const model::ElementProperty& property = c.model.element_property(mesh, id);
     if (model::is_nearly_incompressible(material, property.state,
                                         base::element_info(mesh.type[e]).quadratic)) {
-      c.mark_unavailable(
+      c.record_unavailable_analysis(
           fmt::format("$CRACK with {} elements and nu = {:.6g}, nearly incompressible,",
                       base::element_info(mesh.type[e]).name, material.nu),
           c.model.cracks.front().span);
@@ -129,7 +129,7 @@ void cracks_in_reach(DeckContext& c) {
 
 void loads_in_reach(DeckContext& c) {
   const bool axial = model::axisymmetric(c.model);
-  c.for_sound_cards("LOAD", [&](const CheckedCard& card) {
+  c.for_each_sound_card("LOAD", [&](const CheckedCard& card) {
     if (card.has_word("TYPE", "BEARING") && axial) {
       c.error(card.span, "E313",
               "TYPE=BEARING pushes to one side: it means nothing with STATE=AXI");

@@ -127,8 +127,8 @@ void idle_sweeps(DeckContext& c, const std::map<std::string, NameOccurrences>& w
 
 } // namespace
 
-void check_scripts(DeckContext& c) {
-  const bool swept = c.first_card("SWEEP") != nullptr;
+void check_script_parameters(DeckContext& c) {
+  const bool swept = c.find_first_card("SWEEP") != nullptr;
   if ((c.scripts.empty() && !swept) || c.scope.incomplete || c.diagnostics.has_errors()) {
     return;
   }

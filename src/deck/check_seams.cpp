@@ -34,7 +34,7 @@ void doubled(DeckContext& c) {
   const auto& [first, second] = pairs.front();
   const auto label = [&](base::ElementId e) { return c.model.mesh.element_label[e.index()]; };
   const std::string more = pairs.size() > 1 ? fmt::format(" and {} more", pairs.size() - 1) : "";
-  c.error(element_span(c, second.index()), "E340",
+  c.error(element_source_span(c, second.index()), "E340",
           fmt::format("element {}{} lies on element {}: the material would count twice",
                       label(second), more, label(first)),
           "is an $ELEMENT, $MESH or $IMPORT there twice?");
@@ -132,7 +132,7 @@ void open_seams(DeckContext& c) {
     return mesh.element_label[face.element.index()];
   };
   c.warning(
-      element_span(c, seam.second.element.index()), "W341",
+      element_source_span(c, seam.second.element.index()), "W341",
       fmt::format("elements {} and {}{} touch along a side but have nodes of their own there{}: "
                   "nothing joins them",
                   label(seam.first), label(seam.second), net(seam.first),
@@ -173,7 +173,7 @@ void hanging_nodes(DeckContext& c) {
       return base::element_info(mesh.type[e.index()]).name;
     };
     c.warning(
-        element_span(c, first->first.index()), "W370",
+        element_source_span(c, first->first.index()), "W370",
         fmt::format("element {} ({}) has a side in common with element {} ({}), whose middle nodes "
                     "there hang free{}: between the corners the two part or overlap",
                     label(first->first), name(first->first), label(first->second),
@@ -186,7 +186,7 @@ void hanging_nodes(DeckContext& c) {
 
 } // namespace
 
-void check_seams(DeckContext& context) {
+void check_doubles_and_unjoined_sides(DeckContext& context) {
   if (!context.mesh_sound || context.diagnostics.has_errors() ||
       context.model.mesh.element_count() == 0) {
     return;

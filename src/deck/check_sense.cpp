@@ -32,7 +32,7 @@ bool is_power_of_ten(double value) {
 
 // Whether the deck works a modulus out, as 1000 times that of another body.
 bool is_worked_out(const DeckContext& c, const model::ElasticMaterial& material) {
-  const CheckedCard* card = c.named_card("MATERIAL", material.name);
+  const CheckedCard* card = c.find_sound_card_named("MATERIAL", material.name);
   return card != nullptr &&
          c.sources.text(card->find("E")->span).find('*') != std::string_view::npos;
 }

@@ -23,20 +23,20 @@ std::string count_of(std::size_t faces) {
 }
 
 SurfaceFacePair pair_of(const model::Mesh& mesh, const model::Contact& contact) {
-  return {sorted_faces(mesh, contact.slave),
-          contact.master.valid() ? sorted_faces(mesh, contact.master) : Faces()};
+  return {sorted_set_faces(mesh, contact.slave),
+          contact.master.valid() ? sorted_set_faces(mesh, contact.master) : Faces()};
 }
 
 class SurfaceConflictCheck {
 public:
   explicit SurfaceConflictCheck(DeckContext& context)
-      : c_(context), model_(context.model), mesh_(model_.mesh), ends_(step_ends(model_)) {
+      : c_(context), model_(context.model), mesh_(model_.mesh), ends_(step_end_states(model_)) {
     for (const model::Contact& contact : model_.contacts) {
       pairs_.push_back(pair_of(mesh_, contact));
     }
     if (ends_.empty()) { // without steps: all along
       ends_.push_back(
-          {std::vector<double>(model_.cases.size(), 0.0), {}, mounted_at_start(model_)});
+          {std::vector<double>(model_.cases.size(), 0.0), {}, contacts_mounted_at_start(model_)});
     }
   }
 
@@ -60,7 +60,7 @@ public:
 private:
   [[nodiscard]] bool together(std::size_t a, std::size_t b) const {
     return std::ranges::any_of(
-        ends_, [&](const StepEnd& end) { return end.mounted[a] && end.mounted[b]; });
+        ends_, [&](const StepEndState& end) { return end.mounted[a] && end.mounted[b]; });
   }
 
   [[nodiscard]] std::string surfaces_of(const model::Contact& contact) const {
@@ -122,11 +122,11 @@ private:
     }
     const std::vector<base::NodeId>& list = mesh_.set_with_id(tie.slave).nodes;
     const std::set<base::NodeId> nodes(list.begin(), list.end());
-    const Faces master = sorted_faces(mesh_, tie.master);
+    const Faces master = sorted_set_faces(mesh_, tie.master);
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const SurfaceFacePair& pair = pairs_[i];
-      const SurfaceFacePair here{faces_with_corners(mesh_, pair.one, nodes), master};
-      const SurfaceFacePair turned{faces_with_corners(mesh_, pair.two, nodes), master};
+      const SurfaceFacePair here{faces_with_all_corners_in(mesh_, pair.one, nodes), master};
+      const SurfaceFacePair turned{faces_with_all_corners_in(mesh_, pair.two, nodes), master};
       const std::size_t faces =
           std::max(doubly_paired_face_count(mesh_, pair, here),
                    doubly_paired_face_count(mesh_, {pair.two, pair.one}, turned));
@@ -146,8 +146,8 @@ private:
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const SurfaceFacePair& pair = pairs_[i];
       const bool both = !pair.two.empty() &&
-                        faces_with_corners(mesh_, pair.one, nodes) == pair.one &&
-                        faces_with_corners(mesh_, pair.two, nodes) == pair.two;
+                        faces_with_all_corners_in(mesh_, pair.one, nodes) == pair.one &&
+                        faces_with_all_corners_in(mesh_, pair.two, nodes) == pair.two;
       if (both) {
         say_tied(model_.contacts[i], tie.span, pair.one.size());
       }
@@ -180,7 +180,7 @@ private:
           tied.insert({nodes.first, nodes.second});
         }
       }
-      const Faces faces = faces_with_corners(mesh_, pairs_[i].one, tied);
+      const Faces faces = faces_with_all_corners_in(mesh_, pairs_[i].one, tied);
       if (!faces.empty()) {
         say_tied(model_.contacts[i], spans.at(mesh::face_nodes(mesh_, faces.front()).all.front()),
                  faces.size());
@@ -203,13 +203,14 @@ private:
   }
 
   void look_at_load(std::size_t load_case, const model::Load& load) {
-    const Faces faces = sorted_faces(mesh_, load.faces);
+    const Faces faces = sorted_set_faces(mesh_, load.faces);
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      const bool acts = std::ranges::any_of(
-          ends_, [&](const StepEnd& end) { return end.load[load_case] != 0.0 && end.mounted[i]; });
+      const bool acts = std::ranges::any_of(ends_, [&](const StepEndState& end) {
+        return end.load[load_case] != 0.0 && end.mounted[i];
+      });
       const SurfaceFacePair& pair = pairs_[i];
-      const std::size_t shared = facing_count(mesh_, common_faces(faces, pair.one), pair.two) +
-                                 facing_count(mesh_, common_faces(faces, pair.two), pair.one);
+      const std::size_t shared = facing_face_count(mesh_, common_faces(faces, pair.one), pair.two) +
+                                 facing_face_count(mesh_, common_faces(faces, pair.two), pair.one);
       if (acts && shared > 0) {
         c_.warning(
             load.span, "W351",
@@ -228,12 +229,12 @@ private:
   const model::Model& model_;
   const model::Mesh& mesh_;
   std::vector<SurfaceFacePair> pairs_; ///< [contact]
-  std::vector<StepEnd> ends_;
+  std::vector<StepEndState> ends_;
 };
 
 } // namespace
 
-void check_surfaces(DeckContext& context) {
+void check_conflicting_surfaces(DeckContext& context) {
   if (context.diagnostics.has_errors()) {
     return;
   }

@@ -141,7 +141,7 @@ void unmoved_freedoms(DeckContext& c) {
 
 } // namespace
 
-void check_unused(DeckContext& context) {
+void check_unused_entities(DeckContext& context) {
   if (context.diagnostics.has_errors()) {
     return;
   }

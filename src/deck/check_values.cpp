@@ -17,7 +17,7 @@ namespace {
 // Of a key of the card that made something; of that thing where there is no such card or key.
 base::SourceSpan key_span(const DeckContext& c, std::string_view card_name, std::string_view name,
                           std::string_view key, base::SourceSpan otherwise) {
-  const CheckedCard* card = c.named_card(card_name, name);
+  const CheckedCard* card = c.find_sound_card_named(card_name, name);
   return card != nullptr && card->has_key(key) ? card->find(key)->span : otherwise;
 }
 
@@ -158,9 +158,9 @@ void fit_of_absent(DeckContext& c) {
   std::vector<const model::Step*> early(c.model.contacts.size(), nullptr);
   std::vector<bool> mounted(c.model.contacts.size(), false);
   for (const model::Step& step : c.model.steps) {
-    for_actions<model::MountContact>(
+    for_each_action<model::MountContact>(
         step, [&](const model::MountContact& on) { mounted[on.contact.index()] = true; });
-    for_actions<model::ApplyFit>(step, [&](const model::ApplyFit& fit) {
+    for_each_action<model::ApplyFit>(step, [&](const model::ApplyFit& fit) {
       const std::size_t i = fit.contact.index();
       if (fit.factor != 0.0 && !mounted[i] && early[i] == nullptr) {
         early[i] = &step;
@@ -181,7 +181,7 @@ void fit_of_absent(DeckContext& c) {
 
 void odd_steps(DeckContext& c) {
   fit_of_absent(c);
-  std::vector<bool> in = mounted_at_start(c.model);
+  std::vector<bool> in = contacts_mounted_at_start(c.model);
   for (const model::Step& step : c.model.steps) {
     for (const model::StepAction& action : step.actions) {
       const auto* on = std::get_if<model::MountContact>(&action);
@@ -207,12 +207,12 @@ void odd_steps(DeckContext& c) {
 
 } // namespace
 
-void check_values(DeckContext& context) {
+void check_implausible_values(DeckContext& context) {
   if (context.diagnostics.has_errors()) {
     return;
   }
   odd_materials(context);
-  const CheckedCard* card = context.first_card("GROW");
+  const CheckedCard* card = context.find_first_card("GROW");
   if (card != nullptr && context.model.growth) {
     odd_flow_stress(context, *card);
     odd_toughness(context, *card);

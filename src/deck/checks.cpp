@@ -303,14 +303,14 @@ private:
         c_.error(span, "E315", "the tips of a crack are NAME.1 and NAME.2");
         return false;
       }
-      return look_up(c_, EntityKind::crack, {name.substr(0, dot), span, {}}) != nullptr;
+      return resolve_definition(c_, EntityKind::crack, {name.substr(0, dot), span, {}}) != nullptr;
     }
     case 'p':
       return check_contact_reference(c_, reference);
     case 'e':
-      return name == "*" || look_up(c_, EntityKind::net, {name, span, {}}) != nullptr;
+      return name == "*" || resolve_definition(c_, EntityKind::net, {name, span, {}}) != nullptr;
     case 'n': {
-      const std::string own = qualify(card_.net, name);
+      const std::string own = qualified_name(card_.net, name);
       const bool ok = resolve_set_kind(c_, EntityKind::any_set, reference).has_value();
       name = c_.names.find(accepted_kinds(EntityKind::any_set), own, {}) != nullptr ? own : name;
       return ok;
@@ -322,7 +322,8 @@ private:
       c_.error(span, "E315", fmt::format("expected X, Y or Z, not '{}'", name));
       return false;
     default: // steps, cases, materials, paths and tests
-      return look_up(c_, grammar::find_result_argument(letter)->kind, reference) != nullptr;
+      return resolve_definition(c_, grammar::find_result_argument(letter)->kind, reference) !=
+             nullptr;
     }
   }
 
@@ -340,8 +341,8 @@ void read_checks(DeckContext& context, const CheckedCard& card) {
   }
 }
 
-std::optional<model::ResultCheck> read_result(DeckContext& context, const CheckedCard& card,
-                                              const grammar::DataRow& row) {
+std::optional<model::ResultCheck> read_result_request(DeckContext& context, const CheckedCard& card,
+                                                      const grammar::DataRow& row) {
   return CheckReader(context, card, row).result();
 }
 

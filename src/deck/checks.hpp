@@ -10,7 +10,7 @@ void read_checks(DeckContext& context, const CheckedCard& card);
 
 /// A line that names a result with its arguments and no more, by the same rules, as one of this
 /// $CHECK card. Empty after an error, which is reported.
-std::optional<model::ResultCheck> read_result(DeckContext& context, const CheckedCard& card,
-                                              const grammar::DataRow& row);
+std::optional<model::ResultCheck> read_result_request(DeckContext& context, const CheckedCard& card,
+                                                      const grammar::DataRow& row);
 
 } // namespace spricka::deck

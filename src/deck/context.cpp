@@ -7,14 +7,14 @@
 
 namespace spricka::deck {
 
-const CheckedCard* DeckContext::first_card(std::string_view name) const {
+const CheckedCard* DeckContext::find_first_card(std::string_view name) const {
   const auto found =
       std::ranges::find_if(cards, [&](const CheckedCard& card) { return card.spec->name == name; });
   return found == cards.end() ? nullptr : &*found;
 }
 
-void DeckContext::report_second(const NameDefinition& second, std::string_view name,
-                                const NameDefinition& first) {
+void DeckContext::report_duplicate_name(const NameDefinition& second, std::string_view name,
+                                        const NameDefinition& first) {
   error(second.span, "E302",
         fmt::format("{} {} is defined twice", grammar::display_name(second.kind), name),
         fmt::format("first in line {}", line_of(first.span)));
@@ -25,12 +25,13 @@ bool DeckContext::has_bad_card(std::string_view name) const {
       cards, [&](const CheckedCard& card) { return card.spec->name == name && card.bad; });
 }
 
-double DeckContext::deck_units(const CheckedCard& card, std::string_view key) const {
+double DeckContext::key_unit_factor(const CheckedCard& card, std::string_view key) const {
   const auto unit = base::parse_unit(card.word_value(key));
   return card.has_key(key) && unit ? base::factor_to_deck_units(*unit, scope.units) : 1.0;
 }
 
-const CheckedCard* DeckContext::named_card(std::string_view card, std::string_view name) const {
+const CheckedCard* DeckContext::find_sound_card_named(std::string_view card,
+                                                      std::string_view name) const {
   const auto found = std::ranges::find_if(cards, [&](const CheckedCard& one) {
     return one.spec->name == card && !one.bad && one.word_value("NAME") == name;
   });

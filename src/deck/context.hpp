@@ -67,27 +67,28 @@ struct DeckContext {
     diagnostics.warning(span, std::move(code), std::move(text), std::move(hint));
   }
   /// Reports that a name is defined although it has a meaning already.
-  void report_second(const NameDefinition& second, std::string_view name,
-                     const NameDefinition& first);
+  void report_duplicate_name(const NameDefinition& second, std::string_view name,
+                             const NameDefinition& first);
   /// Number of a field in a data line, see read_field_number.
   std::optional<double> read_number(const grammar::CardField& field, grammar::Quantity quantity,
                                     std::string_view what) {
     return read_field_number(field, quantity, what, scope, diagnostics);
   }
   /// One unit of a key, as KUNIT, in those of the deck; 1 where it is not given.
-  [[nodiscard]] double deck_units(const CheckedCard& card, std::string_view key) const;
+  [[nodiscard]] double key_unit_factor(const CheckedCard& card, std::string_view key) const;
   /// The line of its file, from 1, that a place begins in.
   [[nodiscard]] std::size_t line_of(base::SourceSpan span) const {
     return sources.locate(span.file, span.begin).line;
   }
   /// The first card of a name; null: the deck has none.
-  [[nodiscard]] const CheckedCard* first_card(std::string_view name) const;
+  [[nodiscard]] const CheckedCard* find_first_card(std::string_view name) const;
   /// Whether the header of some card of a name is refused.
   [[nodiscard]] bool has_bad_card(std::string_view name) const;
   /// The first sound card of a name whose NAME is this; null: there is none.
-  [[nodiscard]] const CheckedCard* named_card(std::string_view card, std::string_view name) const;
+  [[nodiscard]] const CheckedCard* find_sound_card_named(std::string_view card,
+                                                         std::string_view name) const;
   /// Calls f with each sound card of a name, in deck order.
-  template <class F> void for_sound_cards(std::string_view name, F&& f) const {
+  template <class F> void for_each_sound_card(std::string_view name, F&& f) const {
     for (const CheckedCard& card : cards) {
       if (card.spec->name == name && !card.bad) {
         f(card);
@@ -97,28 +98,28 @@ struct DeckContext {
   /// The net of a name; the number of nets where there is none.
   [[nodiscard]] base::NetId find_net(std::string_view name) const;
   /// Of the net that a card stands in; null: as the deck has it.
-  [[nodiscard]] const NetRefinement* refinement(const std::string& net) const {
+  [[nodiscard]] const NetRefinement* net_refinement(const std::string& net) const {
     const auto found = refine == nullptr ? std::map<std::string, NetRefinement>::const_iterator()
                                          : refine->find(net);
     return refine == nullptr || found == refine->end() ? nullptr : &found->second;
   }
   /// Elements of the plane, without doubt: a mesh whose card is refused may have been a solid one.
-  [[nodiscard]] bool known_plane() const {
+  [[nodiscard]] bool is_certainly_plane() const {
     return mesh_sound && model.mesh.element_count() > 0 && model.mesh.dim == 2;
   }
   /// Notes an analysis that the deck asks for and the program does not have.
-  void mark_unavailable(std::string what, base::SourceSpan span) {
+  void record_unavailable_analysis(std::string what, base::SourceSpan span) {
     model.unavailable.push_back({std::move(what), span});
   }
 };
 
 /// The definition a reference means. Empty after an error, which is reported unless the name is
 /// poisoned.
-const NameDefinition* look_up(DeckContext& context, EntityKind kind,
-                              const NameReference& reference);
+const NameDefinition* resolve_definition(DeckContext& context, EntityKind kind,
+                                         const NameReference& reference);
 
 /// Whether a reference means a contact, or with CRACK.FACES the faces of a crack; else an error is
-/// reported as by look_up.
+/// reported as by resolve_definition.
 bool check_contact_reference(DeckContext& context, const NameReference& reference);
 
 // The stages, in their order. Each takes its cards from the context and leaves its part of the
@@ -130,7 +131,7 @@ void resolve_all_cards(DeckContext& context, const std::vector<grammar::Card>& c
 /// $COOR, $ELEMENT, $MESH, $IMPORT.
 void build_mesh(DeckContext& context);
 /// Parameters that reach no script, though they seem to be meant to.
-void check_scripts(DeckContext& context);
+void check_script_parameters(DeckContext& context);
 /// $NSET, $ESET, $FSET.
 void build_sets(DeckContext& context);
 /// $MATERIAL, $PROPERTY, $FREEDOM.
@@ -158,18 +159,18 @@ void check_references(DeckContext& context);
 /// Elements without a property, bad elements, mixed dimensions.
 void check_mesh(DeckContext& context);
 /// Elements that stand twice; sides that touch and nothing joins.
-void check_seams(DeckContext& context);
+void check_doubles_and_unjoined_sides(DeckContext& context);
 /// What no card can say alone: symmetry, cracks and loads that reach the mesh, heat without
 /// expansion, thickness. Nothing where the deck has errors.
 void check_model_consistency(DeckContext& context);
 /// Values that the language allows and hardly anybody means.
 void check_plausibility(DeckContext& context);
 /// Surfaces that two cards hold or load.
-void check_surfaces(DeckContext& context);
+void check_conflicting_surfaces(DeckContext& context);
 /// Numbers that are allowed and that hardly any material, law, fit or check has.
-void check_values(DeckContext& context);
+void check_implausible_values(DeckContext& context);
 /// What nothing uses or moves, and what stands twice.
-void check_unused(DeckContext& context);
+void check_unused_entities(DeckContext& context);
 /// Thickness and state of plane bodies.
 void check_thickness(DeckContext& context);
 /// Steps that do nothing and growths that cannot be meant.

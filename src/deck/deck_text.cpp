@@ -119,14 +119,14 @@ void DeckCard::erase(std::string_view key) {
   std::erase_if(keys, [&](const auto& entry) { return entry.first == key; });
 }
 
-std::optional<DeckText> read_deck_text(const fs::path& deck, base::SourceTexts& sources,
-                                       base::Diagnostics& diagnostics) {
+std::optional<DeckCardList> read_deck_card_list(const fs::path& deck, base::SourceTexts& sources,
+                                                base::Diagnostics& diagnostics) {
   const std::size_t before = diagnostics.error_count();
-  const DeckFileCards loaded = read_deck_files(deck, sources, diagnostics);
+  const DeckFileCards loaded = read_deck_and_includes(deck, sources, diagnostics);
   if (loaded.incomplete || diagnostics.error_count() > before) {
     return std::nullopt;
   }
-  DeckText text;
+  DeckCardList text;
   std::string net;
   for (const grammar::Card& card : loaded.cards) {
     if (card.name == "INCLUDE") {
@@ -146,7 +146,7 @@ std::optional<DeckText> read_deck_text(const fs::path& deck, base::SourceTexts& 
   return text;
 }
 
-std::string write_deck(DeckText text, const fs::path& folder,
+std::string write_deck(DeckCardList text, const fs::path& folder,
                        const std::vector<std::string>& head) {
   std::string out;
   for (const std::string& line : head) {
@@ -171,12 +171,12 @@ DeckCard make_card(std::string name, std::vector<std::pair<std::string, std::str
           .card = {}};
 }
 
-void append_card(DeckText& text, DeckCard card) {
+void append_card(DeckCardList& text, DeckCard card) {
   const auto end = std::ranges::find(text, "END", &DeckCard::name);
   text.insert(end, std::move(card));
 }
 
-bool replace_parameter(DeckText& text, std::string_view name, std::string_view value) {
+bool replace_parameter(DeckCardList& text, std::string_view name, std::string_view value) {
   for (DeckCard& card : cards_named(text, "PARAMETER")) {
     base::SourceTexts sources;
     base::Diagnostics read_before;

@@ -36,17 +36,18 @@ struct DeckCard {
   void erase(std::string_view key);
 };
 
-using DeckText = std::vector<DeckCard>;
+using DeckCardList = std::vector<DeckCard>;
 
 /// The cards of a deck with those of its includes in their places; $INCLUDE itself is left out.
 /// Names of files are made absolute. Mistakes of syntax go to `diagnostics`; with them, or where
 /// an include is missing, the result is empty. Throws std::system_error as load_deck does.
-std::optional<DeckText> read_deck_text(const std::filesystem::path& deck,
-                                       base::SourceTexts& sources, base::Diagnostics& diagnostics);
+std::optional<DeckCardList> read_deck_card_list(const std::filesystem::path& deck,
+                                                base::SourceTexts& sources,
+                                                base::Diagnostics& diagnostics);
 
 /// The deck in canonical layout, to stand in `folder`: names of files that cards read count from
 /// there. `head` are comment lines without their !, in front of the first card.
-std::string write_deck(DeckText text, const std::filesystem::path& folder,
+std::string write_deck(DeckCardList text, const std::filesystem::path& folder,
                        const std::vector<std::string>& head = {});
 
 /// A new card; `data` is empty or ended by a newline.
@@ -54,11 +55,11 @@ DeckCard make_card(std::string name, std::vector<std::pair<std::string, std::str
                    std::string data = {});
 
 /// Puts a card in front of $END, or at the end.
-void append_card(DeckText& text, DeckCard card);
+void append_card(DeckCardList& text, DeckCard card);
 
 /// Gives a parameter of the deck, by its name in upper case, another value as a deck writes it;
 /// false: the deck does not define it.
-bool replace_parameter(DeckText& text, std::string_view name, std::string_view value);
+bool replace_parameter(DeckCardList& text, std::string_view name, std::string_view value);
 
 /// The cards of a name, in upper case, of a text that may be changed or not.
 template <class Text> auto cards_named(Text& text, std::string_view name) {

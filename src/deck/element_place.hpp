@@ -8,6 +8,6 @@ namespace spricka::deck {
 const ElementOrigin& element_origin(const DeckContext& context, std::size_t element);
 
 /// Its row of an $ELEMENT table, or the card that meshed it.
-base::SourceSpan element_span(const DeckContext& context, std::size_t element);
+base::SourceSpan element_source_span(const DeckContext& context, std::size_t element);
 
 } // namespace spricka::deck

@@ -79,7 +79,7 @@ bool faces_side(const Vec3& x, const std::vector<SideCorners>& opposite_sides) {
 
 } // namespace
 
-Faces sorted_faces(const model::Mesh& mesh, base::FaceSetId set) {
+Faces sorted_set_faces(const model::Mesh& mesh, base::FaceSetId set) {
   Faces faces = mesh.set_with_id(set).faces;
   std::ranges::sort(faces);
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
@@ -92,8 +92,8 @@ Faces common_faces(const Faces& a, const Faces& b) {
   return both;
 }
 
-Faces faces_with_corners(const model::Mesh& mesh, const Faces& faces,
-                         const std::set<base::NodeId>& nodes) {
+Faces faces_with_all_corners_in(const model::Mesh& mesh, const Faces& faces,
+                                const std::set<base::NodeId>& nodes) {
   Faces within;
   std::ranges::copy_if(faces, std::back_inserter(within), [&](const model::Face& face) {
     return std::ranges::all_of(SideCorners(mesh, face).nodes,
@@ -129,7 +129,8 @@ std::size_t doubly_paired_face_count(const model::Mesh& mesh, const SurfaceFaceP
   }));
 }
 
-std::size_t facing_count(const model::Mesh& mesh, const Faces& faces, const Faces& opposite_faces) {
+std::size_t facing_face_count(const model::Mesh& mesh, const Faces& faces,
+                              const Faces& opposite_faces) {
   if (opposite_faces.empty()) {
     return faces.size();
   }

@@ -17,12 +17,12 @@ struct SurfaceFacePair {
 };
 
 /// The faces of a set, ascending and each once.
-Faces sorted_faces(const model::Mesh& mesh, base::FaceSetId set);
+Faces sorted_set_faces(const model::Mesh& mesh, base::FaceSetId set);
 /// The faces that two lists have in common; all ascending.
 Faces common_faces(const Faces& a, const Faces& b);
 /// The faces, in their order, all of whose corners are among nodes.
-Faces faces_with_corners(const model::Mesh& mesh, const Faces& faces,
-                         const std::set<base::NodeId>& nodes);
+Faces faces_with_all_corners_in(const model::Mesh& mesh, const Faces& faces,
+                                const std::set<base::NodeId>& nodes);
 /// The corners of all faces.
 std::set<base::NodeId> corners_of(const model::Mesh& mesh, const Faces& faces);
 
@@ -33,6 +33,7 @@ std::size_t doubly_paired_face_count(const model::Mesh& mesh, const SurfaceFaceP
 
 /// How many of some faces lie opposite those of another surface, not beyond its ends; all where it
 /// has no faces.
-std::size_t facing_count(const model::Mesh& mesh, const Faces& faces, const Faces& opposite_faces);
+std::size_t facing_face_count(const model::Mesh& mesh, const Faces& faces,
+                              const Faces& opposite_faces);
 
 } // namespace spricka::deck

@@ -22,7 +22,7 @@ bool is_header(const grammar::DataRow& row) {
 
 } // namespace
 
-std::string card_hint(std::string_view word) {
+std::string card_name_hint(std::string_view word) {
   const std::string upper = grammar::to_upper(word);
   return grammar::find_card(upper) != nullptr
              ? fmt::format("did you mean ${}?", upper)
@@ -38,7 +38,7 @@ void drop_header_without_dollar(DeckContext& context, CheckedCard& card) {
   const CardField& name = missing->fields.front();
   context.error(name.span, "E115",
                 fmt::format("a card starts with $; this reads as data of ${}", card.spec->name),
-                card_hint(name.text));
+                card_name_hint(name.text));
   for (const CardField& field : missing->fields) {
     if (!field.text.empty()) {
       context.names.poison_name_ending(field.text);

@@ -10,6 +10,6 @@ void drop_header_without_dollar(DeckContext& context, CheckedCard& card);
 
 /// "did you mean $STEP?" when a word is the name of a card, what to write in place of a foreign
 /// sign, else empty.
-std::string card_hint(std::string_view word);
+std::string card_name_hint(std::string_view word);
 
 } // namespace spricka::deck

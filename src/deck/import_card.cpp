@@ -46,7 +46,7 @@ bool took_too_long(const DeckContext& c) {
 
 } // namespace
 
-void import_card(DeckContext& c, const CheckedCard& card) {
+void import_mesh_file(DeckContext& c, const CheckedCard& card) {
   mesh::ImportRequest request;
   // Relative to the file that the card stands in, as $INCLUDE is.
   request.file = std::filesystem::path(c.sources.file_name(card.span.file)).parent_path() /
@@ -60,7 +60,7 @@ void import_card(DeckContext& c, const CheckedCard& card) {
   request.net = card.net_id;
   request.parameters = c.parameters;
   request.span = card.span;
-  const NetRefinement* finer = c.refinement(card.net);
+  const NetRefinement* finer = c.net_refinement(card.net);
   if (request.format == mesh::ImportFormat::geo && finer != nullptr && finer->size) {
     c.remeshed.insert(card.net);
     request.size = {finer->size.map, request.scale};

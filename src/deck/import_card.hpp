@@ -6,6 +6,6 @@ namespace spricka::deck {
 
 /// Reads the file of an $IMPORT card into the mesh; its sets and numbers are still to be made
 /// known. Materials and properties of the file wait in the context.
-void import_card(DeckContext& context, const CheckedCard& card);
+void import_mesh_file(DeckContext& context, const CheckedCard& card);
 
 } // namespace spricka::deck

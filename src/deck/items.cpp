@@ -23,7 +23,7 @@ public:
         labels_((kind == EntityKind::node_set ? context.node_labels
                                               : context.element_labels)[card.net_id.index()]) {}
 
-  bool read(IndexCollection& collection) {
+  bool read(OrderedIndexSet& collection) {
     for (const grammar::DataRow& row : card_.rows) {
       const auto equal =
           std::ranges::find_if(row.fields, [](const CardField& f) { return f.separator == '='; });
@@ -41,7 +41,7 @@ public:
   }
 
 private:
-  void item(const CardField& field, IndexCollection& collection) {
+  void item(const CardField& field, OrderedIndexSet& collection) {
     if (!field.is_name() && field.kind != CardField::CardFieldKind::minus_name &&
         c_.remeshed.contains(card_.net)) {
       c_.error(field.span, "E303",
@@ -73,7 +73,7 @@ private:
     return kind_ == EntityKind::node_set ? "node" : "element";
   }
 
-  void number(const CardField& field, IndexCollection& collection) {
+  void number(const CardField& field, OrderedIndexSet& collection) {
     const auto value =
         c_.read_number(field, grammar::Quantity::number, fmt::format("a {} number", thing()));
     if (!value) {
@@ -90,7 +90,7 @@ private:
   }
 
   // Numbers in a range may be missing, as long as there is one.
-  void range(const CardField& field, IndexCollection& collection) {
+  void range(const CardField& field, OrderedIndexSet& collection) {
     const base::Label first = field.range[0];
     if (first < 1) {
       c_.error(field.span, "E103", fmt::format("a {} number is 1 or more", thing()));
@@ -157,7 +157,7 @@ private:
     }
   }
 
-  void members(const CardField& field, IndexCollection& collection) {
+  void members(const CardField& field, OrderedIndexSet& collection) {
     const NameReference reference{field.text, field.span, card_.net};
     const bool minus = field.kind == CardField::CardFieldKind::minus_name;
     const auto put = [&](std::size_t i) { minus ? collection.remove(i) : collection.add(i); };
@@ -187,8 +187,8 @@ private:
 
 } // namespace
 
-bool read_items(DeckContext& context, const CheckedCard& card, EntityKind kind,
-                const SetFinder& sets, IndexCollection& collection) {
+bool read_listed_members(DeckContext& context, const CheckedCard& card, EntityKind kind,
+                         const SetFinder& sets, OrderedIndexSet& collection) {
   return ItemReader(context, card, kind, sets).read(collection);
 }
 

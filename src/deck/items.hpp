@@ -8,9 +8,9 @@
 namespace spricka::deck {
 
 /// Indices, each at most once, in the order they came.
-class IndexCollection {
+class OrderedIndexSet {
 public:
-  explicit IndexCollection(std::size_t count) : place_(count, 0) {}
+  explicit OrderedIndexSet(std::size_t count) : place_(count, 0) {}
 
   /// Puts an index at the end; one that is in the collection already stays where it is.
   void add(std::size_t i) {
@@ -41,7 +41,7 @@ private:
 /// Adds what the data lines of a card name, numbers, ranges and sets of nodes or elements, and
 /// removes what -SET takes away. False if an item is not understood; the others are collected all
 /// the same.
-bool read_items(DeckContext& context, const CheckedCard& card, EntityKind kind,
-                const SetFinder& sets, IndexCollection& collection);
+bool read_listed_members(DeckContext& context, const CheckedCard& card, EntityKind kind,
+                         const SetFinder& sets, OrderedIndexSet& collection);
 
 } // namespace spricka::deck

@@ -185,9 +185,9 @@ void check_frame(std::vector<grammar::Card>& cards, std::int32_t file,
 
 } // namespace
 
-DeckFileCards read_deck_files(const std::filesystem::path& deck, base::SourceTexts& sources,
-                              base::Diagnostics& diagnostics,
-                              const std::optional<std::string>& text) {
+DeckFileCards read_deck_and_includes(const std::filesystem::path& deck, base::SourceTexts& sources,
+                                     base::Diagnostics& diagnostics,
+                                     const std::optional<std::string>& text) {
   Loader loader(sources, diagnostics);
   const auto file = static_cast<std::int32_t>(sources.count());
   loader.file(deck, deck.string(), text);

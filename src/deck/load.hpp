@@ -21,8 +21,8 @@ struct DeckFileCards {
 /// Reads the deck and its includes and checks the frame: $DECK first, $END last. Trouble with the
 /// deck's own file throws std::system_error; with an include it is a deck error. With a `text` the
 /// deck's own file is not read: the text stands for it.
-DeckFileCards read_deck_files(const std::filesystem::path& deck, base::SourceTexts& sources,
-                              base::Diagnostics& diagnostics,
-                              const std::optional<std::string>& text = {});
+DeckFileCards read_deck_and_includes(const std::filesystem::path& deck, base::SourceTexts& sources,
+                                     base::Diagnostics& diagnostics,
+                                     const std::optional<std::string>& text = {});
 
 } // namespace spricka::deck

@@ -57,7 +57,7 @@ double cells_of(const CheckedCard& card, const base::ElementInfo& info) {
 
 } // namespace
 
-bool check_mesh_card_size(DeckContext& context, const CheckedCard& card) {
+bool check_requested_mesh_size(DeckContext& context, const CheckedCard& card) {
   const base::ElementInfo& info =
       base::element_info(base::element_type_by_name(card.word_value("TYPE")));
   const double elements = cells_of(card, info) * per_cell(info);

@@ -6,6 +6,6 @@ namespace spricka::deck {
 
 /// Whether the mesh that a $MESH card asks for has a size that can be handled and its numbers fit
 /// behind those of its net; a slip of the finger must not fill the memory. False after an error.
-bool check_mesh_card_size(DeckContext& context, const CheckedCard& card);
+bool check_requested_mesh_size(DeckContext& context, const CheckedCard& card);
 
 } // namespace spricka::deck

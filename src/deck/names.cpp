@@ -23,7 +23,7 @@ std::string_view last_part(std::string_view name) {
 
 } // namespace
 
-std::string qualify(const std::string& net, const std::string& name) {
+std::string qualified_name(const std::string& net, const std::string& name) {
   return net.empty() ? name : net + "." + name;
 }
 
@@ -63,7 +63,7 @@ const NameDefinition* NameTable::find(const std::vector<EntityKind>& kinds, cons
                                       const std::string& net) const {
   if (!net.empty()) {
     for (const EntityKind kind : kinds) {
-      if (const auto it = table_.find({kind, qualify(net, name)}); it != table_.end()) {
+      if (const auto it = table_.find({kind, qualified_name(net, name)}); it != table_.end()) {
         return &it->second;
       }
     }
@@ -89,8 +89,8 @@ bool NameTable::is_poisoned(const std::vector<EntityKind>& kinds, const std::str
          (own.empty() && !net.empty() && nets_.contains(net));
 }
 
-std::string NameTable::other_meaning(const std::vector<EntityKind>& kinds,
-                                     const std::string& name) const {
+std::string NameTable::describe_other_kind(const std::vector<EntityKind>& kinds,
+                                           const std::string& name) const {
   for (const auto& [key, definition] : table_) {
     if (key.second == name && std::ranges::find(kinds, key.first) == kinds.end()) {
       const std::string_view word = grammar::display_name(key.first);
@@ -118,7 +118,7 @@ std::string NameTable::hint(const std::vector<EntityKind>& kinds, const std::str
     }
   }
   if (same_word.empty()) {
-    const std::string other = other_meaning(kinds, name);
+    const std::string other = describe_other_kind(kinds, name);
     return valid.empty() && other.empty() ? "the deck defines none"
            : other.empty()                ? base::suggest_spelling(name, valid)
                                           : other;

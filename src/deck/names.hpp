@@ -56,8 +56,8 @@ public:
                                  const std::string& name) const;
 
   /// "'PLATE' is an element set" where the name stands for something of another kind.
-  [[nodiscard]] std::string other_meaning(const std::vector<EntityKind>& kinds,
-                                          const std::string& name) const;
+  [[nodiscard]] std::string describe_other_kind(const std::vector<EntityKind>& kinds,
+                                                const std::string& name) const;
 
   /// For a set that has been built.
   void mark_set_built(EntityKind kind, const std::string& name, std::size_t index);
@@ -74,6 +74,6 @@ private:
 std::vector<EntityKind> accepted_kinds(EntityKind kind);
 
 /// NAME within a net: "NET.NAME".
-std::string qualify(const std::string& net, const std::string& name);
+std::string qualified_name(const std::string& net, const std::string& name);
 
 } // namespace spricka::deck

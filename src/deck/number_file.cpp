@@ -34,8 +34,8 @@ NumberLine numbers_in(std::string_view text) {
 
 } // namespace
 
-std::optional<std::vector<NumberLine>> number_file(DeckContext& context, const CheckedCard& card,
-                                                   std::string_view key) {
+std::optional<std::vector<NumberLine>>
+read_number_file(DeckContext& context, const CheckedCard& card, std::string_view key) {
   const base::SourceSpan span = card.find(key)->span;
   const std::filesystem::path path =
       std::filesystem::path(context.sources.file_name(card.span.file)).parent_path() /

@@ -19,7 +19,7 @@ struct NumberLine {
 /// The lines of numbers in the file that a key of a card names, beside the deck: separated by
 /// blanks, commas or semicolons, what follows ! or # is a comment; lines without numbers are left
 /// out. A file that cannot be read is said (E308) and gives nothing.
-std::optional<std::vector<NumberLine>> number_file(DeckContext& context, const CheckedCard& card,
-                                                   std::string_view key);
+std::optional<std::vector<NumberLine>>
+read_number_file(DeckContext& context, const CheckedCard& card, std::string_view key);
 
 } // namespace spricka::deck

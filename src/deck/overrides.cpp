@@ -18,7 +18,7 @@ void ParameterOverrides::warn_of_missing_unit(DeckContext& context,
   if (!entry.expression || grammar::has_unit(*entry.expression, context.scope)) {
     return;
   }
-  const base::SourceSpan unit = foreign_unit(deck.value, context.scope);
+  const base::SourceSpan unit = find_foreign_unit(deck.value, context.scope);
   if (unit.valid() && entry.value) {
     deck::warn_of_missing_unit(context, entry.span, entry.written, *entry.value, unit);
   }
@@ -104,8 +104,8 @@ bool ParameterOverrides::has_unit(const DeckContext& context,
   return grammar::has_unit(expression ? *expression : own.value, context.scope);
 }
 
-void ParameterOverrides::report_unknown(DeckContext& context,
-                                        const std::set<std::string>& defined) const {
+void ParameterOverrides::report_unknown_parameters(DeckContext& context,
+                                                   const std::set<std::string>& defined) const {
   const std::vector<std::string> valid(defined.begin(), defined.end());
   for (const auto& [name, entry] : table_) {
     const bool syntax_error = entry.evaluated && !entry.value && !entry.expression;

@@ -34,7 +34,7 @@ public:
   [[nodiscard]] bool has_unit(const DeckContext& context, const grammar::Assignment& own) const;
 
   /// Reports the overrides of parameters that the deck does not have.
-  void report_unknown(DeckContext& context, const std::set<std::string>& defined) const;
+  void report_unknown_parameters(DeckContext& context, const std::set<std::string>& defined) const;
 
 private:
   struct ParameterOverride {

@@ -19,7 +19,7 @@ void divide_elements(DeckContext& context) {
     std::vector<bool> nets(model.nets.size(), false);
     for (std::size_t n = 0; n < nets.size(); ++n) {
       const std::string& name = model.nets[n].name;
-      const NetRefinement* request = context.refinement(name);
+      const NetRefinement* request = context.net_refinement(name);
       nets[n] = request != nullptr && request->splits > round && !context.remeshed.contains(name);
     }
     if (std::ranges::none_of(nets, [](bool divided) { return divided; })) {
@@ -35,7 +35,7 @@ std::optional<model::Model> read_deck(const std::filesystem::path& deck,
                                       const DeckReadOptions& options, base::SourceTexts& sources,
                                       base::Diagnostics& diagnostics,
                                       std::vector<ImportedScript>* scripts) {
-  const DeckFileCards loaded = read_deck_files(deck, sources, diagnostics, options.text);
+  const DeckFileCards loaded = read_deck_and_includes(deck, sources, diagnostics, options.text);
   DeckContext context{sources, diagnostics};
   context.largest_mesh = options.largest_mesh;
   context.refine = &options.refine;
@@ -48,7 +48,7 @@ std::optional<model::Model> read_deck(const std::filesystem::path& deck,
   }
   resolve_all_cards(context, loaded.cards, options);
   build_mesh(context);
-  check_scripts(context);
+  check_script_parameters(context);
   build_sets(context);
   build_properties(context);
   build_mpcs(context);
@@ -59,12 +59,12 @@ std::optional<model::Model> read_deck(const std::filesystem::path& deck,
   build_requests(context);
   check_references(context);
   check_mesh(context);
-  check_seams(context);
+  check_doubles_and_unjoined_sides(context);
   check_model_consistency(context);
   check_plausibility(context);
-  check_surfaces(context);
-  check_values(context);
-  check_unused(context);
+  check_conflicting_surfaces(context);
+  check_implausible_values(context);
+  check_unused_entities(context);
   check_steps_and_growth(context);
   if (scripts != nullptr) {
     *scripts = std::move(context.scripts);

@@ -83,7 +83,7 @@ collected(DeckContext& c, const CheckedCard& card, EntityKind kind, const SetFin
   if (!has_start(c, card)) {
     return std::nullopt;
   }
-  IndexCollection collection(nets.size());
+  OrderedIndexSet collection(nets.size());
   for (std::size_t i = 0; i < nets.size() && starts_from_all(card); ++i) {
     if (card.net.empty() || nets[i] == card.net_id) {
       collection.add(i);
@@ -97,7 +97,7 @@ collected(DeckContext& c, const CheckedCard& card, EntityKind kind, const SetFin
       collection.add((*members)[i].index());
     }
   }
-  ok = read_items(c, card, kind, sets, collection) && ok;
+  ok = read_listed_members(c, card, kind, sets, collection) && ok;
   std::vector<std::size_t> indices = collection.collected_indices();
   std::erase_if(indices, [&](std::size_t i) { return !holds(card, place(i)); });
   return ok ? std::optional(std::move(indices)) : std::nullopt;
@@ -245,8 +245,8 @@ std::string extent(const DeckContext& c, const CheckedCard& card) {
 
 } // namespace
 
-std::vector<model::Face> boundary_within(DeckContext& context,
-                                         const std::vector<base::NodeId>& nodes) {
+std::vector<model::Face> cached_boundary_faces_within(DeckContext& context,
+                                                      const std::vector<base::NodeId>& nodes) {
   const model::Mesh& mesh = context.model.mesh;
   const std::vector<bool> inside = model::mark_members(mesh.node_count(), nodes);
   std::vector<model::Face> result;
@@ -260,7 +260,7 @@ std::vector<model::Face> boundary_within(DeckContext& context,
 
 void build_set(DeckContext& context, const CheckedCard& card, const SetFinder& sets) {
   const CheckedValue& name = *card.find("NAME");
-  const std::string full = qualify(card.net, name.text);
+  const std::string full = qualified_name(card.net, name.text);
   const EntityKind kind = name.key->kind;
   model::Mesh& mesh = context.model.mesh;
   std::optional<std::size_t> size;

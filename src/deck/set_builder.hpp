@@ -12,7 +12,7 @@ namespace spricka::deck {
 void build_set(DeckContext& context, const CheckedCard& card, const SetFinder& sets);
 
 /// Boundary faces all of whose nodes are listed. The boundary of the mesh is found only once.
-std::vector<model::Face> boundary_within(DeckContext& context,
-                                         const std::vector<base::NodeId>& nodes);
+std::vector<model::Face> cached_boundary_faces_within(DeckContext& context,
+                                                      const std::vector<base::NodeId>& nodes);
 
 } // namespace spricka::deck

@@ -23,7 +23,7 @@ SetFinder finder(DeckContext& c) {
 
 // The definition of a set, its card built if it has not been yet.
 const NameDefinition* find_set(DeckContext& c, EntityKind kind, const NameReference& reference) {
-  const NameDefinition* found = look_up(c, kind, reference);
+  const NameDefinition* found = resolve_definition(c, kind, reference);
   if (found == nullptr || !found->card) {
     return found;
   }
@@ -80,7 +80,7 @@ std::optional<base::FaceSetId> resolve_face_set(DeckContext& context,
   }
   model::Mesh& mesh = context.model.mesh;
   const model::NodeSet& nodes = mesh.node_sets[found->index];
-  std::vector<model::Face> faces = boundary_within(context, nodes.nodes);
+  std::vector<model::Face> faces = cached_boundary_faces_within(context, nodes.nodes);
   if (faces.empty()) {
     if (context.mesh_sound) {
       context.error(reference.span, "E311",
@@ -102,8 +102,8 @@ std::optional<base::ElementSetId> resolve_element_set(DeckContext& context,
 
 std::optional<std::vector<base::NodeId>> collect_listed_nodes(DeckContext& context,
                                                               const CheckedCard& card) {
-  IndexCollection collection(context.model.mesh.node_count());
-  if (!read_items(context, card, EntityKind::node_set, finder(context), collection)) {
+  OrderedIndexSet collection(context.model.mesh.node_count());
+  if (!read_listed_members(context, card, EntityKind::node_set, finder(context), collection)) {
     return std::nullopt;
   }
   const std::vector<std::size_t> indices = collection.collected_indices();
@@ -127,7 +127,7 @@ void build_sets(DeckContext& context) {
       continue;
     }
     const CheckedValue& name = *card.find("NAME");
-    const NameReference reference{qualify(card.net, name.text), name.span, {}};
+    const NameReference reference{qualified_name(card.net, name.text), name.span, {}};
     const NameDefinition* found = context.names.find({name.key->kind}, reference.name, {});
     if (found == nullptr || found->poisoned) {
       continue;

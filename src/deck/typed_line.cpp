@@ -73,10 +73,10 @@ std::optional<model::Step> read_step_line(const model::Model& model, const std::
   return diagnostics.has_errors() ? std::nullopt : std::optional(std::move(step));
 }
 
-std::optional<model::ResultCheck> read_result_line(const model::Model& model,
-                                                   const std::string& line,
-                                                   base::SourceTexts& sources,
-                                                   base::Diagnostics& diagnostics) {
+std::optional<model::ResultCheck> read_result_request_line(const model::Model& model,
+                                                           const std::string& line,
+                                                           base::SourceTexts& sources,
+                                                           base::Diagnostics& diagnostics) {
   const std::optional<grammar::DataRow> row = read_row(line, sources, diagnostics);
   if (!row) {
     return std::nullopt;
@@ -86,7 +86,7 @@ std::optional<model::ResultCheck> read_result_line(const model::Model& model,
   CheckedCard card;
   card.spec = grammar::find_card("CHECK");
   card.span = row->span;
-  return read_result(context, card, *row);
+  return read_result_request(context, card, *row);
 }
 
 } // namespace spricka::deck

@@ -19,9 +19,9 @@ std::optional<model::Step> read_step_line(const model::Model& model, const std::
 /// A result that $CHECK knows, with its arguments and no value: K1(C,NOW). NOW is the present
 /// state, beside the deck's steps. The line becomes a text of `sources`; mistakes go to
 /// `diagnostics`, then the result is empty.
-std::optional<model::ResultCheck> read_result_line(const model::Model& model,
-                                                   const std::string& line,
-                                                   base::SourceTexts& sources,
-                                                   base::Diagnostics& diagnostics);
+std::optional<model::ResultCheck> read_result_request_line(const model::Model& model,
+                                                           const std::string& line,
+                                                           base::SourceTexts& sources,
+                                                           base::Diagnostics& diagnostics);
 
 } // namespace spricka::deck

@@ -35,12 +35,12 @@ double factor_of(base::SourceSpan unit, const grammar::ExpressionScope& scope) {
 
 } // namespace
 
-bool is_foreign(const DeckContext& context, base::SourceSpan unit) {
+bool is_foreign_unit(const DeckContext& context, base::SourceSpan unit) {
   return std::abs(factor_of(unit, context.scope) - 1.0) > 1e-12;
 }
 
-base::SourceSpan foreign_unit(const grammar::ParsedExpression& expression,
-                              const grammar::ExpressionScope& scope) {
+base::SourceSpan find_foreign_unit(const grammar::ParsedExpression& expression,
+                                   const grammar::ExpressionScope& scope) {
   return find_unit(expression, scope, [&](base::SourceSpan unit) {
     return std::abs(factor_of(unit, scope) - 1.0) > 1e-12;
   });

@@ -10,11 +10,11 @@ namespace spricka::deck {
 
 /// The first unit in an expression, or of a parameter in it, that is not the deck's own; invalid
 /// where there is none.
-base::SourceSpan foreign_unit(const grammar::ParsedExpression& expression,
-                              const grammar::ExpressionScope& scope);
+base::SourceSpan find_foreign_unit(const grammar::ParsedExpression& expression,
+                                   const grammar::ExpressionScope& scope);
 
 /// Whether one of a unit is not one of the deck's own.
-bool is_foreign(const DeckContext& context, base::SourceSpan unit);
+bool is_foreign_unit(const DeckContext& context, base::SourceSpan unit);
 
 /// The warning for a bare number in the place of a value with that unit.
 void warn_of_missing_unit(DeckContext& context, base::SourceSpan at, std::string_view name,

@@ -167,7 +167,7 @@ double read_to_mesh(const std::filesystem::path& path, std::size_t& arrays) {
   const base::Stopwatch watch;
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
-  const deck::DeckFileCards loaded = deck::read_deck_files(path, sources, diagnostics);
+  const deck::DeckFileCards loaded = deck::read_deck_and_includes(path, sources, diagnostics);
   deck::DeckContext context{sources, diagnostics};
   deck::resolve_all_cards(context, loaded.cards, {});
   deck::build_mesh(context);
@@ -206,7 +206,7 @@ int main(int argc, char** argv) {
   }
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
-  const deck::DeckFileCards loaded = deck::read_deck_files(path, sources, diagnostics);
+  const deck::DeckFileCards loaded = deck::read_deck_and_includes(path, sources, diagnostics);
   const Deck deck{side * side * side, 6 * cubes * cubes * cubes, loaded.cards[1].data,
                   loaded.cards[2].data};
   const double bare = best_of(repeats, [&] {

@@ -288,11 +288,11 @@ std::string RefinementPlan::refine(const model::Model& model, const results::Run
     if (!near_ends && !in_places && f >= no_change) {
       continue;
     }
-    deck::NetRefinement& refinement = nets_[net];
-    refinement.size.map = std::make_shared<const mesh::SizeMap>(std::move(list));
-    refinement.counts =
-        static_cast<int>(std::ceil(refinement.counts / std::min(f, near_ends ? 0.7 : 1.0)));
-    refinement.splits += 1;
+    deck::NetRefinement& net_refinement = nets_[net];
+    net_refinement.size.map = std::make_shared<const mesh::SizeMap>(std::move(list));
+    net_refinement.counts =
+        static_cast<int>(std::ceil(net_refinement.counts / std::min(f, near_ends ? 0.7 : 1.0)));
+    net_refinement.splits += 1;
     moved.push_back(fmt::format("{} {:.2f} times{}", net.empty() ? "the mesh" : "net " + net,
                                 1.0 / f,
                                 near_ends                     ? ", most where contact ends"

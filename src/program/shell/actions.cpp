@@ -72,7 +72,7 @@ base::OptionalFailure answer_result(ShellSession& session, const std::string& li
                                     ShellReply& reply) {
   model::ResultCheck check;
   double value = 0.0;
-  base::OptionalFailure trouble = session.read_result(line, check);
+  base::OptionalFailure trouble = session.read_result_request(line, check);
   trouble = trouble ? trouble : solve_pending_changes(session, reply);
   trouble = trouble ? trouble : session.evaluate(check, value);
   if (!trouble) {

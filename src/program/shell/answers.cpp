@@ -83,12 +83,12 @@ const results::LoadPathResult* ShellSession::last_mapped_path() const {
              : results::find_path(bench_->run_results().increments.front(), mapped_);
 }
 
-base::OptionalFailure ShellSession::read_result(const std::string& line,
-                                                model::ResultCheck& check) const {
+base::OptionalFailure ShellSession::read_result_request(const std::string& line,
+                                                        model::ResultCheck& check) const {
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
   std::optional<model::ResultCheck> found =
-      deck::read_result_line(*model_, line, sources, diagnostics);
+      deck::read_result_request_line(*model_, line, sources, diagnostics);
   if (!found) {
     return located_failure(base::Outcome::usage, sources, diagnostics);
   }

@@ -20,7 +20,7 @@ namespace spricka::program {
 namespace {
 
 using deck::DeckCard;
-using deck::DeckText;
+using deck::DeckCardList;
 
 // The key by which cards of one kind are told apart; empty: there is none.
 std::string_view telling_key(const grammar::CardSpec& spec) {
@@ -32,8 +32,8 @@ std::string_view telling_key(const grammar::CardSpec& spec) {
 }
 
 // The card that a typed header means.
-base::OptionalFailure find_card(const DeckText& text, const DeckCard& typed, std::string_view key,
-                                std::size_t& index) {
+base::OptionalFailure find_card(const DeckCardList& text, const DeckCard& typed,
+                                std::string_view key, std::size_t& index) {
   const std::string name = key.empty() ? std::string() : typed.word_value(key);
   std::vector<std::string> names;
   std::vector<std::size_t> found;
@@ -70,10 +70,10 @@ bool is_listed(std::string_view list, std::string_view key) {
 
 base::OptionalFailure read_cards(const std::filesystem::path& deck,
                                  const std::vector<std::pair<std::string, std::string>>& defines,
-                                 DeckText& text, std::vector<std::filesystem::path>& files) {
+                                 DeckCardList& text, std::vector<std::filesystem::path>& files) {
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
-  std::optional<DeckText> found = deck::read_deck_text(deck, sources, diagnostics);
+  std::optional<DeckCardList> found = deck::read_deck_card_list(deck, sources, diagnostics);
   if (!found) {
     return located_failure(base::Outcome::deck_error, sources, diagnostics);
   }
@@ -90,7 +90,7 @@ base::OptionalFailure read_cards(const std::filesystem::path& deck,
   return {};
 }
 
-std::string cards_but_cracks(const DeckText& text) {
+std::string cards_but_cracks(const DeckCardList& text) {
   std::string all;
   for (const DeckCard& card : text) {
     if (card.name == "CRACK") {
@@ -105,7 +105,7 @@ std::string cards_but_cracks(const DeckText& text) {
   return all;
 }
 
-base::OptionalFailure set_card_keys(const std::string& header, DeckText& text,
+base::OptionalFailure set_card_keys(const std::string& header, DeckCardList& text,
                                     std::size_t& changed) {
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
@@ -143,7 +143,7 @@ base::OptionalFailure set_card_keys(const std::string& header, DeckText& text,
   return {};
 }
 
-base::OptionalFailure set_parameter(const std::string& line, DeckText& text) {
+base::OptionalFailure set_parameter(const std::string& line, DeckCardList& text) {
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
   const auto read = [&](const std::string& data) {
@@ -167,7 +167,7 @@ base::OptionalFailure set_parameter(const std::string& line, DeckText& text) {
                        base::suggest_spelling(wanted.name, names));
 }
 
-void comment_out(DeckText& text, std::size_t card) {
+void comment_out(DeckCardList& text, std::size_t card) {
   const std::string lines = deck::write_deck({text[card]}, ".");
   for (std::size_t at = 0; at < lines.size();) {
     const std::size_t end = std::min(lines.find('\n', at), lines.size() - 1);
@@ -222,7 +222,7 @@ bool acts_on(const std::vector<model::Step>& steps, base::ContactId contact) {
 } // namespace
 
 void append_steps(const model::Model& model, const std::vector<model::Step>& steps,
-                  DeckText& text) {
+                  DeckCardList& text) {
   const std::vector<model::Step> beginning{model.steps.front()};
   DeckCard& first = *std::ranges::find(text, "STEP", &DeckCard::name);
   const auto add_row = [&](DeckCard& card, const model::StepAction& action) {

@@ -18,23 +18,24 @@ namespace spricka::program {
 /// its parameters, and the files that they stand in.
 base::OptionalFailure read_cards(const std::filesystem::path& deck,
                                  const std::vector<std::pair<std::string, std::string>>& defines,
-                                 deck::DeckText& text, std::vector<std::filesystem::path>& files);
+                                 deck::DeckCardList& text,
+                                 std::vector<std::filesystem::path>& files);
 
 /// All cards that another size of a crack leaves as they are, as one text to compare.
-std::string cards_but_cracks(const deck::DeckText& text);
+std::string cards_but_cracks(const deck::DeckCardList& text);
 
 /// A header as a deck has it, `$CRACK NAME=C A0=6`: its keys take the places of those that the card
 /// has, and of those that exclude them. The card is the one with that name (or with the same value
 /// of the first key that such cards must have), else the only one of its kind. `changed`: which one
 /// it was.
-base::OptionalFailure set_card_keys(const std::string& header, deck::DeckText& text,
+base::OptionalFailure set_card_keys(const std::string& header, deck::DeckCardList& text,
                                     std::size_t& changed);
 
 /// A line of $PARAMETER, `F = 110[kN]`: the expression takes the place of the deck's.
-base::OptionalFailure set_parameter(const std::string& line, deck::DeckText& text);
+base::OptionalFailure set_parameter(const std::string& line, deck::DeckCardList& text);
 
 /// Takes a card out of the deck and leaves its lines as comments behind the card before it.
-void comment_out(deck::DeckText& text, std::size_t card);
+void comment_out(deck::DeckCardList& text, std::size_t card);
 
 /// What a deck writes for an action: "LOAD PULL 2".
 std::string action_text(const model::Model& model, const model::StepAction& action);
@@ -46,6 +47,6 @@ bool mounts_contacts(const model::Step& step);
 /// A contact that no step mounted, or a fit that none named, is in force from the beginning: where
 /// a step behind names it, the first one names it too.
 void append_steps(const model::Model& model, const std::vector<model::Step>& steps,
-                  deck::DeckText& text);
+                  deck::DeckCardList& text);
 
 } // namespace spricka::program

@@ -287,7 +287,7 @@ std::string settings_reply(const ShellSession& session) {
 }
 
 std::string cards_reply(const ShellSession& session, const std::string& name) {
-  deck::DeckText text = *session.changes().text;
+  deck::DeckCardList text = *session.changes().text;
   append_steps(session.model(), session.changes().applied, text);
   std::erase_if(text, [&](const deck::DeckCard& card) { return card.name != name; });
   return deck::write_deck(std::move(text), ".");

@@ -16,7 +16,7 @@ namespace spricka::program {
 namespace {
 
 // The lengths of $GROW are gone with its card.
-void set_grown_lengths(const model::Model& model, deck::DeckText& text) {
+void set_grown_lengths(const model::Model& model, deck::DeckCardList& text) {
   for (const model::CrackDefinition& crack : model.cracks) {
     const auto card = std::ranges::find_if(text, [&](const deck::DeckCard& one) {
       return one.name == "CRACK" && one.word_value("NAME") == crack.name;
@@ -48,7 +48,7 @@ model::Step all_factors(const ShellSession& session) {
   return step;
 }
 
-base::OptionalFailure add_steps(const ShellSession& session, deck::DeckText& text) {
+base::OptionalFailure add_steps(const ShellSession& session, deck::DeckCardList& text) {
   const model::Model& model = session.model();
   const bool last = session.base_step() == model.steps.back().name;
   std::vector<model::Step> steps = session.changes().applied;
@@ -75,7 +75,7 @@ base::OptionalFailure add_steps(const ShellSession& session, deck::DeckText& tex
 base::OptionalFailure saved_deck(const ShellSession& session, const std::filesystem::path& folder,
                                  std::string& text) {
   const model::Model& model = session.model();
-  deck::DeckText cards = *session.changes().text;
+  deck::DeckCardList cards = *session.changes().text;
   if (model.growth) {
     set_grown_lengths(model, cards);
   }

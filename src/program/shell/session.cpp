@@ -101,7 +101,7 @@ base::OptionalFailure ShellSession::read_again(DeckChanges to) {
     next.set_.base = static_cast<std::size_t>(
         std::ranges::find(next.model_->steps, leading, &model::Step::name) -
         next.model_->steps.begin());
-    auto text = std::make_shared<deck::DeckText>();
+    auto text = std::make_shared<deck::DeckCardList>();
     if (base::OptionalFailure trouble =
             read_cards(next.deck_->sources.file_name(0), options_.defines, *text, next.files_)) {
       return trouble;
@@ -306,9 +306,9 @@ base::OptionalFailure ShellSession::add_step_line(const std::string& line) {
   return {};
 }
 
-base::OptionalFailure ShellSession::change_deck(DeckChanges to, deck::DeckText text,
+base::OptionalFailure ShellSession::change_deck(DeckChanges to, deck::DeckCardList text,
                                                 const std::string& line) {
-  to.text = std::make_shared<deck::DeckText>(std::move(text));
+  to.text = std::make_shared<deck::DeckCardList>(std::move(text));
   to.lines.push_back(line);
   DeckChanges before = set_;
   base::OptionalFailure trouble = read_again(std::move(to));
@@ -319,7 +319,7 @@ base::OptionalFailure ShellSession::change_deck(DeckChanges to, deck::DeckText t
 }
 
 base::OptionalFailure ShellSession::change_card(const std::string& header) {
-  deck::DeckText text = *set_.text;
+  deck::DeckCardList text = *set_.text;
   std::size_t card = 0;
   if (base::OptionalFailure trouble = set_card_keys(header, text, card)) {
     return trouble;
@@ -332,7 +332,7 @@ base::OptionalFailure ShellSession::change_card(const std::string& header) {
 }
 
 base::OptionalFailure ShellSession::change_parameter(const std::string& line) {
-  deck::DeckText text = *set_.text;
+  deck::DeckCardList text = *set_.text;
   base::OptionalFailure trouble = set_parameter(line, text);
   return trouble ? trouble : change_deck(set_, std::move(text), line);
 }

@@ -43,8 +43,8 @@ struct MapRange {
 
 /// What is set: the deck's cards as they are now, and the steps behind its own.
 struct DeckChanges {
-  std::shared_ptr<const deck::DeckText> text; ///< with -D in its parameters
-  std::vector<std::string> lines;             ///< cards and parameters that were typed
+  std::shared_ptr<const deck::DeckCardList> text; ///< with -D in its parameters
+  std::vector<std::string> lines;                 ///< cards and parameters that were typed
   std::set<std::string> cracks;     ///< that were given keys: $GROW does not set their lengths
   std::size_t base = 0;             ///< the deck's step that the state began with
   std::vector<model::Step> applied; ///< behind it: one step where the order does not count
@@ -94,7 +94,8 @@ public:
   std::vector<std::string> new_notes();
   [[nodiscard]] const analysis::StepFactors& factors() const { return bench_->factors(); }
   /// A result that $CHECK knows, with its arguments; NOW is the present state. Nothing is solved.
-  base::OptionalFailure read_result(const std::string& line, model::ResultCheck& check) const;
+  base::OptionalFailure read_result_request(const std::string& line,
+                                            model::ResultCheck& check) const;
   /// Its value at the present state for the step NOW, at the end of one of the deck's for another
   /// name.
   base::OptionalFailure evaluate(const model::ResultCheck& check, double& value);
@@ -138,7 +139,8 @@ public:
 
 private:
   base::OptionalFailure read_again(DeckChanges to);
-  base::OptionalFailure change_deck(DeckChanges to, deck::DeckText text, const std::string& line);
+  base::OptionalFailure change_deck(DeckChanges to, deck::DeckCardList text,
+                                    const std::string& line);
   /// A bench for the model of a deck just read.
   base::OptionalFailure open_model();
   /// A new bench for the model as it is, at the end of the way so far.

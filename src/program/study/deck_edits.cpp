@@ -14,7 +14,7 @@ namespace spricka::program {
 namespace {
 
 using deck::DeckCard;
-using deck::DeckText;
+using deck::DeckCardList;
 
 /// The data lines of a card as the grammar reads them.
 struct ParsedData {
@@ -51,7 +51,7 @@ bool stands_on(const DeckCard& card, const std::set<std::string>& nets) {
   });
 }
 
-void erase_nets(DeckText& text, const std::set<std::string>& nets) {
+void erase_nets(DeckCardList& text, const std::set<std::string>& nets) {
   bool inside = false; // cards come in their order
   std::erase_if(text, [&](const DeckCard& card) {
     inside = card.name == "NET" ? nets.contains(card.word_value("NAME")) : inside;
@@ -126,7 +126,7 @@ void filter_lines(DeckCard& card, const std::function<bool(const DataFields&)>& 
       card, [&](const DataFields& fields, std::string& line) { line = keep(fields) ? line : ""; });
 }
 
-void filter_actions(DeckText& text,
+void filter_actions(DeckCardList& text,
                     const std::function<bool(const std::string&, const std::string&)>& keep) {
   for (DeckCard& card : cards_named(text, "STEP")) {
     filter_lines(card, [&](const DataFields& fields) {
@@ -158,7 +158,7 @@ std::string change_names(std::string_view text,
   return changed;
 }
 
-void drop_mounts(DeckText& text) {
+void drop_mounts(DeckCardList& text) {
   filter_actions(text, [](const std::string& action, const std::string&) {
     return action != "MOUNT" && action != "DISMOUNT";
   });
@@ -167,7 +167,7 @@ void drop_mounts(DeckText& text) {
   }
 }
 
-std::set<std::string> remove_nets(DeckText& text, const std::set<std::string>& nets) {
+std::set<std::string> remove_nets(DeckCardList& text, const std::set<std::string>& nets) {
   erase_nets(text, nets);
   std::set<std::string> contacts;
   for (const DeckCard& card : cards_named(text, "CONTACT")) {
@@ -175,7 +175,7 @@ std::set<std::string> remove_nets(DeckText& text, const std::set<std::string>& n
       contacts.insert(card.word_value("NAME"));
     }
   }
-  DeckText kept;
+  DeckCardList kept;
   for (DeckCard& card : text) {
     if (!stands_on(card, nets) && keep_other_nets(card, nets)) {
       kept.push_back(std::move(card));
@@ -188,7 +188,7 @@ std::set<std::string> remove_nets(DeckText& text, const std::set<std::string>& n
   return contacts;
 }
 
-void drop_undefined_loads(DeckText& text) {
+void drop_undefined_loads(DeckCardList& text) {
   std::set<std::string> cases;
   for (const DeckCard& card : cards_named(text, "LOAD")) {
     cases.insert(card.word_value("CASE"));
@@ -198,7 +198,7 @@ void drop_undefined_loads(DeckText& text) {
   });
 }
 
-void drop_requests(DeckText& text) {
+void drop_requests(DeckCardList& text) {
   std::erase_if(text, [](const DeckCard& card) {
     constexpr std::array names{"CHECK", "OUTPUT", "RESTART", "SWEEP", "TEST"};
     return std::ranges::find(names, card.name) != names.end();

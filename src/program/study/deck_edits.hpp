@@ -15,7 +15,7 @@ namespace spricka::program {
 
 /// A deck that was rewritten, or why there is none.
 struct RewrittenDeck {
-  std::optional<deck::DeckText> text;
+  std::optional<deck::DeckCardList> text;
   std::string reason;
 };
 
@@ -35,7 +35,7 @@ void filter_lines(deck::DeckCard& card, const std::function<bool(const DataField
 
 /// Lines of all $STEP for which `keep` holds, given in upper case what they do and to which name;
 /// the name is empty where there is none.
-void filter_actions(deck::DeckText& text,
+void filter_actions(deck::DeckCardList& text,
                     const std::function<bool(const std::string&, const std::string&)>& keep);
 
 /// A text with its names as `change` makes them, but for those in comments, quotes and units.
@@ -43,17 +43,17 @@ std::string change_names(std::string_view text,
                          const std::function<std::string(std::string_view)>& change);
 
 /// Contacts stand from the beginning: MOUNT and DISMOUNT go.
-void drop_mounts(deck::DeckText& text);
+void drop_mounts(deck::DeckCardList& text);
 
 /// Removes nets and all that is about them alone: their meshes, sets, properties, supports, loads
 /// and contacts. Names in upper case; returns the names of contacts that went with them.
-std::set<std::string> remove_nets(deck::DeckText& text, const std::set<std::string>& nets);
+std::set<std::string> remove_nets(deck::DeckCardList& text, const std::set<std::string>& nets);
 
 /// Steps no longer apply load cases that no card makes.
-void drop_undefined_loads(deck::DeckText& text);
+void drop_undefined_loads(deck::DeckCardList& text);
 
 /// Checks, requests, tests and states of runs go: a variant is asked anew.
-void drop_requests(deck::DeckText& text);
+void drop_requests(deck::DeckCardList& text);
 
 /// A number as cards of variants have it.
 std::string twelve_digits(double value);

@@ -31,9 +31,9 @@ bool is_odd_extreme(const Answer& answer, const std::string& mirrored) {
 
 } // namespace
 
-SymmetricPart reduce_by_symmetry(const model::Model& model, const deck::DeckText& text) {
+SymmetricPart reduce_by_symmetry(const model::Model& model, const deck::DeckCardList& text) {
   SymmetricPart part;
-  deck::DeckText changed = text;
+  deck::DeckCardList changed = text;
   for (const results::SymmetryPlanePreview& mirror : sense::find_symmetry_planes(model)) {
     const bool there = std::ranges::any_of(
         model.mirrors, [&](const model::MirrorPlane& plane) { return plane.axis == mirror.axis; });

@@ -19,7 +19,7 @@ struct SymmetricPart : RewrittenDeck {
 };
 
 /// Puts a $SYMMETRY card for each plane that all of the model respects.
-SymmetricPart reduce_by_symmetry(const model::Model& model, const deck::DeckText& text);
+SymmetricPart reduce_by_symmetry(const model::Model& model, const deck::DeckCardList& text);
 
 /// Of how many mirror images a model is one that is `mirrored` across these axes.
 inline int mirror_image_count(const std::string& mirrored) {

@@ -156,7 +156,8 @@ void compare(ModelHierarchy& ladder) {
   }
 }
 
-deck::DeckText deck_with_checks(const ModelHierarchy& ladder, const ModelVariantResult& variant) {
+deck::DeckCardList deck_with_checks(const ModelHierarchy& ladder,
+                                    const ModelVariantResult& variant) {
   deck::DeckCard checks = deck::make_card("CHECK");
   const ModelVariantResult& richest = ladder.variants[*ladder.richest];
   for (std::size_t a = 0; a < ladder.answers.size(); ++a) {
@@ -172,7 +173,7 @@ deck::DeckText deck_with_checks(const ModelHierarchy& ladder, const ModelVariant
           value, ladder.tolerance * ladder.scales[a] * std::abs(factor), richest.variant.name);
     }
   }
-  deck::DeckText whole = *variant.variant.text;
+  deck::DeckCardList whole = *variant.variant.text;
   append_card(whole, std::move(checks));
   return whole;
 }

@@ -53,6 +53,7 @@ bool lacks_answer(const ModelVariantResult& variant, std::size_t answer);
 
 /// The deck of a variant with the richest variant's answers as its checks, to the tolerance; of a
 /// part by symmetry its part of energies; no answers that the variant's model does not have.
-deck::DeckText deck_with_checks(const ModelHierarchy& ladder, const ModelVariantResult& variant);
+deck::DeckCardList deck_with_checks(const ModelHierarchy& ladder,
+                                    const ModelVariantResult& variant);
 
 } // namespace spricka::program

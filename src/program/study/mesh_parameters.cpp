@@ -76,7 +76,7 @@ std::optional<MeshParameter> try_parameter(const StudiedDeck& deck, const std::s
 }
 
 // A script takes its constants from parameters of the deck.
-void set_constant(deck::DeckText& text, const std::string& name, double value) {
+void set_constant(deck::DeckCardList& text, const std::string& name, double value) {
   append_card(text, deck::make_card("PARAMETER", {}, fmt::format("  {} = {:.9g}\n", name, value)));
 }
 
@@ -174,7 +174,7 @@ std::vector<MeshParameter> find_constants(const StudiedDeck& deck,
       if (!free || reached.contains(name_of_file(script.file)) || is_among(found, constant.name)) {
         continue;
       }
-      deck::DeckText text = deck.text;
+      deck::DeckCardList text = deck.text;
       set_constant(text, constant.name, 2.0 * *constant.value);
       if (const auto parameter = try_parameter(deck, constant.name, *constant.value,
                                                read_probe(text, deck.defines, folder))) {
@@ -214,7 +214,7 @@ void copy_finer(deck::DeckCard& card, double fineness, const fs::path& folder) {
 
 bool follows_factor(const StudiedDeck& deck, std::size_t card, const fs::path& folder) {
   constexpr double finer = 2.0;
-  deck::DeckText text = deck.text;
+  deck::DeckCardList text = deck.text;
   copy_finer(text[card], finer, folder);
   const auto found = try_parameter(deck, {}, finer, read_probe(text, deck.defines, folder));
   return found && found->larger_is_finer;
@@ -250,7 +250,7 @@ MeshParameterSet find_mesh_parameters(const StudiedDeck& deck, const fs::path& f
 }
 
 FinerMesh finer_mesh(const StudiedDeck& deck, const MeshParameterSet& mesh_parameter,
-                     double fineness, const deck::DeckText& text, const fs::path& folder) {
+                     double fineness, const deck::DeckCardList& text, const fs::path& folder) {
   FinerMesh finer{text, {}, {}};
   const std::map<std::string, ParameterUse> uses = parameter_uses(text, deck.ready->sources);
   const std::set<std::size_t> reached = reached_cards(mesh_parameter.parameters, uses);
@@ -291,7 +291,8 @@ Defines merge_defines(Defines defines, const Defines& more) {
   return defines;
 }
 
-ReadyDeck read_probe(const deck::DeckText& text, const Defines& defines, const fs::path& folder) {
+ReadyDeck read_probe(const deck::DeckCardList& text, const Defines& defines,
+                     const fs::path& folder) {
   const fs::path file = folder / "probe.deck";
   report::write_file(file, write_deck(text, folder));
   ReadyDeck ready = read_silently(file, {.defines = defines});

@@ -39,7 +39,7 @@ struct MeshParameterSet {
 struct StudiedDeck {
   std::filesystem::path file;
   Defines defines; ///< of the command line
-  deck::DeckText text;
+  deck::DeckCardList text;
   const ReadyDeck* ready = nullptr;
 };
 
@@ -53,7 +53,7 @@ MeshParameterSet find_mesh_parameters(const StudiedDeck& deck, const std::filesy
 /// How a deck is changed to have elements of 1/fineness of their size: parameters by name, or cards
 /// of its text.
 struct FinerMesh {
-  deck::DeckText text;
+  deck::DeckCardList text;
   Defines defines;
   std::string words; ///< "fine=0.5", "elements*0.5"
 };
@@ -61,14 +61,14 @@ struct FinerMesh {
 /// size. A fineness of 1 leaves the counts of $MESH cards and the scripts alone. Scripts are copied
 /// into `folder`.
 FinerMesh finer_mesh(const StudiedDeck& deck, const MeshParameterSet& mesh_parameter,
-                     double fineness, const deck::DeckText& text,
+                     double fineness, const deck::DeckCardList& text,
                      const std::filesystem::path& folder);
 
 /// Values of parameters with some more; those of `more` count where both have one.
 Defines merge_defines(Defines defines, const Defines& more);
 
 /// Reads a changed text of a deck, written into `folder` and removed again.
-ReadyDeck read_probe(const deck::DeckText& text, const Defines& defines,
+ReadyDeck read_probe(const deck::DeckCardList& text, const Defines& defines,
                      const std::filesystem::path& folder);
 
 /// Whether a card imports what a geometry script makes.

@@ -19,7 +19,7 @@ namespace spricka::program {
 namespace {
 
 using deck::DeckCard;
-using deck::DeckText;
+using deck::DeckCardList;
 
 /// What may stand against a variant, and the words for it.
 using Obstacles = std::initializer_list<std::pair<bool, const char*>>;
@@ -29,7 +29,7 @@ RewrittenDeck refused(std::string reason) {
 }
 
 // The text, or the first obstacle there is.
-RewrittenDeck unless(Obstacles obstacles, const DeckText& text) {
+RewrittenDeck unless(Obstacles obstacles, const DeckCardList& text) {
   for (const auto& [there, reason] : obstacles) {
     if (there) {
       return refused(reason);
@@ -38,7 +38,7 @@ RewrittenDeck unless(Obstacles obstacles, const DeckText& text) {
   return {text, {}};
 }
 
-void drop_friction(DeckText& text) {
+void drop_friction(DeckCardList& text) {
   constexpr std::array keys{std::pair{"CONTACT", "MU"}, std::pair{"CRACK", "MU"},
                             std::pair{"STEP", "SUBSTEPS"}, std::pair{"GROW", "HISTORY"}};
   for (const auto& [name, key] : keys) {
@@ -49,7 +49,7 @@ void drop_friction(DeckText& text) {
 }
 
 // Contacts of these names (upper case) are net: neither fits nor clearances.
-DeckText with_net(DeckText text, const std::set<std::string>& contacts) {
+DeckCardList with_net(DeckCardList text, const std::set<std::string>& contacts) {
   for (DeckCard& card : cards_named(text, "CONTACT")) {
     if (contacts.contains(card.word_value("NAME"))) {
       card.erase("INTERFERENCE");
@@ -63,7 +63,7 @@ DeckText with_net(DeckText text, const std::set<std::string>& contacts) {
   return text;
 }
 
-DeckText with_bonds(DeckText text) {
+DeckCardList with_bonds(DeckCardList text) {
   for (DeckCard& card : cards_named(text, "CONTACT")) {
     card.set("TYPE", "BONDED");
     card.erase("MU");
@@ -167,7 +167,7 @@ private:
                                             : "no body presses on that with the crack");
     }
     std::string surface;
-    DeckText text = at_once_;
+    DeckCardList text = at_once_;
     for (const DeckCard& card : cards_named(text, "CONTACT")) {
       const bool slave = nets.contains(net_prefix(*card.find("SLAVE")));
       if (slave != nets.contains(net_prefix(*card.find("MASTER")))) {
@@ -216,7 +216,7 @@ private:
   }
 
   [[nodiscard]] RewrittenDeck state(const std::string& from, const std::string& to) const {
-    DeckText text = given_;
+    DeckCardList text = given_;
     bool changed = false;
     for (DeckCard& card : text) {
       const bool body = card.name == "PROPERTY";
@@ -233,9 +233,9 @@ private:
   const model::Model& model_;
   const Joint& joint_;
   std::filesystem::path folder_;
-  DeckText given_;
-  DeckText smooth_;
-  DeckText at_once_;
+  DeckCardList given_;
+  DeckCardList smooth_;
+  DeckCardList at_once_;
   std::vector<ModelVariant> variants_;
 };
 

@@ -29,7 +29,7 @@ bool is_count_key(std::string_view key) {
 }
 
 std::map<std::string, std::set<std::string>>
-parameter_dependencies(const deck::DeckText& text, const base::SourceTexts& sources) {
+parameter_dependencies(const deck::DeckCardList& text, const base::SourceTexts& sources) {
   std::map<std::string, std::set<std::string>> made_of;
   base::Diagnostics ignored;
   for (const deck::DeckCard& card : cards_named(text, "PARAMETER")) {
@@ -48,7 +48,7 @@ parameter_dependencies(const deck::DeckText& text, const base::SourceTexts& sour
   return made_of;
 }
 
-std::map<std::string, ParameterUse> parameter_uses(const deck::DeckText& text,
+std::map<std::string, ParameterUse> parameter_uses(const deck::DeckCardList& text,
                                                    const base::SourceTexts& sources) {
   const std::map<std::string, std::set<std::string>> made_of =
       parameter_dependencies(text, sources);

@@ -16,12 +16,12 @@ struct ParameterUse {
 };
 
 /// By name in upper case; a parameter has the uses of those that are made of it.
-std::map<std::string, ParameterUse> parameter_uses(const deck::DeckText& text,
+std::map<std::string, ParameterUse> parameter_uses(const deck::DeckCardList& text,
                                                    const base::SourceTexts& sources);
 
 /// Parameters that go into the value of one, by its name, directly or through others, and itself.
 std::map<std::string, std::set<std::string>>
-parameter_dependencies(const deck::DeckText& text, const base::SourceTexts& sources);
+parameter_dependencies(const deck::DeckCardList& text, const base::SourceTexts& sources);
 
 /// Whether a key of $MESH is a number of elements, or how their sizes are spread.
 bool is_count_key(std::string_view key);

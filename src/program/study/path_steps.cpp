@@ -51,7 +51,7 @@ std::string lines_at(const ActionFactors& from, const ActionFactors& to, double 
 }
 
 // Without lines of $CHECK that name a path.
-void drop_path_checks(deck::DeckText& text) {
+void drop_path_checks(deck::DeckCardList& text) {
   for (deck::DeckCard& card : cards_named(text, "CHECK")) {
     filter_lines(card, [](const std::vector<std::string>& fields) {
       return std::ranges::none_of(fields, [](const std::string& field) {
@@ -66,7 +66,7 @@ void drop_path_checks(deck::DeckText& text) {
 
 } // namespace
 
-bool put_steps_for_paths(deck::DeckText& text, const model::Model& model) {
+bool put_steps_for_paths(deck::DeckCardList& text, const model::Model& model) {
   if (model.load_paths.empty() || !model.spectra.empty()) {
     return false;
   }

@@ -18,7 +18,7 @@ namespace spricka::program {
 namespace {
 
 using deck::DeckCard;
-using deck::DeckText;
+using deck::DeckCardList;
 
 // Corners of edges: nodes between them need not lie on an arc.
 std::vector<base::Vec3> corners(const std::vector<geometry::ElementSide>& edges) {
@@ -100,11 +100,11 @@ std::optional<DeckCard> target_of(const model::Model& model, const std::string& 
 
 class RigidMaker {
 public:
-  RigidMaker(const model::Model& model, const Joint& joint, const DeckText& steps)
+  RigidMaker(const model::Model& model, const Joint& joint, const DeckCardList& steps)
       : model_(model), joint_(joint), given_(steps) {}
 
   // Bodies that are loaded stay, with a modulus that makes them rigid; others become targets.
-  RewrittenDeck run(DeckText text) const {
+  RewrittenDeck run(DeckCardList text) const {
     std::string reason = "no body is there only to press";
     bool changed = stiffen(text);
     for (const JointContact& contact : joint_.contacts) {
@@ -139,7 +139,7 @@ private:
     return pins;
   }
 
-  bool stiffen(DeckText& text) const {
+  bool stiffen(DeckCardList& text) const {
     constexpr const char* times = "1e4"; // pressures change by 1e-4 beyond it (benchmark C06)
     std::set<std::string> made;
     const std::set<std::string> stiff = pins();
@@ -167,7 +167,7 @@ private:
   }
 
   // The body that stays is the one that is loaded, cracked or met by others, else the master's.
-  bool put_target(DeckText& text, const JointContact& contact, std::string& reason) const {
+  bool put_target(DeckCardList& text, const JointContact& contact, std::string& reason) const {
     const bool slave = only_presses(contact.slave_net, contact);
     const bool master = only_presses(contact.master_net, contact);
     if (contact.rigid || contact.bonded || (!slave && !master)) {
@@ -197,8 +197,8 @@ private:
   }
 
   // The contact went with its net, and its fit with it: as the deck has it.
-  void put_back_fit(DeckText& text, const std::string& contact) const {
-    DeckText fits = given_;
+  void put_back_fit(DeckCardList& text, const std::string& contact) const {
+    DeckCardList fits = given_;
     filter_actions(fits, [&](const std::string& action, const std::string& name) {
       return action == "FIT" && name == contact;
     });
@@ -209,13 +209,13 @@ private:
 
   const model::Model& model_;
   const Joint& joint_;
-  const DeckText& given_;
+  const DeckCardList& given_;
 };
 
 } // namespace
 
-RewrittenDeck make_rigid(const model::Model& model, const Joint& joint, DeckText text,
-                         const DeckText& steps) {
+RewrittenDeck make_rigid(const model::Model& model, const Joint& joint, DeckCardList text,
+                         const DeckCardList& steps) {
   return RigidMaker(model, joint, steps).run(std::move(text));
 }
 

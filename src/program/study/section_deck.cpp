@@ -21,7 +21,7 @@ namespace {
 
 using base::Vec3;
 using deck::DeckCard;
-using deck::DeckText;
+using deck::DeckCardList;
 
 constexpr double near = 1e-6; // of a thickness, a length or 1
 
@@ -45,23 +45,23 @@ public:
   }
 
   // Units and parameters first, then the mesh with the cards of its nets.
-  SectionDeck run(const DeckText& given) && {
+  SectionDeck run(const DeckCardList& given) && {
     refuse_what_varies();
-    DeckText first;
-    DeckText in_nets;
-    DeckText after;
+    DeckCardList first;
+    DeckCardList in_nets;
+    DeckCardList after;
     for (const DeckCard& card : given) {
       if (std::optional<DeckCard> flat = flattened(card)) {
-        DeckText& cards = is_one_of({"DECK", "PARAMETER"}, card.name) ? first
-                          : flat->net.empty()                         ? after
-                                                                      : in_nets;
+        DeckCardList& cards = is_one_of({"DECK", "PARAMETER"}, card.name) ? first
+                              : flat->net.empty()                         ? after
+                                                                          : in_nets;
         cards.push_back(std::move(*flat));
       }
     }
     hold(after);
     refuse_if(model_.growth.has_value(), "fronts grow, farther in the middle than at the faces");
     if (made_.reason.empty()) {
-      const DeckText mesh = mesh_cards(model_, section_.mesh, in_nets);
+      const DeckCardList mesh = mesh_cards(model_, section_.mesh, in_nets);
       first.insert(first.end(), mesh.begin(), mesh.end());
       first.insert(first.end(), after.begin(), after.end());
       made_.text = std::move(first);
@@ -200,7 +200,7 @@ private:
   }
 
   // Supports, each by a set of its own in the section's mesh.
-  void hold(DeckText& after) {
+  void hold(DeckCardList& after) {
     int supports = 0;
     for (const model::FreedomAssignment& freedom : model_.freedoms) {
       const bool x = plane().round
@@ -237,7 +237,7 @@ private:
 
 } // namespace
 
-SectionDeck section_deck(const model::Model& model, const DeckText& text,
+SectionDeck section_deck(const model::Model& model, const DeckCardList& text,
                          const std::string& state) {
   SectionDeck none;
   if (model.mesh.dim != 3) {

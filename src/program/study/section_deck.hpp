@@ -30,7 +30,7 @@ struct SectionDeck : RewrittenDeck {
 /// The section of bodies along an axis in plane stress or strain ("STRESS", "STRAIN"), or of round
 /// ones ("AXI"): their meshes and sets written out, other cards as of `text`, the deck of the
 /// model. Refused is what differs along the axis, or round it.
-SectionDeck section_deck(const model::Model& model, const deck::DeckText& text,
+SectionDeck section_deck(const model::Model& model, const deck::DeckCardList& text,
                          const std::string& state);
 
 /// How the deck of a simpler model asks for an answer.

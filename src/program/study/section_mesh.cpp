@@ -20,7 +20,7 @@ namespace spricka::program {
 namespace {
 
 using deck::DeckCard;
-using deck::DeckText;
+using deck::DeckCardList;
 
 /// Labels of nodes or elements as texts, by the net that has them, upper case.
 using LabelsByNet = std::map<std::string, std::vector<std::string>>;
@@ -59,11 +59,11 @@ public:
     }
   }
 
-  DeckText with(const DeckText& cards) && {
+  DeckCardList with(const DeckCardList& cards) && {
     for (const DeckCard& card : cards) {
       nets_[card.net].push_back(card);
     }
-    DeckText all;
+    DeckCardList all;
     for (const model::MeshNet& net : model_.nets) {
       if (const std::string name = grammar::to_upper(net.name); !name.empty()) {
         all.push_back(deck::make_card("NET", {{"NAME", name}}));
@@ -102,7 +102,7 @@ private:
             fmt::format("  {}  {}\n", mesh_.element_label[e], fmt::join(labels, " "));
       }
     }
-    DeckText& cards = nets_[net_name(net)];
+    DeckCardList& cards = nets_[net_name(net)];
     cards.push_back(std::move(nodes));
     for (auto& [type, lines] : elements) {
       cards.push_back(deck::make_card(
@@ -163,7 +163,7 @@ private:
 
   const model::Model& model_;
   const model::Mesh& mesh_;
-  std::map<std::string, DeckText> nets_; ///< by name, upper case; what stands in none by ""
+  std::map<std::string, DeckCardList> nets_; ///< by name, upper case; what stands in none by ""
 };
 
 } // namespace
@@ -179,7 +179,8 @@ std::string unused_set_name(const model::Mesh& mesh, std::string wanted) {
   return wanted;
 }
 
-DeckText mesh_cards(const model::Model& model, const model::Mesh& mesh, const DeckText& cards) {
+DeckCardList mesh_cards(const model::Model& model, const model::Mesh& mesh,
+                        const DeckCardList& cards) {
   return MeshCards(model, mesh).with(cards);
 }
 

@@ -20,10 +20,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using deck::DeckCard;
-using deck::DeckText;
+using deck::DeckCardList;
 
 // Cracks whose tips the program meshes.
-std::vector<std::string> cut_cracks(const DeckText& text) {
+std::vector<std::string> cut_cracks(const DeckCardList& text) {
   std::vector<std::string> names;
   for (const DeckCard& card : cards_named(text, "CRACK")) {
     const std::string name = card.word_value("NAME");
@@ -39,7 +39,7 @@ std::vector<std::string> cut_cracks(const DeckText& text) {
 }
 
 /// Every crack's $TIPNET gets a key.
-template <class Set> void set_tip_nets(DeckText& text, const Set& set) {
+template <class Set> void set_tip_nets(DeckCardList& text, const Set& set) {
   for (const std::string& crack : cut_cracks(text)) {
     if (find_named_card(text, "TIPNET", "CRACK", crack) == nullptr) {
       append_card(text, deck::make_card("TIPNET", {{"CRACK", crack}}));
@@ -48,7 +48,7 @@ template <class Set> void set_tip_nets(DeckText& text, const Set& set) {
   }
 }
 
-void make_tips_finer(DeckText& text, double fineness) {
+void make_tips_finer(DeckCardList& text, double fineness) {
   if (fineness == 1.0) {
     return;
   }
@@ -61,11 +61,13 @@ void make_tips_finer(DeckText& text, double fineness) {
 
 // An edit that gives every crack's $TIPNET a key.
 auto tip_key(const char* key, const std::string& value) {
-  return [=](DeckText& text) { set_tip_nets(text, [&](DeckCard& card) { card.set(key, value); }); };
+  return [=](DeckCardList& text) {
+    set_tip_nets(text, [&](DeckCard& card) { card.set(key, value); });
+  };
 }
 
 // Element types of $MESH and the linear ones they stand beside; false: there is nothing to change.
-bool make_linear(DeckText& text, const fs::path& folder) {
+bool make_linear(DeckCardList& text, const fs::path& folder) {
   const std::map<std::string, const char*> linear{{"TRIMC6", "TRIM3"},
                                                   {"QUAMC8", "QUAM4"},
                                                   {"QUAMC9", "QUAM4"},
@@ -116,7 +118,7 @@ public:
   }
 
 private:
-  void add(const std::string& name, SettingFamily family, double fineness, const DeckText& text,
+  void add(const std::string& name, SettingFamily family, double fineness, const DeckCardList& text,
            const Defines& defines) {
     const fs::path deck = folder_ / fmt::format("{:02}.deck", plan_.settings.size() + 1);
     report::write_file(deck, write_deck(text, folder_, {name}));
@@ -210,7 +212,7 @@ private:
       plan_.notes.emplace_back("without cracks nothing is left to vary; name a parameter: --vary");
       return;
     }
-    const auto as_it_is = [](DeckText& /*text*/) {};
+    const auto as_it_is = [](DeckCardList& /*text*/) {};
     for (const double f : sizes_of_bodies_) {
       add_route(SettingFamily::whole, f, Tips::finer, "", as_it_is);
     }
@@ -221,7 +223,7 @@ private:
       add_route(SettingFamily::host, f, Tips::as_given, "", as_it_is);
     }
     for (const double f : {0.5, 2.0}) {
-      DeckText text = sizes_;
+      DeckCardList text = sizes_;
       make_tips_finer(text, f);
       add(fmt::format("FINER={:g}", f), SettingFamily::tip, f, text, {});
     }
@@ -237,18 +239,18 @@ private:
     if (cracks_) {
       add_tip_routes(some);
     }
-    DeckText linear = sizes_;
+    DeckCardList linear = sizes_;
     if (cracks_) {
       plan_.notes.emplace_back("no linear elements: a crack is cut into quadratic ones");
     } else if (make_linear(linear, folder_)) {
       for (const double f : some) {
         add_route(SettingFamily::linear, f, Tips::finer, "linear",
-                  [&](DeckText& text) { make_linear(text, folder_); });
+                  [&](DeckCardList& text) { make_linear(text, folder_); });
       }
     } else {
       plan_.notes.emplace_back("the deck's elements have no linear partners");
     }
-    DeckText steps = sizes_;
+    DeckCardList steps = sizes_;
     if (put_steps_for_paths(steps, *deck_.ready->model)) {
       add("steps for paths", SettingFamily::path, 1.0, steps, {});
     }
@@ -263,7 +265,7 @@ private:
     }
     for (const double f : sizes) {
       add_route(SettingFamily::part, f, Tips::finer, part.name,
-                [&](DeckText& text) { text = *reduce_by_symmetry(model, text).text; });
+                [&](DeckCardList& text) { text = *reduce_by_symmetry(model, text).text; });
       plan_.settings.back().mirrored = part.mirrored;
     }
   }
@@ -282,7 +284,7 @@ private:
                 tip_key("JOIN", "TRANSITION"));
     }
     if (dim_ == 3) {
-      DeckText text = sizes_;
+      DeckCardList text = sizes_;
       set_tip_nets(text, [](DeckCard& card) {
         card.erase("SECTORS");
         card.erase("JOIN");
@@ -294,8 +296,8 @@ private:
 
   const StudiedDeck& deck_;
   fs::path folder_;
-  DeckText base_;
-  DeckText sizes_; ///< without TOL, which would undo what is varied
+  DeckCardList base_;
+  DeckCardList sizes_; ///< without TOL, which would undo what is varied
   bool cracks_ = false;
   int dim_ = 2;
   std::vector<double> sizes_of_bodies_;

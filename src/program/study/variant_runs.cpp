@@ -61,7 +61,7 @@ std::optional<results::RunResult> take_results(const fs::path& folder, const Chi
 // The text of a deck that was read; its places are in the same sources.
 StudiedDeck studied_deck(const RunOptions& options, ReadyDeck& ready) {
   base::Diagnostics ignored; // the same mistakes as before: none
-  auto text = deck::read_deck_text(options.deck, ready.sources, ignored);
+  auto text = deck::read_deck_card_list(options.deck, ready.sources, ignored);
   return {options.deck, options.defines, std::move(text.value()), &ready};
 }
 

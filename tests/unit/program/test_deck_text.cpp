@@ -16,11 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-deck::DeckText text_of(const fs::path& file, base::SourceTexts& sources) {
+deck::DeckCardList text_of(const fs::path& file, base::SourceTexts& sources) {
   base::Diagnostics diagnostics;
-  auto text = deck::read_deck_text(file, sources, diagnostics);
+  auto text = deck::read_deck_card_list(file, sources, diagnostics);
   EXPECT_TRUE(text) << file;
-  return text.value_or(deck::DeckText{});
+  return text.value_or(deck::DeckCardList{});
 }
 
 std::optional<model::Model> model_of(const fs::path& file) {
@@ -35,7 +35,7 @@ protected:
     folder_ = fs::path(::testing::TempDir()) / "deck_texts";
     fs::create_directories(folder_);
   }
-  fs::path written(const deck::DeckText& text) {
+  fs::path written(const deck::DeckCardList& text) {
     fs::path file = folder_ / "written.deck";
     std::ofstream(file) << deck::write_deck(text, folder_, {"a comment"});
     return file;
@@ -61,7 +61,7 @@ TEST_F(DeckTexts, a_deck_written_elsewhere_makes_the_same_model) {
 
 TEST_F(DeckTexts, a_net_goes_with_all_that_is_about_it_alone) {
   base::SourceTexts sources;
-  deck::DeckText text = text_of(fs::path(test::decks_folder()) / "press_fit_hub.deck", sources);
+  deck::DeckCardList text = text_of(fs::path(test::decks_folder()) / "press_fit_hub.deck", sources);
   program::drop_requests(text);
   EXPECT_EQ(program::remove_nets(text, {"BUSH", "HUB3"}), std::set<std::string>{"HEAT"});
   program::drop_undefined_loads(text);
@@ -75,7 +75,8 @@ TEST_F(DeckTexts, a_net_goes_with_all_that_is_about_it_alone) {
 
 TEST(NameUses, parameters_of_counts_are_told_from_those_of_the_model) {
   base::SourceTexts sources;
-  const deck::DeckText text = text_of(fs::path(test::decks_folder()) / "edge_crack.deck", sources);
+  const deck::DeckCardList text =
+      text_of(fs::path(test::decks_folder()) / "edge_crack.deck", sources);
   const auto uses = program::parameter_uses(text, sources);
   EXPECT_FALSE(uses.at("FINE").elsewhere);
   EXPECT_EQ(uses.at("FINE").counts.size(), 1U);

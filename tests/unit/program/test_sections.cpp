@@ -47,7 +47,7 @@ program::SectionDeck section_of(const std::string& deck, const std::string& stat
       program::read_and_check_deck(file, {}, program::Log(program::LogFormat::text));
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
-  const auto text = deck::read_deck_text(file, sources, diagnostics);
+  const auto text = deck::read_deck_card_list(file, sources, diagnostics);
   if (!ready.model || !text) {
     ADD_FAILURE() << "the deck is refused\n" << deck;
     return {};
@@ -57,7 +57,7 @@ program::SectionDeck section_of(const std::string& deck, const std::string& stat
 
 std::string written(const program::SectionDeck& section) {
   EXPECT_TRUE(section.text) << section.reason;
-  return deck::write_deck(section.text.value_or(deck::DeckText{}), "/");
+  return deck::write_deck(section.text.value_or(deck::DeckCardList{}), "/");
 }
 
 // Largest difference of displacements at nodes of one number, to the largest of the solid.
