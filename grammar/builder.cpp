@@ -72,7 +72,7 @@ void SyntaxBuilder::fail_expected(const char* at, const char* last, std::string_
   if (end == at) {
     ++end;
   }
-  const std::string slip(foreign_sign_hint(origin_, at, last));
+  const std::string slip(foreign_character_hint(origin_, at, last));
   fail(span(at, end), "E101", fmt::format("expected {}, not '{}'", what, std::string_view(at, end)),
        slip.empty() ? hint_for(*at, what) : slip);
 }
@@ -95,7 +95,7 @@ bool SyntaxBuilder::bad_number(const char* begin, const char* end, const char* l
   default:
     break;
   }
-  const std::string slip(foreign_sign_hint(origin_, end, last));
+  const std::string slip(foreign_character_hint(origin_, end, last));
   return fail(span(begin, end), "E103", fmt::format("'{}' is not a number", token),
               !slip.empty() ? slip
                             : "a number is digits with a point and an exponent; a name starts with "
@@ -215,7 +215,7 @@ bool SyntaxBuilder::field_end(const char* p, const char* last) {
                             std::string_view(begin, end)),
                 "write 1.5e-3, or 1.5 -3, or (1.5-3)");
   }
-  const std::string slip(foreign_sign_hint(origin_, p, last));
+  const std::string slip(foreign_character_hint(origin_, p, last));
   return fail(span(p, p + rest.size()), "E102", fmt::format("unexpected '{}'", rest),
               arithmetic ? "an expression stands in parentheses" : slip);
 }
@@ -237,7 +237,7 @@ bool SyntaxBuilder::signed_number(const char*& p, const char* last, ExpressionTe
   return read_unit(p, last, term.unit);
 }
 
-bool SyntaxBuilder::field_number(const char*& p, const char* last, bool in_row) {
+bool SyntaxBuilder::parse_number_field(const char*& p, const char* last, bool in_row) {
   const char* begin = p;
   ExpressionTerm term;
   if (p >= last || !signed_number(p, last, term)) {
@@ -328,7 +328,7 @@ bool SyntaxBuilder::quantity(const char*& p, const char* last, const char* begin
   return field_end(p, last);
 }
 
-bool SyntaxBuilder::field_name(const char*& p, const char* last, bool in_row) {
+bool SyntaxBuilder::parse_name_field(const char*& p, const char* last, bool in_row) {
   const char* begin = p;
   const bool minus = in_row && p < last && *p == '-';
   const char* first = minus ? p + 1 : p;
@@ -352,7 +352,7 @@ bool SyntaxBuilder::field_name(const char*& p, const char* last, bool in_row) {
   return field_end(p, last);
 }
 
-bool SyntaxBuilder::field_text(const char*& p, const char* last) {
+bool SyntaxBuilder::parse_text_field(const char*& p, const char* last) {
   if (p >= last || *p != '\'') {
     return false;
   }
@@ -365,7 +365,7 @@ bool SyntaxBuilder::field_text(const char*& p, const char* last) {
   return field_end(p, last);
 }
 
-bool SyntaxBuilder::field_expression(const char*& p, const char* last) {
+bool SyntaxBuilder::parse_expression_field(const char*& p, const char* last) {
   if (p >= last || *p != '(') {
     return false;
   }
@@ -388,7 +388,7 @@ bool SyntaxBuilder::field_expression(const char*& p, const char* last) {
   return field_end(p, last);
 }
 
-void SyntaxBuilder::record_separator(char c) {
+void SyntaxBuilder::note_field_separator(char c) {
   fields_.back().separator = c;
 }
 

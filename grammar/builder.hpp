@@ -54,18 +54,18 @@ public:
   ParsedExpression take_expression(const char* begin); ///< from there to the last token
 
   // Fields of headers and rows.
-  bool field_number(const char*& p, const char* last, bool in_row);
+  bool parse_number_field(const char*& p, const char* last, bool in_row);
   /// A name of a field, stored in upper case. In rows a minus may stand before it, and with a
   /// bracket behind it the name begins a quantity. False without a failure: there is none at `p`.
-  bool field_name(const char*& p, const char* last, bool in_row);
+  bool parse_name_field(const char*& p, const char* last, bool in_row);
   /// A text of a field between quotes, without them. False where there is none or its end is
   /// missing.
-  bool field_text(const char*& p, const char* last);
+  bool parse_text_field(const char*& p, const char* last);
   /// An expression of a field in brackets, with its unit. False where there is none or it has a
   /// mistake.
-  bool field_expression(const char*& p, const char* last);
+  bool parse_expression_field(const char*& p, const char* last);
   /// Notes which separator stands behind the last field.
-  void record_separator(char c);
+  void note_field_separator(char c);
   std::vector<CardField> take_fields();
 
 private:

@@ -65,7 +65,7 @@ public:
     table_.value.reserve(k_block * form_.columns);
   }
 
-  void run(const TakeRows<Value>& take) {
+  void run(const RowBlockCallback<Value>& take) {
     while (true) {
       p_ = skip_blanks_and_comments(p_, last_);
       if (p_ >= last_ || table_.label.size() == k_block) {
@@ -84,7 +84,7 @@ public:
   }
 
 private:
-  void hand_over(const TakeRows<Value>& take) {
+  void hand_over(const RowBlockCallback<Value>& take) {
     if (!table_.label.empty()) {
       take(table_);
     }
@@ -194,8 +194,8 @@ private:
     SyntaxBuilder builder(file_, origin_);
     const char* const begin = p_;
     const char* const stop = logical_line_end(p_, last_);
-    const bool ok =
-        *p_ == '(' ? builder.field_expression(p_, stop) : builder.field_number(p_, stop, false);
+    const bool ok = *p_ == '(' ? builder.parse_expression_field(p_, stop)
+                               : builder.parse_number_field(p_, stop, false);
     builder.report_failure(diagnostics_);
     if (!ok) {
       return false;
@@ -205,7 +205,7 @@ private:
     if (!result) {
       return false;
     }
-    const base::SourceSpan unit = explicit_unit(parsed.expression);
+    const base::SourceSpan unit = explicit_unit_span(parsed.expression);
     if (unit.valid() && std::is_same_v<T, double>) {
       const auto known = base::parse_unit(scope_.sources->text(unit));
       const bool fits = known && (known->dimension == base::Dimension{1.0, 0.0, 0.0} ||
@@ -234,7 +234,7 @@ private:
     return fail(p_, stop, "E120",
                 fmt::format("expected {}, not '{}'", what, std::string_view(p_, stop)),
                 is_letter(*p_) ? "an expression stands in parentheses"
-                               : std::string(foreign_sign_hint(origin_, p_, last_)));
+                               : std::string(foreign_character_hint(origin_, p_, last_)));
   }
 
   bool bad_number(const char* digits) {
@@ -288,13 +288,13 @@ private:
 
 void parse_coordinates(const BulkTableForm& form, base::SourceSpan data,
                        const ExpressionScope& scope, base::Diagnostics& diagnostics,
-                       const TakeRows<double>& take) {
+                       const RowBlockCallback<double>& take) {
   TableReader<double>(form, data, scope, diagnostics).run(take);
 }
 
 void parse_connectivity(const BulkTableForm& form, base::SourceSpan data,
                         const ExpressionScope& scope, base::Diagnostics& diagnostics,
-                        const TakeRows<base::Label>& take) {
+                        const RowBlockCallback<base::Label>& take) {
   TableReader<base::Label>(form, data, scope, diagnostics).run(take);
 }
 

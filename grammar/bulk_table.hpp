@@ -31,16 +31,16 @@ struct BulkTableForm {
 
 /// Takes rows in the order of the deck, some thousands at a time, so that a big table never stands
 /// in memory twice. The block is valid during the call only.
-template <class Value> using TakeRows = std::function<void(const BulkTable<Value>&)>;
+template <class Value> using RowBlockCallback = std::function<void(const BulkTable<Value>&)>;
 
 /// Reads `label v1 .. vn` lines of a data block. Bad lines are reported and left out.
 void parse_coordinates(const BulkTableForm& form, base::SourceSpan data,
                        const ExpressionScope& scope, base::Diagnostics& diagnostics,
-                       const TakeRows<double>& take);
+                       const RowBlockCallback<double>& take);
 /// Reads lines `label label1 .. labeln` of elements, as parse_coordinates those of nodes.
 void parse_connectivity(const BulkTableForm& form, base::SourceSpan data,
                         const ExpressionScope& scope, base::Diagnostics& diagnostics,
-                        const TakeRows<base::Label>& take);
+                        const RowBlockCallback<base::Label>& take);
 
 /// At least as many as the rows of a data block: its lines.
 std::size_t count_lines(const base::SourceTexts& sources, base::SourceSpan data);

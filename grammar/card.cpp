@@ -74,7 +74,7 @@ bool take_separator(const char*& p, const char* last, SyntaxBuilder& builder) {
   if (p >= last || (*p != ',' && *p != '=')) {
     return false;
   }
-  builder.record_separator(*p);
+  builder.note_field_separator(*p);
   p = skip_blanks_and_comments(p + 1, last);
   return true;
 }
@@ -92,12 +92,13 @@ const Terminal key{"a key", take_key};
 const Terminal key_end{"a value", end_key};
 const Terminal equals{"'='", match_character<'='>};
 const Terminal comma{"','", match_character<','>};
-const Terminal header_number{"a number", take_field<&SyntaxBuilder::field_number, false>};
-const Terminal header_name{"a name", take_field<&SyntaxBuilder::field_name, false>};
-const Terminal row_number{"a number", take_field<&SyntaxBuilder::field_number, true>};
-const Terminal row_name{"a name", take_field<&SyntaxBuilder::field_name, true>};
-const Terminal text{"a text", take_field<&SyntaxBuilder::field_text>};
-const Terminal paren{"an expression in parentheses", take_field<&SyntaxBuilder::field_expression>};
+const Terminal header_number{"a number", take_field<&SyntaxBuilder::parse_number_field, false>};
+const Terminal header_name{"a name", take_field<&SyntaxBuilder::parse_name_field, false>};
+const Terminal row_number{"a number", take_field<&SyntaxBuilder::parse_number_field, true>};
+const Terminal row_name{"a name", take_field<&SyntaxBuilder::parse_name_field, true>};
+const Terminal text{"a text", take_field<&SyntaxBuilder::parse_text_field>};
+const Terminal paren{"an expression in parentheses",
+                     take_field<&SyntaxBuilder::parse_expression_field>};
 const Terminal separator{"','", take_separator};
 const Terminal assigned{"the name of a parameter", take_assigned};
 const Terminal assigned_value{"an expression", take_assigned_value};
@@ -206,8 +207,8 @@ std::vector<Card> parse_cards(const base::SourceTexts& sources, std::int32_t fil
   return cards;
 }
 
-std::vector<DataRow> parse_rows(const base::SourceTexts& sources, base::SourceSpan data,
-                                base::Diagnostics& diagnostics) {
+std::vector<DataRow> parse_data_rows(const base::SourceTexts& sources, base::SourceSpan data,
+                                     base::Diagnostics& diagnostics) {
   std::vector<DataRow> rows;
   const char* const origin = sources.text(data.file).data();
   for_each_line(sources, data, [&](const char* begin, const char* end) {

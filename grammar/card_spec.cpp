@@ -68,7 +68,7 @@ std::string_view display_name(Quantity quantity) {
   return words_for(quantity).name;
 }
 
-std::string_view dimension_phrase(Quantity quantity) {
+std::string_view dimension_formula(Quantity quantity) {
   return words_for(quantity).formula;
 }
 

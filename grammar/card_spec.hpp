@@ -54,7 +54,7 @@ base::Dimension quantity_dimension(Quantity quantity);
 /// "a length": for messages.
 std::string_view display_name(Quantity quantity);
 /// "stress*length^0.5": how the help writes the dimension.
-std::string_view dimension_phrase(Quantity quantity);
+std::string_view dimension_formula(Quantity quantity);
 
 inline constexpr double k_unbounded = std::numeric_limits<double>::infinity();
 

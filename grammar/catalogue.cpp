@@ -223,7 +223,7 @@ const std::vector<ResultQuantity>& front_results() {
 
 } // namespace
 
-std::span<const CardSpec> catalogue() {
+std::span<const CardSpec> card_catalogue() {
   static const std::vector<CardSpec> all = [] {
     std::vector<CardSpec> cards(model_cards().begin(), model_cards().end());
     for (const std::span<const CardSpec> more : {joint_cards(), analysis_cards()}) {
@@ -241,7 +241,7 @@ std::span<const CardSpec> catalogue() {
 }
 
 const CardSpec* find_card(std::string_view name) {
-  const auto all = catalogue();
+  const auto all = card_catalogue();
   const auto it = std::ranges::find(all, name, &CardSpec::name);
   return it == all.end() ? nullptr : &*it;
 }
@@ -262,7 +262,7 @@ std::span<const ResultQuantity> result_quantities() {
   return all;
 }
 
-const ResultQuantity* find_quantity(std::string_view name) {
+const ResultQuantity* find_result_quantity(std::string_view name) {
   const auto all = result_quantities();
   const auto it = std::ranges::find(all, name, &ResultQuantity::name);
   return it == all.end() ? nullptr : &*it;

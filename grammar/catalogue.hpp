@@ -11,7 +11,7 @@
 namespace spricka::grammar {
 
 /// All cards, in the order of the manual.
-std::span<const CardSpec> catalogue();
+std::span<const CardSpec> card_catalogue();
 
 /// A card by its upper-case name without $; null when unknown.
 const CardSpec* find_card(std::string_view name);
@@ -37,6 +37,6 @@ const ResultArgument* find_result_argument(char letter);
 /// All quantities, those of fronts in space behind the last one of tips.
 std::span<const ResultQuantity> result_quantities();
 /// The quantity of that name, upper case; null: there is none.
-const ResultQuantity* find_quantity(std::string_view name);
+const ResultQuantity* find_result_quantity(std::string_view name);
 
 } // namespace spricka::grammar

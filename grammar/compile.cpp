@@ -282,8 +282,8 @@ std::string unknown_function_hint(std::string_view name) {
   return base::suggest_spelling(name, valid);
 }
 
-std::vector<ExpressionWord> function_texts() {
-  std::vector<ExpressionWord> texts;
+std::vector<ExpressionFunctionText> expression_functions() {
+  std::vector<ExpressionFunctionText> texts;
   texts.reserve(functions.size());
   for (const Function& function : functions) {
     texts.push_back({function.name, function.form, function.doc});
@@ -291,7 +291,7 @@ std::vector<ExpressionWord> function_texts() {
   return texts;
 }
 
-bool is_reserved(std::string_view upper_name) {
+bool is_reserved_name(std::string_view upper_name) {
   return upper_name == "PI" || upper_name == "AND" || upper_name == "OR" ||
          find_function(upper_name) != nullptr || find_variable(upper_name).has_value();
 }
@@ -312,7 +312,7 @@ std::optional<double> evaluate(const ParsedExpression& expression, const Express
   return (*compiled)(base::Vec3::Zero());
 }
 
-base::SourceSpan explicit_unit(const ParsedExpression& expression) {
+base::SourceSpan explicit_unit_span(const ParsedExpression& expression) {
   if (expression.terms.empty()) {
     return {};
   }
@@ -325,10 +325,10 @@ base::SourceSpan explicit_unit(const ParsedExpression& expression) {
   return whole && outside ? last.unit : base::SourceSpan{};
 }
 
-base::SourceSpan explicit_or_parameter_unit(const ParsedExpression& expression,
-                                            const ExpressionScope& scope) {
+base::SourceSpan explicit_or_parameter_unit_span(const ParsedExpression& expression,
+                                                 const ExpressionScope& scope) {
   if (expression.terms.size() != 1 || !expression.terms.front().is_name()) {
-    return explicit_unit(expression);
+    return explicit_unit_span(expression);
   }
   const auto known = scope.units_of.find(to_upper(scope.sources->text(expression.terms[0].span)));
   return known == scope.units_of.end() ? base::SourceSpan() : known->second;

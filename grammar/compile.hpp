@@ -32,19 +32,19 @@ struct ExpressionScope {
 enum class AllowedVariables { none, position };
 
 /// A word of expressions, for the help: how it is written and what it is.
-struct ExpressionWord {
+struct ExpressionFunctionText {
   std::string_view name; ///< upper case
   std::string_view form;
   std::string_view doc;
 };
 /// The functions of expressions with their forms, in the order of the help.
-std::vector<ExpressionWord> function_texts();
+std::vector<ExpressionFunctionText> expression_functions();
 
 /// What to write for a function that there is not, by its name in upper case; empty: nobody knows.
 std::string unknown_function_hint(std::string_view name);
 
 /// Names that no parameter may have: functions, pi, x y z rho theta, and, or.
-bool is_reserved(std::string_view upper_name);
+bool is_reserved_name(std::string_view upper_name);
 
 /// The expression with everything known folded away; literals with a unit become deck units. Empty
 /// after an error (reported, unless a poisoned name is the cause). Constants are finite.
@@ -58,11 +58,11 @@ std::optional<double> evaluate(const ParsedExpression& expression, const Express
                                base::Diagnostics& diagnostics);
 
 /// The unit that the whole value is given in: `0.084[mm]`, `(E/2)[GPa]`; invalid for a bare one.
-base::SourceSpan explicit_unit(const ParsedExpression& expression);
+base::SourceSpan explicit_unit_span(const ParsedExpression& expression);
 
 /// The same, and for an expression that is a parameter alone the unit that was given there.
-base::SourceSpan explicit_or_parameter_unit(const ParsedExpression& expression,
-                                            const ExpressionScope& scope);
+base::SourceSpan explicit_or_parameter_unit_span(const ParsedExpression& expression,
+                                                 const ExpressionScope& scope);
 
 /// Whether a unit stands anywhere in an expression or in the parameters it is made of, so that its
 /// value is in deck units.

@@ -16,7 +16,7 @@ namespace {
 
 std::vector<std::string> card_names() {
   std::vector<std::string> names;
-  for (const CardSpec& card : catalogue()) {
+  for (const CardSpec& card : card_catalogue()) {
     names.emplace_back(card.name);
   }
   return names;
@@ -24,7 +24,7 @@ std::vector<std::string> card_names() {
 
 std::vector<std::string> key_names() {
   std::set<std::string> names;
-  for (const CardSpec& card : catalogue()) {
+  for (const CardSpec& card : card_catalogue()) {
     for (const KeySpec& key : card.keys) {
       names.emplace(key.name);
     }

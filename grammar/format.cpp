@@ -207,7 +207,7 @@ std::optional<std::string> format_deck(const base::SourceTexts& sources, std::in
   for (const Card& card : cards) {
     const CardSpec* spec = find_card(card.name);
     if (spec != nullptr && spec->data == DataLineForm::rows) {
-      parse_rows(sources, card.data, diagnostics);
+      parse_data_rows(sources, card.data, diagnostics);
     } else if (spec != nullptr && spec->data == DataLineForm::assignments) {
       parse_assignments(sources, card.data, diagnostics);
     }

@@ -94,7 +94,7 @@ DataRowFormatter::DataRowFormatter(const CardSpec& spec)
 
 bool DataRowFormatter::is_word(const std::string& upper, bool called) const {
   if (check_ && called) {
-    return find_quantity(upper) != nullptr;
+    return find_result_quantity(upper) != nullptr;
   }
   return (first_ || everywhere_) && std::find(words_.begin(), words_.end(), upper) != words_.end();
 }

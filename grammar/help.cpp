@@ -22,8 +22,8 @@ constexpr std::size_t k_body = 2; ///< indentation of paragraphs
 std::string key_table(const CardSpec& card, std::size_t width) {
   TextColumns table{{{"key", "value", "default", "meaning"}}, {14, 34, 12, 0}};
   for (const KeySpec& key : card.keys) {
-    table.rows.push_back(
-        {std::string(key.name), value_phrase(key), requirement_phrase(key), std::string(key.doc)});
+    table.rows.push_back({std::string(key.name), describe_key_value(key),
+                          describe_key_requirement(key), std::string(key.doc)});
   }
   return table.format_columns(width);
 }
@@ -52,7 +52,7 @@ std::pair<std::string, std::string> kind_and_size(const base::NamedUnit& word) {
   const std::string size = fmt::format("{:.10g}", word.unit.si);
   for (const auto& [quantity, unit] : named_quantities) {
     if (word.unit.dimension == quantity_dimension(quantity)) {
-      return {std::string(dimension_phrase(quantity)), size + std::string(unit)};
+      return {std::string(dimension_formula(quantity)), size + std::string(unit)};
     }
   }
   return {"count", size};
@@ -60,12 +60,12 @@ std::pair<std::string, std::string> kind_and_size(const base::NamedUnit& word) {
 
 } // namespace
 
-std::string cards_help(std::size_t width) {
+std::string card_list_help(std::size_t width) {
   std::string out;
   for (const std::string_view group : card_groups()) {
     out += fmt::format("{}: {}\n", group, card_group_purpose(group));
     TextColumns table{{}, {12, 0}};
-    for (const CardSpec& card : catalogue()) {
+    for (const CardSpec& card : card_catalogue()) {
       if (card.group == group) {
         table.rows.push_back({fmt::format("${}", card.name), std::string(card.doc)});
       }
@@ -90,11 +90,12 @@ std::string card_help(const CardSpec& card, std::size_t width) {
   for (const std::string& rule : rules) {
     out += wrap_paragraph(rule, k_body, width);
   }
-  out += '\n' + wrap_paragraph(card.data == DataLineForm::none
-                                   ? fmt::format("${} takes no data lines.", card.name)
-                                   : fmt::format("{}: {}", data_phrase(card), card.data_form),
-                               k_body, width);
-  if (const std::string later = unavailable_phrase(card); !later.empty()) {
+  out +=
+      '\n' + wrap_paragraph(card.data == DataLineForm::none
+                                ? fmt::format("${} takes no data lines.", card.name)
+                                : fmt::format("{}: {}", data_lines_heading(card), card.data_form),
+                            k_body, width);
+  if (const std::string later = describe_unavailable_values(card); !later.empty()) {
     out +=
         '\n' + wrap_paragraph(
                    fmt::format("Read and checked, but not available in this version: {}.", later),
@@ -139,7 +140,7 @@ bool has_text(std::string_view text, std::string_view word) {
 std::string search_help_texts(std::string_view word, std::size_t width) {
   constexpr std::size_t least = 3; // letters: fewer are everywhere
   TextColumns table{{}, {34, 0}};
-  for (const CardSpec& card : catalogue()) {
+  for (const CardSpec& card : card_catalogue()) {
     if (word.size() < least) {
       break;
     }
@@ -154,27 +155,27 @@ std::string search_help_texts(std::string_view word, std::size_t width) {
   }
   for (const ResultQuantity& quantity : result_quantities()) {
     if (word.size() >= least && has_text(quantity.doc, word)) {
-      table.rows.push_back({call_form(quantity), std::string(quantity.doc)});
+      table.rows.push_back({result_call_syntax(quantity), std::string(quantity.doc)});
     }
   }
   return table.rows.empty() ? std::string() : table.format_columns(width);
 }
 
-std::string word_help(std::string_view word, std::size_t width) {
+std::string language_word_help(std::string_view word, std::size_t width) {
   TextColumns table{{}, {34, 34, 0}};
-  for (const CardSpec& card : catalogue()) {
+  for (const CardSpec& card : card_catalogue()) {
     for (const KeySpec& key : card.keys) {
       const std::vector<std::string> words = split_words(key.words);
       const bool value = std::find(words.begin(), words.end(), word) != words.end();
       if (key.name == word || value) {
         table.rows.push_back(
             {fmt::format("${} {}{}{}", card.name, key.name, value ? "=" : "", value ? word : ""),
-             value ? std::string() : value_phrase(key),
+             value ? std::string() : describe_key_value(key),
              value ? about_word(key, word) : std::string(key.doc)});
       }
     }
   }
-  for (const ExpressionWord& function : function_texts()) {
+  for (const ExpressionFunctionText& function : expression_functions()) {
     if (function.name == word) {
       table.rows.push_back({std::string(function.form), "function", std::string(function.doc)});
     }
@@ -205,12 +206,13 @@ std::string list_damage_tolerance_terms(std::size_t width) {
          table.format_columns(width);
 }
 
-std::string quantities_help(std::size_t width, const ResultQuantity* one) {
+std::string result_quantities_help(std::size_t width, const ResultQuantity* one) {
   std::string out = one != nullptr ? "" : "Results that $CHECK can name; [ ] may be left out:\n";
   TextColumns table{{}, {44, 20, 0}};
   for (const ResultQuantity& quantity : result_quantities()) {
     if (one == nullptr || one == &quantity) {
-      table.rows.push_back({call_form(quantity), std::string(dimension_phrase(quantity.quantity)),
+      table.rows.push_back({result_call_syntax(quantity),
+                            std::string(dimension_formula(quantity.quantity)),
                             std::string(quantity.doc)});
     }
   }
@@ -225,7 +227,7 @@ std::string quantities_help(std::size_t width, const ResultQuantity* one) {
 std::string functions_help(std::size_t width) {
   std::string out = "Functions of expressions:\n";
   TextColumns table{{}, {14, 0}};
-  for (const ExpressionWord& function : function_texts()) {
+  for (const ExpressionFunctionText& function : expression_functions()) {
     table.rows.push_back({std::string(function.form), std::string(function.doc)});
   }
   out += table.format_columns(width);

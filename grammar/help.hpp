@@ -10,14 +10,14 @@
 namespace spricka::grammar {
 
 /// All cards by group, one line each.
-std::string cards_help(std::size_t width);
+std::string card_list_help(std::size_t width);
 
 /// One card: keys, rules between them, data lines, notes, example.
 std::string card_help(const CardSpec& card, std::size_t width);
 
 /// Where a word of the language stands, given in capitals: as a key, as a value of one, as a
 /// function. Empty when it is none.
-std::string word_help(std::string_view word, std::size_t width);
+std::string language_word_help(std::string_view word, std::size_t width);
 
 /// Where the texts of cards, keys and results have a word, given in any case. Empty: nowhere.
 std::string search_help_texts(std::string_view word, std::size_t width);
@@ -29,7 +29,7 @@ std::string damage_tolerance_help(std::string_view word, std::size_t width);
 std::string list_damage_tolerance_terms(std::size_t width);
 
 /// The results that $CHECK can name; `one` alone if it is given.
-std::string quantities_help(std::size_t width, const ResultQuantity* one = nullptr);
+std::string result_quantities_help(std::size_t width, const ResultQuantity* one = nullptr);
 
 /// Functions, constants and variables of expressions.
 std::string functions_help(std::size_t width);
@@ -38,9 +38,9 @@ std::string functions_help(std::size_t width);
 std::string units_help(std::size_t width);
 
 /// The card reference of the manual: all of the above as Markdown.
-std::string cards_markdown();
+std::string card_reference_markdown();
 
 /// The whole catalogue as JSON, for editors and other programs.
-std::string schema_json();
+std::string card_catalogue_json();
 
 } // namespace spricka::grammar

@@ -15,7 +15,7 @@ const char* line_end(const char* p, const char* last) {
   return found == nullptr ? last : static_cast<const char*>(found);
 }
 
-const char* continuation(const char* p, const char* last) {
+const char* find_continuation_line(const char* p, const char* last) {
   while (p < last && *p == '\n') {
     ++p;
     while (p < last && is_blank(*p)) {
@@ -40,7 +40,7 @@ const char* skip_blanks_and_comments(const char* p, const char* last) {
     } else if (*p == '!') {
       p = line_end(p, last);
     } else if (*p == '\n') {
-      const char* more = continuation(p, last);
+      const char* more = find_continuation_line(p, last);
       if (more == nullptr) {
         return p;
       }
@@ -55,7 +55,7 @@ const char* skip_blanks_and_comments(const char* p, const char* last) {
 const char* logical_line_end(const char* p, const char* last) {
   while (true) {
     const char* end = line_end(p, last);
-    const char* more = continuation(end, last);
+    const char* more = find_continuation_line(end, last);
     if (more == nullptr) {
       return end;
     }

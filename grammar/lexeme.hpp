@@ -34,7 +34,7 @@ const char* line_end(const char* p, const char* last);
 
 /// Start of the continued text if the lines after the line feed at `p` continue this one (first
 /// character &, after any comment lines), else null.
-const char* continuation(const char* p, const char* last);
+const char* find_continuation_line(const char* p, const char* last);
 
 /// Skips blanks, comments and continued line ends; stops at a token, a line feed or `last`.
 const char* skip_blanks_and_comments(const char* p, const char* last);

@@ -34,7 +34,8 @@ std::string anchor(std::string_view name) {
 std::string keys(const CardSpec& card) {
   std::string out = "| key | value | default | meaning |\n|---|---|---|---|\n";
   for (const KeySpec& key : card.keys) {
-    const std::string value = key.type == KeyType::word ? code(key.words) : cell(value_phrase(key));
+    const std::string value =
+        key.type == KeyType::word ? code(key.words) : cell(describe_key_value(key));
     const std::string need = key.required ? "required" : code(key.default_value);
     out += fmt::format("| `{}` | {} | {} | {} |\n", key.name, value, need, cell(key.doc));
   }
@@ -52,9 +53,9 @@ std::string card_section(const CardSpec& card) {
   }
   out += rules.empty() ? "" : "\n";
   if (card.data != DataLineForm::none) {
-    out += fmt::format("{}: `{}`\n\n", data_phrase(card), card.data_form);
+    out += fmt::format("{}: `{}`\n\n", data_lines_heading(card), card.data_form);
   }
-  if (const std::string later = unavailable_phrase(card); !later.empty()) {
+  if (const std::string later = describe_unavailable_values(card); !later.empty()) {
     out += fmt::format("Read and checked, but not available in this version: {}.\n\n", code(later));
   }
   return out + fmt::format("```deck\n{}```\n\n", card.example);
@@ -64,7 +65,7 @@ std::string contents() {
   std::string out;
   for (const std::string_view group : card_groups()) {
     out += fmt::format("- **{}** ({}):", group, card_group_purpose(group));
-    for (const CardSpec& card : catalogue()) {
+    for (const CardSpec& card : card_catalogue()) {
       if (card.group == group) {
         out += fmt::format(" [`${}`](#{})", card.name, anchor(card.name));
       }
@@ -79,15 +80,15 @@ std::string results() {
                     "length of `$GROW`; without it\nthe value is that of the last length.\n\n"
                     "| result | dimension | meaning |\n|---|---|---|\n";
   for (const ResultQuantity& quantity : result_quantities()) {
-    out += fmt::format("| {} | {} | {} |\n", code(call_form(quantity)),
-                       dimension_phrase(quantity.quantity), quantity.doc);
+    out += fmt::format("| {} | {} | {} |\n", code(result_call_syntax(quantity)),
+                       dimension_formula(quantity.quantity), quantity.doc);
   }
   return out + '\n';
 }
 
 std::string words() {
   std::string out = "## Functions\n\n| function | value |\n|---|---|\n";
-  for (const ExpressionWord& function : function_texts()) {
+  for (const ExpressionFunctionText& function : expression_functions()) {
     out += fmt::format("| `{}` | {} |\n", function.form, function.doc);
   }
   out +=
@@ -101,7 +102,7 @@ std::string words() {
 
 } // namespace
 
-std::string cards_markdown() {
+std::string card_reference_markdown() {
   std::string out = "# The cards\n\nThis page has every card of the deck language, with its "
                     "keys, their values and defaults, and an example. Look here\nwhile you write "
                     "or read a deck. To learn the language, begin with [a first "
@@ -113,7 +114,7 @@ std::string cards_markdown() {
   out += contents();
   for (const std::string_view group : card_groups()) {
     out += fmt::format("## {}: {}\n\n", group, card_group_purpose(group));
-    for (const CardSpec& card : catalogue()) {
+    for (const CardSpec& card : card_catalogue()) {
       out += card.group == group ? card_section(card) : "";
     }
   }

@@ -16,8 +16,8 @@ std::vector<Card> parse_cards(const base::SourceTexts& sources, std::int32_t fil
                               base::Diagnostics& diagnostics);
 
 /// The data lines of a card as fields; lines without a field are left out, as are bad ones.
-std::vector<DataRow> parse_rows(const base::SourceTexts& sources, base::SourceSpan data,
-                                base::Diagnostics& diagnostics);
+std::vector<DataRow> parse_data_rows(const base::SourceTexts& sources, base::SourceSpan data,
+                                     base::Diagnostics& diagnostics);
 
 /// Data lines of the form NAME = expression. A bad line whose name could be read is there with an
 /// empty expression.

@@ -103,14 +103,14 @@ std::string argument_name(const ResultQuantity& quantity, char letter, std::size
 
 } // namespace
 
-std::string value_phrase(const KeySpec& key) {
+std::string describe_key_value(const KeySpec& key) {
   switch (key.type) {
   case KeyType::integer:
     return number_phrase("whole number", key.range);
   case KeyType::integers:
     return number_phrase("whole numbers, with commas", key.range);
   case KeyType::real:
-    return number_phrase(dimension_phrase(key.quantity), key.range);
+    return number_phrase(dimension_formula(key.quantity), key.range);
   case KeyType::word:
     return std::string(key.words);
   case KeyType::name:
@@ -129,7 +129,7 @@ std::string value_phrase(const KeySpec& key) {
   return {};
 }
 
-std::string requirement_phrase(const KeySpec& key) {
+std::string describe_key_requirement(const KeySpec& key) {
   return key.required ? "required" : std::string(key.default_value);
 }
 
@@ -143,7 +143,7 @@ std::vector<std::string> card_rule_sentences(const CardSpec& card) {
   return out;
 }
 
-std::string unavailable_phrase(const CardSpec& card) {
+std::string describe_unavailable_values(const CardSpec& card) {
   std::vector<std::string> parts;
   for (const KeySpec& key : card.keys) {
     if (key.later == "*") {
@@ -157,7 +157,7 @@ std::string unavailable_phrase(const CardSpec& card) {
   return enumerate(parts);
 }
 
-std::string call_form(const ResultQuantity& quantity) {
+std::string result_call_syntax(const ResultQuantity& quantity) {
   std::string out = fmt::format("{}(", quantity.name);
   bool optional = false;
   std::size_t numbers = 0;
@@ -184,7 +184,7 @@ std::string call_form(const ResultQuantity& quantity) {
   return out + std::string(open, ']') + ")";
 }
 
-std::string_view data_phrase(const CardSpec& card) {
+std::string_view data_lines_heading(const CardSpec& card) {
   return card.data_required ? "Data lines" : "Optional data lines";
 }
 

@@ -49,7 +49,7 @@ Json key_of(const KeySpec& key) {
     out["kind"] = display_name(key.kind);
   }
   if (key.type == KeyType::real) {
-    out["dimension"] = dimension_phrase(key.quantity);
+    out["dimension"] = dimension_formula(key.quantity);
   }
   if (Json range = range_of(key.range); !range.empty()) {
     out["range"] = std::move(range);
@@ -101,20 +101,20 @@ Json card_of(const CardSpec& card) {
 
 } // namespace
 
-std::string schema_json() {
+std::string card_catalogue_json() {
   Json out;
   out["language"] = "spricka deck";
   out["version"] = 1;
-  for (const CardSpec& card : catalogue()) {
+  for (const CardSpec& card : card_catalogue()) {
     out["cards"].push_back(card_of(card));
   }
   for (const ResultQuantity& quantity : result_quantities()) {
     out["quantities"].push_back({{"name", quantity.name},
-                                 {"form", call_form(quantity)},
-                                 {"dimension", dimension_phrase(quantity.quantity)},
+                                 {"form", result_call_syntax(quantity)},
+                                 {"dimension", dimension_formula(quantity.quantity)},
                                  {"doc", quantity.doc}});
   }
-  for (const ExpressionWord& function : function_texts()) {
+  for (const ExpressionFunctionText& function : expression_functions()) {
     out["functions"].push_back(
         {{"name", function.name}, {"form", function.form}, {"doc", function.doc}});
   }

@@ -361,9 +361,9 @@ std::optional<double> read_field_number(const grammar::CardField& field, grammar
     const std::string_view written = scope.sources->text(field.span);
     const bool parameter = field.is_name() && scope.values.contains(field.text);
     const bool call = field.kind == CardField::CardFieldKind::quantity;
-    const std::vector<grammar::ExpressionWord> functions = grammar::function_texts();
-    const bool known =
-        std::ranges::find(functions, field.text, &grammar::ExpressionWord::name) != functions.end();
+    const std::vector<grammar::ExpressionFunctionText> functions = grammar::expression_functions();
+    const bool known = std::ranges::find(functions, field.text,
+                                         &grammar::ExpressionFunctionText::name) != functions.end();
     diagnostics.error(field.span, "E108", fmt::format("{} is expected", what),
                       parameter ? fmt::format("write ({}) for the value of the parameter", written)
                       : !call   ? ""
@@ -382,12 +382,12 @@ std::optional<double> read_field_number(const grammar::CardField& field, grammar
 bool check_field_unit(const grammar::CardField& field, const base::Dimension& dimension,
                       std::string_view complaint, const grammar::ExpressionScope& scope,
                       base::Diagnostics& diagnostics) {
-  const base::SourceSpan unit = grammar::explicit_or_parameter_unit(field.expression, scope);
+  const base::SourceSpan unit = grammar::explicit_or_parameter_unit_span(field.expression, scope);
   const auto known = unit.valid() ? base::parse_unit(scope.sources->text(unit)) : std::nullopt;
   if (!known || known->dimension == dimension) {
     return true;
   }
-  const bool written_here = grammar::explicit_unit(field.expression).valid();
+  const bool written_here = grammar::explicit_unit_span(field.expression).valid();
   diagnostics.error(written_here ? unit : field.span, "E205",
                     fmt::format("'{}' {}", scope.sources->text(unit), complaint),
                     written_here ? "" : "the parameter is given in this unit");

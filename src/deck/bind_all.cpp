@@ -80,7 +80,7 @@ private:
 
   void unknown(const grammar::Card& card) {
     std::vector<std::string> valid;
-    for (const grammar::CardSpec& spec : grammar::catalogue()) {
+    for (const grammar::CardSpec& spec : grammar::card_catalogue()) {
       valid.push_back(fmt::format("${}", spec.name));
     }
     const std::string hint = base::suggest_spelling(fmt::format("${}", card.name), valid);
@@ -163,7 +163,7 @@ private:
       parameters(card);
       break;
     case DataLineForm::rows:
-      bound.rows = grammar::parse_rows(c_.sources, card.data, c_.diagnostics);
+      bound.rows = grammar::parse_data_rows(c_.sources, card.data, c_.diagnostics);
       break;
     case DataLineForm::none:
       no_data(card);
@@ -209,7 +209,7 @@ private:
     const std::size_t before = c_.diagnostics.error_count();
     for (const grammar::Assignment& a :
          grammar::parse_assignments(c_.sources, card.data, c_.diagnostics)) {
-      if (grammar::is_reserved(a.name)) {
+      if (grammar::is_reserved_name(a.name)) {
         c_.error(a.name_span, "E208", fmt::format("'{}' is a word of the language", a.written),
                  "choose another name");
       } else if (!defined_.insert(a.name).second) {
@@ -223,9 +223,9 @@ private:
         if (overridden && value) {
           overrides_.warn_of_missing_unit(c_, a);
         }
-        const base::SourceSpan unit = overridden
-                                          ? overrides_.unit_span(a.name)
-                                          : grammar::explicit_or_parameter_unit(a.value, c_.scope);
+        const base::SourceSpan unit =
+            overridden ? overrides_.unit_span(a.name)
+                       : grammar::explicit_or_parameter_unit_span(a.value, c_.scope);
         if (unit.valid()) {
           c_.scope.units_of[a.name] = unit;
         } else if (overridden ? overrides_.has_unit(c_, a) : grammar::has_unit(a.value, c_.scope)) {

@@ -84,7 +84,7 @@ public:
       return;
     }
     const bool known = arguments();
-    const grammar::ResultQuantity* spec = grammar::find_quantity(check_.quantity);
+    const grammar::ResultQuantity* spec = grammar::find_result_quantity(check_.quantity);
     const auto quantity = spec == nullptr ? grammar::Quantity::number : spec->quantity;
     const auto value = number(1, quantity, "a value");
     const auto tolerance =
@@ -167,7 +167,7 @@ private:
 
   bool arguments() {
     const CardField& quantity = row_.fields[0];
-    const grammar::ResultQuantity* spec = grammar::find_quantity(quantity.text);
+    const grammar::ResultQuantity* spec = grammar::find_result_quantity(quantity.text);
     if (spec == nullptr) {
       unknown(quantity);
       return false;

@@ -31,7 +31,7 @@ void ParameterOverrides::define(DeckContext& context, const std::string& name,
   const std::string upper = grammar::to_upper(name);
   const char* const last = name.data() + name.size();
   const bool is_name = !name.empty() && grammar::scan_name(name.data(), last) == last;
-  if (!is_name || grammar::is_reserved(upper)) {
+  if (!is_name || grammar::is_reserved_name(upper)) {
     context.error(all, "E210", fmt::format("-D: '{}' cannot be the name of a parameter", name));
     return;
   }
@@ -95,7 +95,7 @@ std::optional<double> ParameterOverrides::value(DeckContext& context, const std:
 
 base::SourceSpan ParameterOverrides::unit_span(const std::string& name) const {
   const std::optional<grammar::ParsedExpression>& expression = table_.at(name).expression;
-  return expression ? grammar::explicit_unit(*expression) : base::SourceSpan();
+  return expression ? grammar::explicit_unit_span(*expression) : base::SourceSpan();
 }
 
 bool ParameterOverrides::has_unit(const DeckContext& context,

@@ -50,7 +50,7 @@ std::optional<grammar::DataRow> read_row(const std::string& line, base::SourceTe
                                          base::Diagnostics& diagnostics) {
   const std::int32_t file = sources.add_text("line", line + "\n");
   const base::SourceSpan whole{file, 0, static_cast<std::uint32_t>(line.size() + 1)};
-  const std::vector<grammar::DataRow> rows = grammar::parse_rows(sources, whole, diagnostics);
+  const std::vector<grammar::DataRow> rows = grammar::parse_data_rows(sources, whole, diagnostics);
   if (rows.size() != 1 && !diagnostics.has_errors()) {
     diagnostics.error(whole, "E115", "one data line is expected");
   }

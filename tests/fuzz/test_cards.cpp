@@ -38,7 +38,7 @@ std::set<std::string> words_used() {
 
 TEST(Cards, EveryCardAndKeyIsRead) {
   const std::set<std::string> used = words_used();
-  for (const grammar::CardSpec& card : grammar::catalogue()) {
+  for (const grammar::CardSpec& card : grammar::card_catalogue()) {
     EXPECT_TRUE(used.contains("$" + std::string(card.name))) << card.name;
     for (const grammar::KeySpec& key : card.keys) {
       EXPECT_TRUE(used.contains(std::string(key.name) + "=")) << card.name << ' ' << key.name;

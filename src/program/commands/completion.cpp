@@ -20,7 +20,7 @@ std::string names_of(const std::vector<OptionText>& options) {
 
 std::string topics() {
   std::string out = "quantities functions units codes words";
-  for (const grammar::CardSpec& card : grammar::catalogue()) {
+  for (const grammar::CardSpec& card : grammar::card_catalogue()) {
     out += fmt::format(" {}", card.name);
   }
   return out;

@@ -9,7 +9,7 @@
 namespace spricka::program {
 
 base::Outcome schema_command() {
-  to_stdout(grammar::schema_json());
+  to_stdout(grammar::card_catalogue_json());
   return base::Outcome::done;
 }
 

@@ -21,7 +21,7 @@ namespace {
 
 std::string overview(std::size_t width) {
   return "The cards of the deck language, by group. spricka help CARD explains one of them.\n\n" +
-         grammar::cards_help(width) +
+         grammar::card_list_help(width) +
          "Words of damage tolerance lead on as well: spricka help flaw, bushing, beta, "
          "inspection;\n"
          "spricka help words lists them.\n\n"
@@ -82,7 +82,7 @@ std::string codes_markdown() {
 
 std::optional<std::string> list_help(const std::string& topic, std::size_t width) {
   if (topic == "QUANTITIES") {
-    return grammar::quantities_help(width);
+    return grammar::result_quantities_help(width);
   }
   if (topic == "FUNCTIONS") {
     return grammar::functions_help(width);
@@ -125,10 +125,10 @@ std::optional<std::string> help_on(const std::string& topic, const ProgramText& 
       return code_help(code, width);
     }
   }
-  if (const grammar::ResultQuantity* quantity = grammar::find_quantity(topic)) {
-    return grammar::quantities_help(width, quantity);
+  if (const grammar::ResultQuantity* quantity = grammar::find_result_quantity(topic)) {
+    return grammar::result_quantities_help(width, quantity);
   }
-  if (std::string words = grammar::word_help(topic, width); !words.empty()) {
+  if (std::string words = grammar::language_word_help(topic, width); !words.empty()) {
     return words;
   }
   if (command != nullptr) {
@@ -149,7 +149,7 @@ std::string help_or_field_help(const std::string& topic, const ProgramText& prog
 
 std::string nearest(const std::string& topic, const ProgramText& program) {
   std::vector<std::string> known{"quantities", "functions", "units", "codes", "words"};
-  for (const grammar::CardSpec& card : grammar::catalogue()) {
+  for (const grammar::CardSpec& card : grammar::card_catalogue()) {
     known.emplace_back(card.name);
   }
   for (const grammar::ResultQuantity& quantity : grammar::result_quantities()) {
@@ -172,7 +172,7 @@ base::Outcome help_command(const HelpOptions& options, const ProgramText& progra
   std::string topic = grammar::to_upper(options.topic);
   topic.erase(0, topic.starts_with('$') ? 1 : 0);
   if (options.markdown && (topic.empty() || topic == "CODES")) {
-    to_stdout(topic.empty() ? grammar::cards_markdown() : codes_markdown());
+    to_stdout(topic.empty() ? grammar::card_reference_markdown() : codes_markdown());
     return base::Outcome::done;
   }
   if (topic.empty()) {

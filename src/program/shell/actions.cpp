@@ -76,8 +76,8 @@ base::OptionalFailure answer_result(ShellSession& session, const std::string& li
   trouble = trouble ? trouble : solve_pending_changes(session, reply);
   trouble = trouble ? trouble : session.evaluate(check, value);
   if (!trouble) {
-    const std::string unit =
-        base::unit_name(session.model().units, grammar::find_quantity(check.quantity)->quantity);
+    const std::string unit = base::unit_name(
+        session.model().units, grammar::find_result_quantity(check.quantity)->quantity);
     reply.out +=
         fmt::format("{} = {:.10g}{}{}\n", check_text(check), value, unit.empty() ? "" : " ", unit);
   }

@@ -82,7 +82,7 @@ base::OptionalFailure help(const ShellCall& call) {
       return {};
     }
   }
-  const grammar::ResultQuantity* quantity = grammar::find_quantity(grammar::to_upper(word));
+  const grammar::ResultQuantity* quantity = grammar::find_result_quantity(grammar::to_upper(word));
   if (quantity == nullptr) {
     return unknown(word);
   }

@@ -88,7 +88,7 @@ Words complete_key(const ShellSession& session, std::string_view before, std::st
 Words complete_argument(const ShellSession& session, std::string_view before,
                         std::string_view typed) {
   const std::string name = grammar::to_upper(without_comment(before.substr(0, before.find('('))));
-  const grammar::ResultQuantity* is = grammar::find_quantity(name);
+  const grammar::ResultQuantity* is = grammar::find_result_quantity(name);
   std::string letters(is == nullptr ? std::string_view() : is->arguments);
   std::erase(letters, '?');
   if (session.model().mesh.dim == 2) {

@@ -27,7 +27,7 @@ struct ParsedData {
   }
   [[nodiscard]] std::vector<grammar::DataRow> rows() const {
     base::Diagnostics read_before;
-    return grammar::parse_rows(sources, span, read_before);
+    return grammar::parse_data_rows(sources, span, read_before);
   }
   [[nodiscard]] DataFields fields(const grammar::DataRow& row) const {
     DataFields fields;

@@ -10,7 +10,7 @@ namespace {
 // An example as the middle of a deck: the names it uses may be missing, but every card, key, value,
 // unit and data line is as the language has it.
 TEST(Examples, BindWithoutAMistake) {
-  for (const grammar::CardSpec& card : grammar::catalogue()) {
+  for (const grammar::CardSpec& card : grammar::card_catalogue()) {
     const Folder folder;
     std::string text(card.example);
     if (card.name != "DECK") {

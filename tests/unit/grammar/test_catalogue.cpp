@@ -25,13 +25,13 @@ TEST(Catalogue, HoldsTheWholeLanguage) {
         "SWEEP",   "CONTROL",   "RESTART",  "TASK",     "OUTPUT",   "CHECK",    "END"}) {
     EXPECT_NE(find_card(name), nullptr) << name;
   }
-  EXPECT_EQ(catalogue().size(), 35U);
+  EXPECT_EQ(card_catalogue().size(), 35U);
   EXPECT_EQ(find_card("ENDE"), nullptr);
 }
 
 TEST(Catalogue, NamesAreUniqueAndDocumented) {
   std::set<std::string_view> cards;
-  for (const CardSpec& card : catalogue()) {
+  for (const CardSpec& card : card_catalogue()) {
     EXPECT_TRUE(cards.insert(card.name).second) << card.name;
     EXPECT_FALSE(card.doc.empty()) << card.name;
     EXPECT_FALSE(card.group.empty()) << card.name;
@@ -51,7 +51,7 @@ TEST(Catalogue, DefaultsAreValuesOfTheirKeys) {
   base::Diagnostics diagnostics;
   ExpressionScope scope;
   scope.sources = &sources;
-  for (const CardSpec& card : catalogue()) {
+  for (const CardSpec& card : card_catalogue()) {
     for (const KeySpec& key : card.keys) {
       if (key.default_value.empty()) {
         continue;
@@ -72,7 +72,7 @@ TEST(Catalogue, DefaultsAreValuesOfTheirKeys) {
 }
 
 TEST(Catalogue, ClausesSpeakOfKeysThatExist) {
-  for (const CardSpec& card : catalogue()) {
+  for (const CardSpec& card : card_catalogue()) {
     for (const KeyCondition& clause : card.when) {
       const KeySpec* key = card.find(clause.key);
       ASSERT_NE(key, nullptr) << card.name << ' ' << clause.key;

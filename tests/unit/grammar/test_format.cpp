@@ -56,7 +56,7 @@ private:
         out_ << '\n';
       }
     } else {
-      for (const DataRow& row : parse_rows(sources_, card.data, diagnostics)) {
+      for (const DataRow& row : parse_data_rows(sources_, card.data, diagnostics)) {
         fields(row.fields);
         out_ << '\n';
       }

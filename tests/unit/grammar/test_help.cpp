@@ -27,7 +27,7 @@ bool has(const std::string& text, std::string_view part) {
 }
 
 TEST(Help, EveryCardHasAnExampleInCanonicalLayout) {
-  for (const CardSpec& card : catalogue()) {
+  for (const CardSpec& card : card_catalogue()) {
     ASSERT_FALSE(card.example.empty()) << card.name;
     EXPECT_TRUE(has(std::string(card.example), "$" + std::string(card.name))) << card.name;
     base::SourceTexts sources;
@@ -40,7 +40,7 @@ TEST(Help, EveryCardHasAnExampleInCanonicalLayout) {
 
 TEST(Help, ShowsEveryKeyAndStaysInItsWidth) {
   for (const std::size_t width : {60U, 80U, 100U}) {
-    for (const CardSpec& card : catalogue()) {
+    for (const CardSpec& card : card_catalogue()) {
       const std::string text = card_help(card, width);
       for (const KeySpec& key : card.keys) {
         EXPECT_TRUE(has(text, "\n  " + std::string(key.name) + " ")) << card.name << key.name;
@@ -56,8 +56,8 @@ TEST(Help, ShowsEveryKeyAndStaysInItsWidth) {
 }
 
 TEST(Help, EveryCardStandsInAGroupOfTheOverview) {
-  const std::string text = cards_help(80);
-  for (const CardSpec& card : catalogue()) {
+  const std::string text = card_list_help(80);
+  for (const CardSpec& card : card_catalogue()) {
     EXPECT_FALSE(card_group_purpose(card.group).empty()) << card.group;
     EXPECT_TRUE(has(text, "  $" + std::string(card.name) + " ")) << card.name;
   }
@@ -73,15 +73,17 @@ TEST(Help, PutsClausesIntoSentences) {
 }
 
 TEST(Help, WritesResultsAsCalls) {
-  EXPECT_EQ(call_form(*find_quantity("K1")), "K1(crack[.tip], step [, a [, angle]])");
-  EXPECT_EQ(call_form(*find_quantity("U.X.AT")), "U.X.AT(x, y [, z], step [, a])");
-  EXPECT_EQ(call_form(*find_quantity("CPRESS.AT")), "CPRESS.AT(contact, step, theta [, a])");
-  EXPECT_EQ(call_form(*find_quantity("LIFE")), "LIFE()");
+  EXPECT_EQ(result_call_syntax(*find_result_quantity("K1")),
+            "K1(crack[.tip], step [, a [, angle]])");
+  EXPECT_EQ(result_call_syntax(*find_result_quantity("U.X.AT")), "U.X.AT(x, y [, z], step [, a])");
+  EXPECT_EQ(result_call_syntax(*find_result_quantity("CPRESS.AT")),
+            "CPRESS.AT(contact, step, theta [, a])");
+  EXPECT_EQ(result_call_syntax(*find_result_quantity("LIFE")), "LIFE()");
 }
 
 // The documented form of every function compiles, with numbers for its letters.
 TEST(Help, FunctionsAreWrittenAsTheyAreRead) {
-  for (const ExpressionWord& function : function_texts()) {
+  for (const ExpressionFunctionText& function : expression_functions()) {
     std::string call = std::regex_replace(std::string(function.form), std::regex(", \\.\\."), "");
     call = std::regex_replace(call, std::regex("\\b[xyab]\\b"), "0.5");
     base::SourceTexts sources;
@@ -93,7 +95,7 @@ TEST(Help, FunctionsAreWrittenAsTheyAreRead) {
         parse_expression(sources, {file, 0, static_cast<std::uint32_t>(call.size())}, diagnostics);
     ASSERT_TRUE(parsed) << call;
     EXPECT_TRUE(evaluate(*parsed, scope, diagnostics)) << call;
-    EXPECT_TRUE(is_reserved(function.name));
+    EXPECT_TRUE(is_reserved_name(function.name));
   }
 }
 
@@ -116,8 +118,8 @@ TEST(FieldWords, LeadToCardsKeysResultsAndPages) {
     EXPECT_FALSE(topics.empty()) << word.word;
     EXPECT_FALSE(pages.empty()) << word.word;
     for (const std::string& topic : topics) {
-      EXPECT_TRUE(find_card(topic) != nullptr || find_quantity(topic) != nullptr ||
-                  !word_help(topic, 80).empty())
+      EXPECT_TRUE(find_card(topic) != nullptr || find_result_quantity(topic) != nullptr ||
+                  !language_word_help(topic, 80).empty())
           << word.word << ": " << topic;
     }
     for (const std::string& page : pages) {
@@ -127,7 +129,7 @@ TEST(FieldWords, LeadToCardsKeysResultsAndPages) {
       EXPECT_NE(find_card(card), nullptr) << word.word << ": " << card;
     }
     for (const std::string& key : found_in(word.text, "\\b([A-Z][A-Z0-9]*)=")) {
-      EXPECT_FALSE(word_help(key, 80).empty()) << word.word << ": " << key;
+      EXPECT_FALSE(language_word_help(key, 80).empty()) << word.word << ": " << key;
     }
   }
 }
@@ -181,10 +183,10 @@ TEST(Wrap, BreaksAtBlanksAndBars) {
 }
 
 TEST(Schema, HoldsTheWholeCatalogue) {
-  const auto schema = nlohmann::json::parse(schema_json());
-  ASSERT_EQ(schema["cards"].size(), catalogue().size());
-  for (std::size_t i = 0; i < catalogue().size(); ++i) {
-    const CardSpec& card = catalogue()[i];
+  const auto schema = nlohmann::json::parse(card_catalogue_json());
+  ASSERT_EQ(schema["cards"].size(), card_catalogue().size());
+  for (std::size_t i = 0; i < card_catalogue().size(); ++i) {
+    const CardSpec& card = card_catalogue()[i];
     const auto& json = schema["cards"][i];
     EXPECT_EQ(json["name"], card.name);
     EXPECT_EQ(json["example"], card.example);
@@ -201,7 +203,7 @@ TEST(Schema, HoldsTheWholeCatalogue) {
   EXPECT_EQ(material["keys"][2]["range"]["below"], 0.5);
   EXPECT_EQ(material["keys"][3]["default"], "0");
   EXPECT_EQ(schema["quantities"].size(), result_quantities().size());
-  EXPECT_EQ(schema["functions"].size(), function_texts().size());
+  EXPECT_EQ(schema["functions"].size(), expression_functions().size());
 }
 
 TEST(Editors, NameEveryCardAndKey) {
@@ -218,7 +220,7 @@ TEST(Editors, NameEveryCardAndKey) {
       key_pattern = std::regex(plain, std::regex::icase);
     }
   }
-  for (const CardSpec& card : catalogue()) {
+  for (const CardSpec& card : card_catalogue()) {
     const std::string name = "$" + std::string(card.name);
     EXPECT_TRUE(std::regex_search(name + " X=1", card_pattern)) << name;
     EXPECT_TRUE(std::regex_search(vim, std::regex("[(|]" + std::string(card.name) + "\\\\[|)]")))

@@ -18,7 +18,8 @@ struct Reader {
   }
   std::vector<DataRow> rows(const std::string& text) {
     const auto file = sources.add_text("rows", text);
-    return parse_rows(sources, {file, 0, static_cast<std::uint32_t>(text.size())}, diagnostics);
+    return parse_data_rows(sources, {file, 0, static_cast<std::uint32_t>(text.size())},
+                           diagnostics);
   }
 };
 

@@ -38,7 +38,7 @@ struct Reader {
     parse_connectivity(form, data, scope, diagnostics, gather(all));
     return all;
   }
-  template <class Value> static TakeRows<Value> gather(BulkTable<Value>& all) {
+  template <class Value> static RowBlockCallback<Value> gather(BulkTable<Value>& all) {
     return [&all](const BulkTable<Value>& block) {
       all.columns = block.columns;
       all.label.insert(all.label.end(), block.label.begin(), block.label.end());

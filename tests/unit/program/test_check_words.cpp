@@ -25,7 +25,7 @@ TEST(CheckWords, AllOfTheCatalogueAreAvailable) {
 
 template <class Quantity>
 void expect_in_catalogue(const std::string& word, const Quantity& q, std::string_view arguments) {
-  const grammar::ResultQuantity* const listed = grammar::find_quantity(word);
+  const grammar::ResultQuantity* const listed = grammar::find_result_quantity(word);
   ASSERT_NE(listed, nullptr) << word << " is no word of grammar/catalogue.cpp";
   EXPECT_EQ(listed->quantity, q.kind) << word;
   EXPECT_EQ(listed->doc, q.doc) << word;
@@ -50,7 +50,7 @@ TEST(CheckWords, OfFrontsAreInTheCatalogueByTheirPlaces) {
   for (const results::KQuantity& q : results::k_quantities) {
     for (const char* place : {".AT", ".PHI", ".MIN", ".MAX"}) {
       const std::string word = q.check_word() + place;
-      const grammar::ResultQuantity* const listed = grammar::find_quantity(word);
+      const grammar::ResultQuantity* const listed = grammar::find_result_quantity(word);
       ASSERT_EQ(listed != nullptr, q.appears_in(results::in_check, 3)) << word;
       if (listed != nullptr) {
         EXPECT_EQ(listed->quantity, q.kind) << word;
