@@ -127,7 +127,7 @@ private:
                                 contact.name,
                                 contact.gap ? "an interference of" : "the surfaces overlap by",
                                 overlap, unit, 100.0 * overlap / surface_size(surface),
-                                surface_radius(surface) ? "a radius" : "half an extent",
+                                round_surface_radius(surface) ? "a radius" : "half an extent",
                                 surface_size(surface), unit),
                     "a fit is declared in units of length; look at the unit and at the drawing");
     }
@@ -145,7 +145,8 @@ private:
                     fmt::format("contact {}: a gap of {:.4g} {} is declared, {:.2g} % of {} of "
                                 "{:.4g} {}, between surfaces that are drawn {}",
                                 contact.name, gap, unit, 100.0 * gap / size,
-                                surface_radius(surface) ? "a radius" : "half an extent", size, unit,
+                                round_surface_radius(surface) ? "a radius" : "half an extent", size,
+                                unit,
                                 drawn > round_off * surface.extent * 10.0
                                     ? fmt::format("{:.3g} {} apart", drawn, unit)
                                     : std::string("touching")),

@@ -36,7 +36,7 @@ Turns turns_of(const std::vector<Vec3>& x, bool closed) {
 
 } // namespace
 
-std::optional<FrontKink> find_kink(const std::vector<Vec3>& points, bool closed) {
+std::optional<FrontOutlier> find_front_outlier(const std::vector<Vec3>& points, bool closed) {
   // A half circle drawn by four points turns by half a radian less without one of them, finer lines
   // by less than that. Ends may lie anywhere beyond the body.
   constexpr double most_gained = 1.0;
@@ -45,7 +45,7 @@ std::optional<FrontKink> find_kink(const std::vector<Vec3>& points, bool closed)
     return std::nullopt;
   }
   const Turns whole = turns_of(points, closed);
-  FrontKink kink{whole.at, whole.sum, whole.sum};
+  FrontOutlier kink{whole.at, whole.sum, whole.sum};
   for (std::size_t i = closed ? 0 : 1; i + (closed ? 0 : 1) < points.size(); ++i) {
     std::vector<Vec3> others = points;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
@@ -59,7 +59,7 @@ std::optional<FrontKink> find_kink(const std::vector<Vec3>& points, bool closed)
   if (whole.sharpest > turned_back) {
     std::vector<Vec3> others = points;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(whole.at));
-    return FrontKink{whole.at, whole.sum, turns_of(others, closed).sum};
+    return FrontOutlier{whole.at, whole.sum, turns_of(others, closed).sum};
   }
   return std::nullopt;
 }

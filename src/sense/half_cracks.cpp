@@ -45,7 +45,7 @@ Depths depths_of(const model::Model& model, const model::CrackDefinition& crack,
     depths.add(plane.signed_distance(e.place) + extent);
     return depths;
   }
-  for (const Vec3& x : crack_line(model, crack, 0.0)) {
+  for (const Vec3& x : crack_line_points(model, crack, 0.0)) {
     depths.add(plane.signed_distance(x));
   }
   return depths;
@@ -190,7 +190,7 @@ base::FaceSetId find_missing_crack_face(const model::Model& model,
   return plane.sign * left[plane.axis] > 0.0 ? crack.right : crack.left;
 }
 
-void remove_cracks_beyond(model::Model& model, const HalfModelPlane& plane) {
+void remove_cracks_beyond_plane(model::Model& model, const HalfModelPlane& plane) {
   std::vector<base::CrackId> now(model.cracks.size());
   std::vector<model::CrackDefinition> kept;
   for (std::size_t i = 0; i < model.cracks.size(); ++i) {

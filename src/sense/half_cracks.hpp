@@ -43,6 +43,6 @@ base::FaceSetId find_missing_crack_face(const model::Model& model,
 
 /// Takes away cracks that lie beyond, with all that is about them. Those of a plane model that lie
 /// across the plane begin in it, and those drawn in it run along its nodes from their mouth on.
-void remove_cracks_beyond(model::Model& model, const HalfModelPlane& plane);
+void remove_cracks_beyond_plane(model::Model& model, const HalfModelPlane& plane);
 
 } // namespace spricka::sense

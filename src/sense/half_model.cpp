@@ -153,7 +153,7 @@ public:
       load_case.loads = std::move(kept);
     }
     keep_contacts();
-    remove_cracks_beyond(model_, side_.plane());
+    remove_cracks_beyond_plane(model_, side_.plane());
     drop_empty_ties();
     keep_mesh();
     hold_plane();
@@ -336,7 +336,7 @@ void reduce_to_half_model(model::Model& model, base::Diagnostics& list) {
                         [&](const model::MirrorPlane& request) {
                           return half_model_obstacle(model, request.axis).empty();
                         });
-  const std::set<std::string> before = named_entities(model);
+  const std::set<std::string> before = existing_entity_names(model);
   for (model::MirrorPlane& request : model.mirrors) {
     const Chosen chosen = choose(model, request);
     const char axis = "xyz"[request.axis];

@@ -258,8 +258,7 @@ std::string parted_text(const PartedFront& parted) {
 
 } // namespace
 
-std::string describe_tip_mismatch(const results::StepResult& step,
-                                  const results::FrontResult& tip) {
+std::string describe_k_mismatch(const results::StepResult& step, const results::FrontResult& tip) {
   return worst_of(step, tip).what;
 }
 

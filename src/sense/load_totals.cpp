@@ -152,7 +152,7 @@ double largest_displacement(const model::Model& model, const model::Mesh& mesh,
 
 } // namespace
 
-std::vector<results::LoadTotal> load_totals(const model::Model& model) {
+std::vector<results::LoadTotal> compute_load_totals(const model::Model& model) {
   std::vector<results::LoadTotal> totals;
   for (const model::LoadCase& load_case : model.cases) {
     model::LoadCase forces{load_case.name, {}};

@@ -10,7 +10,7 @@ namespace spricka::sense {
 
 /// What the loads of each case come to on the deck's own mesh, cases without forces left out.
 /// Temperatures and prescribed displacements are no forces; faces of cracks are not there yet.
-std::vector<results::LoadTotal> load_totals(const model::Model& model);
+std::vector<results::LoadTotal> compute_load_totals(const model::Model& model);
 
 /// Whether the loads on a mesh with cracks are numbers (E434), and those that the deck's own mesh
 /// carries come to the same total there (E435). A load whose integral no rule could follow is

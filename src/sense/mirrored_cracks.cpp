@@ -68,8 +68,8 @@ bool mirrored_shape(const model::Model& model, const Reflection& mirror,
   }
   return one.kind == model::CrackDefinitionKind::ellipse
              ? mirrored_plane(mirror, one.plane, other.plane)
-             : mirrored_line(mirror, crack_line(model, one, any_length),
-                             crack_line(model, other, any_length));
+             : mirrored_line(mirror, crack_line_points(model, one, any_length),
+                             crack_line_points(model, other, any_length));
 }
 
 // From the right face to the left one, in space from the lower to the upper; zero: not known.
@@ -78,7 +78,7 @@ base::Vec3 normal_of(const model::Model& model, const model::CrackDefinition& cr
     const bool drawn = crack.kind != model::CrackDefinitionKind::front;
     return drawn ? crack.plane.normal : base::Vec3(base::Vec3::Zero());
   }
-  const std::vector<base::Vec3> points = crack_line(model, crack, any_length);
+  const std::vector<base::Vec3> points = crack_line_points(model, crack, any_length);
   const base::Vec3 along = points.back() - points.front();
   return {-along.y(), along.x(), 0.0};
 }
@@ -105,7 +105,7 @@ std::vector<fe::LoadSample> face_places(const model::Model& model,
     }
     return places;
   }
-  const std::vector<base::Vec3> points = crack_line(model, crack, any_length);
+  const std::vector<base::Vec3> points = crack_line_points(model, crack, any_length);
   fe::SpaceNodes<1> X(3, 2);
   for (std::size_t i = 1; i < points.size(); ++i) {
     X << points[i - 1], points[i];
@@ -116,8 +116,8 @@ std::vector<fe::LoadSample> face_places(const model::Model& model,
 
 } // namespace
 
-std::vector<base::Vec3> crack_line(const model::Model& model, const model::CrackDefinition& crack,
-                                   double otherwise) {
+std::vector<base::Vec3> crack_line_points(const model::Model& model,
+                                          const model::CrackDefinition& crack, double otherwise) {
   std::vector<base::Vec3> points = crack.points;
   if (crack.path.valid()) {
     for (const base::NodeId n : model.mesh.set_with_id(crack.path).nodes) {
@@ -155,8 +155,8 @@ bool is_mirrored_face_load(const model::Model& model, const Reflection& mirror,
   if ((turned < 0.0 && same_side) || (turned > 0.0 && !same_side)) {
     return false;
   }
-  return has_mirrored_values(mirror, one, other, face_places(model, *crack, one)) &&
-         has_mirrored_values(mirror, other, one, face_places(model, *image, other));
+  return load_values_are_mirrored(mirror, one, other, face_places(model, *crack, one)) &&
+         load_values_are_mirrored(mirror, other, one, face_places(model, *image, other));
 }
 
 std::string crack_symmetry_obstacle(const model::Model& model, const Reflection& mirror) {

@@ -12,8 +12,8 @@ namespace spricka::sense {
 /// Points of the line that a crack is drawn by: its own, the nodes of its path, and where it is
 /// drawn by its mouth and an angle its end, `otherwise` [length] from the mouth where the crack has
 /// no length.
-std::vector<base::Vec3> crack_line(const model::Model& model, const model::CrackDefinition& crack,
-                                   double otherwise);
+std::vector<base::Vec3> crack_line_points(const model::Model& model,
+                                          const model::CrackDefinition& crack, double otherwise);
 
 /// Whether a load on the faces of a crack has the other as its image: pressures of cracks that are
 /// images, alike at points of the crack and their images. Of tractions it is not asked.

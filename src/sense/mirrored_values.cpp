@@ -7,8 +7,8 @@
 
 namespace spricka::sense {
 
-bool has_mirrored_values(const Reflection& mirror, const model::Load& one, const model::Load& other,
-                         const std::vector<fe::LoadSample>& places) {
+bool load_values_are_mirrored(const Reflection& mirror, const model::Load& one,
+                              const model::Load& other, const std::vector<fe::LoadSample>& places) {
   constexpr double round_off = 1e-9;
   if (one.value.size() != other.value.size()) {
     return false;

@@ -13,8 +13,8 @@ namespace spricka::sense {
 /// the difference, over what the places stand for, is round-off of that of the load. Points of a
 /// quadrature rule that follows the load (fe::load_sample_points) see what the solution sees; those
 /// that stand at a jump to round-off weigh nothing. Both are of one type.
-bool has_mirrored_values(const Reflection& mirror, const model::Load& one, const model::Load& other,
-                         const std::vector<fe::LoadSample>& places);
+bool load_values_are_mirrored(const Reflection& mirror, const model::Load& one,
+                              const model::Load& other, const std::vector<fe::LoadSample>& places);
 
 /// The first of `count` things that has no image among them: none is its own, or left to be its own
 /// alone. `answers(i, j)`: whether j can be the image of i, and i that of j.

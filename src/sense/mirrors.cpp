@@ -136,10 +136,10 @@ private:
     }
     return one.type == other.type && one.shape == other.shape &&
            mirrored_places(mirror, places_of(one), places_of(other)) &&
-           has_mirrored_values(mirror, one, other,
-                               places_inside(one)) && // most part here, at no cost
-           has_mirrored_values(mirror, one, other, integrated_at(one)) &&
-           (&one == &other || has_mirrored_values(mirror, other, one, integrated_at(other)));
+           load_values_are_mirrored(mirror, one, other,
+                                    places_inside(one)) && // most part here, at no cost
+           load_values_are_mirrored(mirror, one, other, integrated_at(one)) &&
+           (&one == &other || load_values_are_mirrored(mirror, other, one, integrated_at(other)));
   }
 
   // A place inside each face or element of a load, off its middle, where loads like to jump.

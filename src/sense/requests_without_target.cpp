@@ -10,7 +10,7 @@
 
 namespace spricka::sense {
 
-std::set<std::string> named_entities(const model::Model& model) {
+std::set<std::string> existing_entity_names(const model::Model& model) {
   std::set<std::string> names;
   for (const model::Contact& contact : model.contacts) {
     names.insert(contact.name);
@@ -33,7 +33,7 @@ std::set<std::string> named_entities(const model::Model& model) {
 
 void drop_requests_without_target(model::Model& model, const std::set<std::string>& before,
                                   base::Diagnostics& list) {
-  const std::set<std::string> now = named_entities(model);
+  const std::set<std::string> now = existing_entity_names(model);
   const auto is_gone = [&](const std::string& name) {
     return before.contains(name) && !now.contains(name);
   };

@@ -10,7 +10,7 @@
 namespace spricka::sense {
 
 /// Names of contacts, cracks and sets that there are something of.
-std::set<std::string> named_entities(const model::Model& model);
+std::set<std::string> existing_entity_names(const model::Model& model);
 
 /// Warns (W366) of outputs and checks of named things that were there `before` and are gone; the
 /// outputs go, too: a sum over nothing would be zero.

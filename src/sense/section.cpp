@@ -348,8 +348,8 @@ std::vector<base::NodeId> project_nodes_onto_section(const PlaneSection& section
   return found;
 }
 
-std::optional<Vec3> find_exit_point(const model::Mesh& section, base::NetId net, const Vec3& from,
-                                    const Vec3& through) {
+std::optional<Vec3> find_net_exit_point(const model::Mesh& section, base::NetId net,
+                                        const Vec3& from, const Vec3& through) {
   const mesh::HostMesh host(section);
   const base::Vec2 way = (through - from).head<2>();
   double nearest = std::numeric_limits<double>::infinity();

@@ -36,7 +36,7 @@ std::vector<base::NodeId> project_nodes_onto_section(const PlaneSection& section
 
 /// Where the line from a place inside of a net (any net: invalid) leaves the net first; empty:
 /// nowhere.
-std::optional<base::Vec3> find_exit_point(const model::Mesh& section, base::NetId net,
-                                          const base::Vec3& from, const base::Vec3& through);
+std::optional<base::Vec3> find_net_exit_point(const model::Mesh& section, base::NetId net,
+                                              const base::Vec3& from, const base::Vec3& through);
 
 } // namespace spricka::sense

@@ -7,7 +7,7 @@ namespace spricka::sense {
 
 using base::Vec3;
 
-int SectionPlane::space_axis(int d) const {
+int SectionPlane::space_direction_index(int d) const {
   return round && d == 1 ? axis : (axis + 1 + d) % 3;
 }
 

@@ -15,7 +15,7 @@ struct SectionPlane {
   /// Thickness [length], or the angle that the solid takes of a whole turn [rad].
   [[nodiscard]] double depth() const { return last - first; }
   /// The direction of space that is x (0) or y (1) of the section; along an axis right-handed.
-  [[nodiscard]] int space_axis(int d) const;
+  [[nodiscard]] int space_direction_index(int d) const;
   /// A place of space in the section: along the axis the other two coordinates, about it the radius
   /// and the height.
   [[nodiscard]] base::Vec3 section_coordinates(const base::Vec3& x) const;

@@ -90,7 +90,7 @@ double faceting_error(const contact::ContactSurface& surface) {
   return std::max(error_of_edges(surface), error_of_faces(surface));
 }
 
-std::optional<double> surface_radius(const contact::ContactSurface& surface) {
+std::optional<double> round_surface_radius(const contact::ContactSurface& surface) {
   if (surface.circle) {
     return surface.circle->radius;
   }
@@ -101,7 +101,7 @@ std::optional<double> surface_radius(const contact::ContactSurface& surface) {
 }
 
 double surface_size(const contact::ContactSurface& surface) {
-  return surface_radius(surface).value_or(0.5 * surface.extent);
+  return round_surface_radius(surface).value_or(0.5 * surface.extent);
 }
 
 std::vector<FacingPart> facing_parts(const contact::ContactSurface& surface,

@@ -14,7 +14,7 @@ namespace spricka::sense {
 double faceting_error(const contact::ContactSurface& surface);
 
 /// The radius of a surface that is one circle, cylinder, cone or sphere [length].
-std::optional<double> surface_radius(const contact::ContactSurface& surface);
+std::optional<double> round_surface_radius(const contact::ContactSurface& surface);
 /// That radius, of others half of the extent [length].
 double surface_size(const contact::ContactSurface& surface);
 

@@ -122,7 +122,7 @@ ToleranceShortfall shortfall(const model::Model& model, const results::RunResult
       continue;
     }
     if (at.front.is_tip()) {
-      const std::string parted = sense::describe_tip_mismatch(at.step, at.front);
+      const std::string parted = sense::describe_k_mismatch(at.step, at.front);
       worst.parted = parted.empty() ? worst.parted : fmt::format("{}: {}", where, parted);
     }
     add_bars(at, worst);

@@ -138,7 +138,7 @@ private:
     preview.inside_out = mesh::find_invalid_elements(scene.cracked.mesh).size();
     preview.pairs = preview_pairs(scene);
     preview.bodies = analysis::rigid_mode_support(model_, scene, bodies);
-    preview.loads = sense::load_totals(model_);
+    preview.loads = sense::compute_load_totals(model_);
     preview.mirrors = sense::find_symmetry_planes(model_);
     for (results::SymmetryPlanePreview& mirror : preview.mirrors) {
       mirror.no_half =

@@ -266,7 +266,7 @@ void RunFolder::write(const base::SourceTexts& sources, const model::Model& mode
   put_requested(model, run);
   put(results_name,
       [&](const fs::path& file) { archive::write_results_file(file, sources, model, run); });
-  const std::vector<results::LoadTotal> totals = sense::load_totals(model);
+  const std::vector<results::LoadTotal> totals = sense::compute_load_totals(model);
   add_file("report.html", report::html_report(sources, model, run, totals));
   run.log.push_back({"OUTPUT", "tables, pictures, report", watch.cpu_time(), watch.wall_time()});
   run.cpu += watch.cpu_time();

@@ -102,11 +102,11 @@ private:
       return std::nullopt;
     }
     const int axis = c - 'X';
-    if (axis == plane.space_axis(1)) {
+    if (axis == plane.space_direction_index(1)) {
       return 'Y';
     }
     if (!plane.round) {
-      return axis == plane.space_axis(0) ? std::optional('X') : std::nullopt;
+      return axis == plane.space_direction_index(0) ? std::optional('X') : std::nullopt;
     }
     const base::Vec3 x = place == nullptr ? base::Vec3::Zero() : place_of(*place, 0);
     const double radius = plane.section_coordinates(x).x();

@@ -167,8 +167,9 @@ private:
     const Vec3 tip = plane().section_coordinates(own->points.front());
     const Vec3 within = plane().section_coordinates(own->plane.place);
     const std::optional<Vec3> mouth =
-        (within - tip).norm() > 0.0 ? sense::find_exit_point(section_.mesh, own->net, tip, within)
-                                    : std::nullopt;
+        (within - tip).norm() > 0.0
+            ? sense::find_net_exit_point(section_.mesh, own->net, tip, within)
+            : std::nullopt;
     if (!mouth) {
       refuse_if(true, fmt::format("crack {} reaches no surface", name));
       return;
@@ -203,10 +204,11 @@ private:
   void hold(DeckCardList& after) {
     int supports = 0;
     for (const model::FreedomAssignment& freedom : model_.freedoms) {
-      const bool x = plane().round
-                         ? holds_radius(model_, section_, freedom)
-                         : freedom.dof.at(static_cast<std::size_t>(plane().space_axis(0)));
-      const bool y = freedom.dof.at(static_cast<std::size_t>(plane().space_axis(1)));
+      const bool x =
+          plane().round
+              ? holds_radius(model_, section_, freedom)
+              : freedom.dof.at(static_cast<std::size_t>(plane().space_direction_index(0)));
+      const bool y = freedom.dof.at(static_cast<std::size_t>(plane().space_direction_index(1)));
       if (!x && !y) {
         continue;
       }

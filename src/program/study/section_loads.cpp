@@ -36,8 +36,9 @@ Vec3 in_frame(const model::Load& load, const sense::SectionPlane& plane, const V
   if (!has_direction(load.type)) {
     return {value[0], 0.0, 0.0};
   }
-  const double u = value[plane.space_axis(0)];
-  const double v = plane.round ? value[(plane.axis + 2) % 3] : value[plane.space_axis(1)];
+  const double u = value[plane.space_direction_index(0)];
+  const double v =
+      plane.round ? value[(plane.axis + 2) % 3] : value[plane.space_direction_index(1)];
   if (!plane.round) {
     return {u, v, value[plane.axis]};
   }
@@ -96,10 +97,10 @@ std::string name_in_section(std::string_view word, const sense::SectionPlane& pl
     return std::string(word);
   }
   const int axis = name[0] - 'X';
-  return axis == plane.space_axis(0)   ? "x"
-         : axis == plane.space_axis(1) ? "y"
-         : plane.round                 ? "0"
-                                       : fmt::format("({:.15g})", plane.first);
+  return axis == plane.space_direction_index(0)   ? "x"
+         : axis == plane.space_direction_index(1) ? "y"
+         : plane.round                            ? "0"
+                                                  : fmt::format("({:.15g})", plane.first);
 }
 
 // Names of sets: all but values.
@@ -147,7 +148,7 @@ void flatten_load(deck::DeckCard& card, const sense::SectionPlane& plane, std::s
       return;
     }
     for (const int d : {0, 1}) {
-      const std::string own = value(1 + static_cast<std::size_t>(plane.space_axis(d)));
+      const std::string own = value(1 + static_cast<std::size_t>(plane.space_direction_index(d)));
       line += whole_turn
                   ? fmt::format("  ({:.15g}*{})", 2.0 * std::numbers::pi / plane.depth(), own)
                   : "  " + own;

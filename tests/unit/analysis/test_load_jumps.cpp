@@ -79,8 +79,8 @@ TEST(RoughLoads, StepsOfPressureNearATipBlameNoK) {
     const auto outer = solve_text(strip(faces(fmt::format("x <= {}", at))));
     ASSERT_TRUE(inner && outer);
     EXPECT_NEAR(tip(inner).K1 + tip(outer).K1, tip(all).K1, 1e-4 * tip(all).K1) << at;
-    EXPECT_EQ(sense::describe_tip_mismatch(inner->step(), inner->step().fronts.at(0)), "") << at;
-    EXPECT_EQ(sense::describe_tip_mismatch(outer->step(), outer->step().fronts.at(0)), "") << at;
+    EXPECT_EQ(sense::describe_k_mismatch(inner->step(), inner->step().fronts.at(0)), "") << at;
+    EXPECT_EQ(sense::describe_k_mismatch(outer->step(), outer->step().fronts.at(0)), "") << at;
   }
 }
 
@@ -95,7 +95,7 @@ TEST(RoughLoads, StepsOfTemperatureNearATipBlameNoK) {
     const auto pressed = solve_text(strip(faces(
         fmt::format("{:.17g}*({:.17g}+{:.17g}*x-(x > {}))", stress, n - 0.5 * bend, bend, at))));
     ASSERT_TRUE(hot && pressed);
-    EXPECT_EQ(sense::describe_tip_mismatch(hot->step(), hot->step().fronts.at(0)), "") << at;
+    EXPECT_EQ(sense::describe_k_mismatch(hot->step(), hot->step().fronts.at(0)), "") << at;
     EXPECT_NEAR(tip(hot).K1, tip(pressed).K1, 3e-3 * tip(pressed).K1) << at;
   }
 }
@@ -109,8 +109,7 @@ TEST(RoughLoads, ClosedCracksBlameNoK) {
     ASSERT_TRUE(closed) << load;
     EXPECT_TRUE(tip(closed).closed) << load;
     EXPECT_EQ(tip(closed).K1, 0.0) << load;
-    EXPECT_EQ(sense::describe_tip_mismatch(closed->step(), closed->step().fronts.at(0)), "")
-        << load;
+    EXPECT_EQ(sense::describe_k_mismatch(closed->step(), closed->step().fronts.at(0)), "") << load;
   }
 }
 

@@ -75,8 +75,8 @@ double difference(const test::Solved& solid, const test::Solved& plane,
     const auto last = solid.run.increments.front().steps.size() - 1;
     const base::Vec3 u = solid.vector(solid.step(last).u, base::NodeId(of));
     const base::Vec3 v = plane.vector(plane.step(last).u, base::NodeId(n));
-    off = std::max(
-        {off, std::abs(v.x() - u[how.space_axis(0)]), std::abs(v.y() - u[how.space_axis(1)])});
+    off = std::max({off, std::abs(v.x() - u[how.space_direction_index(0)]),
+                    std::abs(v.y() - u[how.space_direction_index(1)])});
     size = std::max(size, u.norm());
   }
   return off / size;
