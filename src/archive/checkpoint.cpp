@@ -21,7 +21,7 @@ std::string increment_bytes(const results::Increment& increment,
                             const results::NamedArrays& state) {
   results::Store store = results::Store::in_memory();
   results::write_increment(store.root(), increment);
-  results::write_arrays(store.root().group("state"), state);
+  results::write_named_arrays(store.root().group("state"), state);
   return std::string(store.finish_bytes());
 }
 
@@ -133,7 +133,7 @@ StoredIncrement Checkpoint::load_increment(int number) const {
   try {
     const results::Store store = results::Store::from_bytes(bytes);
     kept.increment = results::read_increment(store.root());
-    kept.state = results::read_arrays(store.root().group("state"));
+    kept.state = results::read_named_arrays(store.root().group("state"));
   } catch (const results::StoreError& trouble) {
     throw FileFailure("E560", fmt::format("{}: {}", file.string(), trouble.what()));
   }

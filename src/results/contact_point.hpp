@@ -37,7 +37,7 @@ struct ContactPoint {
 };
 
 /// Where a quantity of a contact point is found, to be added up.
-enum ContactPointOutput : unsigned {
+enum ContactPointOutputPlace : unsigned {
   in_pressure_csv = 1,
   in_pressure_h5 = 2,     ///< the table pressure of results.h5
   in_pressure_output = 4, ///< what $OUTPUT FORMAT=CSV writes for CPRESS
@@ -60,7 +60,9 @@ struct ContactPointQuantity {
   bool space = false;    ///< in pressure.csv only between solids
 
   /// Whether the quantity is shown in an output.
-  [[nodiscard]] bool appears_in(ContactPointOutput place) const { return (places & place) != 0; }
+  [[nodiscard]] bool appears_in(ContactPointOutputPlace place) const {
+    return (places & place) != 0;
+  }
   [[nodiscard]] bool is_word() const { return state != nullptr; }
   /// The number of this quantity at a point; not for one that is a word.
   [[nodiscard]] double extract_value(const ContactPoint& point) const {
@@ -78,8 +80,8 @@ template <int c> double shear_component(const ContactPoint& point) {
 }
 
 /// A quantity that is a coordinate of the node; of the third only between solids.
-constexpr ContactPointQuantity node_quantity(const char* name,
-                                             ContactPointQuantity::Function* computed, bool space) {
+constexpr ContactPointQuantity
+node_coordinate_quantity(const char* name, ContactPointQuantity::Function* computed, bool space) {
   return {.name = name,
           .kind = base::Quantity::length,
           .doc = "the node, undeformed",
@@ -89,8 +91,8 @@ constexpr ContactPointQuantity node_quantity(const char* name,
 }
 
 /// A quantity that is a component of the shear traction.
-constexpr ContactPointQuantity shear_quantity(const char* name,
-                                              ContactPointQuantity::Function* computed) {
+constexpr ContactPointQuantity shear_component_quantity(const char* name,
+                                                        ContactPointQuantity::Function* computed) {
   return {.name = name,
           .kind = base::Quantity::stress,
           .doc = "shear traction on the slave, between solids",
@@ -102,9 +104,9 @@ constexpr ContactPointQuantity shear_quantity(const char* name,
 
 /// In the order of pressure.csv: name of the contact and increment stand in front of them.
 inline constexpr std::array point_quantities{
-    node_quantity("x", node_coordinate<0>, false),
-    node_quantity("y", node_coordinate<1>, false),
-    node_quantity("z", node_coordinate<2>, true),
+    node_coordinate_quantity("x", node_coordinate<0>, false),
+    node_coordinate_quantity("y", node_coordinate<1>, false),
+    node_coordinate_quantity("z", node_coordinate<2>, true),
     ContactPointQuantity{
         .name = "theta",
         .kind = base::Quantity::angle,
@@ -135,9 +137,9 @@ inline constexpr std::array point_quantities{
                          .doc = "shear traction on the slave, recovered as p_consistent",
                          .member = &ContactPoint::q_consistent,
                          .friction = true},
-    shear_quantity("q_x", shear_component<0>),
-    shear_quantity("q_y", shear_component<1>),
-    shear_quantity("q_z", shear_component<2>),
+    shear_component_quantity("q_x", shear_component<0>),
+    shear_component_quantity("q_y", shear_component<1>),
+    shear_component_quantity("q_z", shear_component<2>),
     ContactPointQuantity{.name = "slip",
                          .kind = base::Quantity::length,
                          .doc = "what the slave has slipped while in contact",

@@ -5,7 +5,7 @@
 
 namespace spricka::results {
 
-double cycles_at(const GrowthResult& growth, std::size_t tip, double a) {
+double cycles_at_length(const GrowthResult& growth, std::size_t tip, double a) {
   constexpr double same = 1e-12;
   const std::vector<LifeCurvePoint>& curve = growth.curve;
   for (std::size_t i = 0; i < curve.size(); ++i) {

@@ -70,6 +70,6 @@ struct GrowthResult {
 };
 
 /// Cycles until tip `tip` of the list has length `a` [length]; not a number outside the curve.
-double cycles_at(const GrowthResult& growth, std::size_t tip, double a);
+double cycles_at_length(const GrowthResult& growth, std::size_t tip, double a);
 
 } // namespace spricka::results

@@ -71,8 +71,8 @@ void move_inside(const std::vector<Vec3>& points, const Vec3& place, const Vec3&
 
 } // namespace
 
-std::vector<FrontAxisEnd> axis_ends(const model::CrackDefinition& crack,
-                                    const std::vector<Vec3>& points, bool closed) {
+std::vector<FrontAxisEnd> find_front_axis_ends(const model::CrackDefinition& crack,
+                                               const std::vector<Vec3>& points, bool closed) {
   const model::PlanarCrack& plane = crack.plane;
   std::vector<FrontAxisEnd> ends;
   for (const bool on_a : {true, false}) {

@@ -29,8 +29,8 @@ struct FrontAxisEnd {
 
 /// Ends of both axes of a crack, first A, as far as a front through `points` has them; where it has
 /// both of an axis they are numbered. An end of the front counts up to 27 degrees beside the axis.
-std::vector<FrontAxisEnd> axis_ends(const model::CrackDefinition& crack,
-                                    const std::vector<base::Vec3>& points, bool closed);
+std::vector<FrontAxisEnd> find_front_axis_ends(const model::CrackDefinition& crack,
+                                               const std::vector<base::Vec3>& points, bool closed);
 
 /// Half axes a and c [length]: half of what the ends span where both are there; 0: no end.
 std::array<double, 2> half_axes(const std::vector<FrontAxisEnd>& ends);

@@ -22,7 +22,7 @@ enum class KQuantityCondition {
 };
 
 /// Where a quantity is found, to be added up.
-enum KOutput : unsigned {
+enum KOutputPlace : unsigned {
   in_k_csv = 1,
   in_results_h5 = 2, ///< its table k
   in_listing = 4,    ///< and in report.html
@@ -57,7 +57,7 @@ struct KQuantity {
   KQuantityDigits digits = KQuantityDigits::six;
 
   /// Whether runs in `dim` dimensions have it there.
-  [[nodiscard]] bool appears_in(KOutput place, int dim) const {
+  [[nodiscard]] bool appears_in(KOutputPlace place, int dim) const {
     return ((dim == 2 ? tip_places : front_places) & place) != 0;
   }
   /// The number of this quantity at a point of a front, from its record or computed.
@@ -115,7 +115,7 @@ double error_bar_part(const FrontResult& /*front*/, const FrontPointResult& poin
 }
 
 /// A quantity that is a coordinate of the point.
-constexpr KQuantity place_quantity(const char* name, KQuantity::Function* computed) {
+constexpr KQuantity front_coordinate_quantity(const char* name, KQuantity::Function* computed) {
   return {.name = name,
           .kind = base::Quantity::length,
           .doc = "place",
@@ -125,8 +125,9 @@ constexpr KQuantity place_quantity(const char* name, KQuantity::Function* comput
 }
 
 /// A quantity that is K1, K2 or K3 (mode 0, 1, 2) itself.
-constexpr KQuantity mode_quantity(const char* name, std::string_view doc,
-                                  double FrontPointResult::*member, int mode, unsigned tip_places) {
+constexpr KQuantity k_mode_quantity(const char* name, std::string_view doc,
+                                    double FrontPointResult::*member, int mode,
+                                    unsigned tip_places) {
   return {.name = name,
           .kind = base::Quantity::stress_intensity,
           .doc = doc,
@@ -139,8 +140,8 @@ constexpr KQuantity mode_quantity(const char* name, std::string_view doc,
 }
 
 /// A quantity that is the smooth curve of a mode (0, 1, 2) along the front.
-constexpr KQuantity smooth_quantity(const char* name, std::string_view doc,
-                                    KQuantity::Function* computed, int mode) {
+constexpr KQuantity smooth_k_quantity(const char* name, std::string_view doc,
+                                      KQuantity::Function* computed, int mode) {
   return {.name = name,
           .kind = base::Quantity::stress_intensity,
           .doc = doc,
@@ -164,8 +165,8 @@ constexpr KQuantity error_bar_quantity(const char* name, std::string_view doc,
 }
 
 /// A quantity that is K of a mode by the opening of the faces.
-constexpr KQuantity opening_quantity(const char* name, std::string_view doc,
-                                     KQuantity::Function* computed, std::string_view heading) {
+constexpr KQuantity k_by_opening_quantity(const char* name, std::string_view doc,
+                                          KQuantity::Function* computed, std::string_view heading) {
   return {.name = name,
           .kind = base::Quantity::stress_intensity,
           .doc = doc,
@@ -215,12 +216,12 @@ inline constexpr std::array k_quantities{
               .member = &FrontPointResult::phi,
               .front_places = in_files | in_listing,
               .given = KQuantityCondition::with_angles},
-    place_quantity("x", front_coordinate<0>),
-    place_quantity("y", front_coordinate<1>),
-    place_quantity("z", front_coordinate<2>),
-    mode_quantity("K1", "stress intensity of mode I", &FrontPointResult::K1, 0, everywhere),
-    mode_quantity("K2", "stress intensity of mode II", &FrontPointResult::K2, 1, everywhere),
-    mode_quantity("K3", "stress intensity of mode III", &FrontPointResult::K3, 2, 0),
+    front_coordinate_quantity("x", front_coordinate<0>),
+    front_coordinate_quantity("y", front_coordinate<1>),
+    front_coordinate_quantity("z", front_coordinate<2>),
+    k_mode_quantity("K1", "stress intensity of mode I", &FrontPointResult::K1, 0, everywhere),
+    k_mode_quantity("K2", "stress intensity of mode II", &FrontPointResult::K2, 1, everywhere),
+    k_mode_quantity("K3", "stress intensity of mode III", &FrontPointResult::K3, 2, 0),
     KQuantity{.name = "G",
               .kind = base::Quantity::energy_release,
               .doc = "energy release rate",
@@ -253,9 +254,9 @@ inline constexpr std::array k_quantities{
               .tip_places = everywhere & ~(in_output | in_sweep),
               .front_places = in_files | in_listing | in_output | in_check,
               .given = KQuantityCondition::in_one_material},
-    smooth_quantity("K1_smooth", "K1 as a smooth function along the front", smooth_k<0>, 0),
-    smooth_quantity("K2_smooth", "K2 as a smooth function along the front", smooth_k<1>, 1),
-    smooth_quantity("K3_smooth", "K3 as a smooth function along the front", smooth_k<2>, 2),
+    smooth_k_quantity("K1_smooth", "K1 as a smooth function along the front", smooth_k<0>, 0),
+    smooth_k_quantity("K2_smooth", "K2 as a smooth function along the front", smooth_k<1>, 1),
+    smooth_k_quantity("K3_smooth", "K3 as a smooth function along the front", smooth_k<2>, 2),
     error_bar_quantity("K1_bar", "error bar of K1, half its width", error_bar_size<0>,
                        everywhere & ~in_listing, in_files | in_output | in_check),
     error_bar_quantity("K1_best", "K1 with its estimated error taken out",
@@ -282,10 +283,10 @@ inline constexpr std::array k_quantities{
                        in_files | in_output | in_check),
     error_bar_quantity("K3_best", "K3 with its estimated error taken out",
                        error_bar_part<2, &KErrorBar::best>, 0, in_files | in_output | in_check),
-    opening_quantity("K1_opening", "K1 by the opening of the faces behind the tip", k_by_opening<0>,
-                     "K1 by opening"),
-    opening_quantity("K2_opening", "K2 by the opening of the faces behind the tip", k_by_opening<1>,
-                     "K2 by opening"),
+    k_by_opening_quantity("K1_opening", "K1 by the opening of the faces behind the tip",
+                          k_by_opening<0>, "K1 by opening"),
+    k_by_opening_quantity("K2_opening", "K2 by the opening of the faces behind the tip",
+                          k_by_opening<1>, "K2 by opening"),
 };
 
 /// The quantity that $CHECK calls so ("K1.BAR"; "K" is K1) in `dim` dimensions, or null.

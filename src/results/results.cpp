@@ -28,8 +28,8 @@ const LoadPathResult* find_path(const Increment& increment, std::string_view pat
   return it == increment.paths.end() ? nullptr : &*it;
 }
 
-const FrontResult* find_front_at(const RunResult& run, std::string_view step,
-                                 std::string_view front, double a) {
+const FrontResult* find_front_at_length(const RunResult& run, std::string_view step,
+                                        std::string_view front, double a) {
   const FrontResult* nearest = nullptr;
   for (const Increment& increment : run.increments) {
     const StepResult* const at = find_step(increment, step);

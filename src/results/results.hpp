@@ -130,7 +130,7 @@ const LoadPathResult* find_path(const Increment& increment, std::string_view pat
 
 /// The front of that name at the end of that step where its crack has the length nearest to `a`
 /// [length]; null if no increment has both.
-const FrontResult* find_front_at(const RunResult& run, std::string_view step,
-                                 std::string_view front, double a);
+const FrontResult* find_front_at_length(const RunResult& run, std::string_view step,
+                                        std::string_view front, double a);
 
 } // namespace spricka::results

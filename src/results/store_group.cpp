@@ -37,7 +37,7 @@ TableRowLayout row_layout(const ColumnTable& table) {
   Hdf5Id type(H5Tcreate(H5T_COMPOUND, bytes), H5Tclose, "make a table's type");
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const ColumnTable::NamedColumn& column = table.columns[c];
-    const Hdf5Id text = text_type(size[c]);
+    const Hdf5Id text = fixed_length_text_type(size[c]);
     const std::array<hid_t, 3> types{H5T_IEEE_F64LE, H5T_STD_I64LE, text.get()};
     check_status(
         H5Tinsert(type.get(), column.name.c_str(), offset[c], types[column.values.index()]),
@@ -58,7 +58,7 @@ void put(char* at, const std::string& value, std::size_t size) {
 
 template <class T> T take(const char* at, std::size_t size) {
   if constexpr (std::is_same_v<T, std::string>) {
-    return text_from(at, size);
+    return text_from_padded_bytes(at, size);
   } else {
     T value{};
     std::memcpy(&value, at, sizeof value);
@@ -126,7 +126,7 @@ void StoreGroup::write(const std::string& name, std::span<const std::string> val
     std::copy(values[i].begin(), values[i].end(),
               bytes.begin() + static_cast<std::ptrdiff_t>(i * size));
   }
-  const Hdf5Id type = text_type(size);
+  const Hdf5Id type = fixed_length_text_type(size);
   const std::array<hsize_t, 1> extent{values.size()};
   write_array(handle_->id.get(), name, extent, {type.get(), type.get()}, bytes.data());
 }
@@ -158,7 +158,7 @@ void StoreGroup::set_attribute(const std::string& name, std::int64_t value) {
 }
 
 void StoreGroup::set_attribute(const std::string& name, std::string_view value) {
-  const Hdf5Id type = text_type(value.size());
+  const Hdf5Id type = fixed_length_text_type(value.size());
   const std::string bytes = value.empty() ? std::string(1, '\0') : std::string(value);
   write_attribute(handle_->id.get(), name, type.get(), bytes.data());
 }
@@ -237,7 +237,7 @@ std::string StoreGroup::text_attribute(const std::string& name) const {
   }
   std::string bytes(H5Tget_size(type.get()), '\0');
   check_status(H5Aread(item.get(), type.get(), bytes.data()), "read attribute " + name);
-  return text_from(bytes.data(), bytes.size());
+  return text_from_padded_bytes(bytes.data(), bytes.size());
 }
 
 } // namespace spricka::results

@@ -41,7 +41,7 @@ Hdf5Id creation(std::span<const hsize_t> extent, std::size_t row_bytes, bool pay
 
 } // namespace
 
-Hdf5Id text_type(std::size_t longest) {
+Hdf5Id fixed_length_text_type(std::size_t longest) {
   Hdf5Id type(H5Tcopy(H5T_C_S1), H5Tclose, "make a text type");
   check_status(H5Tset_size(type.get(), std::max<std::size_t>(longest, 1)), "size a text type");
   check_status(H5Tset_strpad(type.get(), H5T_STR_NULLPAD), "pad a text type");
@@ -49,7 +49,7 @@ Hdf5Id text_type(std::size_t longest) {
   return type;
 }
 
-std::string text_from(const char* bytes, std::size_t size) {
+std::string text_from_padded_bytes(const char* bytes, std::size_t size) {
   while (size > 0 && bytes[size - 1] == '\0') {
     --size;
   }

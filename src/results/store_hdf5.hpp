@@ -57,9 +57,9 @@ private:
 };
 
 /// Strings of a fixed length, filled up with zeros.
-Hdf5Id text_type(std::size_t longest);
+Hdf5Id fixed_length_text_type(std::size_t longest);
 /// The text in `size` bytes, zeros at its end taken off.
-std::string text_from(const char* bytes, std::size_t size);
+std::string text_from_padded_bytes(const char* bytes, std::size_t size);
 
 /// Types of an array in the file and in memory.
 struct ArrayTypes {

@@ -205,7 +205,7 @@ Increment read_increment(const StoreGroup& group) {
   return increment;
 }
 
-void write_arrays(const StoreGroup& group, const NamedArrays& arrays) {
+void write_named_arrays(const StoreGroup& group, const NamedArrays& arrays) {
   StoreGroup reals = group.group("reals");
   for (const auto& [name, values] : arrays.reals) {
     reals.write(name, values);
@@ -220,7 +220,7 @@ void write_arrays(const StoreGroup& group, const NamedArrays& arrays) {
   }
 }
 
-NamedArrays read_arrays(const StoreGroup& group) {
+NamedArrays read_named_arrays(const StoreGroup& group) {
   NamedArrays arrays;
   const StoreGroup reals = group.group("reals");
   for (const std::string& name : reals.names()) {

@@ -30,9 +30,9 @@ RunResult read_run(const StoreGroup& group);
 std::vector<CheckResult> read_checks(const StoreGroup& group);
 
 /// Writes arrays for a restart into the folders reals, integers and texts.
-void write_arrays(const StoreGroup& group, const NamedArrays& arrays);
-/// Reads back what write_arrays has written. Throws StoreError.
-NamedArrays read_arrays(const StoreGroup& group);
+void write_named_arrays(const StoreGroup& group, const NamedArrays& arrays);
+/// Reads back what write_named_arrays has written. Throws StoreError.
+NamedArrays read_named_arrays(const StoreGroup& group);
 
 /// The tables that people ask for first, of all increments and steps in one piece: k, pressure,
 /// load_path.

@@ -259,7 +259,7 @@ private:
     for (std::string& text : life_concerns(*run_.growth, measure_.law())) {
       run_.warnings.push_back({"W456", std::move(text)});
     }
-    if (results::ended_early(*run_.growth)) {
+    if (results::growth_ended_early(*run_.growth)) {
       run_.warnings.push_back({"W456", "the growth ended early: " + run_.growth->reason});
     }
   }

@@ -74,7 +74,7 @@ double cycles(const std::string& quantity, CheckArguments& args, const results::
   if (!run.growth) {
     throw MissingQuantity("no crack grows by a law");
   }
-  if (results::ended_early(*run.growth)) {
+  if (results::growth_ended_early(*run.growth)) {
     throw MissingQuantity("the growth ended early: " + run.growth->reason);
   }
   if (quantity == "LIFE") {
@@ -83,7 +83,7 @@ double cycles(const std::string& quantity, CheckArguments& args, const results::
   const std::optional<double> a = args.next_number();
   double first = std::numeric_limits<double>::infinity();
   for (std::size_t tip = 0; a && tip < run.growth->tips.size(); ++tip) {
-    const double at = results::cycles_at(*run.growth, tip, *a);
+    const double at = results::cycles_at_length(*run.growth, tip, *a);
     first = at < first ? at : first;
   }
   if (!(first < std::numeric_limits<double>::infinity())) {

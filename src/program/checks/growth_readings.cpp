@@ -52,7 +52,7 @@ std::optional<AtLength> on_axis(const results::StepResult& at, const model::Mode
       points.push_back(place.x);
     }
     const std::vector<results::FrontAxisEnd> ends =
-        results::axis_ends(crack, points, front.is_loop);
+        results::find_front_axis_ends(crack, points, front.is_loop);
     const auto end = std::ranges::find(ends, !test.on_c, &results::FrontAxisEnd::on_a);
     if (end != ends.end()) {
       const auto [a, c] = results::half_axes(ends);

@@ -183,7 +183,8 @@ RunOutcome judged(const Solved& solved, const results::RunResult& run, const Log
     outcome.kind = base::Outcome::not_converged;
     outcome.error = missed_tolerance(solved);
   }
-  if (outcome.kind == base::Outcome::done && run.growth && results::ended_early(*run.growth)) {
+  if (outcome.kind == base::Outcome::done && run.growth &&
+      results::growth_ended_early(*run.growth)) {
     outcome.kind = base::Outcome::not_solvable;
     outcome.error = run.growth->reason;
     log.message(base::Severity::error, "E510", outcome.error);

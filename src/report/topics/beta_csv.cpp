@@ -96,7 +96,7 @@ std::vector<FrontAxisEnd> ends_of(const model::Model& model, const results::Fron
   if (crack == nullptr || crack->kind == model::CrackDefinitionKind::front || points.empty()) {
     return {};
   }
-  return results::axis_ends(*crack, points, front.is_loop);
+  return results::find_front_axis_ends(*crack, points, front.is_loop);
 }
 
 /// A point of a front: its place, and K of a mode (0, 1) at one of the moments.

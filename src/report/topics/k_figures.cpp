@@ -191,7 +191,7 @@ std::vector<KReference> k_references(const model::Model& model, const results::R
         check.arguments.size() > 2 ? std::get_if<double>(&check.arguments[2]) : nullptr;
     // A check without a length speaks of the first one.
     const results::FrontResult* const found =
-        results::find_front_at(run, *step, *tip, a == nullptr ? 0.0 : *a);
+        results::find_front_at_length(run, *step, *tip, a == nullptr ? 0.0 : *a);
     if (found != nullptr && found->is_tip()) {
       references.push_back({.tip = *tip,
                             .step = *step,

@@ -144,7 +144,7 @@ std::vector<ReportTable> front_tables(const model::Model& model,
 }
 
 std::vector<const results::KQuantity*> shown_k_quantities(const model::Model& model,
-                                                          results::KOutput place) {
+                                                          results::KOutputPlace place) {
   const bool opening =
       std::ranges::any_of(model.vces, &model::VirtualCrackExtensionSettings::opening);
   std::vector<const results::KQuantity*> shown;

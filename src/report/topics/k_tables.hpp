@@ -27,7 +27,7 @@ std::vector<ReportTable> front_tables(const model::Model& model,
 /// The quantities of K that a model's runs have at a place, in the order of the table; those by
 /// opening where the deck asks for them.
 std::vector<const results::KQuantity*> shown_k_quantities(const model::Model& model,
-                                                          results::KOutput place);
+                                                          results::KOutputPlace place);
 
 /// The largest K of a front; of a tip K1 and K2 together.
 double largest_K(const results::FrontResult& front);

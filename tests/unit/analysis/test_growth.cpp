@@ -61,8 +61,8 @@ TEST(Growth, RatesAndEndOfALaw) {
   EXPECT_NEAR(last.K_min / last.K_max, 0.5, 1e-9);
   // Walker: C (dK / (1 - R)^(1 - gamma))^m
   EXPECT_NEAR(last.rate / (1e-11 * std::pow(0.5 * last.K_max / std::sqrt(0.5), 3)), 1.0, 1e-9);
-  EXPECT_DOUBLE_EQ(results::cycles_at(growth, 0, 8.0), growth.final_cycles());
-  EXPECT_TRUE(std::isnan(results::cycles_at(growth, 0, 9.0)));
+  EXPECT_DOUBLE_EQ(results::cycles_at_length(growth, 0, 8.0), growth.final_cycles());
+  EXPECT_TRUE(std::isnan(results::cycles_at_length(growth, 0, 9.0)));
   EXPECT_LT(growth.error, 5e-3);
 }
 

@@ -115,7 +115,7 @@ void expect_places(const std::vector<ManualRow>& rows, const Quantities& all,
 }
 
 // Names of what a place has in `dim` dimensions, in the order of the table; `front` of them first.
-Words k_columns(KOutput place, int dim, Words front = {}) {
+Words k_columns(KOutputPlace place, int dim, Words front = {}) {
   for (const KQuantity& q : k_quantities) {
     if (q.appears_in(place, dim)) {
       front.emplace_back(q.name);
