@@ -146,8 +146,8 @@ std::vector<CardFingerprint> card_fingerprints(const std::filesystem::path& deck
   return marks;
 }
 
-std::optional<CardDifference> first_difference(const std::vector<CardFingerprint>& before,
-                                               const std::vector<CardFingerprint>& now) {
+std::optional<CardDifference> first_card_difference(const std::vector<CardFingerprint>& before,
+                                                    const std::vector<CardFingerprint>& now) {
   std::size_t i = 0;
   while (i < before.size() && i < now.size() && same(before[i], now[i])) {
     ++i;

@@ -34,8 +34,8 @@ struct CardDifference {
 };
 /// Compares the cards of two decks in their order and says in words what is different first. Empty:
 /// all are the same.
-std::optional<CardDifference> first_difference(const std::vector<CardFingerprint>& before,
-                                               const std::vector<CardFingerprint>& now);
+std::optional<CardDifference> first_card_difference(const std::vector<CardFingerprint>& before,
+                                                    const std::vector<CardFingerprint>& now);
 
 /// Those of these names only, in their order; or all but those.
 std::vector<CardFingerprint> select_cards(const std::vector<CardFingerprint>& cards,

@@ -66,7 +66,7 @@ Checkpoint::Checkpoint(CheckpointOptions place, const fs::path& deck,
   }
 }
 
-void Checkpoint::listen(Listener listener) {
+void Checkpoint::set_report_listener(Listener listener) {
   listener_ = std::move(listener);
   for (const auto& [code, text] : reported_) {
     listener_(code, text);
@@ -83,16 +83,16 @@ void Checkpoint::tell(const std::string& code, const std::string& text) {
 // The newest list whose increments are all there and whole; with AT those up to it.
 CheckpointList Checkpoint::read_newest() {
   std::optional<FileFailure> first_trouble;
-  for (const fs::path& file : {place_.read, list_before(place_.read)}) {
+  for (const fs::path& file : {place_.read, previous_list_file(place_.read)}) {
     try {
-      CheckpointList list = read_list_file(file);
+      CheckpointList list = read_checkpoint_list_file(file);
       for (const CheckpointEntry& e : list.entries) {
         // Increments behind AT are not used: they may be damaged or gone.
         if (place_.at && e.number > *place_.at) {
           continue;
         }
         const fs::path part = increments_folder(place_.read) / e.file;
-        if (hash_bytes(read_framed(part, "increment")) != e.hash) {
+        if (hash_bytes(read_file_with_header(part, "increment")) != e.hash) {
           throw FileFailure("E560", part.string() + ": not the one that the list means");
         }
       }
@@ -117,18 +117,18 @@ const CheckpointEntry* Checkpoint::find(int number) const {
   return entry == found_.entries.end() ? nullptr : &*entry;
 }
 
-bool Checkpoint::has_increment(int number) const {
+bool Checkpoint::has_stored_increment(int number) const {
   return find(number) != nullptr;
 }
 
-double Checkpoint::requested_length(int number) const {
+double Checkpoint::requested_crack_length(int number) const {
   return find(number)->asked;
 }
 
-StoredIncrement Checkpoint::load_increment(int number) const {
+StoredIncrement Checkpoint::read_stored_increment(int number) const {
   const CheckpointEntry& entry = *find(number);
   const fs::path file = increments_folder(place_.read) / entry.file;
-  const std::string bytes = read_framed(file, "increment");
+  const std::string bytes = read_file_with_header(file, "increment");
   StoredIncrement kept;
   try {
     const results::Store store = results::Store::from_bytes(bytes);
@@ -158,17 +158,17 @@ void Checkpoint::accept_increment(int number) {
     return;
   }
   if (dropped_steps_ > 0) {
-    const StoredIncrement kept = load_increment(number);
+    const StoredIncrement kept = read_stored_increment(number);
     writer_->add_increment(entry, increment_bytes(kept.increment, kept.state));
   } else if (place_.read != place_.write) {
-    writer_->add_increment(entry,
-                           read_framed(increments_folder(place_.read) / entry.file, "increment"));
+    writer_->add_increment(
+        entry, read_file_with_header(increments_folder(place_.read) / entry.file, "increment"));
   } else {
-    writer_->list_entry(entry);
+    writer_->add_existing_entry(entry);
   }
 }
 
-void Checkpoint::solve_from(int number, const std::string& why) {
+void Checkpoint::reject_increments_from(int number, const std::string& why) {
   const auto later = [&](const CheckpointEntry& e) {
     return e.round > round_ || (e.round == round_ && e.number >= number);
   };
@@ -196,7 +196,7 @@ void Checkpoint::store_increment(double asked, SolvedIncrement done) {
   }
 }
 
-bool Checkpoint::out_of_time() const {
+bool Checkpoint::would_exceed_time_limit() const {
   if (place_.seconds <= 0.0 || walls_.empty()) {
     return false;
   }
@@ -208,7 +208,7 @@ bool Checkpoint::out_of_time() const {
   return place_.since.wall_time() + next > place_.seconds;
 }
 
-std::string Checkpoint::limit_text() const {
+std::string Checkpoint::run_limit_text() const {
   return fmt::format("--time {:.6g}", place_.seconds);
 }
 
@@ -220,9 +220,9 @@ std::string Checkpoint::list_bytes(const std::vector<CheckpointEntry>& entries) 
   results::Store store = results::Store::in_memory();
   results::StoreGroup root = store.root();
   root.set_attribute("format", "spricka state");
-  describe_origin(root, model_);
-  store_deck(root, sources_, model_);
-  write_checkpoint_list(root, {cards_, entries, growth_rules(model_), growth_ends(model_)});
+  write_provenance(root, model_);
+  store_deck_texts(root, sources_, model_);
+  write_checkpoint_list(root, {cards_, entries, growth_settings_text(model_), growth_ends(model_)});
   return std::string(store.finish_bytes());
 }
 

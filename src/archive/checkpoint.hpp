@@ -65,36 +65,36 @@ public:
   [[nodiscard]] std::optional<CheckpointMismatch> find_mismatch();
   using Listener = std::function<void(const std::string& code, const std::string& text)>;
   /// Called with all that is told, so far and from now on.
-  void listen(Listener listener);
+  void set_report_listener(Listener listener);
   /// What was passed over or left out, each with its code.
   [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& reported() const {
     return reported_;
   }
 
   /// A run begins; with $TIPNET TOL there are several.
-  void begin_round() { ++round_; }
+  void begin_tolerance_round() { ++round_; }
   /// Whether increment `number` of this round is there to be taken.
-  [[nodiscard]] bool has_increment(int number) const;
+  [[nodiscard]] bool has_stored_increment(int number) const;
   /// The crack length that increment was asked for.
-  [[nodiscard]] double requested_length(int number) const;
+  [[nodiscard]] double requested_crack_length(int number) const;
   /// The increment of this round, which has(number). Throws FileFailure.
-  [[nodiscard]] StoredIncrement load_increment(int number) const;
+  [[nodiscard]] StoredIncrement read_stored_increment(int number) const;
   /// It stands for what a run from the start would have solved: it is listed again.
   void accept_increment(int number);
   /// This increment and all after it will be solved, not taken; says why.
-  void solve_from(int number, const std::string& why);
+  void reject_increments_from(int number, const std::string& why);
 
   /// Keeps an increment that was solved, on disk when `every` says so. Throws FileFailure E563.
   void store_increment(double asked, SolvedIncrement done);
   /// Whether the next increment would probably not be finished in time: as long as the longer of
   /// the last two. Never before one was solved, so that every session gets further.
-  [[nodiscard]] bool out_of_time() const;
+  [[nodiscard]] bool would_exceed_time_limit() const;
   /// Puts on disk what is not there yet; from any thread. The number of increments that are kept.
   std::size_t flush();
-  [[nodiscard]] std::size_t accepted_count() const { return taken_; }
-  [[nodiscard]] const std::filesystem::path& source_file() const { return place_.read; }
+  [[nodiscard]] std::size_t accepted_increment_count() const { return taken_; }
+  [[nodiscard]] const std::filesystem::path& restart_source_file() const { return place_.read; }
   /// Seconds and increments of the limit in words, for messages.
-  [[nodiscard]] std::string limit_text() const;
+  [[nodiscard]] std::string run_limit_text() const;
   [[nodiscard]] bool writes() const { return writer_.has_value(); }
   [[nodiscard]] const std::filesystem::path& file() const { return place_.write; }
 

@@ -111,7 +111,7 @@ CheckpointList read_checkpoint_list(const results::StoreGroup& root) {
   return list;
 }
 
-std::string growth_rules(const model::Model& model) {
+std::string growth_settings_text(const model::Model& model) {
   if (!model.growth) {
     return "none";
   }

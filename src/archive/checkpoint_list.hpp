@@ -26,7 +26,7 @@ struct CheckpointEntry {
 struct CheckpointList {
   std::vector<CardFingerprint> cards;
   std::vector<CheckpointEntry> entries;
-  std::string growth;           ///< growth_rules() of the deck
+  std::string growth;           ///< growth_settings_text() of the deck
   std::array<double, 2> ends{}; ///< growth_ends() of the deck
 };
 
@@ -37,7 +37,7 @@ CheckpointList read_checkpoint_list(const results::StoreGroup& root);
 
 /// What of $GROW every increment depends on, in words. Lengths of LAW=INCREMENT are compared one by
 /// one; AMAX and CYCLES only say where a growth ends.
-std::string growth_rules(const model::Model& model);
+std::string growth_settings_text(const model::Model& model);
 /// Where a growth by a law ends: AMAX, CYCLES; infinite where there is none.
 std::array<double, 2> growth_ends(const model::Model& model);
 

@@ -23,8 +23,8 @@ std::optional<CheckpointMismatch> Checkpoint::find_mismatch() {
         "E561", d.span,
         fmt::format("{} was written for another deck: {}", place_.read.string(), d.text)};
   };
-  if (const auto d = first_difference(exclude_cards(found_.cards, changeable),
-                                      exclude_cards(cards_, changeable))) {
+  if (const auto d = first_card_difference(exclude_cards(found_.cards, changeable),
+                                           exclude_cards(cards_, changeable))) {
     return of(*d);
   }
   if (auto steps = misfit_of_steps()) {
@@ -52,7 +52,7 @@ std::optional<CheckpointMismatch> Checkpoint::find_mismatch() {
 std::optional<CheckpointMismatch> Checkpoint::misfit_of_steps() {
   const std::vector<CardFingerprint> before = select_cards(found_.cards, {"STEP"});
   const std::vector<CardFingerprint> now = select_cards(cards_, {"STEP"});
-  const auto d = first_difference(before, now);
+  const auto d = first_card_difference(before, now);
   if (!d) {
     return std::nullopt;
   }
@@ -60,7 +60,7 @@ std::optional<CheckpointMismatch> Checkpoint::misfit_of_steps() {
       before.begin(),
       before.begin() + static_cast<std::ptrdiff_t>(std::min(now.size(), before.size())));
   // Steps that are gone from the end leave the others as they were.
-  if (now.size() < before.size() && !first_difference(shorter, now)) {
+  if (now.size() < before.size() && !first_card_difference(shorter, now)) {
     dropped_steps_ = before.size() - now.size();
     tell("W561", fmt::format("the last {} of {} steps are gone from the deck: what increments of "
                              "{} say of them is left out",
@@ -73,8 +73,8 @@ std::optional<CheckpointMismatch> Checkpoint::misfit_of_steps() {
 }
 
 std::optional<CheckpointMismatch> Checkpoint::misfit_of_growth() const {
-  const auto d = first_difference(select_cards(found_.cards, {"GROW", "SPECTRUM"}),
-                                  select_cards(cards_, {"GROW", "SPECTRUM"}));
+  const auto d = first_card_difference(select_cards(found_.cards, {"GROW", "SPECTRUM"}),
+                                       select_cards(cards_, {"GROW", "SPECTRUM"}));
   if (!d) {
     return std::nullopt;
   }
@@ -82,12 +82,12 @@ std::optional<CheckpointMismatch> Checkpoint::misfit_of_growth() const {
   const std::array<double, 2> ends = growth_ends(model_);
   const bool further = ends[0] >= found_.ends[0] && ends[1] >= found_.ends[1];
   // Rates are kept with the stations: another spectrum would have others.
-  const bool same_history = !first_difference(select_cards(found_.cards, {"SPECTRUM"}),
-                                              select_cards(cards_, {"SPECTRUM"}));
-  if (found_.growth == growth_rules(model_) && (lengths || (further && same_history))) {
+  const bool same_history = !first_card_difference(select_cards(found_.cards, {"SPECTRUM"}),
+                                                   select_cards(cards_, {"SPECTRUM"}));
+  if (found_.growth == growth_settings_text(model_) && (lengths || (further && same_history))) {
     return std::nullopt; // other lengths, or a later end
   }
-  if (found_.growth == growth_rules(model_) && same_history) {
+  if (found_.growth == growth_settings_text(model_) && same_history) {
     const bool length = ends[0] < found_.ends[0];
     return CheckpointMismatch{
         "E561", d->span,

@@ -62,12 +62,12 @@ fs::path increments_folder(const fs::path& file) {
   return with(file, ".d");
 }
 
-fs::path list_before(const fs::path& file) {
+fs::path previous_list_file(const fs::path& file) {
   return with(file, ".1");
 }
 
-CheckpointList read_list_file(const fs::path& file) {
-  const std::string bytes = read_framed(file, "state");
+CheckpointList read_checkpoint_list_file(const fs::path& file) {
+  const std::string bytes = read_file_with_header(file, "state");
   try {
     return read_checkpoint_list(results::Store::from_bytes(bytes).root());
   } catch (const results::StoreError& trouble) {
@@ -89,13 +89,13 @@ CheckpointWriter::~CheckpointWriter() {
 // A restart file of this name may be replaced, anything else is not ours.
 void CheckpointWriter::open_to_write() {
   const fs::path folder = increments_folder(file_);
-  for (const fs::path& list : {file_, list_before(file_)}) {
+  for (const fs::path& list : {file_, previous_list_file(file_)}) {
     std::error_code unknown;
     if (!fs::exists(list, unknown)) {
       continue;
     }
     try {
-      for (const CheckpointEntry& e : read_list_file(list).entries) {
+      for (const CheckpointEntry& e : read_checkpoint_list_file(list).entries) {
         before_.push_back(e.file);
       }
     } catch (const FileFailure& trouble) {
@@ -120,7 +120,7 @@ void CheckpointWriter::open_to_write() {
   }
 }
 
-void CheckpointWriter::list_entry(const CheckpointEntry& entry) {
+void CheckpointWriter::add_existing_entry(const CheckpointEntry& entry) {
   const std::scoped_lock lock(guard_);
   entries_.push_back(entry);
   ++on_disk_;
@@ -130,9 +130,9 @@ void CheckpointWriter::add_increment(CheckpointEntry entry, const std::string& b
   entry.hash = hash_bytes(bytes);
   entry.file = file_name(entry.round, entry.number, entry.hash);
   const std::scoped_lock lock(guard_);
-  pending_.push_back({entry.file, add_frame_line("increment", bytes)});
+  pending_.push_back({entry.file, prepend_file_header("increment", bytes)});
   entries_.push_back(std::move(entry));
-  pending_list_ = add_frame_line("state", list_bytes_(entries_));
+  pending_list_ = prepend_file_header("state", list_bytes_(entries_));
 }
 
 std::size_t CheckpointWriter::flush() {
@@ -147,10 +147,10 @@ std::size_t CheckpointWriter::flush() {
 void CheckpointWriter::put_on_disk() {
   const fs::path folder = increments_folder(file_);
   for (const PendingFile& p : pending_) {
-    write_safely(folder / p.file, p.bytes);
+    write_file_atomically(folder / p.file, p.bytes);
   }
   pending_.clear();
-  const fs::path before = list_before(file_);
+  const fs::path before = previous_list_file(file_);
   std::error_code none;
   if (fs::exists(file_, none)) {
     const fs::path linked = base::unused_temporary_path(before);
@@ -162,7 +162,7 @@ void CheckpointWriter::put_on_disk() {
       fs::rename(file_, before, none); // a file system without links
     }
   }
-  write_safely(file_, pending_list_);
+  write_file_atomically(file_, pending_list_);
   on_disk_ = entries_.size();
   sweep_folder();
   // What this list names is what the next list may not sweep away.

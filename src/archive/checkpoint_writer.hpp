@@ -15,9 +15,9 @@ namespace spricka::archive {
 /// The folder with the increments of a restart file.
 std::filesystem::path increments_folder(const std::filesystem::path& file);
 /// The list before the last of a restart file.
-std::filesystem::path list_before(const std::filesystem::path& file);
+std::filesystem::path previous_list_file(const std::filesystem::path& file);
 /// The list in a file. Throws FileFailure where it cannot be read or is no list.
-CheckpointList read_list_file(const std::filesystem::path& file);
+CheckpointList read_checkpoint_list_file(const std::filesystem::path& file);
 
 /// Writes a restart file: each increment in a file of its own, then the list that names all of
 /// them. The folder is locked against a second run.
@@ -33,7 +33,7 @@ public:
   CheckpointWriter& operator=(const CheckpointWriter&) = delete;
 
   /// Lists an increment whose file is in the folder already.
-  void list_entry(const CheckpointEntry& entry);
+  void add_existing_entry(const CheckpointEntry& entry);
   /// Lists an increment of these bytes, by whose hash its file is named; it is not on disk yet.
   void add_increment(CheckpointEntry entry, const std::string& bytes);
   /// Puts on disk what is not there yet; from any thread. The number of increments that are listed

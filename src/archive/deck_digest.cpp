@@ -64,8 +64,8 @@ void add_texts(const fs::path& file, std::vector<fs::path>& seen, std::vector<st
 
 } // namespace
 
-std::string deck_digest(const base::SourceTexts& sources, const model::Model& model,
-                        const std::vector<std::pair<std::string, double>>& sweep_values) {
+std::string compute_deck_digest(const base::SourceTexts& sources, const model::Model& model,
+                                const std::vector<std::pair<std::string, double>>& sweep_values) {
   base::Hasher hash;
   hash.add_text(SPRICKA_VERSION);
   for (std::int32_t f = 0; f < static_cast<std::int32_t>(sources.count()); ++f) {

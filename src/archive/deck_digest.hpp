@@ -14,10 +14,10 @@ namespace spricka::archive {
 /// version, the texts of deck, includes and -D, the files that $IMPORT names (and those that a .geo
 /// names between quotes), and the values of a sweep's point. Where the files lie and when they were
 /// written makes no difference.
-std::string deck_digest(const base::SourceTexts& sources, const model::Model& model,
-                        const std::vector<std::pair<std::string, double>>& sweep_values);
+std::string compute_deck_digest(const base::SourceTexts& sources, const model::Model& model,
+                                const std::vector<std::pair<std::string, double>>& sweep_values);
 
-/// How much of deck, includes and the files of deck_digest() there is to be read [bytes].
+/// How much of deck, includes and the files of compute_deck_digest() there is to be read [bytes].
 std::uintmax_t deck_byte_count(const base::SourceTexts& sources, const model::Model& model);
 
 /// The text of a file that a card brings in, and those that a .geo names between quotes; empty

@@ -100,7 +100,7 @@ FolderLock::~FolderLock() {
   }
 }
 
-void write_owner(const fs::path& folder) {
+void write_lock_owner(const fs::path& folder) {
   base::write_atomically(folder / owner_name,
                          fmt::format("process {} on {}\n", ::getpid(), host_name()));
 }

@@ -28,6 +28,6 @@ private:
 };
 
 /// Writes who we are into a folder that is locked. Throws std::system_error.
-void write_owner(const std::filesystem::path& folder);
+void write_lock_owner(const std::filesystem::path& folder);
 
 } // namespace spricka::archive

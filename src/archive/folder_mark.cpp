@@ -50,7 +50,7 @@ std::string finished_name(std::string_view name) {
   return std::string(name);
 }
 
-bool knows(const FolderMark& mark, const std::string& name) {
+bool knows(const FolderManifest& mark, const std::string& name) {
   return name == mark_name || name == owner_name ||
          std::ranges::find(mark.files, name) != mark.files.end();
 }
@@ -68,7 +68,7 @@ void remove_file(const fs::path& file) {
 
 } // namespace
 
-std::optional<FolderMark> read_mark(const fs::path& folder) {
+std::optional<FolderManifest> read_folder_manifest(const fs::path& folder) {
   const fs::path file = folder / mark_name;
   std::error_code unknown;
   if (!fs::is_regular_file(fs::symlink_status(file, unknown))) {
@@ -80,7 +80,7 @@ std::optional<FolderMark> read_mark(const fs::path& folder) {
   } catch (const base::UnreadableFile&) {
     return std::nullopt;
   }
-  std::optional<FolderMark> mark;
+  std::optional<FolderManifest> mark;
   std::string_view rest = text;
   while (!rest.empty()) {
     const std::size_t end = rest.find('\n');
@@ -97,7 +97,7 @@ std::optional<FolderMark> read_mark(const fs::path& folder) {
     }
     for (const FolderKind kind : {FolderKind::run, FolderKind::sweep}) {
       if (line == first_line(kind)) {
-        mark = FolderMark{kind, {}};
+        mark = FolderManifest{kind, {}};
       }
     }
     if (!mark) {
@@ -107,7 +107,7 @@ std::optional<FolderMark> read_mark(const fs::path& folder) {
   return mark;
 }
 
-void write_mark(const fs::path& folder, const FolderMark& mark) {
+void write_folder_manifest(const fs::path& folder, const FolderManifest& mark) {
   std::string text = first_line(mark.kind) + "\n";
   for (const std::string& name : mark.files) {
     text += name + "\n";
@@ -115,7 +115,7 @@ void write_mark(const fs::path& folder, const FolderMark& mark) {
   base::write_atomically(folder / mark_name, text);
 }
 
-void add_to_mark(const fs::path& folder, const std::string& name) {
+void add_to_folder_manifest(const fs::path& folder, const std::string& name) {
   const fs::path file = folder / mark_name;
   const std::string line = name + "\n";
   // Appended in one write: a line is there as a whole, or cut off and not read.
@@ -132,7 +132,7 @@ void add_to_mark(const fs::path& folder, const std::string& name) {
   }
 }
 
-std::vector<std::string> foreign_names(const fs::path& folder, const FolderMark& mark) {
+std::vector<std::string> find_foreign_files(const fs::path& folder, const FolderManifest& mark) {
   std::vector<std::string> names;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
@@ -146,8 +146,8 @@ std::vector<std::string> foreign_names(const fs::path& folder, const FolderMark&
   return names;
 }
 
-void remove_own_files(const fs::path& folder) {
-  const std::optional<FolderMark> mark = read_mark(folder);
+void remove_manifest_files(const fs::path& folder) {
+  const std::optional<FolderManifest> mark = read_folder_manifest(folder);
   if (!mark) {
     return;
   }
@@ -164,7 +164,7 @@ void remove_own_files(const fs::path& folder) {
   // The mark goes last, and stays with what is not ours: no file of ours is taken for a foreign one
   // if the program ends here.
   remove_file(folder / owner_name);
-  if (foreign_names(folder, *mark).empty()) {
+  if (find_foreign_files(folder, *mark).empty()) {
     remove_file(folder / mark_name);
     fs::remove(folder, unknown);
   }

@@ -17,24 +17,25 @@ inline constexpr const char* owner_name = ".spricka.owner";
 
 enum class FolderKind { run, sweep };
 
-struct FolderMark {
+struct FolderManifest {
   FolderKind kind = FolderKind::run;
   std::vector<std::string> files; ///< plain names, each once
 };
 
 /// The mark of a folder; empty if there is none, or none that the program wrote.
-std::optional<FolderMark> read_mark(const std::filesystem::path& folder);
+std::optional<FolderManifest> read_folder_manifest(const std::filesystem::path& folder);
 
 /// Marks a folder as ours, with these files. Throws std::system_error.
-void write_mark(const std::filesystem::path& folder, const FolderMark& mark);
+void write_folder_manifest(const std::filesystem::path& folder, const FolderManifest& mark);
 /// Adds a file, before it is written. Throws std::system_error.
-void add_to_mark(const std::filesystem::path& folder, const std::string& name);
+void add_to_folder_manifest(const std::filesystem::path& folder, const std::string& name);
 
 /// Names in a folder that the mark does not know. Throws std::system_error.
-std::vector<std::string> foreign_names(const std::filesystem::path& folder, const FolderMark& mark);
+std::vector<std::string> find_foreign_files(const std::filesystem::path& folder,
+                                            const FolderManifest& mark);
 
 /// Removes the files that the mark of a folder names, the mark, and the folder if nothing else is
 /// in it. Without a mark nothing is touched.
-void remove_own_files(const std::filesystem::path& folder);
+void remove_manifest_files(const std::filesystem::path& folder);
 
 } // namespace spricka::archive

@@ -34,7 +34,7 @@ std::vector<bool> kept_fields(const model::Model& model, const results::RunResul
 
 } // namespace
 
-void describe_origin(const results::StoreGroup& given, const model::Model& model) {
+void write_provenance(const results::StoreGroup& given, const model::Model& model) {
   results::StoreGroup group = given;
   group.set_attribute("program", "spricka " SPRICKA_VERSION);
   group.set_attribute("libraries", version_text());
@@ -45,8 +45,8 @@ void describe_origin(const results::StoreGroup& given, const model::Model& model
   group.set_attribute("K_unit", model.units.stress_intensity_name());
 }
 
-void store_deck(const results::StoreGroup& given, const base::SourceTexts& sources,
-                const model::Model& model) {
+void store_deck_texts(const results::StoreGroup& given, const base::SourceTexts& sources,
+                      const model::Model& model) {
   results::StoreGroup group = given.group("deck");
   std::vector<std::string> names;
   std::vector<std::string> texts;
@@ -68,7 +68,7 @@ void store_deck(const results::StoreGroup& given, const base::SourceTexts& sourc
   if (!parameter.empty()) {
     group.write("parameters", results::ColumnTable{{{"name", parameter}, {"value", value}}});
   }
-  group.set_attribute("hash", deck_digest(sources, model, {}));
+  group.set_attribute("hash", compute_deck_digest(sources, model, {}));
 }
 
 void write_results_file(const std::filesystem::path& file, const base::SourceTexts& sources,
@@ -79,8 +79,8 @@ void write_results_file(const std::filesystem::path& file, const base::SourceTex
       results::StoreGroup root = store.root();
       root.set_attribute("format", std::string_view("spricka results"));
       root.set_attribute("format_version", format_version);
-      describe_origin(root, model);
-      store_deck(root, sources, model);
+      write_provenance(root, model);
+      store_deck_texts(root, sources, model);
       results::write_summary_tables(root, run);
       // Without times: the same deck makes the same bytes.
       results::write_run(root, run, results::TimeRecording::left_out, kept_fields(model, run));

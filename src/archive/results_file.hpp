@@ -16,10 +16,10 @@ void write_results_file(const std::filesystem::path& file, const base::SourceTex
                         const model::Model& model, const results::RunResult& run);
 
 /// Program, libraries and units as attributes of a folder.
-void describe_origin(const results::StoreGroup& given, const model::Model& model);
+void write_provenance(const results::StoreGroup& given, const model::Model& model);
 
 /// Texts and parameters of a deck into a folder "deck".
-void store_deck(const results::StoreGroup& given, const base::SourceTexts& sources,
-                const model::Model& model);
+void store_deck_texts(const results::StoreGroup& given, const base::SourceTexts& sources,
+                      const model::Model& model);
 
 } // namespace spricka::archive

@@ -55,7 +55,7 @@ constexpr std::size_t line_words = 9;
 
 } // namespace
 
-void write_safely(const fs::path& file, std::string_view bytes) {
+void write_file_atomically(const fs::path& file, std::string_view bytes) {
   try {
     base::write_atomically(file, bytes, base::DiskSync::yes);
   } catch (const std::system_error& trouble) {
@@ -71,7 +71,7 @@ std::string hash_bytes(std::string_view bytes) {
   return fmt::format("{:016x}{:016x}", high, low);
 }
 
-std::string add_frame_line(std::string_view kind, std::string_view bytes) {
+std::string prepend_file_header(std::string_view kind, std::string_view bytes) {
   std::string out = fmt::format("spricka {} {} of {} , {} bytes {}", kind, safe_format,
                                 SPRICKA_VERSION, bytes.size(), hash_bytes(bytes));
   // The head has a fixed size, so that it can be read before the rest is.
@@ -81,7 +81,7 @@ std::string add_frame_line(std::string_view kind, std::string_view bytes) {
   return out;
 }
 
-std::string read_framed(const fs::path& file, std::string_view kind) {
+std::string read_file_with_header(const fs::path& file, std::string_view kind) {
   const std::string head =
       bytes_of(file, [&] { return base::read_file_beginning(file, frame_size); });
   const std::string start = fmt::format("spricka {} ", kind);

@@ -22,7 +22,7 @@ private:
 
 /// Writes beside the name, syncs, renames and syncs the folder: whatever happens, the name stands
 /// for the old bytes or for all of the new. Throws FileFailure E563.
-void write_safely(const std::filesystem::path& file, std::string_view bytes);
+void write_file_atomically(const std::filesystem::path& file, std::string_view bytes);
 
 /// What a framed file begins with: one line of text, padded to this [bytes], so that `head -1`
 /// shows what it is and HDF5's own tools read what follows.
@@ -30,11 +30,11 @@ inline constexpr std::size_t frame_size = 512;
 
 /// The bytes with a line in front that says what they are ("state", "increment"), of which version
 /// of the format and program, how many, and their hash.
-std::string add_frame_line(std::string_view kind, std::string_view bytes);
+std::string prepend_file_header(std::string_view kind, std::string_view bytes);
 
 /// The bytes behind the line. Throws FileFailure: E560 for a file that cannot be read, is cut off
 /// or changed, E564 for a foreign one, E565 for one of another version of format or program.
-std::string read_framed(const std::filesystem::path& file, std::string_view kind);
+std::string read_file_with_header(const std::filesystem::path& file, std::string_view kind);
 
 /// 32 hexadecimal digits for some bytes (XXH3, 128 bit).
 std::string hash_bytes(std::string_view bytes);

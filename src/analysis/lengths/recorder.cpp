@@ -59,7 +59,7 @@ void ProfileRecorder::add_work(const results::MesherCost& work) {
   profile_.mesher.push_back(work);
 }
 
-void ProfileRecorder::begin_round() {
+void ProfileRecorder::begin_tolerance_round() {
   const std::scoped_lock lock(guard_);
   ++round_;
 }

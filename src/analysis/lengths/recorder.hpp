@@ -28,7 +28,7 @@ public:
   /// The cost of one call of the mesher.
   void add_work(const results::MesherCost& work);
   /// The lengths of a deck again, on a finer mesh.
-  void begin_round();
+  void begin_tolerance_round();
   void begin_length();
   /// The length that was begun last; one that came to no solution has no `a`.
   void end_length(std::optional<double> a, bool counts);

@@ -33,17 +33,19 @@ std::optional<archive::StoredIncrement> resume_increment(const model::Model& mod
                                                          archive::Checkpoint* checkpoint,
                                                          int number, double asked,
                                                          const std::vector<bool>& pictured) {
-  if (checkpoint == nullptr || !checkpoint->has_increment(number)) {
+  if (checkpoint == nullptr || !checkpoint->has_stored_increment(number)) {
     return std::nullopt;
   }
-  if (checkpoint->requested_length(number) != asked) {
-    checkpoint->solve_from(number, fmt::format("$GROW asks for length {:.6g} there, it was {:.6g}",
-                                               asked, checkpoint->requested_length(number)));
+  if (checkpoint->requested_crack_length(number) != asked) {
+    checkpoint->reject_increments_from(
+        number, fmt::format("$GROW asks for length {:.6g} there, it was {:.6g}", asked,
+                            checkpoint->requested_crack_length(number)));
     return std::nullopt;
   }
-  archive::StoredIncrement kept = checkpoint->load_increment(number);
+  archive::StoredIncrement kept = checkpoint->read_stored_increment(number);
   if (!fit_pictures(pictured, kept.increment)) {
-    checkpoint->solve_from(number, "an output or check asks for stresses that were not kept");
+    checkpoint->reject_increments_from(number,
+                                       "an output or check asks for stresses that were not kept");
     return std::nullopt;
   }
   checkpoint->accept_increment(number);
@@ -70,10 +72,11 @@ void report_resumed(const SolveOptions& options, const results::RunResult& run,
 }
 
 bool is_time_up(const archive::Checkpoint* checkpoint, base::OptionalFailure& trouble) {
-  if (checkpoint == nullptr || !checkpoint->out_of_time()) {
+  if (checkpoint == nullptr || !checkpoint->would_exceed_time_limit()) {
     return false;
   }
-  trouble = base::OperationFailure{.kind = base::Outcome::stopped, .why = checkpoint->limit_text()};
+  trouble =
+      base::OperationFailure{.kind = base::Outcome::stopped, .why = checkpoint->run_limit_text()};
   return true;
 }
 

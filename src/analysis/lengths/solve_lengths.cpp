@@ -137,10 +137,10 @@ std::optional<results::RunResult> solve_run(const model::Model& model, const Sol
   const base::Stopwatch watch;
   results::RunResult run;
   if (options.checkpoint != nullptr) {
-    options.checkpoint->begin_round();
+    options.checkpoint->begin_tolerance_round();
   }
   if (options.recorder != nullptr) {
-    options.recorder->begin_round();
+    options.recorder->begin_tolerance_round();
   }
   const bool done = grows_by_law(model) ? grow_by_law(model, options, diagnostics, trouble, run)
                                         : solve_lengths(model, options, diagnostics, trouble, run);

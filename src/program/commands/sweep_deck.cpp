@@ -62,10 +62,10 @@ public:
       throw std::system_error(std::make_error_code(std::errc::no_such_file_or_directory),
                               path_.string());
     }
-    if (!archive::read_mark(path_)) {
-      archive::write_mark(path_, {archive::FolderKind::sweep, {}});
+    if (!archive::read_folder_manifest(path_)) {
+      archive::write_folder_manifest(path_, {archive::FolderKind::sweep, {}});
     }
-    archive::write_owner(path_);
+    archive::write_lock_owner(path_);
   }
 
   // Folders of points that the sweep does not have.
@@ -77,7 +77,7 @@ public:
         others.push_back(entry.path());
       }
     }
-    std::ranges::for_each(others, archive::remove_own_files);
+    std::ranges::for_each(others, archive::remove_manifest_files);
   }
 
   // Nobody works in it any more.
@@ -88,7 +88,8 @@ public:
 
   // A table of ours, new or to be replaced.
   [[nodiscard]] fs::path table_file(const std::string& name) const {
-    const archive::FolderMark mark = archive::read_mark(path_).value_or(archive::FolderMark{});
+    const archive::FolderManifest mark =
+        archive::read_folder_manifest(path_).value_or(archive::FolderManifest{});
     if (std::ranges::find(mark.files, name) == mark.files.end()) {
       if (fs::exists(fs::symlink_status(path_ / name))) {
         throw archive::FileFailure("E464",
@@ -96,7 +97,7 @@ public:
                                                "folder with --out",
                                                (path_ / name).string()));
       }
-      archive::add_to_mark(path_, name);
+      archive::add_to_folder_manifest(path_, name);
     }
     return path_ / name;
   }
@@ -162,7 +163,8 @@ private:
   }
 
   SweepPoint take_over(std::size_t i) {
-    const std::string digest = archive::deck_digest(deck_.sources, *deck_.model, points_[i]);
+    const std::string digest =
+        archive::compute_deck_digest(deck_.sources, *deck_.model, points_[i]);
     const std::optional<SweepPoint> known = read_point_record(out_.path() / folder_name(i), digest);
     SweepPoint point = known.value_or(SweepPoint{});
     point.number = i + 1;
@@ -208,7 +210,7 @@ private:
       folder_->add_file(
           point_record_name,
           write_point_record(sweep_, point,
-                             archive::deck_digest(deck.sources, *deck.model, points_[i])));
+                             archive::compute_deck_digest(deck.sources, *deck.model, points_[i])));
       folder_->commit();
     } else if (folder_->replaces_earlier_run()) {
       log_.message(base::Severity::note, "E467",

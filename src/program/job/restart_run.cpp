@@ -105,7 +105,7 @@ void report_skipped_state(archive::Checkpoint* checkpoint, const Log& log) {
   if (checkpoint == nullptr) {
     return;
   }
-  checkpoint->listen([&log](const std::string& code, const std::string& text) {
+  checkpoint->set_report_listener([&log](const std::string& code, const std::string& text) {
     log.message(code.front() == 'W' ? base::Severity::warning : base::Severity::note, code, text);
   });
 }
@@ -119,12 +119,12 @@ void finish_restart(archive::Checkpoint* checkpoint, results::RunResult& run) {
   for (const auto& [code, text] : checkpoint->reported()) {
     run.log.push_back({"RESTART", text, 0.0, 0.0});
   }
-  if (checkpoint->accepted_count() > 0) {
-    run.log.push_back(
-        {"RESTART",
-         fmt::format("{} of {} increments taken over from {}", checkpoint->accepted_count(),
-                     run.increments.size(), checkpoint->source_file().string()),
-         0.0, 0.0});
+  if (checkpoint->accepted_increment_count() > 0) {
+    run.log.push_back({"RESTART",
+                       fmt::format("{} of {} increments taken over from {}",
+                                   checkpoint->accepted_increment_count(), run.increments.size(),
+                                   checkpoint->restart_source_file().string()),
+                       0.0, 0.0});
   }
 }
 

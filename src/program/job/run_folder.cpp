@@ -107,7 +107,7 @@ void check_folder(const fs::path& folder, bool sweep) {
   if (!fs::is_directory(folder)) {
     not_ours(fmt::format("{} is not a folder, and is not overwritten", folder.string()));
   }
-  const std::optional<archive::FolderMark> mark = archive::read_mark(folder);
+  const std::optional<archive::FolderManifest> mark = archive::read_folder_manifest(folder);
   if (mark && (mark->kind == archive::FolderKind::sweep) != sweep) {
     not_ours(fmt::format("{} holds {}", folder.string(), sweep ? "a single run" : "a sweep"));
   }
@@ -156,14 +156,14 @@ void RunFolder::open_part() {
     if (!lock) {
       continue;
     }
-    const std::optional<archive::FolderMark> mark = archive::read_mark(part_);
+    const std::optional<archive::FolderManifest> mark = archive::read_folder_manifest(part_);
     const std::vector<std::string> foreign =
-        archive::foreign_names(part_, mark.value_or(archive::FolderMark{}));
+        archive::find_foreign_files(part_, mark.value_or(archive::FolderManifest{}));
     if (!foreign.empty()) {
       not_ours(fmt::format("{} is in the way: it holds '{}', which no run wrote", part_.string(),
                            foreign.front()));
     }
-    archive::remove_own_files(part_);
+    archive::remove_manifest_files(part_);
     if (!is_there(part_)) {
       continue; // of a killed run: the name is free now
     }
@@ -173,10 +173,10 @@ void RunFolder::open_part() {
     not_ours(fmt::format("{} is in the way and keeps changing", part_.string()));
   }
   try {
-    archive::write_mark(part_, {archive::FolderKind::run, {}});
-    archive::write_owner(part_);
+    archive::write_folder_manifest(part_, {archive::FolderKind::run, {}});
+    archive::write_lock_owner(part_);
   } catch (...) { // a full disk
-    archive::remove_own_files(part_);
+    archive::remove_manifest_files(part_);
     std::error_code ignored;
     fs::remove(part_, ignored); // where it is empty
     throw;
@@ -185,7 +185,7 @@ void RunFolder::open_part() {
 
 RunFolder::~RunFolder() {
   if (!done_) {
-    archive::remove_own_files(part_);
+    archive::remove_manifest_files(part_);
   }
 }
 
@@ -200,7 +200,7 @@ void RunFolder::put(const std::string& name, const std::function<void(const fs::
   names_.push_back(name);
   // The name first: a run that is killed while it writes leaves nothing that is not known as its
   // own.
-  archive::add_to_mark(part_, name);
+  archive::add_to_folder_manifest(part_, name);
   write(part_ / name);
 }
 
@@ -217,7 +217,7 @@ void RunFolder::write_interim_k(const model::Model& model, const results::RunRes
   const std::scoped_lock lock(writing_);
   try {
     if (!shows_k_) {
-      archive::add_to_mark(part_, k_table_name);
+      archive::add_to_folder_manifest(part_, k_table_name);
     }
     shows_k_ = true;
     report::write_k_csv(part_ / k_table_name, model, so_far);
@@ -232,11 +232,11 @@ std::optional<fs::path> RunFolder::retain_interim_k() {
     table = base::read_file(part_ / k_table_name, base::largest_number_file);
   } catch (const std::exception&) { // no K has been found yet
   }
-  archive::remove_own_files(part_);
+  archive::remove_manifest_files(part_);
   if (!table || ::mkdir(part_.c_str(), 0777) != 0) {
     return std::nullopt;
   }
-  archive::write_mark(part_, {archive::FolderKind::run, {k_table_name}});
+  archive::write_folder_manifest(part_, {archive::FolderKind::run, {k_table_name}});
   base::write_atomically(part_ / k_table_name, *table);
   done_ = true;
   return part_ / k_table_name;
@@ -293,9 +293,9 @@ void RunFolder::add_file(const std::string& name, const std::string& text) {
 
 // Files that no run wrote keep their names, or where a result has that name now, get one more word.
 void RunFolder::take_over_foreign(const fs::path& old) const {
-  const std::optional<archive::FolderMark> mark = archive::read_mark(old);
+  const std::optional<archive::FolderManifest> mark = archive::read_folder_manifest(old);
   for (const std::string& name :
-       archive::foreign_names(old, mark.value_or(archive::FolderMark{}))) {
+       archive::find_foreign_files(old, mark.value_or(archive::FolderManifest{}))) {
     fs::path to = folder_ / name;
     for (int number = 0; !rename_to_free(old / name, to); ++number) {
       if (errno != EEXIST) {
@@ -321,8 +321,8 @@ void RunFolder::move_into_place() {
   fs::permissions(part_, fs::status(folder_).permissions());
   exchange(part_, folder_);
   take_over_foreign(part_);
-  if (archive::read_mark(part_)) {
-    archive::remove_own_files(part_);
+  if (archive::read_folder_manifest(part_)) {
+    archive::remove_manifest_files(part_);
   } else {
     fs::remove(part_); // an empty folder
   }
@@ -332,7 +332,7 @@ void RunFolder::commit() {
   const std::scoped_lock lock(writing_);
   // Tables without rows write no file.
   std::erase_if(names_, [&](const std::string& name) { return !is_there(part_ / name); });
-  archive::write_mark(part_, {archive::FolderKind::run, names_});
+  archive::write_folder_manifest(part_, {archive::FolderKind::run, names_});
   done_ = true; // from now on the results are whole: whatever happens, they stay
   try {
     move_into_place();
@@ -353,7 +353,7 @@ std::optional<fs::path> RunFolder::abandon(bool leaves_k) {
     if (leaves_k) {
       return retain_interim_k();
     }
-    archive::remove_own_files(part_);
+    archive::remove_manifest_files(part_);
   }
   return std::nullopt;
 }
