@@ -26,9 +26,9 @@ std::vector<std::size_t> turns(const base::PiecewiseLinear& K1) {
 }
 
 // K along the way from load to load, with its turns in between.
-class WayOfK {
+class KSequence {
 public:
-  explicit WayOfK(const base::PiecewiseLinear& K1) : K1_(K1) {
+  explicit KSequence(const base::PiecewiseLinear& K1) : K1_(K1) {
     for (const std::size_t k : turns(K1)) {
       t_.push_back(K1.knots()[k]);
       K_.push_back(K1.at_knot(k));
@@ -185,13 +185,13 @@ std::pair<double, double> CountedSpectrum::extreme_K(const base::PiecewiseLinear
     return {no_value, no_value};
   }
   // K is piecewise linear: extremes are at its turns, or at the ends of the loads.
-  const std::vector<double> way = WayOfK(K1)({lowest(), highest()});
+  const std::vector<double> way = KSequence(K1)({lowest(), highest()});
   const auto [low, high] = std::minmax_element(way.begin(), way.end());
   return {*low, *high};
 }
 
 std::vector<LoadCycle> CountedSpectrum::cycles_of_K(const base::PiecewiseLinear& K1) const {
-  const WayOfK way(K1);
+  const KSequence way(K1);
   if (!history_.empty()) {
     return rainflow(way(history_), repeated_);
   }

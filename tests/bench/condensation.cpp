@@ -22,10 +22,10 @@ namespace {
 
 using namespace spricka;
 
-analysis::CondensationFigures condense(const model::Model& model,
-                                       const analysis::Discretisation& scene) {
+analysis::CondensationStatistics condense(const model::Model& model,
+                                          const analysis::Discretisation& scene) {
   analysis::CondensationCache cache;
-  analysis::CondensationFigures log;
+  analysis::CondensationStatistics log;
   analysis::condense_bodies(
       {model, scene.cracked.mesh, scene.cls, scene.ties, scene.rest_element, scene.case_load, 1},
       cache, log);
@@ -49,17 +49,17 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::vector<double> lengths = growth::growth_loop_lengths(*model);
-  const analysis::RegionPlan plan = analysis::plan_region(*model, lengths, diagnostics);
+  const analysis::CrackRegionPlan plan = analysis::plan_crack_region(*model, lengths, diagnostics);
   const auto scene = analysis::discretise(*model, lengths.front(), plan, diagnostics);
   if (!scene) {
     fmt::print(stderr, "{}", base::format_messages(sources, diagnostics));
     return 3;
   }
-  analysis::CondensationFigures nets;
+  analysis::CondensationStatistics nets;
   solve::FactorReport plain;
   const auto total = [](const auto& r) { return r.analysis_cpu + r.numeric_cpu; };
   for (int i = 0; i < (argc > 2 ? std::atoi(argv[2]) : 7); ++i) {
-    const analysis::CondensationFigures log = condense(*model, *scene);
+    const analysis::CondensationStatistics log = condense(*model, *scene);
     const solve::FactorReport report =
         solve::Condensation(analysis::global_stiffness(*model, *scene), 0).report();
     nets = i == 0 || total(log) < total(nets) ? log : nets;

@@ -112,7 +112,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::vector<double> lengths = growth::growth_loop_lengths(*model);
-  const analysis::RegionPlan plan = analysis::plan_region(*model, lengths, diagnostics);
+  const analysis::CrackRegionPlan plan = analysis::plan_crack_region(*model, lengths, diagnostics);
   analysis::CondensationCache cache;
   const auto length = analysis::CrackLengthAnalysis::create({.model = *model, .cache = cache},
                                                             lengths.front(), plan, diagnostics);
@@ -137,7 +137,7 @@ int main(int argc, char** argv) {
                1e6 * time / static_cast<double>(points));
     all += time;
   }
-  analysis::CondensationFigures log;
+  analysis::CondensationStatistics log;
   const base::Stopwatch watch;
   if (!length->condense(log)) {
     fmt::print(stderr, "a net is singular\n");

@@ -46,7 +46,7 @@ Costs solve_all(const model::Model& model) {
   const std::vector<double> lengths = growth::growth_loop_lengths(model);
   Costs costs;
   base::Stopwatch watch;
-  const analysis::RegionPlan plan = analysis::plan_region(model, lengths, diagnostics);
+  const analysis::CrackRegionPlan plan = analysis::plan_crack_region(model, lengths, diagnostics);
   analysis::CrackStateSolver solver(model, options, lines, diagnostics, trouble);
   for (const double a : lengths) {
     lines.clear();

@@ -84,9 +84,9 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::vector<double> lengths = growth::growth_loop_lengths(*model);
-  const analysis::RegionPlan plan = analysis::plan_region(*model, lengths, diagnostics);
+  const analysis::CrackRegionPlan plan = analysis::plan_crack_region(*model, lengths, diagnostics);
   analysis::CondensationCache cache;
-  analysis::CondensationFigures log;
+  analysis::CondensationStatistics log;
   const std::unique_ptr<analysis::CrackLengthAnalysis> length =
       analysis::CrackLengthAnalysis::create({.model = *model, .cache = cache}, lengths.front(),
                                             plan, diagnostics);
@@ -108,7 +108,7 @@ int main(int argc, char** argv) {
   }
   const model::LoadPathDefinition& card = model->load_paths.front();
   const base::Stopwatch posing;
-  const solve::ParametricProblem problem = paths.path_problem(card, solver);
+  const solve::ParametricProblem problem = paths.parametric_path_problem(card, solver);
   fmt::print("functionals of K and the problem {:.1f} ms\n", 1e3 * posing.cpu_time());
   measure_path(problem, card.beyond, {}, repeats);
   std::vector<results::LoadPathResult> found;

@@ -67,8 +67,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   analysis::CondensationCache cache;
-  const analysis::RegionPlan plan =
-      analysis::plan_region(*model, growth::growth_loop_lengths(*model), diagnostics);
+  const analysis::CrackRegionPlan plan =
+      analysis::plan_crack_region(*model, growth::growth_loop_lengths(*model), diagnostics);
   const double before = base::cpu_seconds();
   const auto length = analysis::CrackLengthAnalysis::create(
       {.model = *model, .cache = cache}, growth::growth_loop_lengths(*model).front(), plan,
@@ -86,7 +86,7 @@ int main(int argc, char** argv) {
       .add_length(length->request(), length->bodies(), length->discretisation(), 0.0, told);
   fmt::print("{} equations, {} rows, {:.0f} MB foretold\n", told.unknowns,
              length->discretisation().table.size(), 1e-6 * told.memory);
-  analysis::CondensationFigures log;
+  analysis::CondensationStatistics log;
   if (!length->condense(log)) {
     fmt::print(stderr, "{}\n", log.trouble->why);
     return 4;

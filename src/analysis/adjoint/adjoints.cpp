@@ -15,15 +15,16 @@ constexpr UnheldLoadLimit felt_motion{1e-4, "K depends on a motion that no close
 
 } // namespace
 
-KAdjoints::KAdjoints(const model::Model& model, const Discretisation& scene,
-                     const std::vector<SubstructuredBody>& bodies)
+IntensityAdjointSolver::IntensityAdjointSolver(const model::Model& model,
+                                               const Discretisation& scene,
+                                               const std::vector<SubstructuredBody>& bodies)
     : model_(model), scene_(scene), bodies_(bodies) {}
 
-IntensityAdjoint KAdjoints::solve_closed_set(const FrozenContactSystem& system,
-                                             const std::vector<bool>& closed) {
+IntensityAdjoint IntensityAdjointSolver::solve_closed_set(const FrozenContactSystem& system,
+                                                          const std::vector<bool>& closed) {
   if (rows_.size() == 0) {
-    rows_ = K_rows(model_, scene_);
-    by_force_ = K_by_forces(model_, scene_).transpose();
+    rows_ = displacement_K_functionals(model_, scene_);
+    by_force_ = contact_force_K_functionals(model_, scene_).transpose();
     condensed_ = condense_loads(scene_, bodies_, rows_);
   }
   // K has a term of the forces between faces, for which z leaves a gap there (sensitivity.13); w on
@@ -37,8 +38,9 @@ IntensityAdjoint KAdjoints::solve_closed_set(const FrozenContactSystem& system,
           .closed = closed};
 }
 
-const IntensityAdjoint& KAdjoints::solve_last_step(const StepSolver& solver) {
-  const auto [closed, rubs] = closed_rows(solver, scene_);
+const IntensityAdjoint&
+IntensityAdjointSolver::solve_adjoint_of_last_step(const StepSolver& solver) {
+  const auto [closed, rubs] = closed_contact_rows(solver, scene_);
   if (rubs) {
     held_.reset();
     last_.emplace();

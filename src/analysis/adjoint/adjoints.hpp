@@ -24,15 +24,15 @@ struct IntensityAdjoint {
   [[nodiscard]] bool is_available() const { return why_not.empty(); }
 };
 
-class KAdjoints {
+class IntensityAdjointSolver {
 public:
   /// All must outlive it; nothing is computed yet.
-  KAdjoints(const model::Model& model, const Discretisation& scene,
-            const std::vector<SubstructuredBody>& bodies);
+  IntensityAdjointSolver(const model::Model& model, const Discretisation& scene,
+                         const std::vector<SubstructuredBody>& bodies);
 
   /// Of the step that was solved last, its contact frozen as it ended; steps that end with the same
   /// rows closed share the answer.
-  const IntensityAdjoint& solve_last_step(const StepSolver& solver);
+  const IntensityAdjoint& solve_adjoint_of_last_step(const StepSolver& solver);
   /// The contact of that answer; null where there is none or contacts rub.
   [[nodiscard]] const contact::FixedActiveSet* held_contact() const {
     return held_ ? held_->held_contact() : nullptr;

@@ -13,7 +13,7 @@ namespace spricka::analysis {
 ErrorBarAnalysis::ErrorBarAnalysis(const model::Model& model, const Discretisation& scene)
     : model_(model), scene_(scene), case_load_(model.cases.size()) {}
 
-void ErrorBarAnalysis::give_bars(
+void ErrorBarAnalysis::assign_error_bars(
     const std::string& why_not, results::StepResult& step,
     const std::function<void(std::size_t, std::size_t, results::FrontResult&)>& estimate) {
   std::size_t first = 0;
@@ -24,7 +24,7 @@ void ErrorBarAnalysis::give_bars(
       estimate(f, first, front);
     }
     if (!front.no_bar.empty()) {
-      tell_once(
+      add_note_once(
           results::note(fmt::format("K of {} has no error bar: {}", front.name, front.no_bar)),
           step);
     }
@@ -50,7 +50,7 @@ ErrorBarAnalysis::sum_case_loads(const base::Vector& case_factor, Eigen::Index f
   return f;
 }
 
-void ErrorBarAnalysis::tell_once(results::Note note, results::StepResult& step) {
+void ErrorBarAnalysis::add_note_once(results::Note note, results::StepResult& step) {
   if (std::ranges::find(reported_, note) == reported_.end()) {
     reported_.push_back(note);
     step.notes.push_back(std::move(note));

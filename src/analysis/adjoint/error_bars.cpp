@@ -211,10 +211,11 @@ void TipErrorBars::tell_of_meshes(const StepState& state, results::StepResult& s
       apart += !edge.target_side && edge.covered && !edge.opposite ? 1 : 0;
     }
     if (state.mounted[c] && 4 * apart > paired && !scene_.pairs[c].rigid) {
-      tell_once(results::note(fmt::format("the meshes of contact {} do not match: error bars of K "
-                                          "have only a part of the error of its pressures",
-                                          model_.contacts[c].name)),
-                step);
+      add_note_once(
+          results::note(fmt::format("the meshes of contact {} do not match: error bars of K "
+                                    "have only a part of the error of its pressures",
+                                    model_.contacts[c].name)),
+          step);
     }
   }
 }
@@ -224,10 +225,11 @@ void TipErrorBars::tell_of_cancelling(const results::FrontResult& front,
   for (std::size_t k = 0; k < 2; ++k) {
     const results::KErrorBar& bar = front.tip().bar[k];
     if (bar.cancels && bar.mesh > counts * bar.floor) {
-      tell_once(results::note(fmt::format("K{} of {}: errors of opposite sign cancel in it; its "
-                                          "error bar uses their absolute values",
-                                          k + 1, front.name)),
-                step);
+      add_note_once(
+          results::note(fmt::format("K{} of {}: errors of opposite sign cancel in it; its "
+                                    "error bar uses their absolute values",
+                                    k + 1, front.name)),
+          step);
     }
   }
 }
@@ -266,11 +268,11 @@ void TipErrorBars::estimate_bars(const StepState& state, const StepErrors& error
   }
   const bool coarse = coarse_contact(state, scene_.cracked.fronts[t]);
   if (coarse) {
-    tell_once(results::note(fmt::format(
-                  "{}: nodes of a contact surface near the crack are further apart than half "
-                  "the crack's length; the error bar uses the absolute values of the errors",
-                  front.name)),
-              step);
+    add_note_once(results::note(fmt::format(
+                      "{}: nodes of a contact surface near the crack are further apart than half "
+                      "the crack's length; the error bar uses the absolute values of the errors",
+                      front.name)),
+                  step);
   }
   results::FrontPointResult& tip = front.tip();
   for (const int mode : {1, 2}) {
@@ -283,8 +285,8 @@ void TipErrorBars::estimate_bars(const StepState& state, const StepErrors& error
   clear_exact(scene_.cracked.mesh.element_count(), tip);
   front.no_bar = why_no_limit(scene_, errors.giving, t, tip);
   if (!front.no_bar.empty()) {
-    tell_once(results::invalid_result_note(fmt::format("K of {}: {}", front.name, front.no_bar)),
-              step);
+    add_note_once(
+        results::invalid_result_note(fmt::format("K of {}: {}", front.name, front.no_bar)), step);
     return;
   }
   if (std::max(tip.bar[0].size(), tip.bar[1].size()) > 0.0) {
@@ -297,7 +299,8 @@ void TipErrorBars::estimate_bars(const StepState& state, const StepErrors& error
     }
   }
   if (!front.no_bar.empty()) {
-    tell_once(results::less_exact_note(fmt::format("K of {}: {}", front.name, front.no_bar)), step);
+    add_note_once(results::less_exact_note(fmt::format("K of {}: {}", front.name, front.no_bar)),
+                  step);
     return;
   }
   tell_of_cancelling(front, step);
@@ -314,7 +317,7 @@ void TipErrorBars::add_to_tips(const StepState& state, const IntensityAdjoint& a
     errors = step_errors(state, adjoint, held);
     tell_of_meshes(state, step);
   }
-  give_bars(why_not, step, [&](std::size_t t, std::size_t, results::FrontResult& front) {
+  assign_error_bars(why_not, step, [&](std::size_t t, std::size_t, results::FrontResult& front) {
     estimate_bars(state, errors, t, front, step);
   });
 }

@@ -115,15 +115,15 @@ VirtualAxisExtension::VirtualAxisExtension(const model::Model& model, const Disc
   move();
   move_pairs();
   if (why_never_.empty()) {
-    rows_ = K_rows(model_, moved_);
-    of_force_ = pairs_.empty() ? base::Matrix() : K_by_forces(model_, moved_);
+    rows_ = displacement_K_functionals(model_, moved_);
+    of_force_ = pairs_.empty() ? base::Matrix() : contact_force_K_functionals(model_, moved_);
   }
 }
 
 // [node] of the surface but for the crack's own faces, where materials meet, or kept from domains.
 std::vector<bool> VirtualAxisExtension::resting() const {
   const model::Mesh& mesh = scene_.cracked.mesh;
-  std::vector<bool> rests = domain_limits(model_, scene_, scene_.cracked.fronts.front()).node;
+  std::vector<bool> rests = find_domain_limits(model_, scene_, scene_.cracked.fronts.front()).node;
   std::vector<std::int32_t> property(mesh.node_count(), -1);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     for (const base::NodeId n : mesh.element_nodes(base::ElementId(e))) {
@@ -235,8 +235,9 @@ void VirtualAxisExtension::move() {
     moved.curve =
         std::make_shared<const mesh::FrontCurve>(std::move(points), normals, front.curve->closed());
     mesh::update_front_points(moved_.cracked.mesh, moved);
-    moved_.domains[f] = crack::build_front_domains(
-        moved_.cracked, moved, domain_rings(model_, crack_), domain_limits(model_, scene_, front));
+    moved_.domains[f] =
+        crack::build_front_domains(moved_.cracked, moved, domain_ring_counts(model_, crack_),
+                                   find_domain_limits(model_, scene_, front));
     keep_shares(scene_.domains[f], moved_.domains[f]);
   }
 }
@@ -261,7 +262,7 @@ void VirtualAxisExtension::move_pairs() {
     }
     contact::PairConstraints& pair = moved_.pairs[c];
     pair = contact::build_pair_constraints(model_, moved_.cracked.mesh, model_.contacts[c]);
-    apply_supports(pair, scene_.cls);
+    apply_supports_to_rows(pair, scene_.cls);
     const auto same_row = [](const auto& own, const auto& other) { return own.node == other.node; };
     if (!std::ranges::equal(pair.normal, scene_.pairs[c].normal, same_row) ||
         !std::ranges::equal(pair.tangent, scene_.pairs[c].tangent, same_row)) {
@@ -274,7 +275,7 @@ const std::string& VirtualAxisExtension::crack_name() const {
   return model_.cracks[crack_.index()].name;
 }
 
-std::string VirtualAxisExtension::missing_reason(const FrozenContactStep& step) const {
+std::string VirtualAxisExtension::why_no_derivative(const FrozenContactStep& step) const {
   if (!why_never_.empty()) {
     return why_never_;
   }
@@ -336,8 +337,8 @@ base::Vector VirtualAxisExtension::change(const FrozenContactStep& step,
                                           const FrontKFunctionals& K) const {
   const StepState& state = step.state;
   base::Vector out = rows_.transpose() * state.u - K.rows.transpose() * state.u;
-  out +=
-      K_of_loads(model_, moved_, state.case_factor) - K_of_loads(model_, scene_, state.case_factor);
+  out += K_added_by_loads(model_, moved_, state.case_factor) -
+         K_added_by_loads(model_, scene_, state.case_factor);
   if (!pairs_.empty()) {
     base::Vector lambda(static_cast<Eigen::Index>(scene_.table.size()));
     for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {

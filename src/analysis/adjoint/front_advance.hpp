@@ -23,10 +23,10 @@ public:
 
   [[nodiscard]] const std::string& crack_name() const; ///< of the crack
   /// The scene that is moved, and by how much its axis is longer.
-  [[nodiscard]] const Discretisation& extended_model() const { return moved_; }
+  [[nodiscard]] const Discretisation& extended_discretisation() const { return moved_; }
   [[nodiscard]] double axis_increment() const { return step_; }
   /// Why there is no derivative in this step; empty: there is one.
-  [[nodiscard]] std::string missing_reason(const FrozenContactStep& step) const;
+  [[nodiscard]] std::string why_no_derivative(const FrozenContactStep& step) const;
   /// d/da of loads, gaps and K, u and contact forces kept; K at an angle phi (sensitivity.15).
   [[nodiscard]] ParameterDerivative axis_derivative(const FrozenContactStep& step,
                                                     const FrontKFunctionals& K) const;

@@ -14,9 +14,10 @@ FrontErrorsAndSensitivities::FrontErrorsAndSensitivities(
 void FrontErrorsAndSensitivities::add_to_fronts(const StepSolver& solver, const StepState& state,
                                                 results::StepResult& result) {
   if (!functionals_) {
-    functionals_.emplace(FrontKFunctionals{K_rows(model_, scene_), K_by_forces(model_, scene_)});
+    functionals_.emplace(FrontKFunctionals{displacement_K_functionals(model_, scene_),
+                                           contact_force_K_functionals(model_, scene_)});
   }
-  const ClosedContactRows rows = closed_rows(solver, scene_);
+  const ClosedContactRows rows = closed_contact_rows(solver, scene_);
   const FrozenContactSystem system(solver, scene_, bodies_,
                                    rows.rubs ? std::vector<bool>(rows.closed.size(), false)
                                              : rows.closed);

@@ -198,8 +198,8 @@ void FrontErrorBars::estimate_bars(const StepState& state, const base::Vector& e
   }
   const mesh::CrackFront& is = scene_.cracked.fronts[f];
   const CoarseSurfaceEffect coarse = coarse_surface_effect({model_, scene_, state}, is);
-  add_front_error_bars(eta, smooth_front_K(is, scene_.domains[f], better, first), edges, first,
-                       coarse.part, front);
+  add_front_error_bars(eta, smooth_K_along_front(is, scene_.domains[f], better, first), edges,
+                       first, coarse.part, front);
   if (!coarse.why_not.empty()) {
     result.notes.push_back(
         results::less_exact_note(fmt::format("K of {}: {}", front.name, coarse.why_not)));
@@ -219,12 +219,12 @@ void FrontErrorBars::add_to_fronts(const FrozenContactStep& step, const FrontKFu
   }
   ContactEdgeKChange edges;
   if (reason.empty()) {
-    edges = edge_K_changes(scene_, step, K);
+    edges = contact_edge_K_changes(scene_, step, K);
   }
-  give_bars(reason, result,
-            [&](std::size_t f, std::size_t first_point, results::FrontResult& front) {
-              estimate_bars(step.state, *eta, edges, f, first_point, front, result);
-            });
+  assign_error_bars(reason, result,
+                    [&](std::size_t f, std::size_t first_point, results::FrontResult& front) {
+                      estimate_bars(step.state, *eta, edges, f, first_point, front, result);
+                    });
 }
 
 } // namespace spricka::analysis

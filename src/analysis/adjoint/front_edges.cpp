@@ -203,8 +203,9 @@ double share_together(const Discretisation& scene, const FrozenContactStep& step
 
 } // namespace
 
-ContactEdgeKChange edge_K_changes(const Discretisation& scene, const FrozenContactStep& step,
-                                  const FrontKFunctionals& K) {
+ContactEdgeKChange contact_edge_K_changes(const Discretisation& scene,
+                                          const FrozenContactStep& step,
+                                          const FrontKFunctionals& K) {
   ContactEdgeKChange changes{base::Vector::Zero(K.rows.cols()), base::Vector::Zero(K.rows.cols())};
   const std::vector<RowLine> lines = lines_of(scene, step.state);
   if (lines.empty() || step.system.held_contact() == nullptr ||

@@ -6,7 +6,8 @@
 namespace spricka::analysis {
 
 /// Of the step that was solved last; rows of bonded contacts and of those of single nodes stay.
-ContactEdgeKChange edge_K_changes(const Discretisation& scene, const FrozenContactStep& step,
-                                  const FrontKFunctionals& K);
+ContactEdgeKChange contact_edge_K_changes(const Discretisation& scene,
+                                          const FrozenContactStep& step,
+                                          const FrontKFunctionals& K);
 
 } // namespace spricka::analysis

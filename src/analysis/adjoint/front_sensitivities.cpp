@@ -43,8 +43,8 @@ void FrontSensitivityAnalysis::prepare() {
     return;
   }
   prepared_ = true;
-  case_load_ = loads_with_supports(model_, scene_);
-  of_loads_ = K_of_cases(model_, scene_);
+  case_load_ = reduced_case_loads(model_, scene_);
+  of_loads_ = K_added_by_load_cases(model_, scene_);
   for (std::size_t c = 0; c < model_.cracks.size(); ++c) {
     if (model_.cracks[c].kind == model::CrackDefinitionKind::ellipse) {
       for (const EllipseAxis axis : {EllipseAxis::a, EllipseAxis::c}) {
@@ -60,7 +60,7 @@ void FrontSensitivityAnalysis::add_lengths(const FrozenContactStep& step,
                                            std::vector<ParameterDerivative>& causes,
                                            results::StepResult& result) const {
   for (const std::unique_ptr<VirtualAxisExtension>& advance : advances_) {
-    if (const std::string why = advance->missing_reason(step); !why.empty()) {
+    if (const std::string why = advance->why_no_derivative(step); !why.empty()) {
       add_sensitivity_note(
           fmt::format("no derivative by the axes of {}: {}", advance->crack_name(), why), result);
     } else {
@@ -73,17 +73,18 @@ void FrontSensitivityAnalysis::solve(const FrozenContactStep& step, const FrontK
                                      const std::vector<ParameterDerivative>& causes,
                                      results::StepResult& result) const {
   LoadAndGapRates rates;
-  rates.gap = collect_columns(causes, &ParameterDerivative::gap,
-                              static_cast<Eigen::Index>(scene_.table.size()));
+  rates.gap = collect_derivative_columns(causes, &ParameterDerivative::gap,
+                                         static_cast<Eigen::Index>(scene_.table.size()));
   const FrozenContactResponse change = step.system.solve_response(
-      collect_columns(causes, &ParameterDerivative::load, step.state.u.size()), rates.gap);
+      collect_derivative_columns(causes, &ParameterDerivative::load, step.state.u.size()),
+      rates.gap);
   if (!change.why_not.empty()) {
     add_sensitivity_note(change.why_not, result);
     return;
   }
-  list_causes(causes, result);
+  add_sensitivity_parameters(causes, result);
   // Without contact there is nothing to end any range.
-  LinearRanges reach = endless_ranges(causes.size());
+  LinearRanges reach = unbounded_ranges(causes.size());
   if (step.system.held_contact() != nullptr) {
     rates.free = change.free;
     std::ranges::copy(FrozenContact(step.solver, scene_, step.state)
@@ -96,7 +97,7 @@ void FrontSensitivityAnalysis::solve(const FrozenContactStep& step, const FrontK
     }
   }
   base::Matrix dK = K.rows.transpose() * change.u + K.of_force * change.force;
-  dK += collect_columns(causes, &ParameterDerivative::direct, dK.rows());
+  dK += collect_derivative_columns(causes, &ParameterDerivative::direct, dK.rows());
   hold_closed_points(scene_.k_layout(), result, dK);
   store_derivatives(scene_.k_layout(), dK, reach, result);
 }

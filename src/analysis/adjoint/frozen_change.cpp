@@ -42,7 +42,7 @@ std::unique_ptr<contact::FixedActiveSet> constrain_rows(const StepSolver& solver
 
 } // namespace
 
-ClosedContactRows closed_rows(const StepSolver& solver, const Discretisation& scene) {
+ClosedContactRows closed_contact_rows(const StepSolver& solver, const Discretisation& scene) {
   ClosedContactRows rows;
   rows.closed.assign(scene.table.size(), false);
   if (solver.contact_system() != nullptr) {

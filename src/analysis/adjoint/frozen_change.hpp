@@ -18,7 +18,7 @@ struct ClosedContactRows {
 };
 /// Contact rows that are closed at the end of the last step, equality rows among them; all open
 /// where nothing is in contact.
-ClosedContactRows closed_rows(const StepSolver& solver, const Discretisation& scene);
+ClosedContactRows closed_contact_rows(const StepSolver& solver, const Discretisation& scene);
 /// Why K has neither bars nor derivatives where some rub.
 inline constexpr const char* depends_on_history =
     "contacts rub: the change of K depends on the load history";

@@ -94,7 +94,8 @@ base::Matrix loads_by_materials(const KDependence& K) {
   if (K.state.temperature.size() > 0) {
     const model::Mesh& mesh = K.scene.cracked.mesh;
     loads += thermal_loads(K.model, mesh, K.state.temperature);
-    for (const fe::ScaledTemperature& acting : acting_heat(K.scene, K.state.case_factor)) {
+    for (const fe::ScaledTemperature& acting :
+         scaled_case_temperatures(K.scene, K.state.case_factor)) {
       for (std::size_t m = 0; m < K.model.materials.size(); ++m) {
         base::Vector f = base::Vector::Zero(loads.rows());
         fe::add_residual_temperature_load(K.model, mesh, acting, base::MaterialId(m), f);
@@ -129,12 +130,13 @@ std::vector<std::size_t> point_materials(const model::Model& model, const Discre
 // part that goes with E, which twice the modulus shows.
 base::Vector load_terms_by_modulus(const KDependence& K, std::size_t material) {
   const base::Vector& case_factor = K.state.case_factor;
-  if (!acts_on_domains(K.model, K.scene, case_factor)) {
+  if (!loads_act_on_domains(K.model, K.scene, case_factor)) {
     return base::Vector::Zero(K.scene.k_layout().count());
   }
   model::Model stiffer = K.model;
   stiffer.materials[material].E *= 2.0;
-  return K_of_loads(stiffer, K.scene, case_factor) - K_of_loads(K.model, K.scene, case_factor);
+  return K_added_by_loads(stiffer, K.scene, case_factor) -
+         K_added_by_loads(K.model, K.scene, case_factor);
 }
 
 } // namespace
@@ -170,8 +172,9 @@ void add_modulus_derivatives(const KDependence& K, std::vector<ParameterDerivati
   }
 }
 
-base::Matrix collect_columns(std::span<const ParameterDerivative> causes,
-                             base::Vector ParameterDerivative::*part, Eigen::Index size) {
+base::Matrix collect_derivative_columns(std::span<const ParameterDerivative> causes,
+                                        base::Vector ParameterDerivative::*part,
+                                        Eigen::Index size) {
   base::Matrix columns = base::Matrix::Zero(size, index(causes.size()));
   for (std::size_t i = 0; i < causes.size(); ++i) {
     if ((causes[i].*part).size() > 0) {
@@ -190,12 +193,13 @@ void add_sensitivity_note(const std::string& text, results::StepResult& result) 
   }
 }
 
-LinearRanges endless_ranges(std::size_t causes) {
+LinearRanges unbounded_ranges(std::size_t causes) {
   constexpr double never = std::numeric_limits<double>::infinity();
   return LinearRanges(causes, std::array{-never, never});
 }
 
-void list_causes(const std::vector<ParameterDerivative>& causes, results::StepResult& result) {
+void add_sensitivity_parameters(const std::vector<ParameterDerivative>& causes,
+                                results::StepResult& result) {
   for (results::FrontResult& front : result.fronts) {
     for (const ParameterDerivative& one : causes) {
       front.sensitivities.of.push_back(one.is);

@@ -30,7 +30,8 @@ struct KDependence {
   const StepSolver& solver;
   const StepState& state;
   const base::Matrix& case_load; ///< [dim * node, case] with the pull of supports
-  const base::Matrix& of_loads;  ///< [K, case] what loads add to K themselves (K_of_cases)
+  const base::Matrix&
+      of_loads; ///< [K, case] what loads add to K themselves (K_added_by_load_cases)
   /// [K] of displacements [dim * node].
   std::function<base::Vector(const base::Vector&)> of_displacements;
 };
@@ -42,8 +43,8 @@ std::vector<ParameterDerivative> load_and_fit_derivatives(const KDependence& K);
 void add_modulus_derivatives(const KDependence& K, std::vector<ParameterDerivative>& causes);
 
 /// Loads or gaps of the causes, each of that size; zero where a cause has none. [size, cause]
-base::Matrix collect_columns(std::span<const ParameterDerivative> causes,
-                             base::Vector ParameterDerivative::*part, Eigen::Index size);
+base::Matrix collect_derivative_columns(std::span<const ParameterDerivative> causes,
+                                        base::Vector ParameterDerivative::*part, Eigen::Index size);
 
 /// A note on derivatives for all fronts, once.
 void add_sensitivity_note(const std::string& text, results::StepResult& result);
@@ -51,10 +52,11 @@ void add_sensitivity_note(const std::string& text, results::StepResult& result);
 /// [cause] how far down and up its value goes until the contact changes; empty: not known.
 using LinearRanges = std::vector<std::optional<std::array<double, 2>>>;
 /// Of causes that no contact ends.
-LinearRanges endless_ranges(std::size_t causes);
+LinearRanges unbounded_ranges(std::size_t causes);
 
 /// Gives the fronts all causes, without their derivatives.
-void list_causes(const std::vector<ParameterDerivative>& causes, results::StepResult& result);
+void add_sensitivity_parameters(const std::vector<ParameterDerivative>& causes,
+                                results::StepResult& result);
 /// Gives the points of the fronts dK [K] of a listed cause on one side of its value, `below` or
 /// `above`.
 void store_derivative(const crack::KLayout& layout, const base::Vector& dK, std::size_t cause,

@@ -32,7 +32,7 @@ base::Vector slopes(const Discretisation& scene, const ParameterDerivative& caus
     out += adjoint.w.transpose() * cause.gap;
   }
   for (std::size_t t = 0; t < scene.cracked.fronts.size(); ++t) {
-    const std::optional<std::size_t> row = row_at_tip(scene, scene.cracked.fronts[t]);
+    const std::optional<std::size_t> row = contact_row_at_tip(scene, scene.cracked.fronts[t]);
     double& dK1 = out[scene.k_layout().at(t, 1)];
     dK1 = row && adjoint.closed[*row] ? 0.0 : dK1;
   }
@@ -73,8 +73,8 @@ void TipSensitivityAnalysis::prepare() {
   if (!advances_.empty()) {
     return;
   }
-  case_load_ = loads_with_supports(model_, scene_);
-  of_loads_ = K_of_cases(model_, scene_);
+  case_load_ = reduced_case_loads(model_, scene_);
+  of_loads_ = K_added_by_load_cases(model_, scene_);
   for (std::size_t t = 0; t < scene_.cracked.fronts.size(); ++t) {
     advances_.push_back(std::make_unique<VirtualTipExtension>(model_, scene_, t));
   }
@@ -84,7 +84,7 @@ void TipSensitivityAnalysis::add_lengths(const StepState& state, const std::vect
                                          std::vector<ParameterDerivative>& causes,
                                          results::StepResult& result) const {
   for (const std::unique_ptr<VirtualTipExtension>& advance : advances_) {
-    if (const std::string why = advance->missing_reason(closed); !why.empty()) {
+    if (const std::string why = advance->why_no_derivative(closed); !why.empty()) {
       add_sensitivity_note(
           fmt::format("no derivative by the length of {}: {}", advance->tip_name(), why), result);
     } else {
@@ -107,7 +107,8 @@ LoadAndGapRates TipSensitivityAnalysis::rates(const StepSolver& solver,
   const auto k = static_cast<Eigen::Index>(count);
   const auto rows = static_cast<Eigen::Index>(scene_.table.size());
   LoadAndGapRates out;
-  out.gap = collect_columns(std::span(causes).first(count), &ParameterDerivative::gap, rows);
+  out.gap =
+      collect_derivative_columns(std::span(causes).first(count), &ParameterDerivative::gap, rows);
   out.load_scale = base::Vector::Zero(k);
   out.free.opening = base::Matrix::Zero(rows, k);
   out.free.on_mode = base::Matrix::Zero(of_cases_.on_mode.rows(), k);
@@ -126,7 +127,8 @@ LoadAndGapRates TipSensitivityAnalysis::rates(const StepSolver& solver,
 LoadAndGapRates TipSensitivityAnalysis::all_rates(const StepSolver& solver,
                                                   const std::vector<ParameterDerivative>& causes) {
   LoadAndGapRates out = rates(solver, causes, causes.size());
-  base::Matrix nodal = collect_columns(causes, &ParameterDerivative::load, case_load_.rows());
+  base::Matrix nodal =
+      collect_derivative_columns(causes, &ParameterDerivative::load, case_load_.rows());
   nodal.leftCols(static_cast<Eigen::Index>(model_.cases.size())).setZero();
   scene_.ties->transfer_forces_to_masters(nodal);
   for (std::size_t b = 0; b < solver.condensed_bodies().size(); ++b) {
@@ -143,7 +145,7 @@ LoadAndGapRates TipSensitivityAnalysis::all_rates(const StepSolver& solver,
 // Where rows change sides at this very state, each side has its own adjoint; steps end there by
 // chance or because nothing is loaded yet.
 void TipSensitivityAnalysis::one_sided(const StepSolver& solver, const FrozenContact& contact,
-                                       KAdjoints& adjoints,
+                                       IntensityAdjointSolver& adjoints,
                                        const std::vector<ParameterDerivative>& causes,
                                        results::StepResult& result) {
   const LoadAndGapRates all = all_rates(solver, causes);
@@ -184,8 +186,9 @@ void TipSensitivityAnalysis::one_sided(const StepSolver& solver, const FrozenCon
 }
 
 void TipSensitivityAnalysis::add_to_tips(const StepSolver& solver, const StepState& state,
-                                         KAdjoints& adjoints, results::StepResult& result) {
-  const IntensityAdjoint& adjoint = adjoints.solve_last_step(solver);
+                                         IntensityAdjointSolver& adjoints,
+                                         results::StepResult& result) {
+  const IntensityAdjoint& adjoint = adjoints.solve_adjoint_of_last_step(solver);
   if (!adjoint.is_available()) {
     add_sensitivity_note(adjoint.why_not, result);
     return;
@@ -208,9 +211,9 @@ void TipSensitivityAnalysis::add_to_tips(const StepSolver& solver, const StepSta
     add_modulus_derivatives(K, causes);
     add_lengths(state, adjoint.closed, causes, result);
   }
-  list_causes(causes, result);
+  add_sensitivity_parameters(causes, result);
   // Without contact there is nothing to end any range.
-  LinearRanges reach = endless_ranges(causes.size());
+  LinearRanges reach = unbounded_ranges(causes.size());
   if (solver.contact_system() != nullptr) {
     const FrozenContact contact(solver, scene_, state);
     if (contact.is_degenerate()) {

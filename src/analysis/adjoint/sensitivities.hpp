@@ -21,8 +21,8 @@ public:
 
   /// Adds to the fronts of `result`, each a tip, what the end of the step that `solver` solved last
   /// gives.
-  void add_to_tips(const StepSolver& solver, const StepState& state, KAdjoints& adjoints,
-                   results::StepResult& result);
+  void add_to_tips(const StepSolver& solver, const StepState& state,
+                   IntensityAdjointSolver& adjoints, results::StepResult& result);
 
 private:
   void prepare();
@@ -33,8 +33,9 @@ private:
                         std::size_t count);
   LoadAndGapRates all_rates(const StepSolver& solver,
                             const std::vector<ParameterDerivative>& causes);
-  void one_sided(const StepSolver& solver, const FrozenContact& contact, KAdjoints& adjoints,
-                 const std::vector<ParameterDerivative>& causes, results::StepResult& result);
+  void one_sided(const StepSolver& solver, const FrozenContact& contact,
+                 IntensityAdjointSolver& adjoints, const std::vector<ParameterDerivative>& causes,
+                 results::StepResult& result);
 
   const model::Model& model_;
   const Discretisation& scene_;

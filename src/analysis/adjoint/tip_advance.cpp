@@ -63,9 +63,9 @@ VirtualTipExtension::VirtualTipExtension(const model::Model& model, const Discre
     if (model::axisymmetric(model) ||
         !estimate::moves_fields_rigidly(scene.cracked.mesh, motion_,
                                         scene.domains[t].points.front())) {
-      row_rate_[t] =
-          base::Matrix(front_K_rows(model, *ahead_, t) - front_K_rows(model, *behind_, t)) /
-          (2.0 * motion_.step);
+      row_rate_[t] = base::Matrix(front_K_functionals(model, *ahead_, t) -
+                                  front_K_functionals(model, *behind_, t)) /
+                     (2.0 * motion_.step);
     }
   }
 }
@@ -89,7 +89,7 @@ void VirtualTipExtension::find_hindrances(const std::vector<bool>& moves) {
 }
 
 // Rows of contacts and ties are not moved along; open rows have no part in K.
-std::string VirtualTipExtension::missing_reason(const std::vector<bool>& closed) const {
+std::string VirtualTipExtension::why_no_derivative(const std::vector<bool>& closed) const {
   if (tied_) {
     return "ties hold what moves with the tip";
   }
@@ -112,7 +112,7 @@ std::unique_ptr<Discretisation> VirtualTipExtension::moved_by(double steps) cons
   side->domains = scene_.domains;
   side->case_temperature = scene_.case_temperature;
   for (std::size_t c = 0; c < model_.cases.size(); ++c) {
-    side->case_heat.push_back(make_case_heat(model_, *side, model_.cases[c]));
+    side->case_heat.push_back(case_temperature_of_scene(model_, *side, model_.cases[c]));
     if (const base::Vector& T = side->case_heat.back()->temperature; T.size() > 0) {
       side->case_temperature.col(static_cast<Eigen::Index>(c)) = T;
     }
@@ -125,8 +125,9 @@ base::Vector VirtualTipExtension::load_rate(const model::LoadCase& load_case, st
                                             const Discretisation& ahead,
                                             const Discretisation& behind, double distance) const {
   const auto of = [&](const Discretisation& side) -> base::Vector {
-    return fe::consistent_nodal_load(model_, side.cracked.mesh, without_heat(load_case)) +
-           heat_forces(model_, side.cracked.mesh, *side.case_heat[c]);
+    return fe::consistent_nodal_load(model_, side.cracked.mesh,
+                                     without_temperature_loads(load_case)) +
+           thermal_nodal_forces(model_, side.cracked.mesh, *side.case_heat[c]);
   };
   return (of(ahead) - of(behind)) / distance;
 }
@@ -193,7 +194,8 @@ base::Vector VirtualTipExtension::explicit_derivative(const base::Vector& u,
   }
   if (load_rate_.size() > 0) {
     const base::Matrix rate =
-        (K_of_cases(model_, *ahead_) - K_of_cases(model_, *behind_)) / (2.0 * motion_.step);
+        (K_added_by_load_cases(model_, *ahead_) - K_added_by_load_cases(model_, *behind_)) /
+        (2.0 * motion_.step);
     out += rate * case_factor.head(rate.cols());
   }
   return out;

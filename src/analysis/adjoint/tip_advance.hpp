@@ -18,7 +18,7 @@ public:
 
   [[nodiscard]] const std::string& tip_name() const { return name_; }
   /// Why dK/da is not given while these rows of the table are closed; empty: it is.
-  [[nodiscard]] std::string missing_reason(const std::vector<bool>& closed) const;
+  [[nodiscard]] std::string why_no_derivative(const std::vector<bool>& closed) const;
   /// d/da of loads and K of all tips, u and contact forces kept.
   [[nodiscard]] ParameterDerivative length_derivative(const StepState& state) const;
 

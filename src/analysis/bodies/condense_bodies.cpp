@@ -40,7 +40,7 @@ struct Task {
 
 // Factorises the nets that the cache does not have; tasks write to their own slots only.
 void factorise(const CondensationRequest& request, std::vector<Task>& tasks,
-               CondensationCache& cache, CondensationFigures& log) {
+               CondensationCache& cache, CondensationStatistics& log) {
   std::vector<Task*> missing;
   for (Task& task : tasks) {
     const auto known = cache.nets.find(task.key);
@@ -64,7 +64,7 @@ void factorise(const CondensationRequest& request, std::vector<Task>& tasks,
     for (const fe::Superelement& super : task.supers) {
       blocks.push_back({equation_numbers(map, super.freedom), super.stiffness});
     }
-    const bool stacked = keeps_parts_apart(map, blocks);
+    const bool stacked = keeps_parts_as_dense_blocks(map, blocks);
     base::SymmetricCsc K =
         fe::assemble_stiffness(request.model, request.mesh, task.net->elements,
                                stacked ? std::span<const fe::Superelement>() : task.supers, map);
@@ -76,7 +76,7 @@ void factorise(const CondensationRequest& request, std::vector<Task>& tasks,
                                                         task.layered ? &task.early : nullptr)
                 : std::make_shared<solve::Condensation>(std::move(K), map.externals(),
                                                         solve::Ordering::automatic,
-                                                        contact_bytes(request.rows));
+                                                        contact_solution_memory(request.rows));
     task.work.end = base::steady_clock_seconds();
   });
   for (const Task* task : missing) {
@@ -162,7 +162,7 @@ void condense_loads(const CondensationRequest& request, SubstructuredBody& body)
 
 } // namespace
 
-double contact_bytes(const std::vector<const contact::ConstraintRow*>& rows) {
+double contact_solution_memory(const std::vector<const contact::ConstraintRow*>& rows) {
   const bool rubs =
       std::ranges::any_of(rows, [](const contact::ConstraintRow* row) { return row->tangential; });
   const auto n = static_cast<double>(rows.size());
@@ -179,7 +179,7 @@ std::vector<std::int64_t> equation_numbers(const fe::DofMap& map,
   return rows;
 }
 
-bool keeps_parts_apart(const fe::DofMap& map, std::span<const solve::DenseBlock> blocks) {
+bool keeps_parts_as_dense_blocks(const fe::DofMap& map, std::span<const solve::DenseBlock> blocks) {
   return !map.ties && solve::is_two_level_cheaper(blocks, map.size(), map.externals());
 }
 
@@ -222,7 +222,8 @@ CondensedLoad condense_load(const SubstructuredBody& body, const fe::ConstraintT
 }
 
 std::vector<SubstructuredBody> condense_bodies(const CondensationRequest& request,
-                                               CondensationCache& cache, CondensationFigures& log) {
+                                               CondensationCache& cache,
+                                               CondensationStatistics& log) {
   std::vector<SubstructuredBody> bodies = partition_bodies(request);
 
   // All hashes first: what no net asks for is forgotten before memory for the new ones is needed.
@@ -234,8 +235,8 @@ std::vector<SubstructuredBody> condense_bodies(const CondensationRequest& reques
       Task& part = parts.emplace_back();
       part.net = bodies[b].parts[p].get();
       part.key = keys[b].parts[p];
-      part.work.name = part_name(request.model, request.mesh, bodies[b].name,
-                                 {part.net->elements, bodies[b].region.elements});
+      part.work.name = substructure_name(request.model, request.mesh, bodies[b].name,
+                                         {part.net->elements, bodies[b].region.elements});
     }
     Task& region = regions.emplace_back();
     region.net = &bodies[b].region;
@@ -340,7 +341,7 @@ void recover_body(const SubstructuredBody& body, const base::Matrix& u_external,
     u.row(body.region.map.freedom[i]) = own.row(static_cast<Eigen::Index>(i));
   }
   // Dependent freedoms as prescribed ones and constants alone move them: the loads of a part have
-  // this in them already (loads_with_supports).
+  // this in them already (reduced_case_loads).
   const base::Matrix given = body.parts.empty() ? base::Matrix() : u;
   if (body.region.map.ties) {
     for (Eigen::Index k = 0; k < u.cols(); ++k) {

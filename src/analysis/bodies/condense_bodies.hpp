@@ -65,7 +65,7 @@ struct CondensationCache {
 };
 
 /// Figures for the listing.
-struct CondensationFigures {
+struct CondensationStatistics {
   double analysis_cpu = 0.0, numeric_cpu = 0.0; ///< [s], summed over nets condensed now
   double stiffness_cpu = 0.0;
   double flops = 0.0;
@@ -92,7 +92,7 @@ struct CondensationRequest {
 
 /// What a solution needs for dense matrices of these rows [bytes]: compliances, those in force and
 /// a factor, and with friction the scaled ones.
-double contact_bytes(const std::vector<const contact::ConstraintRow*>& rows);
+double contact_solution_memory(const std::vector<const contact::ConstraintRow*>& rows);
 
 /// The bodies of the mesh with their rigid modes, split into nets whose freedoms are numbered;
 /// nothing is assembled or factorised. Floating bodies get carriers among their externals.
@@ -102,7 +102,7 @@ std::vector<SubstructuredBody> partition_bodies(const CondensationRequest& reque
 std::vector<std::int64_t> equation_numbers(const fe::DofMap& map,
                                            std::span<const std::int32_t> freedom);
 /// Whether the condensed parts of a net stay out of its sparse matrix. Ties need them in it.
-bool keeps_parts_apart(const fe::DofMap& map, std::span<const solve::DenseBlock> blocks);
+bool keeps_parts_as_dense_blocks(const fe::DofMap& map, std::span<const solve::DenseBlock> blocks);
 
 /// Whether the externals of a body may stay a factor, in which what its one part has for itself is
 /// eliminated first: not where rigid modes are free.
@@ -120,7 +120,8 @@ std::vector<SubstructureHashes> hash_bodies(const CondensationRequest& request,
 
 /// Builds all bodies of the mesh, nets in parallel, results in body order whatever the threads.
 std::vector<SubstructuredBody> condense_bodies(const CondensationRequest& request,
-                                               CondensationCache& cache, CondensationFigures& log);
+                                               CondensationCache& cache,
+                                               CondensationStatistics& log);
 
 /// Loads on the unknowns of a body's nets, and what they come to at its externals.
 struct CondensedLoad {

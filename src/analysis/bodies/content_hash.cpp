@@ -21,8 +21,8 @@ bool concerns(const fe::ConstraintTransformation::DependentRow& row,
 
 } // namespace
 
-HashKey hash_net(const model::Model& model, const model::Mesh& mesh, const Substructure& net,
-                 const std::vector<HashKey>& parts) {
+HashKey hash_substructure(const model::Model& model, const model::Mesh& mesh,
+                          const Substructure& net, const std::vector<HashKey>& parts) {
   base::Hasher hash;
   std::vector<bool> has_node(mesh.node_count(), false);
   for (const base::ElementId e : net.elements) {

@@ -18,8 +18,8 @@ struct PartElements {
 };
 /// A part: "LUG: rest", what no crack will touch, or of a body of several nets the name of the
 /// part's net, "COARSE+FINE: COARSE".
-std::string part_name(const model::Model& model, const model::Mesh& mesh, const std::string& body,
-                      const PartElements& elements);
+std::string substructure_name(const model::Model& model, const model::Mesh& mesh,
+                              const std::string& body, const PartElements& elements);
 
 /// Sizes of a net that has its factor; of one condensed just now also the work.
 void add_factor_sizes(const fe::DofMap& map, const solve::FactorReport& report,

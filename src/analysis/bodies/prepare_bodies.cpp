@@ -35,7 +35,7 @@ void make_node_external(const CondensationRequest& request, base::NodeId node,
                         std::vector<model::FreedomClass>& cls) {
   const auto dim = static_cast<std::size_t>(request.mesh.dim);
   for (std::size_t c = 0; c < dim; ++c) {
-    make_external(dim * node.index() + c, *request.ties, cls);
+    make_freedom_external(dim * node.index() + c, *request.ties, cls);
   }
 }
 
@@ -332,9 +332,10 @@ std::vector<SubstructureHashes> hash_bodies(const CondensationRequest& request,
   std::vector<SubstructureHashes> keys(bodies.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     for (const std::unique_ptr<Substructure>& part : bodies[b].parts) {
-      keys[b].parts.push_back(hash_net(request.model, request.mesh, *part, {}));
+      keys[b].parts.push_back(hash_substructure(request.model, request.mesh, *part, {}));
     }
-    keys[b].region = hash_net(request.model, request.mesh, bodies[b].region, keys[b].parts);
+    keys[b].region =
+        hash_substructure(request.model, request.mesh, bodies[b].region, keys[b].parts);
   }
   return keys;
 }

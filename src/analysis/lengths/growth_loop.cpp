@@ -44,10 +44,11 @@ public:
              base::OptionalFailure& trouble, results::RunResult& run)
       : model_(model), options_(options), diagnostics_(diagnostics), trouble_(trouble), run_(run),
         measure_(model), solver_(model, options, run.log, trial_, trial_trouble_),
-        on_the_way_(requested_steps(model, false)) {}
+        on_the_way_(steps_with_requested_stresses(model, false)) {}
 
   bool run() {
-    std::unique_ptr<growth::CrackKinematics> kinematics = initial_kinematics(model_, diagnostics_);
+    std::unique_ptr<growth::CrackKinematics> kinematics =
+        make_crack_kinematics(model_, diagnostics_);
     if (!kinematics) {
       return false;
     }
@@ -61,7 +62,7 @@ public:
       return growth::GrowthIntegrator(model_, law, std::move(kinematics),
                                       kept ? state_from(*kept) : growth::GrowthState());
     });
-    GrowthRegion region(model_);
+    GrowthCondensationRegion region(model_);
     if (kept) {
       restore_checked([&] { region.restore_state(*kept); });
     }
@@ -100,8 +101,8 @@ public:
 private:
   // Stations of an earlier run; the state behind the last of them.
   std::optional<results::NamedArrays> take_over_kept() {
-    const RecordedInterval span(options_.checkpoint != nullptr ? options_.recorder : nullptr,
-                                "RESTART", "stations of an earlier run");
+    const ScopedProfileInterval span(options_.checkpoint != nullptr ? options_.recorder : nullptr,
+                                     "RESTART", "stations of an earlier run");
     std::optional<results::NamedArrays> state;
     for (int number = 1;; ++number) {
       std::optional<archive::StoredIncrement> kept =
@@ -111,7 +112,7 @@ private:
       }
       state = std::move(kept->state);
       append_increment(std::move(*kept), run_);
-      report_resumed(options_, run_, run_.increments.size() + 1);
+      report_resumed_increment(options_, run_, run_.increments.size() + 1);
     }
   }
 
@@ -121,7 +122,7 @@ private:
     return growth::growth_state_from_arrays(arrays.reals);
   }
 
-  void keep(const growth::GrowthIntegrator& integrator, const GrowthRegion& region) {
+  void keep(const growth::GrowthIntegrator& integrator, const GrowthCondensationRegion& region) {
     results::NamedArrays state;
     state.reals = growth::growth_state_to_arrays(integrator.growth_state());
     solver_.save_state(state);
@@ -132,13 +133,13 @@ private:
   }
 
   [[nodiscard]] std::vector<bool> pictured_at(int number) const {
-    return number == 1 ? stress_steps(model_, false) : on_the_way_;
+    return number == 1 ? steps_with_stress_recovery(model_, false) : on_the_way_;
   }
 
   // Where to solve next; empty: no state can be made there.
   std::optional<growth::CrackGeometry> next_state(growth::GrowthIntegrator& integrator,
-                                                  GrowthRegion& region) {
-    const RecordedInterval span(options_.recorder, "GROW", "where to solve next");
+                                                  GrowthCondensationRegion& region) {
+    const ScopedProfileInterval span(options_.recorder, "GROW", "where to solve next");
     std::optional<growth::CrackGeometry> next = integrator.propose_next_cracks(trial_);
     if (next && next->solids.empty() && !integrator.end()) { // bodies of solids stay whole
       region.update_region(next->lines, integrator, run_.log);
@@ -147,23 +148,24 @@ private:
   }
 
   // Solves, measures, and lets the integrator judge; false: not solvable there.
-  bool station(const growth::CrackGeometry& cracks, GrowthRegion& region,
+  bool station(const growth::CrackGeometry& cracks, GrowthCondensationRegion& region,
                growth::GrowthIntegrator& integrator) {
     const bool first = integrator.growth_state().stations.empty();
-    RecordedCrackLength length(options_.recorder);
+    ScopedProfileCrackLength length(options_.recorder);
     std::optional<results::Increment> increment =
-        solver_.solve({cracks, 0.0, first ? stress_steps(model_, false) : on_the_way_,
+        solver_.solve({cracks, 0.0, first ? steps_with_stress_recovery(model_, false) : on_the_way_,
                        first || wants_bars(model_)},
-                      region.region_plan());
+                      region.crack_region_plan());
     if (!increment) {
       return false;
     }
     length.set_length(increment->a);
-    const RecordedInterval span(options_.recorder, "GROW", "station measured, judged and kept");
-    region.log_cost(run_.log);
+    const ScopedProfileInterval span(options_.recorder, "GROW",
+                                     "station measured, judged and kept");
+    region.log_region_cost(run_.log);
     LogWriter log(run_.log);
     const std::optional<results::LoadPathResult> path = growth_load_path(model_, *increment);
-    std::optional<std::vector<growth::TipStation>> found = measure_.evaluate_tips(
+    std::optional<std::vector<growth::TipStation>> found = measure_.evaluate_tip_rates(
         {*increment, solver_.fronts(), solver_.plastic_load_ratios(), cracks,
          solver_.load_history(), solver_.overlap_results(), path ? &*path : nullptr},
         integrator.tips());
@@ -187,7 +189,7 @@ private:
       return true;
     }
     // Only a state that counts hands its slips and mountings on.
-    solver_.accept_state();
+    solver_.accept_solved_state();
     length.mark_increment();
     increment->number = static_cast<int>(run_.increments.size()) + 1;
     const growth::SolvedStation& here = integrator.growth_state().stations.back();
@@ -240,9 +242,9 @@ private:
   }
 
   void finish(const growth::GrowthIntegrator& integrator) {
-    const RecordedInterval span(options_.recorder, "GROW", "lives");
+    const ScopedProfileInterval span(options_.recorder, "GROW", "lives");
     results::Increment& last = run_.increments.back();
-    const std::vector<bool> pictured = stress_steps(model_, true);
+    const std::vector<bool> pictured = steps_with_stress_recovery(model_, true);
     for (std::size_t s = 0; s < last.steps.size(); ++s) {
       // Which station is the last is known only now.
       if (pictured[s] && last.steps[s].stress.empty()) {
@@ -250,13 +252,13 @@ private:
       }
     }
     run_.growth = growth_records(model_, integrator, measure_);
-    run_.growth->scaled = scaled_lives(model_, run_, integrator, measure_);
+    run_.growth->scaled = lives_by_scaled_K(model_, run_, integrator, measure_);
     LogWriter(run_.log).add_line(
         "GROW", fmt::format("{}: {}; {} stations, {} solutions did not count", run_.growth->ended,
                             run_.growth->reason, integrator.growth_state().stations.size(),
                             integrator.growth_state().rejected));
     std::ranges::copy(measure_.warnings().all(), std::back_inserter(run_.warnings));
-    for (std::string& text : life_concerns(*run_.growth, measure_.law())) {
+    for (std::string& text : cycle_count_concerns(*run_.growth, measure_.law())) {
       run_.warnings.push_back({"W456", std::move(text)});
     }
     if (results::growth_ended_early(*run_.growth)) {
@@ -274,7 +276,7 @@ private:
   GrowthRateEvaluator measure_;
   CrackStateSolver solver_;
   std::vector<bool> on_the_way_;
-  std::optional<IncrementStart> mark_; ///< where the search for the next station began
+  std::optional<IncrementRecorder> mark_; ///< where the search for the next station began
 };
 
 } // namespace
@@ -284,9 +286,9 @@ bool grows_by_law(const model::Model& model) {
          !model.cracks.empty();
 }
 
-bool grow_by_law(const model::Model& model, const SolveOptions& options,
-                 base::Diagnostics& diagnostics, base::OptionalFailure& trouble,
-                 results::RunResult& run) {
+bool run_growth_by_law(const model::Model& model, const SolveOptions& options,
+                       base::Diagnostics& diagnostics, base::OptionalFailure& trouble,
+                       results::RunResult& run) {
   return GrowthLoop(model, options, diagnostics, trouble, run).run();
 }
 

@@ -17,8 +17,8 @@ bool grows_by_law(const model::Model& model);
 /// increments, log, warnings and `growth` of a run. False: a mistake of the deck (in the
 /// diagnostics), or a first state that cannot be solved (in `trouble`). A later state that cannot
 /// be meshed or solved ends the growth with the word MESH.
-bool grow_by_law(const model::Model& model, const SolveOptions& options,
-                 base::Diagnostics& diagnostics, base::OptionalFailure& trouble,
-                 results::RunResult& run);
+bool run_growth_by_law(const model::Model& model, const SolveOptions& options,
+                       base::Diagnostics& diagnostics, base::OptionalFailure& trouble,
+                       results::RunResult& run);
 
 } // namespace spricka::analysis

@@ -66,14 +66,14 @@ std::optional<results::LoadPathResult> growth_load_path(const model::Model& mode
   const std::size_t number = model.spectra[*model.growth->spectrum].path;
   const model::LoadPathDefinition& card = model.load_paths[number];
   const results::LoadPathResult& path = increment.paths[number];
-  return model.growth->corrected ? corrected_path(path, increment.steps[card.from.index()],
+  return model.growth->corrected ? correct_path_K(path, increment.steps[card.from.index()],
                                                   increment.steps[card.to.index()])
                                  : path;
 }
 
 std::optional<std::vector<growth::TipStation>>
-GrowthRateEvaluator::evaluate_tips(const SolvedCrackState& at,
-                                   const std::vector<growth::TrackedTip>& growing) {
+GrowthRateEvaluator::evaluate_tip_rates(const SolvedCrackState& at,
+                                        const std::vector<growth::TrackedTip>& growing) {
   std::vector<growth::TipStation> found(growing.size());
   upside_down_ = true;
   if (at.followed && !at.followed->none.empty()) {
@@ -134,7 +134,7 @@ void GrowthRateEvaluator::look_at_front(const SolvedCrackState& at, const Growin
   const std::vector<results::FrontResult>& fronts =
       at.increment.steps[largest_load_step(model_)].fronts;
   const results::FrontResult& front = fronts[place.front];
-  const base::Vec3 x = place_on_curve(front, place);
+  const base::Vec3 x = point_on_front_curve(front, place);
   found.x = x.x();
   found.y = x.y();
   found.z = x.z();
@@ -145,16 +145,16 @@ void GrowthRateEvaluator::look_at_front(const SolvedCrackState& at, const Growin
   if (model_.growth->corrected) {
     warnings_.warn_of_no_bar(front.name, front.no_bar);
   }
-  const base::Vec3 K = smooth_K(front, place, model_.growth->corrected);
+  const base::Vec3 K = smooth_K_at(front, place, model_.growth->corrected);
   warnings_.warn_of_invalid_result(front, K[0]);
-  warnings_.note_shear(to.front, K);
+  warnings_.note_neglected_shear_K(to.front, K);
 }
 
 base::Vec2 GrowthRateEvaluator::intensity(const results::FrontResult& front,
                                           const PlaceOnFront& place) {
   const bool corrected = model_.growth->corrected;
   if (!front.is_tip()) {
-    return smooth_K(front, place, corrected).head<2>();
+    return smooth_K_at(front, place, corrected).head<2>();
   }
   if (corrected) {
     warnings_.warn_of_no_bar(front);
@@ -194,14 +194,14 @@ double GrowthRateEvaluator::at_smallest(const SolvedCrackState& at, const Growin
                                         const base::Vec2& part, const results::FrontResult& front,
                                         const PlaceOnFront& place) {
   const double K = part.dot(intensity(front, place));
-  if (!continues_below_closing(model_)) {
+  if (!continues_K_below_closing(model_)) {
     return K;
   }
   const results::FrontResult* free =
-      tip_with_overlap(at.free, model_.growth->kmin.index(), front.name);
+      find_tip_with_face_overlap(at.free, model_.growth->kmin.index(), front.name);
   if (free == nullptr) {
     if (front.points[place.from].closed) {
-      warnings_.warn_of_closing(to.name, front.a);
+      warnings_.warn_of_closing_faces(to.name, front.a);
     }
     return K;
   }

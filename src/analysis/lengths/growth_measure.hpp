@@ -30,9 +30,9 @@ struct SolvedCrackState {
   const std::vector<mesh::CrackFront>& fronts;
   const std::vector<double>& plastic; ///< [front] in space, of the section before it, or empty
   const growth::CrackGeometry& cracks;
-  const std::optional<LoadHistoryResult>& followed; ///< where friction makes K a history
-  const std::optional<OverlapResults>& free;        ///< faces that may overlap, where they close
-  const results::LoadPathResult* path;              ///< growth_load_path(), null: it has none
+  const std::optional<LoadHistoryResult>& followed;  ///< where friction makes K a history
+  const std::optional<OverlappingFaceResults>& free; ///< faces that may overlap, where they close
+  const results::LoadPathResult* path;               ///< growth_load_path(), null: it has none
 };
 
 /// The step of the largest load of the growth: KMAX, or the end of the spectrum's load path.
@@ -44,7 +44,7 @@ std::optional<results::LoadPathResult> growth_load_path(const model::Model& mode
                                                         const results::Increment& increment);
 
 /// Where K1 on a path is largest between two places: at one of them or at a breakpoint.
-double locate_maximum(const base::PiecewiseLinear& K1, double low, double high);
+double locate_K1_maximum(const base::PiecewiseLinear& K1, double low, double high);
 
 /// What a solved state of the cracks means for their growth: K at the largest and the smallest
 /// load, the way on, the rate.
@@ -54,7 +54,7 @@ public:
 
   /// By tip. Empty: `trouble` says why there is no growth to be told.
   [[nodiscard]] std::optional<std::vector<growth::TipStation>>
-  evaluate_tips(const SolvedCrackState& at, const std::vector<growth::TrackedTip>& growing);
+  evaluate_tip_rates(const SolvedCrackState& at, const std::vector<growth::TrackedTip>& growing);
 
   [[nodiscard]] const base::OptionalFailure& trouble() const { return trouble_; }
   /// Whether of the last state K at KMIN was above K at KMAX, and above 0, at all tips that grow.

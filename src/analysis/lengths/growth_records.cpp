@@ -92,13 +92,13 @@ results::GrowthResult growth_records(const model::Model& model,
   results::GrowthResult out;
   out.unit = measure.spectrum() ? "pass" : "cycle";
   out.corrected = model.growth->corrected;
-  out.followed = follows_history(model);
+  out.followed = depends_on_load_order(model);
   if (measure.spectrum()) {
     out.cycles_per_pass = measure.spectrum()->count();
     out.ranges = ranges_of(*measure.spectrum());
-    out.counted = follows_history(model)   ? "K, followed through the loads in their order"
-                  : measure.counted_on_K() ? "K, which turns within the loads"
-                                           : "loads";
+    out.counted = depends_on_load_order(model) ? "K, followed through the loads in their order"
+                  : measure.counted_on_K()     ? "K, which turns within the loads"
+                                               : "loads";
   }
   for (const growth::TrackedTip& tip : integrator.tips()) {
     out.tips.push_back(tip.name);

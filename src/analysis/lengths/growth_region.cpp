@@ -22,10 +22,10 @@ constexpr double farthest = 8.0;
 } // namespace
 
 // Along the way ahead as it is known now: straight on from every tip, to AMAX or the next edge.
-void GrowthRegion::choose(const std::vector<mesh::CrackLine>& lines,
-                          const growth::GrowthIntegrator& integrator) {
+void GrowthCondensationRegion::choose(const std::vector<mesh::CrackLine>& lines,
+                                      const growth::GrowthIntegrator& integrator) {
   plan_ = {};
-  add_to_region(model_, lines, plan_);
+  add_to_crack_region(model_, lines, plan_);
   double longest = 0.0;
   for (const mesh::CrackLine& line : lines) {
     longest = std::max(longest, geometry::polyline_length(line.points));
@@ -35,15 +35,16 @@ void GrowthRegion::choose(const std::vector<mesh::CrackLine>& lines,
   for (int k = 1; k <= looks; ++k) {
     const double part = static_cast<double>(k) / looks;
     // Closer together near the tips, where the next stations will be.
-    add_to_region(model_, integrator.extend_cracks_straight(reach * part * part).lines, plan_);
+    add_to_crack_region(model_, integrator.extend_cracks_straight(reach * part * part).lines,
+                        plan_);
   }
 }
 
-void GrowthRegion::update_region(const std::vector<mesh::CrackLine>& lines,
-                                 const growth::GrowthIntegrator& integrator,
-                                 std::vector<results::LogLine>& log) {
-  RegionPlan here;
-  add_to_region(model_, lines, here);
+void GrowthCondensationRegion::update_region(const std::vector<mesh::CrackLine>& lines,
+                                             const growth::GrowthIntegrator& integrator,
+                                             std::vector<results::LogLine>& log) {
+  CrackRegionPlan here;
+  add_to_crack_region(model_, lines, here);
   // A region that holds all that this length touches stays, so that the rest is not condensed
   // again.
   const bool within = !plan_.region.empty() &&
@@ -62,7 +63,7 @@ void GrowthRegion::update_region(const std::vector<mesh::CrackLine>& lines,
                               std::ranges::count(plan_.region, true), plan_.region.size()));
 }
 
-void GrowthRegion::log_cost(std::vector<results::LogLine>& log) {
+void GrowthCondensationRegion::log_region_cost(std::vector<results::LogLine>& log) {
   const auto last = std::find_if(log.rbegin(), log.rend(), [](const results::LogLine& line) {
     return line.processor == "CONDENSE";
   });
@@ -81,12 +82,12 @@ void GrowthRegion::log_cost(std::vector<results::LogLine>& log) {
   renewed_ = false;
 }
 
-void GrowthRegion::save_state(results::NamedArrays& arrays) const {
+void GrowthCondensationRegion::save_state(results::NamedArrays& arrays) const {
   arrays.integers["region"] = {plan_.region.begin(), plan_.region.end()};
   arrays.integers["region.split"] = {plan_.split ? 1 : 0};
 }
 
-void GrowthRegion::restore_state(const results::NamedArrays& arrays) {
+void GrowthCondensationRegion::restore_state(const results::NamedArrays& arrays) {
   const auto region = arrays.integers.find("region");
   if (region == arrays.integers.end()) {
     return;

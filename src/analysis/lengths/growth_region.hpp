@@ -11,18 +11,18 @@ namespace spricka::analysis {
 
 /// The part of the host that is condensed again at every station: what the cracks are going to
 /// touch. Where a crack leaves it a new one is chosen, and what that costs is told.
-class GrowthRegion {
+class GrowthCondensationRegion {
 public:
-  explicit GrowthRegion(const model::Model& model) : model_(model) {}
+  explicit GrowthCondensationRegion(const model::Model& model) : model_(model) {}
 
   /// Before these cracks are solved: are they still within?
   void update_region(const std::vector<mesh::CrackLine>& lines,
                      const growth::GrowthIntegrator& integrator,
                      std::vector<results::LogLine>& log);
   /// Behind the solution that came after a new choice: its line in the log.
-  void log_cost(std::vector<results::LogLine>& log);
+  void log_region_cost(std::vector<results::LogLine>& log);
 
-  [[nodiscard]] const RegionPlan& region_plan() const { return plan_; }
+  [[nodiscard]] const CrackRegionPlan& crack_region_plan() const { return plan_; }
 
   /// As arrays for a restart file, and back from there.
   void save_state(results::NamedArrays& arrays) const;
@@ -35,7 +35,7 @@ private:
               const growth::GrowthIntegrator& integrator);
 
   const model::Model& model_;
-  RegionPlan plan_;
+  CrackRegionPlan plan_;
   double usual_ = 0.0;   ///< [s] to condense within a region
   bool renewed_ = false; ///< the next solution pays for it
 };

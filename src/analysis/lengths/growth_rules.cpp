@@ -163,8 +163,8 @@ void look_at_table(const results::GrowthResult& growth, const life::GrowthRateLa
 
 } // namespace
 
-std::vector<std::string> life_concerns(const results::GrowthResult& growth,
-                                       const life::GrowthRateLaw& law) {
+std::vector<std::string> cycle_count_concerns(const results::GrowthResult& growth,
+                                              const life::GrowthRateLaw& law) {
   std::vector<std::string> warnings;
   const bool nothing = growth.final_cycles() == 0.0;
   const bool grew = growth.stations.size() > 1;
@@ -198,8 +198,8 @@ std::vector<std::string> life_concerns(const results::GrowthResult& growth,
   return warnings;
 }
 
-std::unique_ptr<growth::CrackKinematics> initial_kinematics(const model::Model& model,
-                                                            base::Diagnostics& diagnostics) {
+std::unique_ptr<growth::CrackKinematics> make_crack_kinematics(const model::Model& model,
+                                                               base::Diagnostics& diagnostics) {
   std::unique_ptr<growth::CrackKinematics> kinematics;
   if (model.mesh.dim == 2) {
     std::optional<std::vector<mesh::CrackLine>> lines =

@@ -14,12 +14,12 @@
 namespace spricka::analysis {
 
 /// The cracks of $GROW as they are at first, in the plane or in space; null: they cannot grow.
-std::unique_ptr<growth::CrackKinematics> initial_kinematics(const model::Model& model,
-                                                            base::Diagnostics& diagnostics);
+std::unique_ptr<growth::CrackKinematics> make_crack_kinematics(const model::Model& model,
+                                                               base::Diagnostics& diagnostics);
 
 /// Doubts about the cycles as a whole: none or next to none, growth too fast for a law, K beyond
 /// the rows of a table.
-std::vector<std::string> life_concerns(const results::GrowthResult& growth,
-                                       const life::GrowthRateLaw& law);
+std::vector<std::string> cycle_count_concerns(const results::GrowthResult& growth,
+                                              const life::GrowthRateLaw& law);
 
 } // namespace spricka::analysis

@@ -61,7 +61,7 @@ void GrowthWarnings::warn_of_K2(const std::string& name, const base::Vec2& K) {
   }
 }
 
-void GrowthWarnings::note_shear(const std::string& crack, const base::Vec3& K) {
+void GrowthWarnings::note_neglected_shear_K(const std::string& crack, const base::Vec3& K) {
   const double K2 = stays_on_path() ? std::abs(K[1]) : 0.0;
   const double part = std::max(K2, std::abs(K[2])) / K[0];
   if (K[0] > 0.0 && part > std::max(much_shear, shear_[crack].part)) {
@@ -84,7 +84,7 @@ std::set<results::Warning> GrowthWarnings::all() const {
   return all;
 }
 
-void GrowthWarnings::warn_of_closing(const std::string& name, double a) {
+void GrowthWarnings::warn_of_closing_faces(const std::string& name, double a) {
   warnings_.insert(
       {"W456", fmt::format("{}: at a = {:.6g} its faces close and there is no solution with "
                            "faces that overlap: K_min is 0 there, though the law knows R < 0; "

@@ -27,7 +27,7 @@ public:
   /// Keeps what was said of the mesh of a station, the first time of each code.
   void warn_of_mesh(const std::string& code, const std::string& text, std::size_t station);
   /// Of a tip or crack whose faces close at length `a`, with no K below that.
-  void warn_of_closing(const std::string& name, double a);
+  void warn_of_closing_faces(const std::string& name, double a);
   /// `why` there is no error bar to correct K by; empty: there is one.
   void warn_of_no_bar(const std::string& name, const std::string& why);
   /// The same of the ends of the spectrum's path.
@@ -37,7 +37,7 @@ public:
   /// Of K2 at KMAX of a tip that grows along its path; K1 and K2.
   void warn_of_K2(const std::string& name, const base::Vec2& K);
   /// Notes K2 and K3 at KMAX that the growth of a crack does not follow; the largest part counts.
-  void note_shear(const std::string& crack, const base::Vec3& K);
+  void note_neglected_shear_K(const std::string& crack, const base::Vec3& K);
   /// Of loads that do not repeat themselves, and of K that is apart by two ways, at length `a`.
   void warn_of_history(const LoadHistoryResult& loads, double a);
 

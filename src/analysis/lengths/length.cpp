@@ -15,14 +15,15 @@ namespace spricka::analysis {
 
 std::unique_ptr<CrackLengthAnalysis>
 CrackLengthAnalysis::create(const CrackLengthContext& parts,
-                            const std::vector<mesh::CrackLine>& lines, const RegionPlan& plan,
+                            const std::vector<mesh::CrackLine>& lines, const CrackRegionPlan& plan,
                             base::Diagnostics& diagnostics) {
   std::optional<Discretisation> scene = discretise(parts.model, lines, plan, diagnostics);
   return scene ? std::make_unique<CrackLengthAnalysis>(parts, std::move(*scene)) : nullptr;
 }
 
 std::unique_ptr<CrackLengthAnalysis> CrackLengthAnalysis::create(const CrackLengthContext& parts,
-                                                                 double a, const RegionPlan& plan,
+                                                                 double a,
+                                                                 const CrackRegionPlan& plan,
                                                                  base::Diagnostics& diagnostics) {
   const std::optional<std::vector<mesh::CrackLine>> lines =
       growth::crack_lines(parts.model, a, diagnostics);
@@ -52,7 +53,7 @@ CondensationRequest CrackLengthAnalysis::request() const {
           .rest_element = scene_.rest_element,
           .case_load = base::Matrix(),
           .threads = parts_.threads,
-          .rows = scene_.reduced_rows(),
+          .rows = scene_.reduced_contact_rows(),
           .condensing = parts_.condensing};
 }
 
@@ -61,11 +62,11 @@ void CrackLengthAnalysis::number_freedoms() {
   bodies_ = partition_bodies(request());
 }
 
-bool CrackLengthAnalysis::condense(CondensationFigures& figures) {
+bool CrackLengthAnalysis::condense(CondensationStatistics& figures) {
   processors_.reset();
   CondensationRequest asked = request();
   // Prescribed displacements are loads on what is free, before anything is condensed.
-  asked.case_load = loads_with_supports(parts_.model, scene_);
+  asked.case_load = reduced_case_loads(parts_.model, scene_);
   bodies_ = condense_bodies(asked, parts_.cache, figures);
   if (figures.trouble) {
     bodies_.clear();
@@ -86,22 +87,23 @@ std::unique_ptr<StepSolver> CrackLengthAnalysis::make_solver() const {
                                       parts_.contact);
 }
 
-std::vector<std::size_t> CrackLengthAnalysis::overlapping_lines(const base::Vector& u) const {
-  return find_overlapping_lines(parts_.model, scene_, u);
+std::vector<std::size_t>
+CrackLengthAnalysis::cracks_with_overlapping_faces(const base::Vector& u) const {
+  return find_cracks_with_face_overlap(parts_.model, scene_, u);
 }
 
 results::StepResult CrackLengthAnalysis::recover_step(const model::Step& step,
                                                       const StepState& state) const {
-  return collect_results(parts_.model, scene_, bodies_, step, state);
+  return collect_step_results(parts_.model, scene_, bodies_, step, state);
 }
 
 const IntensityAdjoint& CrackLengthAnalysis::solve_adjoints(const StepSolver& solver) {
-  return processors_->adjoints.solve_last_step(solver);
+  return processors_->adjoints.solve_adjoint_of_last_step(solver);
 }
 
 bool CrackLengthAnalysis::add_K_estimates(const StepSolver& solver, const StepState& state,
                                           results::StepResult& result,
-                                          const ProcessorEnded& ended) {
+                                          const ProcessorEndCallback& ended) {
   if (scene_.cracked.fronts.empty()) {
     return true;
   }

@@ -41,11 +41,11 @@ public:
   /// `diagnostics` and give null.
   static std::unique_ptr<CrackLengthAnalysis> create(const CrackLengthContext& parts,
                                                      const std::vector<mesh::CrackLine>& lines,
-                                                     const RegionPlan& plan,
+                                                     const CrackRegionPlan& plan,
                                                      base::Diagnostics& diagnostics);
   /// The same with cracks of length `a`; 0: as the deck gives them.
   static std::unique_ptr<CrackLengthAnalysis> create(const CrackLengthContext& parts, double a,
-                                                     const RegionPlan& plan,
+                                                     const CrackRegionPlan& plan,
                                                      base::Diagnostics& diagnostics);
   CrackLengthAnalysis(const CrackLengthContext& parts, Discretisation scene);
   CrackLengthAnalysis(const CrackLengthAnalysis&) = delete;
@@ -63,14 +63,14 @@ public:
   /// Bodies and nets, their freedoms numbered, nothing assembled: enough to be looked at.
   void number_freedoms();
   /// Condenses all bodies; false: a net is singular, `figures.trouble` says which.
-  bool condense(CondensationFigures& figures);
+  bool condense(CondensationStatistics& figures);
   /// Faces of these crack lines become pairs; the length is to be condensed again.
   void add_face_contact(const std::vector<std::size_t>& lines);
 
   /// A solver at the unloaded state of the condensed length, which must outlive it.
   [[nodiscard]] std::unique_ptr<StepSolver> make_solver() const;
   /// Crack lines whose faces overlap in u [dim * node] and have no pair yet.
-  [[nodiscard]] std::vector<std::size_t> overlapping_lines(const base::Vector& u) const;
+  [[nodiscard]] std::vector<std::size_t> cracks_with_overlapping_faces(const base::Vector& u) const;
   /// VCE and RECOVER: K, pressures, reactions at the end of a step.
   [[nodiscard]] results::StepResult recover_step(const model::Step& step,
                                                  const StepState& state) const;
@@ -80,12 +80,13 @@ public:
   /// ADJOINT: of K at the end of the step that `solver` solved last, in the plane.
   const IntensityAdjoint& solve_adjoints(const StepSolver& solver);
   /// Told as a processor ends, by its name and what it did; false: go no further.
-  using ProcessorEnded = std::function<bool(const std::string& processor, const std::string& did)>;
+  using ProcessorEndCallback =
+      std::function<bool(const std::string& processor, const std::string& did)>;
   /// ADJOINT, ESTIMATE and SENSITIVITY: error bars and derivatives of K at the end of the step that
   /// `solver` solved last, in the plane by adjoints, in space by direct solutions; nothing without
   /// a crack. False: `ended` went no further.
   bool add_K_estimates(const StepSolver& solver, const StepState& state,
-                       results::StepResult& result, const ProcessorEnded& ended);
+                       results::StepResult& result, const ProcessorEndCallback& ended);
   /// ESTIMATE: errors of the nets in the energy norm.
   void add_net_errors(const StepState& state, results::StepResult& result) const;
 
@@ -100,7 +101,7 @@ private:
   struct PostProcessors {
     explicit PostProcessors(const CrackLengthAnalysis& length);
     LoadPathSolver paths;
-    KAdjoints adjoints;
+    IntensityAdjointSolver adjoints;
     TipErrorBars bars;
     TipSensitivityAnalysis sensitivities;
     FrontErrorsAndSensitivities fronts;

@@ -73,7 +73,7 @@ CrackLengthContext CrackStateSolver::parts() {
 }
 
 std::optional<results::Increment> CrackStateSolver::solve(const CrackStateRequest& request,
-                                                          const RegionPlan& plan) {
+                                                          const CrackRegionPlan& plan) {
   LogWriter log(log_, options_.recorder);
   const double a = request.a;
   if (!request.cracks.solids.empty()) {
@@ -127,14 +127,14 @@ std::optional<results::Increment> CrackStateSolver::solve(const CrackStateReques
   increment.kept = static_cast<std::size_t>(
       std::ranges::count_if(scene.cracked.host, [](base::ElementId e) { return e.valid(); }));
   increment.mesh = std::move(scene.cracked.mesh);
-  increment.surface = outer_surface(increment.mesh);
+  increment.surface = outer_faces_by_nodes(increment.mesh);
   // Nodes that the patch has cut out have results at their places all the same.
   const std::vector<RemovedNodePlace> gone = removed_nodes(model_.mesh, increment.mesh);
   for (results::StepResult& step : increment.steps) {
-    fill_displacements(increment.mesh, gone, step.u);
+    fill_removed_node_displacements(increment.mesh, gone, step.u);
   }
-  keep_removed_members(model_.mesh, increment.mesh);
-  add_face_nodes(model_, increment.mesh);
+  keep_removed_set_members(model_.mesh, increment.mesh);
+  add_face_sets_as_node_sets(model_, increment.mesh);
   log.record_in_profile("RECOVER", "surface, results of the nodes that the patches took");
   return increment;
 }
@@ -165,7 +165,7 @@ void CrackStateSolver::show(const results::Increment& increment) const {
 }
 
 bool CrackStateSolver::condense(CrackLengthAnalysis& length, LogWriter& log) {
-  CondensationFigures figures;
+  CondensationStatistics figures;
   const bool condensed = length.condense(figures);
   log.record_nets(std::move(figures.nets));
   if (!condensed) {
@@ -204,7 +204,7 @@ void CrackStateSolver::close_faces(const std::vector<std::size_t>& lines,
 bool CrackStateSolver::follow(LoadHistorySolver& history, StepSolver& solver, LogWriter& log) {
   next_carried_ = carried_;
   LoadHistoryResult loads;
-  if (!history.solve_history(solver, next_carried_, loads, trouble_)) {
+  if (!history.solve_load_history(solver, next_carried_, loads, trouble_)) {
     return false;
   }
   if (loads.none.empty()) {
@@ -218,7 +218,7 @@ bool CrackStateSolver::follow(LoadHistorySolver& history, StepSolver& solver, Lo
 
 bool CrackStateSolver::numbers_are_sound(const results::StepResult& result,
                                          const model::Step& step) {
-  const std::string what = not_finite(result);
+  const std::string what = find_nonfinite_result(result);
   if (!what.empty()) {
     trouble_ = base::OperationFailure{.kind = base::Outcome::not_solvable,
                                       .why = fmt::format("step {}: {}", step.name, what),
@@ -235,7 +235,7 @@ void CrackStateSolver::keep_free(const std::vector<std::size_t>& touching,
   const bool tips = std::ranges::all_of(increment.steps, [](const results::StepResult& step) {
     return std::ranges::all_of(step.fronts, &results::FrontResult::is_tip);
   });
-  if (touching.empty() || free_ || !whole || !tips || !continues_below_closing(model_)) {
+  if (touching.empty() || free_ || !whole || !tips || !continues_K_below_closing(model_)) {
     return;
   }
   free_.emplace();
@@ -281,8 +281,8 @@ bool CrackStateSolver::walk_steps(CrackLengthAnalysis& length, const CrackStateR
   RepeatedSteps repeated(model_, request.pictured);
   LoadPathSolver& paths = length.load_paths();
   LoadHistorySolver history(model_, scene, length.bodies(), paths);
-  const bool follows = follows_history(model_);
-  const bool goes_on = continues_below_closing(model_);
+  const bool follows = depends_on_load_order(model_);
+  const bool goes_on = continues_K_below_closing(model_);
   const double row_flops =
       solver.contact_system() == nullptr ? 0.0 : solver.contact_system()->row_flops();
   log.add_line("CONTACT",
@@ -301,7 +301,8 @@ bool CrackStateSolver::walk_steps(CrackLengthAnalysis& length, const CrackStateR
       continue;
     }
     // The closed rows of this step at the last length are the best guess.
-    if (std::vector<bool> start = contact_.first_closed_rows(scene, s, solver.closed_rows());
+    if (std::vector<bool> start =
+            contact_.guess_closed_rows(scene, s, solver.closed_contact_rows());
         !start.empty()) {
       solver.set_start_rows(std::move(start));
     }
@@ -322,11 +323,11 @@ bool CrackStateSolver::walk_steps(CrackLengthAnalysis& length, const CrackStateR
                              state->iterations, state->pivots, state->imbalance));
     // Rows that rub start from their own history, not from those of another length.
     if (!rubs(scene)) {
-      contact_.store_closed_rows(scene, s, solver.closed_rows());
+      contact_.store_closed_rows(scene, s, solver.closed_contact_rows());
     }
     repeated.store_closed_rows(s, solver);
     if (touching.empty()) {
-      touching = length.overlapping_lines(state->u);
+      touching = length.cracks_with_overlapping_faces(state->u);
     }
     if (!touching.empty() && !(goes_on && !free_)) {
       return true;
@@ -356,7 +357,7 @@ bool CrackStateSolver::walk_steps(CrackLengthAnalysis& length, const CrackStateR
   repeated.drop_extra_stresses(increment.steps);
   increment.paths = paths.solve_paths(solver);
   for (const results::LoadPathResult& path : increment.paths) {
-    if (const std::string what = not_finite(path); !what.empty()) {
+    if (const std::string what = find_nonfinite_result(path); !what.empty()) {
       trouble_ = base::OperationFailure{.kind = base::Outcome::not_solvable,
                                         .why = fmt::format("load path {}: {}", path.name, what)};
       return false;
@@ -369,7 +370,7 @@ bool CrackStateSolver::walk_steps(CrackLengthAnalysis& length, const CrackStateR
     return false;
   }
   // Between the steps faces may overlap, too.
-  touching = paths.overlapping_lines();
+  touching = paths.cracks_with_overlapping_faces();
   if (!touching.empty()) {
     return true;
   }

@@ -41,7 +41,8 @@ public:
       : model_(model), options_(options), log_(log), diagnostics_(diagnostics), trouble_(trouble) {}
 
   /// Empty: a mistake of the deck (in the diagnostics) or a model that cannot be solved (trouble).
-  std::optional<results::Increment> solve(const CrackStateRequest& request, const RegionPlan& plan);
+  std::optional<results::Increment> solve(const CrackStateRequest& request,
+                                          const CrackRegionPlan& plan);
 
   /// Of the state that was solved last.
   [[nodiscard]] const std::vector<mesh::CrackFront>& fronts() const { return fronts_; }
@@ -51,11 +52,13 @@ public:
   [[nodiscard]] const std::vector<double>& plastic_load_ratios() const { return plastic_; }
 
   /// K of that state with faces that may overlap, where they close and the law wants it.
-  [[nodiscard]] const std::optional<OverlapResults>& overlap_results() const { return free_; }
+  [[nodiscard]] const std::optional<OverlappingFaceResults>& overlap_results() const {
+    return free_;
+  }
   /// K of the loads of the growth, one after another; empty without friction.
   [[nodiscard]] const std::optional<LoadHistoryResult>& load_history() const { return followed_; }
   /// The state that was solved last counts: what slipped there is carried on from.
-  void accept_state() { carried_ = next_carried_; }
+  void accept_solved_state() { carried_ = next_carried_; }
 
   /// What the next state takes over from the last, for a restart file, and back from there.
   void save_state(results::NamedArrays& arrays) const {
@@ -111,7 +114,7 @@ private:
   MountOffsetMemory mounted_;
   InheritedContactState carried_, next_carried_;
   std::optional<LoadHistoryResult> followed_;
-  std::optional<OverlapResults> free_;
+  std::optional<OverlappingFaceResults> free_;
   ContactMemory contact_;
   estimate::ModeMatrixCache modes_;
   std::vector<mesh::CrackFront> fronts_;

@@ -63,7 +63,7 @@ void LoadHistorySolver::record_step(std::size_t step, const StepSolver& solver,
   parts_.push_back(given > 0 ? given : result.increments);
 }
 
-double LoadHistorySolver::change(const WayOfK& a, const WayOfK& b) const {
+double LoadHistorySolver::change(const KSequence& a, const KSequence& b) const {
   double most = 0.0;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
     most = std::max(most, (a[i] - b[i]).lpNorm<Eigen::Infinity>());
@@ -72,7 +72,7 @@ double LoadHistorySolver::change(const WayOfK& a, const WayOfK& b) const {
 }
 
 // To a place; K of the increments joins the way.
-bool LoadHistorySolver::go(const LoadHistoryPoint& place, WayOfK& way,
+bool LoadHistorySolver::go(const LoadHistoryPoint& place, KSequence& way,
                            base::OptionalFailure& trouble) {
   const int by_t =
       // Round-off of t must not cost another increment.
@@ -101,8 +101,8 @@ bool LoadHistorySolver::go(const LoadHistoryPoint& place, WayOfK& way,
 // All cycles of a leg until they repeat themselves; those that are left are told by the last.
 bool LoadHistorySolver::leg(const LoadHistoryProgram& program, const LoadHistorySegment& leg,
                             LoadPassResult& out, base::OptionalFailure& trouble) {
-  WayOfK before; // marks of the cycle before, in the end of the last
-  WayOfK on_the_way;
+  KSequence before; // marks of the cycle before, in the end of the last
+  KSequence on_the_way;
   // Cycles that stand alone begin at their own end, so that the first is a closed loop, too.
   if (leg.alone && !go(leg.places.back(), on_the_way, trouble)) {
     return false;
@@ -110,8 +110,8 @@ bool LoadHistorySolver::leg(const LoadHistoryProgram& program, const LoadHistory
   double left = leg.count;
   const std::size_t first_mark = out.marks.size();
   for (int n = 0; left > 0.0; ++n) {
-    WayOfK cycle;
-    WayOfK marks;
+    KSequence cycle;
+    KSequence marks;
     if (leg.alone) {
       cycle.push_back(here_);
     }
@@ -137,7 +137,7 @@ bool LoadHistorySolver::leg(const LoadHistoryProgram& program, const LoadHistory
     } else {
       // On the way it stands once; the other times it is a closed loop of its own.
       if (times > 1.0) {
-        WayOfK closed = cycle;
+        KSequence closed = cycle;
         closed.insert(closed.begin(), out.way.back());
         out.cycles.emplace_back(std::move(closed), times - 1.0);
       }
@@ -174,7 +174,7 @@ bool LoadHistorySolver::compare_with_recovered(LoadHistoryResult& out,
     return false;
   }
   const results::StepResult own =
-      collect_results(model_, scene_, bodies_, model_.steps.front(), *state);
+      collect_step_results(model_, scene_, bodies_, model_.steps.front(), *state);
   if (!shifted && largest_ > 0.0) {
     out.mismatch = apart_from_step(layout, K, own) / largest_;
   }
@@ -184,7 +184,7 @@ bool LoadHistorySolver::compare_with_recovered(LoadHistoryResult& out,
 // Behind the first step of the loads, or to where the cracks have grown to this length. `before`:
 // K of the pass that has been, where there is one.
 bool LoadHistorySolver::begin(const LoadHistoryProgram& program,
-                              const InheritedContactState& carried, WayOfK& before,
+                              const InheritedContactState& carried, KSequence& before,
                               base::OptionalFailure& trouble) {
   if (carried.empty()) {
     solver_->restore_state(places_[program.start]);
@@ -202,14 +202,14 @@ bool LoadHistorySolver::begin(const LoadHistoryProgram& program,
     marks.insert(marks.end(), leg.places.begin(), leg.places.end());
   }
   before.clear();
-  WayOfK grown; // under the loads they had
+  KSequence grown; // under the loads they had
   return go({.factors = place->factors, .t = marks[program.grow_at].t, .increments = 1}, grown,
             trouble);
 }
 
-bool LoadHistorySolver::solve_history(StepSolver& solver, InheritedContactState& carried,
-                                      LoadHistoryResult& out, base::OptionalFailure& trouble) {
-  const LoadHistoryProgram program = load_program(model_, of_step_, parts_);
+bool LoadHistorySolver::solve_load_history(StepSolver& solver, InheritedContactState& carried,
+                                           LoadHistoryResult& out, base::OptionalFailure& trouble) {
+  const LoadHistoryProgram program = make_load_history_program(model_, of_step_, parts_);
   out = {};
   out.none = solver.contact_system() == nullptr ? "nothing is in contact" : program.none;
   out.grow_at = program.grow_at;
@@ -221,8 +221,8 @@ bool LoadHistorySolver::solve_history(StepSolver& solver, InheritedContactState&
   solver_ = &solver;
   per_unit_ = program.per_unit;
   const bool spectrum = model_.growth->spectrum.has_value();
-  WayOfK before;   // marks of the pass before
-  if (!spectrum) { // the steps themselves
+  KSequence before; // marks of the pass before
+  if (!spectrum) {  // the steps themselves
     const auto end = of_steps_.begin() + static_cast<std::ptrdiff_t>(program.start + 1);
     // The steps as they were run are the first pass.
     before.assign(end - static_cast<std::ptrdiff_t>(program.legs.front().places.size()), end);

@@ -14,12 +14,12 @@
 namespace spricka::analysis {
 
 /// K of all tips, along fronts the smooth one, increment by increment: [crack::KLayout].
-using WayOfK = std::vector<base::Vector>;
+using KSequence = std::vector<base::Vector>;
 
 struct LoadPassResult {
-  WayOfK way;   ///< from place to place, without what `cycles` has
-  WayOfK marks; ///< K at each mark of the program, when it came by last
-  std::vector<std::pair<WayOfK, double>> cycles; ///< closed cycles, with how often
+  KSequence way;   ///< from place to place, without what `cycles` has
+  KSequence marks; ///< K at each mark of the program, when it came by last
+  std::vector<std::pair<KSequence, double>> cycles; ///< closed cycles, with how often
 };
 
 struct LoadHistoryResult {
@@ -49,26 +49,26 @@ public:
   /// Follows the loads from their first step on, or from what `carried` holds; where the crack
   /// grows is in `carried` after it. The solver is left as it was. False: an increment has no
   /// answer.
-  bool solve_history(StepSolver& solver, InheritedContactState& carried, LoadHistoryResult& out,
-                     base::OptionalFailure& trouble);
+  bool solve_load_history(StepSolver& solver, InheritedContactState& carried,
+                          LoadHistoryResult& out, base::OptionalFailure& trouble);
 
 private:
-  bool go(const LoadHistoryPoint& place, WayOfK& way, base::OptionalFailure& trouble);
+  bool go(const LoadHistoryPoint& place, KSequence& way, base::OptionalFailure& trouble);
   bool begin(const LoadHistoryProgram& program, const InheritedContactState& carried,
-             WayOfK& before, base::OptionalFailure& trouble);
+             KSequence& before, base::OptionalFailure& trouble);
   bool pass(const LoadHistoryProgram& program, LoadPassResult& out, base::OptionalFailure& trouble);
   bool leg(const LoadHistoryProgram& program, const LoadHistorySegment& leg, LoadPassResult& out,
            base::OptionalFailure& trouble);
   bool compare_with_recovered(LoadHistoryResult& out, base::OptionalFailure& trouble);
-  [[nodiscard]] double change(const WayOfK& a, const WayOfK& b) const;
+  [[nodiscard]] double change(const KSequence& a, const KSequence& b) const;
 
   const model::Model& model_;
   const Discretisation& scene_;
   const std::vector<SubstructuredBody>& bodies_;
   LoadPathSolver& paths_;
-  std::vector<StepFactors> of_step_;
+  std::vector<StepActionFactors> of_step_;
   std::vector<StepSolver::StepSolverState> places_; ///< [step]
-  WayOfK of_steps_;                                 ///< [step] K of its result
+  KSequence of_steps_;                              ///< [step] K of its result
   std::vector<int> parts_;                          ///< [step] increments it was cut into
   // while it is followed
   StepSolver* solver_ = nullptr;

@@ -17,7 +17,7 @@ namespace {
 // K1 and K2 where K1 is largest in a pass, of the place that `K_of` takes them of.
 template <class KOf> base::Vec2 largest(const LoadPassResult& pass, const KOf& K_of) {
   base::Vec2 best(-std::numeric_limits<double>::infinity(), 0.0);
-  const auto look = [&](const WayOfK& way) {
+  const auto look = [&](const KSequence& way) {
     for (const base::Vector& all : way) {
       const base::Vec2 K = K_of(all);
       best = K[0] > best[0] ? K : best;
@@ -37,7 +37,7 @@ void GrowthRateEvaluator::of_pass(const LoadPassResult& pass, const KOfLaw& K,
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   found.rate = 0.0;
-  const auto count = [&](const WayOfK& way, double times) {
+  const auto count = [&](const KSequence& way, double times) {
     std::vector<double> along;
     along.reserve(way.size());
     for (const base::Vector& all : way) {
@@ -104,8 +104,8 @@ bool GrowthRateEvaluator::by_history(const SolvedCrackState& at, const GrowingPl
   } else {
     found.K2_max = grown[1];
     // Only faces that touch have K1 = 0 to the last bit.
-    if (continues_below_closing(model_) && found.K_min == 0.0) {
-      warnings_.warn_of_closing(to.name, front.a);
+    if (continues_K_below_closing(model_) && found.K_min == 0.0) {
+      warnings_.warn_of_closing_faces(to.name, front.a);
     }
     if (!spectrum_) {
       note_order(to.name, found.K_min > found.K_max && found.K_min > 0.0);

@@ -11,7 +11,7 @@
 /// Growth by K on the load path of a spectrum.
 namespace spricka::analysis {
 
-double locate_maximum(const base::PiecewiseLinear& K1, double low, double high) {
+double locate_K1_maximum(const base::PiecewiseLinear& K1, double low, double high) {
   double best = K1(high) >= K1(low) ? high : low;
   for (const double t : K1.knots()) {
     best = t > low && t < high && K1(t) > K1(best) ? t : best;
@@ -25,8 +25,8 @@ base::PiecewiseLinear GrowthRateEvaluator::on_path(const SolvedCrackState& at,
                                                    const base::Vec2& part) {
   base::PiecewiseLinear K = K_on_path(front, place, part);
   // Without overlap anywhere both ways to K are one.
-  if (!(at.free || faces_touch(front.points[place.from].smooth[0])) ||
-      !continues_below_closing(model_)) {
+  if (!(at.free || faces_touch_on_path(front.points[place.from].smooth[0])) ||
+      !continues_K_below_closing(model_)) {
     return K;
   }
   const std::size_t path = model_.spectra[*model_.growth->spectrum].path;
@@ -36,10 +36,10 @@ base::PiecewiseLinear GrowthRateEvaluator::on_path(const SolvedCrackState& at,
           : nullptr;
   std::optional<base::PiecewiseLinear> below;
   if (free != nullptr) {
-    below = continue_below_zero(K, K_on_path(*free, place, part), spectrum_->highest());
+    below = continue_K_below_zero(K, K_on_path(*free, place, part), spectrum_->highest());
   }
   if (!below) {
-    warnings_.warn_of_closing(front.is.name, front.is.a);
+    warnings_.warn_of_closing_faces(front.is.name, front.is.a);
   }
   return below ? std::move(*below) : std::move(K);
 }
@@ -80,7 +80,7 @@ bool GrowthRateEvaluator::by_spectrum(const SolvedCrackState& at, const GrowingP
   // kink (growth.8).
   const base::PiecewiseLinear K1 = K_on_path(front, place, {1.0, 0.0});
   const base::PiecewiseLinear K2 = K_on_path(front, place, {0.0, 1.0});
-  const double peak = locate_maximum(K1, spectrum_->lowest(), spectrum_->highest());
+  const double peak = locate_K1_maximum(K1, spectrum_->lowest(), spectrum_->highest());
   const base::Vec2 part = turn({K1(peak), K2(peak)}, to.straight, found);
   const base::PiecewiseLinear K = on_path(at, front, place, part);
   const auto [low, high] = spectrum_->extreme_K(K);

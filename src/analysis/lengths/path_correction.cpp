@@ -30,7 +30,7 @@ bool touch_on(const base::PiecewiseLinear& K1, std::size_t segment) {
 
 } // namespace
 
-bool faces_touch(const base::PiecewiseLinear& K1) {
+bool faces_touch_on_path(const base::PiecewiseLinear& K1) {
   for (std::size_t i = 0; i < K1.segments(); ++i) {
     if (touch_on(K1, i)) {
       return true;
@@ -65,7 +65,7 @@ double estimated_error(const results::FrontResult& front, std::size_t i, std::si
   return known ? point.bar[mode].best - K[mode] : 0.0;
 }
 
-results::LoadPathResult corrected_path(results::LoadPathResult path,
+results::LoadPathResult correct_path_K(results::LoadPathResult path,
                                        const results::StepResult& from,
                                        const results::StepResult& to) {
   for (std::size_t f = 0; f < path.fronts.size(); ++f) {

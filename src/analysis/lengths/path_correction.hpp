@@ -13,11 +13,11 @@ namespace spricka::analysis {
 base::PiecewiseLinear correct_K(const base::PiecewiseLinear& K, double at_zero, double at_one);
 
 /// Whether the faces of a crack touch on some part of a path: K1 is 0 there.
-bool faces_touch(const base::PiecewiseLinear& K1);
+bool faces_touch_on_path(const base::PiecewiseLinear& K1);
 
 /// A path with the errors of K1, and of K2 at tips, taken out that the bars of its first and its
 /// last step estimate; where they have none K is as computed.
-results::LoadPathResult corrected_path(results::LoadPathResult path,
+results::LoadPathResult correct_path_K(results::LoadPathResult path,
                                        const results::StepResult& from,
                                        const results::StepResult& to);
 

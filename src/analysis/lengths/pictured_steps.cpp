@@ -10,8 +10,8 @@
 
 namespace spricka::analysis {
 
-std::vector<bool> stress_steps(const model::Model& model, bool last_increment) {
-  std::vector<bool> pictured = requested_steps(model, last_increment);
+std::vector<bool> steps_with_stress_recovery(const model::Model& model, bool last_increment) {
+  std::vector<bool> pictured = steps_with_requested_stresses(model, last_increment);
   if (model.growth && model.growth->kmax.valid()) {
     pictured[model.growth->kmax.index()] = true;
   } else if (!pictured.empty()) {
@@ -20,7 +20,7 @@ std::vector<bool> stress_steps(const model::Model& model, bool last_increment) {
   return pictured;
 }
 
-std::vector<bool> requested_steps(const model::Model& model, bool last_increment) {
+std::vector<bool> steps_with_requested_stresses(const model::Model& model, bool last_increment) {
   std::vector<bool> pictured(model.steps.size(), false);
   for (const model::Output& output : model.outputs) {
     const bool stress = std::any_of(output.requests.begin(), output.requests.end(),

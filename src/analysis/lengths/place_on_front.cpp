@@ -119,7 +119,7 @@ PlaceOnFront nearest_place(const std::vector<results::LoadPathFront>& fronts,
   return nearest_of(fronts, name, x);
 }
 
-base::Vec3 place_on_curve(const results::FrontResult& front, const PlaceOnFront& at) {
+base::Vec3 point_on_front_curve(const results::FrontResult& front, const PlaceOnFront& at) {
   base::Vec3 x = base::Vec3::Zero();
   for (const auto& [i, weight] : weights_at(front, at)) {
     x += weight * front.points[i].x;
@@ -127,7 +127,7 @@ base::Vec3 place_on_curve(const results::FrontResult& front, const PlaceOnFront&
   return x;
 }
 
-base::Vec3 smooth_K(const results::FrontResult& front, const PlaceOnFront& at, bool corrected) {
+base::Vec3 smooth_K_at(const results::FrontResult& front, const PlaceOnFront& at, bool corrected) {
   base::Vec3 K = base::Vec3::Zero();
   for (const auto& [i, weight] : weights_at(front, at)) {
     K += weight * base::Vec3::Map(front.points[i].smooth.data());
@@ -173,8 +173,8 @@ std::function<double(const base::Vector&)> K_at(const results::StepResult& step,
   };
 }
 
-std::optional<base::PiecewiseLinear> nearest_K1(const results::LoadPathResult& path,
-                                                const base::Vec3& x) {
+std::optional<base::PiecewiseLinear> path_K1_at_nearest_place(const results::LoadPathResult& path,
+                                                              const base::Vec3& x) {
   const PlaceOnFront place = nearest_place(path.fronts, "", x);
   return place.found() ? std::optional(K_on_path(path.fronts[place.front], place, {1.0, 0.0}))
                        : std::nullopt;

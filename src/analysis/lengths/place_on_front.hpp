@@ -34,11 +34,11 @@ PlaceOnFront nearest_place(const std::vector<results::LoadPathFront>& fronts,
                            const std::string& name, const base::Vec3& x);
 
 /// A place on the curve through the points, not on its chords.
-base::Vec3 place_on_curve(const results::FrontResult& front, const PlaceOnFront& at);
+base::Vec3 point_on_front_curve(const results::FrontResult& front, const PlaceOnFront& at);
 
 /// K1, K2, K3 as smooth functions along the front; `corrected`: with the estimated error of K1
 /// taken out.
-base::Vec3 smooth_K(const results::FrontResult& front, const PlaceOnFront& at, bool corrected);
+base::Vec3 smooth_K_at(const results::FrontResult& front, const PlaceOnFront& at, bool corrected);
 
 /// part[0] K1 + part[1] K2 on the path, smooth along the front.
 base::PiecewiseLinear K_on_path(const results::LoadPathFront& front, const PlaceOnFront& at,
@@ -50,7 +50,7 @@ std::function<double(const base::Vector&)> K_at(const results::StepResult& step,
                                                 const PlaceOnFront& place, int mode);
 
 /// K1 on a load path at the place of all fronts that is nearest to x; empty: there is none.
-std::optional<base::PiecewiseLinear> nearest_K1(const results::LoadPathResult& path,
-                                                const base::Vec3& x);
+std::optional<base::PiecewiseLinear> path_K1_at_nearest_place(const results::LoadPathResult& path,
+                                                              const base::Vec3& x);
 
 } // namespace spricka::analysis

@@ -38,7 +38,7 @@ void ProfileRecorder::add_work(const std::string& processor, const std::string& 
   profile_.intervals.push_back(std::move(span));
 }
 
-void ProfileRecorder::add_start(const base::Stopwatch& since) {
+void ProfileRecorder::add_startup_work(const base::Stopwatch& since) {
   add_work("START", "libraries, command line", since);
   const std::scoped_lock lock(guard_);
   profile_.intervals.back().cpu = base::cpu_seconds() - cpu_before_;
@@ -91,7 +91,7 @@ results::RunProfile ProfileRecorder::finish() {
 }
 
 // What there is no memory to take down is left out: the run has other troubles then.
-RecordedInterval::~RecordedInterval() {
+ScopedProfileInterval::~ScopedProfileInterval() {
   try {
     if (recorder_ != nullptr) {
       recorder_->add_work(processor_, text_, watch_);
@@ -101,13 +101,14 @@ RecordedInterval::~RecordedInterval() {
   }
 }
 
-RecordedCrackLength::RecordedCrackLength(ProfileRecorder* recorder) : recorder_(recorder) {
+ScopedProfileCrackLength::ScopedProfileCrackLength(ProfileRecorder* recorder)
+    : recorder_(recorder) {
   if (recorder_ != nullptr) {
     recorder_->begin_length();
   }
 }
 
-RecordedCrackLength::~RecordedCrackLength() {
+ScopedProfileCrackLength::~ScopedProfileCrackLength() {
   try {
     if (recorder_ != nullptr) {
       recorder_->end_length(a_, counts_);

@@ -22,7 +22,7 @@ public:
   void add_work(const std::string& processor, const std::string& text, const base::Stopwatch& watch,
                 std::optional<double> flops = {});
   /// What was before all else, since the process began.
-  void add_start(const base::Stopwatch& since);
+  void add_startup_work(const base::Stopwatch& since);
   /// Nets of the length that is worked on.
   void add_work(std::vector<results::NetCost> nets);
   /// The cost of one call of the mesher.
@@ -45,13 +45,13 @@ private:
 };
 
 /// A stretch from its construction to its end; with a null recorder nothing at all.
-class RecordedInterval {
+class ScopedProfileInterval {
 public:
-  RecordedInterval(ProfileRecorder* recorder, const char* processor, const char* text)
+  ScopedProfileInterval(ProfileRecorder* recorder, const char* processor, const char* text)
       : recorder_(recorder), processor_(processor), text_(text) {}
-  ~RecordedInterval();
-  RecordedInterval(const RecordedInterval&) = delete;
-  RecordedInterval& operator=(const RecordedInterval&) = delete;
+  ~ScopedProfileInterval();
+  ScopedProfileInterval(const ScopedProfileInterval&) = delete;
+  ScopedProfileInterval& operator=(const ScopedProfileInterval&) = delete;
 
 private:
   ProfileRecorder* recorder_;
@@ -61,12 +61,12 @@ private:
 };
 
 /// A crack length from its construction to its end; with a null recorder nothing at all.
-class RecordedCrackLength {
+class ScopedProfileCrackLength {
 public:
-  explicit RecordedCrackLength(ProfileRecorder* recorder);
-  ~RecordedCrackLength();
-  RecordedCrackLength(const RecordedCrackLength&) = delete;
-  RecordedCrackLength& operator=(const RecordedCrackLength&) = delete;
+  explicit ScopedProfileCrackLength(ProfileRecorder* recorder);
+  ~ScopedProfileCrackLength();
+  ScopedProfileCrackLength(const ScopedProfileCrackLength&) = delete;
+  ScopedProfileCrackLength& operator=(const ScopedProfileCrackLength&) = delete;
   /// Notes the crack length [length], which is known when the length has a solution.
   void set_length(double a) { a_ = a; }
   /// It is an increment of the run.

@@ -49,8 +49,8 @@ std::optional<archive::StoredIncrement> resume_increment(const model::Model& mod
     return std::nullopt;
   }
   checkpoint->accept_increment(number);
-  keep_removed_members(model.mesh, kept.increment.mesh);
-  add_face_nodes(model, kept.increment.mesh);
+  keep_removed_set_members(model.mesh, kept.increment.mesh);
+  add_face_sets_as_node_sets(model, kept.increment.mesh);
   return kept;
 }
 
@@ -61,8 +61,8 @@ void append_increment(archive::StoredIncrement kept, results::RunResult& run) {
   run.increments.push_back(std::move(kept.increment));
 }
 
-void report_resumed(const SolveOptions& options, const results::RunResult& run,
-                    std::size_t increments) {
+void report_resumed_increment(const SolveOptions& options, const results::RunResult& run,
+                              std::size_t increments) {
   if (options.found) {
     options.found(run.increments.back());
   }
@@ -80,9 +80,9 @@ bool is_time_up(const archive::Checkpoint* checkpoint, base::OptionalFailure& tr
   return true;
 }
 
-void IncrementStart::store_increment(archive::Checkpoint* checkpoint, double asked,
-                                     const results::Increment& increment,
-                                     results::NamedArrays state) const {
+void IncrementRecorder::store_increment(archive::Checkpoint* checkpoint, double asked,
+                                        const results::Increment& increment,
+                                        results::NamedArrays state) const {
   if (checkpoint == nullptr) {
     return;
   }

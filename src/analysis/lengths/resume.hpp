@@ -37,16 +37,16 @@ void append_increment(archive::StoredIncrement kept, results::RunResult& run);
 
 /// Tells of the last increment of a run, which was taken over, as if it had been solved, of so many
 /// in all.
-void report_resumed(const SolveOptions& options, const results::RunResult& run,
-                    std::size_t increments);
+void report_resumed_increment(const SolveOptions& options, const results::RunResult& run,
+                              std::size_t increments);
 
 /// Whether the time is up before the next increment; then `trouble` says so.
 bool is_time_up(const archive::Checkpoint* checkpoint, base::OptionalFailure& trouble);
 
 /// Where a loop stood when it began with an increment.
-class IncrementStart {
+class IncrementRecorder {
 public:
-  explicit IncrementStart(const std::vector<results::LogLine>& log)
+  explicit IncrementRecorder(const std::vector<results::LogLine>& log)
       : log_(log), lines_(log.size()) {}
   /// Keeps the increment that was solved since, with the log's lines since then.
   void store_increment(archive::Checkpoint* checkpoint, double asked,

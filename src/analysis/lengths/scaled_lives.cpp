@@ -20,10 +20,10 @@ constexpr double same_life = 2e-3; // a line that says this is no other one
 
 std::vector<base::Vector> loads_of_steps(const model::Model& model) {
   const auto cases = static_cast<Eigen::Index>(model.cases.size());
-  StepFactors now = initial_factors(model, cases, model.contacts.size());
+  StepActionFactors now = initial_step_factors(model, cases, model.contacts.size());
   std::vector<base::Vector> loads;
   for (const model::Step& step : model.steps) {
-    apply_actions(step, now);
+    apply_step_actions(step, now);
     loads.push_back(now.case_factor);
   }
   return loads;
@@ -44,7 +44,7 @@ std::optional<double> ratio_of(const base::Vector& low, const base::Vector& high
 std::optional<base::PiecewiseLinear> K1_of(const results::LoadPathResult& path,
                                            const growth::TipStation& tip) {
   const bool several_tips = path.fronts.size() > 1 && path.fronts.front().points.size() == 1;
-  return several_tips ? std::nullopt : nearest_K1(path, {tip.x, tip.y, tip.z});
+  return several_tips ? std::nullopt : path_K1_at_nearest_place(path, {tip.x, tip.y, tip.z});
 }
 
 // Rates of all stations, whose K is on `paths` [station], with K on a line from K0 at t = 0 to the
@@ -87,16 +87,16 @@ std::optional<results::ScaledLife> life(const std::string& name,
 
 } // namespace
 
-std::vector<results::ScaledLife> scaled_lives(const model::Model& model,
-                                              const results::RunResult& run,
-                                              const growth::GrowthIntegrator& integrator,
-                                              const GrowthRateEvaluator& measure) {
+std::vector<results::ScaledLife> lives_by_scaled_K(const model::Model& model,
+                                                   const results::RunResult& run,
+                                                   const growth::GrowthIntegrator& integrator,
+                                                   const GrowthRateEvaluator& measure) {
   std::vector<results::ScaledLife> out;
   std::vector<growth::SolvedStation> stations = integrator.growth_state().stations;
   // Of several tips in the plane the rates would change each other's arms; along fronts they are
   // taken on the fronts that the true K has made.
   const bool comparable = integrator.tips().size() == 1 || model.mesh.dim == 3;
-  if (!comparable || stations.size() < 2 || follows_history(model)) {
+  if (!comparable || stations.size() < 2 || depends_on_load_order(model)) {
     return out;
   }
   const auto add = [&](std::optional<results::ScaledLife> found) {

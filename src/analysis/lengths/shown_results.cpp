@@ -24,7 +24,7 @@ std::vector<results::Stress> as_results(const std::vector<fe::Stress>& stress) {
 
 } // namespace
 
-std::vector<results::OuterSurfaceFace> outer_surface(const model::Mesh& mesh) {
+std::vector<results::OuterSurfaceFace> outer_faces_by_nodes(const model::Mesh& mesh) {
   std::vector<results::OuterSurfaceFace> surface;
   if (mesh.dim != 3) {
     return surface;
@@ -51,7 +51,7 @@ std::vector<results::OuterSurfaceFace> outer_surface(const model::Mesh& mesh) {
 }
 
 // Reports know nodes of sets but not of faces.
-void add_face_nodes(const model::Model& model, model::Mesh& mesh) {
+void add_face_sets_as_node_sets(const model::Model& model, model::Mesh& mesh) {
   for (const model::FaceSet& set : mesh.face_sets) {
     const bool wanted = std::ranges::any_of(model.outputs, [&](const model::Output& output) {
       return std::ranges::any_of(output.requests,
@@ -69,7 +69,7 @@ void add_stress(const model::Model& model, const model::Mesh& mesh, results::Ste
   const fe::DisplacementTemperatureField field{step.u, step.temperature};
   std::vector<fe::Stress> nodal =
       fe::nodal_stress(model, mesh, fe::element_node_stress(model, mesh, field));
-  fill_stresses(model, mesh, field, nodal);
+  fill_removed_node_stresses(model, mesh, field, nodal);
   step.stress = as_results(nodal);
   step.element_stress = as_results(fe::element_mean_stress(model, mesh, field));
 }

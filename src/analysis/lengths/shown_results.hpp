@@ -12,9 +12,9 @@ namespace spricka::analysis {
 void add_stress(const model::Model& model, const model::Mesh& mesh, results::StepResult& step);
 
 /// Face sets that outputs name become node sets of the results' mesh, once.
-void add_face_nodes(const model::Model& model, model::Mesh& mesh);
+void add_face_sets_as_node_sets(const model::Model& model, model::Mesh& mesh);
 
 /// The outer faces of a solid mesh by their nodes; none in the plane.
-std::vector<results::OuterSurfaceFace> outer_surface(const model::Mesh& mesh);
+std::vector<results::OuterSurfaceFace> outer_faces_by_nodes(const model::Mesh& mesh);
 
 } // namespace spricka::analysis

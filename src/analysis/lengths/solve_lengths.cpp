@@ -64,10 +64,10 @@ std::optional<growth::CrackGeometry> cracks_of(const model::Model& model, double
 }
 
 // One region for all lengths, so that the rest is condensed once.
-RegionPlan one_region(const model::Model& model, const SolveOptions& options,
-                      const std::vector<double>& lengths, base::Diagnostics& diagnostics) {
-  const RecordedInterval span(options.recorder, "TOPOLOGY", "region of the cracks");
-  return plan_region(model, lengths, diagnostics);
+CrackRegionPlan one_region(const model::Model& model, const SolveOptions& options,
+                           const std::vector<double>& lengths, base::Diagnostics& diagnostics) {
+  const ScopedProfileInterval span(options.recorder, "TOPOLOGY", "region of the cracks");
+  return plan_crack_region(model, lengths, diagnostics);
 }
 
 // The lengths of the deck, one after another.
@@ -75,20 +75,20 @@ bool solve_lengths(const model::Model& model, const SolveOptions& options,
                    base::Diagnostics& diagnostics, base::OptionalFailure& trouble,
                    results::RunResult& run) {
   const std::vector<double> lengths = growth::growth_loop_lengths(model);
-  const RegionPlan plan = one_region(model, options, lengths, diagnostics);
+  const CrackRegionPlan plan = one_region(model, options, lengths, diagnostics);
   if (diagnostics.has_errors()) {
     return false;
   }
   CrackStateSolver solver(model, options, run.log, diagnostics, trouble);
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     const int number = static_cast<int>(i) + 1;
-    const std::vector<bool> pictured = stress_steps(model, i + 1 == lengths.size());
+    const std::vector<bool> pictured = steps_with_stress_recovery(model, i + 1 == lengths.size());
     const base::Stopwatch resuming;
     if (auto kept = resume_increment(model, options.checkpoint, number, lengths[i], pictured)) {
       // What was mounted and closed goes on from the last length that was kept.
       restore_checked([&] { solver.restore_state(kept->state); });
       append_increment(std::move(*kept), run);
-      report_resumed(options, run, lengths.size());
+      report_resumed_increment(options, run, lengths.size());
       if (options.recorder != nullptr) {
         options.recorder->add_work("RESTART", "an increment taken over", resuming);
       }
@@ -98,8 +98,8 @@ bool solve_lengths(const model::Model& model, const SolveOptions& options,
     if (is_time_up(options.checkpoint, trouble)) {
       return false;
     }
-    RecordedCrackLength length(options.recorder);
-    const IncrementStart mark(run.log);
+    ScopedProfileCrackLength length(options.recorder);
+    const IncrementRecorder mark(run.log);
     std::optional<growth::CrackGeometry> cracks = cracks_of(model, lengths[i], diagnostics);
     if (!cracks) {
       return false;
@@ -114,8 +114,8 @@ bool solve_lengths(const model::Model& model, const SolveOptions& options,
     }
     length.set_length(increment->a);
     length.mark_increment();
-    const RecordedInterval keeping(options.checkpoint != nullptr ? options.recorder : nullptr,
-                                   "RESTART", "state of the increment");
+    const ScopedProfileInterval keeping(options.checkpoint != nullptr ? options.recorder : nullptr,
+                                        "RESTART", "state of the increment");
     increment->number = number;
     run.increments.push_back(std::move(*increment));
     results::NamedArrays state;
@@ -142,8 +142,9 @@ std::optional<results::RunResult> solve_run(const model::Model& model, const Sol
   if (options.recorder != nullptr) {
     options.recorder->begin_tolerance_round();
   }
-  const bool done = grows_by_law(model) ? grow_by_law(model, options, diagnostics, trouble, run)
-                                        : solve_lengths(model, options, diagnostics, trouble, run);
+  const bool done = grows_by_law(model)
+                        ? run_growth_by_law(model, options, diagnostics, trouble, run)
+                        : solve_lengths(model, options, diagnostics, trouble, run);
   if (!done) {
     return std::nullopt;
   }

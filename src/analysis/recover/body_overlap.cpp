@@ -213,9 +213,9 @@ private:
 
 } // namespace
 
-void warn_of_overlaps(const model::Model& model, const Discretisation& scene,
-                      const std::vector<SubstructuredBody>& bodies, const StepState& state,
-                      results::StepResult& out) {
+void warn_of_body_overlaps(const model::Model& model, const Discretisation& scene,
+                           const std::vector<SubstructuredBody>& bodies, const StepState& state,
+                           results::StepResult& out) {
   if (bodies.size() > 1) {
     Overlaps(model, scene, bodies, state).tell(out);
   }

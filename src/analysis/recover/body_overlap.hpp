@@ -10,8 +10,8 @@ namespace spricka::analysis {
 /// Warns where bodies in the plane run into each other at the end of a step though nothing holds
 /// them apart there: no contact stands between them, or its pairs see nothing at that place. Bodies
 /// that lie upon each other as drawn are meant to.
-void warn_of_overlaps(const model::Model& model, const Discretisation& scene,
-                      const std::vector<SubstructuredBody>& bodies, const StepState& state,
-                      results::StepResult& out);
+void warn_of_body_overlaps(const model::Model& model, const Discretisation& scene,
+                           const std::vector<SubstructuredBody>& bodies, const StepState& state,
+                           results::StepResult& out);
 
 } // namespace spricka::analysis

@@ -131,7 +131,7 @@ std::vector<std::array<double, 2>> closed_parts(const results::ContactResult& co
   return parts;
 }
 
-bool between_pieces(const results::ContactResult& contact, double place) {
+bool is_between_surface_pieces(const results::ContactResult& contact, double place) {
   const OrderedContactPoints row(contact);
   for (int i = 0; !contact.round && i + 1 < row.count(); ++i) {
     if (row.place(i) < place && place < row.place(i + 1)) {
@@ -141,7 +141,7 @@ bool between_pieces(const results::ContactResult& contact, double place) {
   return false;
 }
 
-std::string parts_note(const results::ContactResult& contact) {
+std::string describe_closed_parts(const results::ContactResult& contact) {
   constexpr std::size_t most = 6;
   const std::vector<std::array<double, 2>> parts = closed_parts(contact);
   if (parts.size() < 2) {

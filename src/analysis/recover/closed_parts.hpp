@@ -14,9 +14,9 @@ std::vector<std::array<double, 2>> closed_parts(const results::ContactResult& co
 
 /// Whether a place along a straight slave lies between two pieces of the surface with the
 /// pressures: nothing is opposite.
-bool between_pieces(const results::ContactResult& contact, double place);
+bool is_between_surface_pieces(const results::ContactResult& contact, double place);
 
 /// Names them, where there are several; else empty.
-std::string parts_note(const results::ContactResult& contact);
+std::string describe_closed_parts(const results::ContactResult& contact);
 
 } // namespace spricka::analysis

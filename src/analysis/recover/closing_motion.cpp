@@ -49,8 +49,8 @@ base::Matrix independent_motions(std::span<const contact::DisplacedContactPoint>
 } // namespace
 
 std::vector<const base::Matrix*>
-motions_without_resistance(const Discretisation& scene,
-                           const std::vector<SubstructuredBody>& bodies) {
+unresisted_rigid_motions(const Discretisation& scene,
+                         const std::vector<SubstructuredBody>& bodies) {
   const std::set<base::NodeId> held = nodes_that_resist_sliding(scene);
   std::vector<const base::Matrix*> motions;
   for (const SubstructuredBody& body : bodies) {
@@ -62,8 +62,8 @@ motions_without_resistance(const Discretisation& scene,
   return motions;
 }
 
-base::Vector fit_closing_motion(std::span<const contact::DisplacedContactPoint> points,
-                                double largest_slide) {
+base::Vector fit_gap_closing_motion(std::span<const contact::DisplacedContactPoint> points,
+                                    double largest_slide) {
   const Eigen::Index count = points.empty() ? 0 : points.front().relative_motions.cols();
   base::Vector closing = base::Vector::Zero(count);
   if (count == 0) {

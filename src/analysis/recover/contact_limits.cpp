@@ -143,7 +143,7 @@ std::optional<PairMotionError> look_at(const model::Model& model, const Discreti
 void close_by_rigid_motions(const Discretisation& scene,
                             const std::vector<SubstructuredBody>& bodies, const StepState& state,
                             std::vector<PairMotionError>& all) {
-  const std::vector<const base::Matrix*> motions = motions_without_resistance(scene, bodies);
+  const std::vector<const base::Matrix*> motions = unresisted_rigid_motions(scene, bodies);
   std::vector<contact::DisplacedContactPoint> points;
   std::vector<std::size_t> pair_of_point;
   double largest_slide = 0.0;
@@ -158,7 +158,7 @@ void close_by_rigid_motions(const Discretisation& scene,
       pair_of_point.push_back(i);
     }
   }
-  const base::Vector closing = fit_closing_motion(points, largest_slide);
+  const base::Vector closing = fit_gap_closing_motion(points, largest_slide);
   std::vector<double> left(all.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (points[k].unseen) {

@@ -15,8 +15,8 @@ constexpr double least_crack_overlap = 1e-3;
 
 } // namespace
 
-std::string face_overlap(const Discretisation& scene, const mesh::CrackFront& front,
-                         const StepState& state) {
+std::string describe_face_overlap(const Discretisation& scene, const mesh::CrackFront& front,
+                                  const StepState& state) {
   const mesh::CrackFaces& faces = scene.cracked.faces[front.crack.index()];
   double deepest = 0.0;
   double largest = 0.0;

@@ -63,7 +63,7 @@ std::string words(std::string_view what) {
 
 } // namespace
 
-std::string not_finite(const results::StepResult& step) {
+std::string find_nonfinite_result(const results::StepResult& step) {
   if (!all_good(step.u)) {
     return words("displacements are");
   }
@@ -82,7 +82,7 @@ std::string not_finite(const results::StepResult& step) {
   return {};
 }
 
-std::string not_finite(const results::LoadPathResult& path) {
+std::string find_nonfinite_result(const results::LoadPathResult& path) {
   for (const results::LoadPathFront& front : path.fronts) {
     for (const results::LoadPathFrontPoint& point : front.points) {
       if (!std::ranges::all_of(point.K, path_good)) {

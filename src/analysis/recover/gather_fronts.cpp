@@ -135,15 +135,15 @@ void compare_domains(const std::vector<bool>& discontinuous, const crack::Stress
 
 // What loads, contacts and the crack's own faces do to a front. faces: [point] in space.
 crack::FrontLoads loads_on(const model::Model& model, const Discretisation& scene, std::size_t f,
-                           const std::vector<FrontFaces>& faces, const StepState& state) {
+                           const std::vector<FrontFaceContact>& faces, const StepState& state) {
   const mesh::CrackFront& front = scene.cracked.fronts[f];
-  crack::FrontLoads loads = front_loads(model, scene, scene.domains[f], state.case_factor);
+  crack::FrontLoads loads = collect_front_loads(model, scene, scene.domains[f], state.case_factor);
   if (front.is_tip()) {
     loads.crack_faces = crack_face_forces(scene, front, state);
     return loads;
   }
   loads.contact = contact_forces(scene, scene.domains[f], state);
-  for (const FrontFaces& point : faces) {
+  for (const FrontFaceContact& point : faces) {
     loads.across.push_back(0.0 - point.pressure);
   }
   return loads;
@@ -176,8 +176,8 @@ void gather_front(const model::Model& model, const Discretisation& scene, std::s
     request.shift = vce->shift;
     request.opening = vce->opening;
   }
-  const std::vector<FrontFaces> faces =
-      front.is_tip() ? std::vector<FrontFaces>() : front_faces(scene, front, state);
+  const std::vector<FrontFaceContact> faces =
+      front.is_tip() ? std::vector<FrontFaceContact>() : front_face_contact(scene, front, state);
   const crack::FrontLoads loads = loads_on(model, scene, f, faces, state);
   const std::vector<crack::StressIntensity> K = crack::front_intensity(
       model, scene.cracked, front, scene.domains[f], request, state.u, loads);

@@ -52,7 +52,7 @@ double largest_of(const std::vector<crack::StressIntensity>& K) {
 }
 
 // K of the size that the pressure between the faces has at a crack of this size.
-double pressed_scale(const FrontState& at) {
+double pressed_scale(const FrontStepState& at) {
   double pressure = 0.0;
   if (const auto& pair = at.scene.crack_face_pairs[at.front.crack.index()]) {
     const std::size_t rows = at.scene.pairs[pair->pair].normal.size();
@@ -65,7 +65,7 @@ double pressed_scale(const FrontState& at) {
 }
 
 // K that displacements leave by round-off where a crack is carried along.
-double round_off_scale(const FrontState& at) {
+double round_off_scale(const FrontStepState& at) {
   const double size = at.front.a > 0.0 ? at.front.a : at.front.radius;
   return at.K.empty() ? 0.0
                       : 1e-6 * at.K.front().E_effective * at.state.u.lpNorm<Eigen::Infinity>() /
@@ -89,7 +89,7 @@ void tell_overlap(const std::string& overlap, const std::string& negative,
 }
 
 // K1 < 0 of a tip is an answer as K_min of a law alone.
-void tell_tip_overlap(const FrontState& at, results::FrontResult& result,
+void tell_tip_overlap(const FrontStepState& at, results::FrontResult& result,
                       results::StepResult& out) {
   const results::FrontPointResult& tip = result.tip();
   const double part = crack_face_overlap(at.scene.cracked, at.front.crack.index(), at.state.u).lone;
@@ -114,9 +114,9 @@ void tell_tip_overlap(const FrontState& at, results::FrontResult& result,
                result, out);
 }
 
-void tell_front_overlap(const FrontState& at, results::FrontResult& result,
+void tell_front_overlap(const FrontStepState& at, results::FrontResult& result,
                         results::StepResult& out) {
-  const std::string overlap = face_overlap(at.scene, at.front, at.state);
+  const std::string overlap = describe_face_overlap(at.scene, at.front, at.state);
   const double least = -small_K1 * largest_of(at.K);
   const bool negative = std::ranges::any_of(
       result.points, [&](const results::FrontPointResult& point) { return point.K1 < least; });
@@ -128,7 +128,7 @@ void tell_front_overlap(const FrontState& at, results::FrontResult& result,
 }
 
 // Less than an element that overlaps is no contact, and less than one that touches no good one.
-void tell_lone_nodes(const FrontState& at, const TipFaces& faces,
+void tell_lone_nodes(const FrontStepState& at, const TipFaceContact& faces,
                      const results::FrontResult& result, results::StepResult& out) {
   if (faces.lone) {
     out.notes.push_back(results::less_exact_note(
@@ -171,7 +171,7 @@ void close_point(bool held, double G_left, results::FrontPointResult& point) {
   point.G_from_K = held ? 0.0 : G_left;
 }
 
-void close_tip(const TipFaces& faces, double scale, results::FrontResult& result,
+void close_tip(const TipFaceContact& faces, double scale, results::FrontResult& result,
                results::StepResult& out) {
   results::FrontPointResult& tip = result.tip();
   const double K1 = tip.K1;
@@ -222,7 +222,7 @@ void note_touching(std::size_t closed, std::size_t held, const results::FrontRes
       results::note(fmt::format("{}: the crack faces touch {}{}", result.name, where, left)));
 }
 
-void close_front(const FrontState& at, results::FrontResult& result, results::StepResult& out) {
+void close_front(const FrontStepState& at, results::FrontResult& result, results::StepResult& out) {
   const double scale = std::max({largest_of(at.K), pressed_scale(at), round_off_scale(at)});
   std::size_t closed = 0;
   std::size_t held = 0;
@@ -262,11 +262,11 @@ void close_front(const FrontState& at, results::FrontResult& result, results::St
 
 // K of the size that pressure between the faces, or their largest displacement against each other,
 // has at a crack of this length under uniform stress; no less than what round-off makes of it.
-double k_scale(const FrontState& at, const TipFaces& faces) {
+double k_scale(const FrontStepState& at, const TipFaceContact& faces) {
   const double a = at.front.a;
   const double E = at.K.front().E_effective;
   const double pressed = faces.pressure * std::sqrt(std::numbers::pi * a);
-  const double jump = crack_face_jump(at.scene.cracked, at.front.crack.index(), at.state.u);
+  const double jump = largest_crack_face_jump(at.scene.cracked, at.front.crack.index(), at.state.u);
   // Faces of a crack of half length a under uniform stress part by 4 sigma a / E' in its middle.
   const double open = 0.25 * E * jump * std::sqrt(std::numbers::pi / a);
   const double least = 1e-6 * E * at.state.u.lpNorm<Eigen::Infinity>() / std::sqrt(a);
@@ -274,13 +274,13 @@ double k_scale(const FrontState& at, const TipFaces& faces) {
 }
 
 // Whether K is nothing but the round-off of displacements that a crack is carried along with.
-bool is_round_off(const FrontState& at) {
+bool is_round_off(const FrontStepState& at) {
   const crack::StressIntensity& K = at.K.front();
   const double scale = K.E_effective * at.state.u.lpNorm<Eigen::Infinity>() / std::sqrt(at.front.a);
   return std::hypot(K.K1, K.K2) <= 1e-9 * scale;
 }
 
-void judge_tip(const FrontState& at, bool may_touch, results::FrontResult& result,
+void judge_tip(const FrontStepState& at, bool may_touch, results::FrontResult& result,
                results::StepResult& out) {
   if (result.two_materials) {
     result.invalid_reason =
@@ -294,26 +294,27 @@ void judge_tip(const FrontState& at, bool may_touch, results::FrontResult& resul
     results::FrontPointResult& tip = result.tip();
     tip.K1 = tip.K2 = tip.G = tip.G_from_K = 0.0;
     tip.smooth = {};
-    tip.closed = may_touch && tip_faces(at.scene, at.front, at.state).closed;
+    tip.closed = may_touch && tip_face_contact(at.scene, at.front, at.state).closed;
     return;
   }
   if (!may_touch) {
     tell_tip_overlap(at, result, out);
     return;
   }
-  const TipFaces faces = tip_faces(at.scene, at.front, at.state);
+  const TipFaceContact faces = tip_face_contact(at.scene, at.front, at.state);
   close_tip(faces, k_scale(at, faces), result, out);
   tell_lone_nodes(at, faces, result, out);
 }
 
-void judge_front(const FrontState& at, bool may_touch, results::FrontResult& result,
+void judge_front(const FrontStepState& at, bool may_touch, results::FrontResult& result,
                  results::StepResult& out) {
   if (!may_touch) {
     tell_front_overlap(at, result, out);
     return;
   }
   if (at.faces.empty()) { // no rows have been violated: nodes must say the same
-    if (const std::string overlap = face_overlap(at.scene, at.front, at.state); !overlap.empty()) {
+    if (const std::string overlap = describe_face_overlap(at.scene, at.front, at.state);
+        !overlap.empty()) {
       result.invalid_reason = overlap;
       out.notes.push_back(
           results::invalid_result_note(fmt::format("{}: {}", result.name, overlap)));
@@ -324,7 +325,7 @@ void judge_front(const FrontState& at, bool may_touch, results::FrontResult& res
 
 } // namespace
 
-void judge_faces(const FrontState& at, results::FrontResult& result, results::StepResult& out) {
+void judge_faces(const FrontStepState& at, results::FrontResult& result, results::StepResult& out) {
   const bool may_touch = at.model.cracks[at.front.crack.index()].faces_in_contact;
   if (result.is_tip()) {
     judge_tip(at, may_touch, result, out);

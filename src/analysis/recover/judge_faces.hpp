@@ -14,17 +14,17 @@ namespace spricka::analysis {
 inline constexpr double worst_open_front = 0.01;
 
 /// A front at the end of a step, and K as its domains find it [point].
-struct FrontState {
+struct FrontStepState {
   const model::Model& model;
   const Discretisation& scene;
   const mesh::CrackFront& front;
   const StepState& state;
   const std::vector<crack::StressIntensity>& K;
-  const std::vector<FrontFaces>& faces; ///< [point] in space; empty: they touch nowhere
+  const std::vector<FrontFaceContact>& faces; ///< [point] in space; empty: they touch nowhere
 };
 
 /// What the faces of a crack, and the materials beside it, make of the K of its front: K1 = 0 where
 /// they touch, doubt where K is no answer; notes where the mesh does not resolve what they do.
-void judge_faces(const FrontState& at, results::FrontResult& result, results::StepResult& out);
+void judge_faces(const FrontStepState& at, results::FrontResult& result, results::StepResult& out);
 
 } // namespace spricka::analysis

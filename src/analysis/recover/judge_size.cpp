@@ -165,9 +165,9 @@ void explain_broken_ligaments(results::RunResult& run) {
   }
 }
 
-void check_small_strain(const model::Model& model, const Discretisation& scene,
-                        const std::vector<SubstructuredBody>& bodies, const StepState& state,
-                        results::StepResult& out) {
+void warn_of_large_deformation(const model::Model& model, const Discretisation& scene,
+                               const std::vector<SubstructuredBody>& bodies, const StepState& state,
+                               results::StepResult& out) {
   constexpr double small_strain = 0.01;
   constexpr double small_turn = 0.1; // what it changes is of second order
   const model::Mesh& mesh = scene.cracked.mesh;

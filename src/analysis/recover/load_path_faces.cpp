@@ -33,7 +33,7 @@ std::vector<LoadPathSolver::FaceNodePair> LoadPathSolver::watch_faces(const mode
   if (!scene.has_tips()) {
     return watches; // in space steps say where faces overlap
   }
-  const bool wanted = !model.load_paths.empty() || follows_history(model);
+  const bool wanted = !model.load_paths.empty() || depends_on_load_order(model);
   for (std::size_t i = 0; i < scene.cracked.faces.size() && wanted; ++i) {
     // Faces that are a pair already cannot overlap; FREE ones may.
     if (!model.cracks[i].faces_in_contact || scene.crack_face_pairs[i]) {
@@ -137,7 +137,7 @@ base::Vector LoadPathSolver::evaluate_K(const contact::ContactSystem::IncrementP
   }
   look_at_faces(value);
   base::Vector free; // without the forces between faces of cracks, all others as they are
-  if (scene_.has_tips() && continues_below_closing(model_)) {
+  if (scene_.has_tips() && continues_K_below_closing(model_)) {
     free = value;
     for (std::size_t i = 0; i < problem.rows.size(); ++i) {
       if (between_faces(scene_, problem.rows[i])) {
@@ -167,7 +167,8 @@ void LoadPathSolver::smooth_fronts(base::Vector& value) const {
       continue;
     }
     const bool bear = scene_.crack_face_pairs[front.crack.index()].has_value();
-    const auto smooth = smooth_front_K(front, scene_.domains[f], value, layout.first_index(first));
+    const auto smooth =
+        smooth_K_along_front(front, scene_.domains[f], value, layout.first_index(first));
     for (const std::array<double, 3>& K : smooth) {
       layout.point_entries(value, first++) << (bear ? std::max(0.0, K[0]) : K[0]), K[1], K[2];
     }

@@ -24,8 +24,8 @@ void smooth_front(const mesh::CrackFront& is, const crack::FrontIntegralDomains&
   std::vector<std::array<std::vector<double>, 3>> value(n);
   std::vector<std::array<std::vector<double>, 3>> slope(n);
   for (const solve::SolutionPathSegment& s : found.segments) {
-    const auto values = smooth_front_K(is, domains, s.value, first);
-    const auto slopes = smooth_front_K(is, domains, s.slope, first);
+    const auto values = smooth_K_along_front(is, domains, s.value, first);
+    const auto slopes = smooth_K_along_front(is, domains, s.slope, first);
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t k = 0; k < 3; ++k) {
         value[i][k].push_back(values[i][k]);
@@ -66,11 +66,11 @@ std::size_t close_path_points(const std::vector<std::optional<std::size_t>>& row
   std::size_t touching = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     results::LoadPathFrontPoint& point = front.points[i];
-    if (!rows[i] || !zero_where_closed(found, *rows[i], point.K[0])) {
+    if (!rows[i] || !zero_K1_where_closed(found, *rows[i], point.K[0])) {
       continue;
     }
     ++touching;
-    zero_where_closed(found, *rows[i], point.smooth[0]);
+    zero_K1_where_closed(found, *rows[i], point.smooth[0]);
   }
   return touching;
 }
@@ -154,7 +154,7 @@ bool is_shifted(const model::Model& model, base::CrackId crack) {
 std::vector<std::optional<std::size_t>>
 LoadPathSolver::rows_behind(std::size_t f, const std::vector<std::size_t>& in_force) const {
   std::vector<std::optional<std::size_t>> rows =
-      rows_behind_front(scene_, scene_.cracked.fronts[f]);
+      contact_rows_behind_front(scene_, scene_.cracked.fronts[f]);
   for (std::optional<std::size_t>& row : rows) {
     const auto at = row ? std::ranges::find(in_force, *row) : in_force.end();
     row = at != in_force.end() ? std::optional(static_cast<std::size_t>(at - in_force.begin()))
@@ -238,7 +238,7 @@ void LoadPathSolver::fronts(const solve::SolutionPath& found, const LoadPathEnd&
     path.fronts.push_back(std::move(front));
   }
   path.mismatch = size > 0.0 ? apart / size : 0.0;
-  warn_of_mismatch(path);
+  warn_of_K_mismatch(path);
 }
 
 } // namespace spricka::analysis

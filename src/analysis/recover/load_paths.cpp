@@ -72,7 +72,7 @@ LoadPathSolver::ContactForceFunctionals LoadPathSolver::functionals(const StepSo
   if (solver.contact_system() == nullptr || count == 0) {
     return out;
   }
-  K_rows_ = K_rows(model_, scene_);
+  K_rows_ = displacement_K_functionals(model_, scene_);
   const contact::ContactSystem& system = *solver.contact_system();
   Eigen::Index modes = 0;
   for (const std::size_t b : solver.condensed_bodies()) {
@@ -106,7 +106,7 @@ LoadPathSolver::ContactForceFunctionals LoadPathSolver::functionals(const StepSo
     first += nodal.cols();
   }
   // Between faces in contact a unit of a row changes K without moving anything, too (crack.33).
-  out.of_row.topRows(first_watched()) += K_by_forces(model_, scene_);
+  out.of_row.topRows(first_watched()) += contact_force_K_functionals(model_, scene_);
   return out;
 }
 
@@ -121,7 +121,7 @@ base::Vector LoadPathSolver::free_values(const base::Vector& case_factor) const 
     recover_body(body, external, case_factor, u);
   }
   base::Vector values(functional_count());
-  values.head(first_watched()) = K_values(model_, scene_, u, case_factor);
+  values.head(first_watched()) = evaluate_K_values(model_, scene_, u, case_factor);
   values.tail(2 * static_cast<Eigen::Index>(watches_.size())) = watched(u);
   return values;
 }
@@ -164,7 +164,7 @@ bool LoadPathSolver::homogeneous(const LoadPathEnd& from, const LoadPathEnd& to,
     return false;
   }
   // What no factor of the steps scales: gaps without FIT, or left over from a MOUNT.
-  const base::Vector rest = solver.unscaled_gap(from.problem.rows);
+  const base::Vector rest = solver.gap_without_fits_and_loads(from.problem.rows);
   const double size =
       std::max(from.problem.gap.size() > 0 ? from.problem.gap.cwiseAbs().maxCoeff() : 0.0,
                to.problem.gap.size() > 0 ? to.problem.gap.cwiseAbs().maxCoeff() : 0.0);
@@ -232,8 +232,9 @@ void LoadPathSolver::contacts(const solve::SolutionPath& found, const LoadPathEn
   std::ranges::stable_sort(path.changes, {}, &results::ContactStatusChange::t);
 }
 
-solve::ParametricProblem LoadPathSolver::path_problem(const model::LoadPathDefinition& card,
-                                                      const StepSolver& solver) {
+solve::ParametricProblem
+LoadPathSolver::parametric_path_problem(const model::LoadPathDefinition& card,
+                                        const StepSolver& solver) {
   if (!rows_) {
     rows_ = functionals(solver);
   }
@@ -248,12 +249,12 @@ results::LoadPathResult LoadPathSolver::path(const model::LoadPathDefinition& ca
   out.name = card.name;
   out.from = model_.steps[card.from.index()].name;
   out.to = model_.steps[card.to.index()].name;
-  if (follows_history(model_)) {
+  if (depends_on_load_order(model_)) {
     out.stopped = "with friction K depends on the way, so that there is no map: the growth follows "
                   "its loads one after another";
     return out;
   }
-  const solve::ParametricProblem posed = path_problem(card, solver);
+  const solve::ParametricProblem posed = parametric_path_problem(card, solver);
   solve::SolutionPath found;
   if (posed.db.size() > 0 || posed.dh.size() > 0) {
     solve::SolutionPathSettings settings;

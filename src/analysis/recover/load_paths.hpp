@@ -27,7 +27,9 @@ public:
   [[nodiscard]] std::vector<results::LoadPathResult> solve_paths(const StepSolver& solver);
   /// Crack lines whose faces would overlap somewhere on the paths followed, and that have no pair
   /// yet (analysis/steps/crack_face_contact.hpp).
-  [[nodiscard]] const std::vector<std::size_t>& overlapping_lines() const { return touching_; }
+  [[nodiscard]] const std::vector<std::size_t>& cracks_with_overlapping_faces() const {
+    return touching_;
+  }
   /// K of each tip in a solved increment [crack::KLayout], along fronts in space the smooth one; K1
   /// is 0 where its faces touch at the tip, or in the plane what a law with R < 0 wants there.
   /// Looks at the faces, too.
@@ -36,8 +38,8 @@ public:
                                         const StepSolver& solver);
   /// The parametric problem of one path; functionals K1 and K2 of each tip, then by watch how far
   /// its two nodes are apart and how far along the face.
-  [[nodiscard]] solve::ParametricProblem path_problem(const model::LoadPathDefinition& card,
-                                                      const StepSolver& solver);
+  [[nodiscard]] solve::ParametricProblem
+  parametric_path_problem(const model::LoadPathDefinition& card, const StepSolver& solver);
 
 private:
   /// Loads and gaps at the end of a step.

@@ -209,7 +209,7 @@ void add_energy_errors(const model::Model& model, const Discretisation& scene,
   step.errors.push_back(error_of("*", std::move(all), estimate, energy, floor));
 }
 
-std::vector<std::string> coarse_nets(const results::RunResult& run) {
+std::vector<std::string> describe_coarse_nets(const results::RunResult& run) {
   struct Worst {
     const results::NetErrorEstimate* error = nullptr;
     const results::Increment* increment = nullptr;

@@ -19,6 +19,6 @@ void add_energy_errors(const model::Model& model, const Discretisation& scene,
                        const std::vector<double>& energy, results::StepResult& step);
 
 /// A sentence for each net whose error somewhere in the run is above coarse_mesh, at its worst.
-std::vector<std::string> coarse_nets(const results::RunResult& run);
+std::vector<std::string> describe_coarse_nets(const results::RunResult& run);
 
 } // namespace spricka::analysis

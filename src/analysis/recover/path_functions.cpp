@@ -32,8 +32,8 @@ base::PiecewiseLinear path_functional(const solve::SolutionPath& found, Eigen::I
   return {path_knots(found), std::move(value), std::move(slope)};
 }
 
-bool zero_where_closed(const solve::SolutionPath& found, std::size_t row,
-                       base::PiecewiseLinear& K1) {
+bool zero_K1_where_closed(const solve::SolutionPath& found, std::size_t row,
+                          base::PiecewiseLinear& K1) {
   const auto place = static_cast<std::ptrdiff_t>(row);
   bool closed = found.closed[row];
   bool any = false;
@@ -53,7 +53,7 @@ bool zero_where_closed(const solve::SolutionPath& found, std::size_t row,
   return any;
 }
 
-void warn_of_mismatch(results::LoadPathResult& path) {
+void warn_of_K_mismatch(results::LoadPathResult& path) {
   if (!(path.mismatch <= worst_mismatch)) {
     path.notes.push_back(results::less_exact_note(
         fmt::format("K on the path differs from K of the steps at its "

@@ -14,11 +14,11 @@ base::PiecewiseLinear path_functional(const solve::SolutionPath& found, Eigen::I
 
 /// Sets functional K1 of a solution path to 0 on the segments on which the faces of a crack touch
 /// at the front, that is on which row `row` of the path's problem is closed; whether there are any.
-bool zero_where_closed(const solve::SolutionPath& found, std::size_t row,
-                       base::PiecewiseLinear& K1);
+bool zero_K1_where_closed(const solve::SolutionPath& found, std::size_t row,
+                          base::PiecewiseLinear& K1);
 
 /// Warns where K on the path and K of the steps at its ends, which come from the same numbers by
 /// different ways, are apart.
-void warn_of_mismatch(results::LoadPathResult& path);
+void warn_of_K_mismatch(results::LoadPathResult& path);
 
 } // namespace spricka::analysis

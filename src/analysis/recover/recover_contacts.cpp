@@ -309,8 +309,9 @@ void recover_contacts(const Discretisation& scene, const StepState& state,
     if (!result.unbounded.empty()) {
       out.notes.push_back(results::note(unbounded_note(result)));
     }
-    const std::string parts =
-        result.mounted && unilateral && !result.space ? parts_note(result) : std::string();
+    const std::string parts = result.mounted && unilateral && !result.space
+                                  ? describe_closed_parts(result)
+                                  : std::string();
     if (!parts.empty()) {
       out.notes.push_back(results::note(parts));
     }

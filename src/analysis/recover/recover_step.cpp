@@ -97,9 +97,9 @@ void gather_nets(const model::Model& model, const Discretisation& scene, const S
 
 } // namespace
 
-results::StepResult collect_results(const model::Model& model, const Discretisation& scene,
-                                    const std::vector<SubstructuredBody>& bodies,
-                                    const model::Step& step, const StepState& state) {
+results::StepResult collect_step_results(const model::Model& model, const Discretisation& scene,
+                                         const std::vector<SubstructuredBody>& bodies,
+                                         const model::Step& step, const StepState& state) {
   results::StepResult out;
   out.step = step.name;
   out.u = state.u;
@@ -116,9 +116,9 @@ results::StepResult collect_results(const model::Model& model, const Discretisat
   gather_bodies(model, scene, bodies, state, out);
   gather_nets(model, scene, state, out);
   gather_targets(model, out, out.targets);
-  check_small_strain(model, scene, bodies, state, out);
+  warn_of_large_deformation(model, scene, bodies, state, out);
   warn_of_large_slip(model, scene, bodies, state, out);
-  warn_of_overlaps(model, scene, bodies, state, out);
+  warn_of_body_overlaps(model, scene, bodies, state, out);
   return out;
 }
 

@@ -26,7 +26,7 @@ double patch_size(const results::Increment& increment, const base::Vec2& at) {
     const double distance = (element_centroid(increment.mesh, base::ElementId(e)) - at).norm();
     if (distance < closest) {
       closest = distance;
-      size = element_size(increment.mesh, base::ElementId(e));
+      size = mean_side_length(increment.mesh, base::ElementId(e));
     }
   }
   // Farther off than one element the place belongs to the host.
@@ -44,7 +44,7 @@ const mesh::SizeMap::SizeRequest* nearest(const std::vector<mesh::SizeMap::SizeR
 
 } // namespace
 
-base::CrackId face_contact_crack(const model::Model& model, const std::string& contact) {
+base::CrackId crack_of_face_contact(const model::Model& model, const std::string& contact) {
   for (std::size_t c = 0; c < model.cracks.size(); ++c) {
     if (contact == model.cracks[c].name + ".FACES") {
       return base::CrackId(c);
@@ -62,7 +62,7 @@ base::Vec2 element_centroid(const model::Mesh& mesh, base::ElementId e) {
   return sum / static_cast<double>(corners);
 }
 
-double element_size(const model::Mesh& mesh, base::ElementId e) {
+double mean_side_length(const model::Mesh& mesh, base::ElementId e) {
   const auto corners = static_cast<std::size_t>(base::element_info(mesh.type[e.index()]).corners);
   const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
   double sum = 0.0;
@@ -87,7 +87,7 @@ void add_refinement_points(const model::Model& model, const ExcessiveErrorBar& w
       const results::ContactPoint& a = contact.points[i - 1];
       const results::ContactPoint& b = contact.points[i];
       if ((a.state == results::ContactState::open) != (b.state == results::ContactState::open)) {
-        const base::CrackId faces = face_contact_crack(model, contact.name);
+        const base::CrackId faces = crack_of_face_contact(model, contact.name);
         places.push_back({.at = 0.5 * (a.x + b.x).head<2>(),
                           .factor = factor,
                           .crack = faces,
@@ -105,8 +105,8 @@ void add_refinement_points(const model::Model& model, const ExcessiveErrorBar& w
   }
 }
 
-RefinementTargets nets_to_refine(const std::vector<RefinementPoint>& places,
-                                 const PresentElementSizes& elements, std::size_t cracks) {
+RefinementTargets find_refinement_targets(const std::vector<RefinementPoint>& places,
+                                          const PresentElementSizes& elements, std::size_t cracks) {
   RefinementTargets followers{{}, std::vector<double>(cracks, 1.0)};
   for (const RefinementPoint& place : places) {
     if (place.on_faces) {

@@ -15,7 +15,7 @@ namespace spricka::analysis {
 /// Mean of an element's corners, and of the lengths of its sides.
 base::Vec2 element_centroid(const model::Mesh& mesh, base::ElementId e);
 /// Mean length of the sides of a plane element, from corner to corner [length].
-double element_size(const model::Mesh& mesh, base::ElementId e);
+double mean_side_length(const model::Mesh& mesh, base::ElementId e);
 
 using SizeRequestsByNet = std::map<std::string, std::vector<mesh::SizeMap::SizeRequest>>; // by net
 
@@ -41,7 +41,7 @@ void add_refinement_points(const model::Model& model, const ExcessiveErrorBar& w
                            std::vector<RefinementPoint>& places);
 
 /// The crack whose faces a contact of the results is; invalid: another contact.
-base::CrackId face_contact_crack(const model::Model& model, const std::string& contact);
+base::CrackId crack_of_face_contact(const model::Model& model, const std::string& contact);
 
 /// Elements of the present mesh where they are and as large as they are, by net.
 struct PresentElementSizes {
@@ -56,7 +56,7 @@ struct RefinementTargets {
 };
 
 /// Nets whose nearest element is no further from a place than it is large follow it.
-RefinementTargets nets_to_refine(const std::vector<RefinementPoint>& places,
-                                 const PresentElementSizes& elements, std::size_t cracks);
+RefinementTargets find_refinement_targets(const std::vector<RefinementPoint>& places,
+                                          const PresentElementSizes& elements, std::size_t cracks);
 
 } // namespace spricka::analysis

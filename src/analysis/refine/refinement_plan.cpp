@@ -145,7 +145,8 @@ void add_cavities(const model::Model& model, const results::Increment& increment
   for (std::size_t e = 0; e < host.element_count(); ++e) {
     if (!kept.contains({host.element_net[e].value, host.element_label[e]})) {
       requests[net_of(model, host, e)].push_back({element_centroid(host, base::ElementId(e)),
-                                                  element_size(host, base::ElementId(e)), false});
+                                                  mean_side_length(host, base::ElementId(e)),
+                                                  false});
     }
   }
 }
@@ -181,7 +182,7 @@ void add_elements(const model::Model& model, const results::Increment& increment
     const double f = factors.host[e];
     const std::string net = net_of(model, increment.mesh, e);
     const base::Vec2 centre = element_centroid(increment.mesh, base::ElementId(e));
-    const double size = element_size(increment.mesh, base::ElementId(e));
+    const double size = mean_side_length(increment.mesh, base::ElementId(e));
     demands.elements.kept[net].push_back({centre, size, false});
     demands.requests[net].push_back({centre, f * size, f < no_change});
     double& least = demands.least.try_emplace(net, 1.0).first->second;
@@ -194,7 +195,7 @@ void add_elements(const model::Model& model, const results::Increment& increment
 }
 
 Demands demands_of(const model::Model& model, const results::RunResult& run) {
-  const std::vector<ExcessiveErrorBar> bars = wide_error_bars(model, run);
+  const std::vector<ExcessiveErrorBar> bars = find_excessive_error_bars(model, run);
   Demands demands;
   demands.patch.assign(model.cracks.size(), 1.0);
   for (const results::Increment& increment : run.increments) {
@@ -263,7 +264,7 @@ std::string RefinementPlan::refine(const model::Model& model, const results::Run
   }
   Demands demands = demands_of(model, run);
   const RefinementTargets followers =
-      nets_to_refine(demands.places, demands.elements, demands.patch.size());
+      find_refinement_targets(demands.places, demands.elements, demands.patch.size());
   for (const SizeRequestsByNet* more : {&std::as_const(demands.elements.cut), &followers.nets}) {
     for (const auto& [net, list] : *more) {
       demands.requests[net].insert(demands.requests[net].end(), list.begin(), list.end());

@@ -29,7 +29,7 @@ public:
   void apply(model::Model& model) const;
 
   /// How many times as many elements the last `refine` gives patches, at most.
-  [[nodiscard]] double patch_growth() const { return patch_growth_; }
+  [[nodiscard]] double patch_element_growth() const { return patch_growth_; }
 
 private:
   std::string refine_fronts(const model::Model& model, const results::RunResult& run);

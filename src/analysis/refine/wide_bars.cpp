@@ -98,8 +98,8 @@ std::vector<FrontWithTolerance> fronts_with_tolerance(const model::Model& model,
   return list;
 }
 
-std::vector<ExcessiveErrorBar> wide_error_bars(const model::Model& model,
-                                               const results::RunResult& run) {
+std::vector<ExcessiveErrorBar> find_excessive_error_bars(const model::Model& model,
+                                                         const results::RunResult& run) {
   std::vector<ExcessiveErrorBar> list;
   for (const FrontWithTolerance& at : fronts_with_tolerance(model, run)) {
     const double allowed = at.tolerance * at.K;
@@ -113,7 +113,8 @@ std::vector<ExcessiveErrorBar> wide_error_bars(const model::Model& model,
   return list;
 }
 
-ToleranceShortfall shortfall(const model::Model& model, const results::RunResult& run) {
+ToleranceShortfall find_tolerance_shortfall(const model::Model& model,
+                                            const results::RunResult& run) {
   ToleranceShortfall worst;
   for (const FrontWithTolerance& at : fronts_with_tolerance(model, run)) {
     const std::string where = fmt::format("{}, step {}", at.front.name, at.step.step);

@@ -33,7 +33,8 @@ struct ToleranceShortfall {
   std::string no_bar;       ///< of a front with TOL: why it has no bar; empty: all have one
 };
 /// Of the bars of tips and of points within a body.
-ToleranceShortfall shortfall(const model::Model& model, const results::RunResult& run);
+ToleranceShortfall find_tolerance_shortfall(const model::Model& model,
+                                            const results::RunResult& run);
 
 /// One K whose bar is too large.
 struct ExcessiveErrorBar {
@@ -43,7 +44,7 @@ struct ExcessiveErrorBar {
 };
 
 /// Of all tips with TOL. They look into `run`.
-std::vector<ExcessiveErrorBar> wide_error_bars(const model::Model& model,
-                                               const results::RunResult& run);
+std::vector<ExcessiveErrorBar> find_excessive_error_bars(const model::Model& model,
+                                                         const results::RunResult& run);
 
 } // namespace spricka::analysis

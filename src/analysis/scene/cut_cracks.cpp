@@ -47,7 +47,8 @@ std::vector<mesh::TipMeshParameters> tip_meshes(const model::Model& model,
   std::vector<mesh::TipMeshParameters> tips;
   tips.reserve(lines.size());
   for (const mesh::CrackLine& line : lines) {
-    tips.push_back(mesh::choose_tip_mesh(host, line, find_tip_net(model, line.crack), lines));
+    tips.push_back(
+        mesh::choose_tip_mesh(host, line, find_tip_mesh_settings(model, line.crack), lines));
     tips.back().pressed = opens_into_contact(model, line);
   }
   return tips;
@@ -58,7 +59,7 @@ std::vector<mesh::TubeMeshParameters> tube_meshes(const model::Model& model) {
   std::vector<mesh::TubeMeshParameters> tubes;
   for (std::size_t i = 0; i < model.cracks.size(); ++i) {
     mesh::TubeMeshParameters tube;
-    if (const model::TipMeshSettings* tip = find_tip_net(model, base::CrackId(i))) {
+    if (const model::TipMeshSettings* tip = find_tip_mesh_settings(model, base::CrackId(i))) {
       tube.radius = tip->radius.value_or(0.0);
       tube.size = tip->size.value_or(0.0);
       tube.rings = tip->rings;
@@ -128,9 +129,9 @@ std::optional<mesh::CrackedMesh> cracked_solid(const model::Model& model,
 
 } // namespace
 
-std::optional<mesh::CrackedMesh> cracked_mesh(const model::Model& model,
-                                              const std::vector<mesh::CrackLine>& lines,
-                                              base::Diagnostics& diagnostics) {
+std::optional<mesh::CrackedMesh> make_cracked_mesh(const model::Model& model,
+                                                   const std::vector<mesh::CrackLine>& lines,
+                                                   base::Diagnostics& diagnostics) {
   if (model.cracks.empty()) {
     return without_cracks(model.mesh);
   }
@@ -151,9 +152,9 @@ std::optional<mesh::CrackedMesh> cracked_mesh(const model::Model& model,
   return cracked;
 }
 
-RegionPlan plan_region(const model::Model& model, const std::vector<double>& lengths,
-                       base::Diagnostics& diagnostics) {
-  RegionPlan plan;
+CrackRegionPlan plan_crack_region(const model::Model& model, const std::vector<double>& lengths,
+                                  base::Diagnostics& diagnostics) {
+  CrackRegionPlan plan;
   plan.region.assign(model.mesh.element_count(), false);
   // One length alone has nothing to keep for another; bodies of solids stay whole.
   plan.split = lengths.size() > 1 && !model.cracks.empty() && model.mesh.dim == 2;
@@ -166,13 +167,13 @@ RegionPlan plan_region(const model::Model& model, const std::vector<double>& len
     if (!lines) {
       return plan;
     }
-    add_to_region(model, *lines, plan);
+    add_to_crack_region(model, *lines, plan);
   }
   return plan;
 }
 
-void add_to_region(const model::Model& model, const std::vector<mesh::CrackLine>& lines,
-                   RegionPlan& plan) {
+void add_to_crack_region(const model::Model& model, const std::vector<mesh::CrackLine>& lines,
+                         CrackRegionPlan& plan) {
   plan.region.resize(model.mesh.element_count(), false);
   plan.split = true;
   const mesh::HostMesh host(model.mesh);

@@ -11,22 +11,22 @@
 namespace spricka::analysis {
 
 /// The deck's mesh with these cracks in it; mistakes go to `diagnostics` and give an empty result.
-std::optional<mesh::CrackedMesh> cracked_mesh(const model::Model& model,
-                                              const std::vector<mesh::CrackLine>& lines,
-                                              base::Diagnostics& diagnostics);
+std::optional<mesh::CrackedMesh> make_cracked_mesh(const model::Model& model,
+                                                   const std::vector<mesh::CrackLine>& lines,
+                                                   base::Diagnostics& diagnostics);
 
 /// What stays the same for all lengths of a run.
-struct RegionPlan {
+struct CrackRegionPlan {
   std::vector<bool> region; ///< [host element] some length's cavity touches it
   bool split = false;       ///< worth condensing region and rest apart (several lengths)
 };
 
 /// The region of the host that the cracks of all lengths touch.
-RegionPlan plan_region(const model::Model& model, const std::vector<double>& lengths,
-                       base::Diagnostics& diagnostics);
+CrackRegionPlan plan_crack_region(const model::Model& model, const std::vector<double>& lengths,
+                                  base::Diagnostics& diagnostics);
 
 /// Adds what these cracks touch.
-void add_to_region(const model::Model& model, const std::vector<mesh::CrackLine>& lines,
-                   RegionPlan& plan);
+void add_to_crack_region(const model::Model& model, const std::vector<mesh::CrackLine>& lines,
+                         CrackRegionPlan& plan);
 
 } // namespace spricka::analysis

@@ -7,13 +7,13 @@
 
 namespace spricka::analysis {
 
-std::vector<int> domain_rings(const model::Model& model, base::CrackId crack) {
+std::vector<int> domain_ring_counts(const model::Model& model, base::CrackId crack) {
   for (const model::VirtualCrackExtensionSettings& vce : model.vces) {
     if (vce.crack == crack && !vce.domains.empty()) {
       return vce.domains;
     }
   }
-  const model::TipMeshSettings* tip = find_tip_net(model, crack);
+  const model::TipMeshSettings* tip = find_tip_mesh_settings(model, crack);
   const int usual =
       model.mesh.dim == 3 ? mesh::TubeMeshParameters{}.rings : model::TipMeshSettings{}.rings;
   const int rings = tip != nullptr ? tip->rings : usual;

@@ -62,14 +62,15 @@ double on_segment(const base::PiecewiseLinear& f, double inside, double t) {
 
 } // namespace
 
-bool continues_below_closing(const model::Model& model) {
+bool continues_K_below_closing(const model::Model& model) {
   const bool knows_R = model.growth && (model.growth->law == model::CrackGrowthLaw::nasgro ||
                                         model.growth->law == model::CrackGrowthLaw::walker);
   return knows_R && std::ranges::any_of(model.cracks, &model::CrackDefinition::faces_in_contact);
 }
 
-const results::FrontResult* tip_with_overlap(const std::optional<OverlapResults>& free,
-                                             std::size_t step, const std::string& name) {
+const results::FrontResult*
+find_tip_with_face_overlap(const std::optional<OverlappingFaceResults>& free, std::size_t step,
+                           const std::string& name) {
   if (!free || step >= free->steps.size()) {
     return nullptr;
   }
@@ -78,8 +79,9 @@ const results::FrontResult* tip_with_overlap(const std::optional<OverlapResults>
   return found == tips.end() || found->two_materials ? nullptr : &*found;
 }
 
-std::optional<base::PiecewiseLinear>
-continue_below_zero(const base::PiecewiseLinear& K, const base::PiecewiseLinear& free, double to) {
+std::optional<base::PiecewiseLinear> continue_K_below_zero(const base::PiecewiseLinear& K,
+                                                           const base::PiecewiseLinear& free,
+                                                           double to) {
   if (free.empty() || free.knots().back() < std::min(to, K.knots().back())) {
     return std::nullopt;
   }

@@ -12,21 +12,22 @@
 namespace spricka::analysis {
 
 /// Whether the law of $GROW knows R < 0 and cracks have faces that may touch.
-bool continues_below_closing(const model::Model& model);
+bool continues_K_below_closing(const model::Model& model);
 
 /// K of a state of the cracks whose faces may overlap, all other contacts as the deck has them.
-struct OverlapResults {
+struct OverlappingFaceResults {
   std::vector<std::vector<results::FrontResult>> steps; ///< [step] tips
   std::vector<results::LoadPathResult> paths;           ///< [load path]
 };
 
 /// Of a tip at a step; null: there is none.
-const results::FrontResult* tip_with_overlap(const std::optional<OverlapResults>& free,
-                                             std::size_t step, const std::string& name);
+const results::FrontResult*
+find_tip_with_face_overlap(const std::optional<OverlappingFaceResults>& free, std::size_t step,
+                           const std::string& name);
 
 /// K on a load path with `free` in its place where that is below 0. Empty: `free` does not reach as
 /// far as `to`.
 std::optional<base::PiecewiseLinear>
-continue_below_zero(const base::PiecewiseLinear& K, const base::PiecewiseLinear& free, double to);
+continue_K_below_zero(const base::PiecewiseLinear& K, const base::PiecewiseLinear& free, double to);
 
 } // namespace spricka::analysis

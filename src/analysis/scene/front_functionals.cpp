@@ -88,19 +88,20 @@ void add_K_by_tractions(const model::Model& model, const Discretisation& scene, 
 
 } // namespace
 
-crack::SparseLinearFunctionals front_K_rows(const model::Model& model, const Discretisation& scene,
-                                            std::size_t f) {
+crack::SparseLinearFunctionals front_K_functionals(const model::Model& model,
+                                                   const Discretisation& scene, std::size_t f) {
   const mesh::CrackFront& front = scene.cracked.fronts[f];
   return crack::front_intensity_functionals(model, scene.cracked, front, scene.domains[f],
                                             model.cracks[front.crack.index()].state);
 }
 
-crack::SparseLinearFunctionals K_rows(const model::Model& model, const Discretisation& scene) {
+crack::SparseLinearFunctionals displacement_K_functionals(const model::Model& model,
+                                                          const Discretisation& scene) {
   std::vector<Eigen::Triplet<double>> entries;
   const crack::KLayout layout = scene.k_layout();
   std::size_t first = 0;
   for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {
-    const crack::SparseLinearFunctionals own = front_K_rows(model, scene, f);
+    const crack::SparseLinearFunctionals own = front_K_functionals(model, scene, f);
     for (Eigen::Index c = 0; c < own.cols(); ++c) {
       for (crack::SparseLinearFunctionals::InnerIterator it(own, c); it; ++it) {
         entries.emplace_back(it.row(), layout.first_index(first) + c, it.value());
@@ -115,7 +116,7 @@ crack::SparseLinearFunctionals K_rows(const model::Model& model, const Discretis
   return rows;
 }
 
-base::Matrix K_by_forces(const model::Model& model, const Discretisation& scene) {
+base::Matrix contact_force_K_functionals(const model::Model& model, const Discretisation& scene) {
   base::Matrix of_row =
       base::Matrix::Zero(scene.k_layout().count(), static_cast<Eigen::Index>(scene.table.size()));
   std::size_t first = 0;
@@ -130,8 +131,8 @@ base::Matrix K_by_forces(const model::Model& model, const Discretisation& scene)
   return of_row;
 }
 
-base::Vector K_values(const model::Model& model, const Discretisation& scene, const base::Vector& u,
-                      const base::Vector& case_factor) {
+base::Vector evaluate_K_values(const model::Model& model, const Discretisation& scene,
+                               const base::Vector& u, const base::Vector& case_factor) {
   const crack::KLayout layout = scene.k_layout();
   base::Vector values = base::Vector::Zero(layout.count());
   std::size_t first = 0;
@@ -142,36 +143,36 @@ base::Vector K_values(const model::Model& model, const Discretisation& scene, co
     request.state = model.cracks[front.crack.index()].state;
     for (const crack::StressIntensity& K :
          crack::front_intensity(model, scene.cracked, front, domains, request, u,
-                                front_loads(model, scene, domains, case_factor))) {
+                                collect_front_loads(model, scene, domains, case_factor))) {
       layout.point_entries(values, first++) = base::Vec3(K.K1, K.K2, K.K3).head(layout.modes());
     }
   }
   return values;
 }
 
-base::Vector K_of_loads(const model::Model& model, const Discretisation& scene,
-                        const base::Vector& case_factor) {
+base::Vector K_added_by_loads(const model::Model& model, const Discretisation& scene,
+                              const base::Vector& case_factor) {
   const auto size =
       static_cast<Eigen::Index>(scene.cracked.mesh.node_count()) * scene.cracked.mesh.dim;
-  return acts_on_domains(model, scene, case_factor)
-             ? K_values(model, scene, base::Vector::Zero(size), case_factor)
+  return loads_act_on_domains(model, scene, case_factor)
+             ? evaluate_K_values(model, scene, base::Vector::Zero(size), case_factor)
              : base::Vector::Zero(scene.k_layout().count());
 }
 
-base::Matrix K_of_cases(const model::Model& model, const Discretisation& scene) {
+base::Matrix K_added_by_load_cases(const model::Model& model, const Discretisation& scene) {
   const auto cases = static_cast<Eigen::Index>(model.cases.size());
   // That of ties, too.
   const Eigen::Index columns =
       std::max({cases, scene.case_load.cols(), scene.case_temperature.cols()});
   base::Matrix K(scene.k_layout().count(), cases);
   for (Eigen::Index c = 0; c < cases; ++c) {
-    K.col(c) = K_of_loads(model, scene, base::Vector::Unit(columns, c));
+    K.col(c) = K_added_by_loads(model, scene, base::Vector::Unit(columns, c));
   }
   return K;
 }
 
-bool acts_on_domains(const model::Model& model, const Discretisation& scene,
-                     const base::Vector& case_factor) {
+bool loads_act_on_domains(const model::Model& model, const Discretisation& scene,
+                          const base::Vector& case_factor) {
   const auto acts = [](const crack::FrontLoads& loads) {
     return loads.temperature.size() > 0 ||
            std::ranges::any_of(loads.loads, [](const crack::ActingLoad& acting) {
@@ -179,13 +180,13 @@ bool acts_on_domains(const model::Model& model, const Discretisation& scene,
            });
   };
   return std::ranges::any_of(scene.domains, [&](const crack::FrontIntegralDomains& domains) {
-    return acts(front_loads(model, scene, domains, case_factor));
+    return acts(collect_front_loads(model, scene, domains, case_factor));
   });
 }
 
-std::vector<std::array<double, 3>> smooth_front_K(const mesh::CrackFront& front,
-                                                  const crack::FrontIntegralDomains& domains,
-                                                  const base::Vector& K, Eigen::Index first) {
+std::vector<std::array<double, 3>> smooth_K_along_front(const mesh::CrackFront& front,
+                                                        const crack::FrontIntegralDomains& domains,
+                                                        const base::Vector& K, Eigen::Index first) {
   std::vector<crack::StressIntensity> points(front.points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Index k = first + 3 * static_cast<Eigen::Index>(i);

@@ -11,36 +11,37 @@
 namespace spricka::analysis {
 
 /// K of one front as functions of displacements. [dim * node, K of its points]
-crack::SparseLinearFunctionals front_K_rows(const model::Model& model, const Discretisation& scene,
-                                            std::size_t f);
+crack::SparseLinearFunctionals front_K_functionals(const model::Model& model,
+                                                   const Discretisation& scene, std::size_t f);
 
 /// K as functions of displacements. [dim * node, K]
-crack::SparseLinearFunctionals K_rows(const model::Model& model, const Discretisation& scene);
+crack::SparseLinearFunctionals displacement_K_functionals(const model::Model& model,
+                                                          const Discretisation& scene);
 
 /// What a unit of each row of the table adds to K by its traction on sides that domains move
 /// (crack_space.9), in the plane by its forces between faces of cracks (crack.33). [K, row]
-base::Matrix K_by_forces(const model::Model& model, const Discretisation& scene);
+base::Matrix contact_force_K_functionals(const model::Model& model, const Discretisation& scene);
 
 /// K of displacements [dim * node] under the cases' factors [case], without contact forces and
 /// without the SHIFT of $VCE: linear in both.
-base::Vector K_values(const model::Model& model, const Discretisation& scene, const base::Vector& u,
-                      const base::Vector& case_factor);
+base::Vector evaluate_K_values(const model::Model& model, const Discretisation& scene,
+                               const base::Vector& u, const base::Vector& case_factor);
 
 /// What loads add to K by themselves, that at u = 0; zero where none acts on domains. [K]
-base::Vector K_of_loads(const model::Model& model, const Discretisation& scene,
-                        const base::Vector& case_factor);
+base::Vector K_added_by_loads(const model::Model& model, const Discretisation& scene,
+                              const base::Vector& case_factor);
 /// The same of each load case. [K, case]
-base::Matrix K_of_cases(const model::Model& model, const Discretisation& scene);
+base::Matrix K_added_by_load_cases(const model::Model& model, const Discretisation& scene);
 
 /// Whether cases act on what the domains of some front take.
-bool acts_on_domains(const model::Model& model, const Discretisation& scene,
-                     const base::Vector& case_factor);
+bool loads_act_on_domains(const model::Model& model, const Discretisation& scene,
+                          const base::Vector& case_factor);
 
 /// Smooth values of K1, K2, K3 of the points of a front in space from those in `K` [K], of which
 /// the front's begin at `first`; at the surface what points further in go on to (crack_space.15,
 /// crack_space.16). Linear in K.
-std::vector<std::array<double, 3>> smooth_front_K(const mesh::CrackFront& front,
-                                                  const crack::FrontIntegralDomains& domains,
-                                                  const base::Vector& K, Eigen::Index first);
+std::vector<std::array<double, 3>> smooth_K_along_front(const mesh::CrackFront& front,
+                                                        const crack::FrontIntegralDomains& domains,
+                                                        const base::Vector& K, Eigen::Index first);
 
 } // namespace spricka::analysis

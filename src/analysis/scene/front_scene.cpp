@@ -65,8 +65,8 @@ std::vector<std::size_t> points_without(const mesh::CrackFront& front,
 crack::FrontIntegralDomains fields_of(const model::Model& model, const Discretisation& scene,
                                       const mesh::CrackFront& front,
                                       base::Diagnostics& diagnostics) {
-  std::vector<int> rings = domain_rings(model, front.crack);
-  const crack::DomainLimits limits = domain_limits(model, scene, front);
+  std::vector<int> rings = domain_ring_counts(model, front.crack);
+  const crack::DomainLimits limits = find_domain_limits(model, scene, front);
   crack::FrontIntegralDomains fields =
       crack::build_front_domains(scene.cracked, front, rings, limits);
   const bool given =
@@ -128,9 +128,9 @@ crack::FrontIntegralDomains tip_domains(const model::Model& model, Discretisatio
                                         const crack::TipNeighbourhood& around,
                                         base::Diagnostics& diagnostics) {
   std::vector<int> left_out;
-  const crack::DomainLimits limits = domain_limits(model, scene, front);
+  const crack::DomainLimits limits = find_domain_limits(model, scene, front);
   crack::FrontIntegralDomains domains = crack::make_tip_domains(around.extension_fields(
-      scene.cracked, front, domain_rings(model, front.crack), left_out, limits));
+      scene.cracked, front, domain_ring_counts(model, front.crack), left_out, limits));
   const std::vector<crack::VirtualExtensionField>& fields = domains.points.front();
   if (!fields.empty()) {
     std::vector<int> ignored;
@@ -159,7 +159,8 @@ crack::FrontIntegralDomains tip_domains(const model::Model& model, Discretisatio
 
 } // namespace
 
-bool make_fronts(const model::Model& model, Discretisation& scene, base::Diagnostics& diagnostics) {
+bool assign_front_domains(const model::Model& model, Discretisation& scene,
+                          base::Diagnostics& diagnostics) {
   const std::size_t errors = diagnostics.error_count();
   std::optional<crack::TipNeighbourhood> around;
   if (scene.has_tips()) {

@@ -8,6 +8,7 @@ namespace spricka::analysis {
 /// Gives each front of the cut mesh the domains that fit round it, and those in space the size of
 /// their crack. Errors (no domain fits round a tip, or a point of a front inside the body) go to
 /// the crack's card; false where there was one.
-bool make_fronts(const model::Model& model, Discretisation& scene, base::Diagnostics& diagnostics);
+bool assign_front_domains(const model::Model& model, Discretisation& scene,
+                          base::Diagnostics& diagnostics);
 
 } // namespace spricka::analysis

@@ -214,9 +214,9 @@ std::vector<std::int64_t> material_zones(const model::Model& model, const model:
   return zones;
 }
 
-crack::FrontLoads front_loads(const model::Model& model, const Discretisation& scene,
-                              const crack::FrontIntegralDomains& domains,
-                              const base::Vector& case_factor) {
+crack::FrontLoads collect_front_loads(const model::Model& model, const Discretisation& scene,
+                                      const crack::FrontIntegralDomains& domains,
+                                      const base::Vector& case_factor) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const Near near = near_front(domains);
   crack::FrontLoads loads;
@@ -242,13 +242,13 @@ crack::FrontLoads front_loads(const model::Model& model, const Discretisation& s
   });
   if (heated) {
     loads.temperature = scene.case_temperature * case_factor;
-    loads.heat = acting_heat(scene, case_factor);
+    loads.heat = scaled_case_temperatures(scene, case_factor);
   }
   return loads;
 }
 
-crack::DomainLimits domain_limits(const model::Model& model, const Discretisation& scene,
-                                  const mesh::CrackFront& front) {
+crack::DomainLimits find_domain_limits(const model::Model& model, const Discretisation& scene,
+                                       const mesh::CrackFront& front) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const auto dim = static_cast<std::size_t>(mesh.dim);
   crack::DomainLimits limits;
@@ -291,8 +291,8 @@ void fill_crack_face_sets(const model::Model& model, mesh::CrackedMesh& cracked)
   }
 }
 
-bool check_face_totals(const model::Model& model, const Discretisation& scene,
-                       base::Diagnostics& diagnostics) {
+bool reject_total_loads_on_crack_faces(const model::Model& model, const Discretisation& scene,
+                                       base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = scene.cracked.mesh;
   std::set<model::Face> crack_faces;
   for (const mesh::CrackFaces& crack_face : scene.cracked.faces) {

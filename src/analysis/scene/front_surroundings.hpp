@@ -11,9 +11,9 @@ namespace spricka::analysis {
 
 /// What acts on the elements and faces of a front's domains under the cases' factors [case]. The
 /// model must outlive it.
-crack::FrontLoads front_loads(const model::Model& model, const Discretisation& scene,
-                              const crack::FrontIntegralDomains& domains,
-                              const base::Vector& case_factor);
+crack::FrontLoads collect_front_loads(const model::Model& model, const Discretisation& scene,
+                                      const crack::FrontIntegralDomains& domains,
+                                      const base::Vector& case_factor);
 
 /// Elements between which a domain cannot tell apart: of properties that differ in nothing but
 /// their sets they have the same number. [element]
@@ -23,15 +23,15 @@ std::vector<std::int64_t> material_zones(const model::Model& model, const model:
 /// (in the plane those of a half model's own line are not, in space not those of a flat part of the
 /// surface that is held across or along, which they move in), in the plane also the rims of what is
 /// heated and the axis.
-crack::DomainLimits domain_limits(const model::Model& model, const Discretisation& scene,
-                                  const mesh::CrackFront& front);
+crack::DomainLimits find_domain_limits(const model::Model& model, const Discretisation& scene,
+                                       const mesh::CrackFront& front);
 
 /// Puts the faces of all cracks into the sets that loads name.
 void fill_crack_face_sets(const model::Model& model, mesh::CrackedMesh& cracked);
 
 /// Loads that give a total to faces of a crack are refused (E417): it spreads anew as the crack
 /// grows, which G has no term for.
-bool check_face_totals(const model::Model& model, const Discretisation& scene,
-                       base::Diagnostics& diagnostics);
+bool reject_total_loads_on_crack_faces(const model::Model& model, const Discretisation& scene,
+                                       base::Diagnostics& diagnostics);
 
 } // namespace spricka::analysis

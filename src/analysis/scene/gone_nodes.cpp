@@ -169,8 +169,8 @@ void note_removed_nodes(const model::Model& model, Discretisation& scene) {
                        : ""));
 }
 
-void fill_displacements(const model::Mesh& cracked, const std::vector<RemovedNodePlace>& places,
-                        base::Vector& u) {
+void fill_removed_node_displacements(const model::Mesh& cracked,
+                                     const std::vector<RemovedNodePlace>& places, base::Vector& u) {
   for (const RemovedNodePlace& place : places) {
     const base::Vec3 value = fe::displacement_at(cracked, u, place.side);
     u.segment(static_cast<Eigen::Index>(place.node.index()) * cracked.dim, cracked.dim) =
@@ -178,14 +178,15 @@ void fill_displacements(const model::Mesh& cracked, const std::vector<RemovedNod
   }
 }
 
-void fill_stresses(const model::Model& model, const model::Mesh& cracked,
-                   const fe::DisplacementTemperatureField& field, std::vector<fe::Stress>& nodal) {
+void fill_removed_node_stresses(const model::Model& model, const model::Mesh& cracked,
+                                const fe::DisplacementTemperatureField& field,
+                                std::vector<fe::Stress>& nodal) {
   for (const RemovedNodePlace& place : removed_nodes(model.mesh, cracked)) {
     nodal[place.node.index()] = fe::stress_of_element_group(model, cracked, field, place.side);
   }
 }
 
-void keep_removed_members(const model::Mesh& host, model::Mesh& cracked) {
+void keep_removed_set_members(const model::Mesh& host, model::Mesh& cracked) {
   const std::vector<NodeId> gone = gone_nodes(host, cracked);
   if (gone.empty()) {
     return;
@@ -206,8 +207,9 @@ void keep_removed_members(const model::Mesh& host, model::Mesh& cracked) {
   }
 }
 
-std::optional<NodeId> unassigned_reaction(const model::Model& model, const model::Mesh& cracked,
-                                          std::string_view set) {
+std::optional<NodeId> find_unassigned_reaction_node(const model::Model& model,
+                                                    const model::Mesh& cracked,
+                                                    std::string_view set) {
   const model::Mesh& host = model.mesh;
   const auto asked = std::ranges::find(host.node_sets, set, &model::NodeSet::name);
   if (asked == host.node_sets.end()) {

@@ -27,20 +27,22 @@ std::vector<RemovedNodePlace> removed_nodes(const model::Mesh& host, const model
 void note_removed_nodes(const model::Model& model, Discretisation& scene);
 
 /// Their displacements, in a nodal vector u [dim * node] of that mesh.
-void fill_displacements(const model::Mesh& cracked, const std::vector<RemovedNodePlace>& places,
-                        base::Vector& u);
+void fill_removed_node_displacements(const model::Mesh& cracked,
+                                     const std::vector<RemovedNodePlace>& places, base::Vector& u);
 
 /// Their stresses, in values at the mesh's property points.
-void fill_stresses(const model::Model& model, const model::Mesh& cracked,
-                   const fe::DisplacementTemperatureField& field, std::vector<fe::Stress>& nodal);
+void fill_removed_node_stresses(const model::Model& model, const model::Mesh& cracked,
+                                const fe::DisplacementTemperatureField& field,
+                                std::vector<fe::Stress>& nodal);
 
 /// Lets them be members of their sets in the mesh of results, but where a node of the set with
 /// elements has their place. May be done again.
-void keep_removed_members(const model::Mesh& host, model::Mesh& cracked);
+void keep_removed_set_members(const model::Mesh& host, model::Mesh& cracked);
 
 /// A node of the node set of that name that is gone and was held, with no edge of the set that
 /// stands in for it: what the supports do there no longer belongs to one node.
-std::optional<base::NodeId> unassigned_reaction(const model::Model& model,
-                                                const model::Mesh& cracked, std::string_view set);
+std::optional<base::NodeId> find_unassigned_reaction_node(const model::Model& model,
+                                                          const model::Mesh& cracked,
+                                                          std::string_view set);
 
 } // namespace spricka::analysis

@@ -66,7 +66,7 @@ bool make_pairs(const model::Model& model, Discretisation& scene, base::Diagnost
   for (const model::Contact& contact : model.contacts) {
     scene.pairs.push_back(contact::build_pair_constraints(model, mesh, contact));
     if (mesh.dim == 3) {
-      apply_supports(scene.pairs.back(), scene.cls);
+      apply_supports_to_rows(scene.pairs.back(), scene.cls);
     }
     const contact::PairConstraints& pair = scene.pairs.back();
     if (!pair.trouble.empty()) {
@@ -93,7 +93,8 @@ bool make_pairs(const model::Model& model, Discretisation& scene, base::Diagnost
 } // namespace
 
 std::optional<Discretisation> discretise(const model::Model& model, double a,
-                                         const RegionPlan& plan, base::Diagnostics& diagnostics) {
+                                         const CrackRegionPlan& plan,
+                                         base::Diagnostics& diagnostics) {
   const std::optional<std::vector<mesh::CrackLine>> lines =
       growth::crack_lines(model, a, diagnostics);
   return lines ? discretise(model, *lines, plan, diagnostics) : std::nullopt;
@@ -101,9 +102,10 @@ std::optional<Discretisation> discretise(const model::Model& model, double a,
 
 std::optional<Discretisation> discretise(const model::Model& model,
                                          const std::vector<mesh::CrackLine>& lines,
-                                         const RegionPlan& plan, base::Diagnostics& diagnostics) {
+                                         const CrackRegionPlan& plan,
+                                         base::Diagnostics& diagnostics) {
   Discretisation scene;
-  std::optional<mesh::CrackedMesh> cracked = cracked_mesh(model, lines, diagnostics);
+  std::optional<mesh::CrackedMesh> cracked = make_cracked_mesh(model, lines, diagnostics);
   if (!cracked) {
     return std::nullopt;
   }
@@ -120,12 +122,12 @@ std::optional<Discretisation> discretise(const model::Model& model,
   // All of these are asked before the scene is given up, so that one run tells of all mistakes.
   const bool ties = eliminate_ties(model, scene, diagnostics);
   const bool pairs = make_pairs(model, scene, diagnostics);
-  const bool fronts = make_fronts(model, scene, diagnostics);
-  const bool crack_faces = check_face_totals(model, scene, diagnostics);
-  const bool held = supports_are_kept(model, scene, diagnostics);
-  const bool reported = !plane || check_split_nodes(model, scene, diagnostics);
+  const bool fronts = assign_front_domains(model, scene, diagnostics);
+  const bool crack_faces = reject_total_loads_on_crack_faces(model, scene, diagnostics);
+  const bool held = check_supports_survive_cut(model, scene, diagnostics);
+  const bool reported = !plane || check_nodes_split_by_crack(model, scene, diagnostics);
   if (!ties || !pairs || !fronts || !crack_faces || !held || !reported ||
-      !loaded_faces_exist(model, scene, diagnostics)) {
+      !check_loaded_faces_exist(model, scene, diagnostics)) {
     return std::nullopt;
   }
   // Ties are made before: rows of dependent freedoms are reduced here.
@@ -134,7 +136,7 @@ std::optional<Discretisation> discretise(const model::Model& model,
   for (std::size_t i = 0; i < model.contacts.size(); ++i) {
     for (const base::NodeId n : contact_nodes(mesh, model.contacts[i], scene.pairs[i])) {
       for (std::size_t c = 0; c < dim; ++c) {
-        make_external(dim * n.index() + c, *scene.ties, scene.cls);
+        make_freedom_external(dim * n.index() + c, *scene.ties, scene.cls);
       }
     }
   }
@@ -144,7 +146,7 @@ std::optional<Discretisation> discretise(const model::Model& model,
     // Elements of patches are others at each length: none can be condensed beforehand.
     scene.rest_element[e] = host.valid() && !plan.region[host.index()];
   }
-  if (!make_loads(model, scene, diagnostics)) {
+  if (!make_case_loads(model, scene, diagnostics)) {
     return std::nullopt;
   }
   return scene;

@@ -14,11 +14,13 @@ namespace spricka::analysis {
 /// Mistakes that only show here (a crack that touches no element, surfaces that never face each
 /// other) go to `diagnostics` at their card and give an empty result.
 std::optional<Discretisation> discretise(const model::Model& model, double a,
-                                         const RegionPlan& plan, base::Diagnostics& diagnostics);
+                                         const CrackRegionPlan& plan,
+                                         base::Diagnostics& diagnostics);
 
 /// The same with the cracks as given.
 std::optional<Discretisation> discretise(const model::Model& model,
                                          const std::vector<mesh::CrackLine>& lines,
-                                         const RegionPlan& plan, base::Diagnostics& diagnostics);
+                                         const CrackRegionPlan& plan,
+                                         base::Diagnostics& diagnostics);
 
 } // namespace spricka::analysis

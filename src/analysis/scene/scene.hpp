@@ -86,14 +86,14 @@ struct Discretisation {
                                          : pair.tangent[at.index - pair.normal.size()];
   }
   /// What row r asks of independent freedoms: the row itself where none of its freedoms follows.
-  [[nodiscard]] const contact::ConstraintRow& reduced_row(std::size_t r) const {
+  [[nodiscard]] const contact::ConstraintRow& reduced_contact_row(std::size_t r) const {
     return !table.tied.empty() && table.tied[r] ? table.reduced[*table.tied[r]] : contact_row(r);
   }
   /// All acting rows, for as long as the scene does not change.
-  [[nodiscard]] std::vector<const contact::ConstraintRow*> reduced_rows() const {
+  [[nodiscard]] std::vector<const contact::ConstraintRow*> reduced_contact_rows() const {
     std::vector<const contact::ConstraintRow*> rows;
     for (std::size_t r = 0; r < table.size(); ++r) {
-      rows.push_back(&reduced_row(r));
+      rows.push_back(&reduced_contact_row(r));
     }
     return rows;
   }

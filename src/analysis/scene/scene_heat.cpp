@@ -7,9 +7,9 @@
 
 namespace spricka::analysis {
 
-std::shared_ptr<const fe::CaseTemperature> make_case_heat(const model::Model& model,
-                                                          const Discretisation& scene,
-                                                          const model::LoadCase& load_case) {
+std::shared_ptr<const fe::CaseTemperature>
+case_temperature_of_scene(const model::Model& model, const Discretisation& scene,
+                          const model::LoadCase& load_case) {
   fe::PatchedMesh patched{scene.cracked.mesh, model.mesh, nullptr, {}};
   if (scene.cracked.host.size() == scene.cracked.mesh.element_count()) {
     patched.host = &scene.cracked.host;
@@ -23,15 +23,15 @@ std::shared_ptr<const fe::CaseTemperature> make_case_heat(const model::Model& mo
       fe::make_case_temperature(model, patched, load_case));
 }
 
-model::LoadCase without_heat(const model::LoadCase& load_case) {
+model::LoadCase without_temperature_loads(const model::LoadCase& load_case) {
   model::LoadCase rest = load_case;
   std::erase_if(rest.loads,
                 [](const model::Load& l) { return l.type == model::LoadType::temperature; });
   return rest;
 }
 
-base::Vector heat_forces(const model::Model& model, const model::Mesh& mesh,
-                         const fe::CaseTemperature& heat) {
+base::Vector thermal_nodal_forces(const model::Model& model, const model::Mesh& mesh,
+                                  const fe::CaseTemperature& heat) {
   base::Vector f = base::Vector::Zero(mesh.dim * static_cast<Eigen::Index>(mesh.node_count()));
   if (heat.temperature.size() > 0) {
     f = fe::thermal_load(model, mesh, heat.temperature);
@@ -40,8 +40,8 @@ base::Vector heat_forces(const model::Model& model, const model::Mesh& mesh,
   return f;
 }
 
-std::vector<fe::ScaledTemperature> acting_heat(const Discretisation& scene,
-                                               const base::Vector& case_factor) {
+std::vector<fe::ScaledTemperature> scaled_case_temperatures(const Discretisation& scene,
+                                                            const base::Vector& case_factor) {
   std::vector<fe::ScaledTemperature> acting;
   for (std::size_t c = 0; c < scene.case_heat.size(); ++c) {
     const double factor = case_factor[static_cast<Eigen::Index>(c)];

@@ -9,19 +9,19 @@
 namespace spricka::analysis {
 
 /// Temperatures of one case on the mesh of a scene.
-std::shared_ptr<const fe::CaseTemperature> make_case_heat(const model::Model& model,
-                                                          const Discretisation& scene,
-                                                          const model::LoadCase& load_case);
+std::shared_ptr<const fe::CaseTemperature>
+case_temperature_of_scene(const model::Model& model, const Discretisation& scene,
+                          const model::LoadCase& load_case);
 
 /// The case but for its temperatures.
-model::LoadCase without_heat(const model::LoadCase& load_case);
+model::LoadCase without_temperature_loads(const model::LoadCase& load_case);
 
 /// All nodal forces of temperatures [dim * node].
-base::Vector heat_forces(const model::Model& model, const model::Mesh& mesh,
-                         const fe::CaseTemperature& heat);
+base::Vector thermal_nodal_forces(const model::Model& model, const model::Mesh& mesh,
+                                  const fe::CaseTemperature& heat);
 
 /// The cases that heat, with the factors they have.
-std::vector<fe::ScaledTemperature> acting_heat(const Discretisation& scene,
-                                               const base::Vector& case_factor);
+std::vector<fe::ScaledTemperature> scaled_case_temperatures(const Discretisation& scene,
+                                                            const base::Vector& case_factor);
 
 } // namespace spricka::analysis

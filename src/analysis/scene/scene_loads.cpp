@@ -48,7 +48,8 @@ bool arrives(const model::Model& model, const model::Mesh& mesh, const model::Lo
 
 } // namespace
 
-bool make_loads(const model::Model& model, Discretisation& scene, base::Diagnostics& diagnostics) {
+bool make_case_loads(const model::Model& model, Discretisation& scene,
+                     base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = scene.cracked.mesh;
   bool good = true;
   const auto n = static_cast<Eigen::Index>(mesh.node_count()) * mesh.dim;
@@ -58,7 +59,8 @@ bool make_loads(const model::Model& model, Discretisation& scene, base::Diagnost
   scene.case_displacement = base::Matrix::Zero(n, columns);
   for (Eigen::Index c = 0; c < cases; ++c) {
     const model::LoadCase& load_case = model.cases[static_cast<std::size_t>(c)];
-    scene.case_load.col(c) = fe::consistent_nodal_load(model, mesh, without_heat(load_case));
+    scene.case_load.col(c) =
+        fe::consistent_nodal_load(model, mesh, without_temperature_loads(load_case));
     scene.case_displacement.col(c) = fe::prescribed_nodal_displacement(model, mesh, load_case);
     for (Eigen::Index i = 0; i < n; ++i) { // a crack may have freed one face of what a load moves
       if (scene.cls[static_cast<std::size_t>(i)] == model::FreedomClass::local ||
@@ -66,14 +68,14 @@ bool make_loads(const model::Model& model, Discretisation& scene, base::Diagnost
         scene.case_displacement(i, c) = 0.0;
       }
     }
-    scene.case_heat.push_back(make_case_heat(model, scene, load_case));
+    scene.case_heat.push_back(case_temperature_of_scene(model, scene, load_case));
     const fe::CaseTemperature& heat = *scene.case_heat.back();
     if (heat.temperature.size() > 0) {
       if (scene.case_temperature.size() == 0) {
         scene.case_temperature = base::Matrix::Zero(heat.temperature.size(), columns);
       }
       scene.case_temperature.col(c) = heat.temperature;
-      scene.case_load.col(c) += heat_forces(model, mesh, heat);
+      scene.case_load.col(c) += thermal_nodal_forces(model, mesh, heat);
     }
     for (const model::Load& load : load_case.loads) {
       if (!arrives(model, mesh, load)) {
@@ -87,10 +89,10 @@ bool make_loads(const model::Model& model, Discretisation& scene, base::Diagnost
   }
   return check_force_nodes(model, scene, diagnostics) && good &&
          sense::check_load_totals(model, mesh, diagnostics) &&
-         prescribe_dependents(model, scene, diagnostics);
+         prescribe_dependent_freedoms(model, scene, diagnostics);
 }
 
-base::Matrix loads_with_supports(const model::Model& model, const Discretisation& scene) {
+base::Matrix reduced_case_loads(const model::Model& model, const Discretisation& scene) {
   base::Matrix load = scene.case_load;
   std::vector<base::ElementId> all;
   for (std::size_t e = 0; e < scene.cracked.mesh.element_count(); ++e) {

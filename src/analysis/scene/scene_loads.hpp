@@ -8,10 +8,11 @@ namespace spricka::analysis {
 
 /// Fills the scene's columns by case; loads that do not arrive, contradictions with ties and nodes
 /// that a crack has cut out go to `diagnostics`. Returns whether all is sound.
-bool make_loads(const model::Model& model, Discretisation& scene, base::Diagnostics& diagnostics);
+bool make_case_loads(const model::Model& model, Discretisation& scene,
+                     base::Diagnostics& diagnostics);
 
 /// Loads of all cases on independent freedoms [dim * node, case], T^T (f - K g): prescribed
 /// displacements g load the others by their pull.
-base::Matrix loads_with_supports(const model::Model& model, const Discretisation& scene);
+base::Matrix reduced_case_loads(const model::Model& model, const Discretisation& scene);
 
 } // namespace spricka::analysis

@@ -131,8 +131,8 @@ std::vector<bool> held_beside(const model::Model& model, const model::Mesh& mesh
 
 } // namespace
 
-bool check_split_nodes(const model::Model& model, const Discretisation& scene,
-                       base::Diagnostics& diagnostics) {
+bool check_nodes_split_by_crack(const model::Model& model, const Discretisation& scene,
+                                base::Diagnostics& diagnostics) {
   Mouths mouths(model, scene, diagnostics);
   for (const model::FreedomAssignment& freedom : model.freedoms) {
     if (model::is_supported_freedom(freedom.cls)) {
@@ -181,8 +181,8 @@ void release_crack_faces(const model::Model& model, const std::vector<mesh::Crac
   }
 }
 
-bool loaded_faces_exist(const model::Model& model, const Discretisation& scene,
-                        base::Diagnostics& diagnostics) {
+bool check_loaded_faces_exist(const model::Model& model, const Discretisation& scene,
+                              base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = scene.cracked.mesh;
   bool good = true;
   for (const model::LoadCase& load_case : model.cases) {

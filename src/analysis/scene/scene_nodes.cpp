@@ -85,8 +85,8 @@ bool check_force_nodes(const model::Model& model, const Discretisation& scene,
   return true;
 }
 
-bool supports_are_kept(const model::Model& model, const Discretisation& scene,
-                       base::Diagnostics& diagnostics) {
+bool check_supports_survive_cut(const model::Model& model, const Discretisation& scene,
+                                base::Diagnostics& diagnostics) {
   const auto keeps = [&](base::NodeSetId nodes, const base::SourceSpan& span, const char* what) {
     const std::size_t set = nodes.index();
     if (set >= scene.cracked.removed_nodes.size() || scene.cracked.removed_nodes[set].empty()) {

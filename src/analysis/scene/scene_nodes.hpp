@@ -12,7 +12,7 @@ bool check_force_nodes(const model::Model& model, const Discretisation& scene,
 
 /// No support or prescribed displacement may be lost with a node that a crack's patch cut out:
 /// E419, and false.
-bool supports_are_kept(const model::Model& model, const Discretisation& scene,
-                       base::Diagnostics& diagnostics);
+bool check_supports_survive_cut(const model::Model& model, const Discretisation& scene,
+                                base::Diagnostics& diagnostics);
 
 } // namespace spricka::analysis

@@ -87,8 +87,8 @@ void warn_once(base::Diagnostics& diagnostics, const base::SourceSpan& span,
 
 } // namespace
 
-void make_external(std::size_t freedom, const fe::ConstraintTransformation& ties,
-                   std::vector<FreedomClass>& cls) {
+void make_freedom_external(std::size_t freedom, const fe::ConstraintTransformation& ties,
+                           std::vector<FreedomClass>& cls) {
   const auto raise = [&](std::size_t f) {
     cls[f] = cls[f] == FreedomClass::local ? FreedomClass::external : cls[f];
   };
@@ -124,7 +124,7 @@ bool eliminate_ties(const model::Model& model, Discretisation& scene,
     const auto freedom = static_cast<std::size_t>(row.freedom);
     // Contact acts on the masters of a freedom that follows them.
     if (scene.cls[freedom] == FreedomClass::external) {
-      make_external(freedom, *scene.ties, scene.cls);
+      make_freedom_external(freedom, *scene.ties, scene.cls);
     }
     scene.cls[freedom] = FreedomClass::dependent;
   }
@@ -136,8 +136,8 @@ bool eliminate_ties(const model::Model& model, Discretisation& scene,
   return good;
 }
 
-bool prescribe_dependents(const model::Model& model, Discretisation& scene,
-                          base::Diagnostics& diagnostics) {
+bool prescribe_dependent_freedoms(const model::Model& model, Discretisation& scene,
+                                  base::Diagnostics& diagnostics) {
   const fe::ConstraintTransformation& ties = *scene.ties;
   const auto cases = static_cast<Eigen::Index>(model.cases.size());
   bool good = true;

@@ -13,12 +13,12 @@ bool eliminate_ties(const model::Model& model, Discretisation& scene,
                     base::Diagnostics& diagnostics);
 
 /// Makes a freedom external; a dependent one hands this on to its masters.
-void make_external(std::size_t freedom, const fe::ConstraintTransformation& ties,
-                   std::vector<model::FreedomClass>& cls);
+void make_freedom_external(std::size_t freedom, const fe::ConstraintTransformation& ties,
+                           std::vector<model::FreedomClass>& cls);
 
 /// Gives dependent freedoms their part of the prescribed displacements and finds ties that
 /// contradict prescribed or suppressed freedoms. Returns whether there are none.
-bool prescribe_dependents(const model::Model& model, Discretisation& scene,
-                          base::Diagnostics& diagnostics);
+bool prescribe_dependent_freedoms(const model::Model& model, Discretisation& scene,
+                                  base::Diagnostics& diagnostics);
 
 } // namespace spricka::analysis

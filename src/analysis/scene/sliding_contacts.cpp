@@ -25,7 +25,7 @@ std::vector<contact::SurfaceNodeNormal> independent_points(const Discretisation&
 
 } // namespace
 
-std::vector<contact::ContactRowSurfaces> sliding_contacts(const Discretisation& scene) {
+std::vector<contact::ContactRowSurfaces> pressing_contact_surfaces(const Discretisation& scene) {
   std::vector<contact::ContactRowSurfaces> found;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const contact::PairConstraints& pair = scene.pairs[c];

@@ -9,6 +9,6 @@ namespace spricka::analysis {
 
 /// Contacts that press, with the points of their surfaces: not bonded ones, not those between the
 /// faces of a crack, which belong to one body. Nodes that follow others are left out.
-std::vector<contact::ContactRowSurfaces> sliding_contacts(const Discretisation& scene);
+std::vector<contact::ContactRowSurfaces> pressing_contact_surfaces(const Discretisation& scene);
 
 } // namespace spricka::analysis

@@ -47,7 +47,8 @@ void mark_held_functions(contact::PairConstraints& pair,
 
 } // namespace
 
-void apply_supports(contact::PairConstraints& pair, const std::vector<model::FreedomClass>& cls) {
+void apply_supports_to_rows(contact::PairConstraints& pair,
+                            const std::vector<model::FreedomClass>& cls) {
   drop_held_slips(pair, cls);
   mark_held_functions(pair, cls);
 }

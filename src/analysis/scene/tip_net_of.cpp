@@ -7,7 +7,8 @@
 
 namespace spricka::analysis {
 
-const model::TipMeshSettings* find_tip_net(const model::Model& model, base::CrackId crack) {
+const model::TipMeshSettings* find_tip_mesh_settings(const model::Model& model,
+                                                     base::CrackId crack) {
   const auto found = std::ranges::find(model.tip_nets, crack, &model::TipMeshSettings::crack);
   return found == model.tip_nets.end() ? nullptr : &*found;
 }

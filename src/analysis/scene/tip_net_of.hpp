@@ -6,6 +6,7 @@
 namespace spricka::analysis {
 
 /// The settings of a crack's tips; null: none are given.
-const model::TipMeshSettings* find_tip_net(const model::Model& model, base::CrackId crack);
+const model::TipMeshSettings* find_tip_mesh_settings(const model::Model& model,
+                                                     base::CrackId crack);
 
 } // namespace spricka::analysis

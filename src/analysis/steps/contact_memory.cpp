@@ -24,9 +24,9 @@ std::vector<bool> lasting_nodes(const Discretisation& scene) {
 } // namespace
 
 contact::PersistentRowSet
-ContactMemory::persistent_rows(const Discretisation& scene,
-                               const std::vector<SubstructuredBody>& bodies,
-                               const std::vector<std::size_t>& condensed) {
+ContactMemory::find_persistent_rows(const Discretisation& scene,
+                                    const std::vector<SubstructuredBody>& bodies,
+                                    const std::vector<std::size_t>& condensed) {
   contact::PersistentRowSet lasting;
   // Without elements that no crack touches nothing lasts from length to length.
   const bool several = std::ranges::find(scene.rest_element, true) != scene.rest_element.end();
@@ -34,7 +34,7 @@ ContactMemory::persistent_rows(const Discretisation& scene,
     return lasting;
   }
   const std::vector<bool> node = lasting_nodes(scene);
-  for (const contact::ConstraintRow* row : scene.reduced_rows()) {
+  for (const contact::ConstraintRow* row : scene.reduced_contact_rows()) {
     lasting.row.push_back(std::ranges::all_of(
         row->entries, [&](const contact::RowEntry& e) { return node[e.node.index()]; }));
   }
@@ -74,7 +74,7 @@ template <class Use> void ContactMemory::for_rows(const Discretisation& scene, U
   }
 }
 
-std::vector<bool> ContactMemory::first_closed_rows(const Discretisation& scene, std::size_t step,
+std::vector<bool> ContactMemory::guess_closed_rows(const Discretisation& scene, std::size_t step,
                                                    const std::vector<bool>& before) const {
   if (step >= closed_.size() || closed_[step].empty()) {
     return {};

@@ -19,13 +19,13 @@ class ContactMemory {
 public:
   /// Rows whose nodes no crack touches, and what is kept of them for these bodies (indices of
   /// `bodies`, in the order of the contact system).
-  contact::PersistentRowSet persistent_rows(const Discretisation& scene,
-                                            const std::vector<SubstructuredBody>& bodies,
-                                            const std::vector<std::size_t>& condensed);
+  contact::PersistentRowSet find_persistent_rows(const Discretisation& scene,
+                                                 const std::vector<SubstructuredBody>& bodies,
+                                                 const std::vector<std::size_t>& condensed);
 
   /// Rows [row] that a step may begin with as closed: `before` changed to what the same step ended
   /// with at the last length, row by row of its nodes. Empty: nothing is known of the step.
-  [[nodiscard]] std::vector<bool> first_closed_rows(const Discretisation& scene, std::size_t step,
+  [[nodiscard]] std::vector<bool> guess_closed_rows(const Discretisation& scene, std::size_t step,
                                                     const std::vector<bool>& before) const;
   /// Keeps the rows [row] that a step ended with closed, by their nodes; what was kept of that step
   /// is dropped.

@@ -59,9 +59,9 @@ std::size_t row_of(const contact::PairConstraints& pair, base::NodeId node) {
 
 } // namespace
 
-std::vector<std::size_t> find_overlapping_lines(const model::Model& model,
-                                                const Discretisation& scene,
-                                                const base::Vector& u) {
+std::vector<std::size_t> find_cracks_with_face_overlap(const model::Model& model,
+                                                       const Discretisation& scene,
+                                                       const base::Vector& u) {
   const bool space = scene.cracked.mesh.dim == 3;
   std::vector<std::size_t> lines;
   for (std::size_t i = 0; i < scene.cracked.faces.size(); ++i) {
@@ -100,7 +100,7 @@ void add_crack_face_pairs(const model::Model& model, const std::vector<std::size
     nodes.insert(nodes.end(), crack_faces.right.begin(), crack_faces.right.end());
     for (const base::NodeId n : space ? contact_row_nodes(scene.pairs.back()) : nodes) {
       for (std::size_t c = 0; c < dim; ++c) {
-        make_external(dim * n.index() + c, *scene.ties, scene.cls);
+        make_freedom_external(dim * n.index() + c, *scene.ties, scene.cls);
       }
     }
   }
@@ -108,9 +108,9 @@ void add_crack_face_pairs(const model::Model& model, const std::vector<std::size
   make_row_table(scene);
 }
 
-TipFaces tip_faces(const Discretisation& scene, const mesh::CrackFront& front,
-                   const StepState& state) {
-  TipFaces faces;
+TipFaceContact tip_face_contact(const Discretisation& scene, const mesh::CrackFront& front,
+                                const StepState& state) {
+  TipFaceContact faces;
   const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
   if (!crack_face) {
     return faces;
@@ -155,7 +155,8 @@ TipFaces tip_faces(const Discretisation& scene, const mesh::CrackFront& front,
   return faces;
 }
 
-std::optional<std::size_t> row_at_tip(const Discretisation& scene, const mesh::CrackFront& front) {
+std::optional<std::size_t> contact_row_at_tip(const Discretisation& scene,
+                                              const mesh::CrackFront& front) {
   const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
   if (!crack_face) {
     return std::nullopt;
@@ -165,13 +166,13 @@ std::optional<std::size_t> row_at_tip(const Discretisation& scene, const mesh::C
                 from_tip(scene.cracked.faces[front.crack.index()], front.tip_point().node).front());
 }
 
-std::vector<std::optional<std::size_t>> rows_behind_front(const Discretisation& scene,
-                                                          const mesh::CrackFront& front) {
+std::vector<std::optional<std::size_t>> contact_rows_behind_front(const Discretisation& scene,
+                                                                  const mesh::CrackFront& front) {
   if (front.is_tip()) {
-    const std::optional<std::size_t> row = row_at_tip(scene, front);
+    const std::optional<std::size_t> row = contact_row_at_tip(scene, front);
     return row ? std::vector{row} : std::vector<std::optional<std::size_t>>();
   }
-  std::vector<std::optional<std::size_t>> rows = rows_at_front(scene, front);
+  std::vector<std::optional<std::size_t>> rows = solid_contact_rows_behind_front(scene, front);
   for (std::optional<std::size_t>& row : rows) {
     if (row) {
       *row += scene.table.first[scene.crack_face_pairs[front.crack.index()]->pair];
@@ -189,7 +190,7 @@ std::optional<crack::CrackFaceForces> crack_face_forces(const Discretisation& sc
   }
   crack::CrackFaceForces forces{crack_face->sides, base::Vector::Zero(state.u.size()), 0.0};
   const std::size_t first = scene.table.first[crack_face->pair];
-  const std::size_t next = *row_at_tip(scene, front) - first;
+  const std::size_t next = *contact_row_at_tip(scene, front) - first;
   // Tension is positive; a plain minus would make -0 of a pair that does not press.
   forces.at_tip = 0.0 - state.pair_lambda[crack_face->pair][static_cast<Eigen::Index>(next)];
   for (std::size_t r = first; r < scene.table.first[crack_face->pair + 1]; ++r) {

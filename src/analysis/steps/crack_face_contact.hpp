@@ -12,8 +12,9 @@ namespace spricka::analysis {
 
 /// Crack lines whose faces overlap in u [dim * node] though they may touch, and that have no pair
 /// yet.
-std::vector<std::size_t> find_overlapping_lines(const model::Model& model,
-                                                const Discretisation& scene, const base::Vector& u);
+std::vector<std::size_t> find_cracks_with_face_overlap(const model::Model& model,
+                                                       const Discretisation& scene,
+                                                       const base::Vector& u);
 
 /// Adds the faces of these lines to the pairs of the scene, with the name CRACK.FACES; their
 /// freedoms become external.
@@ -21,7 +22,7 @@ void add_crack_face_pairs(const model::Model& model, const std::vector<std::size
                           Discretisation& scene);
 
 /// What the faces of a crack do at one of its tips.
-struct TipFaces {
+struct TipFaceContact {
   bool in_contact = false; ///< the crack's faces are a pair; else nothing below is known
   bool closed = false;     ///< the two nodes next to the tip touch
   bool held = false;       ///< closed, and they have not slipped
@@ -30,16 +31,17 @@ struct TipFaces {
   int open_nodes = 0;      ///< open pairs from the tip to the first closed one; all open: 0
 };
 /// State of the crack faces at a tip in the plane, from the closed pairs and pressures of the step.
-TipFaces tip_faces(const Discretisation& scene, const mesh::CrackFront& front,
-                   const StepState& state);
+TipFaceContact tip_face_contact(const Discretisation& scene, const mesh::CrackFront& front,
+                                const StepState& state);
 
 /// The row of the table of the two nodes next to a tip; none where the faces are no pair.
-std::optional<std::size_t> row_at_tip(const Discretisation& scene, const mesh::CrackFront& front);
+std::optional<std::size_t> contact_row_at_tip(const Discretisation& scene,
+                                              const mesh::CrackFront& front);
 
 /// [point of a front] the row of the table that holds the faces together behind it, in the plane
 /// that of the two nodes next to the tip, if there is one; empty: the faces are no pair.
-std::vector<std::optional<std::size_t>> rows_behind_front(const Discretisation& scene,
-                                                          const mesh::CrackFront& front);
+std::vector<std::optional<std::size_t>> contact_rows_behind_front(const Discretisation& scene,
+                                                                  const mesh::CrackFront& front);
 
 /// Forces between the faces of the tip's crack; none without a pair.
 std::optional<crack::CrackFaceForces> crack_face_forces(const Discretisation& scene,

@@ -67,7 +67,8 @@ CrackFaceOverlap crack_face_overlap(const mesh::CrackedMesh& cracked, std::size_
           *std::ranges::max_element(jump.overlap) / jump.largest};
 }
 
-double crack_face_jump(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector& u) {
+double largest_crack_face_jump(const mesh::CrackedMesh& cracked, std::size_t line,
+                               const base::Vector& u) {
   const mesh::CrackFaces& crack_faces = cracked.faces[line];
   const bool half = crack_faces.has_one_face();
   // The mirrored face of a half model moves as far the other way.

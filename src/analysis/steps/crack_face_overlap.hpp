@@ -29,6 +29,7 @@ CrackFaceOverlap crack_face_overlap(const mesh::CrackedMesh& cracked, std::size_
                                     const base::Vector& u);
 
 /// The largest displacement of one face against the other; in a half model twice that off the line.
-double crack_face_jump(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector& u);
+double largest_crack_face_jump(const mesh::CrackedMesh& cracked, std::size_t line,
+                               const base::Vector& u);
 
 } // namespace spricka::analysis

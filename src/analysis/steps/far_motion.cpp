@@ -26,7 +26,7 @@ struct Motions {
 };
 
 Motions motions_of(const Discretisation& scene, const std::vector<SubstructuredBody>& bodies,
-                   const SolvedContact& solved, const base::Vector& prescribed) {
+                   const SolvedContactIncrement& solved, const base::Vector& prescribed) {
   Motions out;
   out.sound = prescribed.size() > 0 ? prescribed.cwiseAbs().maxCoeff() : 0.0;
   const solve::ContactSolution& s = solved.solution.contact;
@@ -53,13 +53,13 @@ Motions motions_of(const Discretisation& scene, const std::vector<SubstructuredB
 }
 
 // Largest opening of a closed row, as a length.
-double opened_by(const Discretisation& scene, const SolvedContact& solved,
+double opened_by(const Discretisation& scene, const SolvedContactIncrement& solved,
                  const base::Vector& rigid) {
   double most = 0.0;
   for (std::size_t i = 0; i < solved.problem.rows.size(); ++i) {
     const std::size_t r = solved.problem.rows[i];
     if (solved.solution.contact.closed[i]) {
-      const contact::ConstraintRow& row = scene.reduced_row(r);
+      const contact::ConstraintRow& row = scene.reduced_contact_row(r);
       most = std::max(most, std::abs(row_opening(row, scene.cracked.mesh.dim, rigid)) / row.area);
     }
   }
@@ -78,10 +78,10 @@ double size_of(const model::Mesh& mesh, const fe::Body& body) {
 
 } // namespace
 
-base::OptionalFailure excessive_motion(const Discretisation& scene,
-                                       const std::vector<SubstructuredBody>& bodies,
-                                       const SolvedContact& solved,
-                                       const base::Vector& prescribed) {
+base::OptionalFailure find_excessive_rigid_motion(const Discretisation& scene,
+                                                  const std::vector<SubstructuredBody>& bodies,
+                                                  const SolvedContactIncrement& solved,
+                                                  const base::Vector& prescribed) {
   const Motions motions = motions_of(scene, bodies, solved, prescribed);
   for (std::size_t i = 0; i < motions.rigid.size(); ++i) {
     const SubstructuredBody& body = bodies[solved.condensed[i]];
@@ -101,7 +101,7 @@ base::OptionalFailure excessive_motion(const Discretisation& scene,
         .why = fmt::format(
             "body {} would move as a rigid body by {:.3g} ({}), {:.2g} times the gaps and the "
             "displacements by deformation ({:.3g}): next to nothing holds this motion",
-            body.name, far, describe_motion(scene.cracked.mesh, body.body, rigid),
+            body.name, far, describe_rigid_motion(scene.cracked.mesh, body.body, rigid),
             far / motions.sound, motions.sound)};
   }
   return std::nullopt;

@@ -10,7 +10,7 @@
 namespace spricka::analysis {
 
 /// What a step solved for on the condensed bodies, indices of `bodies`.
-struct SolvedContact {
+struct SolvedContactIncrement {
   const contact::ContactSystem& system;
   const std::vector<std::size_t>& condensed;
   const contact::ContactSystem::IncrementProblem& problem;
@@ -21,8 +21,9 @@ struct SolvedContact {
 /// the gaps that closed, the displacements by deformation and the prescribed ones [dim * node], or
 /// by more than these and its own size: only round-off or the facets of its surfaces held it. Tells
 /// which and how; empty: there is none. A wedge or taper that steeply resists may move further.
-base::OptionalFailure excessive_motion(const Discretisation& scene,
-                                       const std::vector<SubstructuredBody>& bodies,
-                                       const SolvedContact& solved, const base::Vector& prescribed);
+base::OptionalFailure find_excessive_rigid_motion(const Discretisation& scene,
+                                                  const std::vector<SubstructuredBody>& bodies,
+                                                  const SolvedContactIncrement& solved,
+                                                  const base::Vector& prescribed);
 
 } // namespace spricka::analysis

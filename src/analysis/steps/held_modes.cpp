@@ -109,7 +109,7 @@ private:
       }
     }
     contact::remove_self_sliding(
-        sliding_contacts(scene_), first_, [&](base::NodeId node) { return at(node); }, B_);
+        pressing_contact_surfaces(scene_), first_, [&](base::NodeId node) { return at(node); }, B_);
   }
 
   const Discretisation& scene_;
@@ -169,7 +169,7 @@ std::vector<std::string> motions(const model::Model& model, const model::Mesh& m
   // Named by rigid motions of the pieces: the free modes are any combination of those.
   const base::Matrix basis = reduced(mix);
   for (Eigen::Index k = 0; k < basis.cols(); ++k) {
-    names.push_back(describe_motion(mesh, body.body, rigid * basis.col(k)));
+    names.push_back(describe_rigid_motion(mesh, body.body, rigid * basis.col(k)));
   }
   return names;
 }
@@ -206,11 +206,12 @@ std::vector<base::OperationFailure>
 unsupported_loads(const model::Model& model, const Discretisation& scene,
                   const std::vector<SubstructuredBody>& bodies) {
   const AllModes modes(scene, bodies);
-  const base::Matrix pull = loads_with_supports(model, scene);
+  const base::Matrix pull = reduced_case_loads(model, scene);
   std::vector<base::OperationFailure> unheld;
-  StepFactors factors = initial_factors(model, scene.case_load.cols(), scene.contacts.size());
+  StepActionFactors factors =
+      initial_step_factors(model, scene.case_load.cols(), scene.contacts.size());
   for (const model::Step& step : model.steps) {
-    apply_actions(step, factors);
+    apply_step_actions(step, factors);
     std::vector<std::size_t> rows;
     std::vector<bool> equality;
     std::vector<solve::FrictionRow> friction;
@@ -270,8 +271,8 @@ unsupported_loads(const model::Model& model, const Discretisation& scene,
                                motion.segment(modes.first(b), bodies[b].free_rigid_modes.cols());
       std::string why =
           fmt::format("step {}: body {} is loaded but not held: {}{}", step.name, bodies[b].name,
-                      describe_motion(scene.cracked.mesh, bodies[b].body, own),
-                      missing_contact(model, scene, bodies, b));
+                      describe_rigid_motion(scene.cracked.mesh, bodies[b].body, own),
+                      explain_missing_contact(model, scene, bodies, b));
       why += explain_release(model, scene, bodies, step, why);
       unheld.push_back({.why = std::move(why), .span = step.span});
     }

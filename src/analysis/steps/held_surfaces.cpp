@@ -41,14 +41,14 @@ struct FullySupportedContact {
 
 } // namespace
 
-void warn_of_held_rows(const Discretisation& scene,
-                       const contact::ContactSystem::IncrementProblem& problem,
-                       const StepMotion& motion, std::vector<results::Note>& notes) {
+void warn_of_immovable_rows(const Discretisation& scene,
+                            const contact::ContactSystem::IncrementProblem& problem,
+                            const StepMotion& motion, std::vector<results::Note>& notes) {
   std::vector<FullySupportedContact> found(scene.contacts.size());
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
     const std::size_t r = problem.rows[i];
     const auto c = scene.table.contact_index(r);
-    const contact::ConstraintRow& row = scene.reduced_row(r);
+    const contact::ConstraintRow& row = scene.reduced_contact_row(r);
     const bool bonded = scene.contacts[c].type == model::ContactType::bonded;
     if (bonded || row.area <= 0.0 || !is_held(scene, row)) {
       continue;

@@ -18,8 +18,8 @@ struct StepMotion {
 /// Warns of contact rows none of whose freedoms can move, where supports or prescribed
 /// displacements press surfaces into each other, or pull them along each other under pressure:
 /// contact and friction cannot act there. `problem` is that of the end of the step.
-void warn_of_held_rows(const Discretisation& scene,
-                       const contact::ContactSystem::IncrementProblem& problem,
-                       const StepMotion& motion, std::vector<results::Note>& notes);
+void warn_of_immovable_rows(const Discretisation& scene,
+                            const contact::ContactSystem::IncrementProblem& problem,
+                            const StepMotion& motion, std::vector<results::Note>& notes);
 
 } // namespace spricka::analysis

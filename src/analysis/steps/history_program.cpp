@@ -21,8 +21,8 @@ bool mounts(const model::Step& step) {
 }
 
 // Loads and fits at t of a load path, 0 FROM to 1 TO; mounted as FROM is.
-StepFactors on_path(const StepFactors& from, const StepFactors& to, double t) {
-  StepFactors at = from;
+StepActionFactors on_path(const StepActionFactors& from, const StepActionFactors& to, double t) {
+  StepActionFactors at = from;
   at.case_factor += t * (to.case_factor - from.case_factor);
   for (std::size_t c = 0; c < at.fit.size(); ++c) {
     at.fit[c] += t * (to.fit[c] - from.fit[c]);
@@ -30,7 +30,8 @@ StepFactors on_path(const StepFactors& from, const StepFactors& to, double t) {
   return at;
 }
 
-LoadHistoryProgram of_spectrum(const model::Model& model, const std::vector<StepFactors>& of_step,
+LoadHistoryProgram of_spectrum(const model::Model& model,
+                               const std::vector<StepActionFactors>& of_step,
                                const std::vector<int>& increments) {
   const model::SpectrumDefinition& card = model.spectra[*model.growth->spectrum];
   const model::LoadPathDefinition& path = model.load_paths[card.path];
@@ -57,7 +58,8 @@ LoadHistoryProgram of_spectrum(const model::Model& model, const std::vector<Step
 }
 
 // From the first of the two steps on by the steps between to the second, and straight back.
-LoadHistoryProgram of_steps(const model::Model& model, const std::vector<StepFactors>& of_step,
+LoadHistoryProgram of_steps(const model::Model& model,
+                            const std::vector<StepActionFactors>& of_step,
                             const std::vector<int>& increments) {
   const std::size_t high = model.growth->kmax.index();
   const std::size_t low = model.growth->kmin.index();
@@ -84,7 +86,7 @@ LoadHistoryProgram of_steps(const model::Model& model, const std::vector<StepFac
 
 } // namespace
 
-bool follows_history(const model::Model& model) {
+bool depends_on_load_order(const model::Model& model) {
   if (!model.growth || model.growth->law == model::CrackGrowthLaw::increment) {
     return false;
   }
@@ -93,8 +95,9 @@ bool follows_history(const model::Model& model) {
                              [](const auto& c) { return c.faces_in_contact && c.mu > 0.0; });
 }
 
-LoadHistoryProgram load_program(const model::Model& model, const std::vector<StepFactors>& of_step,
-                                const std::vector<int>& increments) {
+LoadHistoryProgram make_load_history_program(const model::Model& model,
+                                             const std::vector<StepActionFactors>& of_step,
+                                             const std::vector<int>& increments) {
   return model.growth->spectrum ? of_spectrum(model, of_step, increments)
                                 : of_steps(model, of_step, increments);
 }

@@ -11,12 +11,12 @@
 namespace spricka::analysis {
 
 /// Whether K of the growth depends on the order of loads: a law, and something that rubs.
-bool follows_history(const model::Model& model);
+bool depends_on_load_order(const model::Model& model);
 
 /// Loads and fits that the history comes by; `increments` lead there from the place before, 0: as
 /// many as the way along the load path takes.
 struct LoadHistoryPoint {
-  StepFactors factors;
+  StepActionFactors factors;
   double t = 0.0; ///< place on the load path
   int increments = 0;
 };
@@ -39,7 +39,8 @@ struct LoadHistoryProgram {
 
 /// From the card of the growth, the factors at the end of all steps, and into how many increments
 /// each step was cut [step].
-LoadHistoryProgram load_program(const model::Model& model, const std::vector<StepFactors>& of_step,
-                                const std::vector<int>& increments);
+LoadHistoryProgram make_load_history_program(const model::Model& model,
+                                             const std::vector<StepActionFactors>& of_step,
+                                             const std::vector<int>& increments);
 
 } // namespace spricka::analysis

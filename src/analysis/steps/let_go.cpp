@@ -38,15 +38,15 @@ bool has(const SubstructuredBody& body, const contact::ContactSurface& surface) 
 
 // When a contact that is not mounted in a step was or will be; empty: it is mounted.
 std::string not_there(const model::Model& model, std::size_t contact, const model::Step& at) {
-  StepFactors factors =
-      initial_factors(model, static_cast<Eigen::Index>(model.cases.size()), model.contacts.size());
+  StepActionFactors factors = initial_step_factors(
+      model, static_cast<Eigen::Index>(model.cases.size()), model.contacts.size());
   std::string gone;
   std::string comes;
   bool behind = false;
   bool there = factors.mounted[contact];
   bool there_then = there;
   for (const model::Step& step : model.steps) {
-    apply_actions(step, factors);
+    apply_step_actions(step, factors);
     const bool now = factors.mounted[contact];
     if (!behind) {
       gone = there && !now ? step.name : now ? std::string() : gone;

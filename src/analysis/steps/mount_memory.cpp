@@ -107,8 +107,8 @@ MountOffsetMemory MountOffsetMemory::restore_state(const results::NamedArrays& a
   return memory;
 }
 
-bool MountOffsetMemory::store_or_restore(const Discretisation& scene, std::size_t contact,
-                                         bool rubs, base::Vector& offset) {
+bool MountOffsetMemory::store_or_restore_offsets(const Discretisation& scene, std::size_t contact,
+                                                 bool rubs, base::Vector& offset) {
   const std::size_t first = scene.table.first[contact];
   const std::size_t count = scene.table.first[contact + 1] - first;
   auto part = offset.segment(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(count));

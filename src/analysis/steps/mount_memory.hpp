@@ -18,8 +18,8 @@ public:
   /// At the first length keeps the offsets of the rows of a contact; later replaces them by those
   /// kept for the same mounting. Slips of pairs with friction begin anew at each length. False if
   /// the contact's rows are not those of the first length.
-  bool store_or_restore(const Discretisation& scene, std::size_t contact, bool rubs,
-                        base::Vector& offset);
+  bool store_or_restore_offsets(const Discretisation& scene, std::size_t contact, bool rubs,
+                                base::Vector& offset);
 
   /// As arrays "mount...", for a restart file.
   void save_state(results::NamedArrays& arrays) const;

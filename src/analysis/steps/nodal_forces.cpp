@@ -93,8 +93,8 @@ void add_nodal_forces(const model::Model& model, const Discretisation& scene,
   const base::Vector internal = state.internal.rowwise().sum();
   if (state.temperature.size() > 0) {
     fe::add_thermal_energy(model, mesh, state.temperature, state.u, state.energy);
-    fe::add_residual_temperature_energy(model, mesh, acting_heat(scene, case_factor), state.u,
-                                        state.energy);
+    fe::add_residual_temperature_energy(model, mesh, scaled_case_temperatures(scene, case_factor),
+                                        state.u, state.energy);
   }
   // Forces on dependent freedoms are their masters' to bear.
   base::Vector open = internal - state.force - state.contact;
@@ -116,7 +116,7 @@ void add_nodal_forces(const model::Model& model, const Discretisation& scene,
   if (!scene.ties->rows().empty()) {
     state.tie = tie_forces(scene, open - state.reaction);
   }
-  if (const std::optional<results::Note> note = residual_note(state.resting, state.contact)) {
+  if (const std::optional<results::Note> note = residual_force_note(state.resting, state.contact)) {
     state.notes.push_back(*note);
   }
   const double scale =

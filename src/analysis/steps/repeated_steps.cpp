@@ -43,7 +43,7 @@ void RepeatedSteps::drop_extra_stresses(std::vector<results::StepResult>& result
 
 void RepeatedSteps::store_closed_rows(std::size_t step, const StepSolver& solver) {
   if (std::ranges::find(same_, std::optional(step)) != same_.end()) {
-    closed_[step] = solver.closed_rows();
+    closed_[step] = solver.closed_contact_rows();
   }
 }
 
@@ -54,7 +54,7 @@ void RepeatedSteps::copy_step(std::size_t step, StepSolver& solver,
   if (!pictured_[step]) {
     take_pictures_away(result);
   }
-  solver.repeat_step(model_.steps[step], result.u, closed_.at(*same_[step]));
+  solver.adopt_earlier_step(model_.steps[step], result.u, closed_.at(*same_[step]));
   results.push_back(std::move(result));
 }
 

@@ -5,10 +5,10 @@
 
 namespace spricka::analysis {
 
-base::Vector sliding_residual(const std::vector<SubstructuredBody>& bodies,
-                              const std::vector<std::size_t>& condensed,
-                              const contact::ContactSystem::IncrementSolution& solution,
-                              Eigen::Index size) {
+base::Vector sliding_mode_residual_force(const std::vector<SubstructuredBody>& bodies,
+                                         const std::vector<std::size_t>& condensed,
+                                         const contact::ContactSystem::IncrementSolution& solution,
+                                         Eigen::Index size) {
   if (solution.resting_force.empty()) {
     return {};
   }
@@ -22,8 +22,8 @@ base::Vector sliding_residual(const std::vector<SubstructuredBody>& bodies,
   return resting;
 }
 
-std::optional<results::Note> residual_note(const base::Vector& resting,
-                                           const base::Vector& contact) {
+std::optional<results::Note> residual_force_note(const base::Vector& resting,
+                                                 const base::Vector& contact) {
   constexpr double worth_a_note = 1e-6;
   constexpr double too_much = 1e-3;
   const double share =

@@ -22,8 +22,8 @@ std::string components(const base::Vec3& v, int dim, int digits) {
 
 } // namespace
 
-std::string describe_motion(const model::Mesh& mesh, const fe::Body& body,
-                            const base::Vector& motion) {
+std::string describe_rigid_motion(const model::Mesh& mesh, const fe::Body& body,
+                                  const base::Vector& motion) {
   base::Vec3 mean = base::Vec3::Zero();
   double square = 0.0;
   for (const base::NodeId n : body.nodes) {

@@ -10,7 +10,7 @@ namespace spricka::analysis {
 
 /// "direction X", "direction (0.6, 0.8)", "rotation", or a translation with rotation: what a rigid
 /// motion, a nodal vector [dim * node], does with a body.
-std::string describe_motion(const model::Mesh& mesh, const fe::Body& body,
-                            const base::Vector& motion);
+std::string describe_rigid_motion(const model::Mesh& mesh, const fe::Body& body,
+                                  const base::Vector& motion);
 
 } // namespace spricka::analysis

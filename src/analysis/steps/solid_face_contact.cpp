@@ -40,7 +40,7 @@ contact::PairConstraints solid_face_pair(const model::Model& model, const Discre
                                          std::size_t line, bool friction) {
   contact::PairConstraints pair = contact::build_solid_crack_constraints(
       model, scene.cracked.mesh, scene.cracked.faces[line], friction);
-  apply_supports(pair, scene.cls);
+  apply_supports_to_rows(pair, scene.cls);
   return pair;
 }
 
@@ -60,8 +60,8 @@ double solid_face_overlap(const model::Model& model, const Discretisation& scene
   return deepest / largest;
 }
 
-std::vector<std::optional<std::size_t>> rows_at_front(const Discretisation& scene,
-                                                      const mesh::CrackFront& front) {
+std::vector<std::optional<std::size_t>>
+solid_contact_rows_behind_front(const Discretisation& scene, const mesh::CrackFront& front) {
   const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
   if (!crack_face) {
     return {};
@@ -79,8 +79,9 @@ std::vector<std::optional<std::size_t>> rows_at_front(const Discretisation& scen
   return rows;
 }
 
-std::vector<FrontFaces> front_faces(const Discretisation& scene, const mesh::CrackFront& front,
-                                    const StepState& state) {
+std::vector<FrontFaceContact> front_face_contact(const Discretisation& scene,
+                                                 const mesh::CrackFront& front,
+                                                 const StepState& state) {
   const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
   if (!crack_face) {
     return {};
@@ -93,9 +94,9 @@ std::vector<FrontFaces> front_faces(const Discretisation& scene, const mesh::Cra
     const auto at = static_cast<std::size_t>(row.normal);
     slipped[at] = slipped[at] || std::abs(slip.jump) > slip_of_solid_round_off * slip.size;
   }
-  std::vector<FrontFaces> all;
-  for (const std::optional<std::size_t>& row : rows_at_front(scene, front)) {
-    FrontFaces& faces = all.emplace_back();
+  std::vector<FrontFaceContact> all;
+  for (const std::optional<std::size_t>& row : solid_contact_rows_behind_front(scene, front)) {
+    FrontFaceContact& faces = all.emplace_back();
     if (!row) {
       continue;
     }

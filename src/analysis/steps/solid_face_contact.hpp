@@ -20,7 +20,7 @@ double solid_face_overlap(const model::Model& model, const Discretisation& scene
                           const base::Vector& u);
 
 /// What the faces of a crack do at a point of its front.
-struct FrontFaces {
+struct FrontFaceContact {
   bool closed = false;   ///< they touch behind it
   bool held = false;     ///< closed, and they have not slipped
   double pressure = 0.0; ///< between them there [stress]
@@ -28,11 +28,12 @@ struct FrontFaces {
 
 /// [point of the front] the row of its pair that holds the faces together behind it, if there is
 /// one; empty: the faces are no pair.
-std::vector<std::optional<std::size_t>> rows_at_front(const Discretisation& scene,
-                                                      const mesh::CrackFront& front);
+std::vector<std::optional<std::size_t>>
+solid_contact_rows_behind_front(const Discretisation& scene, const mesh::CrackFront& front);
 
 /// [point of the front]; empty: the faces are no pair.
-std::vector<FrontFaces> front_faces(const Discretisation& scene, const mesh::CrackFront& front,
-                                    const StepState& state);
+std::vector<FrontFaceContact> front_face_contact(const Discretisation& scene,
+                                                 const mesh::CrackFront& front,
+                                                 const StepState& state);
 
 } // namespace spricka::analysis

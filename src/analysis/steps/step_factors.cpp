@@ -24,16 +24,17 @@ template <class ActionType> bool names(const model::Model& model, base::ContactI
 
 } // namespace
 
-bool step_sets_fit(const model::Model& model, base::ContactId contact) {
+bool is_fit_set_by_steps(const model::Model& model, base::ContactId contact) {
   return names<model::ApplyFit>(model, contact);
 }
 
-bool step_mounts(const model::Model& model, base::ContactId contact) {
+bool is_mounted_by_steps(const model::Model& model, base::ContactId contact) {
   return names<model::MountContact>(model, contact);
 }
 
-StepFactors initial_factors(const model::Model& model, Eigen::Index columns, std::size_t contacts) {
-  StepFactors factors;
+StepActionFactors initial_step_factors(const model::Model& model, Eigen::Index columns,
+                                       std::size_t contacts) {
+  StepActionFactors factors;
   factors.case_factor = base::Vector::Ones(columns);
   // A column behind the cases is that of the ties' constants, which always count once.
   factors.case_factor.head(static_cast<Eigen::Index>(model.cases.size())).setZero();
@@ -44,8 +45,9 @@ StepFactors initial_factors(const model::Model& model, Eigen::Index columns, std
   return factors;
 }
 
-StepFactors interpolate_factors(const StepFactors& from, const StepFactors& to, double part) {
-  StepFactors factors = to;
+StepActionFactors interpolate_step_factors(const StepActionFactors& from,
+                                           const StepActionFactors& to, double part) {
+  StepActionFactors factors = to;
   if (part < 1.0) {
     factors.case_factor = from.case_factor + part * (to.case_factor - from.case_factor);
     for (std::size_t c = 0; c < to.fit.size(); ++c) {
@@ -55,7 +57,7 @@ StepFactors interpolate_factors(const StepFactors& from, const StepFactors& to, 
   return factors;
 }
 
-MountChanges apply_actions(const model::Step& step, StepFactors& factors) {
+MountChanges apply_step_actions(const model::Step& step, StepActionFactors& factors) {
   MountChanges changes;
   for (const model::StepAction& action : step.actions) {
     if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {
@@ -79,12 +81,12 @@ std::vector<std::optional<std::size_t>> repeated_steps(const model::Model& model
   if (std::ranges::any_of(model.contacts, rubs) || std::ranges::any_of(model.cracks, rubs)) {
     return same;
   }
-  std::vector<StepFactors> ends;
-  StepFactors factors =
-      initial_factors(model, static_cast<Eigen::Index>(model.cases.size()), model.contacts.size());
+  std::vector<StepActionFactors> ends;
+  StepActionFactors factors = initial_step_factors(
+      model, static_cast<Eigen::Index>(model.cases.size()), model.contacts.size());
   std::size_t first = 0; // since the last change of what is mounted
   for (std::size_t s = 0; s < model.steps.size(); ++s) {
-    const MountChanges changes = apply_actions(model.steps[s], factors);
+    const MountChanges changes = apply_step_actions(model.steps[s], factors);
     // An offset of MOUNT hangs on the state it was taken in: equal factors are no equal state
     // across it.
     first = changes.mounted.empty() && changes.dismounted.empty() ? first : s;

@@ -11,7 +11,7 @@
 namespace spricka::analysis {
 
 /// What the steps' actions have set so far.
-struct StepFactors {
+struct StepActionFactors {
   base::Vector case_factor;  ///< [case], and 1 for what ties always ask for (Scene::case_load)
   std::vector<double> fit;   ///< [contact]
   std::vector<bool> mounted; ///< [contact]
@@ -20,16 +20,18 @@ struct StepFactors {
 /// Before the first step: no loads; a contact is absent if some step mounts it, its fit is 0 if
 /// some step names it. `columns` are those of Scene::case_load; `contacts` behind the deck's are in
 /// force from the first step on.
-StepFactors initial_factors(const model::Model& model, Eigen::Index columns, std::size_t contacts);
+StepActionFactors initial_step_factors(const model::Model& model, Eigen::Index columns,
+                                       std::size_t contacts);
 
 /// A part of the way from one set of factors to another, 1: all of it; contacts as at its end.
-StepFactors interpolate_factors(const StepFactors& from, const StepFactors& to, double part);
+StepActionFactors interpolate_step_factors(const StepActionFactors& from,
+                                           const StepActionFactors& to, double part);
 
 /// Whether some step sets the factor of a contact's fit.
-bool step_sets_fit(const model::Model& model, base::ContactId contact);
+bool is_fit_set_by_steps(const model::Model& model, base::ContactId contact);
 
 /// Whether some step mounts a contact: it is absent before the first that does.
-bool step_mounts(const model::Model& model, base::ContactId contact);
+bool is_mounted_by_steps(const model::Model& model, base::ContactId contact);
 
 /// The contacts that a step mounts or dismounts.
 struct MountChanges {
@@ -38,7 +40,7 @@ struct MountChanges {
 };
 
 /// Carries out the actions of a step.
-MountChanges apply_actions(const model::Step& step, StepFactors& factors);
+MountChanges apply_step_actions(const model::Step& step, StepActionFactors& factors);
 
 /// By step an earlier one that ends in the same state, if there is one: the same factors, nothing
 /// mounted or dismounted in between, no friction anywhere. [step]

@@ -33,7 +33,7 @@ StepSolver::StepSolver(const model::Model& model, const Discretisation& scene,
                        const std::vector<SubstructuredBody>& bodies, MountOffsetMemory* memory,
                        ContactMemory* contact)
     : model_(model), scene_(scene), bodies_(bodies),
-      factors_(initial_factors(model, scene.case_load.cols(), scene.contacts.size())),
+      factors_(initial_step_factors(model, scene.case_load.cols(), scene.contacts.size())),
       offset_(base::Vector::Zero(static_cast<Eigen::Index>(scene.table.size()))),
       u_(base::Vector::Zero(static_cast<Eigen::Index>(scene.cracked.mesh.node_count()) *
                             scene.cracked.mesh.dim)),
@@ -49,10 +49,10 @@ StepSolver::StepSolver(const model::Model& model, const Discretisation& scene,
     }
   }
   if (!condensed.empty()) {
-    system_.emplace(std::move(condensed), scene.reduced_rows(), scene.cracked.mesh.dim,
-                    static_cast<std::size_t>(u_.size()), sliding_contacts(scene),
+    system_.emplace(std::move(condensed), scene.reduced_contact_rows(), scene.cracked.mesh.dim,
+                    static_cast<std::size_t>(u_.size()), pressing_contact_surfaces(scene),
                     contact == nullptr ? contact::PersistentRowSet{}
-                                       : contact->persistent_rows(scene, bodies, condensed_));
+                                       : contact->find_persistent_rows(scene, bodies, condensed_));
   }
 }
 
@@ -68,12 +68,12 @@ bool StepSolver::mount(std::size_t contact) {
   }
   history_.begin(contact);
   closed_.clear(); // they say nothing of rows that are new
-  return memory_ == nullptr ||
-         memory_->store_or_restore(scene_, contact, scene_.contacts[contact].mu > 0.0, offset_);
+  return memory_ == nullptr || memory_->store_or_restore_offsets(
+                                   scene_, contact, scene_.contacts[contact].mu > 0.0, offset_);
 }
 
 bool StepSolver::act(const model::Step& step, base::OptionalFailure& trouble) {
-  const MountChanges changes = apply_actions(step, factors_);
+  const MountChanges changes = apply_step_actions(step, factors_);
   for (const std::size_t contact : changes.mounted) {
     if (!mount(contact)) {
       trouble = base::OperationFailure{
@@ -138,14 +138,14 @@ contact::ContactSystem::IncrementProblem StepSolver::contact_problem() const {
   return d;
 }
 
-base::Vector StepSolver::unscaled_gap(const std::vector<std::size_t>& rows) const {
+base::Vector StepSolver::gap_without_fits_and_loads(const std::vector<std::size_t>& rows) const {
   base::Vector rest(static_cast<Eigen::Index>(rows.size()));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::size_t r = rows[i];
     const auto c = scene_.table.contact_index(r);
     const base::ContactId contact(c);
     // A declared gap that no step names has the factor 1 on all of the path: nothing scales it.
-    const bool scaled = scene_.contacts[c].gap && step_sets_fit(model_, contact);
+    const bool scaled = scene_.contacts[c].gap && is_fit_set_by_steps(model_, contact);
     rest[static_cast<Eigen::Index>(i)] =
         offset_[static_cast<Eigen::Index>(r)] + (scaled ? 0.0 : scene_.contact_row(r).gap);
   }
@@ -169,10 +169,11 @@ std::string StepSolver::unsupported_motion(const base::Vector& mode, bool slides
   const base::Vector shape =
       body.condensed->modes() * mode.segment(first, body.condensed->modes().cols());
   const base::Vector mix = base::least_squares(at_externals, shape);
-  return fmt::format("body {} {}: {}{}", body.name,
-                     slides ? "slides, friction does not hold it" : "is loaded but not held",
-                     describe_motion(scene_.cracked.mesh, body.body, body.free_rigid_modes * mix),
-                     slides ? "" : missing_contact(model_, scene_, bodies_, condensed_[at]));
+  return fmt::format(
+      "body {} {}: {}{}", body.name,
+      slides ? "slides, friction does not hold it" : "is loaded but not held",
+      describe_rigid_motion(scene_.cracked.mesh, body.body, body.free_rigid_modes * mix),
+      slides ? "" : explain_missing_contact(model_, scene_, bodies_, condensed_[at]));
 }
 
 base::OptionalFailure
@@ -205,7 +206,7 @@ bool StepSolver::accept(const contact::ContactSystem::IncrementSolution& solutio
     trouble = std::move(none);
     return false;
   }
-  if (base::OptionalFailure far = excessive_motion(
+  if (base::OptionalFailure far = find_excessive_rigid_motion(
           scene_, bodies_, {*system_, condensed_, problem, solution}, prescribed())) {
     trouble = std::move(far);
     return false;
@@ -238,7 +239,7 @@ bool StepSolver::accept(const contact::ContactSystem::IncrementSolution& solutio
     }
     closed_[row] = s.closed[i];
   }
-  state.resting = sliding_residual(bodies_, condensed_, solution, u_.size());
+  state.resting = sliding_mode_residual_force(bodies_, condensed_, solution, u_.size());
   for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
     state.friction.push_back(history_.pair_friction(c));
   }
@@ -246,9 +247,9 @@ bool StepSolver::accept(const contact::ContactSystem::IncrementSolution& solutio
   return true;
 }
 
-void StepSolver::repeat_step(const model::Step& step, const base::Vector& u,
-                             const std::vector<bool>& closed) {
-  apply_actions(step, factors_);
+void StepSolver::adopt_earlier_step(const model::Step& step, const base::Vector& u,
+                                    const std::vector<bool>& closed) {
+  apply_step_actions(step, factors_);
   u_ = u;
   closed_ = closed;
 }
@@ -295,7 +296,7 @@ bool StepSolver::complete(std::vector<base::Vector> external, StepState& state,
 
 std::optional<StepState> StepSolver::solve(const model::Step& step,
                                            base::OptionalFailure& trouble) {
-  const StepFactors before = factors_;
+  const StepActionFactors before = factors_;
   if (!act(step, trouble)) {
     return std::nullopt;
   }
@@ -320,7 +321,7 @@ std::optional<StepState> StepSolver::solve(const model::Step& step,
       pressed.push_back((lambda.array() > 0.0).any());
     }
     // u_ still has the end of the last step: what this step alone has moved counts.
-    warn_of_held_rows(scene_, contact_problem(), {pressed, state.u - u_}, state.notes);
+    warn_of_immovable_rows(scene_, contact_problem(), {pressed, state.u - u_}, state.notes);
   }
   u_ = state.u;
   return state;

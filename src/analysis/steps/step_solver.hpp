@@ -34,7 +34,7 @@ public:
 
   /// All that the next increment depends on.
   struct StepSolverState {
-    StepFactors factors;
+    StepActionFactors factors;
     base::Vector offset;      ///< [row]
     std::vector<bool> closed; ///< [row] a start for the solution; may be empty
     FrictionState friction;
@@ -48,16 +48,17 @@ public:
   /// Loads and fits go in a straight line to others in equal increments, contacts as they are:
   /// nothing is recovered. Empty: refused.
   std::optional<contact::ContactSystem::IncrementSolution>
-  solve_increments(const StepFactors& to, int increments, const Seen& seen,
+  solve_increments(const StepActionFactors& to, int increments, const Seen& seen,
                    base::OptionalFailure& trouble);
   /// The state at the end of solve_increments(), from its answer; empty: refused.
   std::optional<StepState> recover_state(contact::ContactSystem::IncrementSolution solution,
                                          base::OptionalFailure& trouble);
   /// Instead: goes on from an earlier step that ended in the same state (repeated_steps), from its
   /// displacements and closed rows.
-  void repeat_step(const model::Step& step, const base::Vector& u, const std::vector<bool>& closed);
+  void adopt_earlier_step(const model::Step& step, const base::Vector& u,
+                          const std::vector<bool>& closed);
   /// Rows [row] closed at the end of the last step; empty: not known.
-  [[nodiscard]] const std::vector<bool>& closed_rows() const { return closed_; }
+  [[nodiscard]] const std::vector<bool>& closed_contact_rows() const { return closed_; }
   /// Where the next step without friction begins to look for its closed rows, if it mounts nothing.
   void set_start_rows(std::vector<bool> closed) { closed_ = std::move(closed); }
 
@@ -69,10 +70,10 @@ public:
   }
   [[nodiscard]] const std::vector<std::size_t>& condensed_bodies() const { return condensed_; }
   /// The part of the gaps of these rows [rows] that neither fits nor loads scale.
-  [[nodiscard]] base::Vector unscaled_gap(const std::vector<std::size_t>& rows) const;
+  [[nodiscard]] base::Vector gap_without_fits_and_loads(const std::vector<std::size_t>& rows) const;
   /// Which body moves how by a combination of modes [m] that is loaded and not held.
   [[nodiscard]] std::string unsupported_motion(const base::Vector& mode, bool slides = false) const;
-  [[nodiscard]] const StepFactors& factors() const { return factors_; }
+  [[nodiscard]] const StepActionFactors& factors() const { return factors_; }
   [[nodiscard]] const base::Vector& mount_offset() const { return offset_; } ///< [row] since MOUNT
 
 private:
@@ -81,12 +82,12 @@ private:
   [[nodiscard]] base::Vector prescribed() const;
   /// The answer at the end of the step, in increments from the factors `from` where contacts rub;
   /// none: refused.
-  std::optional<contact::ContactSystem::IncrementSolution> walk(const StepFactors& from,
+  std::optional<contact::ContactSystem::IncrementSolution> walk(const StepActionFactors& from,
                                                                 const model::Step& step,
                                                                 StepState& state,
                                                                 base::OptionalFailure& trouble);
   struct StepIncrementation {
-    StepFactors from, to;
+    StepActionFactors from, to;
     contact::ContactSystem::IncrementProblem problem; ///< of the last increment
     contact::ContactSystem::IncrementSolution solution;
     int increments = 0, iterations = 0, pivots = 0;
@@ -126,7 +127,7 @@ private:
   const std::vector<SubstructuredBody>& bodies_;
   std::vector<std::size_t> condensed_; ///< bodies that have externals
   std::optional<contact::ContactSystem> system_;
-  StepFactors factors_;
+  StepActionFactors factors_;
   base::Vector offset_;      ///< [row] gap taken on at MOUNT
   base::Vector u_;           ///< [dim * node] end of the last step
   std::vector<bool> closed_; ///< [row] end of the last step

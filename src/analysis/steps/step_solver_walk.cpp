@@ -153,7 +153,7 @@ solve::ContactSettings settings_of(const model::Model& model) {
 } // namespace
 
 std::optional<contact::ContactSystem::IncrementSolution>
-StepSolver::walk(const StepFactors& from, const model::Step& step, StepState& state,
+StepSolver::walk(const StepActionFactors& from, const model::Step& step, StepState& state,
                  base::OptionalFailure& trouble) {
   StepIncrementation way{
       .from = from, .to = factors_, .problem = contact_problem(), .solution = {}};
@@ -247,7 +247,7 @@ solve::ExpectedForces StepSolver::expected_at(const StepIncrementation& walk, do
 }
 
 bool StepSolver::advance(StepIncrementation& walk, std::pair<double, double> part, int halvings) {
-  factors_ = interpolate_factors(walk.from, walk.to, part.second);
+  factors_ = interpolate_step_factors(walk.from, walk.to, part.second);
   walk.problem = contact_problem();
   walk.problem.expected = expected_at(walk, part.second);
   walk.solution = system_->solve(walk.problem, settings_of(model_));
@@ -288,7 +288,7 @@ void StepSolver::restore_state(const StepSolverState& place) {
 }
 
 std::optional<contact::ContactSystem::IncrementSolution>
-StepSolver::solve_increments(const StepFactors& to, int increments, const Seen& seen,
+StepSolver::solve_increments(const StepActionFactors& to, int increments, const Seen& seen,
                              base::OptionalFailure& trouble) {
   StepIncrementation way{.from = factors_, .to = to, .problem = {}, .solution = {}, .seen = &seen};
   for (int k = 0; k < increments; ++k) {

@@ -27,7 +27,8 @@ double reaction(const model::Model& model, CheckArguments& args, const results::
   const std::string step = args.next_name("a step");
   const Eigen::Index axis = axis_index(args.next_name("X, Y or Z"));
   const CheckedStep at = find_checked_step(run, step, args.next_number());
-  if (const auto missing = analysis::unassigned_reaction(model, at.increment->mesh, set)) {
+  if (const auto missing =
+          analysis::find_unassigned_reaction_node(model, at.increment->mesh, set)) {
     throw MissingQuantity(
         fmt::format("the patch of a crack has replaced node {} of the support: ask for a "
                     "set with the whole edge there",

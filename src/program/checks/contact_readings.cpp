@@ -78,7 +78,7 @@ double value_at(const results::ContactResult& contact, PointValue value, double 
     throw MissingQuantity(round ? "no contact surface at that angle"
                                 : "no contact surface at that distance");
   }
-  if (analysis::between_pieces(contact, place)) {
+  if (analysis::is_between_surface_pieces(contact, place)) {
     return 0.0;
   }
   const double t = up + down > 0.0 ? down / (up + down) : 0.0;

@@ -111,7 +111,7 @@ std::vector<double> stresses_of_set(const model::Model& model, const CheckedStep
   }
   std::vector<fe::Stress> nodal = fe::nodal_stress(model, mesh, stress);
   // Nodes whose elements a patch has replaced have the stress at their place.
-  analysis::fill_stresses(model, mesh, {at.step->u, at.step->temperature}, nodal);
+  analysis::fill_removed_node_stresses(model, mesh, {at.step->u, at.step->temperature}, nodal);
   std::vector<bool> wanted(mesh.node_count(), false);
   for (const base::NodeId n : nodes_of_set(mesh, name)) {
     wanted[n.index()] = true;

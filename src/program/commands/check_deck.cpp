@@ -75,7 +75,7 @@ public:
   /// Every length. Without `forecast` only mistakes are looked for.
   void look(bool forecast) {
     if (analysis::grows_by_law(model_)) {
-      analysis::initial_kinematics(model_, diagnostics);
+      analysis::make_crack_kinematics(model_, diagnostics);
       if (model_.mesh.dim == 2 && !diagnostics.has_errors()) {
         if (const auto lines = growth::crack_lines(model_, 0.0, diagnostics)) {
           stations = stations_at_least(model_, *lines);
@@ -86,7 +86,8 @@ public:
       }
     }
     const std::vector<double> lengths = growth::growth_loop_lengths(model_);
-    const analysis::RegionPlan plan = analysis::plan_region(model_, lengths, diagnostics);
+    const analysis::CrackRegionPlan plan =
+        analysis::plan_crack_region(model_, lengths, diagnostics);
     if (diagnostics.has_errors()) {
       return;
     }

@@ -88,7 +88,7 @@ base::Outcome run_once(const RunOptions& options, const ReadyDeck& deck, const L
 }
 
 ReadyDeck read_recorded(const RunOptions& options, const Log& log) {
-  const analysis::RecordedInterval span(options.recorder.get(), "DECK", "deck and meshes");
+  const analysis::ScopedProfileInterval span(options.recorder.get(), "DECK", "deck and meshes");
   return read_and_check_deck(options.deck, {.defines = options.defines}, log);
 }
 

@@ -220,7 +220,7 @@ private:
   }
 
   [[nodiscard]] ReadyDeck read_point(const RunOptions& options, std::size_t i) const {
-    const analysis::RecordedInterval span(options.recorder.get(), "DECK", "deck and meshes");
+    const analysis::ScopedProfileInterval span(options.recorder.get(), "DECK", "deck and meshes");
     return read_and_check_deck(options.deck,
                                {.defines = options.defines, .sweep_values = points_[i]}, log_,
                                &deck_.diagnostics);

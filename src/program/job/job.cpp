@@ -59,7 +59,7 @@ void add_warnings(const model::Model& model, const results::RunResult& run,
                    report::located_note_text(note));
     }
   }
-  for (std::string& coarse : analysis::coarse_nets(run)) {
+  for (std::string& coarse : analysis::describe_coarse_nets(run)) {
     list.warning({}, "W504", std::move(coarse));
   }
   for (std::string& parted : sense::k_consistency_warnings(run)) {
@@ -146,7 +146,7 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, RunFolder& f
   const auto read_finer = [&](const std::map<std::string, deck::NetRefinement>& refine) {
     deck::DeckReadOptions finer = deck.options;
     finer.refine = refine;
-    const analysis::RecordedInterval span(solve.recorder, "DECK", "meshes made finer");
+    const analysis::ScopedProfileInterval span(solve.recorder, "DECK", "meshes made finer");
     return read_silently(options.deck, finer);
   };
   RefinedRun found = solve_to_tolerance(deck, read_finer, once);
@@ -224,8 +224,8 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   }
   const ReadyDeck& used = solved.finer ? *solved.finer : deck;
   results::RunResult& run = *solved.run;
-  std::optional<analysis::RecordedInterval> checking(std::in_place, options.recorder.get(),
-                                                     "CHECKS", "checks, warnings");
+  std::optional<analysis::ScopedProfileInterval> checking(std::in_place, options.recorder.get(),
+                                                          "CHECKS", "checks, warnings");
   if (!run.increments.empty()) { // of the cracks as they begin
     std::vector<results::Note>& notes = run.increments.front().notes;
     const std::vector<results::Note> flaws = results::make_notes(deck.flaws);
@@ -245,8 +245,8 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   run.cpu += cpu_before;
   checking.reset();
   {
-    const analysis::RecordedInterval span(options.recorder.get(), "OUTPUT",
-                                          "tables, pictures, report");
+    const analysis::ScopedProfileInterval span(options.recorder.get(), "OUTPUT",
+                                               "tables, pictures, report");
     folder.write(deck.sources, *used.model, run, script_constants(deck));
   }
   RunOutcome outcome = judged(solved, run, log);

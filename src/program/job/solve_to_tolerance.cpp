@@ -33,7 +33,7 @@ std::size_t unknowns(const results::RunResult& run) {
 // Bars against what is asked for; `why_not` where no mesh can give it.
 results::ToleranceRound look_at(const model::Model& model, const results::RunResult& run,
                                 std::string& why_not) {
-  const analysis::ToleranceShortfall now = analysis::shortfall(model, run);
+  const analysis::ToleranceShortfall now = analysis::find_tolerance_shortfall(model, run);
   results::ToleranceRound round;
   round.unknowns = unknowns(run);
   round.worst = now.where;
@@ -93,14 +93,14 @@ std::string no_use(const std::vector<results::ToleranceRound>& rounds) {
 
 // Why the next mesh is too large to be solved: by its freedoms, or by the memory that the last one
 // took; empty: it is not.
-std::string too_large(const model::Model& now, const model::Model& next, double patch_growth,
-                      const results::ToleranceRound& round) {
+std::string too_large(const model::Model& now, const model::Model& next,
+                      double patch_element_growth, const results::ToleranceRound& round) {
   const auto dim = static_cast<double>(now.mesh.dim);
   const double host = dim * static_cast<double>(now.mesh.node_count());
   // What the solved mesh has beyond its host are the patches.
   const double patches = std::max(0.0, static_cast<double>(round.unknowns) - host);
   const double freedoms =
-      dim * static_cast<double>(next.mesh.node_count()) + patch_growth * patches;
+      dim * static_cast<double>(next.mesh.node_count()) + patch_element_growth * patches;
   if (freedoms > most_freedoms) {
     return fmt::format("the next mesh would have some {:.1e} freedoms, at most {:.0e} are tried",
                        freedoms, most_freedoms);
@@ -141,14 +141,14 @@ struct Models {
 };
 
 // Why the next mesh is not solved; empty: it is.
-std::string why_not_next(const Models& models, double patch_growth,
+std::string why_not_next(const Models& models, double patch_element_growth,
                          const results::ToleranceRound& round) {
   if (const std::string grew = case_that_grew(models.given, models.next); !grew.empty()) {
     return fmt::format("forces of load case {} stand on single nodes, of which a finer mesh "
                        "has more: use TYPE=RESULTANT or TRACTION",
                        grew);
   }
-  return too_large(models.now, models.next, patch_growth, round);
+  return too_large(models.now, models.next, patch_element_growth, round);
 }
 
 } // namespace
@@ -197,7 +197,8 @@ RefinedRun solve_to_tolerance(const ReadyDeck& deck, const ReadFiner& read_finer
       out.why_not = "the deck can't be meshed finer: " + finer->refusal.error;
       break;
     }
-    out.why_not = why_not_next({*deck.model, model, *finer->model}, plan.patch_growth(), round);
+    out.why_not =
+        why_not_next({*deck.model, model, *finer->model}, plan.patch_element_growth(), round);
     if (!out.why_not.empty()) {
       break;
     }

@@ -108,7 +108,7 @@ const solve::FactorReport& CostForecast::report_of(const analysis::CondensationR
   for (const std::vector<std::int32_t>& super : supers) {
     blocks.push_back({analysis::equation_numbers(net.map, super)});
   }
-  const bool apart = analysis::keeps_parts_apart(net.map, blocks);
+  const bool apart = analysis::keeps_parts_as_dense_blocks(net.map, blocks);
   if (apart) {
     supers.clear();
   }
@@ -159,7 +159,7 @@ void CostForecast::add_length(const analysis::CondensationRequest& request,
   }
   const std::vector<analysis::SubstructureHashes> keys = analysis::hash_bodies(request, bodies);
   Needs needs;
-  double contact_bytes = 0.0;
+  double contact_solution_memory = 0.0;
   const auto rows = static_cast<double>(scene.table.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const analysis::SubstructuredBody& body = bodies[b];
@@ -180,9 +180,11 @@ void CostForecast::add_length(const analysis::CondensationRequest& request,
     length.externals += static_cast<std::size_t>(m);
     const double others = body.is_uncondensed() ? own.row_memory : 3.0 * number * m * rows;
     // Those of all bodies so far, and of this one.
-    contact_bytes = std::max(contact_bytes, others + 2.0 * number * rows * rows);
+    contact_solution_memory =
+        std::max(contact_solution_memory, others + 2.0 * number * rows * rows);
   }
-  contact_bytes = std::max(contact_bytes, analysis::contact_bytes(request.rows));
+  contact_solution_memory =
+      std::max(contact_solution_memory, analysis::contact_solution_memory(request.rows));
 
   const double n = nodal_vector(scene.cracked.mesh);
   const auto steps = static_cast<double>(model_.steps.size());
@@ -198,7 +200,7 @@ void CostForecast::add_length(const analysis::CondensationRequest& request,
       tips > 0.0 && estimate::enrichment_obstacle(request.model, scene.cracked.mesh).empty();
   const double modes = barred ? estimate::enrichment_memory(scene.cracked.mesh) : 0.0;
   const double estimating = barred ? modes + 8.0 * tips * n : 0.0;
-  const double solving = contact_bytes + 12.0 * n + estimating;
+  const double solving = contact_solution_memory + 12.0 * n + estimating;
   kept_results_ += results_bytes(scene.cracked.mesh, model_.steps.size());
 
   length.condensed = needs.condensed;

@@ -28,7 +28,7 @@ std::shared_ptr<analysis::ProfileRecorder> begin_profile() {
 
 std::shared_ptr<analysis::ProfileRecorder> begin_profile_of_process(const base::Stopwatch& since) {
   auto recorder = std::make_shared<analysis::ProfileRecorder>(since, 0.0);
-  recorder->add_start(since);
+  recorder->add_startup_work(since);
   listen_to_mesher(recorder);
   return recorder;
 }

@@ -93,7 +93,7 @@ base::OptionalFailure change_deck_line(ShellSession& session, const std::string&
   if (trouble) {
     return trouble;
   }
-  const analysis::CondensationFigures& log = session.condensation_figures();
+  const analysis::CondensationStatistics& log = session.condensation_figures();
   reply.messages += fmt::format("note: {} nets condensed, {} reused\n", log.condensed, log.reused);
   tell_state(session, reply);
   if (!before.empty() && state_reply(session) == before) {

@@ -172,7 +172,7 @@ CrackSize ShellSession::crack_size(std::size_t crack) const {
 // Everything that K depends on but the lengths.
 std::string ShellSession::setting() const {
   std::string text = other_cards_;
-  const analysis::StepFactors& f = factors();
+  const analysis::StepActionFactors& f = factors();
   for (Eigen::Index c = 0; c < f.case_factor.size(); ++c) {
     text += fmt::format("{} ", f.case_factor[c]);
   }

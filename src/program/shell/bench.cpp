@@ -52,7 +52,7 @@ InteractiveSolver::InteractiveSolver(const InteractiveSolverInputs& parts)
     : parts_(parts), shown_(model_to_show(parts.model)) {}
 
 std::unique_ptr<InteractiveSolver> InteractiveSolver::make(const InteractiveSolverInputs& parts,
-                                                           const analysis::RegionPlan& plan,
+                                                           const analysis::CrackRegionPlan& plan,
                                                            base::Diagnostics& diagnostics,
                                                            base::OptionalFailure& trouble) {
   std::unique_ptr<InteractiveSolver> bench(new InteractiveSolver(parts));
@@ -82,8 +82,8 @@ void InteractiveSolver::begin_run() {
   increment.a = base::remove_round_off(length_->first_crack_size());
   increment.notes = results::make_notes(scene.notes);
   increment.mesh = cracked.mesh;
-  increment.surface = analysis::outer_surface(increment.mesh);
-  analysis::keep_removed_members(parts_.model.mesh, increment.mesh);
+  increment.surface = analysis::outer_faces_by_nodes(increment.mesh);
+  analysis::keep_removed_set_members(parts_.model.mesh, increment.mesh);
   increment.kept = static_cast<std::size_t>(
       std::ranges::count_if(cracked.host, [](base::ElementId e) { return e.valid(); }));
 }
@@ -128,12 +128,12 @@ base::OptionalFailure InteractiveSolver::advance(const std::vector<model::Step>&
     results::StepResult numbers;
     numbers.u = reached.state->u;
     numbers.reaction = reached.state->reaction;
-    if (const std::string what = analysis::not_finite(numbers); !what.empty()) {
+    if (const std::string what = analysis::find_nonfinite_result(numbers); !what.empty()) {
       return base::OperationFailure{.kind = base::Outcome::not_solvable,
                                     .why = fmt::format("step {}: {}", step.name, what)};
     }
     // Overlap in any step counts: all of them are solved anew with the faces as a pair.
-    reached.touching = length_->overlapping_lines(reached.state->u);
+    reached.touching = length_->cracks_with_overlapping_faces(reached.state->u);
     if (!reached.touching.empty()) {
       return {};
     }
@@ -167,7 +167,8 @@ results::StepResult InteractiveSolver::gather(const ReachedShellState& reached,
   step.name = name;
   results::StepResult out = length_->recover_step(step, *reached.state);
   const model::Mesh& mesh = length_->discretisation().cracked.mesh;
-  analysis::fill_displacements(mesh, analysis::removed_nodes(parts_.model.mesh, mesh), out.u);
+  analysis::fill_removed_node_displacements(mesh, analysis::removed_nodes(parts_.model.mesh, mesh),
+                                            out.u);
   return out;
 }
 
@@ -293,7 +294,7 @@ base::OptionalFailure InteractiveSolver::follow_load_path(const model::LoadPathD
     paths.record_step(path_from, *at_from.solver, gather(at_from, "FROM"));
     paths.record_step(path_to, *at_to.solver, gather(at_to, "TO"));
     found = paths.solve_paths(*at_to.solver);
-    const std::vector<std::size_t> touching = paths.overlapping_lines();
+    const std::vector<std::size_t> touching = paths.cracks_with_overlapping_faces();
     if (touching.empty()) {
       break;
     }

@@ -30,7 +30,7 @@ class InteractiveSolver {
 public:
   /// Cuts the cracks and condenses the nets. Mistakes that only show here go to `diagnostics`.
   static std::unique_ptr<InteractiveSolver> make(const InteractiveSolverInputs& parts,
-                                                 const analysis::RegionPlan& plan,
+                                                 const analysis::CrackRegionPlan& plan,
                                                  base::Diagnostics& diagnostics,
                                                  base::OptionalFailure& trouble);
   InteractiveSolver(const InteractiveSolver&) = delete;
@@ -50,11 +50,11 @@ public:
   }
   /// The model as it is shown: its only step with results is NOW.
   [[nodiscard]] const model::Model& displayed_model() const { return shown_; }
-  [[nodiscard]] const analysis::StepFactors& factors() const { return solver_->factors(); }
+  [[nodiscard]] const analysis::StepActionFactors& factors() const { return solver_->factors(); }
   /// False when an operation failed so late that nothing is left to ask: make a new bench.
   [[nodiscard]] bool ready() const { return solver_ != nullptr; }
   /// Figures of the last condensation.
-  [[nodiscard]] const analysis::CondensationFigures& condensation_figures() const {
+  [[nodiscard]] const analysis::CondensationStatistics& condensation_figures() const {
     return condensed_;
   }
 
@@ -95,7 +95,7 @@ private:
   model::Model shown_;
   std::unique_ptr<analysis::CrackLengthAnalysis> length_;
   int closings_ = 0; ///< times that faces were closed
-  analysis::CondensationFigures condensed_;
+  analysis::CondensationStatistics condensed_;
   std::unique_ptr<analysis::StepSolver> fresh_; ///< at the unloaded state
   std::unique_ptr<analysis::StepSolver> solver_;
   std::optional<analysis::StepState> state_;

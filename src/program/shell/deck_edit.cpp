@@ -230,10 +230,10 @@ void append_steps(const model::Model& model, const std::vector<model::Step>& ste
   };
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
     const base::ContactId id(c);
-    if (acts_on<model::ApplyFit>(steps, id) && !analysis::step_sets_fit(model, id)) {
+    if (acts_on<model::ApplyFit>(steps, id) && !analysis::is_fit_set_by_steps(model, id)) {
       add_row(first, model::ApplyFit{id, 1.0});
     }
-    if (acts_on<model::MountContact>(steps, id) && !analysis::step_mounts(model, id) &&
+    if (acts_on<model::MountContact>(steps, id) && !analysis::is_mounted_by_steps(model, id) &&
         !acts_on<model::DismountContact>(beginning, id)) {
       add_row(first, model::MountContact{id});
     }

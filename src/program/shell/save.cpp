@@ -34,14 +34,14 @@ void set_grown_lengths(const model::Model& model, deck::DeckCardList& text) {
 model::Step all_factors(const ShellSession& session) {
   model::Step step;
   const model::Model& model = session.model();
-  const analysis::StepFactors& now = session.factors();
+  const analysis::StepActionFactors& now = session.factors();
   for (std::size_t c = 0; c < model.cases.size(); ++c) {
     step.actions.emplace_back(
         model::ApplyLoad{base::CaseId(c), now.case_factor[static_cast<Eigen::Index>(c)]});
   }
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
     if (model.contacts[c].gap &&
-        (now.fit[c] != 1.0 || analysis::step_sets_fit(model, base::ContactId(c)))) {
+        (now.fit[c] != 1.0 || analysis::is_fit_set_by_steps(model, base::ContactId(c)))) {
       step.actions.emplace_back(model::ApplyFit{base::ContactId(c), now.fit[c]});
     }
   }

@@ -127,7 +127,7 @@ base::OptionalFailure ShellSession::open_model() {
   begin_growth(*model_);
   if (plan_.region.empty()) {
     base::Diagnostics diagnostics;
-    plan_ = analysis::plan_region(*model_, growth::growth_loop_lengths(*model_), diagnostics);
+    plan_ = analysis::plan_crack_region(*model_, growth::growth_loop_lengths(*model_), diagnostics);
     if (diagnostics.has_errors()) {
       return located_failure(base::Outcome::deck_error, deck_->sources, diagnostics);
     }
@@ -191,14 +191,14 @@ base::OptionalFailure ShellSession::restore_after_failure() {
 }
 
 // Lengths to come are likely to be near: room for half and for half as much again.
-analysis::RegionPlan ShellSession::plan_lengths() const {
-  const auto join = [](analysis::RegionPlan& plan, const analysis::RegionPlan& more) {
+analysis::CrackRegionPlan ShellSession::plan_lengths() const {
+  const auto join = [](analysis::CrackRegionPlan& plan, const analysis::CrackRegionPlan& more) {
     for (std::size_t e = 0; e < plan.region.size(); ++e) {
       plan.region[e] = plan.region[e] || more.region[e];
     }
   };
   base::Diagnostics ignored;
-  analysis::RegionPlan needed = analysis::plan_region(*model_, {0.0, 0.0}, ignored);
+  analysis::CrackRegionPlan needed = analysis::plan_crack_region(*model_, {0.0, 0.0}, ignored);
   if (!needed.split ||
       (plan_.split && std::ranges::equal(plan_.region, needed.region,
                                          [](bool has, bool needs) { return has || !needs; }))) {
@@ -214,7 +214,7 @@ analysis::RegionPlan ShellSession::plan_lengths() const {
       const std::optional<double> a = model_->cracks[c].a0;
       near.cracks[c].a0 = a ? std::optional(times * *a) : std::nullopt;
     }
-    const analysis::RegionPlan more = analysis::plan_region(near, {0.0, 0.0}, misfit);
+    const analysis::CrackRegionPlan more = analysis::plan_crack_region(near, {0.0, 0.0}, misfit);
     if (!misfit.has_errors()) {
       join(needed, more);
     }

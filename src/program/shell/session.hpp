@@ -92,7 +92,7 @@ public:
   }
   /// Notes of the present state that were not given before, and its warnings, first.
   std::vector<std::string> new_notes();
-  [[nodiscard]] const analysis::StepFactors& factors() const { return bench_->factors(); }
+  [[nodiscard]] const analysis::StepActionFactors& factors() const { return bench_->factors(); }
   /// A result that $CHECK knows, with its arguments; NOW is the present state. Nothing is solved.
   base::OptionalFailure read_result_request(const std::string& line,
                                             model::ResultCheck& check) const;
@@ -130,7 +130,7 @@ public:
   [[nodiscard]] const std::string& base_step() const { return model_->steps[set_.base].name; }
   [[nodiscard]] bool has_friction() const; ///< a contact or crack with friction: the order counts
   /// Nets condensed and reused when cards changed last.
-  [[nodiscard]] const analysis::CondensationFigures& condensation_figures() const {
+  [[nodiscard]] const analysis::CondensationStatistics& condensation_figures() const {
     return bench_->condensation_figures();
   }
   /// Size of a crack: axes of an ellipse, else the length that the present result has of it;
@@ -150,7 +150,7 @@ private:
   [[nodiscard]] std::vector<model::Step> way() const; ///< to the base step and what came after it
   [[nodiscard]] base::OptionalFailure goes_on_or_off(base::ContactId contact, bool on) const;
   /// The region that cracks of these lengths touch, and some more, to be condensed apart.
-  [[nodiscard]] analysis::RegionPlan plan_lengths() const;
+  [[nodiscard]] analysis::CrackRegionPlan plan_lengths() const;
   base::OptionalFailure follow(const model::LoadPathDefinition& card,
                                const std::vector<model::Step>& from,
                                const std::vector<model::Step>& to, const MapRange& range);
@@ -162,7 +162,7 @@ private:
   std::unique_ptr<ReadyDeck> deck_;
   std::unique_ptr<model::Model> model_; ///< with the lengths that $GROW begins with
   std::string other_cards_;             ///< all cards but $CRACK
-  analysis::RegionPlan plan_;
+  analysis::CrackRegionPlan plan_;
   std::shared_ptr<analysis::CondensationCache> cache_ =
       std::make_shared<analysis::CondensationCache>();
   std::shared_ptr<analysis::ContactMemory> contact_ = std::make_shared<analysis::ContactMemory>();

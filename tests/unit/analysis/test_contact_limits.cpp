@@ -181,7 +181,7 @@ TEST(ContactLimits, WedgesCloseGapsByNoMoreThanTheySlide) {
         points.push_back(point);
       }
     }
-    const base::Vector motion = analysis::fit_closing_motion(points, slide);
+    const base::Vector motion = analysis::fit_gap_closing_motion(points, slide);
     const double needed = gap / std::sin(angle);
     EXPECT_NEAR(motion[0], needed <= slide ? needed : 0.0, 1e-12) << angle;
     EXPECT_EQ(motion[1], 0.0) << angle;

@@ -110,10 +110,10 @@ Grown grown(const std::string& text, std::optional<analysis::EllipseAxis> axis) 
     changes.scene = [&](analysis::Discretisation& scene, const model::Model& model) {
       const analysis::VirtualAxisExtension advance(model, scene, base::CrackId(0), *axis);
       out.step = advance.axis_increment();
-      scene.cracked.mesh = advance.extended_model().cracked.mesh;
-      scene.cracked.fronts = advance.extended_model().cracked.fronts;
-      scene.domains = advance.extended_model().domains;
-      scene.pairs = advance.extended_model().pairs;
+      scene.cracked.mesh = advance.extended_discretisation().cracked.mesh;
+      scene.cracked.fronts = advance.extended_discretisation().cracked.fronts;
+      scene.domains = advance.extended_discretisation().domains;
+      scene.pairs = advance.extended_discretisation().pairs;
       for (std::size_t c = 0; c < model.cases.size(); ++c) {
         scene.case_load.col(static_cast<Eigen::Index>(c)) =
             fe::consistent_nodal_load(model, scene.cracked.mesh, model.cases[c]);
@@ -122,13 +122,14 @@ Grown grown(const std::string& text, std::optional<analysis::EllipseAxis> axis) 
   }
   test::SolvedScene solved(text, changes);
   if (const auto state = solved.solve(0)) {
-    out.K = analysis::K_values(solved.model(), solved.scene(), state->u, state->case_factor);
+    out.K =
+        analysis::evaluate_K_values(solved.model(), solved.scene(), state->u, state->case_factor);
     base::Vector lambda(static_cast<Eigen::Index>(solved.scene().table.size()));
     for (std::size_t c = 0; c < solved.scene().pairs.size(); ++c) {
       lambda.segment(static_cast<Eigen::Index>(solved.scene().table.first[c]),
                      state->pair_lambda[c].size()) = state->pair_lambda[c];
     }
-    out.K += analysis::K_by_forces(solved.model(), solved.scene()) * lambda;
+    out.K += analysis::contact_force_K_functionals(solved.model(), solved.scene()) * lambda;
   }
   return out;
 }

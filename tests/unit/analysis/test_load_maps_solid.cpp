@@ -130,8 +130,8 @@ TEST(LoadMaps, LugOfSolidsAgreesWithDirectSolutions) {
   }
   MapError worst;
   for (const model::LoadPathDefinition& card : scene.model().load_paths) {
-    const MapError error =
-        compare_with_direct(scene.length->load_paths().path_problem(card, *scene.solver), dice);
+    const MapError error = compare_with_direct(
+        scene.length->load_paths().parametric_path_problem(card, *scene.solver), dice);
     EXPECT_LT(error.force, 1e-9) << card.name;
     EXPECT_LT(error.breakpoint, 1e-9) << card.name;
     worst.add(error);

@@ -59,7 +59,7 @@ struct HalfBar : testing::Test {
     analysis::Substructure own = net;
     const std::vector<fe::Tie> ties{{{{at(slave), 1.0}, {at(master), -coefficient}}}};
     own.map.ties = std::make_shared<const fe::ConstraintTransformation>(ties, free());
-    return analysis::hash_net(model, model.mesh, own, {});
+    return analysis::hash_substructure(model, model.mesh, own, {});
   }
 };
 

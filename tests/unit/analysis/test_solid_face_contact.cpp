@@ -131,7 +131,7 @@ std::vector<crack::StressIntensity> without_faces(const SolvedScene& solved,
   const mesh::CrackedMesh& cracked = solved.scene().cracked;
   const crack::FrontIntegralDomains& domains = solved.scene().domains.front();
   const crack::FrontLoads loads =
-      analysis::front_loads(solved.model(), solved.scene(), domains, state.case_factor);
+      analysis::collect_front_loads(solved.model(), solved.scene(), domains, state.case_factor);
   return crack::front_intensity(solved.model(), cracked, cracked.fronts.front(), domains, {},
                                 state.u, loads);
 }

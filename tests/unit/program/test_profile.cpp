@@ -267,11 +267,11 @@ TEST(RunProfile, CountsPlainFactorisations) {
 TEST(RunProfile, ARecorderTakesDownStretchesAndLengths) {
   analysis::ProfileRecorder recorder(base::Stopwatch(), base::cpu_seconds());
   {
-    analysis::RecordedCrackLength length(&recorder);
-    const analysis::RecordedInterval stretch(&recorder, "TOPOLOGY", "cut");
+    analysis::ScopedProfileCrackLength length(&recorder);
+    const analysis::ScopedProfileInterval stretch(&recorder, "TOPOLOGY", "cut");
     length.set_length(3.0);
   }
-  { const analysis::RecordedInterval stretch(&recorder, "OUTPUT", "tables"); }
+  { const analysis::ScopedProfileInterval stretch(&recorder, "OUTPUT", "tables"); }
   const RunProfile profile = recorder.finish();
   ASSERT_EQ(profile.intervals.size(), 2U);
   EXPECT_EQ(profile.intervals[0].length, 0U);

@@ -291,10 +291,10 @@ TEST(Quantities, RigidMotionInSpaceHasThreeComponents) {
   }
   const base::Vec3 way(3.0, 0.0, 4.0);
   const base::Vector motion = way.replicate(3, 1);
-  EXPECT_EQ(analysis::describe_motion(mesh, body, motion), "direction (0.600, 0.000, 0.800)");
+  EXPECT_EQ(analysis::describe_rigid_motion(mesh, body, motion), "direction (0.600, 0.000, 0.800)");
   base::Vector turned = motion;
   turned.head<3>() *= -1.0;
-  EXPECT_EQ(analysis::describe_motion(mesh, body, turned),
+  EXPECT_EQ(analysis::describe_rigid_motion(mesh, body, turned),
             "translation (0.20, 0.00, 0.27) with rotation");
 }
 

@@ -172,7 +172,7 @@ TEST(CoarseNets, RoundOffIsNoMesh) {
     step.nets.push_back(balance);
     step.errors.push_back({net, 0.6, {base::ElementId(0)}, 1.0});
   }
-  const std::vector<std::string> told = analysis::coarse_nets(run);
+  const std::vector<std::string> told = analysis::describe_coarse_nets(run);
   ASSERT_EQ(told.size(), 1U);
   EXPECT_TRUE(has(told[0], "net A"));
 }

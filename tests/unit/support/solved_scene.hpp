@@ -38,7 +38,8 @@ struct SolvedScene {
     if (changes.model) {
       changes.model(*deck.model);
     }
-    const analysis::RegionPlan plan = analysis::plan_region(*deck.model, {0.0}, diagnostics);
+    const analysis::CrackRegionPlan plan =
+        analysis::plan_crack_region(*deck.model, {0.0}, diagnostics);
     std::optional<analysis::Discretisation> made =
         analysis::discretise(*deck.model, 0.0, plan, diagnostics);
     if (!made) {
@@ -52,7 +53,7 @@ struct SolvedScene {
     }
     length = std::make_unique<analysis::CrackLengthAnalysis>(
         analysis::CrackLengthContext{.model = *deck.model, .cache = cache}, std::move(*made));
-    analysis::CondensationFigures log;
+    analysis::CondensationStatistics log;
     if (!length->condense(log)) {
       ADD_FAILURE() << log.trouble->why;
       return;
@@ -97,7 +98,7 @@ struct SolvedScene {
         gap[static_cast<Eigen::Index>(problem.rows[i])] = problem.gap[static_cast<Eigen::Index>(i)];
       }
     }
-    const base::Vector load = analysis::loads_with_supports(model(), scene()) * factor;
+    const base::Vector load = analysis::reduced_case_loads(model(), scene()) * factor;
     const base::Vector prescribed = scene().case_displacement * factor;
     return adjoint.z.transpose() * load + adjoint.rows.transpose() * prescribed +
            adjoint.w.transpose() * gap;
