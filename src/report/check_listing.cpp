@@ -188,15 +188,15 @@ std::string mirror_line(const results::SymmetryPlanePreview& mirror) {
 
 } // namespace
 
-std::string check_listing(const DeckPreview& preview) {
+std::string deck_preview_listing(const DeckPreview& preview) {
   std::string out = preview.deck + (preview.title.empty() ? "" : ": " + preview.title) + "\n";
   for (const ReportTable& table :
        {nets(preview), quality(preview), pairs(preview), bodies(preview),
-        load_table(preview.loads, {preview.length_unit, preview.force_unit, preview.dim}),
+        load_total_table(preview.loads, {preview.length_unit, preview.force_unit, preview.dim}),
         cracks(preview)}) {
-    out += to_text_below(table);
+    out += to_text_after_blank_line(table);
   }
-  out += to_text_below(script_table(preview.scripts));
+  out += to_text_after_blank_line(script_constant_table(preview.scripts));
   // Of cracks in space notes tell more: rings and sectors, patches that are shared, ties.
   for (const results::CrackLengthPreview& length : preview.lengths) {
     for (const std::string& note : preview.dim == 3 ? length.notes : std::vector<std::string>()) {
@@ -217,7 +217,7 @@ std::string check_listing(const DeckPreview& preview) {
                        "values\n",
                        preview.sweep.size(), preview.sweep.front(), preview.sweep.back());
   }
-  out += "\n" + to_text(forecast(preview));
+  out += "\n" + table_to_text(forecast(preview));
   out += fmt::format("\n  run: at most {} MB of the machine's {}, {:.3g} flops to factorise, "
                      "about {:.2g} s CPU at {:.3g} Gflop/s\n",
                      megabytes(preview.memory), megabytes(preview.machine_memory), preview.flops,

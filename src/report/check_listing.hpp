@@ -8,9 +8,9 @@
 namespace spricka::report {
 
 /// What `check` found, as tables for reading.
-std::string check_listing(const results::DeckPreview& preview);
+std::string deck_preview_listing(const results::DeckPreview& preview);
 
 /// The same as one JSON object; memory in bytes, angles in degrees, lengths in deck units.
-std::string check_json(const results::DeckPreview& preview, base::Outcome outcome);
+std::string deck_preview_json(const results::DeckPreview& preview, base::Outcome outcome);
 
 } // namespace spricka::report

@@ -108,7 +108,7 @@ void add_figures(HtmlPage& page, const std::vector<Figure>& figures) {
 }
 
 void add_cracks(HtmlPage& page, const model::Model& model, const results::RunResult& run) {
-  const KSection section = k_section(model, run);
+  const KReportSection section = make_k_report_section(model, run);
   if (section.tables.empty()) {
     return;
   }
@@ -121,7 +121,7 @@ void add_cracks(HtmlPage& page, const model::Model& model, const results::RunRes
     page.add_paragraph(remark);
   }
   add_figures(page, section.curves);
-  page.add_table(reference_table(model, run));
+  page.add_table(k_reference_table(model, run));
   if (section.pictures.empty()) { // with them it is a page of points
     add_figures(page, sensitivity_figures(model, run));
   }
@@ -134,7 +134,7 @@ void add_growth(HtmlPage& page, const model::Model& model, const results::RunRes
   }
   page.add_heading("Crack growth");
   add_figures(page, figures);
-  page.add_table(untitled(life_table(model, run)));
+  page.add_table(without_title(growth_station_table(model, run)));
 }
 
 void add_tests(HtmlPage& page, const model::Model& model, const results::RunResult& run) {
@@ -142,7 +142,7 @@ void add_tests(HtmlPage& page, const model::Model& model, const results::RunResu
     return;
   }
   page.add_heading("Crack growth tests");
-  page.add_table(untitled(growth_test_table(model, run)));
+  page.add_table(without_title(growth_test_summary_table(model, run)));
   add_figures(page, growth_test_figures(model, run));
   for (const results::GrowthTestResult& test : run.tests) {
     page.add_table(test_points_table(model, test));
@@ -157,7 +157,7 @@ void add_paths(HtmlPage& page, const model::Model& model, const results::RunResu
   add_figures(page, load_path_figures(model, run));
   const auto paths = [&](const results::Increment& i) { return load_path_table(model, i); };
   page.add_table(over_lengths(model, run, paths));
-  page.add_table(over_lengths(model, run, opening_table));
+  page.add_table(over_lengths(model, run, contact_opening_table));
 }
 
 void add_contacts(HtmlPage& page, const model::Model& model, const results::RunResult& run) {
@@ -170,9 +170,9 @@ void add_contacts(HtmlPage& page, const model::Model& model, const results::RunR
   }
   page.add_heading("Contact");
   add_figures(page, pressure_figures(model, run));
-  const auto contacts = [&](const results::Increment& i) { return contact_table(model, i); };
+  const auto contacts = [&](const results::Increment& i) { return contact_result_table(model, i); };
   const auto friction = [&](const results::Increment& i) { return friction_table(model, i); };
-  const auto moments = [&](const results::Increment& i) { return moment_table(model, i); };
+  const auto moments = [&](const results::Increment& i) { return contact_moment_table(model, i); };
   page.add_table(over_lengths(model, run, contacts));
   page.add_table(over_lengths(model, run, moments));
   page.add_table(over_lengths(model, run, friction));
@@ -242,8 +242,8 @@ std::string html_report(const base::SourceTexts& sources, const model::Model& mo
   page.add_table(property_table(model));
   page.add_table(contact_pair_table(model));
   page.add_table(
-      load_table(loads, {model.units.length_name, model.units.force_name, model.mesh.dim}));
-  page.add_table(rigid_table(model));
+      load_total_table(loads, {model.units.length_name, model.units.force_name, model.mesh.dim}));
+  page.add_table(rigid_target_table(model));
   add_figures(page, mesh_figures(model, run));
   add_contacts(page, model, run);
   if (!run.increments.empty()) {
@@ -253,20 +253,20 @@ std::string html_report(const base::SourceTexts& sources, const model::Model& mo
                                      run.increments.size() > 1 ? "the last length, " : "",
                                      lengths_of(model, last)));
     }
-    if (const std::string note = direction_note(model); !note.empty()) {
+    if (const std::string note = force_direction_note(model); !note.empty()) {
       page.add_html(fmt::format("<p>Here {}.</p>\n", note));
     }
-    page.add_table(untitled(balance_table(model, run.increments.back())));
+    page.add_table(without_title(force_balance_table(model, run.increments.back())));
     page.add_table(net_balance_table(model, run.increments.back()));
-    page.add_table(error_table(run.increments.back()));
+    page.add_table(energy_error_table(run.increments.back()));
   }
   if (const ReportTable rounds = tolerance_rounds_table(run, false); !rounds.rows.empty()) {
     page.add_heading("K to a tolerance");
-    page.add_table(untitled(rounds));
+    page.add_table(without_title(rounds));
   }
   if (!run.checks.empty()) {
     page.add_heading("Checks");
-    page.add_table(untitled(check_table(run)));
+    page.add_table(without_title(checks_table(run)));
   }
   add_notes(page, run);
   add_deck(page, sources);

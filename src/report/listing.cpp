@@ -53,9 +53,11 @@ std::string model_summary(const model::Model& model,
   if (const std::string note = symmetry_note(model); !note.empty()) {
     out += note + "\n\n";
   }
-  out += to_text(net_table(model)) + "\n" + to_text(property_table(model));
-  out += to_text_below(contact_pair_table(model)) + to_text_below(rigid_table(model));
-  out += to_text_below(load_table(totals, {units.length_name, units.force_name, model.mesh.dim}));
+  out += table_to_text(net_table(model)) + "\n" + table_to_text(property_table(model));
+  out += to_text_after_blank_line(contact_pair_table(model)) +
+         to_text_after_blank_line(rigid_target_table(model));
+  out += to_text_after_blank_line(
+      load_total_table(totals, {units.length_name, units.force_name, model.mesh.dim}));
   if (!model.steps.empty()) {
     out += "\nSteps:";
     for (const model::Step& step : model.steps) {
@@ -68,7 +70,7 @@ std::string model_summary(const model::Model& model,
 }
 
 std::string log_text(const results::RunResult& run) {
-  return heading("Processor log") + to_text(untitled(log_table(run))) +
+  return heading("Processor log") + table_to_text(without_title(run_log_table(run))) +
          fmt::format("\n  total {:.3f} s cpu, {:.3f} s wall, at most {:.0f} MB of memory\n",
                      run.cpu, run.wall, static_cast<double>(run.peak_memory) / 1e6);
 }
@@ -81,7 +83,7 @@ std::string increment_text(const model::Model& model, const results::Increment& 
   out += fmt::format("Mesh: {} nodes, {} elements\n",
                      std::ranges::count(model::mark_nodes_in_use(increment.mesh), true),
                      increment.mesh.element_count());
-  if (const std::string note = direction_note(model); !note.empty()) {
+  if (const std::string note = force_direction_note(model); !note.empty()) {
     out += "note: " + note + "\n";
   }
   for (const results::Note& note : increment.notes) {
@@ -97,21 +99,21 @@ std::string increment_text(const model::Model& model, const results::Increment& 
       out += fmt::format("note: load path {}: {}\n", path.name, results::text_with_code(note));
     }
   }
-  for (const std::string& note : sensitivity_notes(model, increment)) {
+  for (const std::string& note : missing_sensitivity_reasons(model, increment)) {
     out += fmt::format("note: sensitivities: {}\n", note);
   }
   for (const ReportTable& table :
-       {balance_table(model, increment), net_balance_table(model, increment),
-        error_table(increment), contact_table(model, increment), moment_table(model, increment),
-        friction_table(model, increment), k_table(model, increment),
-        sensitivity_table(model, increment), load_path_table(model, increment),
-        opening_table(increment)}) {
-    out += to_text_below(table);
+       {force_balance_table(model, increment), net_balance_table(model, increment),
+        energy_error_table(increment), contact_result_table(model, increment),
+        contact_moment_table(model, increment), friction_table(model, increment),
+        k_table(model, increment), sensitivity_table(model, increment),
+        load_path_table(model, increment), contact_opening_table(increment)}) {
+    out += to_text_after_blank_line(table);
   }
   for (const ReportTable& table : front_tables(model, increment)) {
-    (out += '\n') += to_text(table);
+    (out += '\n') += table_to_text(table);
   }
-  if (const std::string bars = k_bar_lines(increment); !bars.empty()) {
+  if (const std::string bars = k_error_bar_lines(increment); !bars.empty()) {
     out += "\nStress intensity factors with the error of the mesh (not that of the model)\n" + bars;
   }
   return out;
@@ -121,13 +123,13 @@ std::string tests_text(const model::Model& model, const results::RunResult& run)
   if (run.tests.empty()) {
     return {};
   }
-  std::string out =
-      heading("Crack growth tests") + to_text(untitled(growth_test_table(model, run)));
+  std::string out = heading("Crack growth tests") +
+                    table_to_text(without_title(growth_test_summary_table(model, run)));
   for (const results::GrowthTestResult& test : run.tests) {
     for (const results::Note& note : test.notes) {
       out += fmt::format("note: test {}: {}\n", test.name, results::text_with_code(note));
     }
-    (out += '\n') += to_text(test_points_table(model, test));
+    (out += '\n') += table_to_text(test_points_table(model, test));
   }
   return out;
 }
@@ -142,7 +144,7 @@ std::string check_text(const results::RunResult& run) {
     failed += check.passed ? 0 : 1;
     recorded += check.source == "RECORDED" ? 1 : 0;
   }
-  return heading("Checks of the deck") + to_text(untitled(check_table(run))) +
+  return heading("Checks of the deck") + table_to_text(without_title(checks_table(run))) +
          fmt::format("\n  {} of {} passed; {} compare with a recorded value\n",
                      run.checks.size() - failed, run.checks.size(), recorded);
 }
@@ -154,20 +156,20 @@ std::string listing(const base::SourceTexts& sources, const model::Model& model,
   std::string out = "spricka " SPRICKA_VERSION "\n";
   out += echo(sources) + model_summary(model, loads) + log_text(run);
   if (const ReportTable rounds = tolerance_rounds_table(run, true); !rounds.rows.empty()) {
-    out += heading("K to a tolerance") + to_text(untitled(rounds));
+    out += heading("K to a tolerance") + table_to_text(without_title(rounds));
   }
   for (const results::Increment& increment : run.increments) {
     out += increment_text(model, increment);
   }
   if (run.increments.size() > 1) {
-    const ReportTable table = k_history_table(model, run, leading_step(model));
+    const ReportTable table = k_history_table(model, run, leading_step_name(model));
     if (!table.rows.empty()) {
-      out += heading("Crack growth") + to_text(table);
+      out += heading("Crack growth") + table_to_text(table);
     }
   }
   if (run.growth) {
     out += heading("GROWTH") + life_summary(model, run) + "\n" +
-           to_text(untitled(life_table(model, run)));
+           table_to_text(without_title(growth_station_table(model, run)));
   }
   out += tests_text(model, run);
   out += check_text(run);

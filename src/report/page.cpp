@@ -95,7 +95,7 @@ void HtmlPage::add_paragraph(std::string_view words, std::string_view kind) {
 
 void HtmlPage::add_table(const ReportTable& table) {
   if (!table.rows.empty()) {
-    body_ += to_html(table);
+    body_ += table_to_html(table);
   }
 }
 

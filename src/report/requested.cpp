@@ -75,7 +75,7 @@ void write_requested_csv(const std::filesystem::path& file, const model::Model& 
     for (const std::size_t s : model::output_step_indices(model, output, last)) {
       for (const model::OutputRequest& request : output.requests) {
         const results::StepResult& step = increment.steps[s];
-        for (RequestedValue& value : requested_values(increment, step, request)) {
+        for (RequestedValue& value : collect_requested_values(increment, step, request)) {
           rows.push_back({increment, step, request, std::move(value)});
         }
       }

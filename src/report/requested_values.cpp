@@ -138,7 +138,7 @@ private:
     for (const results::FrontResult& front : step_.fronts) {
       for (const results::FrontPointResult& point : front.points) {
         for (const results::KQuantity& q : results::k_quantities) {
-          if (names_front(request_, front) && q.appears_in(results::in_output, mesh_.dim) &&
+          if (request_names_front(request_, front) && q.appears_in(results::in_output, mesh_.dim) &&
               q.is_number(front, point)) {
             const Where where(std::pair<base::Label, base::Vec3>(point.number, point.x));
             values_.push_back({front.is_tip() ? Where() : where,
@@ -175,13 +175,13 @@ private:
 
 } // namespace
 
-std::vector<RequestedValue> requested_values(const results::Increment& increment,
-                                             const results::StepResult& step,
-                                             const model::OutputRequest& request) {
+std::vector<RequestedValue> collect_requested_values(const results::Increment& increment,
+                                                     const results::StepResult& step,
+                                                     const model::OutputRequest& request) {
   return RequestCollector(increment, step, request).collect();
 }
 
-bool names_front(const model::OutputRequest& request, const results::FrontResult& front) {
+bool request_names_front(const model::OutputRequest& request, const results::FrontResult& front) {
   return front.name == request.name || front.name.starts_with(request.name + ".");
 }
 

@@ -20,11 +20,11 @@ struct RequestedValue {
 
 /// The numbers of one request: K point by point, CPRESS, U and S node by node, REACTION as the sum
 /// over the set. Empty where the step has nothing of the kind.
-std::vector<RequestedValue> requested_values(const results::Increment& increment,
-                                             const results::StepResult& step,
-                                             const model::OutputRequest& request);
+std::vector<RequestedValue> collect_requested_values(const results::Increment& increment,
+                                                     const results::StepResult& step,
+                                                     const model::OutputRequest& request);
 
 /// Whether a request for K means a front: by its name or that of its crack.
-bool names_front(const model::OutputRequest& request, const results::FrontResult& front);
+bool request_names_front(const model::OutputRequest& request, const results::FrontResult& front);
 
 } // namespace spricka::report

@@ -43,7 +43,7 @@ void add_values(std::vector<SweepValue>& cells, const model::OutputRequest& requ
   std::ranges::stable_partition(values, [](const auto& v) { return v.component != "MISES"; });
   std::vector<std::string> components;
   for (const RequestedValue& value : values) {
-    add_new(components, value.component);
+    add_unique(components, value.component);
   }
   for (const std::string& component : components) {
     const auto add = [&](const char* which, double value) {
@@ -67,7 +67,7 @@ void add_requested(std::vector<SweepValue>& cells, const results::Increment& inc
                    const results::StepResult& step, const model::OutputRequest& request) {
   if (request.quantity == "K") {
     for (const results::FrontResult& front : step.fronts) {
-      if (names_front(request, front) && front.is_tip()) {
+      if (request_names_front(request, front) && front.is_tip()) {
         cells.push_back({"a", front.name, step.step, increment.number, front.a});
         add_front(cells, front, step.step, increment);
       }
@@ -77,14 +77,14 @@ void add_requested(std::vector<SweepValue>& cells, const results::Increment& inc
       add_contact(cells, *contact, step.step, increment.number);
     }
   } else {
-    add_values(cells, request, requested_values(increment, step, request), step.step,
+    add_values(cells, request, collect_requested_values(increment, step, request), step.step,
                increment.number);
   }
 }
 
 } // namespace
 
-std::vector<SweepValue> sweep_cells(const results::RunResult& run) {
+std::vector<SweepValue> collect_sweep_values(const results::RunResult& run) {
   std::vector<SweepValue> cells;
   if (run.growth) {
     cells.push_back({"N", "", "", 0, run.growth->final_cycles()});

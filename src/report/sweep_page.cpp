@@ -95,7 +95,7 @@ std::vector<PlotSeries> curves_of(const model::Model& model, const SweepResult& 
       name += others(model, sweep, point, axis);
       auto curve = std::ranges::find(curves, name, &PlotSeries::name);
       if (curve == curves.end()) {
-        curve = curves.insert(curve, numbered_curve(name, 0, 0));
+        curve = curves.insert(curve, styled_curve(name, 0, 0));
       }
       const auto at =
           std::ranges::upper_bound(curve->points, point.values[axis], {}, &DrawingPoint::x);
@@ -153,7 +153,7 @@ Plot plot_of(const SweepResult& sweep, const Units& units, const std::string& y_
   for (std::size_t i = 0; i < curves.size(); ++i) {
     curves[i].colour = palette_colour(i);
     curves[i].dash = dash_pattern(i / 7);
-    curves[i].marker = closed_marker(i);
+    curves[i].marker = closed_marker_shape(i);
   }
   const std::size_t axis = axis_of(sweep);
   return {y_name + " over the swept parameter", axis_title(sweep.parameters[axis], units[axis]),
@@ -249,7 +249,7 @@ void add_cell_columns(Columns<SweepPoint>& columns, const model::Model& model,
 }
 
 ReportTable points_table(const model::Model& model, const SweepResult& sweep, const Units& units) {
-  const std::string step = leading_step(model);
+  const std::string step = leading_step_name(model);
   const std::vector<SweepValue> shown = shown_cells(sweep, step);
   Columns<SweepPoint> columns;
   for (std::size_t p = 0; p < sweep.parameters.size(); ++p) {
@@ -257,7 +257,7 @@ ReportTable points_table(const model::Model& model, const SweepResult& sweep, co
                    [p](const SweepPoint& point) { return point.values[p]; });
   }
   columns.words("point", &SweepPoint::folder)
-      .words("status", status_word)
+      .words("status", sweep_point_status)
       .words("checks", checks_of)
       .words("warnings", [](const SweepPoint& point) {
         return point.warnings > 0 ? std::to_string(point.warnings) : "";
@@ -294,7 +294,7 @@ std::string sweep_page(const base::SourceTexts& sources, const model::Model& mod
   }
   Units units;
   for (const std::string& parameter : sweep.parameters) {
-    units.push_back(parameter_unit(sources, model.units, parameter));
+    units.push_back(find_parameter_unit(sources, model.units, parameter));
   }
   const std::string K_name =
       fmt::format("K₁ [{}]", typeset_unit(model.units.stress_intensity_name()));

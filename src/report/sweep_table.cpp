@@ -114,7 +114,7 @@ std::string table(const model::Model& model, const results::SweepResult& sweep,
     columns.exact(sweep.parameters[p], [p](const SweepRow& row) { return row.point.values[p]; });
   }
   columns.exact("point", [](const SweepRow& row) { return row.point.folder; })
-      .exact("status", [](const SweepRow& row) { return status_word(row.point); })
+      .exact("status", [](const SweepRow& row) { return sweep_point_status(row.point); })
       .exact("exit_code", [](const SweepRow& row) { return base::exit_code(row.point.outcome); })
       .exact("error", [](const SweepRow& row) { return quoted(row.point.error); })
       .exact("checks", [](const SweepRow& row) { return row.point.checks; })
@@ -132,7 +132,7 @@ std::string table(const model::Model& model, const results::SweepResult& sweep,
 
 } // namespace
 
-std::string status_word(const SweepPoint& point) {
+std::string sweep_point_status(const SweepPoint& point) {
   return point.outcome == base::Outcome::done           ? "done"
          : point.outcome == base::Outcome::check_failed ? "check failed"
                                                         : "failed";

@@ -91,7 +91,7 @@ void add_point_data(VtuDocument& document, const model::Mesh& mesh, const VtuGri
 void write_vtu(const std::filesystem::path& file, const model::Model& /*model*/,
                const results::Increment& increment, const results::StepResult& step) {
   const model::Mesh& mesh = increment.mesh;
-  const VtuGridPoints points = grid_points(mesh, step.stress.size() > mesh.node_count());
+  const VtuGridPoints points = make_vtu_grid_points(mesh, step.stress.size() > mesh.node_count());
   VtuDocument document = vtu_grid(mesh, points);
   document.add_line("      <CellData Scalars=\"net\">");
   add_cell_numbers(document, mesh);
@@ -133,7 +133,7 @@ void add_mark(VtuDocument& document, const std::string& name, std::size_t count,
 } // namespace
 
 void write_mesh_vtu(const std::filesystem::path& file, const model::Mesh& mesh) {
-  const VtuGridPoints points = grid_points(mesh, false);
+  const VtuGridPoints points = make_vtu_grid_points(mesh, false);
   VtuDocument document = vtu_grid(mesh, points);
   document.add_line("      <CellData>");
   add_cell_numbers(document, mesh);

@@ -255,9 +255,9 @@ base::Outcome check_deck(const RunOptions& options, const ReadyDeck& deck, const
       own == base::Outcome::done ? check_points(options, deck, log, preview) : own;
   const base::Outcome outcome = std::max(own, points);
   if (options.json) {
-    to_stdout(report::check_json(preview, outcome));
+    to_stdout(report::deck_preview_json(preview, outcome));
   } else if (!options.quiet && !preview.lengths.empty()) {
-    to_stdout(report::check_listing(preview));
+    to_stdout(report::deck_preview_listing(preview));
     to_stdout(growth_words(model, look.stations));
     to_stdout(
         fmt::format("\n{}: {}\n", base::make_printable(options.deck.string()),

@@ -264,7 +264,7 @@ private:
     point.passed = static_cast<int>(std::count_if(run.checks.begin(), run.checks.end(),
                                                   [](const auto& c) { return c.passed; }));
     point.warnings = static_cast<int>(run.warnings.size());
-    point.cells = report::sweep_cells(run);
+    point.cells = report::collect_sweep_values(run);
     for (const model::Output& output : model.outputs) {
       if (output.format == model::OutputFormat::csv &&
           output.every == model::OutputFrequency::end) {
@@ -298,14 +298,14 @@ private:
         fmt::format("{} of {}: {}", point.folder, points_.size(), point_words(values));
     if (point.outcome != base::Outcome::done) {
       log_.message(base::Severity::error, "E550",
-                   fmt::format("point {}: {} ({}): {}", head, report::status_word(point),
+                   fmt::format("point {}: {} ({}): {}", head, report::sweep_point_status(point),
                                base::exit_code(point.outcome), point.error));
     }
     if (options_.quiet) {
       return;
     }
-    to_stdout(
-        fmt::format("{}: {}{}", head, report::status_word(point), point.reused ? " earlier" : ""));
+    to_stdout(fmt::format("{}: {}{}", head, report::sweep_point_status(point),
+                          point.reused ? " earlier" : ""));
     tell_result(point);
     to_stdout("\n");
     std::fflush(stdout);
@@ -318,7 +318,7 @@ private:
       to_stdout(fmt::format("  N = {:.7g}", life->value));
       return;
     }
-    const std::string step = report::leading_step(*deck_.model);
+    const std::string step = report::leading_step_name(*deck_.model);
     int last = 0;
     for (const results::SweepValue& cell : point.cells) {
       last = std::max(last, cell.increment);

@@ -303,7 +303,7 @@ std::string range_text(const results::FrontResult& front, const base::UnitSystem
 
 // A line for each front: of a growth by a law at KMAX of each station, else of every step.
 void print_fronts(const model::Model& model, const results::RunResult& run) {
-  const std::string leading = run.growth ? report::leading_step(model) : std::string();
+  const std::string leading = run.growth ? report::leading_step_name(model) : std::string();
   const auto behind_the_end = [&](std::size_t i) { // its cycles are not lived
     return run.growth && i > 0 && i < run.growth->stations.size() &&
            run.growth->stations[i].cycles > run.growth->final_cycles() * (1.0 + 1e-9);

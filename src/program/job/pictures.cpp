@@ -70,7 +70,7 @@ std::vector<report::PvdEntry> write_step(const model::Model& model,
 // Over several increments each step has a collection of its own, as all its files have one time.
 void write_pictures(const model::Model& model, const results::RunResult& run, const PutFile& put) {
   const std::string stem = picture_stem(model);
-  const std::string leading = report::leading_step(model);
+  const std::string leading = report::leading_step_name(model);
   const bool grows = run.increments.size() > 1 || run.growth;
   std::map<std::string, std::vector<report::PvdEntry>> collections{{stem, {}}};
   for (std::size_t i = 0; i < run.increments.size(); ++i) {

@@ -274,7 +274,7 @@ void RunFolder::write(const base::SourceTexts& sources, const model::Model& mode
   // The listing comes last, as it has the figures of all before.
   run.peak_memory = base::peak_memory();
   add_file(listing_name,
-           report::listing(sources, model, run, totals) + report::script_section(scripts));
+           report::listing(sources, model, run, totals) + report::script_constant_section(scripts));
 }
 
 std::uintmax_t RunFolder::written_bytes() const {

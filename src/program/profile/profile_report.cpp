@@ -253,10 +253,10 @@ double cost_over_floor(const ProfileRecord& record) {
 }
 
 std::string profile_text(const ProfileRecord& record) {
-  std::string text = "\n" + report::to_text(processor_table(processor_costs(record.profile)));
+  std::string text = "\n" + report::table_to_text(processor_table(processor_costs(record.profile)));
   for (const ReportTable& table :
        {net_table(net_costs(record.profile)), length_table(length_costs(record.profile))}) {
-    text += table.rows.empty() ? "" : "\n" + report::to_text(table);
+    text += table.rows.empty() ? "" : "\n" + report::table_to_text(table);
   }
   return text + "\n" + floor_text(record);
 }

@@ -183,7 +183,7 @@ base::OptionalFailure list_sensitivity(const ShellCall& call) {
   base::OptionalFailure trouble = call.session.estimate_accuracy();
   if (!trouble) {
     call.reply.out = sensitivity_reply(call.session);
-    for (const std::string& note : report::sensitivity_notes(
+    for (const std::string& note : report::missing_sensitivity_reasons(
              call.session.displayed_model(), call.session.run_results().increments.front())) {
       call.reply.messages += fmt::format("note: {}\n", note);
     }

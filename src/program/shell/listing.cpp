@@ -133,11 +133,11 @@ std::string k_reply(const ShellSession& session, const std::string& only) {
   const results::Increment fronts = present_fronts(session, only);
   std::vector<ReportTable> tables = report::front_tables(session.displayed_model(), fronts);
   if (tables.empty()) {
-    tables.push_back(report::untitled(report::k_table(session.displayed_model(), fronts)));
+    tables.push_back(report::without_title(report::k_table(session.displayed_model(), fronts)));
   }
   std::string text;
   for (const ReportTable& table : tables) {
-    text += report::to_text(table);
+    text += report::table_to_text(table);
   }
   return text;
 }
@@ -154,7 +154,7 @@ std::string k_notes(const ShellSession& session, const std::string& only) {
 }
 
 std::string sensitivity_reply(const ShellSession& session) {
-  return report::to_text(report::untitled(report::sensitivity_table(
+  return report::table_to_text(report::without_title(report::sensitivity_table(
       session.displayed_model(), session.run_results().increments.front())));
 }
 
@@ -185,7 +185,7 @@ std::string contact_reply(const ShellSession& session, const results::ContactRes
     }
     table.rows.push_back(std::move(row));
   }
-  return report::to_text(table);
+  return report::table_to_text(table);
 }
 
 namespace {
@@ -256,7 +256,7 @@ std::string map_reply(const ShellSession& session) {
     }
     table.rows.push_back(std::move(row));
   }
-  return report::to_text(table);
+  return report::table_to_text(table);
 }
 
 namespace {

@@ -97,7 +97,7 @@ base::OptionalFailure ShellSession::read_again(DeckChanges to) {
     next.known_ = known_;
     next.reported_ = reported_;
   } else {
-    const std::string leading = report::leading_step(*next.model_);
+    const std::string leading = report::leading_step_name(*next.model_);
     next.set_.base = static_cast<std::size_t>(
         std::ranges::find(next.model_->steps, leading, &model::Step::name) -
         next.model_->steps.begin());

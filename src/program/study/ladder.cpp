@@ -31,7 +31,7 @@ std::string largest_step(const std::vector<Answer>& answers, const model::Model&
                          const results::RunResult& run) {
   const std::vector<AnswerReading> readings = read_answers(model, answers, run);
   double most = -1.0;
-  std::string largest = report::leading_step(model);
+  std::string largest = report::leading_step_name(model);
   for (std::size_t a = 0; a < answers.size(); ++a) {
     for (const model::Step& step : model.steps) {
       if (std::abs(readings[a].value) > most && is_of_step(answers[a], step.name)) {
@@ -115,7 +115,7 @@ std::vector<Answer> hierarchy_answers(const model::Model& model, const results::
   });
   // What matters is where the crack is driven most; in the end the joint may be unloaded.
   const std::string step =
-      model.growth ? report::leading_step(model) : largest_step(all, model, run);
+      model.growth ? report::leading_step_name(model) : largest_step(all, model, run);
   const bool has_step =
       std::ranges::any_of(all, [&](const Answer& answer) { return is_of_step(answer, step); });
   if (!own && has_step) {

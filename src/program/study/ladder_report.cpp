@@ -111,9 +111,9 @@ report::Plot ladder_plot(const ModelHierarchy& ladder) {
     if (variant.verdict == ModelVariantVerdict::richest || !(std::abs(variant.difference) > 0.0)) {
       continue;
     }
-    report::PlotSeries series = report::numbered_curve(variant.variant.name, plot.series.size(), 0);
+    report::PlotSeries series = report::styled_curve(variant.variant.name, plot.series.size(), 0);
     series.points = {{variant.end.cpu, 100.0 * std::abs(variant.difference)}};
-    series.marker = report::closed_marker(plot.series.size());
+    series.marker = report::closed_marker_shape(plot.series.size());
     series.joined = false;
     plot.series.push_back(std::move(series));
   }
@@ -125,9 +125,9 @@ report::Plot ladder_plot(const ModelHierarchy& ladder) {
 } // namespace
 
 std::string hierarchy_text(const model::Model& model, const ModelHierarchy& ladder) {
-  std::string out = report::to_text(variants_table(model, ladder)) + "\n";
+  std::string out = report::table_to_text(variants_table(model, ladder)) + "\n";
   const report::ReportTable left = left_out_table(ladder);
-  out += left.rows.empty() ? "" : report::to_text(left) + "\n";
+  out += left.rows.empty() ? "" : report::table_to_text(left) + "\n";
   return out + ladder_sentence(ladder) + "\n";
 }
 

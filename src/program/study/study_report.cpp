@@ -80,9 +80,9 @@ report::Plot group_plot(const Study& study, const GroupVerdict& group, bool agai
   double high = 0.0;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const CurveKind& curve = curves.at(i);
-    report::PlotSeries series = report::numbered_curve(series_name(curve.family, curve.corrected),
-                                                       i, i / 7 + (curve.corrected ? 1 : 0));
-    series.marker = report::closed_marker(i);
+    report::PlotSeries series = report::styled_curve(series_name(curve.family, curve.corrected), i,
+                                                     i / 7 + (curve.corrected ? 1 : 0));
+    series.marker = report::closed_marker_shape(i);
     series.joined = curve.joined;
     series.points = curve_points(study, group, curve, against_cpu);
     for (const report::DrawingPoint& point : series.points) {
@@ -214,9 +214,9 @@ std::string reference_words(const Study& study) {
 } // namespace
 
 std::string study_text(const Study& study) {
-  std::string out = report::to_text(settings_table(study)) + "\n";
+  std::string out = report::table_to_text(settings_table(study)) + "\n";
   for (const ReportTable& table : {series_table(study), distrusted_table(study)}) {
-    out += table.rows.empty() ? "" : report::to_text(table) + "\n";
+    out += table.rows.empty() ? "" : report::table_to_text(table) + "\n";
   }
   out += reference_words(study) + "\n";
   for (const std::string& note : study.notes) {
@@ -283,7 +283,7 @@ std::string study_page(const base::SourceTexts& sources, const model::Model& mod
   page.add_table(series_table(study));
   page.add_table(distrusted_table(study));
   page.add_heading("Settings");
-  page.add_table(report::untitled(settings_table(study)));
+  page.add_table(report::without_title(settings_table(study)));
   for (const std::string& note : study.notes) {
     page.add_paragraph(note);
   }

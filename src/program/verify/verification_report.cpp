@@ -44,9 +44,9 @@ report::Figure error_over_cpu(const Verification& verification) {
   plot.legend_below = true;
   for (const bool failed : {false, true}) {
     report::PlotSeries series =
-        report::numbered_curve(failed ? "a check missed" : "all checks passed", failed ? 1 : 0, 0);
+        report::styled_curve(failed ? "a check missed" : "all checks passed", failed ? 1 : 0, 0);
     series.joined = false;
-    series.marker = report::closed_marker(failed ? 1 : 0);
+    series.marker = report::closed_marker_shape(failed ? 1 : 0);
     for (const VerifiedDeck& deck : verification.decks) {
       const std::optional<report::DrawingPoint> mark = mark_of(deck);
       if (mark && deck.failed() == failed) {
@@ -102,7 +102,7 @@ void add_decks(report::HtmlPage& page, const Verification& verification) {
   for (const VerifiedDeck& deck : verification.decks) {
     bool any = false;
     for (const VerifiedPoint& point : deck.points) {
-      report::ReportTable table = check_table(point);
+      report::ReportTable table = checks_table(point);
       table.title = fmt::format("{} ({})", deck_heading(deck, point), cost_text(deck, point));
       page.add_table(table);
       any = any || !table.rows.empty();

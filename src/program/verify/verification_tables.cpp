@@ -102,7 +102,7 @@ std::string cost_text(const VerifiedDeck& deck, const VerifiedPoint& point) {
                      megabytes(deck.memory), deck.points.size() > 1 ? " with all points" : "");
 }
 
-report::ReportTable check_table(const VerifiedPoint& point) {
+report::ReportTable checks_table(const VerifiedPoint& point) {
   using Check = results::CheckResult;
   return report::Columns<Check>()
       .words("check", &Check::text)

@@ -16,7 +16,7 @@ std::string deck_heading(const VerifiedDeck& deck, const VerifiedPoint& point);
 std::string cost_text(const VerifiedDeck& deck, const VerifiedPoint& point);
 
 /// The checks of a point: check, reference, result, error, allowed, bar, source.
-report::ReportTable check_table(const VerifiedPoint& point);
+report::ReportTable checks_table(const VerifiedPoint& point);
 
 /// Every deck, and every point of a sweep: how many checks, how many passed, the largest error over
 /// what is allowed, costs of the deck.

@@ -232,7 +232,7 @@ private:
           fmt::format("Since the last time ({}): {}\n", comparison->program, summary(*comparison)));
       const report::ReportTable changes = change_table(*comparison);
       if (!changes.rows.empty() && !options_.quiet) {
-        to_stdout(report::to_text(changes));
+        to_stdout(report::table_to_text(changes));
       }
     }
     to_stdout(fmt::format("{:.1f} s CPU, {:.1f} s; {} and {}\n", count(verification_).cpu,

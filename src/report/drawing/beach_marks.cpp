@@ -22,7 +22,7 @@ constexpr double marks_text_line = 14.0;
 } // namespace
 
 std::string draw_svg(const BeachMarkView& view) {
-  const PictureEye flat{.right = view.right, .up = view.up};
+  const PictureViewpoint flat{.right = view.right, .up = view.up};
   PictureBox box;
   for (const BeachMark& mark : view.marks) {
     for (const std::vector<base::Vec3>& front : mark.fronts) {

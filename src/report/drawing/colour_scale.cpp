@@ -21,7 +21,7 @@ std::size_t ColourScale::band(double value) const {
                   colour_bands - 1);
 }
 
-ColourScale scale_between(double low, double high) {
+ColourScale make_colour_scale(double low, double high) {
   // A uniform field has one colour, not round-off in twelve.
   return high - low > 1e-6 * std::abs(high) ? ColourScale{low, high} : ColourScale{0.0, high};
 }
@@ -50,7 +50,7 @@ void draw_colour_legend(SvgDrawing& svg, const ColourScale& scale, DrawingPoint 
     svg.rectangle({corner.x + part * static_cast<double>(b), corner.y}, part, 11.0,
                   {fill, 0.3, fill, ""});
   }
-  for (const AxisTick& tick : round_ticks(scale.low, scale.high, 5)) {
+  for (const AxisTick& tick : round_axis_ticks(scale.low, scale.high, 5)) {
     const double x = corner.x + width * (tick.value - scale.low) / (scale.high - scale.low);
     svg.line({x, corner.y + 11.0}, {x, corner.y + 15.0}, {"#000", 0.8, "none", ""});
     svg.text({x, corner.y + 27.0}, tick.text, {TextAnchor::middle, 11.0});

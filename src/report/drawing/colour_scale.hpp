@@ -20,7 +20,7 @@ struct ColourScale {
 };
 
 /// From low to high, or from 0 where there is nothing between them but round-off.
-ColourScale scale_between(double low, double high);
+ColourScale make_colour_scale(double low, double high);
 
 /// Dark to light, even steps to the eye (Smith and van der Walt's viridis, five of its colours).
 std::string band_colour(std::size_t band);

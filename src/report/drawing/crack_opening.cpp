@@ -96,7 +96,7 @@ std::vector<CrackFaceOpening> crack_face_openings(const results::Increment& incr
     if (!lies_in(frame, mesh, face.outline)) {
       continue;
     }
-    if (doubled_area(mesh, face.outline).dot(frame.normal) > 0.0) {
+    if (doubled_area_vector(mesh, face.outline).dot(frame.normal) > 0.0) {
       lower[places.key(middle(face.outline))] = &face.outline;
     } else {
       upper.push_back(&face.outline);

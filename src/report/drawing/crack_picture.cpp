@@ -18,8 +18,8 @@ namespace spricka::report {
 namespace {
 
 /// Of slanted views with z up the one that sees most of the crack's face and its mouth.
-PictureEye eye_for(const FittedFrontPlane& frame) {
-  PictureEye best;
+PictureViewpoint eye_for(const FittedFrontPlane& frame) {
+  PictureViewpoint best;
   double most = -std::numeric_limits<double>::infinity();
   for (const double first : {0.5, -0.5, 0.75, -0.75}) {
     for (const double up : {0.45, -0.45}) {
@@ -30,7 +30,7 @@ PictureEye eye_for(const FittedFrontPlane& frame) {
         const double seen = flat - towards.dot(frame.growth) + (up > 0.0 ? 0.1 : 0.0);
         if (seen > most + 1e-9) {
           most = seen;
-          best = PictureEye::looking_from(towards, base::Vec3::UnitZ());
+          best = PictureViewpoint::looking_from(towards, base::Vec3::UnitZ());
         }
       }
     }
@@ -62,7 +62,7 @@ std::vector<RidgeEdge> ridges(const results::Increment& increment, base::NetId n
     }
     const std::size_t n = face.outline.size();
     const std::size_t step = base::element_info(mesh.type[face.element.index()]).quadratic ? 2 : 1;
-    const base::Vec3 normal = doubled_area(mesh, face.outline).normalized();
+    const base::Vec3 normal = doubled_area_vector(mesh, face.outline).normalized();
     for (std::size_t i = 0; i < n; i += step) {
       const base::NodeId a = face.outline[i];
       const base::NodeId b = face.outline[(i + step) % n];
@@ -97,7 +97,7 @@ base::NetId net_of_front(const results::Increment& increment, const results::Fro
 }
 
 std::vector<DrawingPoint> node_line(const std::vector<base::NodeId>& nodes, const model::Mesh& mesh,
-                                    const PictureEye& eye, const PictureFrame& frame) {
+                                    const PictureViewpoint& eye, const PictureFrame& frame) {
   std::vector<DrawingPoint> line;
   for (const base::NodeId n : nodes) {
     line.push_back(frame(eye(mesh.x[n.index()])));
@@ -106,7 +106,7 @@ std::vector<DrawingPoint> node_line(const std::vector<base::NodeId>& nodes, cons
 }
 
 /// Points of the front in the picture, the first once more where it is closed.
-std::vector<DrawingPoint> front_line(const CrackView& view, const PictureEye& eye,
+std::vector<DrawingPoint> front_line(const CrackView& view, const PictureViewpoint& eye,
                                      const PictureFrame& frame) {
   std::vector<DrawingPoint> line;
   for (const results::FrontPointResult& p : view.front->points) {
@@ -128,7 +128,7 @@ ColourScale k_scale(const results::FrontResult& front) {
       high = std::max(high, p.K1);
     }
   }
-  return high >= low ? scale_between(low, high) : ColourScale{};
+  return high >= low ? make_colour_scale(low, high) : ColourScale{};
 }
 
 /// Piece by piece in the colour of the mean of K1 at its ends.
@@ -151,13 +151,13 @@ void draw_legend(SvgDrawing& svg, const ColourScale& scale, const PictureFrame& 
 
 } // namespace
 
-std::string draw_front(const CrackView& view) {
+std::string draw_crack_front(const CrackView& view) {
   const std::optional<FittedFrontPlane> plane = fit_front_plane(*view.front);
   const results::Increment& increment = *view.increment;
   if (!plane || increment.surface.empty()) {
     return {};
   }
-  const PictureEye eye = eye_for(*plane);
+  const PictureViewpoint eye = eye_for(*plane);
   const std::vector<RidgeEdge> edges = ridges(increment, net_of_front(increment, *view.front));
   PictureBox box;
   for (const RidgeEdge& edge : edges) {
@@ -192,7 +192,7 @@ std::string draw_front(const CrackView& view) {
   return svg.svg_text();
 }
 
-std::string draw_opening(const CrackView& view) {
+std::string draw_crack_opening(const CrackView& view) {
   const std::optional<FittedFrontPlane> plane = fit_front_plane(*view.front);
   const results::Increment& increment = *view.increment;
   if (!plane || view.step->u.size() != static_cast<Eigen::Index>(3 * increment.mesh.node_count())) {
@@ -202,7 +202,8 @@ std::string draw_opening(const CrackView& view) {
   // the way of growth to the right, from above the upper face
   const base::Vec3 to_right = plane->growth.norm() > 0.1 ? base::Vec3(plane->growth.normalized())
                                                          : plane->normal.unitOrthogonal();
-  const PictureEye eye = PictureEye::looking_from(plane->normal, plane->normal.cross(to_right));
+  const PictureViewpoint eye =
+      PictureViewpoint::looking_from(plane->normal, plane->normal.cross(to_right));
   PictureBox box;
   double low = 0.0;
   double opening = 0.0;
@@ -221,7 +222,8 @@ std::string draw_opening(const CrackView& view) {
   const PictureFrame frame(box, view.width);
   const bool slides = opening < 1e-3 * sliding; // closed, and one face along the other
   const char* const what = slides ? "sliding" : "opening";
-  const ColourScale scale = slides ? scale_between(0.0, sliding) : scale_between(low, opening);
+  const ColourScale scale =
+      slides ? make_colour_scale(0.0, sliding) : make_colour_scale(low, opening);
   SvgDrawing svg = frame.begin(fmt::format("{}, {} of its faces", view.front->name, what));
   for (const CrackFaceOpening& face : faces) {
     svg.polygon(node_line(face.outline, increment.mesh, eye, frame),

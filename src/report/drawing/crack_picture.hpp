@@ -19,10 +19,10 @@ struct CrackView {
 
 /// The front in its body, which is drawn by its edges, coloured by K1; the eye stands where the
 /// mouth of the crack is seen. Empty where the surface is not known.
-std::string draw_front(const CrackView& view);
+std::string draw_crack_front(const CrackView& view);
 
 /// The crack seen along its normal: how far its faces are apart as colours, the front with its
 /// points. Empty where the crack is not plane.
-std::string draw_opening(const CrackView& view);
+std::string draw_crack_opening(const CrackView& view);
 
 } // namespace spricka::report

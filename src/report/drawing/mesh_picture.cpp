@@ -236,7 +236,7 @@ std::string draw_svg(const MeshView& view) {
   for (const model::RigidTarget& rigid : view.rigids) {
     if (rigid.shape == model::RigidTargetShape::line ||
         rigid.shape == model::RigidTargetShape::arc) {
-      draw_rigid(svg, rigid, window);
+      draw_rigid_target(svg, rigid, window);
     }
   }
   if (view.marks != nullptr) {

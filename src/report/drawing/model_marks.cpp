@@ -269,7 +269,7 @@ void draw_model_marks(SvgDrawing& svg, const model::Model& model, const DrawingW
   draw_loads(svg, model, window);
 }
 
-std::string model_legend(const model::Model& model, double width) {
+std::string model_marks_legend(const model::Model& model, double width) {
   constexpr double column = 220.0;
   constexpr double line = 17.0;
   const std::vector<MarkEntry> entries = entries_of(model);

@@ -13,6 +13,6 @@ namespace spricka::report {
 void draw_model_marks(SvgDrawing& svg, const model::Model& model, const DrawingWindow& window);
 
 /// What these marks mean, as a drawing of its own; empty where there is none of them.
-std::string model_legend(const model::Model& model, double width);
+std::string model_marks_legend(const model::Model& model, double width);
 
 } // namespace spricka::report

@@ -18,7 +18,8 @@ void PictureBox::add(DrawingPoint p) {
   high = {std::max(high.x, p.x), std::max(high.y, p.y)};
 }
 
-PictureEye PictureEye::looking_from(const base::Vec3& towards, const base::Vec3& upward) {
+PictureViewpoint PictureViewpoint::looking_from(const base::Vec3& towards,
+                                                const base::Vec3& upward) {
   const base::Vec3 right = upward.cross(towards).normalized();
   return {towards, right, towards.cross(right)};
 }
@@ -40,7 +41,7 @@ DrawingPoint PictureFrame::operator()(DrawingPoint p) const {
   return {left_ + scale_ * (p.x - box_.low.x), head + frame_margin + scale_ * (box_.high.y - p.y)};
 }
 
-double magnification(double largest, double share) {
+double displacement_magnification(double largest, double share) {
   return largest > 0.0 ? round_number_below(share / largest) : 0.0;
 }
 
@@ -49,7 +50,7 @@ base::NodeId nearest_node(const model::Mesh& mesh, const base::Vec3& x) {
       mesh.nodes, {}, [&](base::NodeId n) { return (mesh.x[n.index()] - x).squaredNorm(); });
 }
 
-base::Vec3 doubled_area(const model::Mesh& mesh, const std::vector<base::NodeId>& outline) {
+base::Vec3 doubled_area_vector(const model::Mesh& mesh, const std::vector<base::NodeId>& outline) {
   const base::Vec3& origin = mesh.x[outline.front().index()];
   base::Vec3 area = base::Vec3::Zero();
   for (std::size_t i = 0; i < outline.size(); ++i) {

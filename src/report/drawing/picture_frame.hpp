@@ -26,13 +26,13 @@ struct PictureBox {
 };
 
 /// A view from far away: places in space to those of the picture, y up.
-struct PictureEye {
+struct PictureViewpoint {
   base::Vec3 towards = base::Vec3::UnitZ(); ///< unit, from the place to the eye
   base::Vec3 right = base::Vec3::UnitX();
   base::Vec3 up = base::Vec3::UnitY();
 
   /// The eye in that direction from the place, with `upward` above.
-  static PictureEye looking_from(const base::Vec3& towards, const base::Vec3& upward);
+  static PictureViewpoint looking_from(const base::Vec3& towards, const base::Vec3& upward);
   /// Where a place in space is in the picture [length].
   [[nodiscard]] DrawingPoint operator()(const base::Vec3& x) const {
     return {right.dot(x), up.dot(x)};
@@ -61,7 +61,7 @@ private:
 
 /// The factor of displacements in a picture that makes the largest of them a round share, at most
 /// so much, of a length; 0 without displacements.
-double magnification(double largest, double share);
+double displacement_magnification(double largest, double share);
 
 /// The node of a mesh that is nearest to a place; the first of those that are as near. The mesh has
 /// nodes.
@@ -69,6 +69,6 @@ base::NodeId nearest_node(const model::Mesh& mesh, const base::Vec3& x);
 
 /// The area vector of a closed line of nodes, along its normal by the right-hand rule, twice as
 /// long as the area it encloses.
-base::Vec3 doubled_area(const model::Mesh& mesh, const std::vector<base::NodeId>& outline);
+base::Vec3 doubled_area_vector(const model::Mesh& mesh, const std::vector<base::NodeId>& outline);
 
 } // namespace spricka::report

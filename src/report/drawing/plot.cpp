@@ -105,7 +105,7 @@ std::vector<AxisTick> decade_ticks(const AxisRange& range) {
 }
 
 std::vector<AxisTick> ticks_of(const AxisRange& range, int wanted) {
-  return range.log ? decade_ticks(range) : round_ticks(range.low, range.high, wanted);
+  return range.log ? decade_ticks(range) : round_axis_ticks(range.low, range.high, wanted);
 }
 
 /// Of the longest number.
@@ -269,7 +269,7 @@ void draw_legend(SvgDrawing& svg, const std::vector<LegendEntry>& entries, Drawi
 
 } // namespace
 
-PlotSeries numbered_curve(std::string name, std::size_t colour, std::size_t dash) {
+PlotSeries styled_curve(std::string name, std::size_t colour, std::size_t dash) {
   PlotSeries series;
   series.name = std::move(name);
   series.colour = palette_colour(colour);
@@ -277,7 +277,7 @@ PlotSeries numbered_curve(std::string name, std::size_t colour, std::size_t dash
   return series;
 }
 
-PlotSeries separate_marks(std::string name, MarkerShape shape) {
+PlotSeries marker_series(std::string name, MarkerShape shape) {
   PlotSeries series;
   series.name = std::move(name);
   series.joined = false;

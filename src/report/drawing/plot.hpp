@@ -25,10 +25,10 @@ struct PlotSeries {
 };
 
 /// A line in the colour and with the dashes of these numbers.
-PlotSeries numbered_curve(std::string name, std::size_t colour, std::size_t dash);
+PlotSeries styled_curve(std::string name, std::size_t colour, std::size_t dash);
 
 /// Marks without a line, black.
-PlotSeries separate_marks(std::string name, MarkerShape shape);
+PlotSeries marker_series(std::string name, MarkerShape shape);
 
 /// "K₁  [MPa √mm]": what an axis shows, with its unit as base::UnitSystem writes it; the name alone
 /// without one.

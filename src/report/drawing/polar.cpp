@@ -48,7 +48,7 @@ void draw_circles(SvgDrawing& svg, const PolarPlot& plot, const PolarScale& scal
                {TextAnchor::middle, 11.0});
     }
   }
-  for (const AxisTick& tick : round_ticks(std::min(plot.low, 0.0), plot.high, 3)) {
+  for (const AxisTick& tick : round_axis_ticks(std::min(plot.low, 0.0), plot.high, 3)) {
     if (tick.value != 0.0 && scale(tick.value) > innermost) {
       svg.circle(at(0.0, 0.0), scale(tick.value), grid);
     }
@@ -57,7 +57,7 @@ void draw_circles(SvgDrawing& svg, const PolarPlot& plot, const PolarScale& scal
 
 /// Numbers stand on top of the curves, on a ray between the angles that are named.
 void draw_numbers(SvgDrawing& svg, const PolarPlot& plot, const PolarScale& scale) {
-  for (const AxisTick& tick : round_ticks(std::min(plot.low, 0.0), plot.high, 3)) {
+  for (const AxisTick& tick : round_axis_ticks(std::min(plot.low, 0.0), plot.high, 3)) {
     if (scale(tick.value) > innermost + 6.0) {
       const DrawingPoint p = at(scale(tick.value), -0.75 * pi);
       svg.text({p.x, p.y + 3.5}, tick.text, {TextAnchor::middle, 10.0, "#333", 0.0, true});

@@ -100,7 +100,8 @@ std::vector<RigidOutlinePoint> along_arc(const model::RigidTarget& arc,
 
 } // namespace
 
-void draw_rigid(SvgDrawing& svg, const model::RigidTarget& rigid, const DrawingWindow& window) {
+void draw_rigid_target(SvgDrawing& svg, const model::RigidTarget& rigid,
+                       const DrawingWindow& window) {
   const std::vector<RigidOutlinePoint> spots = rigid.shape == model::RigidTargetShape::line
                                                    ? along_line(rigid, window)
                                                    : along_arc(rigid, window);

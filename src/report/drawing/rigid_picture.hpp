@@ -18,6 +18,7 @@ struct DrawingWindow {
 
 /// Draws a rigid target as a heavy line with hatches on the side of the rigid body, as far as the
 /// window shows it.
-void draw_rigid(SvgDrawing& svg, const model::RigidTarget& rigid, const DrawingWindow& window);
+void draw_rigid_target(SvgDrawing& svg, const model::RigidTarget& rigid,
+                       const DrawingWindow& window);
 
 } // namespace spricka::report

@@ -50,7 +50,7 @@ double reference_elastic_force(const model::Model& model, const results::Increme
   return stiffness_times_way(model, increment) * depth;
 }
 
-double largest_stress(const results::StepResult& step) {
+double largest_von_mises_stress(const results::StepResult& step) {
   double largest = 0.0;
   for (const results::Stress& stress : step.stress) {
     largest = std::max(largest, results::von_mises(stress));
@@ -63,9 +63,9 @@ bool has_significant_stress(const model::Model& model, const results::Increment&
   constexpr double round_off = 1e-9;
   double scale = reference_elastic_stress(model, increment);
   for (const results::StepResult& other : increment.steps) {
-    scale = std::max(scale, largest_stress(other));
+    scale = std::max(scale, largest_von_mises_stress(other));
   }
-  return largest_stress(step) > round_off * scale;
+  return largest_von_mises_stress(step) > round_off * scale;
 }
 
 } // namespace spricka::report

@@ -16,7 +16,7 @@ double reference_elastic_stress(const model::Model& model, const results::Increm
 double reference_elastic_force(const model::Model& model, const results::Increment& increment);
 
 /// The largest von Mises stress of a step; 0 without stresses.
-double largest_stress(const results::StepResult& step);
+double largest_von_mises_stress(const results::StepResult& step);
 
 /// Whether a step has stresses that are more than round-off.
 bool has_significant_stress(const model::Model& model, const results::Increment& increment,

@@ -16,8 +16,8 @@
 namespace spricka::report {
 namespace {
 
-const PictureEye slanted_eye =
-    PictureEye::looking_from(base::Vec3(0.5, -0.75, 0.45).normalized(), base::Vec3::UnitZ());
+const PictureViewpoint slanted_eye =
+    PictureViewpoint::looking_from(base::Vec3(0.5, -0.75, 0.45).normalized(), base::Vec3::UnitZ());
 
 struct DrawnFace {
   std::vector<DrawingPoint> outline;
@@ -46,7 +46,7 @@ double magnification_of(const SolidView& view) {
   for (std::size_t n = 0; n < nodes; ++n) {
     largest = std::max(largest, view.step->u.segment<3>(static_cast<Eigen::Index>(3 * n)).norm());
   }
-  return magnification(largest, size_of(*view.increment) / 15.0);
+  return displacement_magnification(largest, size_of(*view.increment) / 15.0);
 }
 
 class Painter {
@@ -103,7 +103,7 @@ private:
 
 ColourScale scale_of(const std::vector<DrawnFace>& faces) {
   const auto [low, high] = std::ranges::minmax(faces, {}, &DrawnFace::value);
-  return scale_between(low.value, high.value);
+  return make_colour_scale(low.value, high.value);
 }
 
 void draw_axes(SvgDrawing& svg, DrawingPoint at) {

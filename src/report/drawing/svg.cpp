@@ -205,7 +205,7 @@ std::string_view palette_colour(std::size_t i) {
   return palette[i % palette.size()];
 }
 
-MarkerShape closed_marker(std::size_t i) {
+MarkerShape closed_marker_shape(std::size_t i) {
   constexpr std::array<MarkerShape, 4> shapes{MarkerShape::circle, MarkerShape::square,
                                               MarkerShape::triangle, MarkerShape::diamond};
   return shapes[i % shapes.size()];
@@ -225,7 +225,7 @@ std::string tick_text(double value, double distance) {
   return fmt::format("{:.{}f}", value, digits);
 }
 
-std::vector<AxisTick> round_ticks(double low, double high, int wanted) {
+std::vector<AxisTick> round_axis_ticks(double low, double high, int wanted) {
   if (!(high > low) || !std::isfinite(high - low)) {
     return {{low, tick_text(low, 1.0)}};
   }

@@ -93,7 +93,7 @@ private:
 std::string_view palette_colour(std::size_t i);
 
 /// The i-th marker; starts again after four closed shapes.
-MarkerShape closed_marker(std::size_t i);
+MarkerShape closed_marker_shape(std::size_t i);
 
 /// The i-th dash pattern; the first is solid.
 std::string_view dash_pattern(std::size_t i);
@@ -106,7 +106,7 @@ struct AxisTick {
 
 /// Steps of 1, 2 or 5 times a power of ten: about `wanted` round numbers inside [low, high], with
 /// the digits that the distance between them calls for.
-std::vector<AxisTick> round_ticks(double low, double high, int wanted);
+std::vector<AxisTick> round_axis_ticks(double low, double high, int wanted);
 
 /// 1, 2 or 5 times a power of ten: the largest such number not above a positive value.
 double round_number_below(double value);

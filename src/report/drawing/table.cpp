@@ -38,7 +38,7 @@ void append_line(std::string& out, std::string line) {
 
 } // namespace
 
-std::string to_text(const ReportTable& table) {
+std::string table_to_text(const ReportTable& table) {
   const std::vector<std::size_t> width = widths(table);
   std::string names;
   std::string units;
@@ -61,11 +61,11 @@ std::string to_text(const ReportTable& table) {
   return out;
 }
 
-std::string to_text_below(const ReportTable& table) {
-  return table.rows.empty() ? std::string() : "\n" + to_text(table);
+std::string to_text_after_blank_line(const ReportTable& table) {
+  return table.rows.empty() ? std::string() : "\n" + table_to_text(table);
 }
 
-ReportTable untitled(ReportTable table) {
+ReportTable without_title(ReportTable table) {
   table.title.clear();
   return table;
 }
@@ -125,7 +125,7 @@ std::string typeset_unit(std::string_view unit) {
   return out;
 }
 
-std::string to_html(const ReportTable& table) {
+std::string table_to_html(const ReportTable& table) {
   std::string out = "<table>\n";
   if (!table.title.empty()) {
     out += fmt::format("<caption>{}</caption>\n", escape_xml(table.title));

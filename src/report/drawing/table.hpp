@@ -20,15 +20,15 @@ struct ReportTable {
 };
 
 /// The table with blanks between its columns, names and units above them, ended by a newline.
-std::string to_text(const ReportTable& table);
+std::string table_to_text(const ReportTable& table);
 /// The same behind an empty line; empty where the table has no rows.
-std::string to_text_below(const ReportTable& table);
+std::string to_text_after_blank_line(const ReportTable& table);
 
 /// The table as an HTML element, with units in print style.
-std::string to_html(const ReportTable& table);
+std::string table_to_html(const ReportTable& table);
 
 /// The table without its title, where a heading says enough.
-ReportTable untitled(ReportTable table);
+ReportTable without_title(ReportTable table);
 
 /// A unit in print: "MPa*mm^0.5" becomes "MPa √mm", "N/mm^2" "N/mm²".
 std::string typeset_unit(std::string_view unit);

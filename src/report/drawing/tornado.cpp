@@ -46,7 +46,7 @@ std::string draw_svg(const TornadoChart& tornado) {
   SvgDrawing svg(middle + half_width + number_width, top + height + foot,
                  "Change of the stress intensity factor, " + tornado.title);
   svg.title({middle, 16.0}, tornado.title);
-  for (const AxisTick& tick : round_ticks(-most, most, 5)) {
+  for (const AxisTick& tick : round_axis_ticks(-most, most, 5)) {
     const double x = at(tick.value);
     svg.line({x, top}, {x, top + height}, {"#ddd", 0.7, "none", ""});
     svg.text({x, top + height + 15.0}, tick.text, {TextAnchor::middle, 11.0});

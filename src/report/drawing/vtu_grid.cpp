@@ -118,7 +118,7 @@ std::string compress_array(std::string_view data, bool measured) {
   return bytes + sizes + packed;
 }
 
-VtuGridPoints grid_points(const model::Mesh& mesh, bool split) {
+VtuGridPoints make_vtu_grid_points(const model::Mesh& mesh, bool split) {
   model::PropertySplitPoints sources;
   if (split) {
     sources = model::property_points(mesh);

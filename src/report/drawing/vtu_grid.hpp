@@ -63,7 +63,7 @@ struct VtuGridPoints {
 };
 
 /// One point for each node; `split`: one more for each further property that meets there.
-VtuGridPoints grid_points(const model::Mesh& mesh, bool split);
+VtuGridPoints make_vtu_grid_points(const model::Mesh& mesh, bool split);
 
 /// A document with the grid: its points, and its cells of all types in VTK's node order. Cell data,
 /// point data and finish_vtu_file() are to follow.

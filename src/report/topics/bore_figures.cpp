@@ -58,9 +58,9 @@ std::vector<Seen> of_steps(const results::RunResult& run, const model::Contact& 
 /// The leading step as the crack grows.
 std::vector<Seen> of_sizes(const model::Model& model, const results::RunResult& run,
                            const model::Contact& contact) {
-  const std::string step = leading_step(model);
+  const std::string step = leading_step_name(model);
   std::vector<Seen> all;
-  for (const results::Increment* increment : chosen_increments(run, most_sizes)) {
+  for (const results::Increment* increment : sample_increments(run, most_sizes)) {
     add_closed(all, results::find_step(*increment, step), contact,
                fmt::format("{}, a = {:.4g} {}", step, increment->a, model.units.length_name));
   }
@@ -114,9 +114,10 @@ public:
 
 private:
   [[nodiscard]] DrawingPoint place(DrawingPoint at) const {
-    const double depth = std::max(surface_.axial_high() - surface_.axial_low(), 1e-300);
+    const double depth =
+        std::max(surface_.highest_axial_position() - surface_.lowest_axial_position(), 1e-300);
     return {left + width * (at.x + pi) / (2.0 * pi),
-            top + height * (surface_.axial_high() - at.y) / depth};
+            top + height * (surface_.highest_axial_position() - at.y) / depth};
   }
 
   void fill(const UnrolledSurface::Triangle& t, const ColourScale& scale) {
@@ -162,14 +163,15 @@ private:
     svg_.rectangle({left, top}, width, height, {});
     constexpr int turn = 45;
     for (int degrees = -180; degrees <= 180; degrees += turn) {
-      const double x = place({degrees * pi / 180.0, surface_.axial_low()}).x;
+      const double x = place({degrees * pi / 180.0, surface_.lowest_axial_position()}).x;
       svg_.line({x, top + height}, {x, top + height + 4.0}, {});
       svg_.text({x, top + height + 17.0}, fmt::format("{}", degrees),
                 {.anchor = TextAnchor::middle});
     }
     svg_.text({left + 0.5 * width, top + height + 33.0}, "θ  [deg]",
               {.anchor = TextAnchor::middle});
-    for (const AxisTick& tick : round_ticks(surface_.axial_low(), surface_.axial_high(), 4)) {
+    for (const AxisTick& tick :
+         round_axis_ticks(surface_.lowest_axial_position(), surface_.highest_axial_position(), 4)) {
       const double y = place({0.0, tick.value}).y;
       svg_.line({left - 4.0, y}, {left, y}, {});
       svg_.text({left - 7.0, y + 4.0}, tick.text, {.anchor = TextAnchor::end});
@@ -198,7 +200,7 @@ ColourScale common_scale(const std::vector<Seen>& all) {
       least = std::min({least, t[0].p, t[1].p, t[2].p});
     }
   }
-  return scale_between(least > 0.5 * largest ? least : 0.0, largest);
+  return make_colour_scale(least > 0.5 * largest ? least : 0.0, largest);
 }
 
 /// Places along the axis: both ends and between them, or the middles of as many parts (inset 0.5).
@@ -206,7 +208,8 @@ std::vector<double> places_along(const UnrolledSurface& surface, double inset) {
   std::vector<double> places;
   for (int i = 0; i < stations; ++i) {
     const double t = (i + inset) / (stations - 1 + 2.0 * inset);
-    places.push_back(surface.axial_low() + t * (surface.axial_high() - surface.axial_low()));
+    places.push_back(surface.lowest_axial_position() +
+                     t * (surface.highest_axial_position() - surface.lowest_axial_position()));
   }
   return places;
 }
@@ -235,7 +238,7 @@ std::string depth_plot(const model::Model& model, const Seen& seen) {
   constexpr std::array<int, 5> beside{0, 45, 90, 135, 180};
   for (std::size_t k = 0; k < beside.size(); ++k) {
     const double angle = std::remainder(middle + beside[k] * pi / 180.0, 2.0 * pi);
-    PlotSeries series = numbered_curve(fmt::format("θ = {:.0f}°", angle * 180.0 / pi), k, k);
+    PlotSeries series = styled_curve(fmt::format("θ = {:.0f}°", angle * 180.0 / pi), k, k);
     double most = 0.0;
     for (const double along : places_along(surface, 0.0)) {
       if (const std::optional<double> p = surface.pressure_at({angle, along})) {
@@ -264,7 +267,7 @@ std::string force_plot(const model::Model& model, const std::vector<Seen>& all,
     if (!(size > 1e-3 * all[s].contact->radius * surface.largest_pressure())) {
       continue; // pressed alike all round
     }
-    PlotSeries series = numbered_curve(all[s].label, s, s);
+    PlotSeries series = styled_curve(all[s].label, s, s);
     for (const double along : places_along(surface, 0.0)) {
       const DrawingPoint here = surface.line_force_at(along);
       series.points.push_back({along, (here.x * push.x + here.y * push.y) / size});
@@ -301,7 +304,7 @@ std::optional<Figure> bore_figure(const model::Model& model, const results::RunR
     draw_maps(sizes, common_scale(sizes));
   }
   for (const Seen& seen : steps) {
-    if (sizes.empty() || seen.label != leading_step(model)) {
+    if (sizes.empty() || seen.label != leading_step_name(model)) {
       draw_maps({seen}, common_scale({seen}));
     }
   }
@@ -316,7 +319,7 @@ std::optional<Figure> bore_figure(const model::Model& model, const results::RunR
       "the place along the axis. Red: where contact ends; white: there is no surface opposite. "
       "Below: the pressure of {} along the axis at some angles, and for each {} the contact force "
       "per unit length in the direction of the total force.",
-      contact.name, recovery_word(contact), sizes.empty() ? "" : ", as the crack grows",
+      contact.name, pressure_recovery_word(contact), sizes.empty() ? "" : ", as the crack grows",
       shown.back().label, sizes.empty() ? "step" : "size");
   return figure;
 }

@@ -26,7 +26,7 @@ struct Figure {
 void add_figure(std::vector<Figure>& figures, std::optional<Figure> figure);
 
 /// A value of K1 that a $CHECK compares with.
-struct KReference {
+struct KCheckReference {
   std::string tip;
   std::string step;
   double a = 0.0;
@@ -37,7 +37,7 @@ struct KReference {
 };
 /// K1 of $CHECK lines with crack tip and step that the run has, in deck order; without a length at
 /// the first one. In the plane only.
-std::vector<KReference> k_references(const model::Model& model, const results::RunResult& run);
+std::vector<KCheckReference> k_references(const model::Model& model, const results::RunResult& run);
 
 /// The nominal state that a deck names by its parameters R and SIGMA: K0 = SIGMA sqrt(pi a).
 struct NominalStressState {
@@ -47,7 +47,7 @@ struct NominalStressState {
   [[nodiscard]] double k0(double a) const;
 };
 /// Empty unless the deck has both parameters, positive, in any case of letters.
-std::optional<NominalStressState> find_nominal_state(const model::Model& model);
+std::optional<NominalStressState> find_nominal_stress_state(const model::Model& model);
 
 /// How a length and a K stand in a figure: as they are, or over R and SIGMA sqrt(pi a).
 struct KFigureScale {
@@ -62,18 +62,19 @@ struct KFigureScale {
 
 /// The wanted values of references as marks, one series for each source with the shapes in turn.
 /// Those of other steps are left out unless `step` is empty.
-void add_references(Plot& plot, const std::vector<KReference>& references, std::string_view step,
-                    std::span<const MarkerShape> shapes, const KFigureScale& scale);
+void add_reference_marks(Plot& plot, const std::vector<KCheckReference>& references,
+                         std::string_view step, std::span<const MarkerShape> shapes,
+                         const KFigureScale& scale);
 
 /// K1 over a for every step and tip, references as marks. Empty if no crack has two lengths.
 std::optional<Figure> k_figure(const model::Model& model, const results::RunResult& run);
 
 /// K1/K0 over a/R at the end of the leading step, beside the table of its references. Empty
 /// without two lengths or a nominal state.
-std::optional<Figure> normalised_figure(const model::Model& model, const results::RunResult& run);
+std::optional<Figure> normalised_k_figure(const model::Model& model, const results::RunResult& run);
 
 /// K1 beside its references, for every step. No rows without references.
-ReportTable reference_table(const model::Model& model, const results::RunResult& run);
+ReportTable k_reference_table(const model::Model& model, const results::RunResult& run);
 
 /// In the plane the whole mesh with its cracks, then for each tip the mesh round the crack; of
 /// solids the outer surface with its stresses.
@@ -91,17 +92,17 @@ std::optional<Figure> bore_figure(const model::Model& model, const results::RunR
 /// The pressure at a node by the recovery that the deck asks for.
 double recovered_pressure(const model::Contact& contact, const results::ContactPoint& point);
 /// "consistent" or "lumped".
-const char* recovery_word(const model::Contact& contact);
+const char* pressure_recovery_word(const model::Contact& contact);
 
 /// Lengths over cycles, K of the law over the length, the way of the tips; none without growth by a
 /// law.
 std::vector<Figure> growth_figures(const model::Model& model, const results::RunResult& run);
 
 /// Half width of the error bar of K1 in the plane, as plots have it; none of null.
-double drawn_k1_bar(const results::FrontResult* front);
+double k1_bar_for_plot(const results::FrontResult* front);
 
 /// At most `limit` increments, evenly chosen, first and last among them.
-std::vector<const results::Increment*> chosen_increments(const results::RunResult& run,
+std::vector<const results::Increment*> sample_increments(const results::RunResult& run,
                                                          std::size_t limit);
 
 } // namespace spricka::report

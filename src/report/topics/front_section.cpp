@@ -98,7 +98,7 @@ std::vector<std::vector<base::Vec3>> fronts_of(const results::Increment& increme
 /// The front in its body and the opened crack, at the end of the leading step.
 std::optional<Figure> crack_pictures(const model::Model& model, const results::Increment& increment,
                                      const std::string& name) {
-  const results::StepResult& step = *leading_result(model, increment);
+  const results::StepResult& step = *leading_step_result(model, increment);
   const auto front = std::ranges::find(step.fronts, name, &results::FrontResult::name);
   if (front == step.fronts.end() || increment.surface.size() > most_drawn_faces) {
     return std::nullopt;
@@ -110,7 +110,7 @@ std::optional<Figure> crack_pictures(const model::Model& model, const results::I
   view.k_name = typeset_unit(model.units.stress_intensity_name());
   view.length_name = model.units.length_name;
   Figure figure;
-  for (const std::string& drawing : {draw_front(view), draw_opening(view)}) {
+  for (const std::string& drawing : {draw_crack_front(view), draw_crack_opening(view)}) {
     if (!drawing.empty()) {
       figure.drawings.push_back(drawing);
     }

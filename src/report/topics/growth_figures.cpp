@@ -38,9 +38,9 @@ std::vector<DrawingPoint> life_points(const std::vector<results::LifeCurvePoint>
 
 /// Lengths over cycles: the curve as a line, what was solved as marks on it.
 void add_life_curve(Plot& plot, const GrowthResult& growth, std::size_t front) {
-  PlotSeries line = numbered_curve(growth.tips[front], front, front);
+  PlotSeries line = styled_curve(growth.tips[front], front, front);
   line.points = life_points(growth.curve, front);
-  PlotSeries marks = separate_marks("", closed_marker(front));
+  PlotSeries marks = marker_series("", closed_marker_shape(front));
   marks.colour = line.colour;
   for (const GrowthStation& station : growth.stations) {
     marks.points.push_back({station.cycles, station.tips[front].a});
@@ -51,7 +51,7 @@ void add_life_curve(Plot& plot, const GrowthResult& growth, std::size_t front) {
 
 /// Cycles that a $CHECK N(a) compares with.
 void add_checks(Plot& plot, const model::Model& model) {
-  PlotSeries marks = separate_marks("reference", MarkerShape::plus);
+  PlotSeries marks = marker_series("reference", MarkerShape::plus);
   for (const model::ResultCheck& check : model.checks) {
     const double* const a = check.quantity == "N" && check.arguments.size() == 1
                                 ? std::get_if<double>(&check.arguments[0])
@@ -98,16 +98,16 @@ std::string lines_picture(const model::Model& model, const results::RunResult& r
             axis_title("K₁", model.units.stress_intensity_name()),
             {}};
   plot.legend_below = true;
-  PlotSeries exact = numbered_curve("K of every load", 0, 0);
+  PlotSeries exact = styled_curve("K of every load", 0, 0);
   for (std::size_t k = 0; k < path.t.size(); ++k) {
     exact.points.push_back({path.t[k], K1.at_knot(k)});
   }
   plot.series.push_back(std::move(exact));
   for (std::size_t k = 0; k < run.growth->scaled.size(); ++k) {
     const bool scaled = run.growth->scaled[k].name == "scaled";
-    PlotSeries line = numbered_curve(scaled ? "scaled with the load"
-                                            : "a line through t = 0 and the largest load",
-                                     1 + k, 1 + k);
+    PlotSeries line =
+        styled_curve(scaled ? "scaled with the load" : "a line through t = 0 and the largest load",
+                     1 + k, 1 + k);
     line.points = {{0.0, scaled ? 0.0 : K1(0.0)}, {top, K1(top)}};
     plot.series.push_back(std::move(line));
   }
@@ -128,7 +128,7 @@ Figure life_figure(const model::Model& model, const results::RunResult& run) {
   std::string more;
   for (std::size_t k = 0; k < growth.scaled.size(); ++k) {
     PlotSeries& series = plot.series.emplace_back(
-        numbered_curve(scaled_life_legend(growth.scaled[k]), growth.tips.size() + k, 1 + k));
+        styled_curve(scaled_life_legend(growth.scaled[k]), growth.tips.size() + k, 1 + k));
     series.points = life_points(growth.scaled[k].curve, 0);
     plot.legend_below = true;
     plot.series.front().name = growth.tips.front() + ", K of every load";
@@ -157,7 +157,7 @@ double bar_at(const model::Model& model, const results::RunResult& run,
       std::ranges::find(run.increments, station.increment, &results::Increment::number);
   return increment == run.increments.end()
              ? no_bar
-             : drawn_k1_bar(find_front_at_step(*increment, leading_step(model), name));
+             : k1_bar_for_plot(find_front_at_step(*increment, leading_step_name(model), name));
 }
 
 /// What the law was given at the stations.
@@ -170,9 +170,9 @@ Figure range_figure(const model::Model& model, const results::RunResult& run) {
   for (std::size_t t = 0; t < growth.tips.size(); ++t) {
     for (const bool largest : {true, false}) {
       PlotSeries series =
-          numbered_curve(fmt::format("{}, {}", growth.tips[t], largest ? "largest" : "smallest"), t,
-                         largest ? 0 : 1);
-      series.marker = closed_marker(t);
+          styled_curve(fmt::format("{}, {}", growth.tips[t], largest ? "largest" : "smallest"), t,
+                       largest ? 0 : 1);
+      series.marker = closed_marker_shape(t);
       for (const GrowthStation& station : growth.stations) {
         const results::GrownTipResult& tip = station.tips[t];
         series.points.push_back({tip.a, largest ? tip.K_max : tip.K_min});
@@ -204,8 +204,8 @@ std::optional<Figure> law_figure(const model::Model& model, const GrowthResult& 
   double low = std::numeric_limits<double>::max();
   double high = 0.0;
   for (std::size_t t = 0; t < growth.tips.size(); ++t) {
-    PlotSeries series = numbered_curve(growth.tips[t], t, 0);
-    series.marker = closed_marker(t);
+    PlotSeries series = styled_curve(growth.tips[t], t, 0);
+    series.marker = closed_marker_shape(t);
     for (const GrowthStation& station : growth.stations) {
       const results::GrownTipResult& tip = station.tips[t];
       const double range = tip.K_max - tip.K_min;
@@ -286,7 +286,7 @@ std::optional<Figure> exceedance_figure(const model::Model& model, const GrowthR
   const std::string& path = model.load_paths[spectrum.path].name;
   const auto curve = [](const std::string& title, const std::string& x, const std::string& y,
                         const std::vector<std::array<double, 2>>& of) {
-    PlotSeries series = numbered_curve("", 0, 0);
+    PlotSeries series = styled_curve("", 0, 0);
     series.points = steps(of);
     Plot plot{title, x, y, {series}};
     plot.log_x = true;

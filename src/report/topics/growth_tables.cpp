@@ -163,7 +163,7 @@ void write_life_curve_csv(const std::filesystem::path& file, const model::Model&
   write_file(file, columns.csv(units, std::views::iota(std::size_t{0}, growth.curve.size())));
 }
 
-ReportTable life_table(const model::Model& model, const results::RunResult& run) {
+ReportTable growth_station_table(const model::Model& model, const results::RunResult& run) {
   const base::UnitSystem& units = model.units;
   const results::GrowthResult growth = run.growth.value_or(results::GrowthResult());
   const std::string K = units.stress_intensity_name();

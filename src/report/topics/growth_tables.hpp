@@ -19,7 +19,7 @@ void write_life_curve_csv(const std::filesystem::path& file, const model::Model&
                           const results::RunResult& run);
 
 /// Stations of a growth by a law; without rows where there is none.
-ReportTable life_table(const model::Model& model, const results::RunResult& run);
+ReportTable growth_station_table(const model::Model& model, const results::RunResult& run);
 /// How it ended, after how many cycles, and how good they are: lines of text.
 std::string life_summary(const model::Model& model, const results::RunResult& run);
 

@@ -45,7 +45,7 @@ PlotSeries computed_series(const results::GrowthTestResult& test, const KFigureS
 }
 
 void add_measured(Plot& plot, const results::GrowthTestResult& test, const KFigureScale& scale) {
-  PlotSeries points = separate_marks("from the test, 95 %", MarkerShape::circle);
+  PlotSeries points = marker_series("from the test, 95 %", MarkerShape::circle);
   points.colour = palette_colour(1);
   for (const results::GrowthTestPoint& p : test.points) {
     if (std::isnan(p.K)) {
@@ -63,7 +63,7 @@ void add_measured(Plot& plot, const results::GrowthTestResult& test, const KFigu
 
 std::string readings_plot(const model::Model& model, const results::GrowthTestResult& test) {
   Plot plot{"Readings of the test", "N", axis_title("a", model.units.length_name), {}};
-  PlotSeries& readings = plot.series.emplace_back(separate_marks("", MarkerShape::circle));
+  PlotSeries& readings = plot.series.emplace_back(marker_series("", MarkerShape::circle));
   readings.colour = palette_colour(1);
   for (const auto& [cycles, a] : test.readings) {
     readings.points.push_back({cycles, a});
@@ -74,22 +74,22 @@ std::string readings_plot(const model::Model& model, const results::GrowthTestRe
 
 Figure figure_of(const model::Model& model, const results::RunResult& run,
                  const results::GrowthTestResult& test) {
-  const KFigureScale scale{find_nominal_state(model)};
+  const KFigureScale scale{find_nominal_stress_state(model)};
   Plot plot = scale.plot(model, "Stress intensity factor from the test over crack length");
   plot.legend_below = true;
   plot.series.push_back(computed_series(test, scale));
   add_measured(plot, test, scale);
-  std::vector<KReference> references = k_references(model, run);
-  std::erase_if(references, [&](const KReference& reference) {
-    return reference.tip != test.tip || reference.step != leading_step(model);
+  std::vector<KCheckReference> references = k_references(model, run);
+  std::erase_if(references, [&](const KCheckReference& reference) {
+    return reference.tip != test.tip || reference.step != leading_step_name(model);
   });
   constexpr std::array shapes{MarkerShape::diamond, MarkerShape::plus, MarkerShape::cross};
-  add_references(plot, references, "", shapes, scale);
+  add_reference_marks(plot, references, "", shapes, scale);
   return {{readings_plot(model, test), draw_svg(plot)},
           "",
           fmt::format("Test {}: the readings, the K₁ of {} that follows from its measured growth "
                       "({}, {}), and K₁ computed at step {}.{}",
-                      test.name, test.tip, test.method, test.reference, leading_step(model),
+                      test.name, test.tip, test.method, test.reference, leading_step_name(model),
                       scale.state ? fmt::format(" R = {:.6g} {}, σ = {:.4g} {} (the deck's "
                                                 "parameters R and SIGMA).",
                                                 scale.state->radius, model.units.length_name,
@@ -135,7 +135,7 @@ void write_test_csv(const std::filesystem::path& file, const model::Model& model
   write_file(file, columns.csv(units, rows));
 }
 
-ReportTable growth_test_table(const model::Model& model, const results::RunResult& run) {
+ReportTable growth_test_summary_table(const model::Model& model, const results::RunResult& run) {
   using Test = results::GrowthTestResult;
   const auto compared = [](const Test& test) {
     return results::compare_test_k(test, 0.0, k_infinite);

@@ -18,7 +18,7 @@ void write_test_csv(const std::filesystem::path& file, const model::Model& model
                     const results::RunResult& run);
 
 /// One row for each test: how it was read and how far K is from the computed one.
-ReportTable growth_test_table(const model::Model& model, const results::RunResult& run);
+ReportTable growth_test_summary_table(const model::Model& model, const results::RunResult& run);
 /// The points of one test: cycles, length, rate, ratio, measured K with its band, computed K.
 ReportTable test_points_table(const model::Model& model, const results::GrowthTestResult& test);
 

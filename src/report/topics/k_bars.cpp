@@ -10,7 +10,7 @@
 
 namespace spricka::report {
 
-std::string k_with_bar(double K, const results::KErrorBar& bar) {
+std::string k_with_bar_text(double K, const results::KErrorBar& bar) {
   const double size = bar.size();
   if (!(size > 0.0) || !std::isfinite(size) || std::abs(std::log10(size)) > 9.0) {
     return fmt::format("{:.6g} +- {:.2g}; best {:.6g}", K, size, bar.best);
@@ -33,7 +33,7 @@ std::string format_error_bar(double size) {
   return fmt::format("{:.0f}", unit * std::round(size / unit));
 }
 
-std::string k_bar_lines(const results::Increment& increment) {
+std::string k_error_bar_lines(const results::Increment& increment) {
   const std::vector<FrontRow> rows = front_rows({&increment, 1});
   std::size_t step_width = 0;
   std::size_t name_width = 0;
@@ -47,7 +47,7 @@ std::string k_bar_lines(const results::Increment& increment) {
       const results::FrontPointResult& tip = row.front.tip();
       lines +=
           fmt::format("  {:<{}}  {:<{}}  K{} = {}\n", row.step.step, step_width, row.front.name,
-                      name_width, k + 1, k_with_bar(k == 0 ? tip.K1 : tip.K2, tip.bar[k]));
+                      name_width, k + 1, k_with_bar_text(k == 0 ? tip.K1 : tip.K2, tip.bar[k]));
     }
   }
   return lines;

@@ -8,12 +8,12 @@ namespace spricka::report {
 
 /// "630.44 +- 0.47 (mesh 0.39, contact edge 0.02, floor 0.06); best 630.68": as many decimals as
 /// the bar has meaning.
-std::string k_with_bar(double K, const results::KErrorBar& bar);
+std::string k_with_bar_text(double K, const results::KErrorBar& bar);
 
 /// Half width of an error bar, two digits that count: "290", "0.053", "1.2e-05".
 std::string format_error_bar(double size);
 
 /// A line for K1 and one for K2 of every tip and step; empty without bars and in space.
-std::string k_bar_lines(const results::Increment& increment);
+std::string k_error_bar_lines(const results::Increment& increment);
 
 } // namespace spricka::report

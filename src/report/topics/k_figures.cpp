@@ -30,7 +30,7 @@ std::string upper_case(std::string text) {
 std::vector<std::string> front_names(const results::RunResult& run) {
   std::vector<std::string> names;
   for (const FrontRow& row : front_rows(run.increments)) {
-    add_new(names, row.front.name);
+    add_unique(names, row.front.name);
   }
   return names;
 }
@@ -41,7 +41,7 @@ PlotSeries k_history(const results::RunResult& run, std::string_view step, std::
   for (const results::Increment& increment : run.increments) {
     if (const auto* const found = find_front_at_step(increment, step, front)) {
       curve.points.push_back({found->a, found->tip().K1});
-      curve.bars.push_back(drawn_k1_bar(found));
+      curve.bars.push_back(k1_bar_for_plot(found));
     }
   }
   return curve;
@@ -118,10 +118,10 @@ PlotSeries group_series(const CurveGroup& group, bool name_fronts, std::size_t i
   if (name_fronts) {
     name += fmt::format(": {}", fmt::join(group.fronts, ", "));
   }
-  PlotSeries series = numbered_curve(std::move(name), ink, pattern);
+  PlotSeries series = styled_curve(std::move(name), ink, pattern);
   series.points = group.curve.points;
   series.bars = group.curve.bars;
-  series.marker = closed_marker(ink);
+  series.marker = closed_marker_shape(ink);
   return series;
 }
 
@@ -135,26 +135,27 @@ double find_number(const model::Model& model, std::string_view name) {
 }
 
 /// Empty where the reference is 0.
-std::string percent(const KReference& r) {
+std::string percent(const KCheckReference& r) {
   return r.wanted == 0.0 ? std::string()
                          : fmt::format("{:+.2f}", 100.0 * (r.found / r.wanted - 1.0));
 }
 
 /// What stands beside the normalised plot: the references of its step.
 ReportTable normalised_table(const NominalStressState& state,
-                             const std::vector<KReference>& references, const std::string& step) {
-  std::vector<KReference> rows;
+                             const std::vector<KCheckReference>& references,
+                             const std::string& step) {
+  std::vector<KCheckReference> rows;
   std::ranges::copy(references | std::views::filter([&](const auto& r) { return r.step == step; }),
                     std::back_inserter(rows));
-  const auto over_k0 = [&](double KReference::*K) {
-    return [&state, K](const KReference& r) { return r.*K / state.k0(r.a); };
+  const auto over_k0 = [&](double KCheckReference::*K) {
+    return [&state, K](const KCheckReference& r) { return r.*K / state.k0(r.a); };
   };
-  Columns<KReference> columns;
-  columns.words("tip", &KReference::tip)
+  Columns<KCheckReference> columns;
+  columns.words("tip", &KCheckReference::tip)
       .number(
-          "a/R", "", [&](const KReference& r) { return r.a / state.radius; }, "{:.3g}")
-      .number("computed", "", over_k0(&KReference::found), "{:.3f}")
-      .number("reference", "", over_k0(&KReference::wanted), "{:.3f}")
+          "a/R", "", [&](const KCheckReference& r) { return r.a / state.radius; }, "{:.3g}")
+      .number("computed", "", over_k0(&KCheckReference::found), "{:.3f}")
+      .number("reference", "", over_k0(&KCheckReference::wanted), "{:.3f}")
       .number("error", "%", percent);
   return columns.table("K₁ / (σ √(πa))", rows);
 }
@@ -171,13 +172,14 @@ double NominalStressState::k0(double a) const {
   return sigma * std::sqrt(std::numbers::pi * a);
 }
 
-std::optional<NominalStressState> find_nominal_state(const model::Model& model) {
+std::optional<NominalStressState> find_nominal_stress_state(const model::Model& model) {
   const NominalStressState state{find_number(model, "R"), find_number(model, "SIGMA")};
   return state.radius > 0.0 && state.sigma > 0.0 ? std::optional(state) : std::nullopt;
 }
 
-std::vector<KReference> k_references(const model::Model& model, const results::RunResult& run) {
-  std::vector<KReference> references;
+std::vector<KCheckReference> k_references(const model::Model& model,
+                                          const results::RunResult& run) {
+  std::vector<KCheckReference> references;
   for (const model::ResultCheck& check : model.checks) {
     if ((check.quantity != "K" && check.quantity != "K1") || check.arguments.size() < 2) {
       continue;
@@ -212,16 +214,17 @@ Plot KFigureScale::plot(const model::Model& model, const std::string& label) con
           {}};
 }
 
-void add_references(Plot& plot, const std::vector<KReference>& references, std::string_view step,
-                    std::span<const MarkerShape> shapes, const KFigureScale& scale) {
+void add_reference_marks(Plot& plot, const std::vector<KCheckReference>& references,
+                         std::string_view step, std::span<const MarkerShape> shapes,
+                         const KFigureScale& scale) {
   std::vector<std::string> sources;
-  for (const KReference& reference : references) {
-    add_new(sources, reference.source);
+  for (const KCheckReference& reference : references) {
+    add_unique(sources, reference.source);
   }
   for (std::size_t i = 0; i < sources.size(); ++i) {
     PlotSeries series =
-        separate_marks(sources[i].empty() ? "reference" : sources[i], shapes[i % shapes.size()]);
-    for (const KReference& reference : references) {
+        marker_series(sources[i].empty() ? "reference" : sources[i], shapes[i % shapes.size()]);
+    for (const KCheckReference& reference : references) {
       if (reference.source == sources[i] && (step.empty() || reference.step == step)) {
         series.points.push_back(scale(reference.a, reference.wanted));
       }
@@ -250,7 +253,7 @@ std::optional<Figure> k_figure(const model::Model& model, const results::RunResu
     last_step = group.steps.front();
     plot.series.push_back(group_series(group, fronts.size() > 1, ink, pattern));
   }
-  add_references(plot, k_references(model, run), "", reference_marks, {});
+  add_reference_marks(plot, k_references(model, run), "", reference_marks, {});
   if (!any) {
     return std::nullopt;
   }
@@ -260,9 +263,10 @@ std::optional<Figure> k_figure(const model::Model& model, const results::RunResu
                     error_bar_note(plot.series)};
 }
 
-std::optional<Figure> normalised_figure(const model::Model& model, const results::RunResult& run) {
-  const KFigureScale scale{find_nominal_state(model)};
-  const std::string step = leading_step(model);
+std::optional<Figure> normalised_k_figure(const model::Model& model,
+                                          const results::RunResult& run) {
+  const KFigureScale scale{find_nominal_stress_state(model)};
+  const std::string step = leading_step_name(model);
   const std::vector<std::string> fronts = front_names(run);
   if (!scale.state || !grows(run, fronts, step)) {
     return std::nullopt;
@@ -279,8 +283,8 @@ std::optional<Figure> normalised_figure(const model::Model& model, const results
     plot.series.push_back(std::move(series));
     ++ink;
   }
-  const std::vector<KReference> references = k_references(model, run);
-  add_references(plot, references, step, reference_marks, scale);
+  const std::vector<KCheckReference> references = k_references(model, run);
+  add_reference_marks(plot, references, step, reference_marks, scale);
   plot.legend_below = true;
   const ReportTable table = normalised_table(*scale.state, references, step);
   Figure figure{
@@ -294,32 +298,32 @@ std::optional<Figure> normalised_figure(const model::Model& model, const results
           table.rows.empty() ? "" : " Marks: values the deck compares with.") +
           error_bar_note(plot.series)};
   if (!table.rows.empty()) {
-    figure.drawings.push_back(to_html(table));
+    figure.drawings.push_back(table_to_html(table));
   }
   return figure;
 }
 
-ReportTable reference_table(const model::Model& model, const results::RunResult& run) {
+ReportTable k_reference_table(const model::Model& model, const results::RunResult& run) {
   const std::string k_unit = model.units.stress_intensity_name();
-  Columns<KReference> columns;
-  columns.words("tip", &KReference::tip)
-      .words("step", &KReference::step)
-      .number("a", model.units.length_name, &KReference::a, "{:.4g}")
-      .number("K1", k_unit, &KReference::found, "{:.5g}")
+  Columns<KCheckReference> columns;
+  columns.words("tip", &KCheckReference::tip)
+      .words("step", &KCheckReference::step)
+      .number("a", model.units.length_name, &KCheckReference::a, "{:.4g}")
+      .number("K1", k_unit, &KCheckReference::found, "{:.5g}")
       .number("+-", k_unit,
-              [](const KReference& r) { return r.bar > 0.0 ? format_error_bar(r.bar) : ""; })
-      .number("reference", k_unit, &KReference::wanted, "{:.5g}")
+              [](const KCheckReference& r) { return r.bar > 0.0 ? format_error_bar(r.bar) : ""; })
+      .number("reference", k_unit, &KCheckReference::wanted, "{:.5g}")
       .number("error", "%", percent)
-      .words("source", &KReference::source);
+      .words("source", &KCheckReference::source);
   return columns.table("K1 beside its references", k_references(model, run));
 }
 
-double drawn_k1_bar(const results::FrontResult* front) {
+double k1_bar_for_plot(const results::FrontResult* front) {
   return front != nullptr && front->is_tip() && front->has_error_bar() ? front->tip().bar[0].size()
                                                                        : no_bar;
 }
 
-std::vector<const results::Increment*> chosen_increments(const results::RunResult& run,
+std::vector<const results::Increment*> sample_increments(const results::RunResult& run,
                                                          std::size_t limit) {
   std::vector<const results::Increment*> chosen;
   const std::size_t count = std::min(limit, run.increments.size());

@@ -65,8 +65,8 @@ struct KResultExtent {
 
   void add(const FrontRow& row) {
     increments.insert(row.increment.number);
-    add_new(steps, row.step.step);
-    add_new(ends, row.front.name);
+    add_unique(steps, row.step.step);
+    add_unique(ends, row.front.name);
     ++count;
   }
 };
@@ -121,7 +121,8 @@ std::size_t rows_of(const std::vector<ReportTable>& tables) {
 
 } // namespace
 
-std::vector<std::string> missing_bars(const results::RunResult& run, const NameTable& steps) {
+std::vector<std::string> missing_error_bar_reasons(const results::RunResult& run,
+                                                   const NameTable& steps) {
   std::vector<MissingBarReason> gaps;
   KResultExtent all;
   for (const FrontRow& row : front_rows(run.increments)) {
@@ -148,15 +149,15 @@ std::vector<std::string> missing_bars(const results::RunResult& run, const NameT
   return words;
 }
 
-KSection k_section(const model::Model& model, const results::RunResult& run) {
-  KSection section;
+KReportSection make_k_report_section(const model::Model& model, const results::RunResult& run) {
+  KReportSection section;
   if (model.mesh.dim == 3 && !run.increments.empty()) {
     section.pictures = front_figures(model, run);
     section.tables = front_tables(model, run.increments.back());
     return section;
   }
   const auto steps = largest_of_steps(run);
-  const std::string leading = leading_step(model);
+  const std::string leading = leading_step_name(model);
   double largest = 0.0;
   for (const auto& [step, size] : steps) {
     largest = std::max(largest, size);
@@ -164,7 +165,7 @@ KSection k_section(const model::Model& model, const results::RunResult& run) {
   NameTable shown;
   NameTable nothing;
   for (const auto& [step, size] : steps) {
-    add_new(step == leading || size > 1e-9 * largest ? shown : nothing, step);
+    add_unique(step == leading || size > 1e-9 * largest ? shown : nothing, step);
   }
   if (run.increments.size() == 1) {
     shown.insert(shown.end(), nothing.begin(), nothing.end());
@@ -188,11 +189,11 @@ KSection k_section(const model::Model& model, const results::RunResult& run) {
     }
   }
   std::erase_if(section.tables, [](const ReportTable& table) { return table.rows.empty(); });
-  for (std::string& words : missing_bars(run, shown)) {
+  for (std::string& words : missing_error_bar_reasons(run, shown)) {
     section.remarks.push_back(std::move(words));
   }
   add_figure(section.curves, k_figure(model, run));
-  add_figure(section.curves, normalised_figure(model, run));
+  add_figure(section.curves, normalised_k_figure(model, run));
   return section;
 }
 

@@ -10,7 +10,7 @@
 namespace spricka::report {
 
 /// K of every step of a run, and what a reader has to know of it.
-struct KSection {
+struct KReportSection {
   std::vector<Figure> pictures; ///< above the tables: K along fronts in space, and the cracks
   /// In space of the last length, front by front. In the plane of one length: one table of all
   /// steps. Several: one of each step whose K is not nothing, the leading step's first, of too many
@@ -20,11 +20,11 @@ struct KSection {
   std::vector<Figure> curves;       ///< below: K over the length, in the plane
 };
 /// Chooses the tables of K for a run by its number of lengths and steps, with the remarks on them.
-KSection k_section(const model::Model& model, const results::RunResult& run);
+KReportSection make_k_report_section(const model::Model& model, const results::RunResult& run);
 
 /// For each reason why a K of these steps has no error bar: "No error bar at increments 2 to 7:
 /// they are worked out at the first length only ..". Empty where all have one.
-std::vector<std::string> missing_bars(const results::RunResult& run,
-                                      const std::vector<std::string>& steps);
+std::vector<std::string> missing_error_bar_reasons(const results::RunResult& run,
+                                                   const std::vector<std::string>& steps);
 
 } // namespace spricka::report

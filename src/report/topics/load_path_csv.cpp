@@ -30,9 +30,9 @@ std::string changes_at(const model::Mesh& mesh, const results::LoadPathResult& p
       continue;
     }
     const results::LoadPathContact* contact = results::find_contact(path, change.contact);
-    text += fmt::format("{}{}{}@{:.6g}", text.empty() ? "" : " ", change.closes ? '+' : '-',
-                        change.contact,
-                        contact == nullptr ? change.place : printed_place(*contact, change.place));
+    text += fmt::format(
+        "{}{}{}@{:.6g}", text.empty() ? "" : " ", change.closes ? '+' : '-', change.contact,
+        contact == nullptr ? change.place : place_in_table_units(*contact, change.place));
   }
   return text;
 }
@@ -82,10 +82,10 @@ void add_contact_columns(Columns<PathRow>& columns, const std::string& name) {
     return contact != nullptr && contact->closed[row.knot] > 0 && row.increment.mesh.dim != 3;
   });
   columns.exact(name + ".from", [=](const PathRow& row) {
-    return printed_place(*found(row), found(row)->from[row.knot]);
+    return place_in_table_units(*found(row), found(row)->from[row.knot]);
   });
   columns.exact(name + ".to", [=](const PathRow& row) {
-    return printed_place(*found(row), found(row)->to[row.knot]);
+    return place_in_table_units(*found(row), found(row)->to[row.knot]);
   });
 }
 
@@ -107,7 +107,7 @@ std::vector<std::string> path_tip_names(const results::RunResult& run) {
     for (const results::LoadPathResult& path : increment.paths) {
       for (const results::LoadPathFront& front : path.fronts) {
         if (front.is_tip()) {
-          add_new(names, front.is.name);
+          add_unique(names, front.is.name);
         }
       }
     }
@@ -122,7 +122,7 @@ std::vector<std::string> contact_names(const model::Model& model, const results:
   for (const results::Increment& increment : run.increments) {
     for (const results::LoadPathResult& path : increment.paths) {
       for (const results::LoadPathContact& contact : path.contacts) {
-        add_new(names, contact.name);
+        add_unique(names, contact.name);
       }
     }
   }
@@ -131,7 +131,7 @@ std::vector<std::string> contact_names(const model::Model& model, const results:
 
 } // namespace
 
-double printed_place(const results::LoadPathContact& contact, double place) {
+double place_in_table_units(const results::LoadPathContact& contact, double place) {
   return contact.round ? place * degrees_per_radian : place;
 }
 

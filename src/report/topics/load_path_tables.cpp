@@ -81,8 +81,9 @@ Kink sharpest(const base::PiecewiseLinear& K) {
 std::string arc(const results::LoadPathContact& contact, std::size_t k) {
   return contact.closed[k] == 0
              ? "open"
-             : fmt::format("{:.4g} .. {:.4g}{}", printed_place(contact, contact.from[k]),
-                           printed_place(contact, contact.to[k]), contact.round ? " deg" : "");
+             : fmt::format("{:.4g} .. {:.4g}{}", place_in_table_units(contact, contact.from[k]),
+                           place_in_table_units(contact, contact.to[k]),
+                           contact.round ? " deg" : "");
 }
 
 // The slope as steps.
@@ -112,7 +113,7 @@ PlotSeries end_bars(const results::Increment& increment, const results::LoadPath
     if (point.x == 0.0 || point.x == 1.0) {
       const std::string& step = point.x == 0.0 ? path.from : path.to;
       series.points.push_back(point);
-      series.bars.push_back(drawn_k1_bar(find_front_at_step(increment, step, curve.tip)));
+      series.bars.push_back(k1_bar_for_plot(find_front_at_step(increment, step, curve.tip)));
     }
   }
   return series;
@@ -128,7 +129,7 @@ void add_openings(Plot& plot, const results::LoadPathResult& path, const base::P
     const MarkerShape marker = shapes[shape++ % shapes.size()];
     if (contact.opening) {
       plot.series
-          .emplace_back(separate_marks(
+          .emplace_back(marker_series(
               named ? fmt::format("{} begins to open", contact.name) : std::string(), marker))
           .points = {{*contact.opening, K1(*contact.opening)}};
     }
@@ -140,13 +141,13 @@ Figure figure_of(const model::Model& model, const results::RunResult& run, std::
   Plot value{"Stress intensity factor over the load path", "t", axis_title("K₁", unit), {}};
   Plot slope{"Its slope", "t", axis_title("dK₁/dt", unit), {}};
   value.legend_below = slope.legend_below = true;
-  const auto increments = chosen_increments(run, 6);
+  const auto increments = sample_increments(run, 6);
   for (std::size_t ink = 0; ink < increments.size(); ++ink) {
     const results::LoadPathResult& path = increments[ink]->paths[p];
     std::size_t pattern = 0;
     const std::vector<ShownCurve> curves = shown_curves(path);
     for (const ShownCurve& curve : curves) {
-      PlotSeries series = numbered_curve(
+      PlotSeries series = styled_curve(
           fmt::format("{}a = {:.4g} {}", curves.size() > 1 ? curve.name + ", " : std::string(),
                       curve.a, model.units.length_name),
           ink, pattern++);
@@ -214,7 +215,7 @@ ReportTable load_path_table(const model::Model& model, const results::Increment&
   return columns.table("Load paths: K1 over t", rows);
 }
 
-ReportTable opening_table(const results::Increment& increment) {
+ReportTable contact_opening_table(const results::Increment& increment) {
   struct OpeningRow {
     const results::LoadPathResult& path;
     const results::LoadPathContact& contact;

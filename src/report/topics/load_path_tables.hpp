@@ -12,7 +12,7 @@
 namespace spricka::report {
 
 /// A place on a contact as tables show it: an angle on a circle in degrees, else the length.
-double printed_place(const results::LoadPathContact& contact, double place);
+double place_in_table_units(const results::LoadPathContact& contact, double place);
 
 /// load_path.csv: one row for each breakpoint, first and last t of each path and increment:
 /// increment,path,t,changes, then of each tip K1,K2 and their slopes before and behind, then of
@@ -30,7 +30,7 @@ void write_load_path_fronts_csv(const std::filesystem::path& file, const model::
 /// front its points with the largest and the smallest K1.
 ReportTable load_path_table(const model::Model& model, const results::Increment& increment);
 /// When each contact begins to open, and what is closed at both ends.
-ReportTable opening_table(const results::Increment& increment);
+ReportTable contact_opening_table(const results::Increment& increment);
 
 /// K1 over t and its slope, with the kinks; one figure for each path, at most six lengths.
 std::vector<Figure> load_path_figures(const model::Model& model, const results::RunResult& run);

@@ -44,7 +44,7 @@ TipMeshPlace find_tip_place(const model::Mesh& mesh, const base::Vec3& x) {
 void magnify(MeshView& view, const results::StepResult& step, double largest, double share) {
   if (largest > 0.0) {
     view.u = &step.u;
-    view.magnify = magnification(largest, share);
+    view.magnify = displacement_magnification(largest, share);
   }
 }
 
@@ -87,7 +87,7 @@ std::string tip_drawing(const model::Model& model, const results::Increment& inc
                            model.units.length_name);
   const base::Vec3 middle = end.x - 0.45 * tip.a * end.direction;
   set_window(view, close ? end.x : middle, close ? 5.0 * place.element : 0.85 * tip.a);
-  if (const results::StepResult* const step = leading_result(model, increment)) {
+  if (const results::StepResult* const step = leading_step_result(model, increment)) {
     deform(view, *step, place.node);
   }
   return draw_svg(view);
@@ -120,7 +120,7 @@ Figure whole_mesh(const model::Model& model, const results::Increment& increment
   view.title = "Mesh";
   view.marks = &model;
   std::string cracks;
-  if (const results::StepResult* const step = leading_result(model, increment)) {
+  if (const results::StepResult* const step = leading_step_result(model, increment)) {
     for (const results::FrontResult& tip : step->fronts) {
       if (const results::FrontPointResult& end = tip.tip(); !end.direction.isZero()) {
         view.labels.push_back({{end.x[0], end.x[1]}, tip.name});
@@ -130,7 +130,7 @@ Figure whole_mesh(const model::Model& model, const results::Increment& increment
     }
   }
   return {{draw_svg(view)},
-          model_legend(model, 660.0),
+          model_marks_legend(model, 660.0),
           fmt::format("The mesh, {} elements, one tint for each part (net){}. Heavy lines are "
                       "edges of one element only: outlines and crack faces.{}",
                       mesh.element_count(), cracks,
@@ -193,7 +193,7 @@ std::string stress_drawing(const model::Model& model, const results::Increment& 
   const auto [low, high] = std::ranges::minmax(view.field);
   largest = high;
   const double most = level_of_most(increment.mesh, view.field);
-  view.scale = scale_between(low, most > low ? most : high);
+  view.scale = make_colour_scale(low, most > low ? most : high);
   view.field_words = fmt::format("von Mises, {}", typeset_unit(model.units.stress_name()));
   deform_all(view, step);
   return draw_svg(view);
@@ -207,7 +207,7 @@ std::string displacement_drawing(const model::Model& model, const results::Incre
   for (const base::NodeId n : increment.mesh.nodes) {
     view.field.push_back(step.u.segment<2>(static_cast<Eigen::Index>(2 * n.index())).norm());
   }
-  view.scale = scale_between(0.0, std::ranges::max(view.field));
+  view.scale = make_colour_scale(0.0, std::ranges::max(view.field));
   view.field_words = fmt::format("|u|, {}", model.units.length_name);
   deform_all(view, step);
   return draw_svg(view);
@@ -217,12 +217,12 @@ std::string displacement_drawing(const model::Model& model, const results::Incre
 /// stresses.
 const results::StepResult* stressed(const model::Model& model,
                                     const results::Increment& increment) {
-  const results::StepResult* best = leading_result(model, increment);
+  const results::StepResult* best = leading_step_result(model, increment);
   if (best == nullptr || has_significant_stress(model, increment, *best)) {
     return best == nullptr || best->stress.empty() ? nullptr : best;
   }
   for (const results::StepResult& step : increment.steps) {
-    best = largest_stress(step) > largest_stress(*best) ? &step : best;
+    best = largest_von_mises_stress(step) > largest_von_mises_stress(*best) ? &step : best;
   }
   return best->stress.empty() ? nullptr : best;
 }
@@ -273,8 +273,8 @@ std::optional<Figure> crack_figure(const model::Model& model, const results::Run
   Figure figure;
   const results::Increment* last = nullptr;
   const results::FrontResult* last_tip = nullptr;
-  for (const results::Increment* const increment : chosen_increments(run, 2)) {
-    const results::StepResult* const step = leading_result(model, *increment);
+  for (const results::Increment* const increment : sample_increments(run, 2)) {
+    const results::StepResult* const step = leading_step_result(model, *increment);
     const results::FrontResult* const tip =
         step == nullptr ? nullptr : results::find_front(*step, name);
     if (tip != nullptr && !tip->tip().direction.isZero() && tip->a > 0.0) {
@@ -289,7 +289,7 @@ std::optional<Figure> crack_figure(const model::Model& model, const results::Run
   figure.drawings.push_back(tip_drawing(model, *last, *last_tip, true));
   figure.caption = fmt::format("The mesh round crack {} at the end of step {}, deformed, the tip "
                                "held in its place; other bodies are left out.",
-                               name, leading_result(model, *last)->step);
+                               name, leading_step_result(model, *last)->step);
   return figure;
 }
 
@@ -333,7 +333,7 @@ std::vector<Figure> mesh_figures(const model::Model& model, const results::RunRe
   const results::Increment& last = run.increments.back();
   figures.push_back(whole_mesh(model, last));
   add_figure(figures, field_figure(model, last));
-  if (const results::StepResult* const step = leading_result(model, last)) {
+  if (const results::StepResult* const step = leading_step_result(model, last)) {
     for (const results::FrontResult& tip : step->fronts) {
       add_figure(figures, crack_figure(model, run, tip.name));
     }

@@ -122,7 +122,7 @@ ReportTable contact_pair_table(const model::Model& model) {
   return columns.table("Contacts", model.contacts);
 }
 
-ReportTable rigid_table(const model::Model& model) {
+ReportTable rigid_target_table(const model::Model& model) {
   using Target = model::RigidTarget;
   using Shape = model::RigidTargetShape;
   static constexpr std::array shapes{"line", "arc", "plane", "cylinder", "cone", "sphere"};
@@ -151,7 +151,8 @@ ReportTable rigid_table(const model::Model& model) {
   return columns.table("Rigid targets", model.rigids);
 }
 
-ReportTable load_table(const std::vector<results::LoadTotal>& loads, const LoadTableUnits& form) {
+ReportTable load_total_table(const std::vector<results::LoadTotal>& loads,
+                             const LoadTableUnits& form) {
   using Total = results::LoadTotal;
   const std::string moment = form.force_unit + " " + form.length_unit;
   Columns<Total> columns;
@@ -169,7 +170,7 @@ ReportTable load_table(const std::vector<results::LoadTotal>& loads, const LoadT
       loads);
 }
 
-ReportTable script_table(const std::vector<results::ReportedScriptConstant>& constants) {
+ReportTable script_constant_table(const std::vector<results::ReportedScriptConstant>& constants) {
   using Constant = results::ReportedScriptConstant;
   return Columns<Constant>()
       .words("script", &Constant::file)
@@ -179,8 +180,8 @@ ReportTable script_table(const std::vector<results::ReportedScriptConstant>& con
       .table("Constants of geometry scripts", constants);
 }
 
-std::string script_section(const std::vector<results::ReportedScriptConstant>& constants) {
-  return to_text_below(script_table(constants));
+std::string script_constant_section(const std::vector<results::ReportedScriptConstant>& constants) {
+  return to_text_after_blank_line(script_constant_table(constants));
 }
 
 } // namespace spricka::report

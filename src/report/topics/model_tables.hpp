@@ -23,7 +23,7 @@ ReportTable property_table(const model::Model& model);
 /// The contact pairs as declared.
 ReportTable contact_pair_table(const model::Model& model);
 /// Rigid targets by shape, points and radius; bores are marked.
-ReportTable rigid_table(const model::Model& model);
+ReportTable rigid_target_table(const model::Model& model);
 
 /// Units and form of a model, as far as totals of loads need them.
 struct LoadTableUnits {
@@ -32,12 +32,13 @@ struct LoadTableUnits {
 };
 
 /// Total force and moment of each load case with factor 1.
-ReportTable load_table(const std::vector<results::LoadTotal>& loads, const LoadTableUnits& form);
+ReportTable load_total_table(const std::vector<results::LoadTotal>& loads,
+                             const LoadTableUnits& form);
 
 /// The constants of geometry scripts: name, value, and whether the deck or the file has given it.
-ReportTable script_table(const std::vector<results::ReportedScriptConstant>& constants);
+ReportTable script_constant_table(const std::vector<results::ReportedScriptConstant>& constants);
 
 /// The same as a section of the listing; empty if there are none.
-std::string script_section(const std::vector<results::ReportedScriptConstant>& constants);
+std::string script_constant_section(const std::vector<results::ReportedScriptConstant>& constants);
 
 } // namespace spricka::report

@@ -55,8 +55,8 @@ std::string name_of(const base::Dimension& dimension, const base::UnitSystem& sy
 
 } // namespace
 
-std::string parameter_unit(const base::SourceTexts& sources, const base::UnitSystem& system,
-                           const std::string& name) {
+std::string find_parameter_unit(const base::SourceTexts& sources, const base::UnitSystem& system,
+                                const std::string& name) {
   for (std::int32_t f = 0; f < static_cast<std::int32_t>(sources.count()); ++f) {
     std::string_view text = sources.text(f);
     while (!text.empty()) {

@@ -105,7 +105,7 @@ PolarPlot polar_plot(const model::Model& model, const model::Contact& contact,
                                     : fmt::format("{}, a = {:.4g} {}", contact.name, increment.a,
                                                   model.units.length_name);
   plot.unit = model.units.stress_name();
-  const std::string first = leading_step(model);
+  const std::string first = leading_step_name(model);
   std::size_t others = 0; // their dashes show where curves lie on each other
   for (std::size_t s = 0; s < model.steps.size(); ++s) {
     const std::string& name = model.steps[s].name;
@@ -138,7 +138,7 @@ Figure polar_figure(const model::Model& model, const results::RunResult& run,
   }
   Figure figure;
   bool mouths = false;
-  for (const results::Increment* const increment : chosen_increments(run, 9)) {
+  for (const results::Increment* const increment : sample_increments(run, 9)) {
     PolarPlot plot = polar_plot(model, contact, *increment);
     if (plot.curves.empty()) {
       continue;
@@ -152,7 +152,7 @@ Figure polar_figure(const model::Model& model, const results::RunResult& run,
   figure.caption = fmt::format(
       "Pressure of contact {} at the ends of the steps, drawn outward from the circle of the bore "
       "({} recovery; θ from +x){}.{}",
-      contact.name, recovery_word(contact),
+      contact.name, pressure_recovery_word(contact),
       range.low < -0.02 * range.high ? "; inside the circle: tension" : "",
       mouths ? " Radial bars: crack mouths; there the pressure has no bound, and the curves are "
                "cut a little above the largest value more than 10° away."
@@ -179,7 +179,7 @@ Figure straight_figure(const model::Model& model, const results::RunResult& run,
                        const model::Contact& contact) {
   Figure figure;
   bool edges = false;
-  for (const results::Increment* const increment : chosen_increments(run, 9)) {
+  for (const results::Increment* const increment : sample_increments(run, 9)) {
     Plot plot{contact.name,
               axis_title("distance along the surface", model.units.length_name),
               axis_title("p", model.units.stress_name()),
@@ -190,7 +190,7 @@ Figure straight_figure(const model::Model& model, const results::RunResult& run,
       if (result == nullptr) {
         continue;
       }
-      PlotSeries series = numbered_curve(step.step, s, s);
+      PlotSeries series = styled_curve(step.step, s, s);
       for (const ContactPoint& point : result->points) {
         if (!at_edge(*result, point)) {
           series.points.push_back({point.arc, recovered_pressure(contact, point)});
@@ -205,7 +205,7 @@ Figure straight_figure(const model::Model& model, const results::RunResult& run,
   }
   figure.caption =
       fmt::format("Pressure of contact {} at the ends of the steps ({} recovery).{}", contact.name,
-                  recovery_word(contact),
+                  pressure_recovery_word(contact),
                   edges ? " Where contact reaches an edge of the surface, the values next to that "
                           "edge are left out: the pressure has no bound there."
                         : "");
@@ -241,7 +241,7 @@ double recovered_pressure(const model::Contact& contact, const results::ContactP
                                                                  : point.p_lumped;
 }
 
-const char* recovery_word(const model::Contact& contact) {
+const char* pressure_recovery_word(const model::Contact& contact) {
   return contact.recovery == model::PressureRecovery::consistent ? "consistent" : "lumped";
 }
 

@@ -48,7 +48,7 @@ const results::FrontResult* find_front_at_step(const results::Increment& increme
                                                std::string_view step, std::string_view front);
 
 /// Adds a name to those that are known, once.
-template <class Name> void add_new(std::vector<Name>& names, const Name& name) {
+template <class Name> void add_unique(std::vector<Name>& names, const Name& name) {
   if (std::ranges::find(names, name) == names.end()) {
     names.push_back(name);
   }

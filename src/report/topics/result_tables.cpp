@@ -56,7 +56,7 @@ double least_force(const model::Model& model, const results::Increment& incremen
 
 } // namespace
 
-ReportTable contact_table(const model::Model& model, const results::Increment& increment) {
+ReportTable contact_result_table(const model::Model& model, const results::Increment& increment) {
   const base::UnitSystem& units = model.units;
   const std::vector<ContactRow> rows = contact_rows({&increment, 1});
   double force = least_force(model, increment);
@@ -102,7 +102,7 @@ ReportTable contact_table(const model::Model& model, const results::Increment& i
   return columns.table("Contact", rows);
 }
 
-ReportTable moment_table(const model::Model& model, const results::Increment& increment) {
+ReportTable contact_moment_table(const model::Model& model, const results::Increment& increment) {
   Columns<ContactRow> columns = contact_columns();
   std::vector<ContactRow> rows;
   if (increment.mesh.dim == 3) {
@@ -209,7 +209,7 @@ ReportTable resultants(const model::Model& model, const results::Increment& incr
 
 } // namespace
 
-ReportTable balance_table(const model::Model& model, const results::Increment& increment) {
+ReportTable force_balance_table(const model::Model& model, const results::Increment& increment) {
   return resultants(model, increment, "Force balance", "body", &results::StepResult::balance);
 }
 
@@ -237,7 +237,7 @@ struct ErrorRow {
 
 } // namespace
 
-ReportTable error_table(const results::Increment& increment) {
+ReportTable energy_error_table(const results::Increment& increment) {
   std::vector<ErrorRow> rows;
   for (const results::StepResult& step : increment.steps) {
     for (const results::NetErrorEstimate& error : step.errors) {
@@ -266,23 +266,23 @@ ReportTable error_table(const results::Increment& increment) {
   return columns.table("Estimated energy error", rows);
 }
 
-std::string direction_note(const model::Model& model) {
+std::string force_direction_note(const model::Model& model) {
   return model::axisymmetric(model)
              ? "forces and energies are of the full circumference; radial forces balance round it "
                "and are not shown"
              : "";
 }
 
-std::string leading_step(const model::Model& model) {
+std::string leading_step_name(const model::Model& model) {
   if (model.growth && model.growth->kmax.valid()) {
     return model.steps[model.growth->kmax.index()].name;
   }
   return model.steps.empty() ? std::string() : model.steps.back().name;
 }
 
-const results::StepResult* leading_result(const model::Model& model,
-                                          const results::Increment& increment) {
-  const results::StepResult* const step = results::find_step(increment, leading_step(model));
+const results::StepResult* leading_step_result(const model::Model& model,
+                                               const results::Increment& increment) {
+  const results::StepResult* const step = results::find_step(increment, leading_step_name(model));
   return step != nullptr || increment.steps.empty() ? step : &increment.steps.back();
 }
 

@@ -10,33 +10,33 @@
 namespace spricka::report {
 
 /// Penetration, pressures, closed rows, force, arc and iterations for each step and contact.
-ReportTable contact_table(const model::Model& model, const results::Increment& increment);
+ReportTable contact_result_table(const model::Model& model, const results::Increment& increment);
 
 /// Moments on the contacts of each step, in space; no rows in the plane.
-ReportTable moment_table(const model::Model& model, const results::Increment& increment);
+ReportTable contact_moment_table(const model::Model& model, const results::Increment& increment);
 /// What friction did, by step and contact: rows by state, tractions, slip path and work; empty
 /// without friction.
 ReportTable friction_table(const model::Model& model, const results::Increment& increment);
 
 /// Applied loads, reactions, contact forces and, where there are any, forces of ties of each body,
 /// what is left of their sum, and strain energy.
-ReportTable balance_table(const model::Model& model, const results::Increment& increment);
+ReportTable force_balance_table(const model::Model& model, const results::Increment& increment);
 
 /// The same of each net; no rows where every net is one body.
 ReportTable net_balance_table(const model::Model& model, const results::Increment& increment);
 
 /// Estimated error of each net in the energy norm and the elements with most of it, for the steps
 /// whose stresses were recovered.
-ReportTable error_table(const results::Increment& increment);
+ReportTable energy_error_table(const results::Increment& increment);
 
 /// What a reader of forces has to know of the model; may be empty.
-std::string direction_note(const model::Model& model);
+std::string force_direction_note(const model::Model& model);
 
 /// Every check of the deck: found, wanted, error, tolerance, source.
-ReportTable check_table(const results::RunResult& run);
+ReportTable checks_table(const results::RunResult& run);
 
 /// The processors that ran, with times.
-ReportTable log_table(const results::RunResult& run);
+ReportTable run_log_table(const results::RunResult& run);
 
 /// The solutions on the way to K within its tolerance; without rows where no $TIPNET has TOL.
 /// `times`: with the CPU time of each, which is another in every run.
@@ -44,9 +44,9 @@ ReportTable tolerance_rounds_table(const results::RunResult& run, bool times);
 
 /// The step whose K the report shows first: KMAX of the growth, else the deck's last step; empty
 /// without steps.
-std::string leading_step(const model::Model& model);
+std::string leading_step_name(const model::Model& model);
 /// Its results in an increment, where there are none those of the last step; null without steps.
-const results::StepResult* leading_result(const model::Model& model,
-                                          const results::Increment& increment);
+const results::StepResult* leading_step_result(const model::Model& model,
+                                               const results::Increment& increment);
 
 } // namespace spricka::report

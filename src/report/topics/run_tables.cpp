@@ -4,7 +4,7 @@
 
 namespace spricka::report {
 
-ReportTable check_table(const results::RunResult& run) {
+ReportTable checks_table(const results::RunResult& run) {
   using Check = results::CheckResult;
   const auto share = [](const Check& check, double value, const char* percent, const char* other) {
     return check.relative ? cell_text(100.0 * value, percent) : cell_text(value, other);
@@ -24,7 +24,7 @@ ReportTable check_table(const results::RunResult& run) {
   return columns.table("Checks", run.checks);
 }
 
-ReportTable log_table(const results::RunResult& run) {
+ReportTable run_log_table(const results::RunResult& run) {
   using results::LogLine;
   return Columns<LogLine>()
       .words("processor", &LogLine::processor)

@@ -275,7 +275,7 @@ void write_sensitivity_csv(const std::filesystem::path& file, const model::Model
 }
 
 ReportTable sensitivity_table(const model::Model& model, const results::Increment& increment) {
-  const std::string step = leading_step(model);
+  const std::string step = leading_step_name(model);
   std::vector<CauseRow> rows;
   if (const results::StepResult* const found = results::find_step(increment, step)) {
     for (const SensitivePoint& point : leading_points(*found)) {
@@ -289,14 +289,14 @@ ReportTable sensitivity_table(const model::Model& model, const results::Incremen
       rows);
 }
 
-std::vector<std::string> sensitivity_notes(const model::Model& model,
-                                           const results::Increment& increment) {
+std::vector<std::string> missing_sensitivity_reasons(const model::Model& model,
+                                                     const results::Increment& increment) {
   std::vector<std::string> notes;
-  const results::StepResult* found = results::find_step(increment, leading_step(model));
+  const results::StepResult* found = results::find_step(increment, leading_step_name(model));
   if (found != nullptr) {
     for (const results::FrontResult& front : found->fronts) {
       for (const std::string& note : front.sensitivities.notes) {
-        add_new(notes, note);
+        add_unique(notes, note);
       }
     }
   }
@@ -304,9 +304,9 @@ std::vector<std::string> sensitivity_notes(const model::Model& model,
 }
 
 std::vector<Figure> sensitivity_figures(const model::Model& model, const results::RunResult& run) {
-  const std::string step = leading_step(model);
+  const std::string step = leading_step_name(model);
   Figure figure;
-  for (const results::Increment* increment : chosen_increments(run, 3)) {
+  for (const results::Increment* increment : sample_increments(run, 3)) {
     const results::StepResult* found = results::find_step(*increment, step);
     for (const SensitivePoint& point :
          found != nullptr ? leading_points(*found) : std::vector<SensitivePoint>()) {

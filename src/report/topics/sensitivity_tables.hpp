@@ -26,8 +26,8 @@ void write_sensitivity_csv(const std::filesystem::path& file, const model::Model
 /// inside with the largest K1.
 ReportTable sensitivity_table(const model::Model& model, const results::Increment& increment);
 /// What is not given there and why, each note once.
-std::vector<std::string> sensitivity_notes(const model::Model& model,
-                                           const results::Increment& increment);
+std::vector<std::string> missing_sensitivity_reasons(const model::Model& model,
+                                                     const results::Increment& increment);
 
 /// A tornado of K1 for each tip or front of the leading step, at three crack lengths at most.
 std::vector<Figure> sensitivity_figures(const model::Model& model, const results::RunResult& run);

@@ -23,8 +23,8 @@ public:
 
   /// Those that reach across the seam at +-pi come twice, once on each side.
   [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
-  [[nodiscard]] double axial_low() const { return low_; } ///< along the axis
-  [[nodiscard]] double axial_high() const { return high_; }
+  [[nodiscard]] double lowest_axial_position() const { return low_; } ///< along the axis
+  [[nodiscard]] double highest_axial_position() const { return high_; }
   [[nodiscard]] double largest_pressure() const { return largest_; }
   /// Linear between nodes; none where there is no surface.
   [[nodiscard]] std::optional<double> pressure_at(DrawingPoint at) const;

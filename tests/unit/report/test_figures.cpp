@@ -23,7 +23,7 @@ namespace {
 TEST(Ticks, AreRoundInsideAndAboutAsManyAsWanted) {
   for (const double scale : {1e-9, 3e-3, 0.7, 1.0, 42.0, 9.99e6}) {
     for (const double low : {0.0, -0.3, 0.21}) {
-      const std::vector<AxisTick> ticks = round_ticks(low * scale, scale, 6);
+      const std::vector<AxisTick> ticks = round_axis_ticks(low * scale, scale, 6);
       ASSERT_GE(ticks.size(), 3U);
       ASSERT_LE(ticks.size(), 9U);
       const double step = ticks[1].value - ticks[0].value;
@@ -36,8 +36,8 @@ TEST(Ticks, AreRoundInsideAndAboutAsManyAsWanted) {
       }
     }
   }
-  ASSERT_EQ(round_ticks(2.0, 2.0, 5).size(), 1U);
-  EXPECT_EQ(round_ticks(2.0, 2.0, 5).front().value, 2.0);
+  ASSERT_EQ(round_axis_ticks(2.0, 2.0, 5).size(), 1U);
+  EXPECT_EQ(round_axis_ticks(2.0, 2.0, 5).front().value, 2.0);
 }
 
 TEST(Ticks, ShowTheDigitsThatTellThemApart) {
@@ -64,27 +64,27 @@ TEST(PrintUnit, TurnsHalfPowersIntoRoots) {
 
 TEST(Nominal, IsFoundByNameInAnyCaseAndScalesK) {
   const test::Sample sample = test::make_sample();
-  const std::optional<NominalStressState> state = find_nominal_state(sample.model);
+  const std::optional<NominalStressState> state = find_nominal_stress_state(sample.model);
   ASSERT_TRUE(state);
   EXPECT_DOUBLE_EQ(state->radius, test::bore);
   EXPECT_DOUBLE_EQ(state->k0(6.0), test::sigma * std::sqrt(6.0 * std::numbers::pi));
   model::Model other = sample.model;
   other.parameters = {{"R", 36.0}};
-  EXPECT_FALSE(find_nominal_state(other));
+  EXPECT_FALSE(find_nominal_stress_state(other));
 }
 
 TEST(References, ComeFromTheChecksOnKAndMeetTheirIncrement) {
   test::Sample sample = test::make_sample();
-  const std::vector<KReference> references = k_references(sample.model, sample.run);
+  const std::vector<KCheckReference> references = k_references(sample.model, sample.run);
   ASSERT_EQ(references.size(), 2U);
-  for (const KReference& r : references) {
+  for (const KCheckReference& r : references) {
     EXPECT_EQ(r.tip, "C1");
     EXPECT_EQ(r.step, "LOAD");
     EXPECT_DOUBLE_EQ(r.found, test::k1(r.a));
     EXPECT_DOUBLE_EQ(r.wanted, 1.02 * r.found);
     EXPECT_EQ(r.source, "Handbook, Table 1");
   }
-  EXPECT_EQ(reference_table(sample.model, sample.run).rows[1][6], "-1.96");
+  EXPECT_EQ(k_reference_table(sample.model, sample.run).rows[1][6], "-1.96");
   sample.model.checks[0].quantity = "CPRESS.MAX";
   EXPECT_EQ(k_references(sample.model, sample.run).size(), 1U);
 }
@@ -92,10 +92,10 @@ TEST(References, ComeFromTheChecksOnKAndMeetTheirIncrement) {
 TEST(KFigure, NeedsTwoLengths) {
   test::Sample sample = test::make_sample();
   EXPECT_TRUE(k_figure(sample.model, sample.run));
-  EXPECT_TRUE(normalised_figure(sample.model, sample.run));
+  EXPECT_TRUE(normalised_k_figure(sample.model, sample.run));
   sample.run.increments.pop_back();
   EXPECT_FALSE(k_figure(sample.model, sample.run));
-  EXPECT_FALSE(normalised_figure(sample.model, sample.run));
+  EXPECT_FALSE(normalised_k_figure(sample.model, sample.run));
 }
 
 TEST(KFigure, NamesCurvesThatCoincideOnce) {
@@ -114,12 +114,12 @@ TEST(Increments, AreChosenEvenlyWithBothEnds) {
     run.increments.emplace_back().number = i;
   }
   std::vector<int> numbers;
-  for (const results::Increment* increment : chosen_increments(run, 3)) {
+  for (const results::Increment* increment : sample_increments(run, 3)) {
     numbers.push_back(increment->number);
   }
   EXPECT_EQ(numbers, (std::vector<int>{0, 5, 10}));
-  EXPECT_EQ(chosen_increments(run, 1).size(), 1U);
-  EXPECT_EQ(chosen_increments(run, 99).size(), 11U);
+  EXPECT_EQ(sample_increments(run, 1).size(), 1U);
+  EXPECT_EQ(sample_increments(run, 99).size(), 11U);
 }
 
 std::size_t count(const std::string& text, const std::string& part) {
@@ -153,13 +153,13 @@ TEST(MeshFigures, WithoutStressesTheFieldIsLeftOut) {
 }
 
 TEST(ColourScale, ItsEndsTakeWhatLiesBeyondThem) {
-  const ColourScale scale = scale_between(-2.0, 4.0);
+  const ColourScale scale = make_colour_scale(-2.0, 4.0);
   EXPECT_EQ(scale.band(-5.0), 0U);
   EXPECT_EQ(scale.band(-1.9), 0U);
   EXPECT_EQ(scale.band(1.0), colour_bands / 2);
   EXPECT_EQ(scale.band(4.0), colour_bands - 1);
   EXPECT_EQ(scale.band(9.0), colour_bands - 1);
-  EXPECT_EQ(scale_between(100.0, 100.0 * (1.0 + 1e-12)).low, 0.0) << "round-off has no colours";
+  EXPECT_EQ(make_colour_scale(100.0, 100.0 * (1.0 + 1e-12)).low, 0.0) << "round-off has no colours";
 }
 
 TEST(Notes, ThatDifferByNumbersAloneAreSaidOnce) {
@@ -321,9 +321,9 @@ TEST(HtmlPage, AndListingDoWithoutResults) {
 
 TEST(LeadingStep, IsKmaxOrTheLast) {
   test::Sample sample = test::make_sample();
-  EXPECT_EQ(leading_step(sample.model), "LOAD");
+  EXPECT_EQ(leading_step_name(sample.model), "LOAD");
   sample.model.growth.reset();
-  EXPECT_EQ(leading_step(sample.model), "UNLOAD");
+  EXPECT_EQ(leading_step_name(sample.model), "UNLOAD");
 }
 
 } // namespace

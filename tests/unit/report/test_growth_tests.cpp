@@ -72,7 +72,7 @@ TEST(GrowthTests, TablesHaveARowForEachPoint) {
   ASSERT_EQ(points.rows.size(), 5U);
   EXPECT_EQ(points.rows[0].back(), "2.000");
   EXPECT_EQ(points.rows[3].back(), "");
-  EXPECT_EQ(growth_test_table(model, run).rows.size(), 1U);
+  EXPECT_EQ(growth_test_summary_table(model, run).rows.size(), 1U);
   for (const auto& row : points.rows) {
     EXPECT_EQ(row.size(), points.columns.size());
   }

@@ -54,9 +54,9 @@ TEST(HtmlPage, SaysAtItsHeadThatThereAreWarnings) {
   EXPECT_TRUE(contains(notes, "end"));
 }
 
-TEST(KSection, HasEveryStepThatLoadsTheCracks) {
+TEST(KReportSection, HasEveryStepThatLoadsTheCracks) {
   test::Sample sample = test::make_sample();
-  KSection section = k_section(sample.model, sample.run);
+  KReportSection section = make_k_report_section(sample.model, sample.run);
   ASSERT_EQ(section.tables.size(), 2U);
   EXPECT_TRUE(contains(section.tables[0].title, "LOAD"));
   EXPECT_TRUE(contains(section.tables[1].title, "PRESS"));
@@ -65,32 +65,33 @@ TEST(KSection, HasEveryStepThatLoadsTheCracks) {
   EXPECT_EQ(section.remarks[0], "K is 0 at the end of UNLOAD.");
 
   sample.run.increments.resize(1); // one length: one table, and why UNLOAD has no bar
-  section = k_section(sample.model, sample.run);
+  section = make_k_report_section(sample.model, sample.run);
   ASSERT_EQ(section.tables.size(), 1U);
   EXPECT_EQ(section.tables[0].rows.size(), 3U);
   ASSERT_EQ(section.remarks.size(), 1U);
   EXPECT_TRUE(contains(section.remarks[0], "No error bar for step UNLOAD: "));
 }
 
-TEST(KSection, OfManyLengthsShowsTheLeadingStepAndNamesTheOthers) {
+TEST(KReportSection, OfManyLengthsShowsTheLeadingStepAndNamesTheOthers) {
   test::Sample sample = test::make_sample();
   const results::Increment one = sample.run.increments.front();
   while (sample.run.increments.size() < 50) {
     sample.run.increments.push_back(one);
   }
-  const KSection section = k_section(sample.model, sample.run);
+  const KReportSection section = make_k_report_section(sample.model, sample.run);
   ASSERT_EQ(section.tables.size(), 1U);
   EXPECT_TRUE(contains(section.tables[0].title, "LOAD"));
   EXPECT_TRUE(contains(section.remarks[0], "(PRESS)"));
 }
 
-TEST(KSection, ShowsRoundOffAsZero) {
+TEST(KReportSection, ShowsRoundOffAsZero) {
   test::Sample sample = test::make_sample();
   sample.run.increments.resize(1);
   results::FrontPointResult& tip = sample.run.increments[0].steps[2].fronts[0].tip();
   tip.K1 = 1e-12;
   tip.G = tip.G_from_K = 1e-30;
-  const std::vector<std::string> row = k_section(sample.model, sample.run).tables[0].rows[2];
+  const std::vector<std::string> row =
+      make_k_report_section(sample.model, sample.run).tables[0].rows[2];
   EXPECT_EQ(row[3], "0");
   EXPECT_EQ(row[7], "0");
 }
@@ -98,17 +99,17 @@ TEST(KSection, ShowsRoundOffAsZero) {
 TEST(MissingBars, AreGroupedByTheirReason) {
   test::Sample sample = test::make_sample();
   const std::vector<std::string> both{"PRESS", "LOAD"};
-  EXPECT_TRUE(missing_bars(sample.run, both).empty());
+  EXPECT_TRUE(missing_error_bar_reasons(sample.run, both).empty());
   for (results::StepResult& step : sample.run.increments[1].steps) {
     step.fronts[0].no_bar = "it is too hot";
   }
-  std::vector<std::string> words = missing_bars(sample.run, both);
+  std::vector<std::string> words = missing_error_bar_reasons(sample.run, both);
   ASSERT_EQ(words.size(), 1U);
   EXPECT_EQ(words[0], "No error bar for increment 2: it is too hot.");
   for (results::StepResult& step : sample.run.increments[0].steps) {
     step.fronts[0].no_bar = "it is too hot";
   }
-  words = missing_bars(sample.run, both);
+  words = missing_error_bar_reasons(sample.run, both);
   ASSERT_EQ(words.size(), 1U);
   EXPECT_EQ(words[0], "No error bar for any K here: it is too hot.");
 }
@@ -116,7 +117,7 @@ TEST(MissingBars, AreGroupedByTheirReason) {
 TEST(ReferenceTable, HasNoPercentOfZero) {
   test::Sample sample = test::make_sample();
   sample.model.checks[0].value = 0.0;
-  const ReportTable table = reference_table(sample.model, sample.run);
+  const ReportTable table = k_reference_table(sample.model, sample.run);
   EXPECT_EQ(table.rows[0][6], "");
   EXPECT_EQ(table.rows[1][6], "-1.96");
 }
@@ -200,12 +201,12 @@ TEST(RoundOff, ForcesThatAreNothingElseAreShownAsZero) {
     step.balance = {{"SLEEVE", {7e-12, 0, 0}, {0, 0, 0}, {-3e-11, 2e-12, 0}, {0, 0, 0}, 100.0}};
     step.contacts.clear();
   }
-  const ReportTable table = balance_table(sample.model, increment);
+  const ReportTable table = force_balance_table(sample.model, increment);
   for (const std::size_t column : {2U, 3U, 6U, 7U}) {
     EXPECT_EQ(table.rows[0][column], "0") << table.columns[column].name;
   }
   increment.steps[0].balance[0].applied.x() = 7.0;
-  EXPECT_EQ(balance_table(sample.model, increment).rows[0][2], "7");
+  EXPECT_EQ(force_balance_table(sample.model, increment).rows[0][2], "7");
 }
 
 // A body of a million times the stiffness says nothing about the stresses of the others.
@@ -225,12 +226,12 @@ TEST(RoundOff, IsMeasuredByTheSoftestBody) {
 
 TEST(ModelMarks, ShowWhatIsHeated) {
   test::Sample sample = test::make_sample();
-  EXPECT_FALSE(contains(model_legend(sample.model, 660.0), "temperature"));
+  EXPECT_FALSE(contains(model_marks_legend(sample.model, 660.0), "temperature"));
   model::Load load;
   load.type = model::LoadType::temperature;
   load.elements = base::ElementSetId(1);
   sample.model.cases = {{"COLD", {load}}, {"HOT", {load}}};
-  EXPECT_TRUE(contains(model_legend(sample.model, 660.0), ">temperature COLD, HOT<"));
+  EXPECT_TRUE(contains(model_marks_legend(sample.model, 660.0), ">temperature COLD, HOT<"));
   const std::string drawing = mesh_figures(sample.model, sample.run)[0].drawings[0];
   sample.model.cases.clear();
   const std::string without = mesh_figures(sample.model, sample.run)[0].drawings[0];
@@ -243,12 +244,12 @@ TEST(ParameterUnit, IsThatOfTheNumberInTheDeck) {
   sources.add_text("a.deck", "$PARAMETER\n  Delta = 84[um] ! old: delta = 3[kN]\n n = 3\n"
                              "! phi = 3[mm]\r\n phi=-30[deg]\r\n two = 2*3[mm]\n p = 1e3 [psi]\n");
   const base::UnitSystem system;
-  EXPECT_EQ(parameter_unit(sources, system, "delta"), "mm");
-  EXPECT_EQ(parameter_unit(sources, system, "n"), "");
-  EXPECT_EQ(parameter_unit(sources, system, "phi"), "rad");
-  EXPECT_EQ(parameter_unit(sources, system, "two"), "");
-  EXPECT_EQ(parameter_unit(sources, system, "p"), "MPa");
-  EXPECT_EQ(parameter_unit(sources, system, "elta"), "");
+  EXPECT_EQ(find_parameter_unit(sources, system, "delta"), "mm");
+  EXPECT_EQ(find_parameter_unit(sources, system, "n"), "");
+  EXPECT_EQ(find_parameter_unit(sources, system, "phi"), "rad");
+  EXPECT_EQ(find_parameter_unit(sources, system, "two"), "");
+  EXPECT_EQ(find_parameter_unit(sources, system, "p"), "MPa");
+  EXPECT_EQ(find_parameter_unit(sources, system, "elta"), "");
 }
 
 TEST(SweepPage, HasErrorBarsStepChecksAndUnits) {
@@ -265,7 +266,7 @@ TEST(SweepPage, HasErrorBarsStepChecksAndUnits) {
     point.warnings = delta > 0.15 ? 7 : 0;
     results::RunResult run = sample.run;
     run.increments.resize(1);
-    point.cells = sweep_cells(run);
+    point.cells = collect_sweep_values(run);
     sweep.points.push_back(point);
   }
   results::SweepPoint failed;
@@ -297,7 +298,7 @@ TEST(SweepPage, HasLives) {
     results::RunResult run = sample.run;
     run.growth.emplace();
     run.growth->curve = {{0.0, {1.0}}, {life, {2.0}}};
-    point.cells = sweep_cells(run);
+    point.cells = collect_sweep_values(run);
     EXPECT_EQ(point.cells.front().column_name(), "N");
     sweep.points.push_back(point);
   }

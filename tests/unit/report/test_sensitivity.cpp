@@ -21,8 +21,8 @@ using results::SensitivityParameter;
 test::Sample with_sensitivities() {
   test::Sample sample = test::make_sample();
   for (results::Increment& increment : sample.run.increments) {
-    const auto step =
-        std::ranges::find(increment.steps, leading_step(sample.model), &results::StepResult::step);
+    const auto step = std::ranges::find(increment.steps, leading_step_name(sample.model),
+                                        &results::StepResult::step);
     results::FrontResult& front = step->fronts.front();
     front.tip().K1 = 500.0;
     Sensitivity weak{
@@ -53,7 +53,7 @@ TEST(SensitivityTable, IsSortedAndShowsBothSidesOfACorner) {
   EXPECT_EQ(table.rows[1][4], "1 um");
   EXPECT_EQ(table.rows[1][5], "-0.2000 | -0.4000"); // 1 or 2 of 500 for a micrometre
   EXPECT_EQ(table.rows[2][1], "E AL");
-  EXPECT_EQ(sensitivity_notes(sample.model, sample.run.increments.front()),
+  EXPECT_EQ(missing_sensitivity_reasons(sample.model, sample.run.increments.front()),
             std::vector<std::string>{"no length"});
 }
 

@@ -38,8 +38,8 @@ results::ContactResult pressed_bore() {
 
 TEST(UnrolledSurface, PressureIsThereAllRoundAndNowhereElse) {
   const UnrolledSurface surface(pressed_bore(), false);
-  EXPECT_EQ(surface.axial_low(), 1.0);
-  EXPECT_EQ(surface.axial_high(), 3.0);
+  EXPECT_EQ(surface.lowest_axial_position(), 1.0);
+  EXPECT_EQ(surface.highest_axial_position(), 3.0);
   for (int i = 0; i <= 100; ++i) { // the seam at +-pi too
     const double theta = -pi + 2.0 * pi * i / 100.0;
     const std::optional<double> p = surface.pressure_at({theta, 2.0});

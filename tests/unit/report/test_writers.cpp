@@ -148,9 +148,9 @@ TEST_F(Writers, ListingEchoesTheDeckAndShowsEveryTable) {
 TEST(CheckListing, PlacesHaveAsManyCoordinatesAsTheMesh) {
   results::DeckPreview preview;
   preview.quality = {{"host", "aspect", 3.0, "A", 7, {1.0, 2.0, 3.0}}};
-  EXPECT_NE(check_listing(preview).find("(1, 2)"), std::string::npos);
+  EXPECT_NE(deck_preview_listing(preview).find("(1, 2)"), std::string::npos);
   preview.dim = 3;
-  EXPECT_NE(check_listing(preview).find("(1, 2, 3)"), std::string::npos);
+  EXPECT_NE(deck_preview_listing(preview).find("(1, 2, 3)"), std::string::npos);
 }
 
 TEST(StressInvariants, VonMisesInClosedForm) {
