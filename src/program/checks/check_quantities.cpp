@@ -34,7 +34,7 @@ double reaction(const model::Model& model, CheckArguments& args, const results::
                     "set with the whole edge there",
                     model.mesh.node_label[missing->index()]));
   }
-  std::vector<base::NodeId> nodes = nodes_of_set(at.increment->mesh, set);
+  std::vector<base::NodeId> nodes = nodes_of_named_set(at.increment->mesh, set);
   std::sort(nodes.begin(), nodes.end());
   // Elements of a set share nodes, whose reaction counts once.
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
@@ -109,25 +109,27 @@ struct QuantityFamily {
   Reader read;
 };
 constexpr std::array families{
-    QuantityFamily{"PATH", [](CheckLine& l) { return path_quantity(l.word, l.args, l.run); }},
-    QuantityFamily{"TEST", [](CheckLine& l) { return test_quantity(l.word, l.args, l.run); }},
+    QuantityFamily{"PATH",
+                   [](CheckLine& l) { return evaluate_path_quantity(l.word, l.args, l.run); }},
+    QuantityFamily{
+        "TEST", [](CheckLine& l) { return evaluate_growth_test_quantity(l.word, l.args, l.run); }},
     QuantityFamily{"N", [](CheckLine& l) { return cycles(l.word, l.args, l.run); }},
     QuantityFamily{"LIFE", [](CheckLine& l) { return cycles(l.word, l.args, l.run); }},
     QuantityFamily{"ENERGY", [](CheckLine& l) { return energy(l.args, l.run); }},
     QuantityFamily{"ERROR", [](CheckLine& l) { return estimated_error(l.args, l.run); }},
     QuantityFamily{"REACTION", [](CheckLine& l) { return reaction(l.model, l.args, l.run); }},
-    QuantityFamily{"U",
-                   [](CheckLine& l) { return field_quantity(l.model, l.word, l.args, l.run); }},
-    QuantityFamily{"S",
-                   [](CheckLine& l) { return field_quantity(l.model, l.word, l.args, l.run); }},
+    QuantityFamily{
+        "U", [](CheckLine& l) { return evaluate_field_quantity(l.model, l.word, l.args, l.run); }},
+    QuantityFamily{
+        "S", [](CheckLine& l) { return evaluate_field_quantity(l.model, l.word, l.args, l.run); }},
 };
 
 Reader reader_of(std::string_view word) {
   if (is_front_quantity(word)) {
-    return [](CheckLine& l) { return front_quantity(l.word, l.args, l.run); };
+    return [](CheckLine& l) { return evaluate_front_quantity(l.word, l.args, l.run); };
   }
   if (is_contact_quantity(word)) {
-    return [](CheckLine& l) { return contact_quantity(l.model, l.word, l.args, l.run); };
+    return [](CheckLine& l) { return evaluate_contact_quantity(l.model, l.word, l.args, l.run); };
   }
   const auto* const found =
       std::ranges::find(families, word.substr(0, word.find('.')), &QuantityFamily::name);
@@ -148,7 +150,7 @@ double evaluate(const model::Model& model, const model::ResultCheck& check,
 double bar_of(const model::Model& model, const model::ResultCheck& check,
               const results::RunResult& run) {
   model::ResultCheck asked = check;
-  asked.quantity = bar_part_word(check.quantity, "BAR");
+  asked.quantity = error_bar_part_word(check.quantity, "BAR");
   const bool one_place = !asked.quantity.ends_with(".MIN") && !asked.quantity.ends_with(".MAX");
   if (!asked.quantity.empty() && one_place) {
     try {

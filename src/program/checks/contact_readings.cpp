@@ -210,8 +210,8 @@ bool is_contact_quantity(std::string_view word) {
   return find_word(word) != nullptr || find_member(word) != nullptr;
 }
 
-double contact_quantity(const model::Model& model, const std::string& word, CheckArguments& args,
-                        const results::RunResult& run) {
+double evaluate_contact_quantity(const model::Model& model, const std::string& word,
+                                 CheckArguments& args, const results::RunResult& run) {
   const Word* const asked = find_word(word);
   const Argument argument = asked != nullptr ? asked->argument : Argument::none;
   const bool shear = word.starts_with("SHEAR.");

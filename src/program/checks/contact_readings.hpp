@@ -13,7 +13,7 @@ namespace spricka::program {
 bool is_contact_quantity(std::string_view word);
 
 /// The value of such a word. Throws Missing where there is none.
-double contact_quantity(const model::Model& model, const std::string& word, CheckArguments& args,
-                        const results::RunResult& run);
+double evaluate_contact_quantity(const model::Model& model, const std::string& word,
+                                 CheckArguments& args, const results::RunResult& run);
 
 } // namespace spricka::program

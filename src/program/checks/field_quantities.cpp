@@ -33,7 +33,7 @@ CheckedStep find_checked_step(const results::RunResult& run, const std::string& 
         : fmt::format("no results of step {}", step));
 }
 
-std::vector<base::NodeId> nodes_of_set(const model::Mesh& mesh, const std::string& name) {
+std::vector<base::NodeId> nodes_of_named_set(const model::Mesh& mesh, const std::string& name) {
   for (const model::NodeSet& set : mesh.node_sets) {
     if (set.name == name) {
       return set.nodes;
@@ -113,7 +113,7 @@ std::vector<double> stresses_of_set(const model::Model& model, const CheckedStep
   // Nodes whose elements a patch has replaced have the stress at their place.
   analysis::fill_removed_node_stresses(model, mesh, {at.step->u, at.step->temperature}, nodal);
   std::vector<bool> wanted(mesh.node_count(), false);
-  for (const base::NodeId n : nodes_of_set(mesh, name)) {
+  for (const base::NodeId n : nodes_of_named_set(mesh, name)) {
     wanted[n.index()] = true;
   }
   const model::PropertySplitPoints points = model::property_points(mesh);
@@ -152,8 +152,8 @@ double displacement_at(const model::Mesh& mesh, const base::Vector& u, const bas
 
 } // namespace
 
-double field_quantity(const model::Model& model, const std::string& quantity, CheckArguments& args,
-                      const results::RunResult& run) {
+double evaluate_field_quantity(const model::Model& model, const std::string& quantity,
+                               CheckArguments& args, const results::RunResult& run) {
   const FieldName field = split(quantity);
   if (field.how == "AT") {
     base::Vec3 x = base::Vec3::Zero();
@@ -181,7 +181,7 @@ double field_quantity(const model::Model& model, const std::string& quantity, Ch
   if (field.what == "S") {
     values = stresses_of_set(model, at, set, field.component);
   } else {
-    for (const base::NodeId n : nodes_of_set(at.increment->mesh, set)) {
+    for (const base::NodeId n : nodes_of_named_set(at.increment->mesh, set)) {
       values.push_back(at.step->u[static_cast<Eigen::Index>(n.index()) * at.increment->mesh.dim +
                                   axis_index(field.component)]);
     }

@@ -68,13 +68,13 @@ CheckedStep find_checked_step(const results::RunResult& run, const std::string& 
                               std::optional<double> a);
 
 /// Nodes of the node, face or element set of that name, perhaps several times.
-std::vector<base::NodeId> nodes_of_set(const model::Mesh& mesh, const std::string& name);
+std::vector<base::NodeId> nodes_of_named_set(const model::Mesh& mesh, const std::string& name);
 
 /// The number of a direction X, Y or Z.
 Eigen::Index axis_index(const std::string& component);
 
 /// U.X.MAX, S.XX.AT and their like.
-double field_quantity(const model::Model& model, const std::string& quantity, CheckArguments& args,
-                      const results::RunResult& run);
+double evaluate_field_quantity(const model::Model& model, const std::string& quantity,
+                               CheckArguments& args, const results::RunResult& run);
 
 } // namespace spricka::program

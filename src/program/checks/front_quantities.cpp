@@ -186,7 +186,7 @@ Fronts fronts_at(const results::LoadPathResult& path, double t) {
     results::FrontResult& front = fronts.emplace_back(along.at(t));
     // That a tip is in doubt on the whole path comes first.
     if (front.invalid_reason.empty() || !front.is_tip()) {
-      const std::string overlap = overlap_reason(front);
+      const std::string overlap = negative_k1_reason(front);
       front.invalid_reason = overlap.empty() ? front.invalid_reason : overlap;
     }
   }
@@ -284,7 +284,7 @@ bool is_front_quantity(std::string_view word) {
   return front_word(word).quantity != nullptr;
 }
 
-std::string bar_part_word(std::string_view word, std::string_view part) {
+std::string error_bar_part_word(std::string_view word, std::string_view part) {
   const FrontWord of = front_word(word);
   if (of.quantity == nullptr || !of.quantity->is_k() || of.by || of.on_path) {
     return {};
@@ -292,8 +292,8 @@ std::string bar_part_word(std::string_view word, std::string_view part) {
   return fmt::format("{}.{}{}{}", of.quantity->name, part, of.where.empty() ? "" : ".", of.where);
 }
 
-double front_quantity(const std::string& text, CheckArguments& args,
-                      const results::RunResult& run) {
+double evaluate_front_quantity(const std::string& text, CheckArguments& args,
+                               const results::RunResult& run) {
   const Asked asked = asked_of(text, args, run);
   if (asked.word.where.empty()) {
     return asked.word.quantity->extract_value(asked.fronts.front());
@@ -305,8 +305,9 @@ double front_quantity(const std::string& text, CheckArguments& args,
                                    : extreme(asked.fronts, asked.word);
 }
 
-std::optional<std::string> far_from_front(const model::ResultCheck& check, const std::string& unit,
-                                          const results::RunResult& run) {
+std::optional<std::string> far_from_front_warning(const model::ResultCheck& check,
+                                                  const std::string& unit,
+                                                  const results::RunResult& run) {
   if (front_word(check.quantity).where != "AT") {
     return std::nullopt;
   }

@@ -320,8 +320,8 @@ std::vector<results::GrowthTestResult> invert_growth_tests(const model::Model& m
   return tests;
 }
 
-double test_quantity(const std::string& quantity, CheckArguments& args,
-                     const results::RunResult& run) {
+double evaluate_growth_test_quantity(const std::string& quantity, CheckArguments& args,
+                                     const results::RunResult& run) {
   const results::GrowthTestResult& test = test_of(run, args.next_name("a test"));
   if (quantity == "TEST.SCATTER") {
     return test.scatter;

@@ -15,7 +15,7 @@ std::vector<results::GrowthTestResult> invert_growth_tests(const model::Model& m
                                                            const results::RunResult& run);
 
 /// TEST.K, TEST.RATIO and their like of $CHECK.
-double test_quantity(const std::string& quantity, CheckArguments& args,
-                     const results::RunResult& run);
+double evaluate_growth_test_quantity(const std::string& quantity, CheckArguments& args,
+                                     const results::RunResult& run);
 
 } // namespace spricka::program

@@ -36,7 +36,7 @@ const results::LoadPathFront& tip_of(const results::LoadPathResult& path, const 
 }
 
 void refuse_overlap(const results::LoadPathFront& tip, double t) {
-  if (const std::string reason = overlap_reason(tip.at(t)); !reason.empty()) {
+  if (const std::string reason = negative_k1_reason(tip.at(t)); !reason.empty()) {
     throw MissingQuantity(reason);
   }
 }
@@ -77,7 +77,7 @@ double of_two(CheckArguments& args, const results::RunResult& run) {
 
 } // namespace
 
-std::string overlap_reason(const results::FrontResult& front) {
+std::string negative_k1_reason(const results::FrontResult& front) {
   const double of_mesh = front.is_tip() ? 1e-9 : 1e-2; // over K2 and K3
   const bool overlaps =
       std::ranges::any_of(front.points, [&](const results::FrontPointResult& place) {
@@ -104,8 +104,8 @@ const results::LoadPathResult& find_load_path(const results::RunResult& run,
   return path;
 }
 
-double path_quantity(const std::string& quantity, CheckArguments& args,
-                     const results::RunResult& run) {
+double evaluate_path_quantity(const std::string& quantity, CheckArguments& args,
+                              const results::RunResult& run) {
   if (quantity == "PATH.K1.SUM") {
     return of_two(args, run);
   }

@@ -10,8 +10,8 @@ namespace spricka::program {
 
 /// PATH.SLOPE, PATH.OPENING and their like of $CHECK, but for K itself (front_quantities.hpp). What
 /// a path does not cover is Missing: nothing is extrapolated.
-double path_quantity(const std::string& quantity, CheckArguments& args,
-                     const results::RunResult& run);
+double evaluate_path_quantity(const std::string& quantity, CheckArguments& args,
+                              const results::RunResult& run);
 
 /// The path of that name with the place t on it.
 const results::LoadPathResult& find_load_path(const results::RunResult& run,
@@ -20,6 +20,6 @@ const results::LoadPathResult& find_load_path(const results::RunResult& run,
 
 /// Why K along a front, at a place of a load path, is no answer: K1 < 0, as at the end of a step.
 /// Empty: it is one.
-std::string overlap_reason(const results::FrontResult& front);
+std::string negative_k1_reason(const results::FrontResult& front);
 
 } // namespace spricka::program

@@ -116,10 +116,11 @@ public:
       if (i == 0) {
         look_closely(scene, length->bodies());
       }
-      results::CrackLengthPreview figures = preview_length(model_, scene);
+      results::CrackLengthPreview figures = preview_crack_length(model_, scene);
       figures.number = static_cast<int>(i) + 1;
       if (forecast) {
-        future.add_length(length->request(), length->bodies(), scene, scene_cpu, figures);
+        future.forecast_crack_length(length->request(), length->bodies(), scene, scene_cpu,
+                                     figures);
       }
       preview.lengths.push_back(std::move(figures));
     }
@@ -135,9 +136,9 @@ private:
   void look_closely(const analysis::Discretisation& scene,
                     const std::vector<analysis::SubstructuredBody>& bodies) {
     preview.nets = preview_nets(model_, scene);
-    preview.quality = preview_quality(model_, scene);
+    preview.quality = preview_mesh_quality(model_, scene);
     preview.inside_out = mesh::find_invalid_elements(scene.cracked.mesh).size();
-    preview.pairs = preview_pairs(scene);
+    preview.pairs = preview_contact_pairs(scene);
     preview.bodies = analysis::rigid_mode_support(model_, scene, bodies);
     preview.loads = sense::compute_load_totals(model_);
     preview.mirrors = sense::find_symmetry_planes(model_);
@@ -164,17 +165,17 @@ base::Outcome verdict(const base::SourceTexts& sources, const Previewer& found, 
 }
 
 // The points of a sweep, read and put together one after another.
-base::Outcome check_points(const RunOptions& options, const ReadyDeck& deck, const Log& log,
+base::Outcome check_points(const RunOptions& options, const CheckedDeck& deck, const Log& log,
                            results::DeckPreview& preview) {
   base::Outcome worst = base::Outcome::done;
   if (deck.model->sweeps.empty()) {
     return worst;
   }
-  const std::vector<PointValues> points = sweep_points(*deck.model);
+  const std::vector<SweepPointValues> points = sweep_points(*deck.model);
   base::Diagnostics reported = deck.diagnostics;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::string words = point_words(points[i]);
-    const ReadyDeck point = read_and_check_deck(
+    const std::string words = sweep_point_text(points[i]);
+    const CheckedDeck point = read_and_check_deck(
         options.deck, {.defines = options.defines, .sweep_values = points[i]}, log, &reported);
     for (const base::Diagnostic& d : point.diagnostics.messages()) {
       reported.warning(d.span, d.code, d.text); // of whatever severity
@@ -224,7 +225,7 @@ void add_late_contacts(const model::Model& model, results::DeckPreview& preview)
 
 } // namespace
 
-base::Outcome check_deck(const RunOptions& options, const ReadyDeck& deck, const Log& log) {
+base::Outcome check_deck(const RunOptions& options, const CheckedDeck& deck, const Log& log) {
   const double read_cpu = base::cpu_seconds();
   const model::Model& model = *deck.model;
   Previewer look(model, thread_count(options, model));
@@ -236,7 +237,7 @@ base::Outcome check_deck(const RunOptions& options, const ReadyDeck& deck, const
   preview.length_unit = model.units.length_name;
   preview.force_unit = model.units.force_name;
   preview.dim = model.mesh.dim;
-  preview.scripts = script_constants(deck);
+  preview.scripts = report_script_constants(deck);
   for (const model::Step& step : model.steps) {
     preview.steps.push_back(step.name);
   }
@@ -255,11 +256,11 @@ base::Outcome check_deck(const RunOptions& options, const ReadyDeck& deck, const
       own == base::Outcome::done ? check_points(options, deck, log, preview) : own;
   const base::Outcome outcome = std::max(own, points);
   if (options.json) {
-    to_stdout(report::deck_preview_json(preview, outcome));
+    write_to_stdout(report::deck_preview_json(preview, outcome));
   } else if (!options.quiet && !preview.lengths.empty()) {
-    to_stdout(report::deck_preview_listing(preview));
-    to_stdout(growth_words(model, look.stations));
-    to_stdout(
+    write_to_stdout(report::deck_preview_listing(preview));
+    write_to_stdout(growth_words(model, look.stations));
+    write_to_stdout(
         fmt::format("\n{}: {}\n", base::make_printable(options.deck.string()),
                     outcome == base::Outcome::done ? "no mistakes found" : "see the messages"));
   }

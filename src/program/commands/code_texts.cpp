@@ -375,7 +375,7 @@ constexpr std::array advice{
 
 } // namespace
 
-std::vector<ErrorCode> all_codes() {
+std::vector<ErrorCode> all_message_codes() {
   std::vector<ErrorCode> all(deck::error_codes.begin(), deck::error_codes.end());
   all.insert(all.end(), later_codes.begin(), later_codes.end());
   std::sort(all.begin(), all.end(),
@@ -383,7 +383,7 @@ std::vector<ErrorCode> all_codes() {
   return all;
 }
 
-std::string_view advice_on(std::string_view code) {
+std::string_view message_code_advice(std::string_view code) {
   const auto* const it = std::find_if(advice.begin(), advice.end(),
                                       [&](const ErrorCode& a) { return a.code == code; });
   return it == advice.end() ? std::string_view() : it->meaning;

@@ -123,9 +123,9 @@ inline constexpr std::array later_codes{
 };
 
 /// Every code the program can print, the deck's first.
-std::vector<ErrorCode> all_codes();
+std::vector<ErrorCode> all_message_codes();
 
 /// What to do about a code, in sentences; empty where the meaning says it all.
-std::string_view advice_on(std::string_view code);
+std::string_view message_code_advice(std::string_view code);
 
 } // namespace spricka::program

@@ -79,11 +79,11 @@ base::Outcome report(CommandTree& tree, const CLI::ParseError& error) {
   const std::string called = tree.parsed_command() == nullptr
                                  ? "spricka"
                                  : fmt::format("spricka {}", tree.parsed_command()->get_name());
-  to_stderr(fmt::format("{}: {}\n", called, answer.why));
+  write_to_stderr(fmt::format("{}: {}\n", called, answer.why));
   if (!answer.hint.empty()) {
-    to_stderr(fmt::format("       = {}\n", answer.hint));
+    write_to_stderr(fmt::format("       = {}\n", answer.hint));
   }
-  to_stderr(fmt::format("       = {} --help shows how it is called\n", called));
+  write_to_stderr(fmt::format("       = {} --help shows how it is called\n", called));
   return answer.kind;
 }
 
@@ -107,7 +107,7 @@ base::Outcome act(CommandTree& tree, int argc, const char* const* argv) {
       Log(tree.log_format()).message(base::Severity::error, "E466", out_of_memory_message());
       return base::Outcome::not_solvable;
     }
-    to_stderr(fmt::format("spricka: internal error: {}\n", e.what()));
+    write_to_stderr(fmt::format("spricka: internal error: {}\n", e.what()));
     return base::Outcome::defect;
   }
 }
@@ -115,7 +115,7 @@ base::Outcome act(CommandTree& tree, int argc, const char* const* argv) {
 } // namespace
 
 int run_command_line(int argc, const char* const* argv) {
-  open_standard_streams();
+  ensure_standard_streams_open();
   std::signal(SIGXFSZ, SIG_IGN); // the limit on the size of files: the write fails, and is told
   CommandTree tree;
   const base::Outcome outcome = act(tree, argc, argv);

@@ -239,7 +239,7 @@ void CommandTree::add_verify() {
           "  spricka verify 'hertz*' kirsch    by name\n"
           "  spricka verify all --list         which there are, and what they cost\n"
           "  spricka verify all --out new --before old/verification.csv",
-          [this] { return verify(verify_); });
+          [this] { return verify_decks(verify_); });
   command
       .add_option("WHAT", verify_.asked,
                   "a tier, quick or all, names of decks or shell patterns (default: quick)")
@@ -321,7 +321,7 @@ void CommandTree::add_for_the_system() {
           "  source <(spricka completion bash)\n"
           "  spricka completion bash > ~/.local/share/bash-completion/completions/spricka",
           [this] {
-            to_stdout(bash_completion(describe_program()));
+            write_to_stdout(bash_completion(describe_program()));
             return base::Outcome::done;
           });
   completion.add_option("SHELL", shell_, "bash")
@@ -329,7 +329,7 @@ void CommandTree::add_for_the_system() {
       ->check(one_of({"bash"}))
       ->type_name("");
   add("man", "print the man page", "  spricka man | man -l -", [this] {
-    to_stdout(man_page(describe_program()));
+    write_to_stdout(man_page(describe_program()));
     return base::Outcome::done;
   });
 }

@@ -9,12 +9,12 @@ namespace spricka::program {
 namespace {
 
 // --vary NAME=value,value
-ParameterRequest request_of(const std::string& text) {
+ParameterVariation request_of(const std::string& text) {
   const std::size_t equal = text.find('=');
   if (equal == std::string::npos || equal == 0 || equal + 1 == text.size()) {
     throw CLI::ValidationError("--vary", "write --vary NAME=value,value, not '" + text + "'");
   }
-  ParameterRequest request{text.substr(0, equal), {}};
+  ParameterVariation request{text.substr(0, equal), {}};
   int depth = 0;
   request.values.emplace_back();
   for (const char c : text.substr(equal + 1)) {

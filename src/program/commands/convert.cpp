@@ -132,11 +132,11 @@ base::Outcome convert(const ConvertOptions& options) {
   const Log log(options.log_format);
   const std::string kind = extension(options.out);
   if (kind != ".msh" && kind != ".vtu" && kind != ".inp") {
-    to_stderr(fmt::format("spricka convert: OUT ends with .msh, .vtu or .inp, not '{}'\n",
-                          options.out.string()));
+    write_to_stderr(fmt::format("spricka convert: OUT ends with .msh, .vtu or .inp, not '{}'\n",
+                                options.out.string()));
     return base::Outcome::usage;
   }
-  return report_file_failures(log, [&] {
+  return run_reporting_file_failures(log, [&] {
     std::error_code unknown;
     if (!std::filesystem::is_regular_file(options.in, unknown)) {
       log.message(base::Severity::error, "E530",

@@ -9,12 +9,12 @@
 namespace spricka::program {
 
 base::Outcome schema_command() {
-  to_stdout(grammar::card_catalogue_json());
+  write_to_stdout(grammar::card_catalogue_json());
   return base::Outcome::done;
 }
 
 base::Outcome editor_command(const std::string& editor) {
-  to_stdout(editor == "vim" ? grammar::vim_syntax() : grammar::textmate_grammar());
+  write_to_stdout(editor == "vim" ? grammar::vim_syntax() : grammar::textmate_grammar());
   return base::Outcome::done;
 }
 

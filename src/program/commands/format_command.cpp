@@ -61,8 +61,8 @@ base::Outcome format(const FormatOptions& options, const Log& log) {
   const bool same = *formatted == sources.text(file);
   if (options.check) {
     if (!same) {
-      to_stderr(fmt::format("{}: the layout would change\n",
-                            base::make_printable(options.deck.string())));
+      write_to_stderr(fmt::format("{}: the layout would change\n",
+                                  base::make_printable(options.deck.string())));
     }
     return same ? base::Outcome::done : base::Outcome::check_failed;
   }
@@ -71,7 +71,7 @@ base::Outcome format(const FormatOptions& options, const Log& log) {
       replace(options.deck, *formatted);
     }
   } else {
-    to_stdout(*formatted);
+    write_to_stdout(*formatted);
   }
   return base::Outcome::done;
 }

@@ -37,7 +37,7 @@ std::string kind_of(const ErrorCode& code) {
 }
 
 std::string code_help(const ErrorCode& code, std::size_t width) {
-  const std::string_view advice = advice_on(code.code);
+  const std::string_view advice = message_code_advice(code.code);
   const std::string kind = kind_of(code);
   return fmt::format("{}: {}{}\n", code.code, code.meaning,
                      kind.empty() ? "" : fmt::format(" ({})", kind)) +
@@ -46,7 +46,7 @@ std::string code_help(const ErrorCode& code, std::size_t width) {
 
 std::string codes_help(std::size_t width) {
   grammar::TextColumns table{{}, {6, 0}};
-  for (const ErrorCode& code : all_codes()) {
+  for (const ErrorCode& code : all_message_codes()) {
     table.rows.push_back({std::string(code.code), std::string(code.meaning)});
   }
   return "Errors E and warnings W; spricka help E108 says more about one:\n" +
@@ -56,7 +56,7 @@ std::string codes_help(std::size_t width) {
 // Codes whose meaning has a word, given in capitals.
 std::string codes_with(const std::string& topic, std::size_t width) {
   grammar::TextColumns table{{}, {6, 0}};
-  for (const ErrorCode& code : all_codes()) {
+  for (const ErrorCode& code : all_message_codes()) {
     if (topic.size() > 2 && grammar::to_upper(code.meaning).find(topic) != std::string::npos) {
       table.rows.push_back({std::string(code.code), std::string(code.meaning)});
     }
@@ -73,9 +73,9 @@ std::string codes_markdown() {
       "that is off by more than others of its kind;\n*odd*, the number that the deck asks for, "
       "which may not be the one that is meant.\n\n"
       "| code | kind | meaning | what to do |\n|---|---|---|---|\n";
-  for (const ErrorCode& code : all_codes()) {
+  for (const ErrorCode& code : all_message_codes()) {
     out += fmt::format("| {} | {} | {} | {} |\n", code.code, kind_of(code), code.meaning,
-                       advice_on(code.code));
+                       message_code_advice(code.code));
   }
   return out;
 }
@@ -120,7 +120,7 @@ std::optional<std::string> help_on(const std::string& topic, const ProgramText& 
   if (auto list = list_help(topic, width)) {
     return list;
   }
-  for (const ErrorCode& code : all_codes()) {
+  for (const ErrorCode& code : all_message_codes()) {
     if (code.code == topic) {
       return code_help(code, width);
     }
@@ -172,15 +172,15 @@ base::Outcome help_command(const HelpOptions& options, const ProgramText& progra
   std::string topic = grammar::to_upper(options.topic);
   topic.erase(0, topic.starts_with('$') ? 1 : 0);
   if (options.markdown && (topic.empty() || topic == "CODES")) {
-    to_stdout(topic.empty() ? grammar::card_reference_markdown() : codes_markdown());
+    write_to_stdout(topic.empty() ? grammar::card_reference_markdown() : codes_markdown());
     return base::Outcome::done;
   }
   if (topic.empty()) {
-    to_stdout(overview(width));
+    write_to_stdout(overview(width));
     return base::Outcome::done;
   }
   if (const std::string text = help_or_field_help(topic, program, width); !text.empty()) {
-    to_stdout(text);
+    write_to_stdout(text);
     return base::Outcome::done;
   }
   if (const std::string found =
@@ -191,9 +191,9 @@ base::Outcome help_command(const HelpOptions& options, const ProgramText& progra
     return base::Outcome::done;
   }
   const std::string hint = nearest(topic, program);
-  to_stderr(fmt::format("spricka help: nothing is known about '{}'\n{}", options.topic,
-                        hint.empty() ? "       = spricka help lists the cards\n"
-                                     : fmt::format("       = {}\n", hint)));
+  write_to_stderr(fmt::format("spricka help: nothing is known about '{}'\n{}", options.topic,
+                              hint.empty() ? "       = spricka help lists the cards\n"
+                                           : fmt::format("       = {}\n", hint)));
   return base::Outcome::usage;
 }
 

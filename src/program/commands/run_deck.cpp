@@ -42,8 +42,8 @@ void tell_of_k(const std::optional<std::filesystem::path>& table, const std::str
   }
 }
 
-base::Outcome run_once(const RunOptions& options, const ReadyDeck& deck, const Log& log) {
-  refuse_state_in_folder(options, *deck.model);
+base::Outcome run_once(const RunOptions& options, const CheckedDeck& deck, const Log& log) {
+  reject_state_in_run_folder(options, *deck.model);
   const OpenCheckpoint opened = open_checkpoint(options, deck, {}, log);
   if (opened.refusal) {
     return opened.refusal->kind;
@@ -82,12 +82,12 @@ base::Outcome run_once(const RunOptions& options, const ReadyDeck& deck, const L
   folder->commit();
   if (!options.quiet) {
     print_summary(deck, *outcome.run, options.out);
-    to_stdout(outcome.profile);
+    write_to_stdout(outcome.profile);
   }
   return outcome.kind;
 }
 
-ReadyDeck read_recorded(const RunOptions& options, const Log& log) {
+CheckedDeck read_recorded(const RunOptions& options, const Log& log) {
   const analysis::ScopedProfileInterval span(options.recorder.get(), "DECK", "deck and meshes");
   return read_and_check_deck(options.deck, {.defines = options.defines}, log);
 }
@@ -103,8 +103,8 @@ base::Outcome run_deck(const RunOptions& given) {
   if (options.profile) {
     options.recorder = begin_profile_of_process(options.since);
   }
-  return report_file_failures(log, [&] {
-    const ReadyDeck deck = read_recorded(options, log);
+  return run_reporting_file_failures(log, [&] {
+    const CheckedDeck deck = read_recorded(options, log);
     if (!deck.model) {
       return deck.refusal.kind;
     }

@@ -54,10 +54,10 @@ public:
 
   // A folder of a sweep is gone on with, any other refused but for an empty one.
   void open() {
-    check_folder(path_, true);
+    check_folder_ownership(path_, true);
     fs::create_directories(path_);
     lock_ = archive::FolderLock::acquire_lock(path_, path_);
-    check_folder(path_, true); // another run may have ended meanwhile
+    check_folder_ownership(path_, true); // another run may have ended meanwhile
     if (!lock_) {
       throw std::system_error(std::make_error_code(std::errc::no_such_file_or_directory),
                               path_.string());
@@ -109,8 +109,8 @@ private:
 
 class SweepRun {
 public:
-  SweepRun(const RunOptions& options, const ReadyDeck& deck, const Log& log)
-      : options_(options), deck_(deck), log_(log), out_(resolved_folder(options.out)),
+  SweepRun(const RunOptions& options, const CheckedDeck& deck, const Log& log)
+      : options_(options), deck_(deck), log_(log), out_(canonical_folder(options.out)),
         points_(sweep_points(*deck.model)) {
     sweep_.count = points_.size();
     for (const auto& [name, value] : points_.front()) {
@@ -151,8 +151,8 @@ private:
     }
     out_.remove_others(wanted);
     if (!options_.quiet) {
-      to_stdout(fmt::format("{} points; results in {}\n", points_.size(),
-                            base::make_printable(options_.out.string())));
+      write_to_stdout(fmt::format("{} points; results in {}\n", points_.size(),
+                                  base::make_printable(options_.out.string())));
     }
     return worst;
   }
@@ -200,7 +200,7 @@ private:
     options.quiet = true;
     // Each point has a profile of its own, from here on.
     options.recorder = options.profile ? begin_profile() : nullptr;
-    const ReadyDeck deck = read_point(options, i);
+    const CheckedDeck deck = read_point(options, i);
     const RunOutcome outcome = deck.model ? solve(options, deck, point) : deck.refusal;
     point.outcome = outcome.kind;
     point.error = outcome.error;
@@ -209,8 +209,8 @@ private:
       // The digest of what was read just now: a file edited meanwhile is not passed over later.
       folder_->add_file(
           point_record_name,
-          write_point_record(sweep_, point,
-                             archive::compute_deck_digest(deck.sources, *deck.model, points_[i])));
+          point_record_text(sweep_, point,
+                            archive::compute_deck_digest(deck.sources, *deck.model, points_[i])));
       folder_->commit();
     } else if (folder_->replaces_earlier_run()) {
       log_.message(base::Severity::note, "E467",
@@ -219,7 +219,7 @@ private:
     }
   }
 
-  [[nodiscard]] ReadyDeck read_point(const RunOptions& options, std::size_t i) const {
+  [[nodiscard]] CheckedDeck read_point(const RunOptions& options, std::size_t i) const {
     const analysis::ScopedProfileInterval span(options.recorder.get(), "DECK", "deck and meshes");
     return read_and_check_deck(options.deck,
                                {.defines = options.defines, .sweep_values = points_[i]}, log_,
@@ -237,7 +237,7 @@ private:
   }
 
   // Each point keeps its state in a folder of its own, beside its run folder.
-  RunOutcome solve(const RunOptions& options, const ReadyDeck& deck, const SweepPoint& point) {
+  RunOutcome solve(const RunOptions& options, const CheckedDeck& deck, const SweepPoint& point) {
     const OpenCheckpoint opened =
         open_checkpoint(options, deck, out_.path() / (point.folder + ".restart"), log_);
     if (opened.refusal) {
@@ -293,9 +293,9 @@ private:
   }
 
   // One line for each point: failures to stderr, the others to stdout.
-  void tell(const SweepPoint& point, const PointValues& values) const {
+  void tell(const SweepPoint& point, const SweepPointValues& values) const {
     const std::string head =
-        fmt::format("{} of {}: {}", point.folder, points_.size(), point_words(values));
+        fmt::format("{} of {}: {}", point.folder, points_.size(), sweep_point_text(values));
     if (point.outcome != base::Outcome::done) {
       log_.message(base::Severity::error, "E550",
                    fmt::format("point {}: {} ({}): {}", head, report::sweep_point_status(point),
@@ -304,10 +304,10 @@ private:
     if (options_.quiet) {
       return;
     }
-    to_stdout(fmt::format("{}: {}{}", head, report::sweep_point_status(point),
-                          point.reused ? " earlier" : ""));
+    write_to_stdout(fmt::format("{}: {}{}", head, report::sweep_point_status(point),
+                                point.reused ? " earlier" : ""));
     tell_result(point);
-    to_stdout("\n");
+    write_to_stdout("\n");
     std::fflush(stdout);
   }
 
@@ -315,7 +315,7 @@ private:
   void tell_result(const SweepPoint& point) const {
     const auto life = std::ranges::find(point.cells, "N", &results::SweepValue::quantity);
     if (life != point.cells.end()) {
-      to_stdout(fmt::format("  N = {:.7g}", life->value));
+      write_to_stdout(fmt::format("  N = {:.7g}", life->value));
       return;
     }
     const std::string step = report::leading_step_name(*deck_.model);
@@ -325,7 +325,7 @@ private:
     }
     for (const results::SweepValue& cell : point.cells) {
       if (cell.quantity == "K1" && cell.step == step && cell.increment == last) {
-        to_stdout(fmt::format("  K1 {} = {:.7g}", cell.name, cell.value));
+        write_to_stdout(fmt::format("  K1 {} = {:.7g}", cell.name, cell.value));
       }
     }
   }
@@ -351,10 +351,10 @@ private:
   }
 
   const RunOptions& options_;
-  const ReadyDeck& deck_;
+  const CheckedDeck& deck_;
   const Log& log_;
   SweepFolder out_;
-  std::vector<PointValues> points_;
+  std::vector<SweepPointValues> points_;
   results::SweepResult sweep_;
   std::atomic<std::size_t> done_{0};
   std::mutex current_guard_;
@@ -365,11 +365,11 @@ private:
 
 } // namespace
 
-std::vector<PointValues> sweep_points(const model::Model& model) {
-  std::vector<PointValues> points{{}};
+std::vector<SweepPointValues> sweep_points(const model::Model& model) {
+  std::vector<SweepPointValues> points{{}};
   for (const model::ParameterSweep& card : model.sweeps) {
-    std::vector<PointValues> more;
-    for (const PointValues& point : points) {
+    std::vector<SweepPointValues> more;
+    for (const SweepPointValues& point : points) {
       for (const std::vector<double>& row : card.values) {
         more.push_back(point);
         for (std::size_t p = 0; p < card.parameters.size(); ++p) {
@@ -382,7 +382,7 @@ std::vector<PointValues> sweep_points(const model::Model& model) {
   return points;
 }
 
-base::Outcome run_sweep(const RunOptions& options, const ReadyDeck& deck, const Log& log) {
+base::Outcome run_sweep(const RunOptions& options, const CheckedDeck& deck, const Log& log) {
   return SweepRun(options, deck, log).run();
 }
 

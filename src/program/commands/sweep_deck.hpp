@@ -11,10 +11,10 @@
 namespace spricka::program {
 
 /// Values of the swept parameters at one point.
-using PointValues = std::vector<std::pair<std::string, double>>;
+using SweepPointValues = std::vector<std::pair<std::string, double>>;
 
 /// All points of a deck's $SWEEP cards: their product, the last card varying fastest.
-std::vector<PointValues> sweep_points(const model::Model& model);
+std::vector<SweepPointValues> sweep_points(const model::Model& model);
 
 /// Runs the deck once for each point, in order, each in its own folder OUT/001, OUT/002, .. and
 /// writes sweep.csv, sweep.html and the tables of $OUTPUT EVERY=END into OUT after each point. A
@@ -22,6 +22,6 @@ std::vector<PointValues> sweep_points(const model::Model& model);
 /// values and program are taken over. Returns the worst outcome of all points. SIGINT and
 /// SIGTERM end the program with 130 and 143; finished points stay. Throws std::system_error when
 /// OUT cannot be used.
-base::Outcome run_sweep(const RunOptions& options, const ReadyDeck& deck, const Log& log);
+base::Outcome run_sweep(const RunOptions& options, const CheckedDeck& deck, const Log& log);
 
 } // namespace spricka::program

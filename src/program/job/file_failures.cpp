@@ -7,7 +7,8 @@
 
 namespace spricka::program {
 
-base::Outcome report_file_failures(const Log& log, const std::function<base::Outcome()>& work) {
+base::Outcome run_reporting_file_failures(const Log& log,
+                                          const std::function<base::Outcome()>& work) {
   try {
     return work();
   } catch (const archive::FileFailure& failure) {

@@ -9,6 +9,7 @@ namespace spricka::program {
 
 /// Does `work` and gives its outcome. A failure of a file that it throws (FileFailure with its own
 /// code, std::system_error as E530) goes to the log and gives file_trouble.
-base::Outcome report_file_failures(const Log& log, const std::function<base::Outcome()>& work);
+base::Outcome run_reporting_file_failures(const Log& log,
+                                          const std::function<base::Outcome()>& work);
 
 } // namespace spricka::program

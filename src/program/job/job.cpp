@@ -69,7 +69,7 @@ void add_warnings(const model::Model& model, const results::RunResult& run,
     list.warning({}, std::string(warning.code), std::move(warning.text));
   }
   for (const model::ResultCheck& check : model.checks) {
-    if (const auto far = far_from_front(check, model.units.length_name, run)) {
+    if (const auto far = far_from_front_warning(check, model.units.length_name, run)) {
       list.warning({}, "W574", fmt::format("{}: {}", check_text(check), *far));
     }
   }
@@ -96,8 +96,8 @@ std::vector<results::Warning> all_warnings(const base::Diagnostics& reading,
 struct Solved {
   std::optional<results::RunResult> run;
   base::OptionalFailure trouble;
-  std::optional<ReadyDeck> finer; ///< what was solved, where it is not the deck as given
-  std::string why_not;            ///< why K is not within its tolerance
+  std::optional<CheckedDeck> finer; ///< what was solved, where it is not the deck as given
+  std::string why_not;              ///< why K is not within its tolerance
 };
 
 bool is_stopped(const base::OptionalFailure& trouble) {
@@ -105,7 +105,7 @@ bool is_stopped(const base::OptionalFailure& trouble) {
 }
 
 // Once, or as often as K needs to come within its tolerance.
-Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, RunFolder& folder,
+Solved solve_deck(const RunOptions& options, const CheckedDeck& deck, RunFolder& folder,
                   archive::Checkpoint* checkpoint, base::Diagnostics& diagnostics) {
   analysis::SolveOptions solve;
   solve.checkpoint = checkpoint;
@@ -127,7 +127,7 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, RunFolder& f
     std::optional<results::RunResult> run = analysis::solve_run(model, solve, own, trouble);
     if (!run && !trouble) {
       trouble = base::OperationFailure{.kind = base::Outcome::deck_error,
-                                       .why = first_error(deck.sources, own)};
+                                       .why = first_error_text(deck.sources, own)};
     }
     // A later round that fails leaves the answer of the one before: what it says of itself is not
     // told.
@@ -138,7 +138,7 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, RunFolder& f
     first = false;
     return run;
   };
-  if (!wants_tolerance(*deck.model)) {
+  if (!has_k_tolerance(*deck.model)) {
     base::OptionalFailure trouble;
     out.run = once(*deck.model, trouble);
     return out;
@@ -147,7 +147,7 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, RunFolder& f
     deck::DeckReadOptions finer = deck.options;
     finer.refine = refine;
     const analysis::ScopedProfileInterval span(solve.recorder, "DECK", "meshes made finer");
-    return read_silently(options.deck, finer);
+    return read_deck_silently(options.deck, finer);
   };
   RefinedRun found = solve_to_tolerance(deck, read_finer, once);
   if (is_stopped(out.trouble)) {
@@ -206,7 +206,7 @@ std::string write_profile(const RunOptions& options, const base::SourceTexts& so
 
 } // namespace
 
-RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, RunFolder& folder,
+RunOutcome solve_and_write(const RunOptions& options, const CheckedDeck& deck, RunFolder& folder,
                            archive::Checkpoint* checkpoint, const Log& log) {
   const double cpu_before = base::cpu_seconds();
   base::Diagnostics diagnostics;
@@ -222,7 +222,7 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
     tell_of(*solved.trouble, diagnostics);
     return report_refusal(deck.sources, diagnostics, solved.trouble->kind, log);
   }
-  const ReadyDeck& used = solved.finer ? *solved.finer : deck;
+  const CheckedDeck& used = solved.finer ? *solved.finer : deck;
   results::RunResult& run = *solved.run;
   std::optional<analysis::ScopedProfileInterval> checking(std::in_place, options.recorder.get(),
                                                           "CHECKS", "checks, warnings");
@@ -240,14 +240,14 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   }
   log.diagnostics(deck.sources, diagnostics);
   run.warnings = all_warnings(deck.diagnostics, diagnostics);
-  finish_restart(checkpoint, run);
+  finish_checkpoint(checkpoint, run);
   run.checks = evaluate_checks(*used.model, run);
   run.cpu += cpu_before;
   checking.reset();
   {
     const analysis::ScopedProfileInterval span(options.recorder.get(), "OUTPUT",
                                                "tables, pictures, report");
-    folder.write(deck.sources, *used.model, run, script_constants(deck));
+    folder.write(deck.sources, *used.model, run, report_script_constants(deck));
   }
   RunOutcome outcome = judged(solved, run, log);
   outcome.profile = write_profile(options, deck.sources, *used.model, folder);
@@ -323,7 +323,8 @@ void print_fronts(const model::Model& model, const results::RunResult& run) {
         const std::string K =
             front.is_tip() ? tip_text(front, model.units) : range_text(front, model.units);
         if (!K.empty()) {
-          to_stdout(fmt::format("{} {:<8} a = {:<10.6g} {}\n", before, front.name, front.a, K));
+          write_to_stdout(
+              fmt::format("{} {:<8} a = {:<10.6g} {}\n", before, front.name, front.a, K));
         }
       }
     }
@@ -332,27 +333,27 @@ void print_fronts(const model::Model& model, const results::RunResult& run) {
 
 } // namespace
 
-void print_summary(const ReadyDeck& deck, const results::RunResult& run,
+void print_summary(const CheckedDeck& deck, const results::RunResult& run,
                    const std::filesystem::path& folder) {
   for (const std::string& flaw : deck.flaws) {
-    to_stdout(flaw + "\n");
+    write_to_stdout(flaw + "\n");
   }
   print_fronts(*deck.model, run);
   if (run.growth) {
     // That nothing grows is an answer, but N = 0 alone does not read like it.
     const bool stands = run.growth->ended == "THRESHOLD";
-    to_stdout(fmt::format("N = {:.7g} {}, ended by {}{}\n", run.growth->final_cycles(),
-                          run.growth->unit == "pass" ? "passes" : "cycles", run.growth->ended,
-                          stands ? ": " + run.growth->reason : ""));
+    write_to_stdout(fmt::format("N = {:.7g} {}, ended by {}{}\n", run.growth->final_cycles(),
+                                run.growth->unit == "pass" ? "passes" : "cycles", run.growth->ended,
+                                stands ? ": " + run.growth->reason : ""));
   }
   if (!run.checks.empty()) {
     const auto passed = std::count_if(run.checks.begin(), run.checks.end(),
                                       [](const auto& check) { return check.passed; });
-    to_stdout(fmt::format("{} of {} checks passed\n", passed, run.checks.size()));
+    write_to_stdout(fmt::format("{} of {} checks passed\n", passed, run.checks.size()));
   }
-  to_stdout(fmt::format("{:.2f} s CPU, {:.0f} MiB; results in {}\n", run.cpu,
-                        static_cast<double>(run.peak_memory) / 1048576.0,
-                        base::make_printable(folder.string())));
+  write_to_stdout(fmt::format("{:.2f} s CPU, {:.0f} MiB; results in {}\n", run.cpu,
+                              static_cast<double>(run.peak_memory) / 1048576.0,
+                              base::make_printable(folder.string())));
 }
 
 } // namespace spricka::program

@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 // One record, one line. Bytes of a deck that are not UTF-8 are replaced.
 void write_record(const Json& record) {
-  to_stderr(record.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_to_stderr(record.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 Json record_of(const base::SourceTexts& sources, base::SourceIndex& places,
@@ -52,7 +52,7 @@ Log::Log(LogFormat format) : format_(format), colour_(message_colour()) {}
 void Log::diagnostics(const base::SourceTexts& sources,
                       const base::Diagnostics& diagnostics) const {
   if (format_ == LogFormat::text) {
-    to_stderr(base::format_messages(sources, diagnostics, colour_));
+    write_to_stderr(base::format_messages(sources, diagnostics, colour_));
     return;
   }
   base::SourceIndex places(sources);
@@ -69,8 +69,8 @@ void Log::message(base::Severity severity, std::string_view code, std::string_vi
                      : severity == base::Severity::warning ? &base::Diagnostics::warning
                                                            : &base::Diagnostics::note;
     (one.*add)({}, std::string(code), std::string(text), {});
-    to_stderr(fmt::format("{}{}{}", base::make_printable(file), file.empty() ? "" : ": ",
-                          base::format_messages({}, one, colour_)));
+    write_to_stderr(fmt::format("{}{}{}", base::make_printable(file), file.empty() ? "" : ": ",
+                                base::format_messages({}, one, colour_)));
     return;
   }
   Json record{{"type", "diagnostic"}, {"severity", base::display_word(severity)}, {"code", code}};
@@ -95,11 +95,11 @@ void Log::failed_check(const results::CheckResult& check) const {
     }
     write_record(record);
   } else if (!check.trouble.empty()) {
-    to_stderr(fmt::format("check failed: {}: {}\n", check.text, check.trouble));
+    write_to_stderr(fmt::format("check failed: {}: {}\n", check.text, check.trouble));
   } else {
-    to_stderr(fmt::format("check failed: {} = {:.8g}, wanted {:.8g}: {} {:.2e} > {:.2e}\n",
-                          check.text, check.found, check.wanted, check.relative ? "REL" : "ABS",
-                          std::abs(check.error), check.tolerance));
+    write_to_stderr(fmt::format(
+        "check failed: {} = {:.8g}, wanted {:.8g}: {} {:.2e} > {:.2e}\n", check.text, check.found,
+        check.wanted, check.relative ? "REL" : "ABS", std::abs(check.error), check.tolerance));
   }
 }
 

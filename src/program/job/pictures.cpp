@@ -47,7 +47,7 @@ double picture_time(const results::RunResult& run, std::size_t increment, std::s
 std::vector<report::PvdEntry> write_step(const model::Model& model,
                                          const results::Increment& increment,
                                          const results::StepResult& step, double time,
-                                         const PutFile& put) {
+                                         const FileCreator& put) {
   std::vector<report::PvdEntry> entries;
   const auto add = [&](const std::string& stem, int part, const auto& write) {
     const std::string name = fmt::format("{}_{:03}_{}.vtu", stem, increment.number, step.step);
@@ -68,7 +68,8 @@ std::vector<report::PvdEntry> write_step(const model::Model& model,
 } // namespace
 
 // Over several increments each step has a collection of its own, as all its files have one time.
-void write_pictures(const model::Model& model, const results::RunResult& run, const PutFile& put) {
+void write_vtu_files(const model::Model& model, const results::RunResult& run,
+                     const FileCreator& put) {
   const std::string stem = picture_stem(model);
   const std::string leading = report::leading_step_name(model);
   const bool grows = run.increments.size() > 1 || run.growth;

@@ -62,8 +62,8 @@ std::optional<SweepPoint> point_from(const json& record) {
 
 } // namespace
 
-std::string write_point_record(const results::SweepResult& sweep, const SweepPoint& point,
-                               const std::string& digest) {
+std::string point_record_text(const results::SweepResult& sweep, const SweepPoint& point,
+                              const std::string& digest) {
   json record{{"spricka", SPRICKA_VERSION},
               {"digest", digest},
               {"exit_code", base::exit_code(point.outcome)},
@@ -114,7 +114,7 @@ std::vector<std::pair<std::string, double>> read_point_values(const std::filesys
   return values;
 }
 
-std::string point_words(const std::vector<std::pair<std::string, double>>& point) {
+std::string sweep_point_text(const std::vector<std::pair<std::string, double>>& point) {
   std::string text;
   for (const auto& [name, value] : point) {
     text += fmt::format("{}{} = {:.6g}", text.empty() ? "" : ", ", name, value);

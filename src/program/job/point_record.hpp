@@ -15,8 +15,8 @@ inline constexpr const char* point_record_name = "point.json";
 
 /// The record of a finished point: digest of its deck, version, values, outcome and cells. Numbers
 /// read back to the same bits.
-std::string write_point_record(const results::SweepResult& sweep, const results::SweepPoint& point,
-                               const std::string& digest);
+std::string point_record_text(const results::SweepResult& sweep, const results::SweepPoint& point,
+                              const std::string& digest);
 
 /// The record in a point's folder; empty if there is none, it is not whole, or its digest is
 /// another one.
@@ -28,6 +28,6 @@ std::optional<results::SweepPoint> read_point_record(const std::filesystem::path
 std::vector<std::pair<std::string, double>> read_point_values(const std::filesystem::path& record);
 
 /// "delta = 0.084, mu = 0": a point of a sweep in words.
-std::string point_words(const std::vector<std::pair<std::string, double>>& point);
+std::string sweep_point_text(const std::vector<std::pair<std::string, double>>& point);
 
 } // namespace spricka::program

@@ -86,13 +86,13 @@ ProgressLine::ProgressLine(LogFormat format, bool quiet)
 
 ProgressLine::~ProgressLine() {
   if (width_ > 0) {
-    to_stderr("\n");
+    write_to_stderr("\n");
   }
 }
 
 void ProgressLine::show(const std::string& text) {
   const std::size_t width = std::max(text.size(), width_); // covers what was longer before
-  to_stderr(fmt::format("\r{:<{}}", text, width));
+  write_to_stderr(fmt::format("\r{:<{}}", text, width));
   width_ = width;
 }
 
@@ -111,7 +111,7 @@ void ProgressLine::report_progress(const analysis::RunProgress& progress) {
           {{"stage", progress.stage}, {"step", progress.step}, {"steps", progress.steps}});
     }
     record["seconds_left"] = left ? Json(*left) : Json();
-    to_stderr(record.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+    write_to_stderr(record.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
   }
   if (kind_ != ProgressOutput::terminal &&
       (kind_ != ProgressOutput::lines || now - reported_ < line_every)) {
@@ -128,7 +128,7 @@ void ProgressLine::report_progress(const analysis::RunProgress& progress) {
   if (kind_ == ProgressOutput::terminal) {
     show(text);
   } else {
-    to_stderr(fmt::format("{}, {:.0f} s so far\n", text, now));
+    write_to_stderr(fmt::format("{}, {:.0f} s so far\n", text, now));
   }
   reported_ = now;
 }

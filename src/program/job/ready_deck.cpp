@@ -82,7 +82,8 @@ base::Diagnostics news_of(const base::Diagnostics& list, const base::Diagnostics
 
 } // namespace
 
-std::string first_error(const base::SourceTexts& sources, const base::Diagnostics& diagnostics) {
+std::string first_error_text(const base::SourceTexts& sources,
+                             const base::Diagnostics& diagnostics) {
   for (const base::Diagnostic& d : diagnostics.messages()) {
     if (d.severity != base::Severity::error) {
       continue;
@@ -100,13 +101,13 @@ std::string first_error(const base::SourceTexts& sources, const base::Diagnostic
 RunOutcome report_refusal(const base::SourceTexts& sources, const base::Diagnostics& list,
                           base::Outcome kind, const Log& log, const base::Diagnostics* reported) {
   log.diagnostics(sources, news_of(list, reported));
-  return {kind, first_error(sources, list), {}};
+  return {kind, first_error_text(sources, list), {}};
 }
 
-ReadyDeck read_and_check_deck(const std::filesystem::path& deck,
-                              const deck::DeckReadOptions& options, const Log& log,
-                              const base::Diagnostics* reported) {
-  ReadyDeck ready;
+CheckedDeck read_and_check_deck(const std::filesystem::path& deck,
+                                const deck::DeckReadOptions& options, const Log& log,
+                                const base::Diagnostics* reported) {
+  CheckedDeck ready;
   ready.options = options;
   std::optional<model::Model> model =
       deck::read_deck(deck, options, ready.sources, ready.diagnostics, &ready.scripts);
@@ -144,8 +145,9 @@ ReadyDeck read_and_check_deck(const std::filesystem::path& deck,
   return ready;
 }
 
-ReadyDeck read_silently(const std::filesystem::path& deck, const deck::DeckReadOptions& options) {
-  ReadyDeck ready;
+CheckedDeck read_deck_silently(const std::filesystem::path& deck,
+                               const deck::DeckReadOptions& options) {
+  CheckedDeck ready;
   ready.options = options;
   std::optional<model::Model> model =
       deck::read_deck(deck, options, ready.sources, ready.diagnostics);
@@ -153,7 +155,7 @@ ReadyDeck read_silently(const std::filesystem::path& deck, const deck::DeckReadO
     sense::reduce_to_half_model(*model, ready.diagnostics);
   }
   if (!model || ready.diagnostics.has_errors()) {
-    ready.refusal.error = first_error(ready.sources, ready.diagnostics);
+    ready.refusal.error = first_error_text(ready.sources, ready.diagnostics);
   } else {
     ready.model = std::move(model);
   }

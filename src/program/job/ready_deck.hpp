@@ -24,7 +24,7 @@ struct RunOutcome {
 };
 
 /// A deck that has been read: fit to be solved (model) or refused.
-struct ReadyDeck {
+struct CheckedDeck {
   base::SourceTexts sources;
   base::Diagnostics diagnostics;             ///< of reading
   deck::DeckReadOptions options;             ///< as it was read
@@ -37,12 +37,13 @@ struct ReadyDeck {
 /// Reads and checks a deck; messages go to the log. Cards that this version does not have are
 /// refused (not_solvable), so is a deck without a step. Throws std::system_error on file trouble.
 /// What was `reported` already is not said again, as of the other points of a sweep.
-ReadyDeck read_and_check_deck(const std::filesystem::path& deck,
-                              const deck::DeckReadOptions& options, const Log& log,
-                              const base::Diagnostics* reported = nullptr);
+CheckedDeck read_and_check_deck(const std::filesystem::path& deck,
+                                const deck::DeckReadOptions& options, const Log& log,
+                                const base::Diagnostics* reported = nullptr);
 
 /// A deck that has been read before, with its meshes finer: nothing new to tell of it.
-ReadyDeck read_silently(const std::filesystem::path& deck, const deck::DeckReadOptions& options);
+CheckedDeck read_deck_silently(const std::filesystem::path& deck,
+                               const deck::DeckReadOptions& options);
 
 /// What is wrong goes to the log, but for what was `reported` before, and the first error into the
 /// outcome.
@@ -51,6 +52,7 @@ RunOutcome report_refusal(const base::SourceTexts& sources, const base::Diagnost
                           const base::Diagnostics* reported = nullptr);
 
 /// "lug.deck:12:18: E108: text" of the first error; empty without one.
-std::string first_error(const base::SourceTexts& sources, const base::Diagnostics& diagnostics);
+std::string first_error_text(const base::SourceTexts& sources,
+                             const base::Diagnostics& diagnostics);
 
 } // namespace spricka::program

@@ -63,12 +63,12 @@ bool reject_restart_without_state(const RunOptions& options, const model::Model&
   return true;
 }
 
-void refuse_state_in_folder(const RunOptions& options, const model::Model& model) {
+void reject_state_in_run_folder(const RunOptions& options, const model::Model& model) {
   if (!model.restart || model.restart->write.empty()) {
     return;
   }
   const fs::path file = options.deck.parent_path() / model.restart->write;
-  const fs::path inside = resolved_folder(file).lexically_relative(resolved_folder(options.out));
+  const fs::path inside = canonical_folder(file).lexically_relative(canonical_folder(options.out));
   if (!inside.empty() && *inside.begin() != "..") {
     throw archive::FileFailure(
         "E469", fmt::format("$RESTART WRITE='{}' lies in the run folder {}, which is "
@@ -77,7 +77,7 @@ void refuse_state_in_folder(const RunOptions& options, const model::Model& model
   }
 }
 
-OpenCheckpoint open_checkpoint(const RunOptions& options, const ReadyDeck& deck,
+OpenCheckpoint open_checkpoint(const RunOptions& options, const CheckedDeck& deck,
                                const fs::path& folder, const Log& log) {
   OpenCheckpoint out;
   const std::optional<model::RestartFiles>& card = deck.model->restart;
@@ -110,7 +110,7 @@ void report_skipped_state(archive::Checkpoint* checkpoint, const Log& log) {
   });
 }
 
-void finish_restart(archive::Checkpoint* checkpoint, results::RunResult& run) {
+void finish_checkpoint(archive::Checkpoint* checkpoint, results::RunResult& run) {
   if (checkpoint == nullptr) {
     return;
   }

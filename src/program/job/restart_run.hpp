@@ -18,7 +18,7 @@ bool reject_restart_without_state(const RunOptions& options, const model::Model&
 
 /// Throws FileFailure E469 when the deck keeps its state inside the run folder, which is replaced
 /// as a whole while the state is written.
-void refuse_state_in_folder(const RunOptions& options, const model::Model& model);
+void reject_state_in_run_folder(const RunOptions& options, const model::Model& model);
 
 struct OpenCheckpoint {
   std::unique_ptr<archive::Checkpoint> checkpoint; ///< null: nothing is asked for
@@ -27,13 +27,13 @@ struct OpenCheckpoint {
 
 /// Opens what deck and command line ask for. Files lie relative to the deck, those of a sweep's
 /// point in `folder`. Throws FileFailure for files that cannot be used.
-OpenCheckpoint open_checkpoint(const RunOptions& options, const ReadyDeck& deck,
+OpenCheckpoint open_checkpoint(const RunOptions& options, const CheckedDeck& deck,
                                const std::filesystem::path& folder, const Log& log);
 
 /// What a checkpoint (or null) passes over is said on stderr from now on, as it turns out.
 void report_skipped_state(archive::Checkpoint* checkpoint, const Log& log);
 /// Puts the last increments on disk, and what was taken over or passed over into the run's log.
-void finish_restart(archive::Checkpoint* checkpoint, results::RunResult& run);
+void finish_checkpoint(archive::Checkpoint* checkpoint, results::RunResult& run);
 
 /// Puts what is finished on disk and says so: how a run ends that is stopped by a signal or its
 /// time limit. Empty: nothing is finished yet. From any thread.

@@ -95,12 +95,12 @@ void exchange(const fs::path& part, const fs::path& folder) {
 
 } // namespace
 
-fs::path resolved_folder(const fs::path& folder) {
+fs::path canonical_folder(const fs::path& folder) {
   fs::path path = fs::weakly_canonical(fs::absolute(folder)).lexically_normal();
   return path.has_filename() ? path : path.parent_path();
 }
 
-void check_folder(const fs::path& folder, bool sweep) {
+void check_folder_ownership(const fs::path& folder, bool sweep) {
   if (!is_there(folder)) {
     return;
   }
@@ -119,21 +119,21 @@ void check_folder(const fs::path& folder, bool sweep) {
 }
 
 RunFolder::RunFolder(const fs::path& folder)
-    : folder_(resolved_folder(folder)), part_(part_of(folder_)) {
+    : folder_(canonical_folder(folder)), part_(part_of(folder_)) {
   fs::create_directories(folder_.parent_path());
   open_place();
   open_part();
 }
 
 void RunFolder::open_place() {
-  check_folder(folder_, false);
+  check_folder_ownership(folder_, false);
   if (is_there(folder_)) {
     if (is_mount_point(folder_)) {
       not_ours(fmt::format("{} is a mount point, which no folder can take the place of",
                            folder_.string()));
     }
     place_lock_ = archive::FolderLock::acquire_lock(folder_, part_);
-    check_folder(folder_, false); // another run may have ended meanwhile
+    check_folder_ownership(folder_, false); // another run may have ended meanwhile
     replaces_ = is_there(folder_ / listing_name);
   }
 }
@@ -262,7 +262,7 @@ void RunFolder::write(const base::SourceTexts& sources, const model::Model& mode
   for (const auto& [name, table] : tables) {
     put(name, [&, make = table](const fs::path& file) { make(file, model, run); });
   }
-  write_pictures(model, run, [this](const auto& name, const auto& write) { put(name, write); });
+  write_vtu_files(model, run, [this](const auto& name, const auto& write) { put(name, write); });
   put_requested(model, run);
   put(results_name,
       [&](const fs::path& file) { archive::write_results_file(file, sources, model, run); });
@@ -307,7 +307,7 @@ void RunFolder::take_over_foreign(const fs::path& old) const {
 }
 
 void RunFolder::move_into_place() {
-  check_folder(folder_, false); // it may have been made meanwhile
+  check_folder_ownership(folder_, false); // it may have been made meanwhile
   if (rename_to_free(part_, folder_)) {
     return;
   }

@@ -22,11 +22,11 @@ inline constexpr const char* sweep_table_name = "sweep.csv";
 inline constexpr const char* results_name = "results.h5"; ///< whole, for programs
 
 /// The folder as the program uses it: absolute, links followed, without a slash at its end.
-std::filesystem::path resolved_folder(const std::filesystem::path& folder);
+std::filesystem::path canonical_folder(const std::filesystem::path& folder);
 
 /// Throws FileFailure E464 when a folder that is there is not one that a run (a sweep) may write:
 /// it holds files and no mark, or the mark of the other kind (archive/folder_mark.hpp).
-void check_folder(const std::filesystem::path& folder, bool sweep);
+void check_folder_ownership(const std::filesystem::path& folder, bool sweep);
 
 /// The run folder. Everything is written into a folder FOLDER.part beside it, that takes its place
 /// in one move at the end, or not at all: results of an earlier run stay until then. Files in the

@@ -7,7 +7,7 @@
 
 namespace spricka::program {
 
-std::vector<results::ReportedScriptConstant> script_constants(const ReadyDeck& deck) {
+std::vector<results::ReportedScriptConstant> report_script_constants(const CheckedDeck& deck) {
   std::vector<results::ReportedScriptConstant> result;
   for (const deck::ImportedScript& script : deck.scripts) {
     std::string file = std::filesystem::path(script.file).filename().string();

@@ -8,6 +8,6 @@
 namespace spricka::program {
 
 /// The constants of a deck's geometry scripts, for listing and check.
-std::vector<results::ReportedScriptConstant> script_constants(const ReadyDeck& deck);
+std::vector<results::ReportedScriptConstant> report_script_constants(const CheckedDeck& deck);
 
 } // namespace spricka::program

@@ -153,17 +153,17 @@ std::string why_not_next(const Models& models, double patch_element_growth,
 
 } // namespace
 
-bool wants_tolerance(const model::Model& model) {
+bool has_k_tolerance(const model::Model& model) {
   return std::any_of(model.tip_nets.begin(), model.tip_nets.end(),
                      [](const model::TipMeshSettings& tip) { return tip.tolerance.has_value(); });
 }
 
-RefinedRun solve_to_tolerance(const ReadyDeck& deck, const ReadFiner& read_finer,
-                              const SolveOnce& solve) {
+RefinedRun solve_to_tolerance(const CheckedDeck& deck, const RefinedDeckReader& read_finer,
+                              const ModelSolveFunction& solve) {
   RefinedRun out;
   analysis::RefinementPlan plan(*deck.model);
   std::vector<results::ToleranceRound> rounds;
-  std::optional<ReadyDeck> finer;
+  std::optional<CheckedDeck> finer;
   for (int number = 1; out.why_not.empty(); ++number) {
     const base::Stopwatch watch;
     base::OptionalFailure trouble;

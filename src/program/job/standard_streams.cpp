@@ -9,7 +9,7 @@
 
 namespace spricka::program {
 
-void open_standard_streams() {
+void ensure_standard_streams_open() {
   for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(fd, F_GETFD) < 0 && errno == EBADF) {
       // the lowest number that is free is this one
@@ -19,11 +19,11 @@ void open_standard_streams() {
   }
 }
 
-void to_stdout(std::string_view text) {
+void write_to_stdout(std::string_view text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
-void to_stderr(std::string_view text) {
+void write_to_stderr(std::string_view text) {
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 

@@ -7,13 +7,13 @@ namespace spricka::program {
 
 /// To be called before anything is opened: a standard stream that is closed is opened on nothing,
 /// so that no file of results takes its number. What is written to it fails, as it should.
-void open_standard_streams();
+void ensure_standard_streams_open();
 
 /// Writes to stdout, as far as it goes: what is lost is told at the end by written_out.
-void to_stdout(std::string_view text);
+void write_to_stdout(std::string_view text);
 
 /// Writes to stderr; that it cannot is told by the exit code (written_out), as there is no other
 /// place to say so.
-void to_stderr(std::string_view text);
+void write_to_stderr(std::string_view text);
 
 } // namespace spricka::program

@@ -66,7 +66,7 @@ fs::path find_calculix() {
   return {};
 }
 
-ChildRun calculix_run(const fs::path& program, const fs::path& inp) {
+ChildRun make_calculix_run(const fs::path& program, const fs::path& inp) {
   ChildRun run;
   // What it is to read without the extension, as it adds one.
   run.other = {"/usr/bin/env",
@@ -88,8 +88,8 @@ std::string adapt_input_for_calculix(std::string inp, int dim) {
   return inp;
 }
 
-std::optional<NodalFields> read_frd(std::string_view text, const std::vector<base::Label>& numbers,
-                                    int dim) {
+std::optional<NodalFields> read_calculix_results(std::string_view text,
+                                                 const std::vector<base::Label>& numbers, int dim) {
   const mesh::LabelIndex index(numbers);
   NodalFields fields;
   fields.u = base::Vector::Constant(static_cast<Eigen::Index>(numbers.size()) * dim, none);

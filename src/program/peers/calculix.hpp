@@ -19,7 +19,7 @@ std::filesystem::path find_calculix();
 
 /// A run on one thread of an input file made by abaqus_input_text(); it writes its results, a .frd,
 /// beside the input.
-ChildRun calculix_run(const std::filesystem::path& program, const std::filesystem::path& inp);
+ChildRun make_calculix_run(const std::filesystem::path& program, const std::filesystem::path& inp);
 
 /// The input as CalculiX answers it by the nodes of the deck: plane elements are not shown as the
 /// layer of solids that it makes of them.
@@ -33,7 +33,7 @@ struct NodalFields {
 
 /// Reads the last displacements and stresses of a .frd as text, six digits each; `numbers` are
 /// those of the nodes there [node]. Empty where it has not both.
-std::optional<NodalFields> read_frd(std::string_view text, const std::vector<base::Label>& numbers,
-                                    int dim);
+std::optional<NodalFields> read_calculix_results(std::string_view text,
+                                                 const std::vector<base::Label>& numbers, int dim);
 
 } // namespace spricka::program

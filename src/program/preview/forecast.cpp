@@ -150,10 +150,10 @@ double CostForecast::contact_flops(const std::vector<analysis::SubstructuredBody
          factorisations * static_cast<double>(model_.steps.size()) * rows * rows * rows / 3.0;
 }
 
-void CostForecast::add_length(const analysis::CondensationRequest& request,
-                              const std::vector<analysis::SubstructuredBody>& bodies,
-                              const analysis::Discretisation& scene, double scene_cpu,
-                              results::CrackLengthPreview& length) {
+void CostForecast::forecast_crack_length(const analysis::CondensationRequest& request,
+                                         const std::vector<analysis::SubstructuredBody>& bodies,
+                                         const analysis::Discretisation& scene, double scene_cpu,
+                                         results::CrackLengthPreview& length) {
   if (resident_ == 0.0) {
     resident_ = static_cast<double>(base::resident_memory());
   }

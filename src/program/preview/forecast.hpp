@@ -22,10 +22,10 @@ public:
 
   /// Fills unknowns, fill, flops, memory and seconds of a length. `scene_cpu` [s] is what its mesh
   /// and contact rows took. Lengths in the order of the run.
-  void add_length(const analysis::CondensationRequest& request,
-                  const std::vector<analysis::SubstructuredBody>& bodies,
-                  const analysis::Discretisation& scene, double scene_cpu,
-                  results::CrackLengthPreview& length);
+  void forecast_crack_length(const analysis::CondensationRequest& request,
+                             const std::vector<analysis::SubstructuredBody>& bodies,
+                             const analysis::Discretisation& scene, double scene_cpu,
+                             results::CrackLengthPreview& length);
 
 private:
   struct Needs; ///< of one length

@@ -106,8 +106,8 @@ std::vector<results::NetPreview> preview_nets(const model::Model& model,
   return nets;
 }
 
-std::vector<results::MeshQualityPreview> preview_quality(const model::Model& model,
-                                                         const analysis::Discretisation& scene) {
+std::vector<results::MeshQualityPreview>
+preview_mesh_quality(const model::Model& model, const analysis::Discretisation& scene) {
   std::vector<results::MeshQualityPreview> list;
   std::vector<base::ElementId> host;
   for (std::size_t e = 0; e < model.mesh.element_count(); ++e) {
@@ -124,7 +124,8 @@ std::vector<results::MeshQualityPreview> preview_quality(const model::Model& mod
   return list;
 }
 
-std::vector<results::ContactPairPreview> preview_pairs(const analysis::Discretisation& scene) {
+std::vector<results::ContactPairPreview>
+preview_contact_pairs(const analysis::Discretisation& scene) {
   std::vector<results::ContactPairPreview> list;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const contact::PairConstraints& pair = scene.pairs[c];
@@ -159,8 +160,8 @@ std::vector<results::ContactPairPreview> preview_pairs(const analysis::Discretis
   return list;
 }
 
-results::CrackLengthPreview preview_length(const model::Model& model,
-                                           const analysis::Discretisation& scene) {
+results::CrackLengthPreview preview_crack_length(const model::Model& model,
+                                                 const analysis::Discretisation& scene) {
   results::CrackLengthPreview length;
   const mesh::CrackedMesh& cracked = scene.cracked;
   length.nodes = cracked.mesh.node_count();

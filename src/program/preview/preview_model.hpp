@@ -14,14 +14,15 @@ std::vector<results::NetPreview> preview_nets(const model::Model& model,
                                               const analysis::Discretisation& scene);
 
 /// The worst elements of the host and of the crack patches.
-std::vector<results::MeshQualityPreview> preview_quality(const model::Model& model,
-                                                         const analysis::Discretisation& scene);
+std::vector<results::MeshQualityPreview>
+preview_mesh_quality(const model::Model& model, const analysis::Discretisation& scene);
 
 /// What the surfaces of each pair see of each other.
-std::vector<results::ContactPairPreview> preview_pairs(const analysis::Discretisation& scene);
+std::vector<results::ContactPairPreview>
+preview_contact_pairs(const analysis::Discretisation& scene);
 
 /// Mesh, tips and patches of one length; forecasts stay empty.
-results::CrackLengthPreview preview_length(const model::Model& model,
-                                           const analysis::Discretisation& scene);
+results::CrackLengthPreview preview_crack_length(const model::Model& model,
+                                                 const analysis::Discretisation& scene);
 
 } // namespace spricka::program

@@ -212,7 +212,7 @@ void add_nets(const results::RunProfile& profile, base::CsvTable& csv) {
 
 void add_lengths(const results::RunProfile& profile, base::CsvTable& csv) {
   std::size_t count = 0;
-  for (const CrackLengthCostSum& sum : length_costs(profile)) {
+  for (const CrackLengthCostSum& sum : crack_length_costs(profile)) {
     csv.add_row({{"kind", "length"},
                  {"name", sum.label},
                  {"length", ++count},
@@ -255,7 +255,7 @@ double cost_over_floor(const ProfileRecord& record) {
 std::string profile_text(const ProfileRecord& record) {
   std::string text = "\n" + report::table_to_text(processor_table(processor_costs(record.profile)));
   for (const ReportTable& table :
-       {net_table(net_costs(record.profile)), length_table(length_costs(record.profile))}) {
+       {net_table(net_costs(record.profile)), length_table(crack_length_costs(record.profile))}) {
     text += table.rows.empty() ? "" : "\n" + report::table_to_text(table);
   }
   return text + "\n" + floor_text(record);

@@ -180,7 +180,7 @@ std::vector<NetCostSum> net_costs(const RunProfile& profile) {
   return sums;
 }
 
-std::vector<CrackLengthCostSum> length_costs(const RunProfile& profile) {
+std::vector<CrackLengthCostSum> crack_length_costs(const RunProfile& profile) {
   std::vector<CrackLengthCostSum> sums(profile.lengths.size());
   const bool rounds = !sums.empty() && profile.lengths.back().round > 1;
   int round = 0;

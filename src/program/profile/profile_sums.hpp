@@ -62,6 +62,6 @@ struct CrackLengthCostSum {
   std::vector<std::string> condensed, reused; ///< nets
 };
 /// Sums for each crack length in their order; lengths that became no increment are "tried".
-std::vector<CrackLengthCostSum> length_costs(const results::RunProfile& profile);
+std::vector<CrackLengthCostSum> crack_length_costs(const results::RunProfile& profile);
 
 } // namespace spricka::program

@@ -101,7 +101,7 @@ private:
   }
 
   void add_lengths() {
-    for (const CrackLengthCostSum& sum : length_costs(profile_)) {
+    for (const CrackLengthCostSum& sum : crack_length_costs(profile_)) {
       const results::CrackLengthCost& work = *sum.work;
       const std::string a = work.a ? fmt::format("{:.6g}", *work.a) : "unknown";
       event(fmt::format("{}, a = {}", sum.label, a), "length", {}, {work.begin, work.end},

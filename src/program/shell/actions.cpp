@@ -68,8 +68,8 @@ base::OptionalFailure solve_pending_changes(ShellSession& session, ShellReply& r
 
 } // namespace
 
-base::OptionalFailure answer_result(ShellSession& session, const std::string& line,
-                                    ShellReply& reply) {
+base::OptionalFailure evaluate_result_line(ShellSession& session, const std::string& line,
+                                           ShellReply& reply) {
   model::ResultCheck check;
   double value = 0.0;
   base::OptionalFailure trouble = session.read_result_request(line, check);
@@ -84,8 +84,8 @@ base::OptionalFailure answer_result(ShellSession& session, const std::string& li
   return trouble;
 }
 
-base::OptionalFailure change_deck_line(ShellSession& session, const std::string& line, bool is_card,
-                                       ShellReply& reply) {
+base::OptionalFailure apply_deck_change(ShellSession& session, const std::string& line,
+                                        bool is_card, ShellReply& reply) {
   base::OptionalFailure trouble = solve_pending_changes(session, reply);
   const std::string before = state_reply(session);
   trouble =
@@ -102,8 +102,8 @@ base::OptionalFailure change_deck_line(ShellSession& session, const std::string&
   return {};
 }
 
-base::OptionalFailure do_step_line(const ShellCall& call) {
-  return call.session.add_step_line(std::string(without_comment(call.line)));
+base::OptionalFailure do_add_step_action(const ShellCall& call) {
+  return call.session.add_step_line(std::string(strip_comment(call.line)));
 }
 
 base::OptionalFailure do_solve(const ShellCall& call) {
@@ -122,7 +122,7 @@ base::OptionalFailure do_solve(const ShellCall& call) {
   return tell_state_after(call.session.solve(substeps), call);
 }
 
-base::OptionalFailure do_step(const ShellCall& call) {
+base::OptionalFailure do_go_to_step(const ShellCall& call) {
   return call.words.size() != 2
              ? wrong_usage(call)
              : tell_state_after(call.session.go_to_step(name_argument(call, 1)), call);
@@ -140,14 +140,14 @@ namespace {
 
 base::OptionalFailure list_k(const ShellCall& call) {
   const std::string only = name_argument(call, 2);
-  std::vector<std::string> names = argument_names('c', call.session.model());
+  std::vector<std::string> names = candidate_argument_names('c', call.session.model());
   for (const results::FrontResult& front : call.session.current_result().fronts) {
     names.push_back(front.name);
   }
   std::size_t index = 0;
   base::OptionalFailure trouble = only.empty() && !names.empty()
                                       ? base::OptionalFailure()
-                                      : find_name(names, "crack", only, index);
+                                      : find_name_index(names, "crack", only, index);
   trouble = trouble ? trouble : call.session.estimate_accuracy();
   if (!trouble) {
     call.reply.out = k_reply(call.session, only);
@@ -159,8 +159,8 @@ base::OptionalFailure list_k(const ShellCall& call) {
 base::OptionalFailure list_pressure(const ShellCall& call) {
   const std::string name = name_argument(call, 2);
   std::size_t index = 0;
-  if (base::OptionalFailure trouble =
-          find_name(argument_names('p', call.session.model()), "contact", name, index)) {
+  if (base::OptionalFailure trouble = find_name_index(
+          candidate_argument_names('p', call.session.model()), "contact", name, index)) {
     return trouble;
   }
   const results::ContactResult* contact =
@@ -193,7 +193,7 @@ base::OptionalFailure list_sensitivity(const ShellCall& call) {
 
 } // namespace
 
-std::vector<std::string> listed_words() {
+std::vector<std::string> list_command_topics() {
   return {"K", "pressure", "sensitivity", "history"};
 }
 
@@ -220,7 +220,7 @@ base::OptionalFailure do_list(const ShellCall& call) {
   call.reply.out = cards_reply(call.session, what.starts_with('$') ? what.substr(1) : what);
   return call.reply.out.empty() ? base::OptionalFailure(invalid_input(
                                       fmt::format("there is no list or card '{}'", what),
-                                      base::suggest_spelling(what, listed_words())))
+                                      base::suggest_spelling(what, list_command_topics())))
                                 : base::OptionalFailure();
 }
 
@@ -230,15 +230,16 @@ base::OptionalFailure do_map(const ShellCall& call) {
   }
   base::OptionalFailure trouble = solve_pending_changes(call.session, call.reply);
   if (!trouble && call.words.size() == 2) {
-    trouble = call.session.map_path(name_argument(call, 1));
+    trouble = call.session.follow_deck_load_path(name_argument(call, 1));
   } else if (!trouble) {
-    trouble = call.session.map_case(name_argument(call, 1), call.words[2], call.words[3]);
+    trouble =
+        call.session.follow_load_case_range(name_argument(call, 1), call.words[2], call.words[3]);
   }
   if (trouble) {
     return trouble;
   }
   call.reply.out = map_reply(call.session);
-  for (const results::Note& note : call.session.last_mapped_path()->notes) {
+  for (const results::Note& note : call.session.last_followed_path()->notes) {
     call.reply.messages += fmt::format(
         "{}{}\n", results::is_warning(note) ? "" : "note: ", results::text_with_code(note));
   }
@@ -307,7 +308,7 @@ base::OptionalFailure do_plot(const ShellCall& call) {
 
 base::OptionalFailure do_save(const ShellCall& call) {
   return write_made(call, 1, [&](const std::filesystem::path& file, std::string& text) {
-    return saved_deck(call.session, std::filesystem::absolute(file).parent_path(), text);
+    return make_saved_deck_text(call.session, std::filesystem::absolute(file).parent_path(), text);
   });
 }
 

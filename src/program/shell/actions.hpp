@@ -9,22 +9,22 @@
 namespace spricka::program {
 
 /// A line of $CHECK without its value: the value and its unit.
-base::OptionalFailure answer_result(ShellSession& session, const std::string& line,
-                                    ShellReply& reply);
+base::OptionalFailure evaluate_result_line(ShellSession& session, const std::string& line,
+                                           ShellReply& reply);
 /// A card with other keys, or a parameter with another value; then the state.
-base::OptionalFailure change_deck_line(ShellSession& session, const std::string& line, bool is_card,
-                                       ShellReply& reply);
+base::OptionalFailure apply_deck_change(ShellSession& session, const std::string& line,
+                                        bool is_card, ShellReply& reply);
 /// What `list` can show, beside what is set.
-std::vector<std::string> listed_words();
+std::vector<std::string> list_command_topics();
 
 // Commands of the table but help and quit.
 
 /// LOAD, FIT, MOUNT and DISMOUNT: the line is one of $STEP.
-base::OptionalFailure do_step_line(const ShellCall& call);
+base::OptionalFailure do_add_step_action(const ShellCall& call);
 /// Solves what is pending, with friction in as many substeps as the line says.
 base::OptionalFailure do_solve(const ShellCall& call);
 /// Goes to the end of a step of the deck.
-base::OptionalFailure do_step(const ShellCall& call);
+base::OptionalFailure do_go_to_step(const ShellCall& call);
 /// Lists what is set, a table of results, or cards.
 base::OptionalFailure do_list(const ShellCall& call);
 /// Solves a load path of the deck, or a load case from one factor to another.

@@ -24,7 +24,7 @@ base::OptionalFailure ShellSession::estimate_accuracy() {
 base::OptionalFailure ShellSession::follow(const model::LoadPathDefinition& card,
                                            const std::vector<model::Step>& from,
                                            const std::vector<model::Step>& to,
-                                           const MapRange& range) {
+                                           const PathParameterRange& range) {
   if (has_friction()) {
     return invalid_input(
         "with friction K depends on the way, not only on where it leads: there is no map of it",
@@ -38,9 +38,10 @@ base::OptionalFailure ShellSession::follow(const model::LoadPathDefinition& card
   return trouble;
 }
 
-base::OptionalFailure ShellSession::map_path(const std::string& name) {
+base::OptionalFailure ShellSession::follow_deck_load_path(const std::string& name) {
   std::size_t index = 0;
-  base::OptionalFailure trouble = find_name(argument_names('l', *model_), "load path", name, index);
+  base::OptionalFailure trouble =
+      find_name_index(candidate_argument_names('l', *model_), "load path", name, index);
   trouble = trouble ? trouble : solve();
   if (trouble) {
     return trouble;
@@ -49,13 +50,14 @@ base::OptionalFailure ShellSession::map_path(const std::string& name) {
   return follow(card, way_to(card.from.index()), way_to(card.to.index()), {});
 }
 
-base::OptionalFailure ShellSession::map_case(const std::string& load_case, const std::string& from,
-                                             const std::string& to) {
+base::OptionalFailure ShellSession::follow_load_case_range(const std::string& load_case,
+                                                           const std::string& from,
+                                                           const std::string& to) {
   if (base::OptionalFailure trouble = solve()) {
     return trouble;
   }
   std::array<std::vector<model::Step>, 2> ends{way(), way()};
-  MapRange range{.what = "factor"};
+  PathParameterRange range{.what = "factor"};
   for (const bool end : {false, true}) {
     base::SourceTexts sources;
     base::Diagnostics diagnostics;
@@ -77,7 +79,7 @@ base::OptionalFailure ShellSession::map_case(const std::string& load_case, const
   return follow(card, ends[0], ends[1], range);
 }
 
-const results::LoadPathResult* ShellSession::last_mapped_path() const {
+const results::LoadPathResult* ShellSession::last_followed_path() const {
   return mapped_.empty() || !bench_->ready()
              ? nullptr
              : results::find_path(bench_->run_results().increments.front(), mapped_);
@@ -113,10 +115,11 @@ base::OptionalFailure ShellSession::evaluate(const model::ResultCheck& check, do
         trouble; // a contact with the name of a step costs a solution, and no more
     const auto step = std::ranges::find(model_->steps, *name, &model::Step::name);
     if (step != model_->steps.end()) {
-      trouble = bench_->add_step(static_cast<std::size_t>(step - model_->steps.begin()));
+      trouble =
+          bench_->add_deck_step_result(static_cast<std::size_t>(step - model_->steps.begin()));
     } else if (std::ranges::find(model_->load_paths, *name, &model::LoadPathDefinition::name) !=
                model_->load_paths.end()) {
-      trouble = map_path(*name);
+      trouble = follow_deck_load_path(*name);
     }
     if (trouble) {
       return trouble;

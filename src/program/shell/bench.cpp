@@ -175,7 +175,8 @@ results::StepResult InteractiveSolver::gather(const ReachedShellState& reached,
 void InteractiveSolver::take(ReachedShellState reached, const std::vector<model::Step>& way) {
   std::vector<results::StepResult>& steps = run_.increments.front().steps;
   results::StepResult now = gather(reached, "NOW");
-  // The present state is the first of the steps; those that add_step() adds stand behind it.
+  // The present state is the first of the steps; those that add_deck_step_result() adds stand
+  // behind it.
   if (steps.empty()) {
     steps.push_back(std::move(now));
   } else {
@@ -236,7 +237,7 @@ void InteractiveSolver::estimate_net_errors() {
   }
 }
 
-base::OptionalFailure InteractiveSolver::add_step(std::size_t step) {
+base::OptionalFailure InteractiveSolver::add_deck_step_result(std::size_t step) {
   const std::vector<model::Step>& steps = parts_.model.steps;
   if (results::find_step(run_.increments.front(), steps[step].name) != nullptr) {
     return {};

@@ -63,7 +63,7 @@ public:
   /// Estimated errors of the nets in the energy norm, once.
   void estimate_net_errors();
   /// The end of a step of the deck becomes a further step of run_results().
-  base::OptionalFailure add_step(std::size_t step);
+  base::OptionalFailure add_deck_step_result(std::size_t step);
   /// The straight path between two steps that follow `way`, t from 0 to `beyond`; it replaces paths
   /// of that name in run_results(). Without friction only.
   base::OptionalFailure follow_load_path(const model::LoadPathDefinition& card,

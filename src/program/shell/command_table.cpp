@@ -106,17 +106,18 @@ const std::vector<ShellCommand>& shell_commands() {
       {"help", "[COMMAND]", "w", "the commands, or what one of them or a result is", "", help},
       {"LOAD", "CASE FACTOR", "o.",
        "the factor of a load case, as in $STEP, from the next solve on",
-       "Every question solves first what is pending.", do_step_line},
+       "Every question solves first what is pending.", do_add_step_action},
       {"FIT", "CONTACT FACTOR", "p.", "the factor of a declared fit, as in $STEP", "",
-       do_step_line},
-      {"MOUNT", "CONTACT", "p", "a contact comes into force, as in $STEP", "", do_step_line},
-      {"DISMOUNT", "CONTACT", "p", "a contact is taken away", "", do_step_line},
+       do_add_step_action},
+      {"MOUNT", "CONTACT", "p", "a contact comes into force, as in $STEP", "", do_add_step_action},
+      {"DISMOUNT", "CONTACT", "p", "a contact is taken away", "", do_add_step_action},
       {"solve", "[SUBSTEPS]", ".", "makes the changes that are pending",
        "With friction from the last state on, in 10 substeps if nothing is said; else the state "
        "does not depend on the way to it.",
        do_solve},
       {"step", "NAME", "s", "goes to the state at the end of a step of the deck",
-       "Loads, fits and mounts changed since are dropped; cards and parameters stay.", do_step},
+       "Loads, fits and mounts changed since are dropped; cards and parameters stay.",
+       do_go_to_step},
       {"list", "[K [CRACK] | pressure CONTACT | sensitivity | history | CARD]", "qt",
        "what was changed and the state, a table, or cards as they are now",
        "K: stress intensity factors with their error bars, in space at all points. pressure: the "
@@ -157,15 +158,15 @@ base::OptionalFailure act(ShellSession& session, const ShellHistory& history,
   if (base::OptionalFailure trouble = session.restore_after_failure()) {
     return trouble;
   }
-  const LineForm form = form_of_line(line);
-  const std::string typed(without_comment(line));
-  if (form == LineForm::result) {
-    return answer_result(session, typed, reply);
+  const ShellLineForm form = classify_shell_line(line);
+  const std::string typed(strip_comment(line));
+  if (form == ShellLineForm::result) {
+    return evaluate_result_line(session, typed, reply);
   }
-  if (form == LineForm::card || form == LineForm::parameter) {
-    return change_deck_line(session, typed, form == LineForm::card, reply);
+  if (form == ShellLineForm::card || form == ShellLineForm::parameter) {
+    return apply_deck_change(session, typed, form == ShellLineForm::card, reply);
   }
-  const std::vector<std::string> words = shell_words(line);
+  const std::vector<std::string> words = split_shell_words(line);
   const std::string_view word = same_word(words.front(), "exit") ? "quit" : words.front();
   const auto command = std::ranges::find_if(
       shell_commands(), [&](const ShellCommand& c) { return same_word(c.word, word); });
@@ -181,7 +182,7 @@ base::OptionalFailure act(ShellSession& session, const ShellHistory& history,
 ShellReply run_shell_line(ShellSession& session, const ShellHistory& history,
                           const std::string& line) {
   ShellReply reply;
-  if (without_comment(line).empty()) {
+  if (strip_comment(line).empty()) {
     return reply;
   }
   const base::Stopwatch watch;
@@ -219,7 +220,7 @@ std::string shell_commands_markdown() {
 
 std::string shell_prompt(const ShellSession& session) {
   return fmt::format(
-      "{}{}{}{}> ", session.base_step(), session.changes().applied.empty() ? "" : "+",
+      "{}{}{}{}> ", session.base_step_name(), session.changes().applied.empty() ? "" : "+",
       session.has_pending_changes() ? "*" : "", session.has_friction() ? " (path)" : "");
 }
 

@@ -12,8 +12,8 @@
 namespace spricka::program {
 
 /// What a command's arguments stand for, for completion; '.' is anything that cannot be listed.
-/// Letters are those of argument_names, and w a command, q what is listed, k a kind of picture, M a
-/// load path or case, f a file.
+/// Letters are those of candidate_argument_names, and w a command, q what is listed, k a kind of
+/// picture, M a load path or case, f a file.
 struct ShellCommand {
   std::string_view word;
   std::string_view arguments; ///< as a user reads them

@@ -54,7 +54,7 @@ Words complete_first(const ShellSession& session, std::string_view typed) {
   }
   Words words = beginning_with(command_words(), typed, true);
   if (!typed.empty()) {
-    append(words, beginning_with(argument_names('v', session.model()), typed, true));
+    append(words, beginning_with(candidate_argument_names('v', session.model()), typed, true));
     Words results;
     for (const grammar::ResultQuantity& quantity : grammar::result_quantities()) {
       results.emplace_back(quantity.name);
@@ -66,7 +66,7 @@ Words complete_first(const ShellSession& session, std::string_view typed) {
 
 // A key of a card's header, or a name behind NAME=.
 Words complete_key(const ShellSession& session, std::string_view before, std::string_view typed) {
-  const std::string name = grammar::to_upper(shell_words(before).front().substr(1));
+  const std::string name = grammar::to_upper(split_shell_words(before).front().substr(1));
   const grammar::CardSpec* spec = grammar::find_card(name);
   Words words;
   if (before.ends_with('=')) {
@@ -87,7 +87,7 @@ Words complete_key(const ShellSession& session, std::string_view before, std::st
 // An argument of a result.
 Words complete_argument(const ShellSession& session, std::string_view before,
                         std::string_view typed) {
-  const std::string name = grammar::to_upper(without_comment(before.substr(0, before.find('('))));
+  const std::string name = grammar::to_upper(strip_comment(before.substr(0, before.find('('))));
   const grammar::ResultQuantity* is = grammar::find_result_quantity(name);
   std::string letters(is == nullptr ? std::string_view() : is->arguments);
   std::erase(letters, '?');
@@ -96,7 +96,7 @@ Words complete_argument(const ShellSession& session, std::string_view before,
   }
   const auto at = static_cast<std::size_t>(std::ranges::count(before, ','));
   return at < letters.size()
-             ? beginning_with(argument_names(letters[at], session.model()), typed, false)
+             ? beginning_with(candidate_argument_names(letters[at], session.model()), typed, false)
              : Words();
 }
 
@@ -108,28 +108,28 @@ Words candidates(const ShellSession& session, const Words& words, char letter) {
   case 'k':
     return picture_kinds();
   case 'q': {
-    Words names = listed_words();
+    Words names = list_command_topics();
     for (const deck::DeckCard& card : *session.changes().text) {
       names.push_back(card.name);
     }
     return names;
   }
   case 't': // behind what is listed
-    return same_word(words.back(), "K")          ? argument_names('c', model)
-           : same_word(words.back(), "pressure") ? argument_names('p', model)
+    return same_word(words.back(), "K")          ? candidate_argument_names('c', model)
+           : same_word(words.back(), "pressure") ? candidate_argument_names('p', model)
                                                  : Words();
   case 's': {
-    Words names = argument_names('s', model);
+    Words names = candidate_argument_names('s', model);
     names.erase(names.begin()); // NOW
     return names;
   }
   case 'M': {
-    Words names = argument_names('l', model);
-    append(names, argument_names('o', model));
+    Words names = candidate_argument_names('l', model);
+    append(names, candidate_argument_names('o', model));
     return names;
   }
   default:
-    return argument_names(letter, model);
+    return candidate_argument_names(letter, model);
   }
 }
 
@@ -139,15 +139,15 @@ std::vector<std::string> complete_shell_line(const ShellSession& session, std::s
                                              std::size_t begin) {
   const std::string_view typed = line.substr(std::min(begin, line.size()));
   const std::string_view before = line.substr(0, std::min(begin, line.size()));
-  const Words words = shell_words(before);
+  const Words words = split_shell_words(before);
   if (words.empty()) {
     return complete_first(session, typed);
   }
-  const LineForm form = form_of_line(before);
-  if (form == LineForm::card) {
+  const ShellLineForm form = classify_shell_line(before);
+  if (form == ShellLineForm::card) {
     return complete_key(session, before, typed);
   }
-  if (form == LineForm::result) {
+  if (form == ShellLineForm::result) {
     return complete_argument(session, before, typed);
   }
   const auto command = std::ranges::find_if(

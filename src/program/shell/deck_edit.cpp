@@ -68,9 +68,10 @@ bool is_listed(std::string_view list, std::string_view key) {
 
 } // namespace
 
-base::OptionalFailure read_cards(const std::filesystem::path& deck,
-                                 const std::vector<std::pair<std::string, std::string>>& defines,
-                                 DeckCardList& text, std::vector<std::filesystem::path>& files) {
+base::OptionalFailure
+read_checked_deck_cards(const std::filesystem::path& deck,
+                        const std::vector<std::pair<std::string, std::string>>& defines,
+                        DeckCardList& text, std::vector<std::filesystem::path>& files) {
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
   std::optional<DeckCardList> found = deck::read_deck_card_list(deck, sources, diagnostics);
@@ -90,7 +91,7 @@ base::OptionalFailure read_cards(const std::filesystem::path& deck,
   return {};
 }
 
-std::string cards_but_cracks(const DeckCardList& text) {
+std::string cards_without_cracks_text(const DeckCardList& text) {
   std::string all;
   for (const DeckCard& card : text) {
     if (card.name == "CRACK") {
@@ -167,7 +168,7 @@ base::OptionalFailure set_parameter(const std::string& line, DeckCardList& text)
                        base::suggest_spelling(wanted.name, names));
 }
 
-void comment_out(DeckCardList& text, std::size_t card) {
+void comment_out_card(DeckCardList& text, std::size_t card) {
   const std::string lines = deck::write_deck({text[card]}, ".");
   for (std::size_t at = 0; at < lines.size();) {
     const std::size_t end = std::min(lines.find('\n', at), lines.size() - 1);
@@ -177,7 +178,7 @@ void comment_out(DeckCardList& text, std::size_t card) {
   text.erase(text.begin() + static_cast<std::ptrdiff_t>(card));
 }
 
-std::string action_text(const model::Model& model, const model::StepAction& action) {
+std::string step_action_text(const model::Model& model, const model::StepAction& action) {
   if (const auto* load = std::get_if<model::ApplyLoad>(&action)) { // digits for the same number
     return fmt::format("LOAD {} {}", model.cases[load->load_case.index()].name, load->factor);
   }
@@ -191,7 +192,7 @@ std::string action_text(const model::Model& model, const model::StepAction& acti
          model.contacts[std::get<model::DismountContact>(action).contact.index()].name;
 }
 
-bool mounts_contacts(const model::Step& step) {
+bool changes_mounted_contacts(const model::Step& step) {
   return std::ranges::any_of(step.actions, [](const model::StepAction& a) {
     return std::holds_alternative<model::MountContact>(a) ||
            std::holds_alternative<model::DismountContact>(a);
@@ -201,7 +202,7 @@ bool mounts_contacts(const model::Step& step) {
 namespace {
 
 std::string free_name(const model::Model& model, std::size_t number) {
-  const std::vector<std::string> taken = argument_names('s', model);
+  const std::vector<std::string> taken = candidate_argument_names('s', model);
   std::string name = number == 0 ? "NOW" : fmt::format("NOW_{}", number);
   while (std::find(taken.begin() + 1, taken.end(), name) != taken.end()) {
     name += "_";
@@ -226,7 +227,7 @@ void append_steps(const model::Model& model, const std::vector<model::Step>& ste
   const std::vector<model::Step> beginning{model.steps.front()};
   DeckCard& first = *std::ranges::find(text, "STEP", &DeckCard::name);
   const auto add_row = [&](DeckCard& card, const model::StepAction& action) {
-    card.data += fmt::format("  {}\n", action_text(model, action));
+    card.data += fmt::format("  {}\n", step_action_text(model, action));
   };
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
     const base::ContactId id(c);

@@ -16,13 +16,13 @@ namespace spricka::program {
 
 /// The cards of a deck that has been read without mistakes, with what -D NAME=expression says of
 /// its parameters, and the files that they stand in.
-base::OptionalFailure read_cards(const std::filesystem::path& deck,
-                                 const std::vector<std::pair<std::string, std::string>>& defines,
-                                 deck::DeckCardList& text,
-                                 std::vector<std::filesystem::path>& files);
+base::OptionalFailure
+read_checked_deck_cards(const std::filesystem::path& deck,
+                        const std::vector<std::pair<std::string, std::string>>& defines,
+                        deck::DeckCardList& text, std::vector<std::filesystem::path>& files);
 
 /// All cards that another size of a crack leaves as they are, as one text to compare.
-std::string cards_but_cracks(const deck::DeckCardList& text);
+std::string cards_without_cracks_text(const deck::DeckCardList& text);
 
 /// A header as a deck has it, `$CRACK NAME=C A0=6`: its keys take the places of those that the card
 /// has, and of those that exclude them. The card is the one with that name (or with the same value
@@ -35,13 +35,13 @@ base::OptionalFailure set_card_keys(const std::string& header, deck::DeckCardLis
 base::OptionalFailure set_parameter(const std::string& line, deck::DeckCardList& text);
 
 /// Takes a card out of the deck and leaves its lines as comments behind the card before it.
-void comment_out(deck::DeckCardList& text, std::size_t card);
+void comment_out_card(deck::DeckCardList& text, std::size_t card);
 
 /// What a deck writes for an action: "LOAD PULL 2".
-std::string action_text(const model::Model& model, const model::StepAction& action);
+std::string step_action_text(const model::Model& model, const model::StepAction& action);
 
 /// Whether a step mounts or dismounts a contact: then the order of steps counts.
-bool mounts_contacts(const model::Step& step);
+bool changes_mounted_contacts(const model::Step& step);
 
 /// Puts further steps at the end of a deck, the last with the name NOW (or the next that is free).
 /// A contact that no step mounted, or a fit that none named, is in force from the beginning: where

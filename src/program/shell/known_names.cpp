@@ -34,7 +34,7 @@ void add_pairs(const model::Model& model, std::vector<std::string>& names) {
 
 } // namespace
 
-std::vector<std::string> argument_names(char letter, const model::Model& model) {
+std::vector<std::string> candidate_argument_names(char letter, const model::Model& model) {
   std::vector<std::string> names;
   switch (letter) {
   case 'c':
@@ -83,8 +83,8 @@ bool is_of_crack(const std::string& tip, const std::string& crack) {
   return crack.empty() || tip == crack || tip.starts_with(crack + ".");
 }
 
-base::OptionalFailure find_name(const std::vector<std::string>& names, const char* what,
-                                const std::string& name, std::size_t& index) {
+base::OptionalFailure find_name_index(const std::vector<std::string>& names, const char* what,
+                                      const std::string& name, std::size_t& index) {
   const auto found = std::ranges::find(names, name);
   if (found == names.end()) {
     return invalid_input(names.empty() ? fmt::format("the deck has no {}", what)

@@ -127,7 +127,7 @@ LineEditor::~LineEditor() {
   }
 }
 
-void LineEditor::complete_with(Complete complete) {
+void LineEditor::set_completion_function(Complete complete) {
   completer = std::move(complete);
 }
 

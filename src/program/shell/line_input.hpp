@@ -22,7 +22,7 @@ public:
   using Complete =
       std::function<std::vector<std::string>(std::string_view line, std::size_t begin)>;
   /// Sets what finds the candidates of a word; the editor at hand uses it from the next line on.
-  void complete_with(Complete complete);
+  void set_completion_function(Complete complete);
 
   /// False at the end (Ctrl-D). Forgets Ctrl-C.
   bool read(const std::string& prompt, std::string& line);

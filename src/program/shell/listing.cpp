@@ -117,7 +117,8 @@ std::string state_notes(ShellSession& session) {
   return text;
 }
 
-results::Increment present_fronts(const ShellSession& session, const std::string& only) {
+results::Increment current_increment_of_crack(const ShellSession& session,
+                                              const std::string& only) {
   results::Increment alone;
   results::StepResult& step = alone.steps.emplace_back();
   step.step = "NOW";
@@ -130,7 +131,7 @@ results::Increment present_fronts(const ShellSession& session, const std::string
 }
 
 std::string k_reply(const ShellSession& session, const std::string& only) {
-  const results::Increment fronts = present_fronts(session, only);
+  const results::Increment fronts = current_increment_of_crack(session, only);
   std::vector<ReportTable> tables = report::front_tables(session.displayed_model(), fronts);
   if (tables.empty()) {
     tables.push_back(report::without_title(report::k_table(session.displayed_model(), fronts)));
@@ -144,7 +145,7 @@ std::string k_reply(const ShellSession& session, const std::string& only) {
 
 std::string k_notes(const ShellSession& session, const std::string& only) {
   std::string text;
-  for (const FrontResult& front : present_fronts(session, only).steps.front().fronts) {
+  for (const FrontResult& front : current_increment_of_crack(session, only).steps.front().fronts) {
     text += invalid_reason_note(front) + touching_note(front);
     if (!front.has_error_bar()) {
       text += fmt::format("note: {}: no error bar: {}\n", front.name, front.no_bar);
@@ -222,8 +223,8 @@ std::vector<MappedFrontPoint> mapped_points(const results::LoadPathResult& path)
 } // namespace
 
 std::string map_reply(const ShellSession& session) {
-  const results::LoadPathResult& path = *session.last_mapped_path();
-  const MapRange& range = session.map_range();
+  const results::LoadPathResult& path = *session.last_followed_path();
+  const PathParameterRange& range = session.path_parameter_range();
   const std::string K = session.model().units.stress_intensity_name();
   ReportTable table{"", {{range.what, "", false}}, {}};
   const std::vector<MappedFrontPoint> points =
@@ -264,7 +265,7 @@ namespace {
 std::string actions_text(const model::Model& model, const model::Step& step) {
   std::vector<std::string> texts;
   for (const model::StepAction& action : step.actions) {
-    texts.push_back(action_text(model, action));
+    texts.push_back(step_action_text(model, action));
   }
   return fmt::format("{}", fmt::join(texts, ", "));
 }
@@ -273,7 +274,7 @@ std::string actions_text(const model::Model& model, const model::Step& step) {
 
 std::string settings_reply(const ShellSession& session) {
   const model::Model& model = session.model();
-  std::string text = fmt::format("state    the end of step {}\n", session.base_step());
+  std::string text = fmt::format("state    the end of step {}\n", session.base_step_name());
   for (const model::Step& step : session.changes().applied) {
     text += fmt::format("then     {}\n", actions_text(model, step));
   }

@@ -133,7 +133,7 @@ base::OptionalFailure draw_picture(const ShellSession& session, const std::strin
   } else if (kind == "mesh") {
     svg = stacked(report::mesh_figures(session.displayed_model(), session.run_results()));
   } else if (kind == "path") {
-    const results::LoadPathResult* path = session.last_mapped_path();
+    const results::LoadPathResult* path = session.last_followed_path();
     if (path == nullptr || path->fronts.empty()) {
       return invalid_input("there is no map at this state", "map CASE 0 1.5, or map LOADPATH");
     }

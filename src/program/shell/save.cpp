@@ -50,10 +50,11 @@ model::Step all_factors(const ShellSession& session) {
 
 base::OptionalFailure add_steps(const ShellSession& session, deck::DeckCardList& text) {
   const model::Model& model = session.model();
-  const bool last = session.base_step() == model.steps.back().name;
+  const bool last = session.base_step_name() == model.steps.back().name;
   std::vector<model::Step> steps = session.changes().applied;
-  const bool ordered = session.has_friction() || std::ranges::any_of(steps, mounts_contacts) ||
-                       std::ranges::any_of(model.steps, mounts_contacts);
+  const bool ordered = session.has_friction() ||
+                       std::ranges::any_of(steps, changes_mounted_contacts) ||
+                       std::ranges::any_of(model.steps, changes_mounted_contacts);
   if (steps.empty() && last) {
     return {}; // the deck's last step is the state
   }
@@ -63,7 +64,7 @@ base::OptionalFailure add_steps(const ShellSession& session, deck::DeckCardList&
     return invalid_input(
         fmt::format("the state goes on from step {}, but the deck has steps behind it, "
                     "and with friction or mounted contacts the order counts",
-                    session.base_step()),
+                    session.base_step_name()),
         fmt::format("step {} and the changes again", model.steps.back().name));
   }
   append_steps(model, steps, text);
@@ -72,8 +73,8 @@ base::OptionalFailure add_steps(const ShellSession& session, deck::DeckCardList&
 
 } // namespace
 
-base::OptionalFailure saved_deck(const ShellSession& session, const std::filesystem::path& folder,
-                                 std::string& text) {
+base::OptionalFailure make_saved_deck_text(const ShellSession& session,
+                                           const std::filesystem::path& folder, std::string& text) {
   const model::Model& model = session.model();
   deck::DeckCardList cards = *session.changes().text;
   if (model.growth) {
@@ -83,10 +84,10 @@ base::OptionalFailure saved_deck(const ShellSession& session, const std::filesys
     return trouble;
   }
   const std::set<std::string> of_runs{"GROW", "SWEEP", "RESTART", "TEST"};
-  const bool other_values = session.has_other_cards() || model.growth;
+  const bool other_values = session.has_changed_cards() || model.growth;
   for (std::size_t i = 0; i < cards.size();) {
     if (of_runs.contains(cards[i].name) || (cards[i].name == "CHECK" && other_values)) {
-      comment_out(cards, i);
+      comment_out_card(cards, i);
     } else {
       ++i;
     }

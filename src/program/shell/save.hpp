@@ -13,7 +13,7 @@ namespace spricka::program {
 /// $SWEEP, $RESTART and $TEST become comments, $CHECK where cards have other values. `folder`:
 /// where the text will be, for the names of files in it. Trouble where the order of steps cannot be
 /// kept.
-base::OptionalFailure saved_deck(const ShellSession& session, const std::filesystem::path& folder,
-                                 std::string& text);
+base::OptionalFailure make_saved_deck_text(const ShellSession& session,
+                                           const std::filesystem::path& folder, std::string& text);
 
 } // namespace spricka::program

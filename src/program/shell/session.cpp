@@ -72,7 +72,7 @@ base::OptionalFailure ShellSession::open() {
 
 // All that depends on the deck is made aside and takes its place at the end. Without a text of its
 // cards the deck is read from its file, and nothing is set.
-base::OptionalFailure ShellSession::read_again(DeckChanges to) {
+base::OptionalFailure ShellSession::read_again(SessionDeckChanges to) {
   deck::DeckReadOptions options;
   if (to.text) {
     options.own_lengths = to.cracks;
@@ -80,7 +80,7 @@ base::OptionalFailure ShellSession::read_again(DeckChanges to) {
   } else {
     options.defines = options_.defines;
   }
-  auto deck = std::make_unique<ReadyDeck>(options_.read(options));
+  auto deck = std::make_unique<CheckedDeck>(options_.read(options));
   if (!deck->model) {
     return base::OperationFailure{.kind = deck->refusal.kind, .why = {}, .complete = true};
   }
@@ -102,13 +102,13 @@ base::OptionalFailure ShellSession::read_again(DeckChanges to) {
         std::ranges::find(next.model_->steps, leading, &model::Step::name) -
         next.model_->steps.begin());
     auto text = std::make_shared<deck::DeckCardList>();
-    if (base::OptionalFailure trouble =
-            read_cards(next.deck_->sources.file_name(0), options_.defines, *text, next.files_)) {
+    if (base::OptionalFailure trouble = read_checked_deck_cards(
+            next.deck_->sources.file_name(0), options_.defines, *text, next.files_)) {
       return trouble;
     }
     next.set_.text = std::move(text);
   }
-  next.other_cards_ = cards_but_cracks(*next.set_.text);
+  next.other_cards_ = cards_without_cracks_text(*next.set_.text);
   if (changed && next.other_cards_ == other_cards_ &&
       next.model_->mesh.element_count() == model_->mesh.element_count()) {
     next.plan_ = plan_; // lengths of one deck share them
@@ -233,10 +233,10 @@ std::vector<model::Step> ShellSession::way() const {
 }
 
 base::OptionalFailure ShellSession::go_to_step(const std::string& name) {
-  std::vector<std::string> names = argument_names('s', *model_);
+  std::vector<std::string> names = candidate_argument_names('s', *model_);
   names.erase(names.begin()); // NOW
   std::size_t index = 0;
-  base::OptionalFailure trouble = find_name(names, "step", name, index);
+  base::OptionalFailure trouble = find_name_index(names, "step", name, index);
   trouble = trouble ? trouble : bench_->solve_from_unloaded(way_to(index));
   if (trouble) {
     return trouble;
@@ -286,7 +286,7 @@ base::OptionalFailure ShellSession::add_step_line(const std::string& line) {
         fmt::format("contact {} has no declared fit that a factor could scale", contact),
         fmt::format("$CONTACT NAME={} INTERFERENCE=0.05 declares one", contact));
   }
-  DeckChanges to = set_;
+  SessionDeckChanges to = set_;
   if (subject(action).first == 2) {
     const base::ContactId contact(subject(action).second);
     const bool on = std::holds_alternative<model::MountContact>(action);
@@ -306,11 +306,11 @@ base::OptionalFailure ShellSession::add_step_line(const std::string& line) {
   return {};
 }
 
-base::OptionalFailure ShellSession::change_deck(DeckChanges to, deck::DeckCardList text,
+base::OptionalFailure ShellSession::change_deck(SessionDeckChanges to, deck::DeckCardList text,
                                                 const std::string& line) {
   to.text = std::make_shared<deck::DeckCardList>(std::move(text));
   to.lines.push_back(line);
-  DeckChanges before = set_;
+  SessionDeckChanges before = set_;
   base::OptionalFailure trouble = read_again(std::move(to));
   if (!trouble) {
     earlier_.push_back(std::move(before));
@@ -324,7 +324,7 @@ base::OptionalFailure ShellSession::change_card(const std::string& header) {
   if (base::OptionalFailure trouble = set_card_keys(header, text, card)) {
     return trouble;
   }
-  DeckChanges to = set_;
+  SessionDeckChanges to = set_;
   if (text[card].name == "CRACK") {
     to.cracks.insert(text[card].word_value("NAME"));
   }
@@ -341,7 +341,7 @@ base::OptionalFailure ShellSession::undo() {
   if (earlier_.empty()) {
     return invalid_input("nothing has been changed");
   }
-  DeckChanges to = earlier_.back();
+  SessionDeckChanges to = earlier_.back();
   base::OptionalFailure trouble;
   if (to.text == set_.text) {
     std::swap(set_, to);
@@ -369,8 +369,8 @@ base::OptionalFailure ShellSession::solve(int substeps) {
   next.substeps = has_friction() ? substeps : 1;
   std::vector<model::Step>& applied = set_.applied;
   const std::vector<model::Step> before = applied;
-  if (!applied.empty() && !has_friction() && !mounts_contacts(next) &&
-      !mounts_contacts(applied.back())) {
+  if (!applied.empty() && !has_friction() && !changes_mounted_contacts(next) &&
+      !changes_mounted_contacts(applied.back())) {
     for (const model::StepAction& action : next.actions) {
       put(applied.back().actions, action);
     }

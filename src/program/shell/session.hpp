@@ -20,7 +20,7 @@ namespace spricka::program {
 
 struct SessionOptions {
   /// Reads and checks the deck.
-  std::function<ReadyDeck(const deck::DeckReadOptions&)> read;
+  std::function<CheckedDeck(const deck::DeckReadOptions&)> read;
   std::vector<std::pair<std::string, std::string>> defines; ///< -D of the command line
   std::function<int(const model::Model&)> threads;          ///< empty: one
   std::function<bool()> stopped;                            ///< may be empty
@@ -36,13 +36,13 @@ struct CrackSize {
 inline constexpr int default_substeps = 10;
 
 /// What a map runs over: t of a load path, or the factor of a load case.
-struct MapRange {
+struct PathParameterRange {
   std::string what = "t";
   double from = 0.0, to = 1.0; ///< at t = 0 and t = 1
 };
 
 /// What is set: the deck's cards as they are now, and the steps behind its own.
-struct DeckChanges {
+struct SessionDeckChanges {
   std::shared_ptr<const deck::DeckCardList> text; ///< with -D in its parameters
   std::vector<std::string> lines;                 ///< cards and parameters that were typed
   std::set<std::string> cracks;     ///< that were given keys: $GROW does not set their lengths
@@ -100,14 +100,14 @@ public:
   /// name.
   base::OptionalFailure evaluate(const model::ResultCheck& check, double& value);
   /// K along a $LOADPATH of the deck.
-  base::OptionalFailure map_path(const std::string& name);
+  base::OptionalFailure follow_deck_load_path(const std::string& name);
   /// K while the factor of a load case goes from one value to another, all else as it is; the path
   /// has the name of the case. Values as a LOAD of $STEP has them.
-  base::OptionalFailure map_case(const std::string& load_case, const std::string& from,
-                                 const std::string& to);
+  base::OptionalFailure follow_load_case_range(const std::string& load_case,
+                                               const std::string& from, const std::string& to);
   /// The path that was followed last; null: none at this state.
-  [[nodiscard]] const results::LoadPathResult* last_mapped_path() const;
-  [[nodiscard]] const MapRange& map_range() const { return range_; }
+  [[nodiscard]] const results::LoadPathResult* last_followed_path() const;
+  [[nodiscard]] const PathParameterRange& path_parameter_range() const { return range_; }
 
   /// A state with the present loads and cards that was found at one size of the cracks.
   struct FrontsAtSize {
@@ -122,12 +122,12 @@ public:
   [[nodiscard]] const model::Model& displayed_model() const { return bench_->displayed_model(); }
   /// Files that the deck was read from.
   [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
-  [[nodiscard]] const DeckChanges& changes() const { return set_; }
+  [[nodiscard]] const SessionDeckChanges& changes() const { return set_; }
   /// Whether cards or parameters have other values than in the deck's file.
-  [[nodiscard]] bool has_other_cards() const {
+  [[nodiscard]] bool has_changed_cards() const {
     return !set_.lines.empty() || !options_.defines.empty();
   }
-  [[nodiscard]] const std::string& base_step() const { return model_->steps[set_.base].name; }
+  [[nodiscard]] const std::string& base_step_name() const { return model_->steps[set_.base].name; }
   [[nodiscard]] bool has_friction() const; ///< a contact or crack with friction: the order counts
   /// Nets condensed and reused when cards changed last.
   [[nodiscard]] const analysis::CondensationStatistics& condensation_figures() const {
@@ -138,8 +138,8 @@ public:
   [[nodiscard]] CrackSize crack_size(std::size_t crack) const;
 
 private:
-  base::OptionalFailure read_again(DeckChanges to);
-  base::OptionalFailure change_deck(DeckChanges to, deck::DeckCardList text,
+  base::OptionalFailure read_again(SessionDeckChanges to);
+  base::OptionalFailure change_deck(SessionDeckChanges to, deck::DeckCardList text,
                                     const std::string& line);
   /// A bench for the model of a deck just read.
   base::OptionalFailure open_model();
@@ -153,13 +153,13 @@ private:
   [[nodiscard]] analysis::CrackRegionPlan plan_lengths() const;
   base::OptionalFailure follow(const model::LoadPathDefinition& card,
                                const std::vector<model::Step>& from,
-                               const std::vector<model::Step>& to, const MapRange& range);
+                               const std::vector<model::Step>& to, const PathParameterRange& range);
   [[nodiscard]] std::string setting() const;
   void remember();
 
   SessionOptions options_;
   std::vector<std::filesystem::path> files_;
-  std::unique_ptr<ReadyDeck> deck_;
+  std::unique_ptr<CheckedDeck> deck_;
   std::unique_ptr<model::Model> model_; ///< with the lengths that $GROW begins with
   std::string other_cards_;             ///< all cards but $CRACK
   analysis::CrackRegionPlan plan_;
@@ -168,10 +168,10 @@ private:
   std::shared_ptr<analysis::ContactMemory> contact_ = std::make_shared<analysis::ContactMemory>();
   std::shared_ptr<analysis::MountOffsetMemory> memory_; ///< where $GROW says MOUNTED=FIRST
   std::unique_ptr<InteractiveSolver> bench_;
-  DeckChanges set_;
-  std::vector<DeckChanges> earlier_;
+  SessionDeckChanges set_;
+  std::vector<SessionDeckChanges> earlier_;
   std::string mapped_;
-  MapRange range_;
+  PathParameterRange range_;
   struct TriedSize {
     std::string setting; ///< of all but lengths
     FrontsAtSize found;

@@ -42,7 +42,7 @@ public:
       return trouble->kind;
     }
     if (editor) {
-      editor->complete_with([this](std::string_view line, std::size_t begin) {
+      editor->set_completion_function([this](std::string_view line, std::size_t begin) {
         return complete_shell_line(*session_, line, begin);
       });
     }
@@ -74,7 +74,7 @@ private:
     options.defines = options_.deck.defines;
     options.stopped = terminal ? LineEditor::interrupted : std::function<bool()>();
     options.read = [this](const deck::DeckReadOptions& read) {
-      ReadyDeck deck = read_and_check_deck(options_.deck.deck, read, log_, &reported_);
+      CheckedDeck deck = read_and_check_deck(options_.deck.deck, read, log_, &reported_);
       if (deck.model) {
         reported_ = deck.diagnostics;
       }
@@ -88,8 +88,9 @@ private:
     if (base::OptionalFailure trouble = session_->open()) {
       return trouble;
     }
-    if (wants_tolerance(session_->model())) {
-      to_stderr(fmt::format("note: TOL of $TIPNET is for runs: here the mesh stays as it is\n"));
+    if (has_k_tolerance(session_->model())) {
+      write_to_stderr(
+          fmt::format("note: TOL of $TIPNET is for runs: here the mesh stays as it is\n"));
     }
     if (!session_->model().sweeps.empty()) {
       fmt::print(
@@ -97,9 +98,10 @@ private:
           "note: parameters of $SWEEP have the deck's own values; NAME = VALUE changes them\n");
     }
     if (terminal) {
-      to_stderr(fmt::format("{}: at the end of step {}, {:.2f} s CPU; help lists the commands\n",
-                            base::make_printable(options_.deck.deck.string()),
-                            session_->base_step(), watch.cpu_time()));
+      write_to_stderr(
+          fmt::format("{}: at the end of step {}, {:.2f} s CPU; help lists the commands\n",
+                      base::make_printable(options_.deck.deck.string()), session_->base_step_name(),
+                      watch.cpu_time()));
     }
     return {};
   }
@@ -127,18 +129,18 @@ private:
 
   static void tell(const base::OperationFailure& trouble) {
     if (trouble.complete) {
-      to_stderr(fmt::format("{}", trouble.why));
+      write_to_stderr(fmt::format("{}", trouble.why));
     } else {
-      to_stderr(fmt::format("error: {}\n", trouble.why));
+      write_to_stderr(fmt::format("error: {}\n", trouble.why));
     }
   }
 
   void tell(const ShellReply& reply, bool terminal) const {
-    to_stdout(reply.out);
+    write_to_stdout(reply.out);
     std::fflush(stdout);
-    to_stderr(fmt::format("{}", reply.messages));
+    write_to_stderr(fmt::format("{}", reply.messages));
     if (terminal && !options_.deck.quiet && reply.cpu >= 5e-4) {
-      to_stderr(fmt::format("({:.0f} ms CPU)\n", 1e3 * reply.cpu));
+      write_to_stderr(fmt::format("({:.0f} ms CPU)\n", 1e3 * reply.cpu));
     }
   }
 

@@ -5,7 +5,7 @@
 
 namespace spricka::program {
 
-std::string_view without_comment(std::string_view line) {
+std::string_view strip_comment(std::string_view line) {
   bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
     quoted = quoted != (line[i] == '\'');
@@ -20,12 +20,12 @@ std::string_view without_comment(std::string_view line) {
              : line.substr(first, line.find_last_not_of(" \t\r") - first + 1);
 }
 
-std::vector<std::string> shell_words(std::string_view line) {
+std::vector<std::string> split_shell_words(std::string_view line) {
   std::vector<std::string> words;
   int depth = 0;
   bool open = false; // a word has begun
   bool quoted = false;
-  for (const char c : without_comment(line)) {
+  for (const char c : strip_comment(line)) {
     if (c == '\'') {
       quoted = !quoted;
       if (quoted && !open) {
@@ -48,13 +48,13 @@ std::vector<std::string> shell_words(std::string_view line) {
   return words;
 }
 
-LineForm form_of_line(std::string_view line) {
-  line = without_comment(line);
+ShellLineForm classify_shell_line(std::string_view line) {
+  line = strip_comment(line);
   if (line.empty()) {
-    return LineForm::nothing;
+    return ShellLineForm::nothing;
   }
   if (line.front() == '$') {
-    return LineForm::card;
+    return ShellLineForm::card;
   }
   const char* const last = line.data() + line.size();
   const char* end = grammar::scan_qualified_name(line.data(), last);
@@ -62,15 +62,15 @@ LineForm form_of_line(std::string_view line) {
     end = grammar::scan_qualified_name(end + 1, last);
   }
   if (end == line.data() || end == last) {
-    return LineForm::command;
+    return ShellLineForm::command;
   }
   if (*end == '(') {
-    return LineForm::result;
+    return ShellLineForm::result;
   }
   const std::size_t next =
       line.find_first_not_of(" \t", static_cast<std::size_t>(end - line.data()));
-  return next != std::string_view::npos && line[next] == '=' ? LineForm::parameter
-                                                             : LineForm::command;
+  return next != std::string_view::npos && line[next] == '=' ? ShellLineForm::parameter
+                                                             : ShellLineForm::command;
 }
 
 } // namespace spricka::program

@@ -9,13 +9,13 @@ namespace spricka::program {
 
 /// Words are parted by blanks outside of brackets and quotes, which are taken off. ! begins a
 /// comment.
-std::vector<std::string> shell_words(std::string_view line);
+std::vector<std::string> split_shell_words(std::string_view line);
 
 /// The text of a line up to a comment, without blanks at its ends.
-std::string_view without_comment(std::string_view line);
+std::string_view strip_comment(std::string_view line);
 
 /// What a line is meant for by its form.
-enum class LineForm {
+enum class ShellLineForm {
   nothing,   ///< a comment
   card,      ///< $CARD KEY=value
   result,    ///< NAME(arguments)
@@ -23,6 +23,6 @@ enum class LineForm {
   command
 };
 /// The form of a line, comment and blanks around it left out.
-LineForm form_of_line(std::string_view line);
+ShellLineForm classify_shell_line(std::string_view line);
 
 } // namespace spricka::program

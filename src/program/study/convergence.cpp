@@ -52,8 +52,8 @@ double best_power(const std::vector<ConvergencePoint>& points, double reference)
 
 } // namespace
 
-std::optional<ConvergenceRate> fit_slope(std::span<const ConvergencePoint> points, double floor,
-                                         double reference) {
+std::optional<ConvergenceRate> fit_convergence_rate(std::span<const ConvergencePoint> points,
+                                                    double floor, double reference) {
   std::vector<ConvergencePoint> used;
   std::ranges::copy_if(points, std::back_inserter(used), [&](const ConvergencePoint& point) {
     return std::isfinite(point.error) && point.error > floor && point.size > 1.01 * reference;
@@ -77,7 +77,8 @@ std::vector<double> error_envelope(std::span<const ConvergencePoint> points) {
   return lasting;
 }
 
-std::optional<ErrorPlateau> find_plateau(std::span<const ConvergencePoint> points, double nothing) {
+std::optional<ErrorPlateau> find_error_plateau(std::span<const ConvergencePoint> points,
+                                               double nothing) {
   constexpr double falling = 0.5; // the least power of an error that goes on
   const std::vector<double> lasting = error_envelope(points);
   std::size_t first = points.size();

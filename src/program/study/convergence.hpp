@@ -25,8 +25,8 @@ struct ConvergenceRate {
 /// The power by least squares of the logarithms, of points above `floor`; needs three of them. With
 /// `reference` > 0 the errors are differences to a mesh of that size, which has an error of the
 /// same law: |size^power - reference^power|. Points at or below that size are left out.
-std::optional<ConvergenceRate> fit_slope(std::span<const ConvergencePoint> points, double floor,
-                                         double reference = 0.0);
+std::optional<ConvergenceRate> fit_convergence_rate(std::span<const ConvergencePoint> points,
+                                                    double floor, double reference = 0.0);
 
 /// The largest error of each point and all finer ones, in the order given: what a user can rely on,
 /// as an error that passes through zero is small by luck. [point]
@@ -41,8 +41,8 @@ struct ErrorPlateau {
 /// The fine end of a series if errors there, lasting ones, fall with less than half the power of
 /// the size. Points coarse to fine; needs two of them on the plateau. Errors below `nothing` are
 /// round-off.
-std::optional<ErrorPlateau> find_plateau(std::span<const ConvergencePoint> points,
-                                         double nothing = 1e-12);
+std::optional<ErrorPlateau> find_error_plateau(std::span<const ConvergencePoint> points,
+                                               double nothing = 1e-12);
 
 /// What a run that could be chosen costs.
 struct RunCost {

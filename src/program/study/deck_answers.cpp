@@ -40,7 +40,7 @@ std::optional<AnswerGroup> group_of(std::string_view quantity) {
 
 // "K1.BAR" for K and K1, "K2.BEST.PHI" for K2.PHI; empty where there is no such word.
 std::string with_part(std::string_view quantity, std::string_view part) {
-  std::string word = bar_part_word(quantity, part);
+  std::string word = error_bar_part_word(quantity, part);
   if (word.ends_with(".BAR.MIN")) {
     word.replace(word.size() - 3, 3, "MAX"); // the smallest K may lie where the bar is widest
   }
@@ -123,7 +123,7 @@ std::vector<model::ResultCheck> questions_of_bodies(const results::RunResult& ru
 }
 
 // Whose answer it is, where a name stands first; places are of their group.
-std::string subject_of(const Answer& answer) {
+std::string subject_of(const AnswerRequest& answer) {
   const auto* const name = answer.check.arguments.empty()
                                ? nullptr
                                : std::get_if<std::string>(&answer.check.arguments.front());
@@ -138,8 +138,9 @@ const char* display_name(AnswerGroup group) {
   return names.at(static_cast<std::size_t>(group));
 }
 
-std::vector<Answer> collect_answers(const model::Model& model, const results::RunResult& run) {
-  std::vector<Answer> answers;
+std::vector<AnswerRequest> collect_answers(const model::Model& model,
+                                           const results::RunResult& run) {
+  std::vector<AnswerRequest> answers;
   const auto add = [&](const std::vector<model::ResultCheck>& checks, bool own) {
     for (const model::ResultCheck& check : checks) {
       if (const std::optional<AnswerGroup> group = group_of(check.quantity)) {
@@ -149,7 +150,8 @@ std::vector<Answer> collect_answers(const model::Model& model, const results::Ru
     }
   };
   add(model.checks, true);
-  if (!model.cracks.empty() && std::ranges::count(answers, AnswerGroup::K, &Answer::group) == 0) {
+  if (!model.cracks.empty() &&
+      std::ranges::count(answers, AnswerGroup::K, &AnswerRequest::group) == 0) {
     add(questions_of_cracks(run), false);
   }
   if (answers.empty()) {
@@ -158,11 +160,11 @@ std::vector<Answer> collect_answers(const model::Model& model, const results::Ru
   // What the deck itself does not find is no answer.
   model::Model asked = model;
   asked.checks.clear();
-  for (const Answer& answer : answers) {
+  for (const AnswerRequest& answer : answers) {
     asked.checks.push_back(answer.check);
   }
   const std::vector<results::CheckResult> found = evaluate_checks(asked, run);
-  std::vector<Answer> kept;
+  std::vector<AnswerRequest> kept;
   for (std::size_t i = 0; i < answers.size(); ++i) {
     answers[i].text = found[i].text;
     if (found[i].trouble.empty() && std::isfinite(found[i].found)) {
@@ -173,7 +175,7 @@ std::vector<Answer> collect_answers(const model::Model& model, const results::Ru
 }
 
 std::vector<AnswerReading> read_answers(const model::Model& model,
-                                        const std::vector<Answer>& answers,
+                                        const std::vector<AnswerRequest>& answers,
                                         const results::RunResult& run) {
   model::Model asked = model;
   std::vector<AnswerReading> readings(answers.size());
@@ -200,7 +202,7 @@ std::vector<AnswerReading> read_answers(const model::Model& model,
   return readings;
 }
 
-std::vector<double> answer_scales(const std::vector<Answer>& answers,
+std::vector<double> answer_scales(const std::vector<AnswerRequest>& answers,
                                   const std::vector<double>& found) {
   std::vector<double> scales;
   for (std::size_t i = 0; i < answers.size(); ++i) {

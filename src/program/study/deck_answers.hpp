@@ -19,7 +19,7 @@ enum class AnswerGroup { K, T, pressure, stress, displacement, energy, arc, life
 /// "K", "pressure": for headings.
 const char* display_name(AnswerGroup group);
 
-struct Answer {
+struct AnswerRequest {
   model::ResultCheck check;
   std::string text; ///< "K(TOP,LOAD,10.8)"
   AnswerGroup group = AnswerGroup::other;
@@ -37,18 +37,19 @@ struct AnswerReading {
 /// Of a deck that checks no K of its cracks K1 and K2 of each tip at the end of each step and
 /// length, along fronts at eight points; without cracks and checks mean pressures of its contacts,
 /// and the energy.
-std::vector<Answer> collect_answers(const model::Model& model, const results::RunResult& run);
+std::vector<AnswerRequest> collect_answers(const model::Model& model,
+                                           const results::RunResult& run);
 
 /// Values of the answers in a run, with error bar and corrected value of those that have them.
 /// [answer]
 std::vector<AnswerReading> read_answers(const model::Model& model,
-                                        const std::vector<Answer>& answers,
+                                        const std::vector<AnswerRequest>& answers,
                                         const results::RunResult& run);
 
 /// What errors of each answer are parts of: the amount of `found`, or where an answer may be zero
 /// (an absolute tolerance, none at all) the largest amount in the answers of its group about the
 /// same crack, contact or set. 0: there is no such thing. [answer]
-std::vector<double> answer_scales(const std::vector<Answer>& answers,
+std::vector<double> answer_scales(const std::vector<AnswerRequest>& answers,
                                   const std::vector<double>& found);
 
 } // namespace spricka::program

@@ -64,10 +64,10 @@ void erase_nets(DeckCardList& text, const std::set<std::string>& nets) {
 // Takes out lines of loads and items of lists that name the nets; false: nothing is left.
 bool keep_other_nets(DeckCard& card, const std::set<std::string>& nets) {
   constexpr std::array names{"LOAD", "NSET", "ESET", "FSET", "FREEDOM"};
-  if (std::ranges::find(names, card.name) == names.end() || data_rows(card).empty()) {
+  if (std::ranges::find(names, card.name) == names.end() || split_data_lines(card).empty()) {
     return true;
   }
-  change_lines(card, [&](const DataFields& fields, std::string& line) {
+  rewrite_data_lines(card, [&](const DataFields& fields, std::string& line) {
     const auto own = [&](const std::string& field) { return names_net(field, nets); };
     if (card.name == "LOAD") {
       line = own(fields.front()) ? "" : line;
@@ -79,12 +79,12 @@ bool keep_other_nets(DeckCard& card, const std::set<std::string>& nets) {
       line += line.empty() ? "" : "\n";
     }
   });
-  return !data_rows(card).empty();
+  return !split_data_lines(card).empty();
 }
 
 } // namespace
 
-std::string twelve_digits(double value) {
+std::string format_twelve_digits(double value) {
   return fmt::format("{:.12g}", value);
 }
 
@@ -93,7 +93,7 @@ std::string net_prefix(std::string_view name) {
   return point == std::string_view::npos ? std::string() : grammar::to_upper(name.substr(0, point));
 }
 
-std::vector<DataFields> data_rows(const DeckCard& card) {
+std::vector<DataFields> split_data_lines(const DeckCard& card) {
   const ParsedData data(card);
   std::vector<DataFields> rows;
   for (const grammar::DataRow& row : data.rows()) {
@@ -102,8 +102,8 @@ std::vector<DataFields> data_rows(const DeckCard& card) {
   return rows;
 }
 
-void change_lines(DeckCard& card,
-                  const std::function<void(const DataFields&, std::string& line)>& change) {
+void rewrite_data_lines(DeckCard& card,
+                        const std::function<void(const DataFields&, std::string& line)>& change) {
   const ParsedData data(card);
   const std::string text = card.data;
   const char* const last = text.data() + text.size();
@@ -121,23 +121,23 @@ void change_lines(DeckCard& card,
   card.data = changed + text.substr(at);
 }
 
-void filter_lines(DeckCard& card, const std::function<bool(const DataFields&)>& keep) {
-  change_lines(
+void filter_data_lines(DeckCard& card, const std::function<bool(const DataFields&)>& keep) {
+  rewrite_data_lines(
       card, [&](const DataFields& fields, std::string& line) { line = keep(fields) ? line : ""; });
 }
 
-void filter_actions(DeckCardList& text,
-                    const std::function<bool(const std::string&, const std::string&)>& keep) {
+void filter_step_actions(DeckCardList& text,
+                         const std::function<bool(const std::string&, const std::string&)>& keep) {
   for (DeckCard& card : cards_named(text, "STEP")) {
-    filter_lines(card, [&](const DataFields& fields) {
+    filter_data_lines(card, [&](const DataFields& fields) {
       return keep(grammar::to_upper(fields.front()),
                   fields.size() < 2 ? std::string() : grammar::to_upper(fields[1]));
     });
   }
 }
 
-std::string change_names(std::string_view text,
-                         const std::function<std::string(std::string_view)>& change) {
+std::string rename_in_text(std::string_view text,
+                           const std::function<std::string(std::string_view)>& change) {
   std::string changed;
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];
@@ -158,8 +158,8 @@ std::string change_names(std::string_view text,
   return changed;
 }
 
-void drop_mounts(DeckCardList& text) {
-  filter_actions(text, [](const std::string& action, const std::string&) {
+void remove_mount_actions(DeckCardList& text) {
+  filter_step_actions(text, [](const std::string& action, const std::string&) {
     return action != "MOUNT" && action != "DISMOUNT";
   });
   for (DeckCard& card : cards_named(text, "GROW")) {
@@ -182,7 +182,7 @@ std::set<std::string> remove_nets(DeckCardList& text, const std::set<std::string
     }
   }
   text = std::move(kept);
-  filter_actions(text, [&](const std::string& action, const std::string& contact) {
+  filter_step_actions(text, [&](const std::string& action, const std::string& contact) {
     return action == "LOAD" || !contacts.contains(contact);
   });
   return contacts;
@@ -193,33 +193,34 @@ void drop_undefined_loads(DeckCardList& text) {
   for (const DeckCard& card : cards_named(text, "LOAD")) {
     cases.insert(card.word_value("CASE"));
   }
-  filter_actions(text, [&](const std::string& action, const std::string& load_case) {
+  filter_step_actions(text, [&](const std::string& action, const std::string& load_case) {
     return action != "LOAD" || load_case.empty() || cases.contains(load_case);
   });
 }
 
-void drop_requests(DeckCardList& text) {
+void remove_checks_and_requests(DeckCardList& text) {
   std::erase_if(text, [](const DeckCard& card) {
     constexpr std::array names{"CHECK", "OUTPUT", "RESTART", "SWEEP", "TEST"};
     return std::ranges::find(names, card.name) != names.end();
   });
 }
 
-DeckCard rigid_line(const std::string& name, const base::Vec3& first, const base::Vec3& second) {
+DeckCard make_rigid_line_card(const std::string& name, const base::Vec3& first,
+                              const base::Vec3& second) {
   return deck::make_card("RIGID", {{"NAME", name},
                                    {"SHAPE", "LINE"},
-                                   {"X0", twelve_digits(first.x())},
-                                   {"Y0", twelve_digits(first.y())},
-                                   {"X1", twelve_digits(second.x())},
-                                   {"Y1", twelve_digits(second.y())}});
+                                   {"X0", format_twelve_digits(first.x())},
+                                   {"Y0", format_twelve_digits(first.y())},
+                                   {"X1", format_twelve_digits(second.x())},
+                                   {"Y1", format_twelve_digits(second.y())}});
 }
 
-DeckCard rigid_circle(const std::string& name, const base::Vec3& centre, double radius) {
+DeckCard make_rigid_circle_card(const std::string& name, const base::Vec3& centre, double radius) {
   return deck::make_card("RIGID", {{"NAME", name},
                                    {"SHAPE", "ARC"},
-                                   {"X0", twelve_digits(centre.x())},
-                                   {"Y0", twelve_digits(centre.y())},
-                                   {"R", twelve_digits(radius)}});
+                                   {"X0", format_twelve_digits(centre.x())},
+                                   {"Y0", format_twelve_digits(centre.y())},
+                                   {"R", format_twelve_digits(radius)}});
 }
 
 } // namespace spricka::program

@@ -23,27 +23,27 @@ struct RewrittenDeck {
 using DataFields = std::vector<std::string>;
 
 /// The fields of all data lines of a card; comments are left out. [line][field]
-std::vector<DataFields> data_rows(const deck::DeckCard& card);
+std::vector<DataFields> split_data_lines(const deck::DeckCard& card);
 
 /// Lets `change` rewrite each data line of a card, with its continuations and ended by a newline,
 /// given its fields; an empty line goes. Comment and blank lines stay.
-void change_lines(deck::DeckCard& card,
-                  const std::function<void(const DataFields&, std::string& line)>& change);
+void rewrite_data_lines(deck::DeckCard& card,
+                        const std::function<void(const DataFields&, std::string& line)>& change);
 
 /// Data lines for which `keep` holds, given their fields; comment and blank lines stay.
-void filter_lines(deck::DeckCard& card, const std::function<bool(const DataFields&)>& keep);
+void filter_data_lines(deck::DeckCard& card, const std::function<bool(const DataFields&)>& keep);
 
 /// Lines of all $STEP for which `keep` holds, given in upper case what they do and to which name;
 /// the name is empty where there is none.
-void filter_actions(deck::DeckCardList& text,
-                    const std::function<bool(const std::string&, const std::string&)>& keep);
+void filter_step_actions(deck::DeckCardList& text,
+                         const std::function<bool(const std::string&, const std::string&)>& keep);
 
 /// A text with its names as `change` makes them, but for those in comments, quotes and units.
-std::string change_names(std::string_view text,
-                         const std::function<std::string(std::string_view)>& change);
+std::string rename_in_text(std::string_view text,
+                           const std::function<std::string(std::string_view)>& change);
 
 /// Contacts stand from the beginning: MOUNT and DISMOUNT go.
-void drop_mounts(deck::DeckCardList& text);
+void remove_mount_actions(deck::DeckCardList& text);
 
 /// Removes nets and all that is about them alone: their meshes, sets, properties, supports, loads
 /// and contacts. Names in upper case; returns the names of contacts that went with them.
@@ -53,18 +53,19 @@ std::set<std::string> remove_nets(deck::DeckCardList& text, const std::set<std::
 void drop_undefined_loads(deck::DeckCardList& text);
 
 /// Checks, requests, tests and states of runs go: a variant is asked anew.
-void drop_requests(deck::DeckCardList& text);
+void remove_checks_and_requests(deck::DeckCardList& text);
 
 /// A number as cards of variants have it.
-std::string twelve_digits(double value);
+std::string format_twelve_digits(double value);
 
 /// "LUG" of "LUG.BORE", upper case; empty without a point.
 std::string net_prefix(std::string_view name);
 
 /// A $RIGID card of the plane: a line with the body on its left.
-deck::DeckCard rigid_line(const std::string& name, const base::Vec3& first,
-                          const base::Vec3& second);
+deck::DeckCard make_rigid_line_card(const std::string& name, const base::Vec3& first,
+                                    const base::Vec3& second);
 /// The same of a circle, with the body outside, for a negative radius inside.
-deck::DeckCard rigid_circle(const std::string& name, const base::Vec3& centre, double radius);
+deck::DeckCard make_rigid_circle_card(const std::string& name, const base::Vec3& centre,
+                                      double radius);
 
 } // namespace spricka::program

@@ -15,7 +15,7 @@ namespace spricka::program {
 namespace {
 
 // The largest "U.Y" of a whole that y mirrors is that of a part, or minus its smallest.
-bool is_odd_extreme(const Answer& answer, const std::string& mirrored) {
+bool is_odd_extreme(const AnswerRequest& answer, const std::string& mirrored) {
   const std::string& word = answer.check.quantity;
   const bool directed =
       answer.group == AnswerGroup::displacement || answer.group == AnswerGroup::stress;
@@ -66,8 +66,9 @@ SymmetricPart reduce_by_symmetry(const model::Model& model, const deck::DeckCard
   return part;
 }
 
-void convert_to_whole_model(std::vector<AnswerReading>& readings,
-                            const std::vector<Answer>& answers, const std::string& mirrored) {
+void convert_answers_to_whole_model(std::vector<AnswerReading>& readings,
+                                    const std::vector<AnswerRequest>& answers,
+                                    const std::string& mirrored) {
   for (std::size_t i = 0; i < readings.size() && !mirrored.empty(); ++i) {
     if (answers[i].group == AnswerGroup::energy) {
       readings[i].value *= mirror_image_count(mirrored);

@@ -28,7 +28,8 @@ inline int mirror_image_count(const std::string& mirrored) {
 
 /// Answers of the whole from those of a part: energies are as many times as large; of contact arcs,
 /// which may lie across, and of extremes that change their sign across a plane, nothing is told.
-void convert_to_whole_model(std::vector<AnswerReading>& readings,
-                            const std::vector<Answer>& answers, const std::string& mirrored);
+void convert_answers_to_whole_model(std::vector<AnswerReading>& readings,
+                                    const std::vector<AnswerRequest>& answers,
+                                    const std::string& mirrored);
 
 } // namespace spricka::program

@@ -110,7 +110,7 @@ Joint analyse_joint(const model::Model& model) {
   return joint;
 }
 
-std::set<std::string> pressing_nets(const Joint& joint) {
+std::set<std::string> find_pressing_nets(const Joint& joint) {
   std::set<std::string> reached = joint.cracked;
   for (std::size_t round = 0; round < joint.contacts.size(); ++round) {
     for (const JointContact& contact : joint.contacts) {

@@ -36,6 +36,6 @@ Joint analyse_joint(const model::Model& model);
 
 /// Nets that are there only to press on those with cracks: they meet them by contacts, one behind
 /// the other, and nothing else is known of them. Empty without cracks.
-std::set<std::string> pressing_nets(const Joint& joint);
+std::set<std::string> find_pressing_nets(const Joint& joint);
 
 } // namespace spricka::program

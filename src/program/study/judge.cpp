@@ -17,7 +17,7 @@ namespace {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 // How far the answer still moves at the fine end.
-double movement(const std::vector<Trial>& trials, const std::vector<std::size_t>& series,
+double movement(const std::vector<StudyTrial>& trials, const std::vector<std::size_t>& series,
                 std::size_t answer) {
   const std::size_t n = series.size();
   double most = n > 1 ? 0.0 : std::numeric_limits<double>::infinity();
@@ -28,7 +28,8 @@ double movement(const std::vector<Trial>& trials, const std::vector<std::size_t>
   return most;
 }
 
-AnswerReference reference_of(const Answer& answer, std::size_t a, const std::vector<Trial>& trials,
+AnswerReference reference_of(const AnswerRequest& answer, std::size_t a,
+                             const std::vector<StudyTrial>& trials,
                              const std::vector<std::size_t>& series) {
   AnswerReference reference;
   const AnswerReading& finest = trials[series.back()].readings[a];
@@ -56,8 +57,9 @@ void widen(double& largest, double value) {
   }
 }
 
-GroupErrors errors_of(AnswerGroup group, const Study& study, const Trial& trial, bool is_finest) {
-  GroupErrors errors{none, none, none};
+AnswerGroupErrors errors_of(AnswerGroup group, const Study& study, const StudyTrial& trial,
+                            bool is_finest) {
+  AnswerGroupErrors errors{none, none, none};
   bool all_best = true;
   for (std::size_t a = 0; a < trial.readings.size(); ++a) {
     const AnswerReference& reference = study.verdict.references[a];
@@ -102,13 +104,13 @@ public:
     found_.group = group;
   }
 
-  std::optional<GroupVerdict> run() {
+  std::optional<AnswerGroupVerdict> run() {
     for (std::size_t t = 0; t < trials_.size(); ++t) {
       found_.errors.push_back(errors_of(found_.group, study_, trials_[t], t == verdict_.finest));
     }
     if (std::ranges::none_of(
             found_.errors, [](double plain) { return std::isfinite(plain); },
-            &GroupErrors::plain)) {
+            &AnswerGroupErrors::plain)) {
       return std::nullopt;
     }
     find_floor();
@@ -137,7 +139,7 @@ private:
   }
 
   void judge_series(SettingFamily family, bool corrected) {
-    const std::vector<std::size_t> rows = series_rows(trials_, family);
+    const std::vector<std::size_t> rows = series_trials(trials_, family);
     std::vector<ConvergencePoint> points;
     for (const std::size_t row : rows) {
       const double error = found_.errors[row].of(corrected);
@@ -152,10 +154,11 @@ private:
     SeriesVerdict series;
     series.family = family;
     series.corrected = corrected;
-    series.plateau = find_plateau(points);
+    series.plateau = find_error_plateau(points);
     if (!corrected) {
       // The energy is singular where some answer is about a crack.
-      const bool cracked = std::ranges::count(study_.answers, AnswerGroup::K, &Answer::group) > 0;
+      const bool cracked =
+          std::ranges::count(study_.answers, AnswerGroup::K, &AnswerRequest::group) > 0;
       series.theory = theory_of(found_.group, family, cracked);
     }
     // Differences to values of the finest mesh, which has an error of the same law.
@@ -165,7 +168,8 @@ private:
     const std::size_t falling = series.plateau ? series.plateau->first + 1 : points.size();
     // A corrected value is several times better than its bar (manual, error_bar.md).
     constexpr double better = 0.25;
-    series.slope = fit_slope(std::span(points).first(falling),
+    series.slope =
+        fit_convergence_rate(std::span(points).first(falling),
                              own_ && !to_finest ? better * found_.floor : 0.0, reference);
     if (series.plateau) {
       series.reason = plateau_reason({found_, series, study_}, points);
@@ -177,7 +181,7 @@ private:
   // of the first step.
   [[nodiscard]] std::string peer_sentence() const {
     std::optional<std::size_t> peer;
-    for (const std::size_t t : series_rows(trials_, SettingFamily::peer)) {
+    for (const std::size_t t : series_trials(trials_, SettingFamily::peer)) {
       if (std::isfinite(found_.errors[t].plain) &&
           (!peer || trials_[t].setting.fineness > trials_[*peer].setting.fineness)) {
         peer = t;
@@ -186,11 +190,11 @@ private:
     if (!peer) {
       return {};
     }
-    const auto same_mesh = std::ranges::find_if(trials_, [&](const Trial& trial) {
+    const auto same_mesh = std::ranges::find_if(trials_, [&](const StudyTrial& trial) {
       return trial.setting.family != SettingFamily::peer &&
              trial.setting.deck == trials_[*peer].setting.deck;
     });
-    Trial own = *same_mesh;
+    StudyTrial own = *same_mesh;
     for (std::size_t a = 0; a < study_.answers.size(); ++a) {
       if (!std::isfinite(trials_[*peer].readings[a].value)) {
         own.readings[a] = AnswerReading();
@@ -212,15 +216,16 @@ private:
   }
 
   const Study& study_;
-  const std::vector<Trial>& trials_;
+  const std::vector<StudyTrial>& trials_;
   const StudyVerdict& verdict_;
-  GroupVerdict found_;
+  AnswerGroupVerdict found_;
   bool own_ = false; ///< some reference is of the finest setting
 };
 
 } // namespace
 
-std::vector<std::size_t> series_rows(const std::vector<Trial>& trials, SettingFamily family) {
+std::vector<std::size_t> series_trials(const std::vector<StudyTrial>& trials,
+                                       SettingFamily family) {
   constexpr std::array of_sizes{SettingFamily::whole, SettingFamily::host, SettingFamily::tip,
                                 SettingFamily::asked};
   const bool given = std::ranges::find(of_sizes, family) != of_sizes.end();
@@ -237,9 +242,9 @@ std::vector<std::size_t> series_rows(const std::vector<Trial>& trials, SettingFa
 
 void assess_trials(Study& study) {
   StudyVerdict& verdict = study.verdict;
-  std::vector<std::size_t> series = series_rows(study.trials, SettingFamily::whole);
+  std::vector<std::size_t> series = series_trials(study.trials, SettingFamily::whole);
   if (series.size() < 2) {
-    series = series_rows(study.trials, SettingFamily::asked);
+    series = series_trials(study.trials, SettingFamily::asked);
   }
   if (series.empty()) {
     return;

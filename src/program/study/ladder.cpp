@@ -19,7 +19,7 @@ namespace spricka::program {
 
 namespace {
 
-bool is_of_step(const Answer& answer, const std::string& step) {
+bool is_of_step(const AnswerRequest& answer, const std::string& step) {
   return std::ranges::any_of(answer.check.arguments, [&](const auto& argument) {
     const auto* name = std::get_if<std::string>(&argument);
     return name != nullptr && *name == step;
@@ -27,7 +27,7 @@ bool is_of_step(const Answer& answer, const std::string& step) {
 }
 
 // The step with the largest amount among these answers.
-std::string largest_step(const std::vector<Answer>& answers, const model::Model& model,
+std::string largest_step(const std::vector<AnswerRequest>& answers, const model::Model& model,
                          const results::RunResult& run) {
   const std::vector<AnswerReading> readings = read_answers(model, answers, run);
   double most = -1.0;
@@ -103,23 +103,25 @@ const char* display_name(ModelVariantVerdict verdict) {
   return names.at(static_cast<std::size_t>(verdict));
 }
 
-std::vector<Answer> hierarchy_answers(const model::Model& model, const results::RunResult& run) {
-  std::vector<Answer> all = collect_answers(model, run);
+std::vector<AnswerRequest> choose_hierarchy_answers(const model::Model& model,
+                                                    const results::RunResult& run) {
+  std::vector<AnswerRequest> all = collect_answers(model, run);
   if (all.empty()) {
     return all;
   }
-  const AnswerGroup leading = std::ranges::min(all, {}, &Answer::group).group;
-  std::erase_if(all, [&](const Answer& answer) { return answer.group != leading; });
-  const bool own = !model.checks.empty() && std::ranges::any_of(all, [](const Answer& answer) {
-    return answer.check.span.valid();
-  });
+  const AnswerGroup leading = std::ranges::min(all, {}, &AnswerRequest::group).group;
+  std::erase_if(all, [&](const AnswerRequest& answer) { return answer.group != leading; });
+  const bool own =
+      !model.checks.empty() && std::ranges::any_of(all, [](const AnswerRequest& answer) {
+        return answer.check.span.valid();
+      });
   // What matters is where the crack is driven most; in the end the joint may be unloaded.
   const std::string step =
       model.growth ? report::leading_step_name(model) : largest_step(all, model, run);
-  const bool has_step =
-      std::ranges::any_of(all, [&](const Answer& answer) { return is_of_step(answer, step); });
+  const bool has_step = std::ranges::any_of(
+      all, [&](const AnswerRequest& answer) { return is_of_step(answer, step); });
   if (!own && has_step) {
-    std::erase_if(all, [&](const Answer& answer) { return !is_of_step(answer, step); });
+    std::erase_if(all, [&](const AnswerRequest& answer) { return !is_of_step(answer, step); });
   }
   return all;
 }

@@ -31,8 +31,8 @@ struct ModelVariantResult : VariantRun {
 
 struct ModelHierarchy {
   double tolerance = 0.02;
-  std::vector<Answer> answers; ///< of one group
-  std::vector<double> scales;  ///< [answer] what differences are parts of
+  std::vector<AnswerRequest> answers; ///< of one group
+  std::vector<double> scales;         ///< [answer] what differences are parts of
   std::vector<ModelVariantResult> variants;
   std::optional<std::size_t> richest;
   /// Of those within, by CPU time; of those that take as long (within 15 %) the simplest.
@@ -43,7 +43,8 @@ struct ModelHierarchy {
 
 /// Answers of the most telling group that there are: K before pressures and the rest. Those that
 /// are not the deck's own checks: of the step with the largest of them, with $GROW of its KMAX.
-std::vector<Answer> hierarchy_answers(const model::Model& model, const results::RunResult& run);
+std::vector<AnswerRequest> choose_hierarchy_answers(const model::Model& model,
+                                                    const results::RunResult& run);
 
 /// Fills differences, verdicts and the cheapest variant.
 void compare(ModelHierarchy& ladder);

@@ -38,14 +38,14 @@ base::Outcome run_ladder(const HierarchyOptions& options, VariantRuns& runs, std
   ModelHierarchy ladder;
   ladder.tolerance = options.tolerance;
   for (ModelVariant& variant :
-       make_variants(runs.deck(), analyse_joint(runs.model()), runs.scratch())) {
+       make_model_variants(runs.deck(), analyse_joint(runs.model()), runs.scratch())) {
     ModelVariantResult& result = ladder.variants.emplace_back();
     result.trouble = variant.reason;
     result.variant = std::move(variant);
   }
   VariantRun& given = ladder.variants.front();
   const base::Outcome outcome =
-      runs.run_given(ladder.variants.front().variant, given, hierarchy_answers);
+      runs.run_original_deck(ladder.variants.front().variant, given, choose_hierarchy_answers);
   if (outcome != base::Outcome::done) {
     return outcome;
   }
@@ -58,7 +58,7 @@ base::Outcome run_ladder(const HierarchyOptions& options, VariantRuns& runs, std
       decks.push_back(&result.variant);
     }
   }
-  std::vector<VariantRun> found = runs.run_others(decks, options.jobs);
+  std::vector<VariantRun> found = runs.run_other_variants(decks, options.jobs);
   if (runs.children().stopped()) {
     return base::Outcome::stopped;
   }

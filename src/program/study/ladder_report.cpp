@@ -57,7 +57,7 @@ report::ReportTable variants_table(const model::Model& model, const ModelHierarc
               })
       .number("bar", "%",
               [](const ModelVariantResult& variant) {
-                return variant.bar > 0.0 ? in_percent(variant.bar) : "-";
+                return variant.bar > 0.0 ? percent_number(variant.bar) : "-";
               })
       .number(
           "CPU", "s", [](const ModelVariantResult& variant) { return variant.end.cpu; }, "{:.2f}")
@@ -117,8 +117,8 @@ report::Plot ladder_plot(const ModelHierarchy& ladder) {
     series.joined = false;
     plot.series.push_back(std::move(series));
   }
-  plot.series.push_back(
-      level_line("the tolerance", low, std::max(high, 1.01 * low), 100.0 * ladder.tolerance));
+  plot.series.push_back(horizontal_line_series("the tolerance", low, std::max(high, 1.01 * low),
+                                               100.0 * ladder.tolerance));
   return plot;
 }
 
@@ -134,7 +134,7 @@ std::string hierarchy_text(const model::Model& model, const ModelHierarchy& ladd
 std::string hierarchy_csv(const ModelHierarchy& ladder) {
   base::CsvTable csv("rung,verdict,freedoms,cpu,wall,memory,exit_code,answer,value,bar,difference");
   for (const ModelVariantResult& variant : ladder.variants) {
-    base::CsvRow head = cost_fields(variant);
+    base::CsvRow head = cost_csv_fields(variant);
     head.insert(head.end(),
                 {{"rung", variant.variant.name}, {"verdict", display_name(variant.verdict)}});
     if (variant.readings.empty()) {
@@ -155,7 +155,7 @@ std::string hierarchy_csv(const ModelHierarchy& ladder) {
 std::string hierarchy_page(const base::SourceTexts& sources, const model::Model& model,
                            const ModelHierarchy& ladder) {
   report::HtmlPage page;
-  const std::string title = begin_page(
+  const std::string title = begin_titled_page(
       page, model, "ladder", fmt::format("Simpler models of {}", report::deck_name(sources, 0)));
   page.add_paragraph(ladder_sentence(ladder), "");
   page.add_figure({{draw_svg(ladder_plot(ladder))},

@@ -68,7 +68,7 @@ std::optional<double> element_count_ratio(const model::Mesh& before, const model
 // A parameter with its value, where the deck as it is read with another value has more elements, or
 // fewer.
 std::optional<MeshParameter> try_parameter(const StudiedDeck& deck, const std::string& name,
-                                           double value, const ReadyDeck& changed) {
+                                           double value, const CheckedDeck& changed) {
   const auto ratio = changed.model
                          ? element_count_ratio(deck.ready->model->mesh, changed.model->mesh)
                          : std::nullopt;
@@ -103,7 +103,7 @@ std::string name_of_file(const std::string& file) {
 
 // Scripts that take one of the parameters, or have one of the constants, by file.
 std::set<std::string> reached_scripts(const MeshParameterSet& mesh_parameter,
-                                      const ReadyDeck& ready) {
+                                      const CheckedDeck& ready) {
   std::set<std::string> reached;
   for (const deck::ImportedScript& script : ready.scripts) {
     for (const mesh::GeometryScriptConstant& constant : script.constants) {
@@ -149,9 +149,9 @@ std::vector<MeshParameter> find_parameters(const StudiedDeck& deck,
     if (follows || value <= 0.0) {
       continue;
     }
-    const Defines twice{{name, fmt::format("{:.9g}", 2.0 * value)}};
-    const ReadyDeck changed =
-        read_silently(deck.file, {.defines = merge_defines(deck.defines, twice)});
+    const ParameterDefinitions twice{{name, fmt::format("{:.9g}", 2.0 * value)}};
+    const CheckedDeck changed =
+        read_deck_silently(deck.file, {.defines = merge_defines(deck.defines, twice)});
     if (const std::optional<MeshParameter> parameter =
             try_parameter(deck, written, value, changed)) {
       names.insert(name);
@@ -177,7 +177,7 @@ std::vector<MeshParameter> find_constants(const StudiedDeck& deck,
       deck::DeckCardList text = deck.text;
       set_constant(text, constant.name, 2.0 * *constant.value);
       if (const auto parameter = try_parameter(deck, constant.name, *constant.value,
-                                               read_probe(text, deck.defines, folder))) {
+                                               read_trial_deck(text, deck.defines, folder))) {
         found.push_back(*parameter);
       }
     }
@@ -194,7 +194,7 @@ void multiply_counts(const StudiedDeck& deck, double fineness, deck::DeckCard& c
   }
   for (const grammar::HeaderParameter& parameter : card.card.parameters) {
     base::Diagnostics ignored;
-    const auto count = is_count_key(parameter.key) && parameter.key != "BIAS"
+    const auto count = is_element_count_key(parameter.key) && parameter.key != "BIAS"
                            ? grammar::evaluate(parameter.values.front().expression, scope, ignored)
                            : std::nullopt;
     if (count) {
@@ -216,7 +216,7 @@ bool follows_factor(const StudiedDeck& deck, std::size_t card, const fs::path& f
   constexpr double finer = 2.0;
   deck::DeckCardList text = deck.text;
   copy_finer(text[card], finer, folder);
-  const auto found = try_parameter(deck, {}, finer, read_probe(text, deck.defines, folder));
+  const auto found = try_parameter(deck, {}, finer, read_trial_deck(text, deck.defines, folder));
   return found && found->larger_is_finer;
 }
 
@@ -224,7 +224,8 @@ bool follows_factor(const StudiedDeck& deck, std::size_t card, const fs::path& f
 
 MeshParameterSet find_mesh_parameters(const StudiedDeck& deck, const fs::path& folder) {
   MeshParameterSet mesh_parameter;
-  const std::map<std::string, ParameterUse> uses = parameter_uses(deck.text, deck.ready->sources);
+  const std::map<std::string, ParameterUse> uses =
+      find_parameter_uses(deck.text, deck.ready->sources);
   mesh_parameter.parameters = find_parameters(deck, uses);
   mesh_parameter.constants = find_constants(deck, mesh_parameter, folder);
   const std::set<std::size_t> reached = reached_cards(mesh_parameter.parameters, uses);
@@ -234,9 +235,9 @@ MeshParameterSet find_mesh_parameters(const StudiedDeck& deck, const fs::path& f
     const std::string file = name_of_file(file_of(card));
     if (card.name == "MESH" && !reached.contains(i)) {
       mesh_parameter.counts = true;
-    } else if (is_script(card) && scripts.contains(file)) {
+    } else if (imports_geometry_script(card) && scripts.contains(file)) {
       continue;
-    } else if (is_script(card) && follows_factor(deck, i, folder)) {
+    } else if (imports_geometry_script(card) && follows_factor(deck, i, folder)) {
       mesh_parameter.scaled.insert(file);
     } else if (card.name == "IMPORT") {
       mesh_parameter.fixed.push_back(fmt::format("the mesh of {} stays as it is", file));
@@ -249,15 +250,16 @@ MeshParameterSet find_mesh_parameters(const StudiedDeck& deck, const fs::path& f
   return mesh_parameter;
 }
 
-FinerMesh finer_mesh(const StudiedDeck& deck, const MeshParameterSet& mesh_parameter,
-                     double fineness, const deck::DeckCardList& text, const fs::path& folder) {
-  FinerMesh finer{text, {}, {}};
-  const std::map<std::string, ParameterUse> uses = parameter_uses(text, deck.ready->sources);
+RefinedMeshDeck refine_deck_mesh(const StudiedDeck& deck, const MeshParameterSet& mesh_parameter,
+                                 double fineness, const deck::DeckCardList& text,
+                                 const fs::path& folder) {
+  RefinedMeshDeck finer{text, {}, {}};
+  const std::map<std::string, ParameterUse> uses = find_parameter_uses(text, deck.ready->sources);
   const std::set<std::size_t> reached = reached_cards(mesh_parameter.parameters, uses);
   for (std::size_t i = 0; i < text.size() && fineness != 1.0; ++i) {
     if (text[i].name == "MESH" && !reached.contains(i)) {
       multiply_counts(deck, fineness, finer.text[i]);
-    } else if (is_script(text[i]) &&
+    } else if (imports_geometry_script(text[i]) &&
                mesh_parameter.scaled.contains(name_of_file(file_of(text[i])))) {
       copy_finer(finer.text[i], fineness, folder);
     }
@@ -281,7 +283,7 @@ FinerMesh finer_mesh(const StudiedDeck& deck, const MeshParameterSet& mesh_param
   return finer;
 }
 
-Defines merge_defines(Defines defines, const Defines& more) {
+ParameterDefinitions merge_defines(ParameterDefinitions defines, const ParameterDefinitions& more) {
   for (const auto& define : more) {
     std::erase_if(defines, [&](const auto& given) {
       return grammar::to_upper(given.first) == grammar::to_upper(define.first);
@@ -291,16 +293,16 @@ Defines merge_defines(Defines defines, const Defines& more) {
   return defines;
 }
 
-ReadyDeck read_probe(const deck::DeckCardList& text, const Defines& defines,
-                     const fs::path& folder) {
+CheckedDeck read_trial_deck(const deck::DeckCardList& text, const ParameterDefinitions& defines,
+                            const fs::path& folder) {
   const fs::path file = folder / "probe.deck";
   report::write_file(file, write_deck(text, folder));
-  ReadyDeck ready = read_silently(file, {.defines = defines});
+  CheckedDeck ready = read_deck_silently(file, {.defines = defines});
   fs::remove(file);
   return ready;
 }
 
-bool is_script(const deck::DeckCard& card) {
+bool imports_geometry_script(const deck::DeckCard& card) {
   return card.name == "IMPORT" && card.word_value("FORMAT") == "GEO";
 }
 

@@ -13,7 +13,7 @@
 /// What of a deck makes the meshes of its bodies finer: found from the deck itself.
 namespace spricka::program {
 
-using Defines = std::vector<std::pair<std::string, std::string>>;
+using ParameterDefinitions = std::vector<std::pair<std::string, std::string>>;
 
 /// A parameter that sets sizes or numbers of elements, and nothing else.
 struct MeshParameter {
@@ -38,9 +38,9 @@ struct MeshParameterSet {
 /// A deck as its cards, what it was read with, and the model that it makes.
 struct StudiedDeck {
   std::filesystem::path file;
-  Defines defines; ///< of the command line
+  ParameterDefinitions defines; ///< of the command line
   deck::DeckCardList text;
-  const ReadyDeck* ready = nullptr;
+  const CheckedDeck* ready = nullptr;
 };
 
 /// Parameters are those that the numbers of elements of $MESH are made of, or that a geometry
@@ -52,27 +52,27 @@ MeshParameterSet find_mesh_parameters(const StudiedDeck& deck, const std::filesy
 
 /// How a deck is changed to have elements of 1/fineness of their size: parameters by name, or cards
 /// of its text.
-struct FinerMesh {
+struct RefinedMeshDeck {
   deck::DeckCardList text;
-  Defines defines;
+  ParameterDefinitions defines;
   std::string words; ///< "fine=0.5", "elements*0.5"
 };
 /// Changes cards of `text` and collects values of parameters for elements of 1/fineness of their
 /// size. A fineness of 1 leaves the counts of $MESH cards and the scripts alone. Scripts are copied
 /// into `folder`.
-FinerMesh finer_mesh(const StudiedDeck& deck, const MeshParameterSet& mesh_parameter,
-                     double fineness, const deck::DeckCardList& text,
-                     const std::filesystem::path& folder);
+RefinedMeshDeck refine_deck_mesh(const StudiedDeck& deck, const MeshParameterSet& mesh_parameter,
+                                 double fineness, const deck::DeckCardList& text,
+                                 const std::filesystem::path& folder);
 
 /// Values of parameters with some more; those of `more` count where both have one.
-Defines merge_defines(Defines defines, const Defines& more);
+ParameterDefinitions merge_defines(ParameterDefinitions defines, const ParameterDefinitions& more);
 
 /// Reads a changed text of a deck, written into `folder` and removed again.
-ReadyDeck read_probe(const deck::DeckCardList& text, const Defines& defines,
-                     const std::filesystem::path& folder);
+CheckedDeck read_trial_deck(const deck::DeckCardList& text, const ParameterDefinitions& defines,
+                            const std::filesystem::path& folder);
 
 /// Whether a card imports what a geometry script makes.
-bool is_script(const deck::DeckCard& card);
+bool imports_geometry_script(const deck::DeckCard& card);
 
 /// Makes the card import a copy of its script in `folder`, NAME_SUFFIX.geo, with one more line.
 void copy_script(deck::DeckCard& card, const std::string& suffix, const std::string& line,

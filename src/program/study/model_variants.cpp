@@ -57,7 +57,7 @@ DeckCardList with_net(DeckCardList text, const std::set<std::string>& contacts) 
       card.set("GAP", "0");
     }
   }
-  filter_actions(text, [&](const std::string& action, const std::string& contact) {
+  filter_step_actions(text, [&](const std::string& action, const std::string& contact) {
     return action != "FIT" || !contacts.contains(contact);
   });
   return text;
@@ -75,14 +75,14 @@ class VariantMaker {
 public:
   VariantMaker(const StudiedDeck& deck, const Joint& joint, std::filesystem::path folder)
       : model_(*deck.ready->model), joint_(joint), folder_(std::move(folder)), given_(deck.text) {
-    drop_requests(given_);
+    remove_checks_and_requests(given_);
     for (const auto& [name, value] : deck.defines) {
       deck::replace_parameter(given_, grammar::to_upper(name), value);
     }
     smooth_ = given_;
     drop_friction(smooth_);
     at_once_ = smooth_;
-    drop_mounts(at_once_);
+    remove_mount_actions(at_once_);
   }
 
   std::vector<ModelVariant> run() {
@@ -114,7 +114,7 @@ public:
                 {!loose && !presses && !mounted, "all contacts are bonded"}},
                with_net(with_bonds(at_once_), all)));
     add("rigid pressing body", "what only presses is rigid",
-        make_rigid(model_, joint_, at_once_, given_));
+        make_pressing_bodies_rigid(model_, joint_, at_once_, given_));
     add("cosine pressure", "a cosine pressure in place of what presses", bearing("COSINE"));
     add("uniform pressure", "a uniform pressure in place of what presses", bearing("UNIFORM"));
     if (model_.mesh.dim == 3) {
@@ -150,7 +150,7 @@ private:
   }
 
   void add_section(const std::string& name, const std::string& words, const char* state) {
-    const SectionDeck made = section_deck(model_, given_, state);
+    const SectionDeck made = make_section_deck(model_, given_, state);
     ModelVariant& variant = add(name, words, made);
     variant.simpler = true;
     variant.section = made.view;
@@ -161,7 +161,7 @@ private:
   }
 
   [[nodiscard]] RewrittenDeck bearing(const char* shape) const {
-    const std::set<std::string> nets = pressing_nets(joint_);
+    const std::set<std::string> nets = find_pressing_nets(joint_);
     if (nets.empty()) {
       return refused(joint_.cracked.empty() ? "without a crack there is no body to keep"
                                             : "no body presses on that with the crack");
@@ -197,7 +197,7 @@ private:
                                           const std::string& surface, const char* shape,
                                           std::vector<DeckCard>& loads) const {
     for (const DeckCard& card : cards_named(at_once_, "LOAD")) {
-      std::vector<DataFields> lines = data_rows(card);
+      std::vector<DataFields> lines = split_data_lines(card);
       std::erase_if(lines, [&](const DataFields& fields) {
         return !nets.contains(net_prefix(fields.front()));
       });
@@ -241,8 +241,8 @@ private:
 
 } // namespace
 
-std::vector<ModelVariant> make_variants(const StudiedDeck& deck, const Joint& joint,
-                                        const std::filesystem::path& folder) {
+std::vector<ModelVariant> make_model_variants(const StudiedDeck& deck, const Joint& joint,
+                                              const std::filesystem::path& folder) {
   return VariantMaker(deck, joint, folder).run();
 }
 

@@ -21,7 +21,7 @@ struct ModelVariant : RewrittenDeck, DeckVariant {
 /// symmetry, without friction, all mounted at once, fits but bonded, without interference, bonded,
 /// stiff or rigid pressing bodies, pressures in their place, the other plane state; of solids their
 /// sections. Their decks are written into `folder`.
-std::vector<ModelVariant> make_variants(const StudiedDeck& deck, const Joint& joint,
-                                        const std::filesystem::path& folder);
+std::vector<ModelVariant> make_model_variants(const StudiedDeck& deck, const Joint& joint,
+                                              const std::filesystem::path& folder);
 
 } // namespace spricka::program

@@ -16,14 +16,14 @@ namespace {
 // Names of a text, upper case.
 std::set<std::string> names_in(std::string_view text) {
   std::set<std::string> names;
-  change_names(text,
-               [&](std::string_view name) { return *names.insert(grammar::to_upper(name)).first; });
+  rename_in_text(
+      text, [&](std::string_view name) { return *names.insert(grammar::to_upper(name)).first; });
   return names;
 }
 
 } // namespace
 
-bool is_count_key(std::string_view key) {
+bool is_element_count_key(std::string_view key) {
   constexpr std::array keys{"NX", "NY", "NZ", "NR", "NT", "BIAS"};
   return std::ranges::find(keys, key) != keys.end();
 }
@@ -48,8 +48,8 @@ parameter_dependencies(const deck::DeckCardList& text, const base::SourceTexts& 
   return made_of;
 }
 
-std::map<std::string, ParameterUse> parameter_uses(const deck::DeckCardList& text,
-                                                   const base::SourceTexts& sources) {
+std::map<std::string, ParameterUse> find_parameter_uses(const deck::DeckCardList& text,
+                                                        const base::SourceTexts& sources) {
   const std::map<std::string, std::set<std::string>> made_of =
       parameter_dependencies(text, sources);
   const std::set<std::string> none;
@@ -75,7 +75,7 @@ std::map<std::string, ParameterUse> parameter_uses(const deck::DeckCardList& tex
     }
     for (const auto& [key, value] : card.keys) {
       if (value.find('(') != std::string::npos) { // else a name of something
-        note(value, card.name == "MESH" && is_count_key(key));
+        note(value, card.name == "MESH" && is_element_count_key(key));
       }
     }
     note(card.data, false);

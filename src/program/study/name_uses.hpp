@@ -16,14 +16,14 @@ struct ParameterUse {
 };
 
 /// By name in upper case; a parameter has the uses of those that are made of it.
-std::map<std::string, ParameterUse> parameter_uses(const deck::DeckCardList& text,
-                                                   const base::SourceTexts& sources);
+std::map<std::string, ParameterUse> find_parameter_uses(const deck::DeckCardList& text,
+                                                        const base::SourceTexts& sources);
 
 /// Parameters that go into the value of one, by its name, directly or through others, and itself.
 std::map<std::string, std::set<std::string>>
 parameter_dependencies(const deck::DeckCardList& text, const base::SourceTexts& sources);
 
 /// Whether a key of $MESH is a number of elements, or how their sizes are spread.
-bool is_count_key(std::string_view key);
+bool is_element_count_key(std::string_view key);
 
 } // namespace spricka::program

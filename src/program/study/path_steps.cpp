@@ -53,20 +53,20 @@ std::string lines_at(const ActionFactors& from, const ActionFactors& to, double 
 // Without lines of $CHECK that name a path.
 void drop_path_checks(deck::DeckCardList& text) {
   for (deck::DeckCard& card : cards_named(text, "CHECK")) {
-    filter_lines(card, [](const std::vector<std::string>& fields) {
+    filter_data_lines(card, [](const std::vector<std::string>& fields) {
       return std::ranges::none_of(fields, [](const std::string& field) {
         return grammar::to_upper(field).find("PATH.") != std::string::npos;
       });
     });
   }
   std::erase_if(text, [](const deck::DeckCard& card) {
-    return card.name == "CHECK" && data_rows(card).empty();
+    return card.name == "CHECK" && split_data_lines(card).empty();
   });
 }
 
 } // namespace
 
-bool put_steps_for_paths(deck::DeckCardList& text, const model::Model& model) {
+bool replace_load_paths_by_steps(deck::DeckCardList& text, const model::Model& model) {
   if (model.load_paths.empty() || !model.spectra.empty()) {
     return false;
   }

@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // "S.YY.MAX" -> "YY"; empty: no stress.
-std::string component_of(const Answer& answer) {
+std::string component_of(const AnswerRequest& answer) {
   const std::string_view quantity = answer.check.quantity;
   const std::size_t end = quantity.rfind('.');
   return answer.group == AnswerGroup::stress && end > 1 ? std::string(quantity.substr(2, end - 2))
@@ -68,7 +68,7 @@ base::Vector as_displacement(const NodalFields& fields, const std::string& compo
 // What displacements and stresses at the nodes of a deck's first step say of its answers; between
 // nodes by the shape functions. What is of another step, or neither, is no number. [answer]
 std::vector<AnswerReading> peer_answers(const model::Model& model,
-                                        const std::vector<Answer>& answers,
+                                        const std::vector<AnswerRequest>& answers,
                                         const NodalFields& fields) {
   std::vector<AnswerReading> readings(answers.size());
   std::map<std::string, std::vector<std::size_t>> stresses; // by component
@@ -93,7 +93,7 @@ std::vector<AnswerReading> peer_answers(const model::Model& model,
 }
 
 // Whether it is a mesh of the deck as it is: other ways at the tips or in elements are our own.
-bool is_plain_mesh(const Trial& trial) {
+bool is_plain_mesh(const StudyTrial& trial) {
   const SettingFamily family = trial.setting.family;
   return !trial.readings.empty() &&
          (family == SettingFamily::given || family == SettingFamily::whole ||
@@ -109,20 +109,20 @@ std::string refusal_of(const model::Model& model) {
 
 std::optional<NodalFields> fields_of(const fs::path& inp, const model::Model& model) {
   const fs::path frd = fs::path(inp).replace_extension(".frd");
-  return fs::exists(frd) ? read_frd(base::read_file(frd, base::largest_mesh_file),
-                                    mesh::inp_node_numbers(model.mesh), model.mesh.dim)
+  return fs::exists(frd) ? read_calculix_results(base::read_file(frd, base::largest_mesh_file),
+                                                 mesh::inp_node_numbers(model.mesh), model.mesh.dim)
                          : std::nullopt;
 }
 
 // The mesh of a trial once more, with so much CPU time [s].
-Trial run_calculix_on(ChildRunner& children, const PeerTask& task, const Trial& own,
-                      double seconds) {
-  Trial trial;
+StudyTrial run_calculix_on(ChildRunner& children, const PeerTask& task, const StudyTrial& own,
+                           double seconds) {
+  StudyTrial trial;
   trial.setting = own.setting;
   trial.setting.name += ", CalculiX";
   trial.setting.family = SettingFamily::peer;
   trial.unknowns = own.unknowns;
-  const ReadyDeck ready = read_silently(own.setting.deck, {.defines = own.setting.defines});
+  const CheckedDeck ready = read_deck_silently(own.setting.deck, {.defines = own.setting.defines});
   if (!ready.model) { // the mesher may run out of time in the same deck
     trial.trouble = "the mesh could not be made once more";
     return trial;
@@ -131,9 +131,10 @@ Trial run_calculix_on(ChildRunner& children, const PeerTask& task, const Trial& 
   const fs::path inp = fs::path(own.setting.deck).replace_extension(".inp");
   report::write_file(inp, adapt_input_for_calculix(abaqus_input_text(*ready.model, refusals),
                                                    ready.model->mesh.dim));
-  ChildRun child = calculix_run(task.program, inp);
+  ChildRun child = make_calculix_run(task.program, inp);
   child.cpu_seconds = std::max(seconds, 1.0);
-  children.run_all({&child, 1}, 1, [&](std::size_t, const ChildEnd& end) { trial.end = end; });
+  children.run_all_children({&child, 1}, 1,
+                            [&](std::size_t, const ChildProcessResult& end) { trial.end = end; });
   const std::optional<NodalFields> fields = fields_of(inp, *ready.model);
   if (trial.end.late) {
     trial.trouble = "took too long";
@@ -147,8 +148,9 @@ Trial run_calculix_on(ChildRunner& children, const PeerTask& task, const Trial& 
 
 } // namespace
 
-std::vector<Trial> run_peer(ChildRunner& children, const PeerTask& task,
-                            const std::vector<Trial>& own, std::vector<std::string>& notes) {
+std::vector<StudyTrial> run_calculix_trials(ChildRunner& children, const PeerTask& task,
+                                            const std::vector<StudyTrial>& own,
+                                            std::vector<std::string>& notes) {
   const model::Model& model = *task.ready->model;
   if (const std::string refusal = refusal_of(model); !refusal.empty()) {
     notes.push_back(fmt::format("without CalculiX: {}", refusal));
@@ -157,18 +159,19 @@ std::vector<Trial> run_peer(ChildRunner& children, const PeerTask& task,
   if (model.steps.size() > 1) {
     notes.push_back(fmt::format("CalculiX has the first step alone, {}", model.steps.front().name));
   }
-  std::vector<const Trial*> meshes; // coarse to fine
-  for (const Trial& trial : own) {
+  std::vector<const StudyTrial*> meshes; // coarse to fine
+  for (const StudyTrial& trial : own) {
     if (is_plain_mesh(trial)) {
       meshes.push_back(&trial);
     }
   }
-  std::ranges::stable_sort(meshes, {}, [](const Trial* trial) { return trial->setting.fineness; });
+  std::ranges::stable_sort(meshes, {},
+                           [](const StudyTrial* trial) { return trial->setting.fineness; });
   const double power = model.mesh.dim + 1.0; // of the fineness, that its cost goes with
   double left = task.seconds;
-  std::vector<Trial> trials;
-  for (const Trial* mesh : meshes) {
-    const Trial* const last = trials.empty() ? nullptr : &trials.back();
+  std::vector<StudyTrial> trials;
+  for (const StudyTrial* mesh : meshes) {
+    const StudyTrial* const last = trials.empty() ? nullptr : &trials.back();
     const double guess =
         last == nullptr
             ? 0.0

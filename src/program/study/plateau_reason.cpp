@@ -16,7 +16,7 @@ namespace {
 // The error on the finest setting of the series of all sizes.
 double least_of_whole(const PlateauContext& view) {
   double error = std::numeric_limits<double>::infinity();
-  for (const std::size_t t : series_rows(view.study.trials, SettingFamily::whole)) {
+  for (const std::size_t t : series_trials(view.study.trials, SettingFamily::whole)) {
     const bool own = view.study.trials[t].setting.family == SettingFamily::whole;
     error = own && std::isfinite(view.group.errors[t].plain) ? view.group.errors[t].plain : error;
   }
@@ -34,8 +34,8 @@ struct PlateauAnswers {
 };
 
 PlateauAnswers assess_answers(const PlateauContext& view) {
-  const std::vector<Trial>& trials = view.study.trials;
-  const std::vector<std::size_t> rows = series_rows(trials, view.series.family);
+  const std::vector<StudyTrial>& trials = view.study.trials;
+  const std::vector<std::size_t> rows = series_trials(trials, view.series.family);
   std::optional<std::size_t> own_finest;
   for (const std::size_t t : rows) {
     own_finest = trials[t].setting.family == view.series.family ? t : own_finest;
@@ -72,7 +72,7 @@ PlateauAnswers assess_answers(const PlateauContext& view) {
 }
 
 // What the answer with the largest error is known for.
-std::string reason_of_answer(const Answer& answer) {
+std::string reason_of_answer(const AnswerRequest& answer) {
   const std::string& quantity = answer.check.quantity;
   if (quantity.ends_with(".MAX") || quantity.ends_with(".MIN") || quantity.ends_with(".NEAR") ||
       quantity.starts_with("ARC")) {

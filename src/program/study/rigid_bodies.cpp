@@ -48,8 +48,8 @@ std::optional<DeckCard> line_of(const std::string& name,
     }
   }
   // Edges run with their own body on the left, which goes.
-  return along.dot(nodes[1] - nodes[0]) > 0.0 ? rigid_line(name, second, first)
-                                              : rigid_line(name, first, second);
+  return along.dot(nodes[1] - nodes[0]) > 0.0 ? make_rigid_line_card(name, second, first)
+                                              : make_rigid_line_card(name, first, second);
 }
 
 // The circle of round edges with the bodies of others on the side where theirs was not.
@@ -73,7 +73,7 @@ std::optional<DeckCard> circle_of(const std::string& name,
   for (const geometry::ElementSide& edge : edges) {
     inward += edge.area_vector(base::Vec2::Zero()).dot(centre - edge.X.col(0));
   }
-  return rigid_circle(name, centre, inward > 0.0 ? -circle.radius : circle.radius);
+  return make_rigid_circle_card(name, centre, inward > 0.0 ? -circle.radius : circle.radius);
 }
 
 // The rigid target that stands for the surface of a contact's (upper case) slave or master; empty
@@ -126,7 +126,7 @@ private:
 
   // Bodies without a crack that carry the load into the others.
   [[nodiscard]] std::set<std::string> pins() const {
-    const std::set<std::string> pressing = pressing_nets(joint_);
+    const std::set<std::string> pressing = find_pressing_nets(joint_);
     std::set<std::string> pins;
     for (const JointContact& contact : joint_.contacts) {
       for (const std::string& net : {contact.slave_net, contact.master_net}) {
@@ -199,7 +199,7 @@ private:
   // The contact went with its net, and its fit with it: as the deck has it.
   void put_back_fit(DeckCardList& text, const std::string& contact) const {
     DeckCardList fits = given_;
-    filter_actions(fits, [&](const std::string& action, const std::string& name) {
+    filter_step_actions(fits, [&](const std::string& action, const std::string& name) {
       return action == "FIT" && name == contact;
     });
     for (DeckCard& card : cards_named(text, "STEP")) {
@@ -214,8 +214,8 @@ private:
 
 } // namespace
 
-RewrittenDeck make_rigid(const model::Model& model, const Joint& joint, DeckCardList text,
-                         const DeckCardList& steps) {
+RewrittenDeck make_pressing_bodies_rigid(const model::Model& model, const Joint& joint,
+                                         DeckCardList text, const DeckCardList& steps) {
   return RigidMaker(model, joint, steps).run(std::move(text));
 }
 

@@ -9,7 +9,7 @@ namespace spricka::program {
 /// as rigid targets do not move; one that stands in one contact and carries nothing by a rigid
 /// target in the place of its surface, where that is straight or round. Fits of such contacts are
 /// taken from `steps`, the deck as it was given.
-RewrittenDeck make_rigid(const model::Model& model, const Joint& joint, deck::DeckCardList text,
-                         const deck::DeckCardList& steps);
+RewrittenDeck make_pressing_bodies_rigid(const model::Model& model, const Joint& joint,
+                                         deck::DeckCardList text, const deck::DeckCardList& steps);
 
 } // namespace spricka::program

@@ -28,7 +28,7 @@ class InSection {
 public:
   explicit InSection(const SectionMapping& view) : view_(view) {}
 
-  [[nodiscard]] SectionCounterpart of(const Answer& answer) const {
+  [[nodiscard]] SectionCounterpart of(const AnswerRequest& answer) const {
     switch (answer.group) {
     case AnswerGroup::K:
       return of_front(answer.check);
@@ -138,19 +138,19 @@ private:
 } // namespace
 
 std::vector<SectionCounterpart> section_counterparts(const SectionMapping& view,
-                                                     const std::vector<Answer>& answers) {
+                                                     const std::vector<AnswerRequest>& answers) {
   const InSection section(view);
   std::vector<SectionCounterpart> found;
-  for (const Answer& answer : answers) {
+  for (const AnswerRequest& answer : answers) {
     found.push_back(section.of(answer));
   }
   return found;
 }
 
-std::vector<AnswerReading> read_counterparts(const model::Model& model,
-                                             const std::vector<SectionCounterpart>& asked,
-                                             const results::RunResult& run) {
-  std::vector<Answer> own;
+std::vector<AnswerReading> read_section_answers(const model::Model& model,
+                                                const std::vector<SectionCounterpart>& asked,
+                                                const results::RunResult& run) {
+  std::vector<AnswerRequest> own;
   for (const SectionCounterpart& counterpart : asked) {
     own.emplace_back().check = counterpart.check.value_or(model::ResultCheck{});
   }

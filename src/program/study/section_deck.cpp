@@ -61,7 +61,7 @@ public:
     hold(after);
     refuse_if(model_.growth.has_value(), "fronts grow, farther in the middle than at the faces");
     if (made_.reason.empty()) {
-      const DeckCardList mesh = mesh_cards(model_, section_.mesh, in_nets);
+      const DeckCardList mesh = write_mesh_cards(model_, section_.mesh, in_nets);
       first.insert(first.end(), mesh.begin(), mesh.end());
       first.insert(first.end(), after.begin(), after.end());
       made_.text = std::move(first);
@@ -79,7 +79,7 @@ private:
   }
 
   void refuse_what_varies() {
-    made_.reason = find_varying_load(model_, section_);
+    made_.reason = describe_varying_load(model_, section_);
     refuse_if(!model_.mpcs.empty(), "$MPC ties freedoms of space");
     refuse_if(!model_.mirrors.empty(), "$SYMMETRY: the whole deck is needed");
     for (const model::Contact& contact : model_.contacts) {
@@ -102,10 +102,10 @@ private:
     if (card.name == "PROPERTY") {
       card.set("STATE", state_);
       if (!plane().round) {
-        card.set("THICK", twelve_digits(plane().depth()));
+        card.set("THICK", format_twelve_digits(plane().depth()));
       }
     } else if (card.name == "LOAD") {
-      flatten_load(card, plane(), made_.reason);
+      project_load_onto_section(card, plane(), made_.reason);
     } else if (card.name == "RIGID") {
       flatten_rigid(card);
     } else if (card.name == "CRACK") {
@@ -125,12 +125,12 @@ private:
       const double turned = std::abs(along[plane().axis]);
       const Vec3 first = plane().section_coordinates(own->first);
       if (own->shape == model::RigidTargetShape::cylinder && turned > 1.0 - near) {
-        card = rigid_circle(name, first, own->radius);
+        card = make_rigid_circle_card(name, first, own->radius);
         return;
       }
       if (own->shape == model::RigidTargetShape::plane && turned < near) {
         const Vec3 way = half_line(first, direction(along));
-        card = rigid_line(name, first - way, first + way);
+        card = make_rigid_line_card(name, first - way, first + way);
         return;
       }
     }
@@ -174,9 +174,9 @@ private:
       refuse_if(true, fmt::format("crack {} reaches no surface", name));
       return;
     }
-    card.data =
-        fmt::format("  {}  {}\n  {}  {}\n", twelve_digits(mouth->x()), twelve_digits(mouth->y()),
-                    twelve_digits(tip.x()), twelve_digits(tip.y()));
+    card.data = fmt::format("  {}  {}\n  {}  {}\n", format_twelve_digits(mouth->x()),
+                            format_twelve_digits(mouth->y()), format_twelve_digits(tip.x()),
+                            format_twelve_digits(tip.y()));
     const double left = (tip - *mouth).cross(direction(own->plane.normal)).z();
     made_.view.sign_of_K2[name] = left > 0.0 ? 1.0 : -1.0;
   }
@@ -206,7 +206,7 @@ private:
     for (const model::FreedomAssignment& freedom : model_.freedoms) {
       const bool x =
           plane().round
-              ? holds_radius(model_, section_, freedom)
+              ? support_holds_radius(model_, section_, freedom)
               : freedom.dof.at(static_cast<std::size_t>(plane().space_direction_index(0)));
       const bool y = freedom.dof.at(static_cast<std::size_t>(plane().space_direction_index(1)));
       if (!x && !y) {
@@ -239,8 +239,8 @@ private:
 
 } // namespace
 
-SectionDeck section_deck(const model::Model& model, const DeckCardList& text,
-                         const std::string& state) {
+SectionDeck make_section_deck(const model::Model& model, const DeckCardList& text,
+                              const std::string& state) {
   SectionDeck none;
   if (model.mesh.dim != 3) {
     none.reason = "the bodies are plane";

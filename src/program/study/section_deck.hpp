@@ -30,8 +30,8 @@ struct SectionDeck : RewrittenDeck {
 /// The section of bodies along an axis in plane stress or strain ("STRESS", "STRAIN"), or of round
 /// ones ("AXI"): their meshes and sets written out, other cards as of `text`, the deck of the
 /// model. Refused is what differs along the axis, or round it.
-SectionDeck section_deck(const model::Model& model, const deck::DeckCardList& text,
-                         const std::string& state);
+SectionDeck make_section_deck(const model::Model& model, const deck::DeckCardList& text,
+                              const std::string& state);
 
 /// How the deck of a simpler model asks for an answer.
 struct SectionCounterpart {
@@ -41,11 +41,11 @@ struct SectionCounterpart {
 
 /// How the section's deck asks for each answer of the solid. [answer]
 std::vector<SectionCounterpart> section_counterparts(const SectionMapping& view,
-                                                     const std::vector<Answer>& answers);
+                                                     const std::vector<AnswerRequest>& answers);
 
 /// What a run of the section's `model` says of them, as the solid's. [answer]
-std::vector<AnswerReading> read_counterparts(const model::Model& model,
-                                             const std::vector<SectionCounterpart>& asked,
-                                             const results::RunResult& run);
+std::vector<AnswerReading> read_section_answers(const model::Model& model,
+                                                const std::vector<SectionCounterpart>& asked,
+                                                const results::RunResult& run);
 
 } // namespace spricka::program

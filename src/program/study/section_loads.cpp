@@ -111,7 +111,7 @@ bool is_crack_face(const std::string& set) {
 
 } // namespace
 
-std::string find_varying_load(const model::Model& model, const sense::PlaneSection& section) {
+std::string describe_varying_load(const model::Model& model, const sense::PlaneSection& section) {
   for (const model::LoadCase& load_case : model.cases) {
     for (const model::Load& load : load_case.loads) {
       if (const std::string reason = against(load, section); !reason.empty()) {
@@ -122,16 +122,17 @@ std::string find_varying_load(const model::Model& model, const sense::PlaneSecti
   return {};
 }
 
-void flatten_load(deck::DeckCard& card, const sense::SectionPlane& plane, std::string& reason) {
+void project_load_onto_section(deck::DeckCard& card, const sense::SectionPlane& plane,
+                               std::string& reason) {
   const std::string type = card.word_value("TYPE");
   const bool directed = type != "PRESSURE" && type != "TEMPERATURE" && type != "FACES";
   const bool whole_turn = plane.round && (type == "RESULTANT" || type == "BEARING");
   const auto refuse = [&](const char* why) {
     reason = reason.empty() ? fmt::format("load case {} {}", card.word_value("CASE"), why) : reason;
   };
-  change_lines(card, [&](const DataFields& fields, std::string& line) {
+  rewrite_data_lines(card, [&](const DataFields& fields, std::string& line) {
     const auto value = [&](std::size_t k) {
-      return change_names(k < fields.size() ? fields[k] : "0", [&](std::string_view word) {
+      return rename_in_text(k < fields.size() ? fields[k] : "0", [&](std::string_view word) {
         std::string name = name_in_section(word, plane);
         if (name.empty()) {
           refuse("depends on coordinates that the section does not have");
@@ -157,8 +158,8 @@ void flatten_load(deck::DeckCard& card, const sense::SectionPlane& plane, std::s
   });
 }
 
-bool holds_radius(const model::Model& model, const sense::PlaneSection& section,
-                  const model::FreedomAssignment& freedom) {
+bool support_holds_radius(const model::Model& model, const sense::PlaneSection& section,
+                          const model::FreedomAssignment& freedom) {
   const sense::SectionPlane& plane = section.plane;
   const auto one = static_cast<std::size_t>((plane.axis + 1) % 3);
   const auto other = static_cast<std::size_t>((plane.axis + 2) % 3);

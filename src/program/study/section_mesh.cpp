@@ -179,8 +179,8 @@ std::string unused_set_name(const model::Mesh& mesh, std::string wanted) {
   return wanted;
 }
 
-DeckCardList mesh_cards(const model::Model& model, const model::Mesh& mesh,
-                        const DeckCardList& cards) {
+DeckCardList write_mesh_cards(const model::Model& model, const model::Mesh& mesh,
+                              const DeckCardList& cards) {
   return MeshCards(model, mesh).with(cards);
 }
 

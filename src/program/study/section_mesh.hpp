@@ -15,7 +15,7 @@ std::string unused_set_name(const model::Mesh& mesh, std::string wanted);
 /// Writes a mesh out: nets with nodes, elements and those of `cards` that stand in them, then what
 /// stands outside of nets; all sets that have names and members under their names, those of several
 /// nets by parts in each. `mesh` are the nets of `model`, flat.
-deck::DeckCardList mesh_cards(const model::Model& model, const model::Mesh& mesh,
-                              const deck::DeckCardList& cards);
+deck::DeckCardList write_mesh_cards(const model::Model& model, const model::Mesh& mesh,
+                                    const deck::DeckCardList& cards);
 
 } // namespace spricka::program

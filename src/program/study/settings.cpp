@@ -79,7 +79,7 @@ bool make_linear(DeckCardList& text, const fs::path& folder) {
     if (card.name == "MESH" && linear_type != linear.end()) {
       card.set("TYPE", linear_type->second);
       changed = true;
-    } else if (is_script(card)) {
+    } else if (imports_geometry_script(card)) {
       copy_script(card, "linear", "Mesh.ElementOrder = 1;", folder);
       card.erase("TYPE");
       changed = true;
@@ -103,11 +103,11 @@ public:
     dim_ = deck.ready->model->mesh.dim;
   }
 
-  StudyPlan run(const std::vector<ParameterRequest>& requests) {
+  StudyPlan run(const std::vector<ParameterVariation>& requests) {
     plan_.mesh_parameter = find_mesh_parameters(deck_, folder_);
     plan_.notes = plan_.mesh_parameter.fixed;
     add("as given", SettingFamily::given, 1.0, base_, {});
-    for (const ParameterRequest& request : requests) {
+    for (const ParameterVariation& request : requests) {
       add_request(request);
     }
     if (requests.empty()) {
@@ -119,7 +119,7 @@ public:
 
 private:
   void add(const std::string& name, SettingFamily family, double fineness, const DeckCardList& text,
-           const Defines& defines) {
+           const ParameterDefinitions& defines) {
     const fs::path deck = folder_ / fmt::format("{:02}.deck", plan_.settings.size() + 1);
     report::write_file(deck, write_deck(text, folder_, {name}));
     plan_.settings.push_back(
@@ -128,7 +128,7 @@ private:
          fineness});
   }
 
-  void add_request(const ParameterRequest& request) {
+  void add_request(const ParameterVariation& request) {
     const auto is_it = [&](const std::string& name) {
       return grammar::to_upper(name) == grammar::to_upper(request.parameter);
     };
@@ -152,13 +152,13 @@ private:
   }
 
   // The deck with its bodies' meshes so much finer.
-  FinerMesh bodies(double fineness) {
-    return finer_mesh(deck_, plan_.mesh_parameter, fineness, sizes_, folder_);
+  RefinedMeshDeck bodies(double fineness) {
+    return refine_deck_mesh(deck_, plan_.mesh_parameter, fineness, sizes_, folder_);
   }
 
   bool is_readable(double fineness) {
-    const FinerMesh finer = bodies(fineness);
-    return read_probe(finer.text, merge_defines(deck_.defines, finer.defines), folder_)
+    const RefinedMeshDeck finer = bodies(fineness);
+    return read_trial_deck(finer.text, merge_defines(deck_.defines, finer.defines), folder_)
         .model.has_value();
   }
 
@@ -191,7 +191,7 @@ private:
   template <class Edit>
   void add_route(SettingFamily family, double fineness, Tips tips, const std::string& word,
                  const Edit& edit) {
-    FinerMesh finer = bodies(fineness);
+    RefinedMeshDeck finer = bodies(fineness);
     edit(finer.text);
     std::string name = finer.words;
     if (tips == Tips::finer && cracks_ && fineness != 1.0) {
@@ -251,7 +251,7 @@ private:
       plan_.notes.emplace_back("the deck's elements have no linear partners");
     }
     DeckCardList steps = sizes_;
-    if (put_steps_for_paths(steps, *deck_.ready->model)) {
+    if (replace_load_paths_by_steps(steps, *deck_.ready->model)) {
       add("steps for paths", SettingFamily::path, 1.0, steps, {});
     }
   }
@@ -323,8 +323,9 @@ const char* display_name(SettingFamily family) {
   return names.at(static_cast<std::size_t>(family));
 }
 
-StudyPlan plan_settings(const StudiedDeck& deck, const std::vector<ParameterRequest>& requests,
-                        const fs::path& folder) {
+StudyPlan plan_study_settings(const StudiedDeck& deck,
+                              const std::vector<ParameterVariation>& requests,
+                              const fs::path& folder) {
   return Planner(deck, folder).run(requests);
 }
 

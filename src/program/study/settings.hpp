@@ -29,26 +29,27 @@ enum class SettingFamily {
 /// For legends: "all sizes", "without quarter points".
 const char* display_name(SettingFamily family);
 
-struct Setting : DeckVariant {
+struct StudySetting : DeckVariant {
   SettingFamily family = SettingFamily::given;
   double fineness = 1.0; ///< elements have 1/fineness of the deck's sizes, where those vary
 };
 
 /// A parameter and the values that the command line wants of it.
-struct ParameterRequest {
+struct ParameterVariation {
   std::string parameter;
   std::vector<std::string> values;
 };
 
 struct StudyPlan {
-  std::vector<Setting> settings;  ///< the deck itself first, then by worth
-  std::vector<std::string> notes; ///< what cannot be varied, and why
+  std::vector<StudySetting> settings; ///< the deck itself first, then by worth
+  std::vector<std::string> notes;     ///< what cannot be varied, and why
   MeshParameterSet mesh_parameter;
 };
 
 /// Writes the decks of all settings into `folder`. Finenesses at which numbers of elements would be
 /// broken are replaced by the next that a deck can be read with.
-StudyPlan plan_settings(const StudiedDeck& deck, const std::vector<ParameterRequest>& requests,
-                        const std::filesystem::path& folder);
+StudyPlan plan_study_settings(const StudiedDeck& deck,
+                              const std::vector<ParameterVariation>& requests,
+                              const std::filesystem::path& folder);
 
 } // namespace spricka::program

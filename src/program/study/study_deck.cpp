@@ -19,14 +19,15 @@ namespace {
 
 // Settings for which there is time, without the deck itself, which took `spent`. Cost grows a
 // little faster than the freedoms, beside what the program takes to start.
-std::vector<const Setting*> affordable_settings(const StudyPlan& plan, double spent, double budget,
-                                                int dim, std::vector<std::string>& notes) {
+std::vector<const StudySetting*> affordable_settings(const StudyPlan& plan, double spent,
+                                                     double budget, int dim,
+                                                     std::vector<std::string>& notes) {
   constexpr double start = 0.1; // [s]
   const double own = std::max(spent - start, 0.01);
-  std::vector<const Setting*> chosen;
+  std::vector<const StudySetting*> chosen;
   std::vector<std::string> left;
   for (std::size_t i = 1; i < plan.settings.size(); ++i) {
-    const Setting& setting = plan.settings[i];
+    const StudySetting& setting = plan.settings[i];
     const double cost = start + own * std::pow(setting.fineness, dim + 0.3);
     if (spent + cost > budget) {
       left.push_back(setting.name);
@@ -48,29 +49,29 @@ void run_calculix(VariantRuns& runs, double budget, Study& study) {
   if (task.program.empty()) {
     return;
   }
-  for (const Trial& trial : study.trials) {
+  for (const StudyTrial& trial : study.trials) {
     task.seconds -= trial.end.cpu;
   }
-  std::ranges::move(run_peer(runs.children(), task, study.trials, study.notes),
+  std::ranges::move(run_calculix_trials(runs.children(), task, study.trials, study.notes),
                     std::back_inserter(study.trials));
 }
 
 base::Outcome run_study(const StudyOptions& options, VariantRuns& runs, std::string& summary) {
-  const StudyPlan plan = plan_settings(runs.deck(), options.requests, runs.scratch());
+  const StudyPlan plan = plan_study_settings(runs.deck(), options.requests, runs.scratch());
   Study study;
   study.notes = plan.notes;
-  Trial& given = study.trials.emplace_back();
+  StudyTrial& given = study.trials.emplace_back();
   given.setting = plan.settings.front();
-  const base::Outcome outcome = runs.run_given(given.setting, given, collect_answers);
+  const base::Outcome outcome = runs.run_original_deck(given.setting, given, collect_answers);
   if (outcome != base::Outcome::done) {
     return outcome;
   }
   study.answers = runs.answers();
-  const std::vector<const Setting*> chosen =
+  const std::vector<const StudySetting*> chosen =
       affordable_settings(plan, given.end.cpu, options.budget, runs.model().mesh.dim, study.notes);
   // No forecast knows the rounds of a TOL: each has a limit of its own.
   std::vector<VariantRun> found =
-      runs.run_others({chosen.begin(), chosen.end()}, options.jobs, options.budget);
+      runs.run_other_variants({chosen.begin(), chosen.end()}, options.jobs, options.budget);
   for (std::size_t i = 0; i < found.size(); ++i) {
     study.trials.push_back({std::move(found[i]), *chosen[i]});
   }

@@ -45,7 +45,7 @@ constexpr std::array curves{CurveKind{SettingFamily::whole},
                             CurveKind{SettingFamily::asked, true},
                             CurveKind{SettingFamily::peer}};
 
-std::string freedoms_text(const Trial& trial) {
+std::string freedoms_text(const StudyTrial& trial) {
   return trial.unknowns > 0 ? fmt::format("{}", trial.unknowns) : "-";
 }
 
@@ -54,12 +54,12 @@ std::string series_name(SettingFamily family, bool corrected) {
 }
 
 // The errors of a family; none where the deck as it is would stand alone.
-std::vector<report::DrawingPoint> curve_points(const Study& study, const GroupVerdict& group,
+std::vector<report::DrawingPoint> curve_points(const Study& study, const AnswerGroupVerdict& group,
                                                const CurveKind& curve, bool against_cpu) {
   std::vector<report::DrawingPoint> points;
   bool own = false;
-  for (const std::size_t row : series_rows(study.trials, curve.family)) {
-    const Trial& trial = study.trials[row];
+  for (const std::size_t row : series_trials(study.trials, curve.family)) {
+    const StudyTrial& trial = study.trials[row];
     const double error = group.errors[row].of(curve.corrected);
     const double x = against_cpu ? trial.end.cpu : static_cast<double>(trial.unknowns);
     own = own || trial.setting.family == curve.family;
@@ -70,7 +70,7 @@ std::vector<report::DrawingPoint> curve_points(const Study& study, const GroupVe
   return own ? points : std::vector<report::DrawingPoint>();
 }
 
-report::Plot group_plot(const Study& study, const GroupVerdict& group, bool against_cpu) {
+report::Plot group_plot(const Study& study, const AnswerGroupVerdict& group, bool against_cpu) {
   report::Plot plot = cost_plot(fmt::format("error of {} against {}", display_name(group.group),
                                             against_cpu ? "CPU time" : "freedoms"),
                                 against_cpu ? "CPU  [s]" : "freedoms",
@@ -94,7 +94,8 @@ report::Plot group_plot(const Study& study, const GroupVerdict& group, bool agai
     }
   }
   if (group.floor > 0.0 && high > low) {
-    plot.series.push_back(level_line("the reference is no better", low, high, 100.0 * group.floor));
+    plot.series.push_back(
+        horizontal_line_series("the reference is no better", low, high, 100.0 * group.floor));
   }
   return plot;
 }
@@ -105,22 +106,23 @@ ReportTable settings_table(const Study& study) {
     return [&study, value](std::size_t t) { return std::invoke(value, study.trials[t]); };
   };
   report::Columns<std::size_t> columns;
-  columns.words("setting", of([](const Trial& trial) { return trial.setting.name; }))
+  columns.words("setting", of([](const StudyTrial& trial) { return trial.setting.name; }))
       .number("freedoms", "", of(freedoms_text))
-      .number("CPU", "s", of([](const Trial& trial) { return trial.end.cpu; }), "{:.2f}")
-      .number("memory", "MiB", of([](const Trial& t) { return mebibytes(t.end.peak_memory); }));
-  for (const GroupVerdict& group : study.verdict.groups) {
-    const auto error = [&group](double GroupErrors::*kind) {
-      return [&group, kind](std::size_t t) { return in_percent(group.errors[t].*kind); };
+      .number("CPU", "s", of([](const StudyTrial& trial) { return trial.end.cpu; }), "{:.2f}")
+      .number("memory", "MiB",
+              of([](const StudyTrial& t) { return mebibytes(t.end.peak_memory); }));
+  for (const AnswerGroupVerdict& group : study.verdict.groups) {
+    const auto error = [&group](double AnswerGroupErrors::*kind) {
+      return [&group, kind](std::size_t t) { return percent_number(group.errors[t].*kind); };
     };
     columns.number(fmt::format("{} error", display_name(group.group)), "%",
-                   error(&GroupErrors::plain));
+                   error(&AnswerGroupErrors::plain));
     if (group.group == AnswerGroup::K) {
-      columns.number("corrected", "%", error(&GroupErrors::best))
-          .number("bar", "%", error(&GroupErrors::bar));
+      columns.number("corrected", "%", error(&AnswerGroupErrors::best))
+          .number("bar", "%", error(&AnswerGroupErrors::bar));
     }
   }
-  columns.words("", of(&Trial::trouble));
+  columns.words("", of(&StudyTrial::trouble));
   std::vector<std::size_t> rows(study.trials.size());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
   return columns.table("Settings", rows);
@@ -130,7 +132,7 @@ ReportTable settings_table(const Study& study) {
 ReportTable series_table(const Study& study) {
   using Row = std::pair<AnswerGroup, const SeriesVerdict*>;
   std::vector<Row> rows;
-  for (const GroupVerdict& group : study.verdict.groups) {
+  for (const AnswerGroupVerdict& group : study.verdict.groups) {
     for (const SeriesVerdict& series : group.series) {
       rows.emplace_back(group.group, &series);
     }
@@ -171,10 +173,11 @@ ReportTable distrusted_table(const Study& study) {
   }
   return report::Columns<std::size_t>()
       .words("check", [&](std::size_t a) { return study.answers[a].text; })
-      .number("off by", "%", [&](std::size_t a) { return in_percent(references[a].deck_is_off); })
+      .number("off by", "%",
+              [&](std::size_t a) { return percent_number(references[a].deck_is_off); })
       .number("finest is sure to", "%",
               [&](std::size_t a) {
-                return in_percent(references[a].uncertainty / references[a].scale);
+                return percent_number(references[a].uncertainty / references[a].scale);
               })
       .words("source", [&](std::size_t a) { return study.answers[a].check.source; })
       .table("References of the deck that finer meshes do not go to", rows);
@@ -182,7 +185,7 @@ ReportTable distrusted_table(const Study& study) {
 
 std::vector<std::string> sentences(const Study& study) {
   std::vector<std::string> all;
-  for (const GroupVerdict& group : study.verdict.groups) {
+  for (const AnswerGroupVerdict& group : study.verdict.groups) {
     for (const CheapestSetting& cheapest : group.cheapest) {
       all.push_back(cheapest.words);
     }
@@ -233,8 +236,8 @@ std::string study_csv(const Study& study) {
   base::CsvTable csv(
       "setting,family,fineness,freedoms,cpu,wall,memory,exit_code,answer,group,value,"
       "bar,best,reference,of_deck,uncertainty,error,best_error");
-  for (const Trial& trial : study.trials) {
-    base::CsvRow head = cost_fields(trial);
+  for (const StudyTrial& trial : study.trials) {
+    base::CsvRow head = cost_csv_fields(trial);
     head.insert(head.end(), {{"setting", trial.setting.name},
                              {"family", display_name(trial.setting.family)},
                              {"fineness", trial.setting.fineness}});
@@ -264,15 +267,15 @@ std::string study_page(const base::SourceTexts& sources, const model::Model& mod
                        const Study& study) {
   report::HtmlPage page;
   const std::string title =
-      begin_page(page, model, "study",
-                 fmt::format("Work against precision of {}: {}", report::deck_name(sources, 0),
-                             reference_words(study)));
+      begin_titled_page(page, model, "study",
+                        fmt::format("Work against precision of {}: {}",
+                                    report::deck_name(sources, 0), reference_words(study)));
   page.add_heading("The cheapest settings");
   for (const std::string& words : sentences(study)) {
     page.add_paragraph(words, "");
   }
   page.add_heading("Error and cost");
-  for (const GroupVerdict& group : study.verdict.groups) {
+  for (const AnswerGroupVerdict& group : study.verdict.groups) {
     page.add_figure(
         {{draw_svg(group_plot(study, group, true)), draw_svg(group_plot(study, group, false))},
          "",

@@ -10,10 +10,10 @@
 namespace spricka::program {
 
 std::string percent(double part) {
-  return in_percent(part) + (std::isfinite(part) ? " %" : "");
+  return percent_number(part) + (std::isfinite(part) ? " %" : "");
 }
 
-std::string in_percent(double part) {
+std::string percent_number(double part) {
   return std::isfinite(part) ? fmt::format("{:.2g}", 100.0 * part) : "-";
 }
 
@@ -32,7 +32,8 @@ report::Plot cost_plot(const std::string& label, const std::string& x_name,
   return plot;
 }
 
-report::PlotSeries level_line(const std::string& name, double low, double high, double level) {
+report::PlotSeries horizontal_line_series(const std::string& name, double low, double high,
+                                          double level) {
   report::PlotSeries line;
   line.name = name;
   line.colour = "#888";
@@ -41,8 +42,8 @@ report::PlotSeries level_line(const std::string& name, double low, double high, 
   return line;
 }
 
-std::string begin_page(report::HtmlPage& page, const model::Model& model, const char* command,
-                       const std::string& about) {
+std::string begin_titled_page(report::HtmlPage& page, const model::Model& model,
+                              const char* command, const std::string& about) {
   std::string title = model.title.empty() ? fmt::format("spricka {}", command) : model.title;
   page.add_html(fmt::format("<h1>{}</h1>\n", report::escape_xml(title)));
   page.add_paragraph(fmt::format("{}. Computed by spricka {}.", about, SPRICKA_VERSION), "about");

@@ -26,8 +26,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // The first error among the messages of a run, without its place in a deck that nobody has written.
-std::string first_trouble(const ChildEnd& end) {
-  const std::string line = error_line(end.messages);
+std::string first_trouble(const ChildProcessResult& end) {
+  const std::string line = first_error_line(end.messages);
   const std::size_t error = line.find("error");
   return end.late                     ? "took too long"
          : error != std::string::npos ? line.substr(error)
@@ -45,7 +45,8 @@ ChildRun child_of(const DeckVariant& variant, double cpu_seconds) {
 }
 
 // The results in the folder of a run, which goes; empty: it has none.
-std::optional<results::RunResult> take_results(const fs::path& folder, const ChildEnd& end) {
+std::optional<results::RunResult> take_results(const fs::path& folder,
+                                               const ChildProcessResult& end) {
   std::optional<results::RunResult> run;
   const std::optional<base::Outcome> outcome = base::outcome_of_exit_code(end.exit_code);
   if ((outcome == base::Outcome::done || outcome == base::Outcome::check_failed) &&
@@ -59,7 +60,7 @@ std::optional<results::RunResult> take_results(const fs::path& folder, const Chi
 }
 
 // The text of a deck that was read; its places are in the same sources.
-StudiedDeck studied_deck(const RunOptions& options, ReadyDeck& ready) {
+StudiedDeck studied_deck(const RunOptions& options, CheckedDeck& ready) {
   base::Diagnostics ignored; // the same mistakes as before: none
   auto text = deck::read_deck_card_list(options.deck, ready.sources, ignored);
   return {options.deck, options.defines, std::move(text.value()), &ready};
@@ -67,7 +68,7 @@ StudiedDeck studied_deck(const RunOptions& options, ReadyDeck& ready) {
 
 } // namespace
 
-base::CsvRow cost_fields(const VariantRun& run) {
+base::CsvRow cost_csv_fields(const VariantRun& run) {
   return {{"freedoms", run.unknowns},
           {"cpu", run.end.cpu},
           {"wall", run.end.wall},
@@ -75,9 +76,9 @@ base::CsvRow cost_fields(const VariantRun& run) {
           {"exit_code", run.end.exit_code}};
 }
 
-VariantRuns::VariantRuns(const RunOptions& options, ReadyDeck& ready, const Log& log)
+VariantRuns::VariantRuns(const RunOptions& options, CheckedDeck& ready, const Log& log)
     : log_(log), quiet_(options.quiet), deck_(studied_deck(options, ready)),
-      place_(resolved_folder(options.out)), folder_(options.out), scratch_(place_) {}
+      place_(canonical_folder(options.out)), folder_(options.out), scratch_(place_) {}
 
 void VariantRuns::abandon() {
   children_.stop();
@@ -85,7 +86,7 @@ void VariantRuns::abandon() {
   folder_.abandon();
 }
 
-VariantRun VariantRuns::read_variant(const DeckVariant& variant, const ChildEnd& end,
+VariantRun VariantRuns::read_variant(const DeckVariant& variant, const ChildProcessResult& end,
                                      const std::optional<results::RunResult>& run) const {
   VariantRun found{.end = end};
   if (!run) {
@@ -96,25 +97,25 @@ VariantRun VariantRuns::read_variant(const DeckVariant& variant, const ChildEnd&
     found.unknowns = std::max(found.unknowns, increment.unknowns);
   }
   if (variant.section) {
-    const ReadyDeck own = read_silently(variant.deck, {});
+    const CheckedDeck own = read_deck_silently(variant.deck, {});
     found.asked = section_counterparts(*variant.section, answers_);
-    found.readings = read_counterparts(own.model.value(), found.asked, *run);
+    found.readings = read_section_answers(own.model.value(), found.asked, *run);
   } else {
     found.readings = read_answers(model(), answers_, *run);
-    convert_to_whole_model(found.readings, answers_, variant.mirrored);
+    convert_answers_to_whole_model(found.readings, answers_, variant.mirrored);
   }
   return found;
 }
 
-base::Outcome VariantRuns::run_given(
+base::Outcome VariantRuns::run_original_deck(
     const DeckVariant& given, VariantRun& found,
-    const std::function<std::vector<Answer>(const model::Model&, const results::RunResult&)>&
+    const std::function<std::vector<AnswerRequest>(const model::Model&, const results::RunResult&)>&
         choose) {
   base::Outcome outcome = base::Outcome::stopped;
   const ChildRun child = child_of(given, 0.0);
-  children_.run_all({&child, 1}, 1, [&](std::size_t, const ChildEnd& end) {
+  children_.run_all_children({&child, 1}, 1, [&](std::size_t, const ChildProcessResult& end) {
     const std::optional<results::RunResult> run = take_results(child.out, end);
-    answers_ = run ? choose(model(), *run) : std::vector<Answer>();
+    answers_ = run ? choose(model(), *run) : std::vector<AnswerRequest>();
     found = read_variant(given, end, run);
     outcome = run ? base::Outcome::done
                   : base::outcome_of_exit_code(end.exit_code).value_or(base::Outcome::done);
@@ -122,7 +123,7 @@ base::Outcome VariantRuns::run_given(
       return;
     }
     outcome = outcome == base::Outcome::done ? base::Outcome::not_solvable : outcome;
-    to_stderr(run ? "" : end.messages);
+    write_to_stderr(run ? "" : end.messages);
     log_.message(
         base::Severity::error, "E555",
         run ? "the deck has no answer to compare"
@@ -131,19 +132,20 @@ base::Outcome VariantRuns::run_given(
   return outcome;
 }
 
-std::vector<VariantRun> VariantRuns::run_others(const std::vector<const DeckVariant*>& variants,
-                                                int at_once, double cpu_seconds) {
+std::vector<VariantRun>
+VariantRuns::run_other_variants(const std::vector<const DeckVariant*>& variants, int at_once,
+                                double cpu_seconds) {
   std::vector<ChildRun> children;
   for (const DeckVariant* variant : variants) {
     children.push_back(child_of(*variant, cpu_seconds));
   }
   std::vector<VariantRun> found(variants.size());
   std::size_t reported = 0;
-  children_.run_all(children, at_once, [&](std::size_t i, const ChildEnd& end) {
+  children_.run_all_children(children, at_once, [&](std::size_t i, const ChildProcessResult& end) {
     found[i] = read_variant(*variants[i], end, take_results(children[i].out, end));
     if (!quiet_) {
-      to_stderr(fmt::format("{} of {}: {}, {:.2f} s\n", ++reported, variants.size(),
-                            variants[i]->name, end.cpu));
+      write_to_stderr(fmt::format("{} of {}: {}, {:.2f} s\n", ++reported, variants.size(),
+                                  variants[i]->name, end.cpu));
     }
   });
   return found;
@@ -157,8 +159,8 @@ run_variants_of(const RunOptions& given, const char* extension,
   if (options.out.empty()) {
     options.out = options.deck.filename().replace_extension(extension);
   }
-  return report_file_failures(log, [&] {
-    ReadyDeck ready = read_and_check_deck(options.deck, {.defines = options.defines}, log);
+  return run_reporting_file_failures(log, [&] {
+    CheckedDeck ready = read_and_check_deck(options.deck, {.defines = options.defines}, log);
     if (!ready.model) {
       return ready.refusal.kind;
     }
@@ -175,7 +177,7 @@ run_variants_of(const RunOptions& given, const char* extension,
     }
     if (outcome == base::Outcome::done) {
       runs.folder().commit();
-      to_stdout(fmt::format("{} in {}\n", summary, options.out.string()));
+      write_to_stdout(fmt::format("{} in {}\n", summary, options.out.string()));
     }
     return outcome;
   });

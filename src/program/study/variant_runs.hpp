@@ -24,14 +24,14 @@ namespace spricka::program {
 struct DeckVariant {
   std::string name;           ///< "fine=0.5 FINER=0.5", "without friction": for tables
   std::filesystem::path deck; ///< in the scratch folder
-  Defines defines = {};
+  ParameterDefinitions defines = {};
   std::string mirrored = {};                  ///< across which axes its model is a part, "XY"
   std::optional<SectionMapping> section = {}; ///< it is a plane model of a solid
 };
 
 /// What the run of one variant took and found.
 struct VariantRun {
-  ChildEnd end = {};
+  ChildProcessResult end = {};
   std::size_t unknowns = 0;                   ///< of its largest increment
   std::vector<AnswerReading> readings = {};   ///< [answer]; empty: the run has no results
   std::vector<SectionCounterpart> asked = {}; ///< [answer] of a plane model of a solid; else empty
@@ -39,17 +39,17 @@ struct VariantRun {
 };
 
 /// Columns of a table: freedoms,cpu,wall,memory,exit_code.
-base::CsvRow cost_fields(const VariantRun& run);
+base::CsvRow cost_csv_fields(const VariantRun& run);
 
 /// A deck and the folders in which its variants run.
 class VariantRuns {
 public:
-  VariantRuns(const RunOptions& options, ReadyDeck& ready, const Log& log);
+  VariantRuns(const RunOptions& options, CheckedDeck& ready, const Log& log);
 
   [[nodiscard]] const StudiedDeck& deck() const { return deck_; }
   [[nodiscard]] const model::Model& model() const { return *deck_.ready->model; }
-  /// What all variants are asked for, from run_given() on.
-  [[nodiscard]] const std::vector<Answer>& answers() const { return answers_; }
+  /// What all variants are asked for, from run_original_deck() on.
+  [[nodiscard]] const std::vector<AnswerRequest>& answers() const { return answers_; }
   /// Where decks of variants are written; gone at the end.
   [[nodiscard]] const std::filesystem::path& scratch() const { return scratch_.path(); }
   /// The folder that is left at the end, absolute.
@@ -63,19 +63,18 @@ public:
   /// Runs the deck itself, which decides by `choose` what is asked for. Where it has no results, or
   /// nothing to be asked for, it is told (E555), and the outcome is that of the run, or
   /// not_solvable.
-  base::Outcome run_given(
-      const DeckVariant& given, VariantRun& found,
-      const std::function<std::vector<Answer>(const model::Model&, const results::RunResult&)>&
-          choose);
+  base::Outcome run_original_deck(const DeckVariant& given, VariantRun& found,
+                                  const std::function<std::vector<AnswerRequest>(
+                                      const model::Model&, const results::RunResult&)>& choose);
 
   /// Runs others, at most `at_once` at a time and each with `cpu_seconds` at most, or with 0 as
   /// long as it takes; tells of each that has ended. What is not run, as all are stopped, is empty.
   /// [variant]
-  std::vector<VariantRun> run_others(const std::vector<const DeckVariant*>& variants, int at_once,
-                                     double cpu_seconds = 0.0);
+  std::vector<VariantRun> run_other_variants(const std::vector<const DeckVariant*>& variants,
+                                             int at_once, double cpu_seconds = 0.0);
 
 private:
-  [[nodiscard]] VariantRun read_variant(const DeckVariant& variant, const ChildEnd& end,
+  [[nodiscard]] VariantRun read_variant(const DeckVariant& variant, const ChildProcessResult& end,
                                         const std::optional<results::RunResult>& run) const;
 
   const Log& log_;
@@ -85,7 +84,7 @@ private:
   RunFolder folder_;
   ScratchFolder scratch_;
   ChildRunner children_;
-  std::vector<Answer> answers_;
+  std::vector<AnswerRequest> answers_;
 };
 
 /// Reads the deck and lets `work` run variants of it: without a folder in `given` into one of the

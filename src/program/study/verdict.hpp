@@ -13,13 +13,13 @@
 namespace spricka::program {
 
 /// One setting that was run.
-struct Trial : VariantRun {
-  Setting setting;
+struct StudyTrial : VariantRun {
+  StudySetting setting;
 };
 
 /// Trials with results of one family, coarse to fine. The deck as it is belongs to the series of
 /// sizes: of all, of bodies, of tips, and of what is asked for.
-std::vector<std::size_t> series_rows(const std::vector<Trial>& trials, SettingFamily family);
+std::vector<std::size_t> series_trials(const std::vector<StudyTrial>& trials, SettingFamily family);
 
 /// What answers are compared with.
 struct AnswerReference {
@@ -32,7 +32,7 @@ struct AnswerReference {
 
 /// Of one setting and group of answers: the largest, as parts of the answers. Not a number where
 /// there is none.
-struct GroupErrors {
+struct AnswerGroupErrors {
   double plain = 0.0;
   double best = 0.0; ///< of the corrected values
   double bar = 0.0;
@@ -60,9 +60,9 @@ struct CheapestSetting {
   std::string words;  ///< the sentence
 };
 
-struct GroupVerdict {
+struct AnswerGroupVerdict {
   AnswerGroup group = AnswerGroup::K;
-  std::vector<GroupErrors> errors; ///< [trial]
+  std::vector<AnswerGroupErrors> errors; ///< [trial]
   double floor = 0.0; ///< how uncertain the references are: nothing below is told apart
   std::vector<SeriesVerdict> series;
   std::vector<CheapestSetting> cheapest;
@@ -72,13 +72,13 @@ struct GroupVerdict {
 struct StudyVerdict {
   std::vector<AnswerReference> references; ///< [answer]
   std::optional<std::size_t> finest;       ///< trial that others are compared with
-  std::vector<GroupVerdict> groups;        ///< those with answers, in their order
+  std::vector<AnswerGroupVerdict> groups;  ///< those with answers, in their order
 };
 
 /// All that is shown of a study.
 struct Study {
-  std::vector<Answer> answers;
-  std::vector<Trial> trials;
+  std::vector<AnswerRequest> answers;
+  std::vector<StudyTrial> trials;
   std::vector<std::string> notes; ///< what was not varied or run, and why
   StudyVerdict verdict;
 };
@@ -91,12 +91,12 @@ void assess_trials(Study& study);
 /// For 1, 0.1 and 0.01 %: the setting of the least CPU (within 15 % of it, of the fewest freedoms)
 /// whose error, and that of all finer ones of its family, is below it together with what the
 /// references are uncertain by. CalculiX is not among them.
-std::vector<CheapestSetting> cheapest_settings(const GroupVerdict& group,
-                                               const std::vector<Trial>& trials);
+std::vector<CheapestSetting> cheapest_settings(const AnswerGroupVerdict& group,
+                                               const std::vector<StudyTrial>& trials);
 
 /// What a plateau is judged by.
 struct PlateauContext {
-  const GroupVerdict& group; ///< its errors and floor
+  const AnswerGroupVerdict& group; ///< its errors and floor
   const SeriesVerdict& series;
   const Study& study; ///< with the references of its verdict
 };

@@ -115,7 +115,7 @@ struct Listener {
 
 } // namespace
 
-std::filesystem::path own_program() {
+std::filesystem::path running_program_file() {
   return std::filesystem::read_symlink("/proc/self/exe");
 }
 
@@ -150,7 +150,7 @@ bool ChildRunner::start(const ChildRun& run, pid_t& pid, int& words) {
   return begun;
 }
 
-ChildEnd ChildRunner::reap(pid_t pid, std::size_t seen, std::size_t inherited) {
+ChildProcessResult ChildRunner::reap(pid_t pid, std::size_t seen, std::size_t inherited) {
   // Its number is not given to another process before it is reaped: until then it may be killed.
   siginfo_t info{};
   while (waitid(P_PID, static_cast<id_t>(pid), &info, WEXITED | WNOWAIT) != 0 && errno == EINTR) {
@@ -161,7 +161,7 @@ ChildEnd ChildRunner::reap(pid_t pid, std::size_t seen, std::size_t inherited) {
   wait4(pid, &status, 0, &usage);
   running_.erase(pid);
   gone_.notify_all();
-  ChildEnd end;
+  ChildProcessResult end;
   end.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   end.exit_code = end.signal != 0 ? 128 + end.signal : WEXITSTATUS(status);
   end.cpu = seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
@@ -170,8 +170,9 @@ ChildEnd ChildRunner::reap(pid_t pid, std::size_t seen, std::size_t inherited) {
   return end;
 }
 
-void ChildRunner::run_all(std::span<const ChildRun> runs, int at_once,
-                          const std::function<void(std::size_t, const ChildEnd&)>& ended) {
+void ChildRunner::run_all_children(
+    std::span<const ChildRun> runs, int at_once,
+    const std::function<void(std::size_t, const ChildProcessResult&)>& ended) {
   base::parallel_for(runs.size(), at_once, [&](std::size_t i) {
     pid_t pid = -1;
     int words = -1;
@@ -189,7 +190,7 @@ void ChildRunner::run_all(std::span<const ChildRun> runs, int at_once,
     }
     close(words);
     // A process begins with the peak of the one that started it.
-    ChildEnd end = reap(pid, listener.peak, base::peak_memory());
+    ChildProcessResult end = reap(pid, listener.peak, base::peak_memory());
     end.late = late;
     end.wall = watch.wall_time();
     const std::string& said = listener.said;

@@ -30,7 +30,7 @@ struct ChildRun {
 };
 
 /// How such a process has ended.
-struct ChildEnd {
+struct ChildProcessResult {
   int exit_code = 0; ///< 128 + signal where a signal has ended it, as a shell says it
   int signal = 0;    ///< 0: none
   bool late = false; ///< ended by a time limit
@@ -48,18 +48,18 @@ inline double megabytes(std::size_t bytes) {
 }
 
 /// The file of the running program.
-std::filesystem::path own_program();
+std::filesystem::path running_program_file();
 
 /// Starts such processes, several at once.
 class ChildRunner {
 public:
-  explicit ChildRunner(std::filesystem::path program = own_program());
+  explicit ChildRunner(std::filesystem::path program = running_program_file());
 
   /// Runs all, at most `at_once` at a time, begun in their order. `ended` is called with the index
   /// of each when it has ended, from any thread, one call at a time. Throws std::system_error where
   /// a process cannot be started, when those that run have ended.
-  void run_all(std::span<const ChildRun> runs, int at_once,
-               const std::function<void(std::size_t, const ChildEnd&)>& ended);
+  void run_all_children(std::span<const ChildRun> runs, int at_once,
+                        const std::function<void(std::size_t, const ChildProcessResult&)>& ended);
 
   /// From any thread: ends those that run, which remove what they have begun to write, begins no
   /// more, and comes back when none is left.
@@ -68,7 +68,7 @@ public:
 
 private:
   [[nodiscard]] bool start(const ChildRun& run, pid_t& pid, int& words);
-  ChildEnd reap(pid_t pid, std::size_t seen, std::size_t inherited);
+  ChildProcessResult reap(pid_t pid, std::size_t seen, std::size_t inherited);
 
   std::filesystem::path program_;
   mutable std::mutex guard_;

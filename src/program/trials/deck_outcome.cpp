@@ -34,7 +34,7 @@ DeckOutcome read_results(const fs::path& file) {
 
 } // namespace
 
-std::vector<DeckOutcome> read_outcomes(const fs::path& folder) {
+std::vector<DeckOutcome> read_deck_outcomes(const fs::path& folder) {
   std::vector<DeckOutcome> all;
   if (fs::exists(folder / results_name)) {
     all.push_back(read_results(folder / results_name));
@@ -56,7 +56,7 @@ std::vector<DeckOutcome> read_outcomes(const fs::path& folder) {
   return all;
 }
 
-std::string error_line(const std::string& messages) {
+std::string first_error_line(const std::string& messages) {
   const std::size_t error = messages.find("error");
   const std::size_t at = error == std::string::npos ? messages.find_last_not_of(" \n\r") : error;
   if (at == std::string::npos) {

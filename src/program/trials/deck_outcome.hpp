@@ -22,9 +22,9 @@ struct DeckOutcome {
 /// The outcome in a run folder, or one for each point of the folder of a sweep, in order; those
 /// that have no results are left out. Throws std::system_error or results::StoreError for files
 /// that cannot be read.
-std::vector<DeckOutcome> read_outcomes(const std::filesystem::path& folder);
+std::vector<DeckOutcome> read_deck_outcomes(const std::filesystem::path& folder);
 
 /// The first line with an error among the messages of a run, else the last that is not blank.
-std::string error_line(const std::string& messages);
+std::string first_error_line(const std::string& messages);
 
 } // namespace spricka::program

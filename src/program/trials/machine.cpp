@@ -38,14 +38,14 @@ int core_count() {
   return sched_getaffinity(0, sizeof cores, &cores) == 0 ? std::max(1, CPU_COUNT(&cores)) : 1;
 }
 
-std::string machine_name() {
+std::string machine_description() {
   return fmt::format("{}, {} cores, {:.0f} GB", processor_name(), core_count(),
                      1e-9 * static_cast<double>(base::process_memory_limit()));
 }
 
-std::string program_name() {
+std::string program_version_and_build() {
   // Piece by piece: what this process once had counts as memory of all that it starts.
-  std::ifstream file(own_program(), std::ios::binary);
+  std::ifstream file(running_program_file(), std::ios::binary);
   std::string piece(base::mebibyte, '\0');
   std::string hashes;
   while (file.read(piece.data(), static_cast<std::streamsize>(piece.size())) || file.gcount() > 0) {

@@ -93,7 +93,7 @@ std::vector<ListedDeck> list_decks(const fs::path& folder) {
   return decks;
 }
 
-std::vector<ListedDeck> chosen_decks(const std::vector<ListedDeck>& decks,
+std::vector<ListedDeck> select_decks(const std::vector<ListedDeck>& decks,
                                      const std::vector<std::string>& asked,
                                      base::OptionalFailure& trouble) {
   for (const std::string& word : asked) {
@@ -117,8 +117,8 @@ std::vector<ListedDeck> chosen_decks(const std::vector<ListedDeck>& decks,
   return chosen;
 }
 
-void write_costs(const fs::path& folder, const std::vector<ListedDeck>& decks,
-                 const std::vector<std::pair<std::string, DeckCost>>& found) {
+void write_deck_costs(const fs::path& folder, const std::vector<ListedDeck>& decks,
+                      const std::vector<std::pair<std::string, DeckCost>>& found) {
   std::string text = "# What each deck takes on one thread: CPU seconds, MB at most. `spricka "
                      "verify --costs` writes it,\n# the tiers of `spricka verify` come from it.\n"
                      "deck,cpu,memory\n";
@@ -138,7 +138,7 @@ void write_costs(const fs::path& folder, const std::vector<ListedDeck>& decks,
   base::write_atomically(folder / costs_name, text);
 }
 
-std::vector<BenchmarkProblem> read_problems(const fs::path& folder) {
+std::vector<BenchmarkProblem> read_benchmark_problems(const fs::path& folder) {
   std::vector<BenchmarkProblem> problems;
   for (const base::CsvRecord& row : records_of(folder / problems_name)) {
     problems.push_back({.name = row.text("problem"),
@@ -151,7 +151,7 @@ std::vector<BenchmarkProblem> read_problems(const fs::path& folder) {
 }
 
 fs::path shipped_deck_folder() {
-  const fs::path self = own_program();
+  const fs::path self = running_program_file();
   const fs::path built = fs::path(SPRICKA_BUILD_TREE);
   const bool in_build =
       std::mismatch(built.begin(), built.end(), self.begin(), self.end()).first == built.end();

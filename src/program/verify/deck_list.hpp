@@ -45,14 +45,14 @@ std::vector<ListedDeck> list_decks(const std::filesystem::path& folder);
 
 /// Those that are asked for: "quick", "all", names or shell patterns, each once, by name. A word
 /// that names none gives a OperationFailure with what was probably meant.
-std::vector<ListedDeck> chosen_decks(const std::vector<ListedDeck>& decks,
+std::vector<ListedDeck> select_decks(const std::vector<ListedDeck>& decks,
                                      const std::vector<std::string>& asked,
                                      base::OptionalFailure& trouble);
 
 /// The table renewed by what decks were found to cost. Figures that are right within a half stay,
 /// so that the table changes when a deck does; decks that are gone go. Throws std::system_error.
-void write_costs(const std::filesystem::path& folder, const std::vector<ListedDeck>& decks,
-                 const std::vector<std::pair<std::string, DeckCost>>& found);
+void write_deck_costs(const std::filesystem::path& folder, const std::vector<ListedDeck>& decks,
+                      const std::vector<std::pair<std::string, DeckCost>>& found);
 
 /// The table beside the decks that says which of them stands for which problem of the open
 /// collections: problem,title,decks,tests,remark.
@@ -71,7 +71,7 @@ struct BenchmarkProblem {
 
 /// The problems of a folder of decks, in the order of the table; none where there is no table.
 /// Throws std::system_error.
-std::vector<BenchmarkProblem> read_problems(const std::filesystem::path& folder);
+std::vector<BenchmarkProblem> read_benchmark_problems(const std::filesystem::path& folder);
 
 /// The decks that ship with the running program: share/spricka/decks beside its bin, or for a
 /// program of a build tree those of its source. Empty if there are none.

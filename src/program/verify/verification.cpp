@@ -19,7 +19,7 @@ std::string many(std::size_t n, const char* word) {
 }
 
 void count_check(const results::CheckResult& check, VerificationCounts& counts) {
-  if (is_recorded(check)) {
+  if (has_recorded_reference(check)) {
     ++counts.recorded;
     counts.recorded_missed += check.passed ? 0 : 1;
     return;
@@ -42,7 +42,7 @@ void count_check(const results::CheckResult& check, VerificationCounts& counts) 
 
 } // namespace
 
-std::size_t VerifiedDeck::missed_checks() const {
+std::size_t VerifiedDeck::missed_check_count() const {
   std::ptrdiff_t passed = 0;
   std::size_t all = 0;
   for (const VerifiedPoint& point : points) {
@@ -67,14 +67,14 @@ std::optional<double> reference_accuracy(const results::CheckResult& check) {
   return 0.01 * value * std::abs(check.wanted);
 }
 
-bool is_recorded(const results::CheckResult& check) {
+bool has_recorded_reference(const results::CheckResult& check) {
   return check.source == "RECORDED";
 }
 
 bool has_reference(const VerifiedDeck& deck) {
   return std::ranges::any_of(deck.points, [](const VerifiedPoint& point) {
-    return std::ranges::any_of(point.checks,
-                               [](const results::CheckResult& c) { return !is_recorded(c); });
+    return std::ranges::any_of(
+        point.checks, [](const results::CheckResult& c) { return !has_recorded_reference(c); });
   });
 }
 

@@ -30,7 +30,7 @@ struct VerifiedDeck {
   std::vector<VerifiedPoint> points;
 
   [[nodiscard]] bool failed() const { return exit_code != 0; }
-  [[nodiscard]] std::size_t missed_checks() const;
+  [[nodiscard]] std::size_t missed_check_count() const;
 };
 
 struct Verification {
@@ -47,7 +47,7 @@ struct Verification {
 std::optional<double> reference_accuracy(const results::CheckResult& check);
 
 /// Whether a check compares with a value of this program itself.
-bool is_recorded(const results::CheckResult& check);
+bool has_recorded_reference(const results::CheckResult& check);
 /// Whether some check of it has a reference.
 bool has_reference(const VerifiedDeck& deck);
 

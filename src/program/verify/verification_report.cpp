@@ -24,7 +24,7 @@ std::optional<report::DrawingPoint> mark_of(const VerifiedDeck& deck) {
   std::optional<double> worst;
   for (const VerifiedPoint& point : deck.points) {
     for (const results::CheckResult& check : point.checks) {
-      if (check.relative && check.trouble.empty() && !is_recorded(check)) {
+      if (check.relative && check.trouble.empty() && !has_recorded_reference(check)) {
         worst = std::max(worst.value_or(smallest_drawn), std::abs(check.error));
       }
     }
@@ -83,7 +83,7 @@ void add_comparison(report::HtmlPage& page, const VerificationComparison& compar
                         "slower when it takes 1.5 times more than that.",
                         comparison.pace)
           : "Times are not compared: the machine is another one.");
-  page.add_table(change_table(comparison));
+  page.add_table(verification_change_table(comparison));
 }
 
 void add_problems(report::HtmlPage& page, const Verification& verification,
@@ -92,8 +92,8 @@ void add_problems(report::HtmlPage& page, const Verification& verification,
     return;
   }
   page.add_heading("Problems of the open collections");
-  page.add_table(problem_table(verification, problems));
-  page.add_table(uncovered_table(problems));
+  page.add_table(benchmark_problem_table(verification, problems));
+  page.add_table(uncovered_problem_table(problems));
 }
 
 void add_decks(report::HtmlPage& page, const Verification& verification) {
@@ -103,7 +103,7 @@ void add_decks(report::HtmlPage& page, const Verification& verification) {
     bool any = false;
     for (const VerifiedPoint& point : deck.points) {
       report::ReportTable table = checks_table(point);
-      table.title = fmt::format("{} ({})", deck_heading(deck, point), cost_text(deck, point));
+      table.title = fmt::format("{} ({})", deck_heading(deck, point), deck_cost_text(deck, point));
       page.add_table(table);
       any = any || !table.rows.empty();
     }
@@ -164,9 +164,9 @@ std::string problem_sections(const Verification& verification,
   if (problems.empty()) {
     return {};
   }
-  const report::ReportTable missing = uncovered_table(problems);
+  const report::ReportTable missing = uncovered_problem_table(problems);
   return "## Problems of the open collections\n\n" +
-         markdown(problem_table(verification, problems), false) +
+         markdown(benchmark_problem_table(verification, problems), false) +
          (missing.rows.empty() ? "" : "## Not covered\n\n" + markdown(missing, false));
 }
 
@@ -182,7 +182,7 @@ the source. The page [verify](verify.md#what-it-writes) explains the columns.
 
 )",
                      table_name) +
-         markdown(deck_table(verification), true);
+         markdown(verified_deck_table(verification), true);
 }
 
 } // namespace
@@ -200,7 +200,7 @@ std::string verification_page(const Verification& verification,
   page.add_paragraph(fmt::format("Asked for: {}.", fmt::join(verification.asked, " ")), "about");
   if (failed) {
     page.add_heading("Failed");
-    page.add_table(failed_table(verification));
+    page.add_table(failed_deck_table(verification));
   }
   if (comparison) {
     add_comparison(page, *comparison);

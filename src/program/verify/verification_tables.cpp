@@ -42,7 +42,7 @@ std::string what_of(const VerifiedDeck& deck, const VerifiedPoint& point) {
 }
 
 std::string check_count(const VerifiedPoint& point) {
-  const auto recorded = std::ranges::count_if(point.checks, is_recorded);
+  const auto recorded = std::ranges::count_if(point.checks, has_recorded_reference);
   return fmt::format("{}{}", point.checks.size(),
                      recorded > 0 ? fmt::format(" ({} recorded)", recorded) : "");
 }
@@ -97,7 +97,7 @@ std::string deck_heading(const VerifiedDeck& deck, const VerifiedPoint& point) {
   return fmt::format("{}: {}", deck.name, what_of(deck, point));
 }
 
-std::string cost_text(const VerifiedDeck& deck, const VerifiedPoint& point) {
+std::string deck_cost_text(const VerifiedDeck& deck, const VerifiedPoint& point) {
   return fmt::format("{} freedoms, {:.2f} s CPU, {:.0f} MB{}", point.unknowns, deck.cpu,
                      megabytes(deck.memory), deck.points.size() > 1 ? " with all points" : "");
 }
@@ -119,7 +119,7 @@ report::ReportTable checks_table(const VerifiedPoint& point) {
       .table("", point.checks);
 }
 
-report::ReportTable deck_table(const Verification& verification) {
+report::ReportTable verified_deck_table(const Verification& verification) {
   struct DeckTableRow {
     const VerifiedDeck& deck;
     const VerifiedPoint* point; // null: it has no results
@@ -170,8 +170,8 @@ std::vector<BenchmarkProblem> problems_that(bool covered,
 
 } // namespace
 
-report::ReportTable problem_table(const Verification& verification,
-                                  const std::vector<BenchmarkProblem>& problems) {
+report::ReportTable benchmark_problem_table(const Verification& verification,
+                                            const std::vector<BenchmarkProblem>& problems) {
   return report::Columns<BenchmarkProblem>()
       .words("problem", &BenchmarkProblem::name)
       .words("what", &BenchmarkProblem::title)
@@ -186,7 +186,7 @@ report::ReportTable problem_table(const Verification& verification,
       .table("", problems_that(true, problems));
 }
 
-report::ReportTable uncovered_table(const std::vector<BenchmarkProblem>& problems) {
+report::ReportTable uncovered_problem_table(const std::vector<BenchmarkProblem>& problems) {
   return report::Columns<BenchmarkProblem>()
       .words("problem", &BenchmarkProblem::name)
       .words("what", &BenchmarkProblem::title)
@@ -194,16 +194,16 @@ report::ReportTable uncovered_table(const std::vector<BenchmarkProblem>& problem
       .table("", problems_that(false, problems));
 }
 
-report::ReportTable failed_table(const Verification& verification) {
+report::ReportTable failed_deck_table(const Verification& verification) {
   return report::Columns<VerifiedDeck>()
       .words("deck", &VerifiedDeck::name)
       .words("ended with", end_of)
-      .number("checks missed", "", &VerifiedDeck::missed_checks)
+      .number("checks missed", "", &VerifiedDeck::missed_check_count)
       .words("said last", &VerifiedDeck::message)
       .table("", verification.decks | std::views::filter(&VerifiedDeck::failed));
 }
 
-report::ReportTable change_table(const VerificationComparison& comparison) {
+report::ReportTable verification_change_table(const VerificationComparison& comparison) {
   using Row = std::pair<const ChangeKind*, VerificationChange>;
   std::vector<Row> rows;
   for (const ChangeKind& kind : change_kinds) {

@@ -40,7 +40,8 @@ constexpr const char* page_name = "verification.html";
 /// A deck that takes so many times what the costliest is known to take has lost its way.
 constexpr double far_longer = 20.0; // of its CPU time
 
-VerifiedDeck verified(const ListedDeck& deck, const ChildEnd& end, const fs::path& folder) {
+VerifiedDeck verified(const ListedDeck& deck, const ChildProcessResult& end,
+                      const fs::path& folder) {
   VerifiedDeck out;
   out.name = deck.name;
   out.exit_code = end.exit_code;
@@ -48,14 +49,14 @@ VerifiedDeck verified(const ListedDeck& deck, const ChildEnd& end, const fs::pat
   out.cpu = end.cpu;
   out.wall = end.wall;
   out.memory = end.peak_memory;
-  for (DeckOutcome& outcome : read_outcomes(folder)) {
+  for (DeckOutcome& outcome : read_deck_outcomes(folder)) {
     out.title = outcome.title;
-    out.points.push_back({.values = point_words(outcome.point),
+    out.points.push_back({.values = sweep_point_text(outcome.point),
                           .unknowns = outcome.unknowns,
                           .checks = std::move(outcome.checks)});
   }
   if (out.failed()) {
-    out.message = error_line(end.messages);
+    out.message = first_error_line(end.messages);
   }
   return out;
 }
@@ -70,11 +71,12 @@ public:
 
   base::Outcome run() {
     base::OptionalFailure trouble;
-    chosen_ = chosen_decks(all_, verification_.asked, trouble);
+    chosen_ = select_decks(all_, verification_.asked, trouble);
     if (trouble) {
-      to_stderr(fmt::format("spricka verify: {}\n       = {}\n       = spricka verify all --list "
-                            "shows the decks of {}\n",
-                            trouble->why, trouble->hint, decks_.string()));
+      write_to_stderr(
+          fmt::format("spricka verify: {}\n       = {}\n       = spricka verify all --list "
+                      "shows the decks of {}\n",
+                      trouble->why, trouble->hint, decks_.string()));
       return trouble->kind;
     }
     if (options_.list) {
@@ -82,8 +84,9 @@ public:
       return base::Outcome::done;
     }
     warn_of_costs();
-    verification_.program = program_name(); // now: its file may be another one at the end
-    verification_.machine = machine_name();
+    verification_.program =
+        program_version_and_build(); // now: its file may be another one at the end
+    verification_.machine = machine_description();
     fs::create_directories(options_.out);
     before_ = read_verification_csv(options_.before.empty() ? options_.out / table_name
                                                             : options_.before);
@@ -97,18 +100,19 @@ public:
 private:
   void print_list() const {
     for (const ListedDeck& deck : chosen_) {
-      to_stdout(fmt::format("{:<36} {:<6} {}\n", deck.name, deck.quick ? "quick" : "",
-                            deck.cost ? fmt::format("{:8.2f} s {:6.0f} MB", deck.cost->cpu,
-                                                    megabytes(deck.cost->memory))
-                                      : "  in no tier: its cost is not known"));
+      write_to_stdout(fmt::format("{:<36} {:<6} {}\n", deck.name, deck.quick ? "quick" : "",
+                                  deck.cost ? fmt::format("{:8.2f} s {:6.0f} MB", deck.cost->cpu,
+                                                          megabytes(deck.cost->memory))
+                                            : "  in no tier: its cost is not known"));
     }
   }
 
   void warn_of_costs() const {
     for (const ListedDeck& deck : chosen_) {
       if (!deck.cost && !options_.costs && options_.decks.empty()) {
-        to_stderr(fmt::format("note: {} is in no tier: {} does not have it; --costs adds it\n",
-                              deck.name, costs_name));
+        write_to_stderr(
+            fmt::format("note: {} is in no tier: {} does not have it; --costs adds it\n", deck.name,
+                        costs_name));
       }
     }
   }
@@ -142,21 +146,22 @@ private:
     const InterruptHandler interrupt([&](int signal) {
       children.stop();
       scratch.remove();
-      to_stderr(fmt::format("\nstopped by {}: nothing is written\n", signal_name(signal)));
+      write_to_stderr(fmt::format("\nstopped by {}: nothing is written\n", signal_name(signal)));
       return 128 + signal;
     });
-    children.run_all(runs, verification_.at_once, [&](std::size_t i, const ChildEnd& end) {
-      verification_.decks.push_back(verified(chosen_[i], end, runs[i].out));
-      if (!options_.keep) {
-        std::error_code ignored;
-        fs::remove_all(runs[i].out, ignored);
-      }
-      tell(verification_.decks.back(), chosen_[i], watch.wall_time());
-    });
+    children.run_all_children(
+        runs, verification_.at_once, [&](std::size_t i, const ChildProcessResult& end) {
+          verification_.decks.push_back(verified(chosen_[i], end, runs[i].out));
+          if (!options_.keep) {
+            std::error_code ignored;
+            fs::remove_all(runs[i].out, ignored);
+          }
+          tell(verification_.decks.back(), chosen_[i], watch.wall_time());
+        });
     verification_.wall = watch.wall_time();
     std::ranges::sort(verification_.decks, {}, &VerifiedDeck::name);
     if (options_.keep) {
-      to_stdout(fmt::format("run folders in {}\n", scratch.path().string()));
+      write_to_stdout(fmt::format("run folders in {}\n", scratch.path().string()));
     }
     return !children.stopped();
   }
@@ -170,15 +175,16 @@ private:
       checks += point.checks.size();
     }
     if (!options_.quiet || deck.failed()) {
-      to_stdout(fmt::format(
+      write_to_stdout(fmt::format(
           "{}{:>4} of {}  {:<6} {:<36} {:>4} checks {:8.2f} s {:6.0f} MB{}\n",
           terminal && !options_.quiet ? "\r\x1b[K" : "", verification_.decks.size(), chosen_.size(),
           deck.failed() ? "FAILED" : "passed", deck.name, checks, deck.cpu, megabytes(deck.memory),
-          deck.failed() ? fmt::format("  {} missed; {}", deck.missed_checks(), deck.message) : ""));
+          deck.failed() ? fmt::format("  {} missed; {}", deck.missed_check_count(), deck.message)
+                        : ""));
       std::fflush(stdout);
     }
     if (terminal && !options_.quiet) {
-      to_stderr(verification_.decks.size() < chosen_.size() ? seconds_left(wall) : "");
+      write_to_stderr(verification_.decks.size() < chosen_.size() ? seconds_left(wall) : "");
     }
   }
 
@@ -193,7 +199,7 @@ private:
   }
 
   void write() {
-    const std::vector<BenchmarkProblem> problems = read_problems(decks_);
+    const std::vector<BenchmarkProblem> problems = read_benchmark_problems(decks_);
     std::optional<VerificationComparison> comparison;
     if (before_) {
       comparison = compare(verification_, *before_);
@@ -209,7 +215,7 @@ private:
       for (const VerifiedDeck& deck : verification_.decks) {
         found.emplace_back(deck.name, DeckCost{.cpu = deck.cpu, .memory = deck.memory});
       }
-      write_costs(decks_, all_, found);
+      write_deck_costs(decks_, all_, found);
     }
     print_summary(comparison);
   }
@@ -225,18 +231,19 @@ private:
 
   void print_summary(const std::optional<VerificationComparison>& comparison) const {
     for (const std::string& line : summary(verification_)) {
-      to_stdout(line + "\n");
+      write_to_stdout(line + "\n");
     }
     if (comparison) {
-      to_stdout(
+      write_to_stdout(
           fmt::format("Since the last time ({}): {}\n", comparison->program, summary(*comparison)));
-      const report::ReportTable changes = change_table(*comparison);
+      const report::ReportTable changes = verification_change_table(*comparison);
       if (!changes.rows.empty() && !options_.quiet) {
-        to_stdout(report::table_to_text(changes));
+        write_to_stdout(report::table_to_text(changes));
       }
     }
-    to_stdout(fmt::format("{:.1f} s CPU, {:.1f} s; {} and {}\n", count(verification_).cpu,
-                          verification_.wall, (options_.out / page_name).string(), table_name));
+    write_to_stdout(fmt::format("{:.1f} s CPU, {:.1f} s; {} and {}\n", count(verification_).cpu,
+                                verification_.wall, (options_.out / page_name).string(),
+                                table_name));
   }
 
   const VerifyOptions& options_;
@@ -249,9 +256,9 @@ private:
 
 } // namespace
 
-base::Outcome verify(const VerifyOptions& options) {
+base::Outcome verify_decks(const VerifyOptions& options) {
   const Log log(LogFormat::text);
-  return report_file_failures(log, [&] {
+  return run_reporting_file_failures(log, [&] {
     const fs::path decks = options.decks.empty() ? shipped_deck_folder() : options.decks;
     if (decks.empty()) {
       log.message(base::Severity::error, "E530",

@@ -72,7 +72,7 @@ TEST(ContactMountingPolicy, FirstNeedsTheSameRowsAtAllLengths) {
   const test::Folder folder;
   const std::filesystem::path file = folder.path() / "test.deck";
   std::ofstream(file) << strapped("FIRST", "-90[deg]", "4");
-  program::ReadyDeck ready =
+  program::CheckedDeck ready =
       program::read_and_check_deck(file, {}, program::Log(program::LogFormat::text));
   ASSERT_TRUE(ready.model);
   base::Diagnostics diagnostics;

@@ -99,7 +99,7 @@ Attempt attempt(const std::string& deck, int threads,
   const test::Folder folder;
   const std::filesystem::path file = folder.path() / "test.deck";
   std::ofstream(file) << deck;
-  program::ReadyDeck ready =
+  program::CheckedDeck ready =
       program::read_and_check_deck(file, {}, program::Log(program::LogFormat::text));
   Attempt made;
   if (!ready.model) {

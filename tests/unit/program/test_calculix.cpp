@@ -9,7 +9,7 @@
 namespace spricka::test_calculix {
 namespace {
 
-using program::read_frd;
+using program::read_calculix_results;
 
 // A block of values as ccx writes it, of two nodes.
 std::string block(const std::string& name, double a, double b, int count) {
@@ -28,7 +28,7 @@ std::string block(const std::string& name, double a, double b, int count) {
 TEST(Calculix, ValuesAreReadByTheirNodes) {
   const std::string text = "    1C\n" + block("DISP", 1.0, -4.0, 3) +
                            block("STRESS", 10.0, -20.0, 6) + block("FORC", 99.0, 99.0, 3);
-  const auto fields = read_frd(text, {1000000, 3, 7}, 3);
+  const auto fields = read_calculix_results(text, {1000000, 3, 7}, 3);
   ASSERT_TRUE(fields);
   EXPECT_EQ(fields->u.segment(0, 3), base::Vec3(-4, -3, -2));
   EXPECT_TRUE(std::isnan(fields->u[3])) << "node 3 is not in the file";
@@ -40,7 +40,7 @@ TEST(Calculix, ValuesAreReadByTheirNodes) {
 TEST(Calculix, OfSeveralBlocksTheLastCounts) {
   const std::string text = block("DISP", 1.0, 2.0, 3) + block("STRESS", 1.0, 2.0, 6) +
                            block("DISP", 5.0, 6.0, 3) + block("STRESS", 5.0, 6.0, 6);
-  const auto fields = read_frd(text, {7, 1000000}, 2);
+  const auto fields = read_calculix_results(text, {7, 1000000}, 2);
   ASSERT_TRUE(fields);
   EXPECT_EQ(fields->u.size(), 4);
   EXPECT_EQ(fields->u[0], 5.0);
@@ -51,13 +51,13 @@ TEST(Calculix, OfSeveralBlocksTheLastCounts) {
 TEST(Calculix, ATornFileIsNoAnswer) {
   const std::string whole = block("DISP", 1.0, 2.0, 3) + block("STRESS", 1.0, 2.0, 6);
   for (std::size_t length = 0; length < whole.size(); ++length) {
-    const auto fields = read_frd(whole.substr(0, length), {7, 1000000}, 3);
+    const auto fields = read_calculix_results(whole.substr(0, length), {7, 1000000}, 3);
     if (fields) {
       EXPECT_GT(length, whole.find("STRESS"));
     }
   }
-  EXPECT_FALSE(read_frd("", {1, 2}, 3));
-  EXPECT_FALSE(read_frd("no results\n", {1, 2}, 3));
+  EXPECT_FALSE(read_calculix_results("", {1, 2}, 3));
+  EXPECT_FALSE(read_calculix_results("no results\n", {1, 2}, 3));
 }
 
 TEST(Calculix, PlaneElementsAreAskedForAtTheirOwnNodes) {

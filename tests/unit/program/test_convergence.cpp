@@ -22,7 +22,7 @@ std::vector<ConvergencePoint> by_law(double factor, double power, double floor =
 
 TEST(Convergence, the_power_of_a_law_is_found) {
   for (const double power : {0.5, 1.0, 2.0, 4.0, 6.3}) {
-    const auto slope = fit_slope(by_law(0.03, power), 0.0);
+    const auto slope = fit_convergence_rate(by_law(0.03, power), 0.0);
     ASSERT_TRUE(slope);
     EXPECT_NEAR(slope->power, power, 1e-4);
     EXPECT_NEAR(slope->factor, 0.03, 1e-5);
@@ -37,12 +37,12 @@ TEST(Convergence, differences_to_the_finest_mesh_give_the_same_power) {
     for (ConvergencePoint& point : points) {
       point.error -= last;
     }
-    const auto slope = fit_slope(points, 0.0, points.back().size);
+    const auto slope = fit_convergence_rate(points, 0.0, points.back().size);
     ASSERT_TRUE(slope);
     EXPECT_EQ(slope->points, 4U);
     EXPECT_NEAR(slope->power, power, 1e-4);
     // Taken for errors they would seem to fall faster.
-    const auto taken = fit_slope(std::span(points).first(4), 0.0);
+    const auto taken = fit_convergence_rate(std::span(points).first(4), 0.0);
     ASSERT_TRUE(taken);
     EXPECT_GT(taken->power, power + 0.2);
   }
@@ -50,9 +50,9 @@ TEST(Convergence, differences_to_the_finest_mesh_give_the_same_power) {
 
 TEST(Convergence, two_points_or_points_below_the_floor_make_no_slope) {
   const std::vector<ConvergencePoint> points = by_law(1e-3, 2.0);
-  EXPECT_FALSE(fit_slope(std::span(points).first(2), 0.0));
-  EXPECT_FALSE(fit_slope(points, 1e-3)); // sizes 2 and 1.4 alone are above it
-  EXPECT_TRUE(fit_slope(points, 0.9e-3));
+  EXPECT_FALSE(fit_convergence_rate(std::span(points).first(2), 0.0));
+  EXPECT_FALSE(fit_convergence_rate(points, 1e-3)); // sizes 2 and 1.4 alone are above it
+  EXPECT_TRUE(fit_convergence_rate(points, 0.9e-3));
 }
 
 TEST(Convergence, an_error_that_passes_through_zero_is_not_trusted) {
@@ -65,13 +65,13 @@ TEST(Convergence, an_error_that_passes_through_zero_is_not_trusted) {
 }
 
 TEST(Convergence, a_plateau_begins_where_errors_stop_falling) {
-  EXPECT_FALSE(find_plateau(by_law(1e-3, 4.0)));
-  EXPECT_FALSE(find_plateau(by_law(1e-3, 0.6)));
-  const auto plateau = find_plateau(by_law(1e-3, 4.0, 1e-3));
+  EXPECT_FALSE(find_error_plateau(by_law(1e-3, 4.0)));
+  EXPECT_FALSE(find_error_plateau(by_law(1e-3, 0.6)));
+  const auto plateau = find_error_plateau(by_law(1e-3, 4.0, 1e-3));
   ASSERT_TRUE(plateau);
   EXPECT_EQ(plateau->first, 3U); // 1.24e-3 and 1.06e-3
   EXPECT_NEAR(plateau->level, 1.24e-3, 1e-5);
-  EXPECT_FALSE(find_plateau(std::vector<ConvergencePoint>{{2.0, 1e-15}, {1.0, 2e-15}}))
+  EXPECT_FALSE(find_error_plateau(std::vector<ConvergencePoint>{{2.0, 1e-15}, {1.0, 2e-15}}))
       << "round-off";
 }
 

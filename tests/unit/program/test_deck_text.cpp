@@ -62,7 +62,7 @@ TEST_F(DeckTexts, a_deck_written_elsewhere_makes_the_same_model) {
 TEST_F(DeckTexts, a_net_goes_with_all_that_is_about_it_alone) {
   base::SourceTexts sources;
   deck::DeckCardList text = text_of(fs::path(test::decks_folder()) / "press_fit_hub.deck", sources);
-  program::drop_requests(text);
+  program::remove_checks_and_requests(text);
   EXPECT_EQ(program::remove_nets(text, {"BUSH", "HUB3"}), std::set<std::string>{"HEAT"});
   program::drop_undefined_loads(text);
   const auto model = model_of(written(text));
@@ -77,7 +77,7 @@ TEST(NameUses, parameters_of_counts_are_told_from_those_of_the_model) {
   base::SourceTexts sources;
   const deck::DeckCardList text =
       text_of(fs::path(test::decks_folder()) / "edge_crack.deck", sources);
-  const auto uses = program::parameter_uses(text, sources);
+  const auto uses = program::find_parameter_uses(text, sources);
   EXPECT_FALSE(uses.at("FINE").elsewhere);
   EXPECT_EQ(uses.at("FINE").counts.size(), 1U);
   EXPECT_TRUE(uses.at("W").elsewhere);
@@ -87,16 +87,16 @@ TEST(NameUses, parameters_of_counts_are_told_from_those_of_the_model) {
 TEST(DeckEdits, fields_keep_brackets_units_and_lose_comments) {
   deck::DeckCard card;
   card.data = "  ! nothing\n  SHAFT.BODY  (F*(1 - x))  97.1[kN], 0 ! along x\n  OTHER 1\n";
-  EXPECT_EQ(program::data_rows(card),
+  EXPECT_EQ(program::split_data_lines(card),
             (std::vector<program::DataFields>{{"SHAFT.BODY", "(F*(1 - x))", "97.1[kN]", "0"},
                                               {"OTHER", "1"}}));
-  program::filter_lines(card, [](const auto& fields) { return fields.size() < 4; });
+  program::filter_data_lines(card, [](const auto& fields) { return fields.size() < 4; });
   EXPECT_EQ(card.data, "  ! nothing\n  OTHER 1\n");
 }
 
 TEST(DeckEdits, names_are_told_from_numbers_and_units) {
-  EXPECT_EQ(program::change_names("(x*1e5 + X_2)[mm] 'x' ! x",
-                                  [](std::string_view name) { return name == "x" ? "y" : "Z"; }),
+  EXPECT_EQ(program::rename_in_text("(x*1e5 + X_2)[mm] 'x' ! x",
+                                    [](std::string_view name) { return name == "x" ? "y" : "Z"; }),
             "(y*1e5 + Z)[mm] 'x' ! x");
 }
 

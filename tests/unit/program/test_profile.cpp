@@ -175,7 +175,7 @@ TEST(RunProfile, NetsAndLengthsSayWhatWasReused) {
   EXPECT_EQ(nets[0].condensed, 1U);
   EXPECT_EQ(nets[0].reused, 1U);
   EXPECT_EQ(nets[0].flops, 3e9);
-  const auto lengths = program::length_costs(profile);
+  const auto lengths = program::crack_length_costs(profile);
   ASSERT_EQ(lengths.size(), 2U);
   EXPECT_EQ(lengths[0].condensed, (std::vector<std::string>{"LUG", "PIN"}));
   EXPECT_EQ(lengths[1].reused, (std::vector<std::string>{"LUG", "PIN"}));
@@ -303,7 +303,7 @@ program::CostFloor floor_of(const std::string& text) {
   const test::Folder folder;
   const std::filesystem::path file = folder.path() / "test.deck";
   std::ofstream(file) << text;
-  const program::ReadyDeck ready =
+  const program::CheckedDeck ready =
       program::read_and_check_deck(file, {}, program::Log(program::LogFormat::text));
   EXPECT_TRUE(ready.model);
   return ready.model ? program::find_cost_floor(*ready.model) : program::CostFloor();
@@ -338,8 +338,9 @@ TEST(RunProfile, ThePeakOfMemoryIsTheProgramsOwn) {
   const program::ChildRun run{
       .deck = file, .out = folder.path() / "out", .defines = {}, .threads = 1};
   program::ChildRunner(test::program_file())
-      .run_all({&run, 1}, 1,
-               [](std::size_t, const program::ChildEnd& end) { EXPECT_EQ(end.exit_code, 0); });
+      .run_all_children({&run, 1}, 1, [](std::size_t, const program::ChildProcessResult& end) {
+        EXPECT_EQ(end.exit_code, 0);
+      });
   const std::string listing = test::slurp(run.out / "listing.txt");
   const std::string before = "at most ";
   const std::size_t at = listing.find(before);

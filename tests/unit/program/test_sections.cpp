@@ -43,7 +43,7 @@ program::SectionDeck section_of(const std::string& deck, const std::string& stat
   const test::Folder folder;
   const std::filesystem::path file = folder.path() / "test.deck";
   std::ofstream(file) << deck;
-  const program::ReadyDeck ready =
+  const program::CheckedDeck ready =
       program::read_and_check_deck(file, {}, program::Log(program::LogFormat::text));
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
@@ -52,7 +52,7 @@ program::SectionDeck section_of(const std::string& deck, const std::string& stat
     ADD_FAILURE() << "the deck is refused\n" << deck;
     return {};
   }
-  return program::section_deck(*ready.model, *text, state);
+  return program::make_section_deck(*ready.model, *text, state);
 }
 
 std::string written(const program::SectionDeck& section) {
@@ -179,7 +179,7 @@ $LOAD CASE=F TYPE=PRESSURE
   const test::Folder folder;
   const std::filesystem::path file = folder.path() / "plane.deck";
   std::ofstream(file) << written(section_of(deck, "STRESS"));
-  const program::ReadyDeck plane = program::read_silently(file, {});
+  const program::CheckedDeck plane = program::read_deck_silently(file, {});
   ASSERT_TRUE(plane.model);
   const model::RigidTarget& floor = plane.model->rigids.at(0);
   const base::Vec3 way = (floor.second - floor.first).normalized();

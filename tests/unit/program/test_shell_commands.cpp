@@ -23,24 +23,24 @@ ShellReply type(const ShellOnText& shell, const std::string& line) {
 
 TEST(ShellText, Words) {
   using List = std::vector<std::string>;
-  EXPECT_EQ(program::shell_words("map PULL  1.5"), (List{"map", "PULL", "1.5"}));
-  EXPECT_EQ(program::shell_words("  save a.deck replace ! more"),
+  EXPECT_EQ(program::split_shell_words("map PULL  1.5"), (List{"map", "PULL", "1.5"}));
+  EXPECT_EQ(program::split_shell_words("  save a.deck replace ! more"),
             (List{"save", "a.deck", "replace"}));
-  EXPECT_EQ(program::shell_words("LOAD C (0.3 * R)"), (List{"LOAD", "C", "(0.3 * R)"}));
-  EXPECT_EQ(program::shell_words(""), List{});
-  EXPECT_EQ(program::shell_words("! nothing"), List{});
-  EXPECT_EQ(program::shell_words("save 'my deck.deck'")[1], "my deck.deck");
+  EXPECT_EQ(program::split_shell_words("LOAD C (0.3 * R)"), (List{"LOAD", "C", "(0.3 * R)"}));
+  EXPECT_EQ(program::split_shell_words(""), List{});
+  EXPECT_EQ(program::split_shell_words("! nothing"), List{});
+  EXPECT_EQ(program::split_shell_words("save 'my deck.deck'")[1], "my deck.deck");
 }
 
 TEST(ShellText, FormsOfLines) {
-  using program::form_of_line;
-  using program::LineForm;
-  EXPECT_EQ(form_of_line(" $CRACK NAME=C A0=5"), LineForm::card);
-  EXPECT_EQ(form_of_line("K1(C,NOW)"), LineForm::result);
-  EXPECT_EQ(form_of_line("S.XX.AT(0,1,NOW)"), LineForm::result);
-  EXPECT_EQ(form_of_line("F= 3[kN] ! more"), LineForm::parameter);
-  EXPECT_EQ(form_of_line("LOAD PULL (2*T)"), LineForm::command);
-  EXPECT_EQ(form_of_line("! nothing"), LineForm::nothing);
+  using program::classify_shell_line;
+  using program::ShellLineForm;
+  EXPECT_EQ(classify_shell_line(" $CRACK NAME=C A0=5"), ShellLineForm::card);
+  EXPECT_EQ(classify_shell_line("K1(C,NOW)"), ShellLineForm::result);
+  EXPECT_EQ(classify_shell_line("S.XX.AT(0,1,NOW)"), ShellLineForm::result);
+  EXPECT_EQ(classify_shell_line("F= 3[kN] ! more"), ShellLineForm::parameter);
+  EXPECT_EQ(classify_shell_line("LOAD PULL (2*T)"), ShellLineForm::command);
+  EXPECT_EQ(classify_shell_line("! nothing"), ShellLineForm::nothing);
 }
 
 TEST(ShellCommands, LeavingTakesNoMoreWords) {

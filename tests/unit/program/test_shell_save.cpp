@@ -19,7 +19,7 @@ using test::Solved;
 
 void expect_saved(const ShellOnText& shell, double tolerance) {
   std::string text;
-  good(program::saved_deck(*shell, shell.folder.path(), text));
+  good(program::make_saved_deck_text(*shell, shell.folder.path(), text));
   SCOPED_TRACE(text);
   expect_k(shell, k_of_run(text), tolerance);
 }
@@ -46,7 +46,8 @@ TEST(ShellSave, KeepsTheOrderWithFriction) {
   expect_saved(shell, 1e-10);
   good(shell->go_to_step("PRESS"));
   std::string text;
-  const base::OptionalFailure refused = program::saved_deck(*shell, shell.folder.path(), text);
+  const base::OptionalFailure refused =
+      program::make_saved_deck_text(*shell, shell.folder.path(), text);
   ASSERT_TRUE(refused); // the deck's further steps would come in between
   EXPECT_NE(refused->hint.find("PULLED"), std::string::npos);
 }
@@ -60,7 +61,7 @@ TEST(ShellSave, NamesAMountThatNoStepNamed) {
   good(shell->solve());
   expect_saved(shell, 1e-10);
   std::string text;
-  good(program::saved_deck(*shell, shell.folder.path(), text));
+  good(program::make_saved_deck_text(*shell, shell.folder.path(), text));
   const std::optional<Solved> before = solve_text(held_hub());
   const std::optional<Solved> after = solve_text(text);
   ASSERT_TRUE(before && after);
@@ -77,7 +78,7 @@ TEST(ShellSave, NamesAFitThatNoStepNamed) {
   good(shell->solve());
   expect_saved(shell, 1e-10);
   std::string text;
-  good(program::saved_deck(*shell, shell.folder.path(), text));
+  good(program::make_saved_deck_text(*shell, shell.folder.path(), text));
   const std::optional<Solved> before = solve_text(deck);
   const std::optional<Solved> after = solve_text(text);
   ASSERT_TRUE(before && after);

@@ -21,7 +21,7 @@ using test::Solved;
 
 TEST(ShellSession, OpensAtTheLeadingStep) {
   const ShellOnText shell(cracked_hub());
-  EXPECT_EQ(shell->base_step(), "PULLED");
+  EXPECT_EQ(shell->base_step_name(), "PULLED");
   expect_k(shell, k_of_run(cracked_hub()), 1e-13);
 }
 
@@ -151,9 +151,9 @@ TEST(ShellSession, UndoTakesChangesBackOneByOne) {
 TEST(ShellSession, MapAgreesWithSolutions) {
   const ShellOnText shell(cracked_hub());
   const double before = shell.K1();
-  good(shell->map_case("PULL", "0", "6"));
+  good(shell->follow_load_case_range("PULL", "0", "6"));
   EXPECT_EQ(shell.K1(), before);
-  const results::LoadPathResult path = *shell->last_mapped_path();
+  const results::LoadPathResult path = *shell->last_followed_path();
   ASSERT_GT(path.t.size(), 4U); // the contact opens on the way
   for (const double t : {0.0, 0.21, 0.5, 0.83, 1.0}) {
     good(shell->add_step_line(fmt::format("LOAD PULL {}", 6.0 * t)));
@@ -162,7 +162,7 @@ TEST(ShellSession, MapAgreesWithSolutions) {
                 1e-9 * path.fronts.front().tip().K[0].highest())
         << t;
   }
-  EXPECT_EQ(shell->last_mapped_path(), nullptr); // of another state
+  EXPECT_EQ(shell->last_followed_path(), nullptr); // of another state
 }
 
 TEST(ShellSession, QuantitiesOfNowAndOfSteps) {
@@ -249,7 +249,7 @@ TEST(ShellSession, StopsWhenAsked) {
   ASSERT_TRUE(stopped);
   EXPECT_EQ(stopped->kind, base::Outcome::stopped);
   EXPECT_TRUE(shell->go_to_step("PRESS"));
-  EXPECT_TRUE(shell->map_case("PULL", "0", "1"));
+  EXPECT_TRUE(shell->follow_load_case_range("PULL", "0", "1"));
   shell.stop = false;
   good(shell->restore_after_failure());
   EXPECT_EQ(shell.K1(), before);
@@ -272,7 +272,7 @@ TEST(ShellSession, FollowsFriction) {
   const base::Vec2 wanted = k_of_run(replaced(deck, "  LOAD PULL 1\n", steps));
   expect_k(shell, wanted, 1e-10);
   EXPECT_GT(std::abs(shell.K1() - before), 1e-3 * before);
-  EXPECT_TRUE(shell->map_case("PULL", "0", "1"));
+  EXPECT_TRUE(shell->follow_load_case_range("PULL", "0", "1"));
   good(shell->change_card("$CRACK NAME=C A0=5.0")); // the whole history again
   expect_k(shell, k_of_run(replaced(cracked_hub("A0=5", contact), "  LOAD PULL 1\n", steps)), 1e-9);
 }

@@ -168,8 +168,8 @@ TEST(Tolerance, OtherMeshesAreDivided) {
   std::string text = strip(block, "0.1");
   ASSERT_EQ(run_text(folder, text).exit_code, 0);
   // the block as tables of nodes and elements
-  program::ReadyDeck ready = program::read_and_check_deck(folder.path() / "test.deck", {},
-                                                          program::Log(program::LogFormat::text));
+  program::CheckedDeck ready = program::read_and_check_deck(folder.path() / "test.deck", {},
+                                                            program::Log(program::LogFormat::text));
   ASSERT_TRUE(ready.model);
   const model::Mesh& mesh = ready.model->mesh;
   std::string tables = "$COOR DIM=2\n";

@@ -16,7 +16,7 @@ namespace spricka::test_trials {
 namespace {
 
 namespace fs = std::filesystem;
-using program::ChildEnd;
+using program::ChildProcessResult;
 using program::ChildRun;
 using program::ChildRunner;
 using program::DeckOutcome;
@@ -64,10 +64,10 @@ TEST_F(Trials, EachSaysHowItEndedWhatItFoundAndWhatItCost) {
   std::vector<ChildRun> runs{run_of(good), run_of(bad), run_of(good)};
   runs[2].defines = {{"s", "2*10"}};
   runs[2].out = folder.path() / "double";
-  std::vector<ChildEnd> ends(runs.size());
-  ChildRunner(test::program_file()).run_all(runs, 2, [&](std::size_t i, const ChildEnd& end) {
-    ends[i] = end;
-  });
+  std::vector<ChildProcessResult> ends(runs.size());
+  ChildRunner(test::program_file())
+      .run_all_children(runs, 2,
+                        [&](std::size_t i, const ChildProcessResult& end) { ends[i] = end; });
   EXPECT_EQ(ends[0].exit_code, 1) << ends[0].messages; // a check that cannot hold
   EXPECT_EQ(ends[1].exit_code, 3);
   EXPECT_NE(ends[1].messages.find("bad.deck:2"), std::string::npos) << ends[1].messages;
@@ -75,10 +75,10 @@ TEST_F(Trials, EachSaysHowItEndedWhatItFoundAndWhatItCost) {
   EXPECT_GT(ends[0].cpu, 0.0);
   EXPECT_GT(ends[0].wall, 0.0);
   EXPECT_GT(ends[0].peak_memory, std::size_t{1} << 20U);
-  EXPECT_TRUE(program::read_outcomes(runs[1].out).empty());
+  EXPECT_TRUE(program::read_deck_outcomes(runs[1].out).empty());
 
-  const std::vector<DeckOutcome> first = program::read_outcomes(runs[0].out);
-  const std::vector<DeckOutcome> twice = program::read_outcomes(runs[2].out);
+  const std::vector<DeckOutcome> first = program::read_deck_outcomes(runs[0].out);
+  const std::vector<DeckOutcome> twice = program::read_deck_outcomes(runs[2].out);
   ASSERT_EQ(first.size(), 1U);
   ASSERT_EQ(twice.size(), 1U);
   EXPECT_EQ(first[0].title, "Plate");
@@ -103,11 +103,11 @@ TEST_F(Trials, ASweepIsAnOutcomeForEachPoint) {
                                                                "$CHECK\n"
                                                                "  K1(C,PULL) = 1 ABS 1e9\n")));
   int code = -1;
-  ChildRunner(test::program_file()).run_all({&run, 1}, 1, [&](std::size_t, const ChildEnd& end) {
-    code = end.exit_code;
-  });
+  ChildRunner(test::program_file())
+      .run_all_children({&run, 1}, 1,
+                        [&](std::size_t, const ChildProcessResult& end) { code = end.exit_code; });
   EXPECT_EQ(code, 0);
-  const std::vector<DeckOutcome> points = program::read_outcomes(run.out);
+  const std::vector<DeckOutcome> points = program::read_deck_outcomes(run.out);
   ASSERT_EQ(points.size(), 2U);
   ASSERT_EQ(points[1].point.size(), 1U);
   EXPECT_EQ(points[1].point[0].second, 3.0);
@@ -118,10 +118,9 @@ TEST_F(Trials, AProcessThatIsTooSlowIsEndedAndLeavesNoResults) {
   ChildRun run = run_of(deck("slow.deck", cracked_plate("")));
   run.defines = {{"n", "400"}};
   run.seconds = 0.2;
-  ChildEnd end;
-  ChildRunner(test::program_file()).run_all({&run, 1}, 1, [&](std::size_t, const ChildEnd& e) {
-    end = e;
-  });
+  ChildProcessResult end;
+  ChildRunner(test::program_file())
+      .run_all_children({&run, 1}, 1, [&](std::size_t, const ChildProcessResult& e) { end = e; });
   EXPECT_TRUE(end.late);
   EXPECT_NE(end.exit_code, 0);
   EXPECT_FALSE(fs::exists(run.out));
@@ -132,10 +131,9 @@ TEST_F(Trials, ALimitOfCpuTimeHoldsToo) {
   ChildRun run = run_of(deck("slow.deck", cracked_plate("")));
   run.defines = {{"n", "400"}};
   run.cpu_seconds = 0.2;
-  ChildEnd end;
-  ChildRunner(test::program_file()).run_all({&run, 1}, 1, [&](std::size_t, const ChildEnd& e) {
-    end = e;
-  });
+  ChildProcessResult end;
+  ChildRunner(test::program_file())
+      .run_all_children({&run, 1}, 1, [&](std::size_t, const ChildProcessResult& e) { end = e; });
   EXPECT_TRUE(end.late);
   EXPECT_GE(end.cpu, 0.2);
   EXPECT_FALSE(fs::exists(run.out));
@@ -147,8 +145,9 @@ TEST_F(Trials, ASignalEndsOneAndItsMemoryIsItsOwn) {
   // Of this process, not of a shell that it starts.
   const std::vector<char> much(std::size_t{200} << 20U, 'x');
   const ChildRun run = run_of(dies);
-  ChildEnd end;
-  ChildRunner(dies).run_all({&run, 1}, 1, [&](std::size_t, const ChildEnd& e) { end = e; });
+  ChildProcessResult end;
+  ChildRunner(dies).run_all_children({&run, 1}, 1,
+                                     [&](std::size_t, const ChildProcessResult& e) { end = e; });
   EXPECT_EQ(end.signal, SIGSEGV);
   EXPECT_EQ(end.exit_code, 128 + SIGSEGV);
   EXPECT_EQ(end.messages, "last words\n");
@@ -171,7 +170,7 @@ TEST_F(Trials, AreStoppedTogetherAndNoneIsBegunAfterwards) {
     children.stop();
   });
   const auto begin = std::chrono::steady_clock::now();
-  children.run_all(runs, 2, [&](std::size_t, const ChildEnd&) { ++told; });
+  children.run_all_children(runs, 2, [&](std::size_t, const ChildProcessResult&) { ++told; });
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
   EXPECT_TRUE(children.stopped());
   EXPECT_EQ(told, 0);
@@ -182,9 +181,9 @@ TEST_F(Trials, AreStoppedTogetherAndNoneIsBegunAfterwards) {
 
 TEST_F(Trials, AProgramThatIsNotThereIsTold) {
   const ChildRun run = run_of(deck("good.deck", cracked_plate("")));
-  EXPECT_THROW(
-      ChildRunner("/no/such/program").run_all({&run, 1}, 1, [](std::size_t, const ChildEnd&) {}),
-      std::system_error);
+  EXPECT_THROW(ChildRunner("/no/such/program")
+                   .run_all_children({&run, 1}, 1, [](std::size_t, const ChildProcessResult&) {}),
+               std::system_error);
 }
 
 } // namespace

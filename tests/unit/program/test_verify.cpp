@@ -249,13 +249,13 @@ TEST_F(Tiers, QuickAreTheCheapestThatFitTheBudget) {
       << "# comment\ndeck,cpu,memory\ncheap,1,20\ndear," << quick_budget << ",30\nmean,3,30\n";
   const std::vector<ListedDeck> decks = list_decks(folder.path());
   base::OptionalFailure trouble;
-  EXPECT_EQ(names(chosen_decks(decks, {"quick"}, trouble)),
+  EXPECT_EQ(names(select_decks(decks, {"quick"}, trouble)),
             (std::vector<std::string>{"cheap", "mean"}));
-  EXPECT_EQ(chosen_decks(decks, {"all"}, trouble).size(), 4U);
-  EXPECT_EQ(names(chosen_decks(decks, {"*ea*", "new.deck"}, trouble)),
+  EXPECT_EQ(select_decks(decks, {"all"}, trouble).size(), 4U);
+  EXPECT_EQ(names(select_decks(decks, {"*ea*", "new.deck"}, trouble)),
             (std::vector<std::string>{"cheap", "dear", "mean", "new"}));
   EXPECT_FALSE(trouble);
-  EXPECT_TRUE(chosen_decks(decks, {"chep"}, trouble).empty());
+  EXPECT_TRUE(select_decks(decks, {"chep"}, trouble).empty());
   ASSERT_TRUE(trouble);
   EXPECT_EQ(trouble->kind, base::Outcome::usage);
   EXPECT_NE(trouble->hint.find("cheap"), std::string::npos) << trouble->hint;
@@ -266,7 +266,7 @@ TEST_F(Tiers, CostsStayWhileTheyAreAboutRight) {
   deck("other");
   deck("fresh");
   std::ofstream(folder.path() / costs_name) << "deck,cpu,memory\nkept,1,20\nother,1,20\ngone,1,1\n";
-  write_costs(
+  write_deck_costs(
       folder.path(), list_decks(folder.path()),
       {{"kept", {1.3, 21'000'000}}, {"other", {3.0, 20'000'000}}, {"fresh", {2, 5'000'000}}});
   const auto rows = base::parse_csv_rows(test::slurp(folder.path() / costs_name));
@@ -296,7 +296,7 @@ TEST(ShippedDecks, ProblemsNameDecksThatAreThereOrAReason) {
   for (const ListedDeck& deck : list_decks(test::decks_folder())) {
     names.insert(deck.name);
   }
-  const std::vector<BenchmarkProblem> problems = read_problems(test::decks_folder());
+  const std::vector<BenchmarkProblem> problems = read_benchmark_problems(test::decks_folder());
   std::set<std::string> ids;
   for (const BenchmarkProblem& problem : problems) {
     EXPECT_TRUE(ids.insert(problem.name).second) << problem.name << " stands there twice";

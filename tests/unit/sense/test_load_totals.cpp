@@ -39,7 +39,7 @@ std::vector<base::Diagnostic> messages(const std::string& p, std::size_t lost) {
   const test::Folder folder;
   const std::filesystem::path file = folder.path() / "test.deck";
   std::ofstream(file) << plate(p);
-  const program::ReadyDeck deck =
+  const program::CheckedDeck deck =
       program::read_and_check_deck(file, {}, program::Log(program::LogFormat::text));
   if (!deck.model) {
     ADD_FAILURE() << "the deck is refused";

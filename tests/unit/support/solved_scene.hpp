@@ -21,7 +21,7 @@ struct SolvedScene {
     std::function<void(analysis::Discretisation&, const model::Model&)> scene;
   };
 
-  program::ReadyDeck deck;
+  program::CheckedDeck deck;
   analysis::CondensationCache cache;
   std::unique_ptr<analysis::CrackLengthAnalysis> length; ///< null where the deck has no scene
   std::unique_ptr<analysis::StepSolver> solver;

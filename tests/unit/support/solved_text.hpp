@@ -58,7 +58,7 @@ inline std::optional<Solved> solve_text(const std::string& deck,
   const Folder folder;
   const std::filesystem::path file = folder.path() / "test.deck";
   std::ofstream(file) << deck;
-  program::ReadyDeck ready =
+  program::CheckedDeck ready =
       program::read_and_check_deck(file, {}, program::Log(program::LogFormat::text));
   if (!ready.model) {
     ADD_FAILURE() << "the deck is refused";
