@@ -59,7 +59,7 @@ public:
     for (std::size_t e = 0; e < set_.mesh.element_count(); ++e) {
       add_slices(base::ElementId(e), wanted);
     }
-    for (const base::NodeId n : set_.tips) {
+    for (const base::NodeId n : set_.front_nodes) {
       left_out_[n.index()] = true;
     }
     // Nodes of ties are no free wedges and none that are held, but where `tied` says so.

@@ -28,7 +28,7 @@ struct CornerSearchInput {
   const EdgeTable& edges;
   const std::vector<model::FreedomClass>& cls;
   const fe::ConstraintTransformation& ties;
-  const std::vector<base::NodeId>& tips; ///< of cracks: their elements follow u ~ sqrt(r)
+  const std::vector<base::NodeId>& front_nodes; ///< of cracks: their elements follow u ~ sqrt(r)
   /// [node] held by another body or a rigid one; null: none
   const std::vector<bool>* tied = nullptr;
 };

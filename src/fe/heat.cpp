@@ -56,8 +56,8 @@ void add_points(const model::Model& model, const PatchedMesh& patched, const Fie
         heat.field.varies(e)) {
       const AnyElement<2>& element = shape::reference_element<2>(mesh.type[i]);
       const AnyNodeVectors<2> X = coordinates(element, mesh, e);
-      SampledTemperature sampled = sample_temperature(element, X, heat.field, e, scale,
-                                                      find_tip_corner(mesh, e, patched.tips));
+      SampledTemperature sampled = sample_temperature(
+          element, X, heat.field, e, scale, find_tip_corner(mesh, e, patched.front_nodes));
       std::vector<ResidualTemperaturePoint>& points = sampled.points;
       if (missed != nullptr) {
         missed->add(sampled.missed, sampled.amount, law.thickness);

@@ -15,7 +15,7 @@ struct PatchedMesh {
   const model::Mesh& mesh;
   const model::Mesh& host_mesh;
   const std::vector<base::ElementId>* host = nullptr; ///< [element] invalid: of a patch
-  std::vector<base::NodeId> tips;                     ///< where gradients may be singular
+  std::vector<base::NodeId> front_nodes;              ///< where gradients may be singular
 
   /// Whether an element belongs to a patch round a crack, so that the host has none of it.
   [[nodiscard]] bool is_patch_element(base::ElementId e) const {

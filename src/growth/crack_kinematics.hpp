@@ -29,6 +29,11 @@ struct CrackGeometry {
   std::vector<base::Vec3> aims{};
   /// [tip] in space: the crack whose front that is; not its first one where two have become one.
   std::vector<std::size_t> fronts{};
+
+  /// In space: the crack of the front that a tip is on.
+  [[nodiscard]] const model::CrackDefinition& crack_of(std::size_t tip) const {
+    return solids[fronts[tip]];
+  }
 };
 
 /// How fronts move, v(x) = sum of B_j(x) q_j over their shape modes j (manual, growth.11): the

@@ -9,8 +9,9 @@
 /// Growth of cracks by a law: lengths over cycles.
 namespace spricka::results {
 
-/// One tip at a station.
-struct GrownTipResult {
+/// A point of a front that grows, at a station; in the plane the tip, in space an end of an axis
+/// too.
+struct GrownPointResult {
   std::string name; ///< as TipResult
   /// What lies behind the tip: its crack's first length (half of it if embedded) and all it has
   /// grown since; the two arms of an embedded crack grow apart.
@@ -27,9 +28,9 @@ struct GrownTipResult {
 
 /// One finite-element solution of the growth.
 struct GrowthStation {
-  int increment = 0;   ///< Increment::number
-  double cycles = 0.0; ///< or passes
-  std::vector<GrownTipResult> tips;
+  int increment = 0;                    ///< Increment::number
+  double cycles = 0.0;                  ///< or passes
+  std::vector<GrownPointResult> points; ///< of all fronts
   int passes = 0;      ///< of the loads, where friction makes K a history, until K repeated itself
   double change = 0.0; ///< of K from the last pass but one to the last, over the largest K
 };
@@ -37,7 +38,7 @@ struct GrowthStation {
 /// A point of the dense curve between and at the stations.
 struct LifeCurvePoint {
   double cycles = 0.0;
-  std::vector<double> a; ///< [tip] as GrowingTip
+  std::vector<double> a; ///< [point] as point_names
 };
 
 /// The same growth with K taken from a line instead of from every load.
@@ -48,9 +49,9 @@ struct ScaledLife {
 };
 
 struct GrowthResult {
-  std::string unit;              ///< of N and per what the rates are: "cycle" or "pass"
-  double cycles_per_pass = 1.0;  ///< of a spectrum
-  std::vector<std::string> tips; ///< those that grow, in the order of all lists
+  std::string unit;                     ///< of N and per what the rates are: "cycle" or "pass"
+  double cycles_per_pass = 1.0;         ///< of a spectrum
+  std::vector<std::string> point_names; ///< of those that grow, in the order of all lists
   std::vector<GrowthStation> stations;
   std::vector<LifeCurvePoint> curve; ///< ascending cycles, ends at the end of the growth
   std::string ended;                 ///< one word: AMAX, CYCLES, KC, NET SECTION, EDGE, ...

@@ -11,6 +11,7 @@
 #include "results/stress_invariants.hpp"
 #include "results/tolerance_round.hpp"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
@@ -69,6 +70,11 @@ struct StepResult {
   int iterations = 0;         ///< block iterations of the contact solution
   int pivots = 0;
   std::vector<Note> notes;
+
+  /// How many of its fronts are tips, those of cracks in the plane.
+  [[nodiscard]] std::size_t tip_count() const {
+    return static_cast<std::size_t>(std::ranges::count_if(fronts, &FrontResult::is_tip));
+  }
 };
 
 /// One crack length: the mesh with the crack in it, and its steps.
@@ -83,6 +89,16 @@ struct Increment {
   std::vector<LoadPathResult> paths; ///< in deck order
   std::vector<Note> notes;
 };
+
+/// Hands the record of each front of an increment to `use`: of all steps, then of all load paths.
+template <class Use> void for_each_front(Increment& increment, Use use) {
+  for (StepResult& step : increment.steps) {
+    std::ranges::for_each(step.fronts, use);
+  }
+  for (LoadPathResult& path : increment.paths) {
+    std::ranges::for_each(path.fronts, use, &LoadPathFront::is);
+  }
+}
 
 /// One line of the processor log.
 struct LogLine {

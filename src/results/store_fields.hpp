@@ -110,7 +110,7 @@ SPRICKA_STORED_RECORD(CheckResult, text, wanted, found, error, tolerance, relati
                       trouble, bar)
 SPRICKA_STORED_RECORD(ToleranceRound, number, unknowns, worst, bar, wanted, cpu, next)
 
-template <class V, Of<GrownTipResult> T> void fields(V& v, T& r) {
+template <class V, Of<GrownPointResult> T> void fields(V& v, T& r) {
   v("name", r.name);
   v("a", r.a);
   v("K_max", r.K_max);
@@ -123,11 +123,34 @@ template <class V, Of<GrownTipResult> T> void fields(V& v, T& r) {
   v("first_min", r.first_min);
 }
 
-SPRICKA_STORED_RECORD(GrowthStation, increment, cycles, tips, passes, change)
+template <class V, Of<GrowthStation> T> void fields(V& v, T& r) {
+  v("increment", r.increment);
+  v("cycles", r.cycles);
+  v("tips", r.points);
+  v("passes", r.passes);
+  v("change", r.change);
+}
+
 SPRICKA_STORED_RECORD(LifeCurvePoint, cycles, a)
 SPRICKA_STORED_RECORD(ScaledLife, name, ratio, curve)
-SPRICKA_STORED_RECORD(GrowthResult, unit, cycles_per_pass, tips, stations, curve, ended, reason,
-                      passages, error, corrected, counted, ranges, followed, scaled)
+
+template <class V, Of<GrowthResult> T> void fields(V& v, T& r) {
+  v("unit", r.unit);
+  v("cycles_per_pass", r.cycles_per_pass);
+  v("tips", r.point_names);
+  v("stations", r.stations);
+  v("curve", r.curve);
+  v("ended", r.ended);
+  v("reason", r.reason);
+  v("passages", r.passages);
+  v("error", r.error);
+  v("corrected", r.corrected);
+  v("counted", r.counted);
+  v("ranges", r.ranges);
+  v("followed", r.followed);
+  v("scaled", r.scaled);
+}
+
 SPRICKA_STORED_RECORD(GrowthTestPoint, cycles, a, rate, rate_low, rate_high, R, K, low, high,
                       computed, covered)
 SPRICKA_STORED_RECORD(GrowthTestResult, name, tip, method, reference, readings, computed, points,

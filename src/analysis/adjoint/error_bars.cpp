@@ -27,14 +27,6 @@ constexpr double counts = 10.0;
 // has no K.
 constexpr double halvings = 4.0;
 
-std::vector<base::NodeId> tip_nodes(const Discretisation& scene) {
-  std::vector<base::NodeId> tips;
-  for (const mesh::CrackFront& front : scene.cracked.fronts) {
-    tips.push_back(front.tip_point().node);
-  }
-  return tips;
-}
-
 // Freedoms of nodes that supports, ties or closed contacts hold.
 std::vector<bool> fixed_freedoms(const Discretisation& scene, const StepState& state) {
   std::vector<bool> fixed(scene.cls.size(), false);
@@ -66,14 +58,14 @@ estimate::PointSupportChange add_corners(const model::Model& model, const Discre
                                          const StepState& state,
                                          const estimate::CornerErrorRequest& request,
                                          std::vector<estimate::GoalError>& errors) {
-  const std::vector<base::NodeId> tips = tip_nodes(scene);
+  const std::vector<base::NodeId> front_nodes = scene.cracked.front_nodes();
   const std::vector<bool> tied = tied_nodes({model, scene, state});
   const estimate::CornerSearchInput setting{.model = model,
                                             .mesh = scene.cracked.mesh,
                                             .edges = request.enrichment.edges(),
                                             .cls = scene.cls,
                                             .ties = *scene.ties,
-                                            .tips = tips,
+                                            .front_nodes = front_nodes,
                                             .tied = &tied};
   const std::vector<estimate::SingularCorner> corners = estimate::find_singular_corners(setting);
   estimate::correct_corner_errors(request, corners, errors);

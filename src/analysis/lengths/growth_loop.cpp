@@ -166,7 +166,7 @@ private:
     LogWriter log(run_.log);
     const std::optional<results::LoadPathResult> path = growth_load_path(model_, *increment);
     std::optional<std::vector<growth::TipStation>> found = measure_.evaluate_tip_rates(
-        {*increment, solver_.fronts(), solver_.plastic_load_ratios(), cracks,
+        {*increment, solver_.crack_fronts(), solver_.plastic_load_ratios(), cracks,
          solver_.load_history(), solver_.overlap_results(), path ? &*path : nullptr},
         integrator.tips());
     if (!found) {

@@ -87,7 +87,7 @@ GrowthRateEvaluator::evaluate_tip_rates(const SolvedCrackState& at,
     if (at.cracks.solids.empty()) {
       to.straight = at.cracks.lines[growing[i].line].symmetric_half;
     } else { // the crack that its own has become a part of
-      to.front = at.cracks.solids[at.cracks.fronts[i]].name;
+      to.front = at.cracks.crack_of(i).name;
       to.aim = at.cracks.aims[i];
     }
     if (!evaluate_place(at, to, found[i])) {

@@ -49,7 +49,7 @@ std::vector<std::array<double, 2>> ranges_of(const life::CountedSpectrum& spectr
   return ranges;
 }
 
-results::GrownTipResult record_of(const std::string& name, const growth::TipStation& t) {
+results::GrownPointResult record_of(const std::string& name, const growth::TipStation& t) {
   return {.name = name,
           .a = base::remove_round_off(t.a),
           .K_max = t.K_max,
@@ -101,12 +101,12 @@ results::GrowthResult growth_records(const model::Model& model,
                                                : "loads";
   }
   for (const growth::TrackedTip& tip : integrator.tips()) {
-    out.tips.push_back(tip.name);
+    out.point_names.push_back(tip.name);
   }
   const std::vector<growth::SolvedStation>& stations = integrator.growth_state().stations;
   const growth::GrowthTrajectory between = integrator.trajectory();
   double at_station = 0.0; // also behind the end
-  out.curve = life_curve(integrator, between, out.tips.size());
+  out.curve = life_curve(integrator, between, out.point_names.size());
   for (std::size_t i = 0; i < stations.size(); ++i) {
     results::GrowthStation station;
     station.increment = static_cast<int>(i) + 1;
@@ -115,15 +115,16 @@ results::GrowthResult growth_records(const model::Model& model,
     if (stations[i].breakthroughs > 0) {
       const std::size_t met = stations[i].met;
       out.passages.push_back(fmt::format(
-          "{} {} between stations {} and {}, at {:.6g} {}", out.tips[stations[i].breakthroughs - 1],
+          "{} {} between stations {} and {}, at {:.6g} {}",
+          out.point_names[stations[i].breakthroughs - 1],
           met > 0
               ? fmt::format("meets crack {}, and the two go on as one", model.cracks[met - 1].name)
               : "goes through a surface",
           i, i + 1, at_station, out.unit == "pass" ? "passes" : "cycles"));
     }
-    for (std::size_t tip = 0; tip < out.tips.size(); ++tip) {
+    for (std::size_t tip = 0; tip < out.point_names.size(); ++tip) {
       const growth::TipStation& t = stations[i].tips[tip];
-      station.tips.push_back(record_of(out.tips[tip], t));
+      station.points.push_back(record_of(out.point_names[tip], t));
       station.passes = std::max(station.passes, static_cast<int>(t.passes));
       station.change = std::max(station.change, t.change);
     }
@@ -146,20 +147,12 @@ void set_front_sizes(const model::Model& model, const growth::CrackGeometry& cra
   // Backwards, so that the first tip of a front is the one that stays.
   for (std::size_t t = tips.size(); t-- > 0;) {
     const double a = base::remove_round_off(here.tips[t].a);
-    const std::string& crack = cracks.solids[cracks.fronts[t]].name;
-    const auto name = [&](results::FrontResult& front) {
+    const std::string& crack = cracks.crack_of(t).name;
+    results::for_each_front(increment, [&](results::FrontResult& front) {
       if (front.name == crack || front.name.starts_with(crack + ".")) {
         front.a = a;
       }
-    };
-    for (results::StepResult& step : increment.steps) {
-      std::ranges::for_each(step.fronts, name);
-    }
-    for (results::LoadPathResult& path : increment.paths) {
-      for (results::LoadPathFront& front : path.fronts) {
-        name(front.is);
-      }
-    }
+    });
     increment.a = a;
   }
 }

@@ -92,19 +92,19 @@ constexpr double much_of_length = 0.01;
 
 constexpr double same_load = 1e-9;
 
-bool has_a_range(const results::GrownTipResult& tip) {
+bool has_a_range(const results::GrownPointResult& tip) {
   return tip.K_max > 0.0 && tip.K_max - tip.K_min > same_load * tip.K_max;
 }
 
 bool has_a_range(const results::GrowthResult& growth) {
-  return std::ranges::any_of(growth.stations.front().tips,
-                             [](const results::GrownTipResult& tip) { return has_a_range(tip); });
+  return std::ranges::any_of(growth.stations.front().points,
+                             [](const results::GrownPointResult& tip) { return has_a_range(tip); });
 }
 
 bool has_no_range(const results::GrowthResult& growth) {
-  return std::ranges::all_of(growth.stations.front().tips, [](const results::GrownTipResult& tip) {
-    return tip.K_max > 0.0 && !has_a_range(tip);
-  });
+  return std::ranges::all_of(
+      growth.stations.front().points,
+      [](const results::GrownPointResult& tip) { return tip.K_max > 0.0 && !has_a_range(tip); });
 }
 
 // The crack ends at once by where it lies, whatever its law.
@@ -114,7 +114,7 @@ bool drawn_at_an_end(const results::GrowthResult& growth) {
 
 void look_at_beginning(const results::GrowthResult& growth, std::vector<std::string>& warnings) {
   const results::GrowthStation& first = growth.stations.front();
-  for (const results::GrownTipResult& tip : first.tips) {
+  for (const results::GrownPointResult& tip : first.points) {
     if (std::isfinite(tip.rate) && tip.rate > much_of_length * tip.a) {
       warnings.push_back(fmt::format(
           "{} grows by {:.2g} of its length in the first {}: a law adds up cycles that are many "
@@ -132,13 +132,13 @@ void look_at_table(const results::GrowthResult& growth, const life::GrowthRateLa
   if (!rows) {
     return;
   }
-  const results::GrownTipResult* lowest = nullptr;
-  const results::GrownTipResult* highest = nullptr;
-  const auto range = [](const results::GrownTipResult* tip) {
+  const results::GrownPointResult* lowest = nullptr;
+  const results::GrownPointResult* highest = nullptr;
+  const auto range = [](const results::GrownPointResult* tip) {
     return life::tensile_K_range(tip->K_max, tip->K_min);
   };
   for (const results::GrowthStation& station : growth.stations) {
-    for (const results::GrownTipResult& tip : station.tips) {
+    for (const results::GrownPointResult& tip : station.points) {
       if (!(range(&tip) > 0.0)) {
         continue;
       }
@@ -146,7 +146,7 @@ void look_at_table(const results::GrowthResult& growth, const life::GrowthRateLa
       highest = highest == nullptr || range(&tip) > range(highest) ? &tip : highest;
     }
   }
-  const auto warn = [&](const results::GrownTipResult& tip, double row, const char* which) {
+  const auto warn = [&](const results::GrownPointResult& tip, double row, const char* which) {
     warnings.push_back(fmt::format(
         "delta K of {} at a = {:.6g} is {:.3g} times that of the {} row of the law's table: the "
         "rate there is the table's straight line gone on, not measured",

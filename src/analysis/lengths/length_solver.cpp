@@ -115,7 +115,10 @@ std::optional<results::Increment> CrackStateSolver::solve(const CrackStateReques
     if (!walk_steps(*length, request, log, increment, touching)) {
       return std::nullopt;
     }
-    keep_free(touching, increment);
+    // Of tips alone: the law is given K_min = 0 of fronts in space whose faces touch.
+    if (cut.has_tips()) {
+      keep_free(touching, increment);
+    }
     close_faces(touching, *length, log);
   } while (!touching.empty());
   increment.unknowns = unknowns(length->bodies());
@@ -227,15 +230,11 @@ bool CrackStateSolver::numbers_are_sound(const results::StepResult& result,
   return what.empty();
 }
 
-// The first solution with faces that overlap is K of faces that may; of tips alone, as the law is
-// given K_min = 0 of fronts in space whose faces touch.
+// The first solution with faces that overlap is K of faces that may.
 void CrackStateSolver::keep_free(const std::vector<std::size_t>& touching,
                                  results::Increment& increment) {
   const bool whole = increment.steps.size() == model_.steps.size();
-  const bool tips = std::ranges::all_of(increment.steps, [](const results::StepResult& step) {
-    return std::ranges::all_of(step.fronts, &results::FrontResult::is_tip);
-  });
-  if (touching.empty() || free_ || !whole || !tips || !continues_K_below_closing(model_)) {
+  if (touching.empty() || free_ || !whole || !continues_K_below_closing(model_)) {
     return;
   }
   free_.emplace();

@@ -45,7 +45,7 @@ public:
                                           const CrackRegionPlan& plan);
 
   /// Of the state that was solved last.
-  [[nodiscard]] const std::vector<mesh::CrackFront>& fronts() const { return fronts_; }
+  [[nodiscard]] const std::vector<mesh::CrackFront>& crack_fronts() const { return fronts_; }
 
   /// By front in space, with SFLOW: force and moments of the section before it at the growth's
   /// largest load, over their plastic limit.

@@ -40,13 +40,6 @@ std::optional<double> ratio_of(const base::Vector& low, const base::Vector& high
   return joined ? std::optional(r) : std::nullopt;
 }
 
-// In space K1 of the place where a tip stands; in the plane that of the only tip.
-std::optional<base::PiecewiseLinear> K1_of(const results::LoadPathResult& path,
-                                           const growth::TipStation& tip) {
-  const bool several_tips = path.fronts.size() > 1 && path.fronts.front().points.size() == 1;
-  return several_tips ? std::nullopt : path_K1_at_nearest_place(path, {tip.x, tip.y, tip.z});
-}
-
 // Rates of all stations, whose K is on `paths` [station], with K on a line from K0 at t = 0 to the
 // K of the largest load.
 std::optional<std::vector<growth::SolvedStation>>
@@ -56,7 +49,8 @@ on_line(const std::vector<results::LoadPathResult>& paths,
   const double top = measure.spectrum()->highest();
   for (std::size_t i = 0; i < stations.size(); ++i) {
     for (growth::TipStation& tip : stations[i].tips) {
-      const std::optional<base::PiecewiseLinear> K1 = K1_of(paths.at(i), tip);
+      const std::optional<base::PiecewiseLinear> K1 =
+          path_K1_at_nearest_place(paths.at(i), {tip.x, tip.y, tip.z});
       if (!K1 || !(top > 0.0)) {
         return std::nullopt;
       }
@@ -93,10 +87,13 @@ std::vector<results::ScaledLife> lives_by_scaled_K(const model::Model& model,
                                                    const GrowthRateEvaluator& measure) {
   std::vector<results::ScaledLife> out;
   std::vector<growth::SolvedStation> stations = integrator.growth_state().stations;
-  // Of several tips in the plane the rates would change each other's arms; along fronts they are
-  // taken on the fronts that the true K has made.
-  const bool comparable = integrator.tips().size() == 1 || model.mesh.dim == 3;
-  if (!comparable || stations.size() < 2 || depends_on_load_order(model)) {
+  if (stations.size() < 2 || depends_on_load_order(model)) {
+    return out;
+  }
+  // Of several tips the rates would change each other's arms; along fronts they are taken on the
+  // fronts that the true K has made.
+  const std::size_t tips = run.increments.front().steps.front().tip_count();
+  if (tips > 0 && integrator.tips().size() > 1) {
     return out;
   }
   const auto add = [&](std::optional<results::ScaledLife> found) {
@@ -126,7 +123,7 @@ std::vector<results::ScaledLife> lives_by_scaled_K(const model::Model& model,
       paths.push_back(std::move(*path));
     }
   }
-  if (paths.size() < stations.size()) {
+  if (paths.size() < stations.size() || tips > 1) {
     return out;
   }
   const std::size_t path = model.spectra[*model.growth->spectrum].path;

@@ -10,14 +10,9 @@ namespace spricka::analysis {
 std::shared_ptr<const fe::CaseTemperature>
 case_temperature_of_scene(const model::Model& model, const Discretisation& scene,
                           const model::LoadCase& load_case) {
-  fe::PatchedMesh patched{scene.cracked.mesh, model.mesh, nullptr, {}};
+  fe::PatchedMesh patched{scene.cracked.mesh, model.mesh, nullptr, scene.cracked.front_nodes()};
   if (scene.cracked.host.size() == scene.cracked.mesh.element_count()) {
     patched.host = &scene.cracked.host;
-  }
-  for (const mesh::CrackFront& front : scene.cracked.fronts) {
-    if (front.is_tip()) {
-      patched.tips.push_back(front.tip_point().node);
-    }
   }
   return std::make_shared<const fe::CaseTemperature>(
       fe::make_case_temperature(model, patched, load_case));

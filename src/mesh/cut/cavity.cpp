@@ -156,7 +156,7 @@ private:
       // In the frame of each crack, where its length a is 1.
       const std::vector<Vec2> shape = polygon(mesh_, e, place->frame);
       return distance(shape, place->line) < reach_of_line + same ||
-             std::ranges::any_of(place->tips, [&](const PlacedTip& tip) {
+             std::ranges::any_of(place->fronts, [&](const PlacedTip& tip) {
                return distance(shape, {tip.at, tip.at}) < reach_of_tip * place->radius + same;
              });
     });
@@ -232,7 +232,7 @@ bool edge_exceeds_clearance(const model::Mesh& mesh, const CrackPlacement& place
   const Vec2 b = placement.frame.rounded_local_coordinates(mesh.x[edge.b.index()]).head<2>();
   // The edge's chord as a polygon without area.
   double room = distance({a, b, a}, placement.line);
-  for (const PlacedTip& tip : placement.tips) {
+  for (const PlacedTip& tip : placement.fronts) {
     room = std::min(room, geometry::distance_to_segment(tip.at, a, b) - placement.radius);
   }
   return part * room < (b - a).norm() - same;

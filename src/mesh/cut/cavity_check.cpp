@@ -133,7 +133,7 @@ std::optional<ElementId> foreign_element(const HostMesh& host, const CrackPlacem
   }
   for (const ElementId e : others) {
     const std::vector<Vec2> shape = polygon(mesh, e, placement.frame);
-    const bool near_tip = std::ranges::any_of(placement.tips, [&](const PlacedTip& tip) {
+    const bool near_tip = std::ranges::any_of(placement.fronts, [&](const PlacedTip& tip) {
       return distance(shape, {tip.at, tip.at}) < 1.1 * placement.radius;
     });
     if (distance(shape, placement.line) < same || near_tip) {

@@ -3,6 +3,8 @@
 #include "mesh/front_curve.hpp"
 #include "model/mesh.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
@@ -142,6 +144,15 @@ struct CrackedMesh {
   /// nodes of whole sides and of cavities take their place. Empty where no patch was cut.
   std::vector<std::vector<base::NodeId>> removed_nodes;
   std::vector<std::string> notes; ///< what was chosen, for the listing
+
+  /// Nodes of the points of all fronts, one front after another.
+  [[nodiscard]] std::vector<base::NodeId> front_nodes() const {
+    std::vector<base::NodeId> nodes;
+    for (const CrackFront& front : fronts) {
+      std::ranges::transform(front.points, std::back_inserter(nodes), &FrontPoint::node);
+    }
+    return nodes;
+  }
 };
 
 } // namespace spricka::mesh

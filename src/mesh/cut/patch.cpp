@@ -53,15 +53,15 @@ public:
       : mesh_(host.mesh()), host_(host), diagnostics_(diagnostics) {}
 
   std::optional<CrackedMesh> insert(std::span<const CrackLine> lines,
-                                    std::span<const TipMeshParameters> tips,
+                                    std::span<const TipMeshParameters> parameters,
                                     std::span<const base::SourceSpan> spans) {
     if (!check_crack_lines(lines, spans, diagnostics_)) {
       return std::nullopt;
     }
     bool good = true;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-      Work& work = work_.emplace_back(Work{&lines[i], &tips[i], spans[i], 0, 0, 0, {}});
-      good = (tips[i].patch ? find_place(work) : find_path(work)) && good;
+      Work& work = work_.emplace_back(Work{&lines[i], &parameters[i], spans[i], 0, 0, 0, {}});
+      good = (parameters[i].patch ? find_place(work) : find_path(work)) && good;
     }
     // Each stage looks at all cracks before it fails, so that one run tells all that is wrong.
     if (!good || !rosettes_are_apart() || !cut() || !make_patches()) {
@@ -243,7 +243,7 @@ private:
             fmt::format("{} does not start on the boundary", work.line->display_name()));
         return false;
       }
-      add_tips(work);
+      add_fronts(work);
     }
     // Sets come after all cracks: several may double the nodes of one place.
     add_crack_face_nodes(result_.mesh, result_.faces);
@@ -264,29 +264,32 @@ private:
     return base::element_info(mesh_.type[around.front().index()]).quadratic ? 2 : 1;
   }
 
-  void add_tips(const Work& work) {
+  void add_fronts(const Work& work) {
     CrackFront front;
     front.crack = work.line->crack;
     front.a = make_crack_frame(*work.line).a;
     front.symmetric_half = work.line->symmetric_half;
-    result_.notes.push_back(work.tip->patch ? add_patch_tips(work, front)
-                                            : add_own_tip(work, front));
+    result_.notes.push_back(work.tip->patch ? add_patch_fronts(work, front)
+                                            : add_own_front(work, front));
   }
 
-  std::string add_patch_tips(const Work& work, CrackFront front) {
+  /// Adds a front of one point; the next of its crack has the next number.
+  void add_front(CrackFront& front, NodeId node, const Vec3& growth) {
+    front.points = {FrontPoint{.node = node, .x = result_.mesh.x[node.index()], .growth = growth}};
+    result_.fronts.push_back(front);
+    ++front.number;
+  }
+
+  std::string add_patch_fronts(const Work& work, CrackFront front) {
     const CrackPlacement& placement = placements_[work.place];
     const CrackFrame& frame = placement.frame;
     front.size = work.tip->size;
     front.radius = work.tip->radius;
-    for (std::size_t i = 0; i < placement.tips.size(); ++i) {
-      front.number = static_cast<int>(i) + 1;
-      front.tip_point().node =
-          i + 1 == placement.tips.size() ? work.path.back() : work.path.front();
-      front.tip_point().x = result_.mesh.x[front.tip_point().node.index()];
-      front.tip_point().growth =
-          (frame.global(base::embed_in_space(placement.tips[i].growth_direction())) - frame.origin)
-              .normalized();
-      result_.fronts.push_back(front);
+    for (const PlacedTip& placed : placement.fronts) {
+      const bool last = &placed == &placement.fronts.back();
+      add_front(front, last ? work.path.back() : work.path.front(),
+                (frame.global(base::embed_in_space(placed.growth_direction())) - frame.origin)
+                    .normalized());
     }
     const FilledCavity& filled = cavities_[work.cavity];
     return fmt::format("{}: a = {:.6g}{}, patch of {} elements for {} of the net, {} of radius "
@@ -294,7 +297,7 @@ private:
                        work.line->display_name(), front.a,
                        work.line->embedded ? " (half its length)" : "",
                        filled.patch.elements.size(), filled.cavity.elements.size(),
-                       placement.tips.size() > 1 ? "rosettes" : "rosette", front.radius,
+                       placement.fronts.size() > 1 ? "rosettes" : "rosette", front.radius,
                        work.tip->rings, work.tip->sectors, front.size, more_about(work));
   }
 
@@ -310,18 +313,15 @@ private:
     return text + (tied == 0 ? "" : fmt::format(", {} nodes of its rim tied", tied));
   }
 
-  std::string add_own_tip(const Work& work, CrackFront front) {
-    front.tip_point().node = work.path.back();
+  std::string add_own_front(const Work& work, CrackFront front) {
+    const NodeId tip = work.path.back();
     // The last corner before the tip: growth goes on along the chord of the last edge.
     const std::size_t before = work.path.size() - 1 - path_step(work);
-    const Vec3 last = mesh_.x[front.tip_point().node.index()] - mesh_.x[work.path[before].index()];
-    front.tip_point().growth = last.normalized();
+    const Vec3 last = mesh_.x[tip.index()] - mesh_.x[work.path[before].index()];
     front.size = last.norm();
     front.radius = front.size;
-    const int moved = work.tip->quarter_point
-                          ? make_quarter_point_edges(result_.mesh, front.tip_point().node)
-                          : 0;
-    if (const double part = worst_mid_node_position(result_.mesh, front.tip_point().node);
+    const int moved = work.tip->quarter_point ? make_quarter_point_edges(result_.mesh, tip) : 0;
+    if (const double part = worst_mid_node_position(result_.mesh, tip);
         std::min(std::abs(part - 0.25), std::abs(part - 0.5)) > neither) {
       diagnostics_.warning(work.span, "W505",
                            fmt::format("{}: middle nodes at {:.3g} of edges that leave the tip are "
@@ -329,12 +329,10 @@ private:
                                        work.line->display_name(), part),
                            "QUARTER=YES on $TIPNET moves them to the quarter points");
     }
-    front.tip_point().x = result_.mesh.x[front.tip_point().node.index()];
-    result_.fronts.push_back(front);
+    add_front(front, tip, last.normalized());
     return fmt::format("{}: a = {:.6g}, tip at node {} of the net, elements of {:.6g}, {}",
-                       work.line->display_name(), front.a,
-                       mesh_.node_label[front.tip_point().node.index()], front.size,
-                       moved > 0 ? "quarter points moved" : "no quarter points");
+                       work.line->display_name(), front.a, mesh_.node_label[tip.index()],
+                       front.size, moved > 0 ? "quarter points moved" : "no quarter points");
   }
 
   const model::Mesh& mesh_;
@@ -350,11 +348,11 @@ private:
 } // namespace
 
 std::optional<CrackedMesh> insert_cracks(const HostMesh& host, std::span<const CrackLine> lines,
-                                         std::span<const TipMeshParameters> tips,
+                                         std::span<const TipMeshParameters> parameters,
                                          std::span<const base::SourceSpan> spans,
                                          base::Diagnostics& diagnostics) {
-  assert(lines.size() == tips.size() && lines.size() == spans.size());
-  return Inserter(host, diagnostics).insert(lines, tips, spans);
+  assert(lines.size() == parameters.size() && lines.size() == spans.size());
+  return Inserter(host, diagnostics).insert(lines, parameters, spans);
 }
 
 } // namespace spricka::mesh

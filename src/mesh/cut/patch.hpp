@@ -15,7 +15,7 @@ namespace spricka::mesh {
 /// for the choice of elements only), so that units and position do not change the mesh. Always cuts
 /// from the host.
 std::optional<CrackedMesh> insert_cracks(const HostMesh& host, std::span<const CrackLine> lines,
-                                         std::span<const TipMeshParameters> tips,
+                                         std::span<const TipMeshParameters> parameters,
                                          std::span<const base::SourceSpan> spans,
                                          base::Diagnostics& diagnostics);
 

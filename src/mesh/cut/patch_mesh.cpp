@@ -31,7 +31,7 @@ public:
     // Rims of rosettes ask for sizes, loops make the nodes of mouths, and cracks run from these to
     // the rims: in this order.
     for (PatchCrack& crack : cracks_) {
-      for (const PlacedTip& at : crack.place.tips) {
+      for (const PlacedTip& at : crack.place.fronts) {
         crack.rosettes.push_back(add_rosette(net_, crack.place, at, *crack.tip));
       }
     }
@@ -184,11 +184,11 @@ private:
       return Vec2(tip.at - place.radius * tip.growth_direction());
     };
     std::vector<int> crack_face{place.mouth ? crack.mouth : crack.rosettes.front().behind.back()};
-    Vec2 from = place.mouth ? place.line.front() : rim_point(place.tips.front());
+    Vec2 from = place.mouth ? place.line.front() : rim_point(place.fronts.front());
     for (std::size_t k = 1; k < place.line.size(); ++k) {
       const bool last = k + 1 == place.line.size();
       // From the rim to the tip the nodes are those of the rosette's first ray.
-      const Vec2 to = last ? rim_point(place.tips.back()) : place.line[k];
+      const Vec2 to = last ? rim_point(place.fronts.back()) : place.line[k];
       const std::vector<int> inner = add_interval(from, to);
       crack_face.insert(crack_face.end(), inner.begin(), inner.end());
       crack_face.push_back(last ? last_rosette.behind.back()

@@ -149,7 +149,7 @@ double ligament_of(const HostMesh& host, const CrackPlacement& placement, base::
   const bool half = placement.half != 0;
   const auto& faces = host.boundary();
   double least = tip_clearance(host, placement.frame, placement.line, half, net, faces);
-  if (placement.tips.size() > 1) {
+  if (placement.fronts.size() > 1) {
     const std::vector<Vec2> reversed(placement.line.rbegin(), placement.line.rend());
     least = std::min(least, tip_clearance(host, placement.frame, reversed, half, net, faces));
   }
@@ -180,8 +180,8 @@ void report_removed_section(const HostMesh& host, const CrackLine& line, const C
                     "is two nets");
 }
 
-/// The tips of a line, each with its direction of growth.
-std::vector<PlacedTip> tips_of(const std::vector<Vec2>& line, bool embedded) {
+/// The fronts of a line, each a tip with its direction of growth.
+std::vector<PlacedTip> fronts_of(const std::vector<Vec2>& line, bool embedded) {
   const bool straight = line.size() == 2; // then the angles are exact
   const Vec2 last = line.back() - line[line.size() - 2];
   const PlacedTip end{line.back(), straight ? 0.0 : angle_of(last)};
@@ -195,7 +195,7 @@ std::vector<PlacedTip> tips_of(const std::vector<Vec2>& line, bool embedded) {
 double room_at_end(const HostMesh& host, const CrackPlacement& placement,
                    const std::vector<Vec2>& line, base::NetId net) {
   const double last = (line.back() - line[line.size() - 2]).norm();
-  const bool shared = placement.tips.size() > 1 && line.size() == 2; // with the other tip
+  const bool shared = placement.fronts.size() > 1 && line.size() == 2; // with the other tip
   return std::min(tip_boundary_distance(host, placement.frame, line, placement.half != 0, net),
                   shared ? 0.5 * last : last);
 }
@@ -246,7 +246,7 @@ std::optional<CrackPlacement> place_crack_in_host(const HostMesh& host, const Cr
   if (result.line.size() == 2) {
     result.line[1] = {line.embedded ? 2.0 : 1.0, 0.0};
   }
-  result.tips = tips_of(result.line, line.embedded);
+  result.fronts = fronts_of(result.line, line.embedded);
   result.radius = tip.radius / frame.a;
   result.size = tip.size / frame.a;
   if (line.symmetric_half) {
@@ -309,7 +309,7 @@ CrackPlacement seen_from(const CrackPlacement& placement, const CrackFrame& fram
   for (Vec2& p : result.line) {
     p = moved(p);
   }
-  for (PlacedTip& tip : result.tips) {
+  for (PlacedTip& tip : result.fronts) {
     tip.at = moved(tip.at);
     tip.direction += turn;
   }

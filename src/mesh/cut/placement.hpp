@@ -29,7 +29,7 @@ struct CrackPlacement {
   std::vector<base::Vec2> line;       ///< the crack, mouth first
   std::optional<MouthPosition> mouth; ///< none: embedded
   base::ElementId seed;               ///< host element that it starts in
-  std::vector<PlacedTip> tips;        ///< in the order of the line
+  std::vector<PlacedTip> fronts;      ///< each a tip, in the order of the line
   double radius = 0.0;                ///< of the rosettes
   double size = 0.0;                  ///< of the tip elements
   /// Symmetric half: +1 if the body lies on the left of the line, -1 on the right; else 0.

@@ -83,7 +83,7 @@ double cycles(const std::string& quantity, CheckArguments& args, const results::
   }
   const std::optional<double> a = args.next_number();
   double first = std::numeric_limits<double>::infinity();
-  for (std::size_t tip = 0; a && tip < run.growth->tips.size(); ++tip) {
+  for (std::size_t tip = 0; a && tip < run.growth->point_names.size(); ++tip) {
     const double at = results::cycles_at_length(*run.growth, tip, *a);
     first = at < first ? at : first;
   }

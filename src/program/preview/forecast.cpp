@@ -195,11 +195,11 @@ void CostForecast::forecast_crack_length(const analysis::CondensationRequest& re
   const double factorising = std::accumulate(
       needs.passing.begin(), needs.passing.begin() + static_cast<std::ptrdiff_t>(at_once), 0.0);
   // Error bars of K: element matrices of the modes, adjoints and what they are made of.
-  const auto tips = scene.has_tips() ? static_cast<double>(scene.cracked.fronts.size()) : 0.0;
+  const auto fronts = static_cast<double>(scene.cracked.fronts.size());
   const bool barred =
-      tips > 0.0 && estimate::enrichment_obstacle(request.model, scene.cracked.mesh).empty();
+      fronts > 0.0 && estimate::enrichment_obstacle(request.model, scene.cracked.mesh).empty();
   const double modes = barred ? estimate::enrichment_memory(scene.cracked.mesh) : 0.0;
-  const double estimating = barred ? modes + 8.0 * tips * n : 0.0;
+  const double estimating = barred ? modes + 8.0 * fronts * n : 0.0;
   const double solving = contact_solution_memory + 12.0 * n + estimating;
   kept_results_ += results_bytes(scene.cracked.mesh, model_.steps.size());
 

@@ -38,12 +38,12 @@ std::vector<DrawingPoint> life_points(const std::vector<results::LifeCurvePoint>
 
 /// Lengths over cycles: the curve as a line, what was solved as marks on it.
 void add_life_curve(Plot& plot, const GrowthResult& growth, std::size_t front) {
-  PlotSeries line = styled_curve(growth.tips[front], front, front);
+  PlotSeries line = styled_curve(growth.point_names[front], front, front);
   line.points = life_points(growth.curve, front);
   PlotSeries marks = marker_series("", closed_marker_shape(front));
   marks.colour = line.colour;
   for (const GrowthStation& station : growth.stations) {
-    marks.points.push_back({station.cycles, station.tips[front].a});
+    marks.points.push_back({station.cycles, station.points[front].a});
   }
   plot.series.push_back(std::move(line));
   plot.series.push_back(std::move(marks));
@@ -121,17 +121,17 @@ Figure life_figure(const model::Model& model, const results::RunResult& run) {
             axis_title("N", units),
             axis_title("a", model.units.length_name),
             {}};
-  for (std::size_t t = 0; t < growth.tips.size(); ++t) {
+  for (std::size_t t = 0; t < growth.point_names.size(); ++t) {
     add_life_curve(plot, growth, t);
   }
   add_checks(plot, model);
   std::string more;
   for (std::size_t k = 0; k < growth.scaled.size(); ++k) {
     PlotSeries& series = plot.series.emplace_back(
-        styled_curve(scaled_life_legend(growth.scaled[k]), growth.tips.size() + k, 1 + k));
+        styled_curve(scaled_life_legend(growth.scaled[k]), growth.point_names.size() + k, 1 + k));
     series.points = life_points(growth.scaled[k].curve, 0);
     plot.legend_below = true;
-    plot.series.front().name = growth.tips.front() + ", K of every load";
+    plot.series.front().name = growth.point_names.front() + ", K of every load";
     more = " Dashed: the life if K is taken from a straight line over the load, which the computed "
            "K does not follow.";
   }
@@ -167,14 +167,14 @@ Figure range_figure(const model::Model& model, const results::RunResult& run) {
             axis_title("a", model.units.length_name),
             axis_title("K", model.units.stress_intensity_name()),
             {}};
-  for (std::size_t t = 0; t < growth.tips.size(); ++t) {
+  for (std::size_t t = 0; t < growth.point_names.size(); ++t) {
     for (const bool largest : {true, false}) {
-      PlotSeries series =
-          styled_curve(fmt::format("{}, {}", growth.tips[t], largest ? "largest" : "smallest"), t,
-                       largest ? 0 : 1);
+      PlotSeries series = styled_curve(
+          fmt::format("{}, {}", growth.point_names[t], largest ? "largest" : "smallest"), t,
+          largest ? 0 : 1);
       series.marker = closed_marker_shape(t);
       for (const GrowthStation& station : growth.stations) {
-        const results::GrownTipResult& tip = station.tips[t];
+        const results::GrownPointResult& tip = station.points[t];
         series.points.push_back({tip.a, largest ? tip.K_max : tip.K_min});
         if (largest) {
           series.bars.push_back(bar_at(model, run, station, tip.name));
@@ -203,11 +203,11 @@ std::optional<Figure> law_figure(const model::Model& model, const GrowthResult& 
   plot.log_y = true;
   double low = std::numeric_limits<double>::max();
   double high = 0.0;
-  for (std::size_t t = 0; t < growth.tips.size(); ++t) {
-    PlotSeries series = styled_curve(growth.tips[t], t, 0);
+  for (std::size_t t = 0; t < growth.point_names.size(); ++t) {
+    PlotSeries series = styled_curve(growth.point_names[t], t, 0);
     series.marker = closed_marker_shape(t);
     for (const GrowthStation& station : growth.stations) {
-      const results::GrownTipResult& tip = station.tips[t];
+      const results::GrownPointResult& tip = station.points[t];
       const double range = tip.K_max - tip.K_min;
       if (range > 0.0 && tip.rate > 0.0) {
         series.points.push_back({range, tip.rate});
@@ -309,7 +309,7 @@ void set_window(MeshView& view, const GrowthResult& growth) {
   PictureBox box;
   double longest = 0.0;
   for (const GrowthStation& station : growth.stations) {
-    for (const results::GrownTipResult& end : station.tips) {
+    for (const results::GrownPointResult& end : station.points) {
       box.add({end.x[0], end.x[1]});
       longest = std::max(longest, end.a);
     }
@@ -335,10 +335,10 @@ std::optional<Figure> path_figure(const model::Model& model, const results::RunR
   view.width = 560.0;
   set_window(view, growth);
   const double apart = label_room * (view.high.x - view.low.x);
-  for (std::size_t t = 0; t < growth.tips.size(); ++t) {
+  for (std::size_t t = 0; t < growth.point_names.size(); ++t) {
     std::optional<base::Vec3> last;
     for (const GrowthStation& station : growth.stations) {
-      const results::GrownTipResult& tip = station.tips[t];
+      const results::GrownPointResult& tip = station.points[t];
       if (!last || (tip.x - *last).norm() >= apart) {
         view.labels.push_back({{tip.x[0], tip.x[1]}, fmt::format("{:.4g}", tip.K_max)});
         last = tip.x;

@@ -23,7 +23,7 @@ namespace {
 std::optional<std::pair<double, double>> range_of_R(const results::GrowthResult& growth) {
   std::optional<std::pair<double, double>> R;
   for (const results::GrowthStation& station : growth.stations) {
-    for (const results::GrownTipResult& tip : station.tips) {
+    for (const results::GrownPointResult& tip : station.points) {
       if (tip.K_max > 0.0) {
         const double here = tip.K_min / tip.K_max;
         R = R ? std::pair(std::min(R->first, here), std::max(R->second, here))
@@ -86,14 +86,14 @@ std::string ratio_words(const model::Model& model, const results::RunResult& run
 /// What is found of a front at a station.
 struct StationRow {
   const results::GrowthStation& station;
-  const results::GrownTipResult& front;
+  const results::GrownPointResult& front;
 };
-using Grown = results::GrownTipResult;
+using Grown = results::GrownPointResult;
 
 std::vector<StationRow> station_rows(const results::GrowthResult& growth) {
   std::vector<StationRow> rows;
   for (const results::GrowthStation& station : growth.stations) {
-    for (const Grown& front : station.tips) {
+    for (const Grown& front : station.points) {
       rows.push_back({station, front});
     }
   }
@@ -149,8 +149,8 @@ void write_life_curve_csv(const std::filesystem::path& file, const model::Model&
   const results::GrowthResult& growth = *run.growth;
   Columns<std::size_t> columns; // of points of the curve
   columns.exact("N", [&](std::size_t k) { return growth.curve[k].cycles; });
-  for (std::size_t i = 0; i < growth.tips.size(); ++i) {
-    columns.exact("a_" + growth.tips[i],
+  for (std::size_t i = 0; i < growth.point_names.size(); ++i) {
+    columns.exact("a_" + growth.point_names[i],
                   [&growth, i](std::size_t k) { return growth.curve[k].a[i]; });
   }
   for (const results::ScaledLife& other : growth.scaled) { // at the same lengths
@@ -197,7 +197,7 @@ std::string history_summary(const model::Model& model, const results::GrowthResu
   for (const results::GrowthStation& station : growth.stations) {
     passes = std::max(passes, station.passes);
     change = std::max(change, station.change);
-    for (const results::GrownTipResult& tip : station.tips) {
+    for (const results::GrownPointResult& tip : station.points) {
       largest = std::max(largest, tip.K_max);
       apart = std::max(
           {apart, std::abs(tip.K_max - tip.first_max), std::abs(tip.K_min - tip.first_min)});
@@ -292,9 +292,9 @@ std::string life_summary(const model::Model& model, const results::RunResult& ru
     out += fmt::format("For comparison, {}.\n", scaled_life_legend(other));
   }
   if (!growth.curve.empty()) {
-    for (std::size_t i = 0; i < growth.tips.size(); ++i) {
-      out += fmt::format("{}: a = {:.7g} {} at the end\n", growth.tips[i], growth.curve.back().a[i],
-                         model.units.length_name);
+    for (std::size_t i = 0; i < growth.point_names.size(); ++i) {
+      out += fmt::format("{}: a = {:.7g} {} at the end\n", growth.point_names[i],
+                         growth.curve.back().a[i], model.units.length_name);
     }
   }
   out += growth.corrected ? "The law used K with its estimated error taken out (CORRECT=YES).\n"

@@ -72,9 +72,9 @@ TEST(GrowingFronts, NextToNoFrictionIsTheMap) {
   const results::GrowthResult followed = growth_of(clamped_bar("1e-9", spectrum("", "0.3 0.9 7")));
   ASSERT_FALSE(mapped.stations.empty() || followed.stations.empty());
   EXPECT_GE(followed.stations[0].passes, 1);
-  for (std::size_t i = 0; i < mapped.stations[0].tips.size(); ++i) {
-    const results::GrownTipResult& map = mapped.stations[0].tips[i];
-    const results::GrownTipResult& tip = followed.stations[0].tips.at(i);
+  for (std::size_t i = 0; i < mapped.stations[0].points.size(); ++i) {
+    const results::GrownPointResult& map = mapped.stations[0].points[i];
+    const results::GrownPointResult& tip = followed.stations[0].points.at(i);
     EXPECT_NEAR(tip.K_max / map.K_max, 1.0, 1e-6);
     EXPECT_NEAR(tip.K_min / map.K_min, 1.0, 1e-6);
     EXPECT_NEAR(tip.rate / map.rate, 1.0, 3e-6);
@@ -89,8 +89,8 @@ TEST(GrowingFronts, CyclesThatRepeatBehindAClamp) {
   const results::GrowthResult free = growth_of(clamped_bar("0", grow("KMAX=FULL KMIN=REST")));
   const results::GrowthResult held = growth_of(clamped_bar("0.1", grow("KMAX=FULL KMIN=REST")));
   ASSERT_FALSE(held.stations.empty());
-  const results::GrownTipResult& at = held.stations[0].tips.at(0);
-  const double whole = free.stations.at(0).tips.at(0).K_max;
+  const results::GrownPointResult& at = held.stations[0].points.at(0);
+  const double whole = free.stations.at(0).points.at(0).K_max;
   // Pressed by E e / h = 2e5 * 3e-4 / 6 = 10 on 3 x 6: 18 of the 1800 pull.
   EXPECT_NEAR(at.K_max / whole, 1.0 - 0.01, 1e-3);
   EXPECT_NEAR(at.K_min / whole, 0.1 + 0.01, 1e-3);
@@ -108,10 +108,10 @@ TEST(GrowingFronts, CorrectedSpectrumOfOneCycleIsConstantAmplitude) {
   const results::GrowthResult spectra =
       growth_of(clamped_bar("", spectrum("CORRECT=YES", "0.5 1 10")));
   ASSERT_FALSE(steps.stations.empty() || spectra.stations.empty());
-  for (std::size_t tip = 0; tip < steps.stations[0].tips.size(); ++tip) {
-    const double K = steps.stations[0].tips[tip].K_max;
-    EXPECT_GT(std::abs(plain.stations.at(0).tips[tip].K_max / K - 1.0), 1e-5);
-    EXPECT_NEAR(spectra.stations[0].tips[tip].K_max / K, 1.0, 1e-6);
+  for (std::size_t tip = 0; tip < steps.stations[0].points.size(); ++tip) {
+    const double K = steps.stations[0].points[tip].K_max;
+    EXPECT_GT(std::abs(plain.stations.at(0).points[tip].K_max / K - 1.0), 1e-5);
+    EXPECT_NEAR(spectra.stations[0].points[tip].K_max / K, 1.0, 1e-6);
   }
 }
 
@@ -121,7 +121,7 @@ TEST(GrowingFronts, TipsStandOnTheFront) {
   free.replace(free.find("ELLIPSE"), std::string("ELLIPSE").size(), "FREE");
   const results::GrowthResult growth = growth_of(clamped_bar("", free));
   ASSERT_FALSE(growth.stations.empty());
-  for (const results::GrownTipResult& tip : growth.stations[0].tips) {
+  for (const results::GrownPointResult& tip : growth.stations[0].points) {
     EXPECT_NEAR((tip.x - base::Vec3(0, 3, 0)).norm(), 1.0, 5e-4);
   }
 }
@@ -161,13 +161,13 @@ TEST(GrowingFronts, MountedAtTheFirstFront) {
   const results::GrowthResult each = growth_of(padded_plate("EACH"));
   ASSERT_GE(std::min(first.stations.size(), each.stations.size()), 2U);
   const results::GrowthStation& later = first.stations[1];
-  for (std::size_t i = 0; i < later.tips.size(); ++i) {
+  for (std::size_t i = 0; i < later.points.size(); ++i) {
     const auto range = [&](const results::GrowthStation& station) {
-      return station.tips.at(i).K_max - station.tips[i].K_min;
+      return station.points.at(i).K_max - station.points[i].K_min;
     };
-    EXPECT_DOUBLE_EQ(first.stations[0].tips.at(i).K_max, each.stations[0].tips.at(i).K_max);
+    EXPECT_DOUBLE_EQ(first.stations[0].points.at(i).K_max, each.stations[0].points.at(i).K_max);
     EXPECT_NEAR(range(later) / range(each.stations[1]), 1.0, 1e-6);
-    EXPECT_LT(later.tips[i].K_max / each.stations[1].tips[i].K_max, 1.0 - 1e-4);
+    EXPECT_LT(later.points[i].K_max / each.stations[1].points[i].K_max, 1.0 - 1e-4);
   }
 }
 
@@ -183,13 +183,13 @@ TEST(GrowingFronts, HaveTheLengthOfTheirFirstPoint) {
   ASSERT_EQ(stations.size(), solved->run.increments.size());
   for (std::size_t i = 0; i < stations.size(); ++i) {
     const results::Increment& increment = solved->run.increments[i];
-    EXPECT_NEAR(increment.a, stations[i].tips.at(0).a, 1e-12);
+    EXPECT_NEAR(increment.a, stations[i].points.at(0).a, 1e-12);
     for (const results::StepResult& step : increment.steps) {
       EXPECT_EQ(step.fronts.at(0).a, increment.a) << step.step;
     }
   }
-  EXPECT_NEAR(stations[0].tips[0].a, 0.8, 1e-9);
-  EXPECT_GT(stations[1].tips[0].a, 0.8);
+  EXPECT_NEAR(stations[0].points[0].a, 0.8, 1e-9);
+  EXPECT_GT(stations[1].points[0].a, 0.8);
 }
 
 } // namespace

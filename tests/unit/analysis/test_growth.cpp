@@ -55,7 +55,7 @@ TEST(Growth, RatesAndEndOfALaw) {
   EXPECT_EQ(growth.unit, "cycle");
   ASSERT_GE(growth.stations.size(), 3U);
   EXPECT_EQ(growth.stations.size(), solved->run.increments.size());
-  const results::GrownTipResult& last = growth.stations.back().tips[0];
+  const results::GrownPointResult& last = growth.stations.back().points[0];
   EXPECT_NEAR(last.a, 8.0, 1e-9);
   EXPECT_NEAR(last.K_max / K_strip(2.111413, 8.0), 1.0, 2e-3);
   EXPECT_NEAR(last.K_min / last.K_max, 0.5, 1e-9);
@@ -96,7 +96,7 @@ TEST(Growth, CorrectedSpectrumOfOneCycleIsConstantAmplitude) {
     const auto solved = test::solve_text(test::strip_text(law + grow, cards));
     std::vector<double> found;
     for (const results::GrowthStation& station : solved->run.growth->stations) {
-      found.push_back(station.tips[0].K_max);
+      found.push_back(station.points[0].K_max);
     }
     return found;
   };
@@ -210,9 +210,9 @@ TEST(Growth, PathDoesNotDependOnTheAdvance) {
       ASSERT_TRUE(solved && solved->run.growth);
       ASSERT_EQ(solved->run.growth->ended, "AMAX") << solved->run.growth->reason;
       const results::GrowthStation& last = solved->run.growth->stations.back();
-      end.push_back(last.tips[1].x);
-      EXPECT_NEAR((last.tips[0].x + last.tips[1].x).norm(), 0.0, 0.05); // point symmetry
-      EXPECT_LT(std::abs(last.tips[1].K2_max), 0.03 * last.tips[1].K_max);
+      end.push_back(last.points[1].x);
+      EXPECT_NEAR((last.points[0].x + last.points[1].x).norm(), 0.0, 0.05); // point symmetry
+      EXPECT_LT(std::abs(last.points[1].K2_max), 0.03 * last.points[1].K_max);
     }
     EXPECT_LT((end[1] - end[0]).norm(), 0.005 * 7.0) << direction; // 7: what each arm has grown
   }
@@ -239,7 +239,7 @@ TEST(Growth, PathIntoAHole) {
     EXPECT_NEAR(solved->run.growth->final_cycles() / life, 1.0, 1e-5);
     std::vector<base::Vec3>& x = path.emplace_back();
     for (const results::GrowthStation& station : solved->run.growth->stations) {
-      x.push_back(station.tips.front().x);
+      x.push_back(station.points.front().x);
     }
   }
   double apart = 0.0;
@@ -261,7 +261,7 @@ TEST(Growth, CracksOnALineLinkUp) {
   ASSERT_TRUE(solved && solved->run.growth);
   const results::GrowthResult& growth = *solved->run.growth;
   EXPECT_EQ(growth.ended, "LINK-UP");
-  ASSERT_EQ(growth.tips.size(), 6U);
+  ASSERT_EQ(growth.point_names.size(), 6U);
   const std::vector<double>& a = growth.curve.back().a; // LONG.1 .2, EAST.1 .2, WEST.1 .2
   EXPECT_NEAR(a[0] / a[1], 1.0, 1e-3);
   EXPECT_NEAR(a[2] / a[5], 1.0, 1e-3);

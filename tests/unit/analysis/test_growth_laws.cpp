@@ -90,8 +90,8 @@ TEST(GrowthLaws, TableInADeck) {
     return 4e-6 * std::pow(range / 150.0, slope);
   };
   const results::GrowthResult& growth = *solved->run.growth;
-  const auto& first = growth.stations.front().tips[0];
-  const auto& last = growth.stations.back().tips[0];
+  const auto& first = growth.stations.front().points[0];
+  const auto& last = growth.stations.back().points[0];
   EXPECT_LT(first.K_max - first.K_min, 150.0);
   EXPECT_GT(last.K_max - last.K_min, 150.0);
   EXPECT_NEAR(growth.final_cycles() / test::integrated_life(growth, rate), 1.0, 1e-5);
@@ -145,13 +145,13 @@ TEST(GrowthLaws, MountedAtTheFirstLength) {
   const results::GrowthResult& growth = *first->run.growth;
   std::string lengths = "LAW=INCREMENT KMAX=FIX MOUNTED=FIRST\n ";
   for (const results::GrowthStation& station : growth.stations) {
-    lengths += fmt::format(" {:.17g}", station.tips[0].a);
+    lengths += fmt::format(" {:.17g}", station.points[0].a);
   }
   const auto listed = test::solve_text(strapped(lengths));
   ASSERT_TRUE(listed);
   ASSERT_EQ(listed->run.increments.size(), growth.stations.size());
   for (std::size_t i = 0; i < growth.stations.size(); ++i) {
-    const results::GrownTipResult& tip = growth.stations[i].tips[0];
+    const results::GrownPointResult& tip = growth.stations[i].points[0];
     const auto& steps = listed->run.increments[i].steps;
     EXPECT_NEAR(tip.K_max / steps[1].fronts[0].tip().K1, 1.0, 1e-6) << tip.a;
     EXPECT_NEAR(tip.K_min / steps[2].fronts[0].tip().K1, 1.0, 1e-6) << tip.a;

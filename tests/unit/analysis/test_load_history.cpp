@@ -104,7 +104,7 @@ TEST(LoadHistorySolver, LawIsGivenTheCycleThatRepeats) {
   const results::GrowthResult& growth = *solved->run.growth;
   EXPECT_TRUE(growth.followed);
   for (const results::GrowthStation& station : growth.stations) {
-    const results::GrownTipResult& tip = station.tips.front();
+    const results::GrownPointResult& tip = station.points.front();
     EXPECT_NEAR(tip.first_min / tip.K_max, 0.0, 1e-4);
     EXPECT_NEAR(tip.first_max / tip.K_max, 1.0, 1e-9);
     EXPECT_NEAR(tip.K_min / tip.K_max, 0.25, 1e-3);
@@ -143,15 +143,15 @@ TEST(LoadHistorySolver, HeldStretchFallsAsTheCrackGrows) {
     const double K = shut.fronts.front().tip().K1;
     const double G = K * K / 2000.0; // plane strain, nu = 0
     if (i > 0) {
-      const double da = stations[i].tips[0].a - stations[i - 1].tips[0].a;
+      const double da = stations[i].points[0].a - stations[i - 1].points[0].a;
       c += 0.5 * da * (G + before_G) / (P * P);
     }
     before_G = G;
-    EXPECT_NEAR(stations[i].tips[0].K_min / K / (c0 / c), 1.0, 2e-3) << stations[i].tips[0].a;
+    EXPECT_NEAR(stations[i].points[0].K_min / K / (c0 / c), 1.0, 2e-3) << stations[i].points[0].a;
   }
   EXPECT_LT(c0 / c, 0.99); // there is something to see
   for (const results::GrowthStation& station : anew->run.growth->stations) {
-    EXPECT_NEAR(station.tips[0].K_min / station.tips[0].first_min, 1.0, 1e-6);
+    EXPECT_NEAR(station.points[0].K_min / station.points[0].first_min, 1.0, 1e-6);
   }
 }
 

@@ -52,7 +52,7 @@ TEST(NegativeRatio, NasgroIsGivenTheKThatGoesOnBelowClosing) {
     const results::GrowthResult& growth = *solved->run.growth;
     ASSERT_EQ(growth.ended, "AMAX");
     for (const results::GrowthStation& station : growth.stations) {
-      EXPECT_NEAR(station.tips[0].K_min / station.tips[0].K_max, R, 1e-6 * std::abs(R));
+      EXPECT_NEAR(station.points[0].K_min / station.points[0].K_max, R, 1e-6 * std::abs(R));
     }
     EXPECT_NEAR(growth.final_cycles() / test::integrated_life(growth, forman_mettu), 1.0, 1e-5)
         << R;
@@ -74,8 +74,8 @@ TEST(NegativeRatio, OtherLawsCountItAsZero) {
     ASSERT_TRUE(below && zero && below->run.growth && zero->run.growth) << law;
     EXPECT_NEAR(below->run.growth->final_cycles() / zero->run.growth->final_cycles(), 1.0, 1e-6)
         << law;
-    const double K_min = below->run.growth->stations.front().tips[0].K_min;
-    const double K_max = below->run.growth->stations.front().tips[0].K_max;
+    const double K_min = below->run.growth->stations.front().points[0].K_min;
+    const double K_max = below->run.growth->stations.front().points[0].K_max;
     EXPECT_NEAR(K_min / K_max, law.starts_with("LAW=WALKER") ? -1.0 : 0.0, 1e-6) << law;
   }
 }
@@ -117,7 +117,7 @@ TEST(NegativeRatio, SpectrumWithCompression) {
   const auto followed = test::solve_text(strip(grow, -1.0, sequence));
   ASSERT_TRUE(counted && followed && counted->run.growth && followed->run.growth);
   for (const results::GrowthStation& station : counted->run.growth->stations) {
-    const results::GrownTipResult& tip = station.tips[0];
+    const results::GrownPointResult& tip = station.points[0];
     const double K = tip.K_max;
     EXPECT_NEAR(tip.K_min / K, -1.0, 1e-6);
     EXPECT_NEAR(tip.rate / (3.0 * rate(0, 1)(K, 0) + 10.0 * rate(0.25, 0.75)(K, 0) +
@@ -125,8 +125,8 @@ TEST(NegativeRatio, SpectrumWithCompression) {
                 1.0, 1e-6);
   }
   for (const results::GrowthStation& station : followed->run.growth->stations) {
-    const double K = station.tips[0].K_max; // 0-1, and 0.25-0.75 within 0.1-0.9
-    EXPECT_NEAR(station.tips[0].rate /
+    const double K = station.points[0].K_max; // 0-1, and 0.25-0.75 within 0.1-0.9
+    EXPECT_NEAR(station.points[0].rate /
                     (rate(0, 1)(K, 0) + rate(0.25, 0.75)(K, 0) + rate(0.1, 0.9)(K, 0)),
                 1.0, 1e-6);
   }
@@ -149,7 +149,7 @@ TEST(NegativeRatio, CrackThatAPinCloses) {
   const auto free = test::solve_text(ring(" FACES=FREE"));
   ASSERT_TRUE(touching && free && touching->run.growth && free->run.growth);
   const results::GrowthResult& growth = *touching->run.growth;
-  EXPECT_LT(growth.stations.back().tips[0].K_min, -0.03 * growth.stations.back().tips[0].K_max);
+  EXPECT_LT(growth.stations.back().points[0].K_min, -0.03 * growth.stations.back().points[0].K_max);
   EXPECT_NEAR(growth.final_cycles() / free->run.growth->final_cycles(), 1.0, 1e-6);
   EXPECT_NEAR(growth.final_cycles() / test::integrated_life(growth, forman_mettu), 1.0, 1e-4);
 }
@@ -168,8 +168,8 @@ TEST(NegativeRatio, LoadsThatAreFollowed) {
     const auto followed = test::solve_text(strip(grow, -1.0, rigid + more));
     ASSERT_TRUE(map && followed && map->run.growth && followed->run.growth);
     EXPECT_NEAR(followed->run.growth->final_cycles() / map->run.growth->final_cycles(), 1.0, 2e-4);
-    EXPECT_NEAR(followed->run.growth->stations[0].tips[0].K_min /
-                    map->run.growth->stations[0].tips[0].K_min,
+    EXPECT_NEAR(followed->run.growth->stations[0].points[0].K_min /
+                    map->run.growth->stations[0].points[0].K_min,
                 1.0, 1e-6);
   }
 }

@@ -128,7 +128,7 @@ using AllRecords =
     ::testing::Types<KErrorBar, Sensitivity, SensitivityResults, FrontPointResult, FrontResult,
                      ContactPoint, ContactResult, ForceBalance, NetErrorEstimate, OuterSurfaceFace,
                      LoadPathFrontPoint, LoadPathFront, LoadPathContact, ContactStatusChange,
-                     LoadPathResult, LogLine, CheckResult, ToleranceRound, GrownTipResult,
+                     LoadPathResult, LogLine, CheckResult, ToleranceRound, GrownPointResult,
                      GrowthStation, LifeCurvePoint, ScaledLife, GrowthResult, GrowthTestPoint,
                      GrowthTestResult, base::SourceSpan, model::NodeSet, model::ElementSet,
                      model::FaceSet>;

@@ -22,8 +22,8 @@ inline double integrated_life(const results::GrowthResult& growth, const Rate& r
     std::vector<double> p;
     std::vector<double> at;
     for (std::size_t k = first; k < first + std::min<std::size_t>(4, n); ++k) {
-      at.push_back(std::log(stations[k].tips[0].a));
-      p.push_back(value(stations[k].tips[0]));
+      at.push_back(std::log(stations[k].points[0].a));
+      p.push_back(value(stations[k].points[0]));
     }
     for (std::size_t m = 1; m < p.size(); ++m) {
       for (std::size_t i = 0; i + m < p.size(); ++i) {
@@ -35,14 +35,14 @@ inline double integrated_life(const results::GrowthResult& growth, const Rate& r
   double cycles = 0.0;
   for (std::size_t i = 0; i + 1 < n; ++i) {
     const std::size_t first = std::min(i > 0 ? i - 1 : 0, n - std::min<std::size_t>(4, n));
-    const double a0 = stations[i].tips[0].a;
-    const double h = (stations[i + 1].tips[0].a - a0) / 200.0;
+    const double a0 = stations[i].points[0].a;
+    const double h = (stations[i + 1].points[0].a - a0) / 200.0;
     for (int k = 0; k <= 200; ++k) {
       const double x = std::log(a0 + k * h);
       const double K = std::exp(
-          through(first, x, [](const results::GrownTipResult& t) { return std::log(t.K_max); }));
+          through(first, x, [](const results::GrownPointResult& t) { return std::log(t.K_max); }));
       const double R =
-          through(first, x, [](const results::GrownTipResult& t) { return t.K_min / t.K_max; });
+          through(first, x, [](const results::GrownPointResult& t) { return t.K_min / t.K_max; });
       cycles += h / 3.0 * (k == 0 || k == 200 ? 1.0 : k % 2 == 1 ? 4.0 : 2.0) / rate(K, R);
     }
   }
