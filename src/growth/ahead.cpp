@@ -5,6 +5,7 @@
 #include "mesh/boundary.hpp"
 #include "mesh/cut/host.hpp"
 #include "mesh/plane.hpp"
+#include "shape/topology.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,10 +48,10 @@ std::optional<double> meets(const Vec2& from, const Vec2& way, const Vec2& a, co
 } // namespace
 
 PlaneBoundaryAhead::PlaneBoundaryAhead(const model::Mesh& host) : host_(host) {
-  if (host.dim != 2) {
-    return;
-  }
   for (const model::Face& face : mesh::boundary_faces(host)) {
+    if (!shape::is_edge(host.type[face.element.index()], face.side)) {
+      continue; // no tip of a line runs into a face
+    }
     const mesh::ElementEdge edge = mesh::element_edge(host, face);
     const base::NetId net = host.element_net[face.element.index()];
     const int parts = edge.mid.valid() ? pieces_of_edge : 1;

@@ -256,8 +256,8 @@ std::optional<std::vector<mesh::CrackLine>> crack_lines(const model::Model& mode
                                                         const std::vector<TipLengths>& arms,
                                                         base::Diagnostics& diagnostics) {
   std::vector<mesh::CrackLine> lines;
-  if (model.mesh.dim == 3) {
-    return lines; // cracks there are no lines (mesh/tube/cracks_in_solids.hpp)
+  if (std::ranges::none_of(model.cracks, &model::CrackDefinition::is_line)) {
+    return lines; // cracks in solids: mesh/tube/cracks_in_solids.hpp
   }
   CrackLineBuilder builder{model, diagnostics, fe::classify_freedoms(model, model.mesh)};
   // All cracks are looked at, so that every error is told at once.

@@ -57,6 +57,11 @@ struct CrackDefinition {
   /// the mesh of each length. One of them stays empty on a symmetry line.
   base::FaceSetId left, right;
   base::SourceSpan span;
+
+  /// Whether it is a line in the plane; in space a crack is given by its front.
+  [[nodiscard]] bool is_line() const {
+    return kind == CrackDefinitionKind::path || kind == CrackDefinitionKind::free;
+  }
 };
 
 enum class PatchCoupling { conforming, transition };

@@ -19,6 +19,10 @@ base::ElementType solid_side_type(base::ElementType type, int s);
 
 /// How many nodes of a side are corners: 2 in the plane, 3 or 4 in space.
 std::size_t side_corners(base::ElementType type, int s);
+/// Whether a side is an edge of a plane element, not a face of a solid.
+inline bool is_edge(base::ElementType type, int s) {
+  return side_corners(type, s) == 2;
+}
 
 /// Corners that edge `m` of an element joins; its mid node, if the element has one, is corners + m.
 std::array<int, 2> edge_corners(base::ElementType type, int m);

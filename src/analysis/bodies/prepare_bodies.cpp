@@ -51,14 +51,14 @@ void add_carriers(const CondensationRequest& request, const fe::Body& piece,
                                return distance(mesh.x[p.index()]) < distance(mesh.x[q.index()]);
                              });
   };
-  const base::NodeId far = farthest([&](const base::Vec3& x) { return (x - a).norm(); });
   make_node_external(request, piece.nodes.front(), cls);
-  make_node_external(request, far, cls);
-  // Two nodes leave the turn about their line free.
-  if (mesh.dim == 3 && far != piece.nodes.front()) {
-    const base::Vec3 d = (mesh.x[far.index()] - a).normalized();
-    make_node_external(request,
-                       farthest([&](const base::Vec3& x) { return (x - a).cross(d).norm(); }), cls);
+  // Of dim nodes that are on no line with others nothing can turn.
+  base::Vec3 d = base::Vec3::Zero();
+  for (int nodes = 1; nodes < mesh.dim; ++nodes) {
+    const base::NodeId far = farthest(
+        [&](const base::Vec3& x) { return d.isZero() ? (x - a).norm() : (x - a).cross(d).norm(); });
+    make_node_external(request, far, cls);
+    d = (mesh.x[far.index()] - a).normalized();
   }
 }
 

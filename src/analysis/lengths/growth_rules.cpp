@@ -32,11 +32,10 @@ template <class No> bool ligament_can_yield(const model::Model& model, const No&
 
 // A front of the deck's nodes, or a tip in the plane with PATCH=NO.
 bool keeps_own_mesh(const model::Model& model, std::size_t crack) {
-  const model::CrackDefinitionKind kind = model.cracks[crack].kind;
-  const bool line =
-      kind == model::CrackDefinitionKind::path || kind == model::CrackDefinitionKind::free;
-  return kind == model::CrackDefinitionKind::front ||
-         (line && std::ranges::any_of(model.tip_nets, [&](const model::TipMeshSettings& tip) {
+  const model::CrackDefinition& of = model.cracks[crack];
+  return of.kind == model::CrackDefinitionKind::front ||
+         (of.is_line() &&
+          std::ranges::any_of(model.tip_nets, [&](const model::TipMeshSettings& tip) {
             return !tip.patch && tip.crack.index() == crack;
           }));
 }
@@ -200,13 +199,12 @@ std::vector<std::string> cycle_count_concerns(const results::GrowthResult& growt
 
 std::unique_ptr<growth::CrackKinematics> make_crack_kinematics(const model::Model& model,
                                                                base::Diagnostics& diagnostics) {
+  std::optional<std::vector<mesh::CrackLine>> lines = growth::crack_lines(model, 0.0, diagnostics);
+  if (!lines) {
+    return nullptr;
+  }
   std::unique_ptr<growth::CrackKinematics> kinematics;
-  if (model.mesh.dim == 2) {
-    std::optional<std::vector<mesh::CrackLine>> lines =
-        growth::crack_lines(model, 0.0, diagnostics);
-    if (!lines) {
-      return nullptr;
-    }
+  if (!lines->empty()) {
     kinematics = std::make_unique<growth::PlanarTips>(model, std::move(*lines));
   } else if (model.growth->shape == model::FrontShapeRule::ellipse) {
     kinematics = std::make_unique<growth::EllipticalFront>(model);

@@ -145,7 +145,7 @@ std::optional<results::Increment> CrackStateSolver::solve(const CrackStateReques
 void CrackStateSolver::measure_sections(const Discretisation& scene,
                                         const results::Increment& increment) {
   plastic_.clear();
-  if (!model_.growth || !model_.growth->flow_stress || model_.mesh.dim != 3) {
+  if (!model_.growth || !model_.growth->flow_stress || scene.has_tips()) {
     return;
   }
   const base::Vector& u = increment.steps[largest_load_step(model_)].u;

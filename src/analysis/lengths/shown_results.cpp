@@ -26,11 +26,11 @@ std::vector<results::Stress> as_results(const std::vector<fe::Stress>& stress) {
 
 std::vector<results::OuterSurfaceFace> outer_faces_by_nodes(const model::Mesh& mesh) {
   std::vector<results::OuterSurfaceFace> surface;
-  if (mesh.dim != 3) {
-    return surface;
-  }
   for (const model::Face& face : mesh::outer_surface_faces(mesh)) {
     const base::ElementType type = mesh.type[face.element.index()];
+    if (shape::is_edge(type, face.side)) {
+      continue; // of a plane element, which shows its own face
+    }
     const std::span<const int> side = shape::side_nodes(type, face.side);
     results::OuterSurfaceFace out;
     out.element = face.element;

@@ -57,7 +57,7 @@ std::optional<growth::CrackGeometry> cracks_of(const model::Model& model, double
     return std::nullopt;
   }
   growth::CrackGeometry cracks{.lines = std::move(*lines)};
-  if (model.mesh.dim == 3 && a > 0.0) {
+  if (cracks.lines.empty() && a > 0.0) {
     cracks.solids = growth::scale_solid_cracks(model, a);
   }
   return cracks;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/recover/judge_size.hpp"
 
+#include "base/by_dimension.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -73,7 +74,7 @@ std::span<const std::array<std::size_t, 4>> tetrahedra(int corners) {
   }
 }
 
-double volume_of_solid(const model::Mesh& mesh, base::ElementId e) {
+double volume_of_solid(const model::Model& /*model*/, const model::Mesh& mesh, base::ElementId e) {
   const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
   double volume = 0.0;
   for (const std::array<std::size_t, 4>& t :
@@ -85,12 +86,8 @@ double volume_of_solid(const model::Mesh& mesh, base::ElementId e) {
   return volume;
 }
 
-/// What an element fills, its edges straight: in the plane area times thickness, about an axis the
-/// whole ring.
-double volume_of(const model::Model& model, const model::Mesh& mesh, base::ElementId e) {
-  if (mesh.dim == 3) {
-    return volume_of_solid(mesh, e);
-  }
+/// Area times thickness, about an axis the whole ring.
+double volume_of_plane(const model::Model& model, const model::Mesh& mesh, base::ElementId e) {
   const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
   const auto corners = static_cast<std::size_t>(base::element_info(mesh.type[e.index()]).corners);
   double area = 0.0;
@@ -105,6 +102,10 @@ double volume_of(const model::Model& model, const model::Mesh& mesh, base::Eleme
                                             : model.element_property(mesh, e).thickness);
 }
 
+/// What an element fills, its edges straight.
+constexpr base::ByDimension<double (*)(const model::Model&, const model::Mesh&, base::ElementId)>
+    volume_of{volume_of_plane, volume_of_solid};
+
 /// The uniaxial strain that would hold a body's energy: no corner or crack tip counts by itself.
 double mean_strain(const model::Model& model, const model::Mesh& mesh,
                    const SubstructuredBody& body, const std::vector<double>& energy) {
@@ -112,7 +113,7 @@ double mean_strain(const model::Model& model, const model::Mesh& mesh,
   double stiff = 0.0;
   for (const base::ElementId e : body.body.elements) {
     held += energy[e.index()];
-    stiff += model.element_material(mesh, e).E * volume_of(model, mesh, e);
+    stiff += model.element_material(mesh, e).E * volume_of.at(mesh.dim)(model, mesh, e);
   }
   return stiff > 0.0 ? std::sqrt(std::max(0.0, 2.0 * held / stiff)) : 0.0;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/recover/net_errors.hpp"
 
+#include "base/by_dimension.hpp"
 #include "fe/error_estimate.hpp"
 #include "mesh/boundary.hpp"
 #include "model/model.hpp"
@@ -27,19 +28,18 @@ constexpr double round_off_energy = 1e-20;
 
 double energy_of_round_off(const model::Model& model, const model::Mesh& mesh,
                            const results::StepResult& step) {
+  double size = 0.0;
+  for (const base::Vec3& x : mesh.x) {
+    size = std::max(size, (x - mesh.x.front()).norm());
+  }
+  // Force over displacement is E times a length: that of the body, in the plane the thickness.
+  const base::ByDimension<double> length{model::axisymmetric(model) ? size : 1.0, size};
   double stiff = 0.0;
   for (const model::ElementProperty& property : model.properties) {
-    stiff = std::max(stiff, model.materials[property.material.index()].E *
-                                (mesh.dim == 2 ? property.thickness : 1.0));
+    const base::ByDimension<double> thickness{property.thickness, 1.0};
+    stiff = std::max(stiff, model.materials[property.material.index()].E * thickness.at(mesh.dim));
   }
-  if (mesh.dim == 3 || model::axisymmetric(model)) {
-    double size = 0.0;
-    for (const base::Vec3& x : mesh.x) {
-      size = std::max(size, (x - mesh.x.front()).norm());
-    }
-    // In the plane force over displacement is E t; here it is E times a length.
-    stiff *= size;
-  }
+  stiff *= length.at(mesh.dim);
   const double force = step.reaction.size() > 0 ? step.reaction.norm() : 0.0;
   return stiff > 0.0 ? round_off_energy * force * force / stiff : 0.0;
 }

@@ -259,7 +259,7 @@ std::string RefinementPlan::refine_fronts(const model::Model& model,
 }
 
 std::string RefinementPlan::refine(const model::Model& model, const results::RunResult& run) {
-  if (model.mesh.dim == 3) {
+  if (std::ranges::none_of(model.cracks, &model::CrackDefinition::is_line)) {
     return refine_fronts(model, run);
   }
   Demands demands = demands_of(model, run);

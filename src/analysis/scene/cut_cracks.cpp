@@ -35,10 +35,9 @@ bool opens_into_contact(const model::Model& model, const mesh::CrackLine& line) 
                     on_it * length;
            });
   };
-  return model.mesh.dim == 2 && !line.embedded &&
-         std::ranges::any_of(model.contacts, [&](const model::Contact& contact) {
-           return has(contact.slave) || has(contact.master);
-         });
+  return !line.embedded && std::ranges::any_of(model.contacts, [&](const model::Contact& contact) {
+    return has(contact.slave) || has(contact.master);
+  });
 }
 
 std::vector<mesh::TipMeshParameters> tip_meshes(const model::Model& model,
@@ -135,7 +134,7 @@ std::optional<mesh::CrackedMesh> make_cracked_mesh(const model::Model& model,
   if (model.cracks.empty()) {
     return without_cracks(model.mesh);
   }
-  if (model.mesh.dim == 3) {
+  if (lines.empty()) {
     return cracked_solid(model, diagnostics);
   }
   std::vector<base::SourceSpan> spans;
@@ -157,7 +156,8 @@ CrackRegionPlan plan_crack_region(const model::Model& model, const std::vector<d
   CrackRegionPlan plan;
   plan.region.assign(model.mesh.element_count(), false);
   // One length alone has nothing to keep for another; bodies of solids stay whole.
-  plan.split = lengths.size() > 1 && !model.cracks.empty() && model.mesh.dim == 2;
+  plan.split =
+      lengths.size() > 1 && std::ranges::any_of(model.cracks, &model::CrackDefinition::is_line);
   if (!plan.split) {
     return plan;
   }

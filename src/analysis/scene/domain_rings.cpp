@@ -2,6 +2,7 @@
 #include "analysis/scene/domain_rings.hpp"
 
 #include "analysis/scene/tip_net_of.hpp"
+#include "base/by_dimension.hpp"
 #include "mesh/tube/solid_crack.hpp"
 #include "model/model.hpp"
 
@@ -14,9 +15,9 @@ std::vector<int> domain_ring_counts(const model::Model& model, base::CrackId cra
     }
   }
   const model::TipMeshSettings* tip = find_tip_mesh_settings(model, crack);
-  const int usual =
-      model.mesh.dim == 3 ? mesh::TubeMeshParameters{}.rings : model::TipMeshSettings{}.rings;
-  const int rings = tip != nullptr ? tip->rings : usual;
+  const base::ByDimension<int> usual{model::TipMeshSettings{}.rings,
+                                     mesh::TubeMeshParameters{}.rings};
+  const int rings = tip != nullptr ? tip->rings : usual.at(model.mesh.dim);
   std::vector<int> domains;
   for (int ring = 2; ring <= rings; ++ring) {
     domains.push_back(ring);

@@ -10,6 +10,7 @@
 #include "analysis/scene/scene_rows.hpp"
 #include "analysis/scene/scene_ties.hpp"
 #include "analysis/scene/supported_rows.hpp"
+#include "base/by_dimension.hpp"
 #include "contact/pairing.hpp"
 #include "fe/dof_map.hpp"
 #include "growth/crack_lines.hpp"
@@ -33,17 +34,6 @@ double removed_part(const contact::PairConstraints& pair) {
   return area > 0.0 ? pair.unprojected_area / (area + pair.unprojected_area) : 0.0;
 }
 
-// Nodes whose freedoms rows weigh. In the plane those of both surfaces, so that what is condensed
-// is the same at the next crack length; in space, where nodes that see nothing are many, those
-// alone.
-std::vector<base::NodeId> contact_nodes(const model::Mesh& mesh, const model::Contact& contact,
-                                        const contact::PairConstraints& pair) {
-  if (mesh.dim == 2) {
-    return contact::pair_surface_nodes(mesh, contact);
-  }
-  return contact_row_nodes(pair);
-}
-
 void note_pair(const model::Contact& contact, const contact::PairConstraints& pair,
                Discretisation& scene) {
   if (pair.swapped) {
@@ -58,33 +48,57 @@ void note_pair(const model::Contact& contact, const contact::PairConstraints& pa
   }
 }
 
+/// What contacts of plane bodies and of solids differ in.
+struct ContactRules {
+  void (*apply_supports_to_rows)(contact::PairConstraints&,
+                                 const std::vector<model::FreedomClass>&);
+  void (*note_pair)(const model::Contact&, const contact::PairConstraints&, Discretisation&);
+  /// Nodes whose freedoms rows weigh. In the plane those of both surfaces, so that what is
+  /// condensed is the same at the next crack length; in space, where nodes that see nothing are
+  /// many, those alone.
+  std::vector<base::NodeId> (*contact_nodes)(const model::Mesh&, const model::Contact&,
+                                             const contact::PairConstraints&);
+  const char* rigid_side; ///< where the body of a rigid surface is
+};
+
+constexpr base::ByDimension<ContactRules> contact_rules{
+    .plane = {
+        .apply_supports_to_rows = [](auto&, const auto&) {},
+        .note_pair = [](const auto&, const auto&, auto&) {},
+        .contact_nodes = [](const auto& mesh, const auto& contact,
+                            const auto&) { return contact::pair_surface_nodes(mesh, contact); },
+        .rigid_side = "the body is on the left of a LINE, round an ARC, or inside it where "
+                      "R is negative; what lies beyond the ends of a LINE faces nothing"},
+    .space = {.apply_supports_to_rows = apply_supports_to_rows,
+              .note_pair = note_pair,
+              .contact_nodes = [](const auto&, const auto&,
+                                  const auto& pair) { return contact_row_nodes(pair); },
+              .rigid_side = "the body is where the normal of a PLANE points to, round the other "
+                            "shapes, or inside them where R is negative"}};
+
 bool make_pairs(const model::Model& model, Discretisation& scene, base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = scene.cracked.mesh;
+  const ContactRules& rules = contact_rules.at(mesh.dim);
   bool good = true;
   scene.contacts = model.contacts;
   scene.crack_face_pairs.resize(scene.cracked.faces.size());
   for (const model::Contact& contact : model.contacts) {
     scene.pairs.push_back(contact::build_pair_constraints(model, mesh, contact));
-    if (mesh.dim == 3) {
-      apply_supports_to_rows(scene.pairs.back(), scene.cls);
-    }
+    rules.apply_supports_to_rows(scene.pairs.back(), scene.cls);
     const contact::PairConstraints& pair = scene.pairs.back();
     if (!pair.trouble.empty()) {
       diagnostics.error(contact.span, "E410",
                         fmt::format("contact {}: {}", contact.name, pair.trouble));
       good = false;
     } else if (!pair.found) {
-      diagnostics.error(
-          contact.span, "E411",
-          fmt::format("contact {}: the surfaces never face each other", contact.name),
-          !contact.rigid.valid() ? "look at the sets and at the side their elements lie on"
-          : mesh.dim == 2 ? "the body is on the left of a LINE, round an ARC, or inside it where "
-                            "R is negative; what lies beyond the ends of a LINE faces nothing"
-                          : "the body is where the normal of a PLANE points to, round the other "
-                            "shapes, or inside them where R is negative");
+      diagnostics.error(contact.span, "E411",
+                        fmt::format("contact {}: the surfaces never face each other", contact.name),
+                        contact.rigid.valid()
+                            ? rules.rigid_side
+                            : "look at the sets and at the side their elements lie on");
       good = false;
-    } else if (mesh.dim == 3) {
-      note_pair(contact, pair, scene);
+    } else {
+      rules.note_pair(contact, pair, scene);
     }
   }
   return good;
@@ -111,7 +125,6 @@ std::optional<Discretisation> discretise(const model::Model& model,
   }
   scene.cracked = std::move(*cracked);
   fill_crack_face_sets(model, scene.cracked);
-  const bool plane = scene.cracked.mesh.dim == 2;
   duplicate_removed_nodes(model.mesh, scene.cracked.mesh);
   scene.notes = scene.cracked.notes;
   note_removed_nodes(model, scene);
@@ -125,7 +138,7 @@ std::optional<Discretisation> discretise(const model::Model& model,
   const bool fronts = assign_front_domains(model, scene, diagnostics);
   const bool crack_faces = reject_total_loads_on_crack_faces(model, scene, diagnostics);
   const bool held = check_supports_survive_cut(model, scene, diagnostics);
-  const bool reported = !plane || check_nodes_split_by_crack(model, scene, diagnostics);
+  const bool reported = lines.empty() || check_nodes_split_by_crack(model, scene, diagnostics);
   if (!ties || !pairs || !fronts || !crack_faces || !held || !reported ||
       !check_loaded_faces_exist(model, scene, diagnostics)) {
     return std::nullopt;
@@ -134,7 +147,8 @@ std::optional<Discretisation> discretise(const model::Model& model,
   make_row_table(scene);
   const auto dim = static_cast<std::size_t>(mesh.dim);
   for (std::size_t i = 0; i < model.contacts.size(); ++i) {
-    for (const base::NodeId n : contact_nodes(mesh, model.contacts[i], scene.pairs[i])) {
+    for (const base::NodeId n :
+         contact_rules.at(mesh.dim).contact_nodes(mesh, model.contacts[i], scene.pairs[i])) {
       for (std::size_t c = 0; c < dim; ++c) {
         make_freedom_external(dim * n.index() + c, *scene.ties, scene.cls);
       }

@@ -6,6 +6,7 @@
 #include "analysis/scene/supported_rows.hpp"
 #include "analysis/steps/crack_face_overlap.hpp"
 #include "analysis/steps/solid_face_contact.hpp"
+#include "base/by_dimension.hpp"
 #include "contact/crack_face_pairing.hpp"
 #include "mesh/boundary.hpp"
 #include "model/model.hpp"
@@ -20,10 +21,11 @@ namespace {
 // Slips below this part of the largest displacement of a face are round-off.
 constexpr double slip_of_round_off = 1e-9;
 
+// The sides that make up both faces: those that are known, or all that lie within their nodes.
 std::vector<model::Face> sides_of(const model::Mesh& mesh, const mesh::CrackFaces& crack_faces) {
   std::vector<model::Face> sides = crack_faces.left_sides;
-  if (mesh.dim == 3) {
-    sides.insert(sides.end(), crack_faces.right_sides.begin(), crack_faces.right_sides.end());
+  sides.insert(sides.end(), crack_faces.right_sides.begin(), crack_faces.right_sides.end());
+  if (!sides.empty()) {
     return sides;
   }
   for (const std::vector<base::NodeId>* crack_face : {&crack_faces.left, &crack_faces.right}) {
@@ -57,20 +59,54 @@ std::size_t row_of(const contact::PairConstraints& pair, base::NodeId node) {
   return static_cast<std::size_t>(at - pair.normal.begin());
 }
 
+/// How faces of cracks are looked at and paired.
+struct CrackFaceRules {
+  double (*overlap)(const model::Model&, const Discretisation&, std::size_t line,
+                    const base::Vector& u);
+  double least_overlap;
+  model::PairingMethod pairing;
+  contact::PairConstraints (*pair)(const model::Model&, const Discretisation&, std::size_t line,
+                                   bool friction);
+  /// Whose freedoms become external.
+  std::vector<base::NodeId> (*nodes)(const mesh::CrackFaces&, const contact::PairConstraints&);
+};
+
+constexpr base::ByDimension<CrackFaceRules> crack_face_rules{
+    .plane = {.overlap =
+                  [](const auto&, const auto& scene, std::size_t line, const auto& u) {
+                    return crack_face_overlap(scene.cracked, line, u).resolved;
+                  },
+              .least_overlap = overlap_of_round_off,
+              .pairing = model::PairingMethod::node,
+              .pair =
+                  [](const auto& model, const auto& scene, std::size_t line, bool friction) {
+                    return contact::build_crack_face_constraints(
+                        model, scene.cracked.mesh, scene.cracked.faces[line], friction);
+                  },
+              .nodes =
+                  [](const auto& crack_faces, const auto&) {
+                    std::vector<base::NodeId> nodes = crack_faces.left;
+                    nodes.insert(nodes.end(), crack_faces.right.begin(), crack_faces.right.end());
+                    return nodes;
+                  }},
+    .space = {.overlap = solid_face_overlap,
+              .least_overlap = overlap_of_ripple,
+              .pairing = model::PairingMethod::segment,
+              .pair = solid_face_pair,
+              .nodes = [](const auto&, const auto& pair) { return contact_row_nodes(pair); }}};
+
 } // namespace
 
 std::vector<std::size_t> find_cracks_with_face_overlap(const model::Model& model,
                                                        const Discretisation& scene,
                                                        const base::Vector& u) {
-  const bool space = scene.cracked.mesh.dim == 3;
+  const CrackFaceRules& rules = crack_face_rules.at(scene.cracked.mesh.dim);
   std::vector<std::size_t> lines;
   for (std::size_t i = 0; i < scene.cracked.faces.size(); ++i) {
     if (!model.cracks[i].faces_in_contact || scene.crack_face_pairs[i]) {
       continue;
     }
-    const double overlap = space ? solid_face_overlap(model, scene, i, u)
-                                 : crack_face_overlap(scene.cracked, i, u).resolved;
-    if (overlap > (space ? overlap_of_ripple : overlap_of_round_off)) {
+    if (rules.overlap(model, scene, i, u) > rules.least_overlap) {
       lines.push_back(i);
     }
   }
@@ -81,7 +117,7 @@ void add_crack_face_pairs(const model::Model& model, const std::vector<std::size
                           Discretisation& scene) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const auto dim = static_cast<std::size_t>(mesh.dim);
-  const bool space = dim == 3;
+  const CrackFaceRules& rules = crack_face_rules.at(mesh.dim);
   for (const std::size_t i : lines) {
     const mesh::CrackFaces& crack_faces = scene.cracked.faces[i];
     const model::CrackDefinition& crack = model.cracks[i];
@@ -91,14 +127,10 @@ void add_crack_face_pairs(const model::Model& model, const std::vector<std::size
     contact.span = crack.span;
     scene.crack_face_pairs[i] = CrackFacePair{scene.pairs.size(), sides_of(mesh, crack_faces)};
     const bool friction = contact.mu > 0.0;
-    contact.pairing = space ? model::PairingMethod::segment : model::PairingMethod::node;
-    scene.pairs.push_back(
-        space ? solid_face_pair(model, scene, i, friction)
-              : contact::build_crack_face_constraints(model, mesh, crack_faces, friction));
+    contact.pairing = rules.pairing;
+    scene.pairs.push_back(rules.pair(model, scene, i, friction));
     scene.contacts.push_back(std::move(contact));
-    std::vector<base::NodeId> nodes = crack_faces.left;
-    nodes.insert(nodes.end(), crack_faces.right.begin(), crack_faces.right.end());
-    for (const base::NodeId n : space ? contact_row_nodes(scene.pairs.back()) : nodes) {
+    for (const base::NodeId n : rules.nodes(crack_faces, scene.pairs.back())) {
       for (std::size_t c = 0; c < dim; ++c) {
         make_freedom_external(dim * n.index() + c, *scene.ties, scene.cls);
       }

@@ -3,6 +3,7 @@
 
 #include "analysis/scene/scene_heat.hpp"
 #include "analysis/steps/resting_forces.hpp"
+#include "base/by_dimension.hpp"
 #include "fe/assemble.hpp"
 #include "fe/thermal.hpp"
 #include "model/model.hpp"
@@ -29,8 +30,9 @@ double round_off_force(const model::Model& model, const model::Mesh& mesh) {
   const double extent = (high - low).norm();
   double softest = std::numeric_limits<double>::infinity();
   for (const model::ElementProperty& property : model.properties) {
-    const double depth = mesh.dim == 2 ? property.thickness : extent;
-    softest = std::min(softest, model.materials[property.material.index()].E * depth * extent);
+    const base::ByDimension<double> depth{property.thickness, extent};
+    softest = std::min(softest,
+                       model.materials[property.material.index()].E * depth.at(mesh.dim) * extent);
   }
   return std::isfinite(softest) ? 1e-13 * softest : 0.0;
 }
