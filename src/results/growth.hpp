@@ -70,7 +70,7 @@ struct GrowthResult {
   [[nodiscard]] double final_cycles() const { return curve.empty() ? 0.0 : curve.back().cycles; }
 };
 
-/// Cycles until tip `tip` of the list has length `a` [length]; not a number outside the curve.
-double cycles_at_length(const GrowthResult& growth, std::size_t tip, double a);
+/// Cycles until point `point` of the list has length `a` [length]; not a number outside the curve.
+double cycles_at_length(const GrowthResult& growth, std::size_t point, double a);
 
 } // namespace spricka::results

@@ -52,7 +52,7 @@ void add_carriers(const CondensationRequest& request, const fe::Body& piece,
                              });
   };
   make_node_external(request, piece.nodes.front(), cls);
-  // Of dim nodes that are on no line with others nothing can turn.
+  // Two nodes hold a body in the plane; in space it still turns about their line.
   base::Vec3 d = base::Vec3::Zero();
   for (int nodes = 1; nodes < mesh.dim; ++nodes) {
     const base::NodeId far = farthest(

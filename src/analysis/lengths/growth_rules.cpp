@@ -32,9 +32,9 @@ template <class No> bool ligament_can_yield(const model::Model& model, const No&
 
 // A front of the deck's nodes, or a tip in the plane with PATCH=NO.
 bool keeps_own_mesh(const model::Model& model, std::size_t crack) {
-  const model::CrackDefinition& of = model.cracks[crack];
-  return of.kind == model::CrackDefinitionKind::front ||
-         (of.is_line() &&
+  const model::CrackDefinition& definition = model.cracks[crack];
+  return definition.kind == model::CrackDefinitionKind::front ||
+         (definition.is_line() &&
           std::ranges::any_of(model.tip_nets, [&](const model::TipMeshSettings& tip) {
             return !tip.patch && tip.crack.index() == crack;
           }));

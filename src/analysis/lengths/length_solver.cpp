@@ -145,13 +145,15 @@ std::optional<results::Increment> CrackStateSolver::solve(const CrackStateReques
 void CrackStateSolver::measure_sections(const Discretisation& scene,
                                         const results::Increment& increment) {
   plastic_.clear();
-  if (!model_.growth || !model_.growth->flow_stress || scene.has_tips()) {
+  if (!model_.growth || !model_.growth->flow_stress) {
     return;
   }
-  const base::Vector& u = increment.steps[largest_load_step(model_)].u;
   for (const mesh::CrackFront& front : scene.cracked.fronts) {
-    plastic_.push_back(growth::plastic_load_ratio({model_, scene.cracked, *scene.ties, scene.cls},
-                                                  front, u, *model_.growth->flow_stress));
+    if (!front.is_tip()) {
+      plastic_.push_back(growth::plastic_load_ratio(
+          {model_, scene.cracked, *scene.ties, scene.cls}, front,
+          increment.steps[largest_load_step(model_)].u, *model_.growth->flow_stress));
+    }
   }
 }
 

@@ -83,26 +83,26 @@ std::string ratio_words(const model::Model& model, const results::RunResult& run
   return out;
 }
 
-/// What is found of a front at a station.
+/// What is found of a point of a front at a station.
 struct StationRow {
   const results::GrowthStation& station;
-  const results::GrownPointResult& front;
+  const results::GrownPointResult& point;
 };
 using Grown = results::GrownPointResult;
 
 std::vector<StationRow> station_rows(const results::GrowthResult& growth) {
   std::vector<StationRow> rows;
   for (const results::GrowthStation& station : growth.stations) {
-    for (const Grown& front : station.points) {
-      rows.push_back({station, front});
+    for (const Grown& point : station.points) {
+      rows.push_back({station, point});
     }
   }
   return rows;
 }
 
-/// A value of a row's front, times a unit.
+/// A value of a row's point, times a unit.
 auto grown(double Grown::*member, double unit = 1.0) {
-  return [=](const StationRow& row) { return row.front.*member * unit; };
+  return [=](const StationRow& row) { return row.point.*member * unit; };
 }
 
 } // namespace
@@ -116,16 +116,16 @@ void write_life_csv(const std::filesystem::path& file, const model::Model& model
   Columns<StationRow> columns;
   columns.exact("increment", [](const StationRow& row) { return row.station.increment; })
       .exact("N", [](const StationRow& row) { return row.station.cycles; })
-      .exact("tip", [](const StationRow& row) { return row.front.name; })
+      .exact("tip", [](const StationRow& row) { return row.point.name; })
       .exact("a", grown(&Grown::a))
       .exact("K_max", grown(&Grown::K_max))
       .exact("K_min", grown(&Grown::K_min))
-      .exact("delta_K", [](const StationRow& row) { return row.front.K_max - row.front.K_min; })
+      .exact("delta_K", [](const StationRow& row) { return row.point.K_max - row.point.K_min; })
       .exact("K2_max", grown(&Grown::K2_max))
       .exact("da_dN", grown(&Grown::rate))
       .exact("turn", grown(&Grown::turn, degrees_per_radian));
   for (int c = 0; c < model.mesh.dim; ++c) {
-    columns.exact(std::string(1, "xyz"[c]), [c](const StationRow& row) { return row.front.x[c]; });
+    columns.exact(std::string(1, "xyz"[c]), [c](const StationRow& row) { return row.point.x[c]; });
   }
   if (growth.followed) {
     columns.exact("K_max_first", grown(&Grown::first_max))
@@ -170,7 +170,7 @@ ReportTable growth_station_table(const model::Model& model, const results::RunRe
   Columns<StationRow> columns;
   columns.number("increment", "", [](const StationRow& row) { return row.station.increment; })
       .number("N", growth.unit, [](const StationRow& row) { return row.station.cycles; })
-      .words("tip", [](const StationRow& row) { return row.front.name; })
+      .words("tip", [](const StationRow& row) { return row.point.name; })
       .number("a", units.length_name, grown(&Grown::a))
       .number("K max", K, grown(&Grown::K_max))
       .number("K min", K, grown(&Grown::K_min))
