@@ -113,6 +113,10 @@ void crack(DeckContext& c, const CheckedCard& card) {
   crack.span = card.span;
   if (card.has_key("PATH")) {
     crack_path(c, card, crack);
+    if (c.mesh_sound && c.model.mesh.element_count() > 0 && !c.is_certainly_plane()) {
+      c.error(card.find("PATH")->span, "E313", "a crack path belongs to elements in the plane",
+              "in space a crack has FRONT, A and C of an ellipse, or points x y z");
+    }
   } else if (card.has_key("FRONT")) {
     crack.kind = model::CrackDefinitionKind::front;
     crack.path = resolve_node_set(c, card.name_reference("FRONT")).value_or(base::NodeSetId());
