@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/by_dimension.hpp"
 #include "base/exit_codes.hpp"
 #include "report/check_listing.hpp"
 
@@ -82,35 +83,35 @@ json of(const results::LoadTotal& l) {
   return {{"case", l.load_case}, {"force", place(l.force)}, {"moment", place(l.moment)}};
 }
 
-json of(const results::FrontPreview& f, bool space) {
-  if (!space) {
-    return {{"tip", f.name},     {"a", f.a},           {"mouth", place(f.mouth)},
-            {"at", place(f.at)}, {"radius", f.radius}, {"size", f.size}};
-  }
+json tip_json(const results::FrontPreview& f) {
+  return {{"tip", f.name},     {"a", f.a},           {"mouth", place(f.mouth)},
+          {"at", place(f.at)}, {"radius", f.radius}, {"size", f.size}};
+}
+
+json front_json(const results::FrontPreview& f) {
   return {{"front", f.name},    {"kind", f.kind},         {"a", f.a},           {"at", place(f.at)},
           {"length", f.length}, {"elements", f.elements}, {"radius", f.radius}, {"size", f.size}};
 }
 
-json of(const results::CrackLengthPreview& l, bool space) {
-  const json ends = array_of(l.fronts, [&](const auto& f) { return of(f, space); });
-  return {{"number", l.number},
-          {"a", l.a},
-          {"nodes", l.nodes},
-          {"elements", l.elements},
-          {"elements_cut", l.replaced},
-          {"elements_new", l.fresh},
-          {"contact_rows", l.rows},
-          {"nets_new", l.condensed},
-          {"nets_reused", l.reused},
-          {"unknowns_new", l.unknowns},
-          {"externals", l.externals},
-          {"factor_entries", l.factor_entries},
-          {"flops", l.flops},
-          {"memory", l.memory},
-          {"cpu", l.seconds},
-          {"tips", space ? json::array() : ends},
-          {"fronts", space ? ends : json::array()},
-          {"notes", l.notes}};
+/// The list that fronts stand in, and what it tells of each.
+struct FrontList {
+  const char* name;
+  json (*of)(const results::FrontPreview&);
+};
+constexpr base::ByDimension<FrontList> front_lists{{"tips", tip_json}, {"fronts", front_json}};
+
+json of(const results::CrackLengthPreview& l, const FrontList& list) {
+  json out{{"number", l.number},         {"a", l.a},
+           {"nodes", l.nodes},           {"elements", l.elements},
+           {"elements_cut", l.replaced}, {"elements_new", l.fresh},
+           {"contact_rows", l.rows},     {"nets_new", l.condensed},
+           {"nets_reused", l.reused},    {"unknowns_new", l.unknowns},
+           {"externals", l.externals},   {"factor_entries", l.factor_entries},
+           {"flops", l.flops},           {"memory", l.memory},
+           {"cpu", l.seconds},           {"tips", json::array()},
+           {"fronts", json::array()},    {"notes", l.notes}};
+  out[list.name] = array_of(l.fronts, list.of);
+  return out;
 }
 
 json of(const results::SymmetryPlanePreview& m) {
@@ -128,29 +129,30 @@ json of(const results::ReportedScriptConstant& c) {
 
 std::string deck_preview_json(const results::DeckPreview& p, base::Outcome outcome) {
   const auto make = [](const auto& entry) { return of(entry); };
-  const json out{{"spricka", SPRICKA_VERSION},
-                 {"deck", p.deck},
-                 {"title", p.title},
-                 {"length_unit", p.length_unit},
-                 {"exit_code", base::exit_code(outcome)},
-                 {"nets", array_of(p.nets, make)},
-                 {"quality", array_of(p.quality, make)},
-                 {"inside_out", p.inside_out},
-                 {"contacts", array_of(p.pairs, make)},
-                 {"bodies", array_of(p.bodies, make)},
-                 {"loads", array_of(p.loads, make)},
-                 {"symmetry", array_of(p.mirrors, make)},
-                 {"lengths", array_of(p.lengths, [&](const auto& l) { return of(l, p.dim == 3); })},
-                 {"scripts", array_of(p.scripts, make)},
-                 {"steps", p.steps},
-                 {"sweep", p.sweep},
-                 {"warnings", p.warnings},
-                 {"forecast",
-                  {{"memory", p.memory},
-                   {"machine_memory", p.machine_memory},
-                   {"flops", p.flops},
-                   {"cpu", p.seconds},
-                   {"flop_rate", p.flop_rate}}}};
+  const json out{
+      {"spricka", SPRICKA_VERSION},
+      {"deck", p.deck},
+      {"title", p.title},
+      {"length_unit", p.length_unit},
+      {"exit_code", base::exit_code(outcome)},
+      {"nets", array_of(p.nets, make)},
+      {"quality", array_of(p.quality, make)},
+      {"inside_out", p.inside_out},
+      {"contacts", array_of(p.pairs, make)},
+      {"bodies", array_of(p.bodies, make)},
+      {"loads", array_of(p.loads, make)},
+      {"symmetry", array_of(p.mirrors, make)},
+      {"lengths", array_of(p.lengths, [&](const auto& l) { return of(l, front_lists.at(p.dim)); })},
+      {"scripts", array_of(p.scripts, make)},
+      {"steps", p.steps},
+      {"sweep", p.sweep},
+      {"warnings", p.warnings},
+      {"forecast",
+       {{"memory", p.memory},
+        {"machine_memory", p.machine_memory},
+        {"flops", p.flops},
+        {"cpu", p.seconds},
+        {"flop_rate", p.flop_rate}}}};
   return out.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 

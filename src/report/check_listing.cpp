@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/check_listing.hpp"
 
+#include "base/by_dimension.hpp"
 #include "report/drawing/columns.hpp"
 #include "report/topics/model_tables.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -24,8 +26,9 @@ std::string percent(double part) {
 std::string place(const base::Vec3& x, int dim) {
   const double size = x.norm(); // what is round-off of the other coordinate is 0
   const auto tidy = [size](double v) { return std::abs(v) < 1e-9 * size ? 0.0 : v; };
-  const std::string plane = fmt::format("{:.5g}, {:.5g}", tidy(x.x()), tidy(x.y()));
-  return dim == 3 ? fmt::format("({}, {:.5g})", plane, tidy(x.z())) : "(" + plane + ")";
+  const base::Vec3 shown = x.unaryExpr(tidy);
+  return fmt::format("({:.5g})",
+                     fmt::join(std::span(shown.data(), static_cast<std::size_t>(dim)), ", "));
 }
 
 std::string megabytes(double bytes) {
@@ -119,31 +122,46 @@ struct CrackRow {
   const results::FrontPreview& front;
 };
 
+auto number_of(double results::FrontPreview::*member) {
+  return [=](const CrackRow& row) { return row.front.*member; };
+}
+
+template <int dim> auto place_of(base::Vec3 results::FrontPreview::*member) {
+  return [=](const CrackRow& row) { return place(row.front.*member, dim); };
+}
+
+void add_tip_columns(Columns<CrackRow>& columns, const std::string& unit) {
+  columns.number("a", unit, number_of(&results::FrontPreview::a), four)
+      .words("mouth", place_of<2>(&results::FrontPreview::mouth), unit)
+      .words("tip at", place_of<2>(&results::FrontPreview::at), unit);
+}
+
+void add_front_columns(Columns<CrackRow>& columns, const std::string& unit) {
+  columns.words("kind", [](const CrackRow& row) { return row.front.kind; })
+      .number("as a circle of", unit, number_of(&results::FrontPreview::a), four)
+      .number("length of front", unit, number_of(&results::FrontPreview::length), four)
+      .words("half way at", place_of<3>(&results::FrontPreview::at), unit)
+      .number("elements", "", [](const CrackRow& row) { return row.front.elements; });
+}
+
+/// How cracks are listed.
+struct CrackListing {
+  const char* front;
+  const char* patch;
+  void (*add)(Columns<CrackRow>&, const std::string& unit);
+  bool notes; ///< rings and sectors, patches that are shared, ties
+};
+constexpr base::ByDimension<CrackListing> crack_listings{
+    {"tip", "rosette", add_tip_columns, false}, {"front", "tube", add_front_columns, true}};
+
 ReportTable cracks(const DeckPreview& p) {
   const std::string& unit = p.length_unit;
-  const int dim = p.dim;
-  const auto number_of = [](double results::FrontPreview::*member) {
-    return [=](const CrackRow& row) { return row.front.*member; };
-  };
-  const auto place_of = [=](base::Vec3 results::FrontPreview::*member) {
-    return [=](const CrackRow& row) { return place(row.front.*member, dim); };
-  };
+  const CrackListing& listing = crack_listings.at(p.dim);
   Columns<CrackRow> columns;
   columns.number("length", "", [](const CrackRow& row) { return row.length.number; });
-  columns.words(dim == 3 ? "front" : "tip", [](const CrackRow& row) { return row.front.name; });
-  if (dim == 3) {
-    columns.words("kind", [](const CrackRow& row) { return row.front.kind; })
-        .number("as a circle of", unit, number_of(&results::FrontPreview::a), four)
-        .number("length of front", unit, number_of(&results::FrontPreview::length), four)
-        .words("half way at", place_of(&results::FrontPreview::at), unit)
-        .number("elements", "", [](const CrackRow& row) { return row.front.elements; });
-  } else {
-    columns.number("a", unit, number_of(&results::FrontPreview::a), four)
-        .words("mouth", place_of(&results::FrontPreview::mouth), unit)
-        .words("tip at", place_of(&results::FrontPreview::at), unit);
-  }
-  columns
-      .number(dim == 3 ? "tube" : "rosette", unit, number_of(&results::FrontPreview::radius), four)
+  columns.words(listing.front, [](const CrackRow& row) { return row.front.name; });
+  listing.add(columns, unit);
+  columns.number(listing.patch, unit, number_of(&results::FrontPreview::radius), four)
       .number("tip element", unit, number_of(&results::FrontPreview::size), four)
       .where([](const CrackRow& row) { return &row.front == row.length.fronts.data(); })
       .number("elements cut", "", [](const CrackRow& row) { return row.length.replaced; })
@@ -197,10 +215,11 @@ std::string deck_preview_listing(const DeckPreview& preview) {
     out += to_text_after_blank_line(table);
   }
   out += to_text_after_blank_line(script_constant_table(preview.scripts));
-  // Of cracks in space notes tell more: rings and sectors, patches that are shared, ties.
   for (const results::CrackLengthPreview& length : preview.lengths) {
-    for (const std::string& note : preview.dim == 3 ? length.notes : std::vector<std::string>()) {
-      out += fmt::format("\n  note: {}", note);
+    if (crack_listings.at(preview.dim).notes) {
+      for (const std::string& note : length.notes) {
+        out += fmt::format("\n  note: {}", note);
+      }
     }
   }
   out += fmt::format("\n  {} elements turned inside out\n", preview.inside_out);

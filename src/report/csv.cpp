@@ -57,7 +57,7 @@ void write_pressure_csv(const std::filesystem::path& file, const model::Model& m
   columns.exact("contact", [](const PressureRow& row) { return row.contact.name; });
   for (const results::ContactPointQuantity& q : results::point_quantities) {
     if (!q.appears_in(results::in_pressure_csv) || (q.friction && !rubs) ||
-        (q.space && model.mesh.dim != 3)) {
+        model.mesh.dim < q.least_dim) {
       continue;
     }
     if (q.is_word()) {

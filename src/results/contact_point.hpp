@@ -57,7 +57,7 @@ struct ContactPointQuantity {
   ContactState ContactPoint::*state = nullptr; ///< it is a word
   unsigned places = in_all_pressures;
   bool friction = false; ///< shown where there is some; results.h5 has it always
-  bool space = false;    ///< in pressure.csv only between solids
+  int least_dim = 2;     ///< of the models that have it in pressure.csv: z and shear in space
 
   /// Whether the quantity is shown in an output.
   [[nodiscard]] bool appears_in(ContactPointOutputPlace place) const {
@@ -80,14 +80,15 @@ template <int c> double shear_component(const ContactPoint& point) {
 }
 
 /// A quantity that is a coordinate of the node; of the third only between solids.
-constexpr ContactPointQuantity
-node_coordinate_quantity(const char* name, ContactPointQuantity::Function* computed, bool space) {
+constexpr ContactPointQuantity node_coordinate_quantity(const char* name,
+                                                        ContactPointQuantity::Function* computed,
+                                                        int least_dim) {
   return {.name = name,
           .kind = base::Quantity::length,
           .doc = "the node, undeformed",
           .computed = computed,
           .places = in_pressure_csv | in_pressure_h5,
-          .space = space};
+          .least_dim = least_dim};
 }
 
 /// A quantity that is a component of the shear traction.
@@ -99,14 +100,14 @@ constexpr ContactPointQuantity shear_component_quantity(const char* name,
           .computed = computed,
           .places = in_pressure_csv,
           .friction = true,
-          .space = true};
+          .least_dim = 3};
 }
 
 /// In the order of pressure.csv: name of the contact and increment stand in front of them.
 inline constexpr std::array point_quantities{
-    node_coordinate_quantity("x", node_coordinate<0>, false),
-    node_coordinate_quantity("y", node_coordinate<1>, false),
-    node_coordinate_quantity("z", node_coordinate<2>, true),
+    node_coordinate_quantity("x", node_coordinate<0>, 2),
+    node_coordinate_quantity("y", node_coordinate<1>, 2),
+    node_coordinate_quantity("z", node_coordinate<2>, 3),
     ContactPointQuantity{
         .name = "theta",
         .kind = base::Quantity::angle,
@@ -118,7 +119,7 @@ inline constexpr std::array point_quantities{
                          .doc = "length along the slave, in space along its axis",
                          .member = &ContactPoint::arc,
                          .places = in_pressure_csv | in_pressure_h5,
-                         .space = true},
+                         .least_dim = 3},
     ContactPointQuantity{.name = "p_lumped",
                          .kind = base::Quantity::stress,
                          .doc = "pressure, force over the node's share of the surface",

@@ -55,8 +55,8 @@ enum class ContactQuantityCondition {
   with_friction,
   where_it_sticks, ///< in the plane
   in_plane,
-  in_space,
-  with_friction_in_space
+  between_solids,
+  with_friction_between_solids
 };
 
 /// One number of a contact; a name that is empty: it is not there.
@@ -78,7 +78,7 @@ inline constexpr auto contact_quantities = std::to_array<ContactQuantity>({
     {"PMIN", "", base::Quantity::stress, "smallest pressure of the multipliers",
      &ContactResult::min_pressure},
     {"", "CONTACT.AREA", base::Quantity::area, "area of the part in contact, between solids",
-     &ContactResult::area, ContactQuantityCondition::in_space},
+     &ContactResult::area, ContactQuantityCondition::between_solids},
     {"", "ARC.FROM", base::Quantity::angle,
      "first angle of the longest part in contact; on a slave that is no circle the length along it",
      &ContactResult::arc_from, ContactQuantityCondition::in_plane},
@@ -89,7 +89,7 @@ inline constexpr auto contact_quantities = std::to_array<ContactQuantity>({
     {"", "STICK.TO", base::Quantity::angle, "last angle of the part that sticks, or length",
      &ContactResult::stick_to, ContactQuantityCondition::where_it_sticks},
     {"", "STICK.AREA", base::Quantity::area, "area of the part that sticks, between solids",
-     &ContactResult::stick_area, ContactQuantityCondition::with_friction_in_space},
+     &ContactResult::stick_area, ContactQuantityCondition::with_friction_between_solids},
     {"", "SLIP.MAX", base::Quantity::length, "longest way a point has slipped, to and fro",
      &ContactResult::max_slip, ContactQuantityCondition::with_friction},
     {"", "FRICTION.WORK", base::Quantity::energy, "work that friction has taken",

@@ -6,6 +6,7 @@
 #include "results/store_fields.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <string_view>
 #include <type_traits>
@@ -96,7 +97,8 @@ std::string flaw_of_connectivity(const model::Mesh& mesh) {
 std::string flaw_of_mesh(const model::Mesh& mesh) {
   const std::size_t nodes = mesh.node_count();
   const std::size_t elements = mesh.element_count();
-  if (mesh.dim != 2 && mesh.dim != 3) {
+  constexpr std::array known{2, 3};
+  if (std::ranges::find(known, mesh.dim) == known.end()) {
     return fmt::format("a mesh of {} dimensions", mesh.dim);
   }
   if (mesh.node_label.size() != nodes || mesh.node_net.size() != nodes ||

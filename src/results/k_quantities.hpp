@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/by_dimension.hpp"
 #include "base/quantity.hpp"
 #include "results/front_result.hpp"
 
@@ -48,8 +49,7 @@ struct KQuantity {
   double FrontPointResult::*member = nullptr; ///< where the record has it, or
   /// how it follows from the records.
   Function* computed = nullptr;
-  unsigned tip_places = 0;   ///< where it is found of a tip in the plane
-  unsigned front_places = 0; ///< where it is found of a front in space
+  base::ByDimension<unsigned> places{0, 0}; ///< where it is found of tips and of fronts in space
   KQuantityCondition given = KQuantityCondition::always;
   bool judges = false; ///< tells how good another is: stored behind the others of a step's point
   int mode = -1;       ///< 0, 1, 2: K1, K2, K3 or its smooth curve; -1: another quantity
@@ -58,7 +58,7 @@ struct KQuantity {
 
   /// Whether runs in `dim` dimensions have it there.
   [[nodiscard]] bool appears_in(KOutputPlace place, int dim) const {
-    return ((dim == 2 ? tip_places : front_places) & place) != 0;
+    return (places.at(dim) & place) != 0;
   }
   /// The number of this quantity at a point of a front, from its record or computed.
   [[nodiscard]] double extract_value(const FrontResult& front,
@@ -120,8 +120,7 @@ constexpr KQuantity front_coordinate_quantity(const char* name, KQuantity::Funct
           .kind = base::Quantity::length,
           .doc = "place",
           .computed = computed,
-          .tip_places = in_results_h5,
-          .front_places = in_files | in_listing};
+          .places = {in_results_h5, in_files | in_listing}};
 }
 
 /// A quantity that is K1, K2 or K3 (mode 0, 1, 2) itself.
@@ -132,8 +131,7 @@ constexpr KQuantity k_mode_quantity(const char* name, std::string_view doc,
           .kind = base::Quantity::stress_intensity,
           .doc = doc,
           .member = member,
-          .tip_places = tip_places,
-          .front_places = in_files | in_listing | in_output | in_check,
+          .places = {tip_places, in_files | in_listing | in_output | in_check},
           .given = KQuantityCondition::in_one_material,
           .mode = mode,
           .digits = KQuantityDigits::six_beside_largest};
@@ -146,7 +144,7 @@ constexpr KQuantity smooth_k_quantity(const char* name, std::string_view doc,
           .kind = base::Quantity::stress_intensity,
           .doc = doc,
           .computed = computed,
-          .front_places = in_files,
+          .places = {0, in_files},
           .mode = mode};
 }
 
@@ -158,8 +156,7 @@ constexpr KQuantity error_bar_quantity(const char* name, std::string_view doc,
           .kind = base::Quantity::stress_intensity,
           .doc = doc,
           .computed = computed,
-          .tip_places = tip_places,
-          .front_places = front_places,
+          .places = {tip_places, front_places},
           .given = KQuantityCondition::with_bar,
           .judges = true};
 }
@@ -171,7 +168,7 @@ constexpr KQuantity k_by_opening_quantity(const char* name, std::string_view doc
           .kind = base::Quantity::stress_intensity,
           .doc = doc,
           .computed = computed,
-          .tip_places = in_k_csv | in_listing,
+          .places = {in_k_csv | in_listing, 0},
           .given = KQuantityCondition::with_opening,
           .judges = true,
           .heading = heading};
@@ -183,38 +180,37 @@ inline constexpr std::array k_quantities{
               .kind = base::Quantity::length,
               .doc = "crack length",
               .computed = [](const FrontResult& front, const FrontPointResult&) { return front.a; },
-              .tip_places = everywhere & ~(in_sweep | in_check),
-              .front_places = in_files},
+              .places = {everywhere & ~(in_sweep | in_check), in_files}},
     KQuantity{
         .name = "point",
         .kind = base::Quantity::number,
         .doc = "number of the point along the front",
         .computed = [](const FrontResult&,
                        const FrontPointResult& point) { return static_cast<double>(point.number); },
-        .front_places = in_files},
+        .places = {0, in_files}},
     KQuantity{
         .name = "at_surface",
         .kind = base::Quantity::number,
         .doc = "1 where the front ends at a surface",
         .computed = [](const FrontResult&,
                        const FrontPointResult& point) { return point.at_surface ? 1.0 : 0.0; },
-        .front_places = in_files},
+        .places = {0, in_files}},
     KQuantity{.name = "closed",
               .kind = base::Quantity::number,
               .doc = "1 where the faces behind the front touch",
               .computed = [](const FrontResult&,
                              const FrontPointResult& point) { return point.closed ? 1.0 : 0.0; },
-              .front_places = in_files},
+              .places = {0, in_files}},
     KQuantity{.name = "s",
               .kind = base::Quantity::length,
               .doc = "length along the front",
               .member = &FrontPointResult::s,
-              .front_places = in_files | in_listing},
+              .places = {0, in_files | in_listing}},
     KQuantity{.name = "phi",
               .kind = base::Quantity::angle,
               .doc = "parametric angle of an ellipse",
               .member = &FrontPointResult::phi,
-              .front_places = in_files | in_listing,
+              .places = {0, in_files | in_listing},
               .given = KQuantityCondition::with_angles},
     front_coordinate_quantity("x", front_coordinate<0>),
     front_coordinate_quantity("y", front_coordinate<1>),
@@ -226,15 +222,13 @@ inline constexpr std::array k_quantities{
               .kind = base::Quantity::energy_release,
               .doc = "energy release rate",
               .member = &FrontPointResult::G,
-              .tip_places = everywhere,
-              .front_places = in_files | in_listing | in_output | in_check,
+              .places = {everywhere, in_files | in_listing | in_output | in_check},
               .digits = KQuantityDigits::six_beside_largest},
     KQuantity{.name = "G_from_K",
               .kind = base::Quantity::energy_release,
               .doc = "energy release rate that K stands for",
               .member = &FrontPointResult::G_from_K,
-              .tip_places = in_listing,
-              .front_places = in_files,
+              .places = {in_listing, in_files},
               .given = KQuantityCondition::in_one_material,
               .heading = "(K1^2+K2^2)/E'",
               .digits = KQuantityDigits::six_beside_largest},
@@ -242,8 +236,7 @@ inline constexpr std::array k_quantities{
               .kind = base::Quantity::number,
               .doc = "largest less smallest K1 of the domains over K",
               .member = &FrontPointResult::spread,
-              .tip_places = in_files | in_listing,
-              .front_places = in_files | in_listing,
+              .places = {in_files | in_listing, in_files | in_listing},
               .given = KQuantityCondition::in_one_material,
               .judges = true,
               .digits = KQuantityDigits::two},
@@ -251,8 +244,8 @@ inline constexpr std::array k_quantities{
               .kind = base::Quantity::stress,
               .doc = "stress along the crack at the tip",
               .member = &FrontPointResult::T,
-              .tip_places = everywhere & ~(in_output | in_sweep),
-              .front_places = in_files | in_listing | in_output | in_check,
+              .places = {everywhere & ~(in_output | in_sweep),
+                         in_files | in_listing | in_output | in_check},
               .given = KQuantityCondition::in_one_material},
     smooth_k_quantity("K1_smooth", "K1 as a smooth function along the front", smooth_k<0>, 0),
     smooth_k_quantity("K2_smooth", "K2 as a smooth function along the front", smooth_k<1>, 1),

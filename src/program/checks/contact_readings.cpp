@@ -176,7 +176,7 @@ bool plane_only(Argument argument, const std::string& word) {
 double member_of(const results::ContactResult& contact, const results::ContactQuantity& quantity) {
   const bool friction =
       quantity.given == results::ContactQuantityCondition::with_friction ||
-      quantity.given == results::ContactQuantityCondition::with_friction_in_space ||
+      quantity.given == results::ContactQuantityCondition::with_friction_between_solids ||
       quantity.given == results::ContactQuantityCondition::where_it_sticks;
   if (friction && !contact.rubs) {
     throw MissingQuantity(fmt::format("contact {} has no friction in that step", contact.name));
@@ -185,8 +185,9 @@ double member_of(const results::ContactResult& contact, const results::ContactQu
       contact.sticking == 0) {
     throw MissingQuantity("nothing sticks");
   }
-  const bool space = quantity.given == results::ContactQuantityCondition::in_space ||
-                     quantity.given == results::ContactQuantityCondition::with_friction_in_space;
+  const bool space =
+      quantity.given == results::ContactQuantityCondition::between_solids ||
+      quantity.given == results::ContactQuantityCondition::with_friction_between_solids;
   if (space && !contact.space) {
     throw MissingQuantity(
         fmt::format("contact {} is one of the plane, which has arcs", contact.name));

@@ -160,13 +160,13 @@ std::string sensitivity_reply(const ShellSession& session) {
 }
 
 std::string contact_reply(const ShellSession& session, const results::ContactResult& contact) {
-  const bool solid = session.model().mesh.dim == 3;
+  const int dim = session.model().mesh.dim;
   std::vector<const results::ContactPointQuantity*> columns;
   for (const results::ContactPointQuantity& q : results::point_quantities) {
     const std::string_view name = q.name;
     const bool of_place = name == "theta" ? contact.round : name == "arc" && !contact.round;
     const bool other_place = name == "theta" || name == "arc";
-    const bool shown = (!q.space || solid) && (!q.friction || contact.sheared || q.is_word());
+    const bool shown = q.least_dim <= dim && (!q.friction || contact.sheared || q.is_word());
     if (of_place || (shown && !other_place)) {
       columns.push_back(&q);
     }

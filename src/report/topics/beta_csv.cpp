@@ -4,6 +4,7 @@
 #include "model/model.hpp"
 #include "report/drawing/columns.hpp"
 #include "report/drawing/file.hpp"
+#include "report/topics/dimension_columns.hpp"
 #include "results/half_axes.hpp"
 
 #include <fmt/format.h>
@@ -18,6 +19,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -148,9 +150,10 @@ Columns<BetaRow> beta_columns(const model::Model& model) {
   Columns<BetaRow> columns;
   columns.exact("increment", &BetaRow::increment);
   columns.exact("tip", [](const BetaRow& row) { return row.end.tip; });
-  for (std::size_t i = 0; i < (model.mesh.dim == 3 ? 2 : 1); ++i) {
+  const std::string_view half_axes = dimension_columns.at(model.mesh.dim).half_axes;
+  for (std::size_t i = 0; i < half_axes.size(); ++i) {
     columns.where([i](const BetaRow& row) { return row.half.at(i) > 0.0; });
-    columns.exact(i == 0 ? "a" : "c", [i](const BetaRow& row) { return row.half.at(i); });
+    columns.exact(std::string(1, half_axes[i]), [i](const BetaRow& row) { return row.half.at(i); });
   }
   columns.where({});
   columns.exact("where", [](const BetaRow& row) { return row.moment->where; });
@@ -207,11 +210,13 @@ void write_beta_csv(const std::filesystem::path& file, const model::Model& model
       }
     }
   }
-  const bool space = model.mesh.dim == 3;
-  const std::string units = fmt::format(
-      "a{3} [{0}], K1 K2 [{1}], beta [{2}] = K1/sqrt(pi a){4}, factors and t [1]",
-      model.units.length_name, model.units.stress_intensity_name(), model.units.stress_name(),
-      space ? " c" : "", space ? ", of tips C K1/sqrt(pi c)" : "");
+  constexpr base::ByDimension axes{std::pair("a", ""),
+                                   std::pair("a c", ", of tips C K1/sqrt(pi c)")};
+  const auto& [names, of_c] = axes.at(model.mesh.dim);
+  const std::string units =
+      fmt::format("{} [{}], K1 K2 [{}], beta [{}] = K1/sqrt(pi a){}, factors and t [1]", names,
+                  model.units.length_name, model.units.stress_intensity_name(),
+                  model.units.stress_name(), of_c);
   write_file(file, beta_columns(model).csv(units, rows));
 }
 

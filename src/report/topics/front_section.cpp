@@ -180,7 +180,7 @@ std::vector<Figure> front_figures(const model::Model& model, const results::RunR
 
 std::vector<Figure> beach_mark_figures(const model::Model& model, const results::RunResult& run) {
   std::vector<Figure> figures;
-  if (!run.growth || model.mesh.dim != 3) {
+  if (!run.growth) {
     return figures;
   }
   const std::vector<results::GrowthStation>& stations = run.growth->stations;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/by_dimension.hpp"
 #include "model/model.hpp"
 #include "report/drawing/mesh_picture.hpp"
 #include "report/drawing/picture_frame.hpp"
@@ -321,12 +322,11 @@ void set_window(MeshView& view, const GrowthResult& growth) {
 }
 
 /// The last mesh with the way that the tips took, K beside it.
-std::optional<Figure> path_figure(const model::Model& model, const results::RunResult& run,
-                                  const GrowthResult& growth) {
-  if (run.increments.empty() || run.increments.back().mesh.dim != 2 ||
-      run.increments.back().mesh.nodes.empty() || growth.stations.empty()) {
-    return std::nullopt;
+std::vector<Figure> path_figures(const model::Model& model, const results::RunResult& run) {
+  if (run.increments.empty() || run.increments.back().mesh.nodes.empty()) {
+    return {};
   }
+  const GrowthResult& growth = *run.growth;
   MeshView view;
   view.mesh = &run.increments.back().mesh;
   view.id = "growth-path";
@@ -345,11 +345,11 @@ std::optional<Figure> path_figure(const model::Model& model, const results::RunR
       }
     }
   }
-  return Figure{{draw_svg(view)},
-                "",
-                fmt::format("The mesh at the last length that was solved, with places of "
-                            "the tips. Numbers: K at the largest load there [{}].",
-                            typeset_unit(model.units.stress_intensity_name()))};
+  return {{{draw_svg(view)},
+           "",
+           fmt::format("The mesh at the last length that was solved, with places of "
+                       "the tips. Numbers: K at the largest load there [{}].",
+                       typeset_unit(model.units.stress_intensity_name()))}};
 }
 
 } // namespace
@@ -362,8 +362,8 @@ std::vector<Figure> growth_figures(const model::Model& model, const results::Run
   std::vector<Figure> figures{life_figure(model, run), range_figure(model, run)};
   add_figure(figures, law_figure(model, growth));
   add_figure(figures, exceedance_figure(model, growth));
-  add_figure(figures, path_figure(model, run, growth));
-  std::ranges::move(beach_mark_figures(model, run), std::back_inserter(figures));
+  constexpr base::ByDimension grown{path_figures, beach_mark_figures};
+  std::ranges::move(grown.at(model.mesh.dim)(model, run), std::back_inserter(figures));
   return figures;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/topics/k_section.hpp"
 
+#include "base/by_dimension.hpp"
+#include "model/model.hpp"
 #include "report/topics/front_section.hpp"
 #include "report/topics/k_tables.hpp"
 #include "report/topics/result_rows.hpp"
@@ -149,13 +151,19 @@ std::vector<std::string> missing_error_bar_reasons(const results::RunResult& run
   return words;
 }
 
-KReportSection make_k_report_section(const model::Model& model, const results::RunResult& run) {
+namespace {
+
+KReportSection front_section(const model::Model& model, const results::RunResult& run) {
   KReportSection section;
-  if (model.mesh.dim == 3 && !run.increments.empty()) {
+  if (!run.increments.empty()) {
     section.pictures = front_figures(model, run);
     section.tables = front_tables(model, run.increments.back());
-    return section;
   }
+  return section;
+}
+
+KReportSection tip_section(const model::Model& model, const results::RunResult& run) {
+  KReportSection section;
   const auto steps = largest_of_steps(run);
   const std::string leading = leading_step_name(model);
   double largest = 0.0;
@@ -195,6 +203,13 @@ KReportSection make_k_report_section(const model::Model& model, const results::R
   add_figure(section.curves, k_figure(model, run));
   add_figure(section.curves, normalised_k_figure(model, run));
   return section;
+}
+
+} // namespace
+
+KReportSection make_k_report_section(const model::Model& model, const results::RunResult& run) {
+  constexpr base::ByDimension sections{tip_section, front_section};
+  return sections.at(model.mesh.dim)(model, run);
 }
 
 } // namespace spricka::report

@@ -4,10 +4,12 @@
 #include "model/model.hpp"
 #include "report/drawing/columns.hpp"
 #include "report/drawing/file.hpp"
+#include "report/topics/dimension_columns.hpp"
 #include "report/topics/result_rows.hpp"
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -23,16 +25,15 @@ std::string changes_at(const model::Mesh& mesh, const results::LoadPathResult& p
     if (change.t != t) {
       continue;
     }
-    if (mesh.dim == 3) {
-      const base::Vec3& x = mesh.x[change.node.index()];
-      text += fmt::format("{}{}{}@{:.6g}/{:.6g}/{:.6g}", text.empty() ? "" : " ",
-                          change.closes ? '+' : '-', change.contact, x.x(), x.y(), x.z());
-      continue;
+    double along = change.place;
+    std::span<const double> place(&along, 1);
+    if (!dimension_columns.at(mesh.dim).arcs) {
+      place = {mesh.x[change.node.index()].data(), 3};
+    } else if (const auto* contact = results::find_contact(path, change.contact)) {
+      along = place_in_table_units(*contact, along);
     }
-    const results::LoadPathContact* contact = results::find_contact(path, change.contact);
-    text += fmt::format(
-        "{}{}{}@{:.6g}", text.empty() ? "" : " ", change.closes ? '+' : '-', change.contact,
-        contact == nullptr ? change.place : place_in_table_units(*contact, change.place));
+    text += fmt::format("{}{}{}@{:.6g}", text.empty() ? "" : " ", change.closes ? '+' : '-',
+                        change.contact, fmt::join(place, "/"));
   }
   return text;
 }
@@ -79,7 +80,8 @@ void add_contact_columns(Columns<PathRow>& columns, const std::string& name) {
   columns.exact(name + ".closed", [=](const PathRow& row) { return found(row)->closed[row.knot]; });
   columns.where([=](const PathRow& row) { // solids have no arcs
     const results::LoadPathContact* const contact = found(row);
-    return contact != nullptr && contact->closed[row.knot] > 0 && row.increment.mesh.dim != 3;
+    return contact != nullptr && contact->closed[row.knot] > 0 &&
+           dimension_columns.at(row.increment.mesh.dim).arcs;
   });
   columns.exact(name + ".from", [=](const PathRow& row) {
     return place_in_table_units(*found(row), found(row)->from[row.knot]);
@@ -161,7 +163,8 @@ void write_load_path_csv(const std::filesystem::path& file, const model::Model& 
 
 void write_load_path_fronts_csv(const std::filesystem::path& file, const model::Model& model,
                                 const results::RunResult& run) {
-  if (model.load_paths.empty() || model.mesh.dim != 3 || model.cracks.empty()) {
+  if (model.load_paths.empty() || model.cracks.empty() ||
+      !dimension_columns.at(model.mesh.dim).points) {
     return;
   }
   Columns<PathRow> columns = knot_columns();

@@ -4,6 +4,7 @@
 #include "model/model.hpp"
 #include "report/drawing/columns.hpp"
 #include "report/drawing/plot.hpp"
+#include "report/topics/dimension_columns.hpp"
 #include "report/topics/result_rows.hpp"
 
 #include <fmt/format.h>
@@ -238,7 +239,7 @@ ReportTable contact_opening_table(const results::Increment& increment) {
               [](const OpeningRow& row) { return row.contact.closed.front(); })
       .number("at end", "", [=](const OpeningRow& row) { return row.contact.closed[last(row)]; })
       .number("of", "", [](const OpeningRow& row) { return row.contact.rows; });
-  if (increment.mesh.dim == 2) {
+  if (dimension_columns.at(increment.mesh.dim).arcs) {
     columns.number("arc at begin", "", [](const OpeningRow& row) { return arc(row.contact, 0); })
         .number("arc at end", "",
                 [=](const OpeningRow& row) { return arc(row.contact, last(row)); });

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/by_dimension.hpp"
 #include "model/model.hpp"
 #include "model/property_points.hpp"
 #include "report/drawing/mesh_picture.hpp"
@@ -294,7 +295,8 @@ std::optional<Figure> crack_figure(const model::Model& model, const results::Run
 }
 
 /// The surface of the last length's leading step, or where to see it.
-std::vector<Figure> solid_figures(const model::Model& model, const results::Increment& increment) {
+std::vector<Figure> solid_figures(const model::Model& model, const results::RunResult& run) {
+  const results::Increment& increment = run.increments.back();
   const results::StepResult* const step = stressed(model, increment);
   if (step == nullptr || increment.surface.empty()) {
     return {};
@@ -319,18 +321,12 @@ std::vector<Figure> solid_figures(const model::Model& model, const results::Incr
                has_significant_stress(model, increment, *step) ? "" : ": nothing but round-off")}};
 }
 
-} // namespace
-
-std::vector<Figure> mesh_figures(const model::Model& model, const results::RunResult& run) {
+std::vector<Figure> plane_figures(const model::Model& model, const results::RunResult& run) {
   std::vector<Figure> figures;
-  if (!run.increments.empty() && run.increments.back().mesh.dim == 3) {
-    return solid_figures(model, run.increments.back());
-  }
-  if (run.increments.empty() || run.increments.back().mesh.dim != 2 ||
-      run.increments.back().mesh.nodes.empty()) {
+  const results::Increment& last = run.increments.back();
+  if (last.mesh.nodes.empty()) {
     return figures;
   }
-  const results::Increment& last = run.increments.back();
   figures.push_back(whole_mesh(model, last));
   add_figure(figures, field_figure(model, last));
   if (const results::StepResult* const step = leading_step_result(model, last)) {
@@ -339,6 +335,14 @@ std::vector<Figure> mesh_figures(const model::Model& model, const results::RunRe
     }
   }
   return figures;
+}
+
+} // namespace
+
+std::vector<Figure> mesh_figures(const model::Model& model, const results::RunResult& run) {
+  constexpr base::ByDimension figures{plane_figures, solid_figures};
+  return run.increments.empty() ? std::vector<Figure>()
+                                : figures.at(run.increments.back().mesh.dim)(model, run);
 }
 
 } // namespace spricka::report

@@ -4,6 +4,7 @@
 #include "base/tidy.hpp"
 #include "model/model.hpp"
 #include "report/drawing/columns.hpp"
+#include "report/topics/dimension_columns.hpp"
 
 #include <fmt/format.h>
 
@@ -161,9 +162,9 @@ ReportTable load_total_table(const std::vector<results::LoadTotal>& loads,
     columns.number(fmt::format("F{}", "xyz"[d]), form.force_unit,
                    [d](const Total& load) { return load.force[d]; });
   }
-  for (int d = form.dim == 3 ? 0 : 2; d < 3; ++d) { // in the plane about z alone
-    columns.number(fmt::format("M{}", "xyz"[d]), moment,
-                   [d](const Total& load) { return load.moment[d]; });
+  for (const char axis : dimension_columns.at(form.dim).moment_axes) {
+    columns.number(fmt::format("M{}", axis), moment,
+                   [d = axis - 'x'](const Total& load) { return load.moment[d]; });
   }
   return columns.table(
       "Load cases: totals with factor 1 (moments about the origin; without loads on crack faces)",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/model.hpp"
 #include "report/drawing/plot.hpp"
+#include "report/topics/dimension_columns.hpp"
 #include "report/topics/figures.hpp"
 #include "report/topics/result_rows.hpp"
 #include "report/topics/result_tables.hpp"
@@ -226,7 +227,7 @@ std::vector<model::Contact> shown_contacts(const model::Model& model,
 
 Figure figure_of_contact(const model::Model& model, const results::RunResult& run,
                          const model::Contact& contact) {
-  if (model.mesh.dim == 3) {
+  if (!dimension_columns.at(model.mesh.dim).arcs) {
     return bore_figure(model, run, contact).value_or(Figure());
   }
   const bool bore = std::ranges::any_of(mounted_rows(run, contact.name),

@@ -4,6 +4,7 @@
 #include "model/model.hpp"
 #include "report/drawing/columns.hpp"
 #include "report/drawing/round_off.hpp"
+#include "report/topics/dimension_columns.hpp"
 #include "report/topics/result_rows.hpp"
 
 #include <fmt/format.h>
@@ -84,10 +85,7 @@ ReportTable contact_result_table(const model::Model& model, const results::Incre
   }
   add_vector(columns, "force", units.force_name, directions(model, increment), force,
              [](const ContactRow& row) { return row.contact.force_on_slave; });
-  if (increment.mesh.dim == 3) {
-    columns.number("area", units.length_name + "^2",
-                   [](const ContactRow& row) { return row.contact.area; });
-  } else { // an angle on a circle, else a length
+  if (dimension_columns.at(increment.mesh.dim).arcs) { // an angle on a circle, else a length
     for (const auto& [name, member] : {std::pair("arc from", &results::ContactResult::arc_from),
                                        {"to", &results::ContactResult::arc_to}}) {
       columns.number(name, "", [&units, member = member](const ContactRow& row) {
@@ -97,6 +95,9 @@ ReportTable contact_result_table(const model::Model& model, const results::Incre
                                        : fmt::format("{:.4g} {}", at, units.length_name);
       });
     }
+  } else {
+    columns.number("area", units.length_name + "^2",
+                   [](const ContactRow& row) { return row.contact.area; });
   }
   columns.number("iterations", "", [](const ContactRow& row) { return row.step.iterations; });
   return columns.table("Contact", rows);
@@ -105,7 +106,7 @@ ReportTable contact_result_table(const model::Model& model, const results::Incre
 ReportTable contact_moment_table(const model::Model& model, const results::Increment& increment) {
   Columns<ContactRow> columns = contact_columns();
   std::vector<ContactRow> rows;
-  if (increment.mesh.dim == 3) {
+  if (!dimension_columns.at(increment.mesh.dim).arcs) {
     double scale = 0.0;
     for (const ContactRow& row : contact_rows({&increment, 1})) {
       scale = std::max(scale, row.contact.moment_on_slave.norm());

@@ -5,6 +5,7 @@
 #include "report/drawing/columns.hpp"
 #include "report/drawing/file.hpp"
 #include "report/drawing/tornado.hpp"
+#include "report/topics/dimension_columns.hpp"
 #include "report/topics/result_rows.hpp"
 #include "report/topics/result_tables.hpp"
 
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace spricka::report {
@@ -211,19 +213,30 @@ struct SensitivityRow : FrontRow {
   [[nodiscard]] SensitivePoint point() const { return {front, index}; }
 };
 
-// In the plane K1 and K2 below and above the value, in space all three above.
-void add_derivatives(Columns<SensitivityRow>& columns, bool space) {
-  for (std::size_t mode = 0; mode < (space ? 3U : 2U); ++mode) {
-    for (const bool above : {false, true}) {
-      if (above || !space) {
-        columns.exact(fmt::format("dK{}{}", mode + 1,
-                                  space   ? ""
-                                  : above ? "_above"
-                                          : "_below"),
-                      [=](const SensitivityRow& row) {
-                        return row.point().derivative(row.cause, mode, above);
-                      });
-      }
+/// A derivative by the value above it or below, and what its columns' names end with.
+struct DerivativeSide {
+  const char* ending;
+  bool above;
+};
+constexpr std::array<DerivativeSide, 2> both_sides{{{"_below", false}, {"_above", true}}};
+constexpr std::array<DerivativeSide, 1> above_alone{{{"", true}}};
+
+/// What the file has of derivatives, and the line of units of them and of points.
+struct DerivativeColumns {
+  std::span<const DerivativeSide> sides;
+  const char* K;
+  const char* s;
+};
+constexpr base::ByDimension<DerivativeColumns> derivative_columns{
+    {both_sides, "dK1 dK2", ""}, {above_alone, "dK1 dK2 dK3", ", s"}};
+
+void add_derivatives(Columns<SensitivityRow>& columns, int dim) {
+  for (std::size_t mode = 0; mode < dimension_columns.at(dim).modes; ++mode) {
+    for (const auto& [end, above] : derivative_columns.at(dim).sides) {
+      columns.exact(fmt::format("dK{}{}", mode + 1, end),
+                    [mode, above = above](const SensitivityRow& row) {
+                      return row.point().derivative(row.cause, mode, above);
+                    });
     }
   }
 }
@@ -249,11 +262,11 @@ void write_sensitivity_csv(const std::filesystem::path& file, const model::Model
     return;
   }
   using Row = SensitivityRow;
-  const bool space = model.mesh.dim == 3;
+  const int dim = model.mesh.dim;
   Columns<Row> columns = step_columns<Row>();
   columns.exact("crack", [](const Row& row) { return row.front.name; })
       .exact("a", [](const Row& row) { return row.front.a; });
-  if (space) {
+  if (dimension_columns.at(dim).points) {
     columns.exact("point", [](const Row& row) { return row.point().result().number; })
         .exact("at_surface", [](const Row& row) { return row.point().result().at_surface ? 1 : 0; })
         .exact("s", [](const Row& row) { return row.point().result().s; });
@@ -261,16 +274,16 @@ void write_sensitivity_csv(const std::filesystem::path& file, const model::Model
   columns.exact("cause", [](const Row& row) { return results::display_word(row.cause.cause); })
       .exact("name", [](const Row& row) { return row.cause.name; })
       .exact("value", [](const Row& row) { return row.cause.value; });
-  add_derivatives(columns, space);
+  add_derivatives(columns, dim);
   columns.where([](const Row& row) { return row.cause.range.has_value(); })
       .exact("from", [](const Row& row) { return (*row.cause.range)[0]; })
       .exact("to", [](const Row& row) { return (*row.cause.range)[1]; });
   const base::UnitSystem& units = model.units;
   const std::string words = fmt::format(
-      "a{3} and values of FIT and A [{0}], of E [{1}], of LOAD [1]; dK1 dK2{4} [{2}] over the unit "
+      "a{3} and values of FIT and A [{0}], of E [{1}], of LOAD [1]; {4} [{2}] over the unit "
       "of the value",
-      units.length_name, units.stress_name(), units.stress_intensity_name(), space ? ", s" : "",
-      space ? " dK3" : "");
+      units.length_name, units.stress_name(), units.stress_intensity_name(),
+      derivative_columns.at(dim).s, derivative_columns.at(dim).K);
   write_file(file, columns.csv(words, sensitivity_rows(run)));
 }
 

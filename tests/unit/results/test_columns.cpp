@@ -128,7 +128,7 @@ TEST(Columns, of_k_csv_are_those_of_the_manual) {
   const Words columns = k_columns(in_k_csv, 2, {"increment", "step", "crack"});
   const std::vector<ManualRow> rows = manual_rows("k.csv");
   EXPECT_EQ(manual_names(rows, columns), columns);
-  expect_places(rows, k_quantities, [](const KQuantity& q) { return q.tip_places; }, in_k_csv,
+  expect_places(rows, k_quantities, [](const KQuantity& q) { return q.places.plane; }, in_k_csv,
                 {{"results.h5", in_results_h5},
                  {"listing", in_listing},
                  {"`$OUTPUT`", in_output},
@@ -195,7 +195,7 @@ TEST(Columns, of_fronts_are_those_of_their_points) {
   for (const char* name : {"K1_opening", "K2_opening"}) {
     const KQuantity* const q = find_by_name(k_quantities, name);
     ASSERT_NE(q, nullptr) << name;
-    EXPECT_EQ(q->front_places, 0U) << name;
+    EXPECT_EQ(q->places.space, 0U) << name;
   }
 }
 
@@ -221,8 +221,8 @@ TEST(Columns, of_K2_are_where_those_of_K1_are) {
       name[1] = '2';
       const KQuantity* const other = find_by_name(k_quantities, name);
       ASSERT_NE(other, nullptr) << name;
-      EXPECT_EQ(other->tip_places, q.tip_places) << name;
-      EXPECT_EQ(other->front_places, q.front_places) << name;
+      EXPECT_EQ(other->places.plane, q.places.plane) << name;
+      EXPECT_EQ(other->places.space, q.places.space) << name;
       EXPECT_EQ(other->given, q.given) << name;
       EXPECT_EQ(other->mode, q.mode < 0 ? -1 : 1) << name;
     }
@@ -232,12 +232,12 @@ TEST(Columns, of_K2_are_where_those_of_K1_are) {
 // In space; the plane has no K3.
 TEST(Columns, of_K3_are_where_those_of_K1_are) {
   for (const KQuantity& q : k_quantities) {
-    if (std::string name = q.name; name.starts_with("K1") && q.front_places != 0) {
+    if (std::string name = q.name; name.starts_with("K1") && q.places.space != 0) {
       name[1] = '3';
       const KQuantity* const other = find_by_name(k_quantities, name);
       ASSERT_NE(other, nullptr) << name;
-      EXPECT_EQ(other->tip_places, 0U) << name;
-      EXPECT_EQ(other->front_places, q.front_places) << name;
+      EXPECT_EQ(other->places.plane, 0U) << name;
+      EXPECT_EQ(other->places.space, q.places.space) << name;
       EXPECT_EQ(other->given, q.given) << name;
       EXPECT_EQ(other->mode, q.mode < 0 ? -1 : 2) << name;
     }
