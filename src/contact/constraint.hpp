@@ -41,7 +41,8 @@ struct ConstraintRow {
 struct SingularContactEdge {
   base::Vec3 x = base::Vec3::Zero(); ///< in space some place of the edge
   std::vector<base::NodeId> nodes;   ///< contact nodes whose pressure acts there
-  bool bounded = false; ///< in space: the body that ends is so soft that its corner gives way
+  bool bounded = false;  ///< in space: the body that ends is so soft that its corner gives way
+  bool is_point = false; ///< it is x, not an edge through it
 };
 
 /// What presses at a node of a surface: one function for each smooth part that the node belongs to,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/pair_points.hpp"
 
+#include "base/by_dimension.hpp"
 #include "contact/rigid_target.hpp"
 #include "contact/space/opposite.hpp"
 #include "contact/space/rigid_round.hpp"
@@ -162,28 +163,16 @@ ElementPairPoints sample_triangle(const ContactSurface& own, const SurfaceProjec
   return found;
 }
 
-} // namespace
-
-std::vector<MortarSegment> find_mortar_segments(const PairConstraints& pair) {
-  return pair.rigid ? find_mortar_segments(pair.contact, *pair.rigid)
-                    : find_mortar_segments(pair.contact, pair.target);
+ElementProjector edge_projector(const PairConstraints& pair, ProjectionRule rule) {
+  const int degree = rule == ProjectionRule::sampling ? segment_sampling_degree : segment_degree;
+  return [edges = SegmentProjection(pair, degree)](const HatElement& element) {
+    return edges.project(element);
+  };
 }
 
-std::optional<double> gap_to_rigid_target(const PairConstraints& pair, const Vec3& x) {
-  if (pair.rigid_shape) {
-    return pair.rigid_shape->sense * distance_to(*pair.rigid_shape, x);
-  }
-  const std::optional<RigidProjection> foot = normal_projection(*pair.rigid, x.head<2>());
-  return foot && !foot->beyond ? std::optional(foot->gap) : std::nullopt;
-}
-
-ElementProjector make_target_projector(const PairConstraints& pair, ProjectionRule rule) {
+ElementProjector face_projector(const PairConstraints& pair, ProjectionRule rule) {
   const ContactSurface& own = pair.contact;
   const bool sampled = rule == ProjectionRule::sampling;
-  if (!own.in_space()) {
-    return [edges = SegmentProjection(pair, sampled ? segment_sampling_degree : segment_degree)](
-               const HatElement& element) { return edges.project(element); };
-  }
   if (pair.faces) {
     const std::optional<std::vector<CoincidentFace>> twins =
         match_coincident_faces(own, pair.target);
@@ -202,6 +191,26 @@ ElementProjector make_target_projector(const PairConstraints& pair, ProjectionRu
              const HatElement& triangle) {
     return sampled ? sample_triangle(own, *target, triangle) : target->project_triangle(triangle);
   };
+}
+
+} // namespace
+
+std::vector<MortarSegment> find_mortar_segments(const PairConstraints& pair) {
+  return pair.rigid ? find_mortar_segments(pair.contact, *pair.rigid)
+                    : find_mortar_segments(pair.contact, pair.target);
+}
+
+std::optional<double> gap_to_rigid_target(const PairConstraints& pair, const Vec3& x) {
+  if (pair.rigid_shape) {
+    return pair.rigid_shape->sense * distance_to(*pair.rigid_shape, x);
+  }
+  const std::optional<RigidProjection> foot = normal_projection(*pair.rigid, x.head<2>());
+  return foot && !foot->beyond ? std::optional(foot->gap) : std::nullopt;
+}
+
+ElementProjector make_target_projector(const PairConstraints& pair, ProjectionRule rule) {
+  constexpr base::ByDimension projectors{edge_projector, face_projector};
+  return projectors.at(pair.contact.dim)(pair, rule);
 }
 
 } // namespace spricka::contact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/pairing.hpp"
 
+#include "base/by_dimension.hpp"
 #include "contact/make_rows.hpp"
 #include "contact/node_pairing.hpp"
 #include "contact/pair_points.hpp"
@@ -96,7 +97,8 @@ MetFaces met_faces(const FacetSurface& surface, const FacetSurface& target) {
 
 // In space sizes are those of the faces that meet. A part smaller than a few faces of the coarser
 // side would have few functions there: the finer side has them then.
-MultiplierSideChoice choose_space_side(const ContactSurface& slave, const ContactSurface& master) {
+MultiplierSideChoice choose_space_side(const model::Mesh& /*mesh*/, const ContactSurface& slave,
+                                       const ContactSurface& master) {
   constexpr double few = 9.0; // faces, three each way
   const MetFaces own = met_faces(slave, master);
   const MetFaces other = met_faces(master, slave);
@@ -126,11 +128,8 @@ MultiplierSideChoice choose_space_side(const ContactSurface& slave, const Contac
 // across the mouth, know one pressure for both (K2 of short cracks then is off by some per cent of
 // K1). Pressures of the stiffer side would go up and down where a coarse soft one can't follow its
 // small elements.
-MultiplierSideChoice choose_side(const model::Mesh& mesh, const ContactSurface& slave,
-                                 const ContactSurface& master) {
-  if (slave.in_space()) {
-    return choose_space_side(slave, master);
-  }
+MultiplierSideChoice choose_plane_side(const model::Mesh& mesh, const ContactSurface& slave,
+                                       const ContactSurface& master) {
   const bool mouth = has_mouth(mesh, master);
   const double stiffer =
       mouth ? master.stiffness / slave.stiffness : slave.stiffness / master.stiffness;
@@ -158,17 +157,16 @@ MultiplierSideChoice choose_node_side(const model::Mesh& mesh, const ContactSurf
 
 void add_rows(PairConstraints& pair, const model::Contact& contact) {
   const bool tangents = contact.type == model::ContactType::bonded || contact.mu > 0.0;
-  const bool space = pair.contact.in_space();
   if (contact.pairing == model::PairingMethod::node) {
     fill_node_pair_rows(pair, contact.gap, tangents);
   } else {
-    if (space && contact.multiplier == model::MultiplierNodes::corners) {
+    if (contact.multiplier == model::MultiplierNodes::corners) {
       pair.contact.elements = corner_triangles(pair.contact);
     }
     fill_mortar_rows(pair, make_target_projector(pair),
                      {.declared_gap = contact.gap, .tangents = tangents});
   }
-  if (pair.found && (pair.segments || !space)) {
+  if (pair.found) {
     pair.sharp_ends = find_singular_edges(pair);
   }
 }
@@ -184,9 +182,7 @@ PairConstraints build_pair_constraints(const model::Model& model, const model::M
     pair.contact = std::move(slave);
     pair.target.thickness = pair.contact.thickness;
     pair.rigid = model.rigids[contact.rigid.index()];
-    if (mesh.dim == 3) {
-      pair.rigid_shape = rigid_target_shape(*pair.rigid);
-    }
+    pair.rigid_shape = rigid_target_shape(*pair.rigid);
     pair.choice = "slave side: the master is rigid";
     add_rows(pair, contact);
     return pair;
@@ -196,8 +192,9 @@ PairConstraints build_pair_constraints(const model::Model& model, const model::M
     pair.trouble = "a surface has no edges";
     return pair;
   }
-  const MultiplierSideChoice choice =
-      nodes ? choose_node_side(mesh, slave, master) : choose_side(mesh, slave, master);
+  constexpr base::ByDimension choose_side{choose_plane_side, choose_space_side};
+  const auto choose = nodes ? choose_node_side : choose_side.at(slave.dim);
+  const MultiplierSideChoice choice = choose(mesh, slave, master);
   pair.swapped = choice.swap;
   pair.choice = choice.why;
   if (choice.swap) {

@@ -122,6 +122,9 @@ void add_surface(const PairConstraints& pair, PairPressure& result) {
 
 double recover_solid_pair_pressure(const PairConstraints& pair, const ContactRowValues& rows,
                                    const ContactSideForce& force, PairPressure& result) {
+  if (pair.functions.empty()) { // a pair in trouble
+    return 0.0;
+  }
   const auto n = index(pair.functions.size());
   base::Vector p = base::Vector::Zero(n);
   std::vector<bool> touches(pair.functions.size(), false);

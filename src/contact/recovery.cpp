@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/recovery.hpp"
 
+#include "base/by_dimension.hpp"
 #include "base/index.hpp"
 #include "contact/chain_pressure.hpp"
 #include "contact/part_pressure.hpp"
@@ -66,12 +67,8 @@ PairPressure recover_pressure(const PairConstraints& pair, const base::Vector& l
   const double sign = pair.swapped ? -1.0 : 1.0;
   result.force_on_slave = sign * force.total;
   result.moment_on_slave = sign * force.moment;
-  double area = 0.0;
-  if (!pair.contact.in_space()) {
-    area = recover_chain_pressure(pair, rows, force, result);
-  } else if (!pair.functions.empty()) { // none of a pair in trouble
-    area = recover_solid_pair_pressure(pair, rows, force, result);
-  }
+  constexpr base::ByDimension recover{recover_chain_pressure, recover_solid_pair_pressure};
+  const double area = recover.at(pair.contact.dim)(pair, rows, force, result);
   result.mean_pressure = area > 0.0 ? thrust / area : 0.0;
   return result;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/singular_edges.hpp"
 
+#include "base/by_dimension.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/index.hpp"
 #include "contact/pair_points.hpp"
@@ -184,7 +185,8 @@ private:
 };
 
 std::vector<SurfaceEnd> ends_of_faces(const PairConstraints& pair) {
-  if (pair.rigid_shape) { // without end: a body's corner on it is of a right angle or less
+  // Rigid shapes have no end: a body's corner on one is of a right angle or less.
+  if (pair.rigid_shape || !pair.segments) {
     return {};
   }
   const FacetSurface& own = pair.contact;
@@ -234,7 +236,8 @@ std::vector<SingularContactEdge> joined(const std::vector<SurfaceEnd>& places,
   std::map<std::size_t, std::set<base::NodeId>> nodes;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto end =
-        ends.try_emplace(sets.root(i), SingularContactEdge{places[i].x, {}, true}).first;
+        ends.try_emplace(sets.root(i), SingularContactEdge{places[i].x, {}, true, near.has_value()})
+            .first;
     end->second.bounded = end->second.bounded && places[i].bounded;
     nodes[sets.root(i)].insert(places[i].nodes.begin(), places[i].nodes.end());
   }
@@ -246,20 +249,28 @@ std::vector<SingularContactEdge> joined(const std::vector<SurfaceEnd>& places,
   return all;
 }
 
+/// How ends are found, and how near to each other they are one edge (of the mean size).
+struct EndSearch {
+  std::vector<SurfaceEnd> (*find)(const PairConstraints&);
+  std::optional<double> near;
+};
+constexpr base::ByDimension<EndSearch> end_searches{{ends_of_edges, at_node},
+                                                    {ends_of_faces, std::nullopt}};
+
 } // namespace
 
 std::vector<SingularContactEdge> find_singular_edges(const PairConstraints& pair) {
   if (pair.faces) {
     return {};
   }
-  const bool space = pair.contact.in_space();
-  std::vector<SurfaceEnd> ends = space ? ends_of_faces(pair) : ends_of_edges(pair);
+  const auto& [find, near] = end_searches.at(pair.contact.dim);
+  std::vector<SurfaceEnd> ends = find(pair);
   // A target that ends where another begins is a crack mouth. What ends by distance or by turning
   // away is open there; a body's corner on a rigid target is one of a right angle or less.
   std::erase_if(ends, [&](const SurfaceEnd& end) {
     return end.contact_ends == end.target_ends || (end.contact_ends && pair.rigid);
   });
-  return joined(ends, space ? std::nullopt : std::optional(at_node * pair.contact.mean_size));
+  return joined(ends, near ? std::optional(*near * pair.contact.mean_size) : std::nullopt);
 }
 
 } // namespace spricka::contact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/surface.hpp"
 
+#include "base/by_dimension.hpp"
 #include "mesh/boundary.hpp"
 #include "model/model.hpp"
 
@@ -65,6 +66,26 @@ Vector radial_normal(const SurfaceCircle& circle, const Vector& x, const Vector&
   return radial.dot(n) > 0.0 ? radial : Vector(-radial);
 }
 
+// Edges chain by chain.
+std::vector<model::Face> order_edges(const model::Mesh& mesh, const std::vector<model::Face>& faces,
+                                     PlanarEdgeChains& plane) {
+  std::vector<model::Face> ordered;
+  for (const mesh::FaceChain& chain : mesh::build_face_chains(mesh, faces)) {
+    plane.chains.push_back({ordered.size(), chain.faces.size(), chain.closed});
+    for (const model::Face& face : chain.faces) {
+      ordered.push_back(face);
+      plane.edges.push_back(mesh::plane_edge(mesh, face));
+    }
+  }
+  return ordered;
+}
+
+std::vector<model::Face> keep_order(const model::Mesh& /*mesh*/,
+                                    const std::vector<model::Face>& faces,
+                                    PlanarEdgeChains& /*plane*/) {
+  return faces;
+}
+
 } // namespace
 
 double out_of_plane_depth(const ContactSurface& contact, const ContactSurface& target,
@@ -82,33 +103,25 @@ ContactSurface make_contact_surface(const model::Model& model, const model::Mesh
 
 ContactSurface make_contact_surface(const model::Model& model, const model::Mesh& mesh,
                                     const std::vector<model::Face>& faces) {
-  const bool plane = mesh.dim == 2;
+  constexpr base::ByDimension order{order_edges, keep_order};
   ContactSurface surface;
-  std::vector<model::Face> ordered = plane ? std::vector<model::Face>() : faces;
-  for (const mesh::FaceChain& chain :
-       plane ? mesh::build_face_chains(mesh, faces) : std::vector<mesh::FaceChain>()) {
-    surface.plane.chains.push_back({ordered.size(), chain.faces.size(), chain.closed});
-    ordered.insert(ordered.end(), chain.faces.begin(), chain.faces.end());
-  }
+  const std::vector<model::Face> ordered = order.at(mesh.dim)(mesh, faces, surface.plane);
   static_cast<FacetSurface&>(surface) = make_facet_surface(mesh, ordered);
-  std::vector<Vec2> points;
   for (const model::Face& face : ordered) {
     const bool first = &face == &ordered.front();
     const double E = model.element_material(mesh, face.element).E;
     // The softest, by which the contact side is chosen (contact.6); the thinnest, as
     // out_of_plane_depth() takes the smaller.
     surface.stiffness = first ? E : std::min(surface.stiffness, E);
-    const double t = plane ? model.element_property(mesh, face.element).thickness : 1.0;
+    const double t = model.element_property(mesh, face.element).thickness;
     surface.thickness = first ? t : std::min(surface.thickness, t);
-    if (plane) {
-      const Edge& edge = surface.plane.edges.emplace_back(mesh::plane_edge(mesh, face));
-      points.insert(points.end(), edge.x.begin(), edge.x.begin() + edge.count);
-    }
   }
-  if (plane) {
-    surface.axial = model::axisymmetric(model);
-    surface.circle = fit_circle(points, surface.extent);
+  std::vector<Vec2> points;
+  for (const Edge& edge : surface.plane.edges) {
+    points.insert(points.end(), edge.x.begin(), edge.x.begin() + edge.count);
   }
+  surface.axial = model::axisymmetric(model);
+  surface.circle = fit_circle(points, surface.extent);
   return surface;
 }
 

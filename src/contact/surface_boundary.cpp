@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/surface_boundary.hpp"
 
+#include "base/by_dimension.hpp"
 #include "base/index.hpp"
 #include "contact/space/hat_elements.hpp"
 #include "model/mesh_side.hpp"
@@ -50,12 +51,17 @@ geometry::BodyBoundary make_plane_boundary(const ContactSurface& surface, const 
   return {2, facets};
 }
 
-geometry::BodyBoundary make_body_boundary(const model::Model& model, const model::Mesh& mesh,
-                                          const std::vector<model::Face>& faces,
-                                          const base::Vector& u) {
-  if (mesh.dim == 2) {
-    return make_plane_boundary(make_contact_surface(model, mesh, faces), u);
-  }
+namespace {
+
+geometry::BodyBoundary boundary_of_edges(const model::Model& model, const model::Mesh& mesh,
+                                         const std::vector<model::Face>& faces,
+                                         const base::Vector& u) {
+  return make_plane_boundary(make_contact_surface(model, mesh, faces), u);
+}
+
+geometry::BodyBoundary boundary_of_faces(const model::Model& /*model*/, const model::Mesh& mesh,
+                                         const std::vector<model::Face>& faces,
+                                         const base::Vector& u) {
   std::vector<geometry::BoundaryFacet> facets;
   for (const model::Face& side : faces) {
     const geometry::ElementSide face = model::element_side(mesh, side);
@@ -72,6 +78,15 @@ geometry::BodyBoundary make_body_boundary(const model::Model& model, const model
     }
   }
   return {3, facets};
+}
+
+} // namespace
+
+geometry::BodyBoundary make_body_boundary(const model::Model& model, const model::Mesh& mesh,
+                                          const std::vector<model::Face>& faces,
+                                          const base::Vector& u) {
+  constexpr base::ByDimension make{boundary_of_edges, boundary_of_faces};
+  return make.at(mesh.dim)(model, mesh, faces, u);
 }
 
 } // namespace spricka::contact

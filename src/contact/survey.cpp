@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/survey.hpp"
 
+#include "base/by_dimension.hpp"
 #include "contact/rigid_target.hpp"
 #include "contact/segment.hpp"
 #include "contact/space/rigid_round.hpp"
@@ -54,33 +55,56 @@ GapSurvey summarize(const ContactSurface& from, double length,
   return found;
 }
 
-// Looks at a surface in the plane at points of `segments()`, where `look(segment, edge, xi)` tells
-// the gap and the angle if anything is seen, in space at the points of the projector
-// `projector()`.
-template <class Projector, class Segments, class Look>
-GapSurvey survey(const ContactSurface& from, Projector&& projector, Segments&& segments,
-                 Look&& look) {
-  double length = 0.0;
-  std::vector<SurveyedPoint> points;
-  if (from.in_space()) {
-    const ElementProjector project = projector();
-    for (const HatElement& element : from.elements) {
-      const ElementPairPoints projection = project(element);
-      length += projection.whole.sum();
-      for (const PairPoint& p : projection.points) {
-        points.push_back({p.facet, p.weight, p.gap, std::acos(std::min(1.0, p.turn))});
-      }
-    }
-    return summarize(from, length, points);
+// What a point xi of a segment sees; without its place and weight. None: nothing.
+std::optional<SurveyedPoint> survey_point(const ContactSurface& from, const ContactSurface& to,
+                                          const MortarSegment& s, double xi) {
+  const Edge& edge = from.plane.edges[s.contact_edge];
+  const Edge& target = to.plane.edges[s.target_edge];
+  const Vec2 n = surface_normal(from, edge, xi);
+  const Vec2 x = point_on_edge(edge, xi);
+  const std::optional<double> eta = ray_intersection(target, x, n);
+  if (!eta) {
+    return std::nullopt;
   }
+  const Vec2 back = surface_normal(to, target, std::clamp(*eta, -1.0, 1.0));
+  return SurveyedPoint{.gap = (point_on_edge(target, *eta) - x).dot(n),
+                       .angle = angle_between(n, -back)};
+}
+
+std::optional<SurveyedPoint> survey_point(const ContactSurface& from, const model::RigidTarget& to,
+                                          const MortarSegment& s, double xi) {
+  const Edge& edge = from.plane.edges[s.contact_edge];
+  const std::optional<RigidProjection> foot = normal_projection(to, point_on_edge(edge, xi));
+  if (!foot) {
+    return std::nullopt;
+  }
+  const Vec2 n = surface_normal(from, edge, xi);
+  return SurveyedPoint{.gap = foot->gap, .angle = angle_between(n, foot->normal)};
+}
+
+ElementProjector triangle_projector(const ContactSurface& from, const ContactSurface& to) {
+  return [projection = std::make_shared<SurfaceProjection>(from, to)](const HatElement& triangle) {
+    return projection->project_triangle(triangle);
+  };
+}
+
+ElementProjector triangle_projector(const ContactSurface& from, const model::RigidTarget& to) {
+  return [&from, shape = rigid_target_shape(to).value()](const HatElement& triangle) {
+    return project_onto_rigid(from, shape, triangle);
+  };
+}
+
+template <class Target> GapSurvey survey_edges(const ContactSurface& from, const Target& to) {
+  double length = 0.0;
   for (const Edge& edge : from.plane.edges) {
     length += edge.length;
   }
-  for (const MortarSegment& s : segments()) {
+  std::vector<SurveyedPoint> points;
+  for (const MortarSegment& s : find_mortar_segments(from, to)) {
     const Edge& edge = from.plane.edges[s.contact_edge];
     for (std::size_t i = 0; i < sample_r.size(); ++i) {
       const double xi = 0.5 * ((s.to + s.from) + (s.to - s.from) * sample_r[i]);
-      if (std::optional<SurveyedPoint> point = look(s, edge, xi)) {
+      if (std::optional<SurveyedPoint> point = survey_point(from, to, s, xi)) {
         point->facet = s.contact_edge;
         point->weight = 0.5 * (s.to - s.from) * sample_w[i] * edge_tangent(edge, xi).norm();
         points.push_back(*point);
@@ -90,47 +114,31 @@ GapSurvey survey(const ContactSurface& from, Projector&& projector, Segments&& s
   return summarize(from, length, points);
 }
 
+template <class Target> GapSurvey survey_faces(const ContactSurface& from, const Target& to) {
+  const ElementProjector project = triangle_projector(from, to);
+  double area = 0.0;
+  std::vector<SurveyedPoint> points;
+  for (const HatElement& element : from.elements) {
+    const ElementPairPoints projection = project(element);
+    area += projection.whole.sum();
+    for (const PairPoint& p : projection.points) {
+      points.push_back({p.facet, p.weight, p.gap, std::acos(std::min(1.0, p.turn))});
+    }
+  }
+  return summarize(from, area, points);
+}
+
+template <class Target>
+constexpr base::ByDimension surveys{survey_edges<Target>, survey_faces<Target>};
+
 } // namespace
 
 GapSurvey survey_gaps(const ContactSurface& from, const ContactSurface& to) {
-  return survey(
-      from,
-      [&] {
-        return [projection = std::make_shared<SurfaceProjection>(from, to)](
-                   const HatElement& triangle) { return projection->project_triangle(triangle); };
-      },
-      [&] { return find_mortar_segments(from, to); },
-      [&](const MortarSegment& s, const Edge& edge, double xi) -> std::optional<SurveyedPoint> {
-        const Edge& target = to.plane.edges[s.target_edge];
-        const Vec2 n = surface_normal(from, edge, xi);
-        const Vec2 x = point_on_edge(edge, xi);
-        const std::optional<double> eta = ray_intersection(target, x, n);
-        if (!eta) {
-          return std::nullopt;
-        }
-        const Vec2 back = surface_normal(to, target, std::clamp(*eta, -1.0, 1.0));
-        return SurveyedPoint{.gap = (point_on_edge(target, *eta) - x).dot(n),
-                             .angle = angle_between(n, -back)};
-      });
+  return surveys<ContactSurface>.at(from.dim)(from, to);
 }
 
 GapSurvey survey_gaps(const ContactSurface& from, const model::RigidTarget& to) {
-  return survey(
-      from,
-      [&] {
-        return [&from, shape = rigid_target_shape(to)](const HatElement& triangle) {
-          return project_onto_rigid(from, shape, triangle);
-        };
-      },
-      [&] { return find_mortar_segments(from, to); },
-      [&](const MortarSegment&, const Edge& edge, double xi) -> std::optional<SurveyedPoint> {
-        const std::optional<RigidProjection> foot = normal_projection(to, point_on_edge(edge, xi));
-        if (!foot) {
-          return std::nullopt;
-        }
-        const Vec2 n = surface_normal(from, edge, xi);
-        return SurveyedPoint{.gap = foot->gap, .angle = angle_between(n, foot->normal)};
-      });
+  return surveys<model::RigidTarget>.at(from.dim)(from, to);
 }
 
 } // namespace spricka::contact

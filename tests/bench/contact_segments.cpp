@@ -123,7 +123,7 @@ int main(int argc, char** argv) {
   double all = 0.0;
   for (std::size_t c = 0; c < length->discretisation().pairs.size(); ++c) {
     const contact::PairConstraints& pair = length->discretisation().pairs[c];
-    if (!pair.contact.in_space() || pair.rigid_shape) {
+    if (pair.contact.dim == 2 || pair.rigid_shape) {
       continue;
     }
     const double time = time_rows(pair, model->contacts[c], repeats);

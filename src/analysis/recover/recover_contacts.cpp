@@ -76,7 +76,7 @@ void gather_friction(const Discretisation& scene, const StepState& state, std::s
 
 // Edges of one surface against the other that are pressed. A place in space is that of the node
 // which is pressed most.
-std::vector<base::Vec3> pressed_edges(const contact::PairConstraints& pair, bool space,
+std::vector<base::Vec3> pressed_edges(const contact::PairConstraints& pair,
                                       const std::vector<contact::NodePressure>& nodes) {
   std::vector<base::Vec3> places;
   for (const contact::SingularContactEdge& end : pair.sharp_ends) {
@@ -86,7 +86,7 @@ std::vector<base::Vec3> pressed_edges(const contact::PairConstraints& pair, bool
       if (n.closed && n.p_consistent > most &&
           std::ranges::find(end.nodes, n.node) != end.nodes.end()) {
         most = n.p_consistent;
-        place = space ? n.x : place;
+        place = end.is_point ? place : n.x;
       }
     }
     if (most > 0.0 && !end.bounded) {
@@ -305,7 +305,7 @@ void recover_contacts(const Discretisation& scene, const StepState& state,
     if (unilateral && result.mounted) {
       spots.push_back({result.name, result.mean_pressure * result.area, p.across_peak});
     }
-    result.unbounded = pressed_edges(pair, result.space, p.nodes);
+    result.unbounded = pressed_edges(pair, p.nodes);
     if (!result.unbounded.empty()) {
       out.notes.push_back(results::note(unbounded_note(result)));
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/space/facet_surface.hpp"
 
+#include "base/by_dimension.hpp"
 #include "contact/space/patches.hpp"
 #include "model/mesh_side.hpp"
 
@@ -51,6 +52,7 @@ FacetSurface make_facet_surface(const model::Mesh& mesh, const std::vector<model
   if (surface.facets.empty()) {
     return surface;
   }
+  surface.dim = mesh.dim;
   size /= static_cast<double>(surface.facets.size());
   surface.extent = box.diagonal();
   surface.mean_size = std::pow(size, 1.0 / surface.facets.front().dim());
@@ -68,6 +70,7 @@ FacetSurface make_facet_surface(const model::Mesh& mesh, const std::vector<model
 }
 
 std::vector<SmoothPartNode> smooth_part_nodes(const FacetSurface& surface) {
+  constexpr base::ByDimension along_edges{true, false};
   std::set<SmoothPartNode> seen;
   std::vector<SmoothPartNode> nodes;
   for (const HatElement& element : surface.elements) {
@@ -77,7 +80,8 @@ std::vector<SmoothPartNode> smooth_part_nodes(const FacetSurface& surface) {
       }
     }
   }
-  return surface.in_space() ? std::vector<SmoothPartNode>(seen.begin(), seen.end()) : nodes;
+  return along_edges.at(surface.dim) ? nodes
+                                     : std::vector<SmoothPartNode>(seen.begin(), seen.end());
 }
 
 double facet_length_or_area(const geometry::ElementSide& facet) {

@@ -25,8 +25,9 @@ using SmoothPartNode = std::pair<std::size_t, base::NodeId>;
 
 /// A surface: its facets, in space the smooth parts they belong to and the shapes of these.
 struct FacetSurface {
-  std::vector<geometry::ElementSide> facets;        ///< edges of plane elements or faces of solids
-  std::vector<std::size_t> part;                    ///< [facet]; in the plane all are of one part
+  int dim = 2;                               ///< of the bodies; of a surface without facets 2
+  std::vector<geometry::ElementSide> facets; ///< edges of plane elements or faces of solids
+  std::vector<std::size_t> part;             ///< [facet]; in the plane all are of one part
   std::vector<std::optional<AnalyticShape>> rounds; ///< [part] in space; in the plane none
   /// Facet by facet; all nodes belong to some, or only the corners of faces.
   std::vector<HatElement> elements;
@@ -37,7 +38,6 @@ struct FacetSurface {
     return {part[element.facet],
             facets[element.facet].nodes[static_cast<std::size_t>(element.node[i])]};
   }
-  [[nodiscard]] bool in_space() const { return !facets.empty() && !facets.front().is_edge(); }
   [[nodiscard]] const std::optional<AnalyticShape>& analytic_shape(std::size_t facet) const {
     return rounds[part[facet]];
   }

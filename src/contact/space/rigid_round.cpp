@@ -15,7 +15,7 @@ constexpr int triangle_degree = 7;
 
 } // namespace
 
-AnalyticShape rigid_target_shape(const model::RigidTarget& rigid) {
+std::optional<AnalyticShape> rigid_target_shape(const model::RigidTarget& rigid) {
   AnalyticShape round;
   round.point = rigid.first;
   round.exact = true;
@@ -33,9 +33,12 @@ AnalyticShape rigid_target_shape(const model::RigidTarget& rigid) {
     round.kind = AnalyticShapeKind::cone;
     round.slope = (std::abs(rigid.second_radius) - round.radius) / along.norm();
     break;
-  default:
+  case model::RigidTargetShape::plane:
     round.kind = AnalyticShapeKind::plane;
     break;
+  case model::RigidTargetShape::line:
+  case model::RigidTargetShape::arc:
+    return std::nullopt;
   }
   round.axis = along.normalized();
   return round;

@@ -10,7 +10,8 @@ namespace spricka::contact {
 
 /// The shape of a rigid target; `sense` is +1 where it is solid within (a shaft, a ball), -1 where
 /// it is a bore or a socket; a plane is solid behind its normal, which looks at the body.
-AnalyticShape rigid_target_shape(const model::RigidTarget& rigid);
+/// None of lines and arcs.
+std::optional<AnalyticShape> rigid_target_shape(const model::RigidTarget& rigid);
 
 /// What a triangle of the contact surface sees of a rigid target: all of it that looks at the
 /// target from no farther than a fifth of the surface's extent, point by point. Normals are the
