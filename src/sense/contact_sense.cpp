@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sense/contact_sense.hpp"
 
+#include "base/by_dimension.hpp"
 #include "base/tidy.hpp"
 #include "contact/surface_boundary.hpp"
 #include "contact/survey.hpp"
@@ -271,7 +272,8 @@ private:
     const double extent = std::min(outlines[a].box().diagonal(), outlines[b].box().diagonal());
     // In space places farther in than what is told are left alone: between them and the surface
     // there are others that are deep enough to say that the overlap is meant.
-    const double reach = mesh_.dim == 2 ? extent : 2.0 * most_shallow * extent;
+    constexpr base::ByDimension reaches{1.0, 2.0 * most_shallow};
+    const double reach = reaches.at(mesh_.dim) * extent;
     double depth = 0.0;
     base::Vec3 place = base::Vec3::Zero();
     // Nodes of both: a corner of one may stand in the middle of a side of the other.

@@ -261,7 +261,7 @@ std::vector<std::string> describe_solid_cracks(const model::Model& model, base::
     return crack.kind == model::CrackDefinitionKind::ellipse ||
            crack.kind == model::CrackDefinitionKind::drawn;
   });
-  return any && model.mesh.dim == 3 ? Flaws(model, list).tell() : std::vector<std::string>();
+  return any ? Flaws(model, list).tell() : std::vector<std::string>();
 }
 
 } // namespace spricka::sense

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -65,13 +66,10 @@ public:
   }
 
   void mouths() {
-    if (mesh_.dim != 2) {
-      return;
-    }
-    const mesh::HostMesh host(mesh_);
+    std::optional<mesh::HostMesh> host;
     for (const model::CrackDefinition& crack : model_.cracks) {
       if (crack.kind == model::CrackDefinitionKind::free && !crack.points.empty()) {
-        look_at_mouth(crack, host);
+        look_at_mouth(crack, host ? *host : host.emplace(mesh_));
       }
     }
   }

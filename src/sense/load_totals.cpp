@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -132,17 +133,15 @@ void warn_of_missing_displacement(const model::Mesh& mesh, double largest,
   if (!(missing.off > little * std::max(largest, missing.off))) {
     return;
   }
-  const base::Vec3& x = missing.place;
-  const std::string place = mesh.dim == 2
-                                ? fmt::format("({:.4g}, {:.4g})", x[0], x[1])
-                                : fmt::format("({:.4g}, {:.4g}, {:.4g})", x[0], x[1], x[2]);
-  diagnostics.warning(load.span, "W436",
-                      fmt::format("load case {}: between the nodes at {} this displacement differs "
-                                  "by {:.2g} from what the mesh can follow, {:.2g} % of the case's "
-                                  "largest; results and their error bars do not include this",
-                                  load_case.name, place, missing.off,
-                                  100.0 * missing.off / std::max(largest, missing.off)),
-                      "refine the net there, with nodes at kinks and steps");
+  const std::span place(missing.place.data(), static_cast<std::size_t>(mesh.dim));
+  diagnostics.warning(
+      load.span, "W436",
+      fmt::format("load case {}: between the nodes at ({:.4g}) this displacement differs "
+                  "by {:.2g} from what the mesh can follow, {:.2g} % of the case's "
+                  "largest; results and their error bars do not include this",
+                  load_case.name, fmt::join(place, ", "), missing.off,
+                  100.0 * missing.off / std::max(largest, missing.off)),
+      "refine the net there, with nodes at kinks and steps");
 }
 
 double largest_displacement(const model::Model& model, const model::Mesh& mesh,

@@ -74,7 +74,7 @@ bool mirrored_shape(const model::Model& model, const Reflection& mirror,
 
 // From the right face to the left one, in space from the lower to the upper; zero: not known.
 base::Vec3 normal_of(const model::Model& model, const model::CrackDefinition& crack) {
-  if (model.mesh.dim == 3) {
+  if (!crack.is_line()) {
     const bool drawn = crack.kind != model::CrackDefinitionKind::front;
     return drawn ? crack.plane.normal : base::Vec3(base::Vec3::Zero());
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sense/surface_measures.hpp"
 
+#include "base/by_dimension.hpp"
 #include "contact/segment.hpp"
 #include "contact/space/surface_projection.hpp"
 
@@ -84,6 +85,31 @@ double gap_at(const contact::ContactSurface& surface, const contact::Edge& edge,
   return eta ? (contact::point_on_edge(other, *eta) - x).dot(n) : 0.0;
 }
 
+std::vector<FacingPart> parts_of_edges(const contact::ContactSurface& surface,
+                                       const contact::ContactSurface& target,
+                                       const std::vector<double>& /*measure*/) {
+  std::vector<FacingPart> parts;
+  for (const contact::MortarSegment& s : contact::find_mortar_segments(surface, target)) {
+    // Coordinates of an edge run from -1 to 1: half the stretch is its part of the edge.
+    parts.push_back({s.contact_edge, 0.5 * (s.to - s.from),
+                     gap_at(surface, surface.plane.edges[s.contact_edge], target, s)});
+  }
+  return parts;
+}
+
+std::vector<FacingPart> parts_of_faces(const contact::ContactSurface& surface,
+                                       const contact::ContactSurface& target,
+                                       const std::vector<double>& measure) {
+  std::vector<FacingPart> parts;
+  const contact::SurfaceProjection projection(surface, target);
+  for (const contact::HatElement& t : surface.elements) {
+    for (const contact::PairPoint& p : projection.project_triangle(t).points) {
+      parts.push_back({t.facet, p.weight / measure[t.facet], p.gap});
+    }
+  }
+  return parts;
+}
+
 } // namespace
 
 double faceting_error(const contact::ContactSurface& surface) {
@@ -107,22 +133,8 @@ double surface_size(const contact::ContactSurface& surface) {
 std::vector<FacingPart> facing_parts(const contact::ContactSurface& surface,
                                      const contact::ContactSurface& target,
                                      const std::vector<double>& measure) {
-  std::vector<FacingPart> parts;
-  if (surface.in_space()) {
-    const contact::SurfaceProjection projection(surface, target);
-    for (const contact::HatElement& t : surface.elements) {
-      for (const contact::PairPoint& p : projection.project_triangle(t).points) {
-        parts.push_back({t.facet, p.weight / measure[t.facet], p.gap});
-      }
-    }
-    return parts;
-  }
-  for (const contact::MortarSegment& s : contact::find_mortar_segments(surface, target)) {
-    // Coordinates of an edge run from -1 to 1: half the stretch is its part of the edge.
-    parts.push_back({s.contact_edge, 0.5 * (s.to - s.from),
-                     gap_at(surface, surface.plane.edges[s.contact_edge], target, s)});
-  }
-  return parts;
+  constexpr base::ByDimension parts{parts_of_edges, parts_of_faces};
+  return parts.at(surface.dim)(surface, target, measure);
 }
 
 std::vector<double> facet_measures(const contact::ContactSurface& surface) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sense/unjoined_bodies.hpp"
 
+#include "base/by_dimension.hpp"
 #include "contact/surface_boundary.hpp"
 #include "fe/dof_map.hpp"
 #include "mesh/boundary.hpp"
@@ -46,10 +47,20 @@ public:
       return;
     }
     see_joints();
-    if (mesh_.dim == 3) {
-      look_in_space();
-      return;
-    }
+    constexpr base::ByDimension look_at_all{&Unjoined::look_at_outlines,
+                                            &Unjoined::look_at_coincident_sides};
+    (this->*look_at_all.at(mesh_.dim))();
+  }
+
+private:
+  static constexpr std::size_t nobody = static_cast<std::size_t>(-1);
+
+  struct TouchedLength {
+    double length = 0.0;
+    std::size_t first = 0; ///< side
+  };
+
+  void look_at_outlines() {
     draw();
     std::vector<std::size_t> order; // along x: only neighbours there can touch
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -74,16 +85,8 @@ public:
     }
   }
 
-private:
-  static constexpr std::size_t nobody = static_cast<std::size_t>(-1);
-
-  struct TouchedLength {
-    double length = 0.0;
-    std::size_t first = 0; ///< side
-  };
-
-  // In space: sides that lie on each other corner on corner, as bricks meshed alike have them.
-  void look_in_space() {
+  // Sides that lie on each other corner on corner, as bricks meshed alike have them.
+  void look_at_coincident_sides() {
     struct Touching {
       std::size_t sides = 0;
       base::Vec3 at = base::Vec3::Zero();
