@@ -219,9 +219,7 @@ double evaluate_contact_quantity(const model::Model& model, const std::string& w
   const std::string name = args.next_name("a contact");
   base::Vec3 point = base::Vec3::Zero();
   if (argument == Argument::point) {
-    point.x() = args.required_number("x");
-    point.y() = args.required_number("y");
-    point.z() = model.mesh.dim == 3 ? args.required_number("z") : 0.0;
+    point = args.required_point(model.mesh.dim);
   }
   const std::string step = args.next_name("a step");
   double at = 0.0;

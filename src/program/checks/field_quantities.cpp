@@ -156,12 +156,7 @@ double evaluate_field_quantity(const model::Model& model, const std::string& qua
                                CheckArguments& args, const results::RunResult& run) {
   const FieldName field = split(quantity);
   if (field.how == "AT") {
-    base::Vec3 x = base::Vec3::Zero();
-    x[0] = args.required_number("x");
-    x[1] = args.required_number("y");
-    if (model.mesh.dim == 3) {
-      x[2] = args.required_number("z");
-    }
+    const base::Vec3 x = args.required_point(model.mesh.dim);
     const std::string step = args.next_name("a step");
     const CheckedStep at = find_checked_step(run, step, args.next_number());
     if (field.what == "U") {

@@ -4,6 +4,7 @@
 #include "model/requests.hpp"
 #include "results/results.hpp"
 
+#include <array>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -51,6 +52,14 @@ public:
           fmt::format("{} expects {} as argument {}", check_.quantity, what, next_ + 1));
     }
     return *value;
+  }
+  /// The next arguments, which must be as many coordinates; what is left of a point is 0.
+  base::Vec3 required_point(int dim) {
+    base::Vec3 x = base::Vec3::Zero();
+    for (int d = 0; d < dim; ++d) {
+      x[d] = required_number(std::array{"x", "y", "z"}.at(static_cast<std::size_t>(d)));
+    }
+    return x;
   }
 
 private:

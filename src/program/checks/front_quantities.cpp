@@ -253,7 +253,7 @@ Asked asked_of(const std::string& text, CheckArguments& args, const results::Run
   const FrontWord& word = asked.word;
   const std::string crack = args.next_name("a crack");
   if (word.where == "AT") {
-    asked.x = {args.required_number("x"), args.required_number("y"), args.required_number("z")};
+    asked.x = args.required_point(3);
   }
   const std::string name = args.next_name(word.on_path ? "a load path" : "a step");
   const double t = word.on_path ? args.required_number("a place t") : 0.0;

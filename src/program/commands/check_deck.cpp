@@ -40,7 +40,7 @@ constexpr double rate_seconds = 0.02; // long enough for a clock, short enough f
 // DA bounds how far the fastest tip goes between two stations, AMAX where the first one ends.
 double stations_at_least(const model::Model& model, const std::vector<mesh::CrackLine>& lines) {
   const model::CrackGrowthSettings& growth = *model.growth;
-  if (!growth.largest_advance || !growth.last_length) {
+  if (!growth.largest_advance || !growth.last_length || lines.empty()) {
     return 1.0;
   }
   double way = *growth.last_length;
@@ -76,7 +76,7 @@ public:
   void look(bool forecast) {
     if (analysis::grows_by_law(model_)) {
       analysis::make_crack_kinematics(model_, diagnostics);
-      if (model_.mesh.dim == 2 && !diagnostics.has_errors()) {
+      if (!diagnostics.has_errors()) {
         if (const auto lines = growth::crack_lines(model_, 0.0, diagnostics)) {
           stations = stations_at_least(model_, *lines);
         }
@@ -98,15 +98,11 @@ public:
     analysis::CondensationCache cache; // stays empty: nothing is condensed
     for (std::size_t i = 0; i < lengths.size(); ++i) {
       const base::Stopwatch watch;
-      std::optional<model::Model> sized; // in space
-      if (model_.mesh.dim == 3 && lengths[i] > 0.0) {
-        sized.emplace(model_);
-        sized->cracks = growth::scale_solid_cracks(model_, lengths[i]);
-      }
+      model::Model sized = model_;
+      sized.cracks = growth::scale_solid_cracks(model_, lengths[i]);
       const std::unique_ptr<analysis::CrackLengthAnalysis> length =
           analysis::CrackLengthAnalysis::create(
-              {.model = sized ? *sized : model_, .cache = cache, .threads = threads_}, lengths[i],
-              plan, diagnostics);
+              {.model = sized, .cache = cache, .threads = threads_}, lengths[i], plan, diagnostics);
       if (!length) {
         return;
       }

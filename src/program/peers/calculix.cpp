@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/peers/calculix.hpp"
 
+#include "base/by_dimension.hpp"
 #include "mesh/label_index.hpp"
 
 #include <algorithm>
@@ -79,10 +80,10 @@ ChildRun make_calculix_run(const fs::path& program, const fs::path& inp) {
 }
 
 std::string adapt_input_for_calculix(std::string inp, int dim) {
+  constexpr base::ByDimension<const char*> parameter{", OUTPUT=2D", ""};
   for (const char* const keyword : {"*NODE FILE", "*EL FILE"}) {
-    const std::size_t at = inp.rfind(keyword);
-    if (dim == 2 && at != std::string::npos) {
-      inp.insert(at + std::string_view(keyword).size(), ", OUTPUT=2D");
+    if (const std::size_t at = inp.rfind(keyword); at != std::string::npos) {
+      inp.insert(at + std::string_view(keyword).size(), parameter.at(dim));
     }
   }
   return inp;

@@ -29,9 +29,7 @@ constexpr int most_times = 20;
 std::optional<analysis::Discretisation> first_scene(const model::Model& given) {
   model::Model model = given;
   const double a = analysis::grows_by_law(model) ? 0.0 : growth::growth_loop_lengths(model).front();
-  if (model.mesh.dim == 3 && a > 0.0) {
-    model.cracks = growth::scale_solid_cracks(model, a);
-  }
+  model.cracks = growth::scale_solid_cracks(model, a);
   base::Diagnostics reported_before;
   return analysis::discretise(model, a, {}, reported_before);
 }

@@ -90,10 +90,9 @@ Words complete_argument(const ShellSession& session, std::string_view before,
   const std::string name = grammar::to_upper(strip_comment(before.substr(0, before.find('('))));
   const grammar::ResultQuantity* is = grammar::find_result_quantity(name);
   std::string letters(is == nullptr ? std::string_view() : is->arguments);
-  std::erase(letters, '?');
-  if (session.model().mesh.dim == 2) {
-    std::erase(letters, 'z');
-  }
+  const std::string_view without = // and the coordinates that places do not have
+      std::string_view("xyz").substr(static_cast<std::size_t>(session.model().mesh.dim));
+  std::erase_if(letters, [&](char c) { return c == '?' || without.find(c) != without.npos; });
   const auto at = static_cast<std::size_t>(std::ranges::count(before, ','));
   return at < letters.size()
              ? beginning_with(candidate_argument_names(letters[at], session.model()), typed, false)

@@ -48,14 +48,11 @@ void begin_growth(model::Model& model) {
   if (!model.growth || model.growth->lengths.empty()) {
     return;
   }
-  if (model.mesh.dim == 3) {
-    model.cracks = growth::scale_solid_cracks(model, model.growth->lengths.front());
-    return;
-  }
-  const std::vector<base::CrackId>& grow = model.growth->cracks;
+  const double a = model.growth->lengths.front();
+  model.cracks = growth::scale_solid_cracks(model, a);
   for (std::size_t c = 0; c < model.cracks.size(); ++c) {
-    if (grow.empty() || std::ranges::find(grow, base::CrackId(c)) != grow.end()) {
-      model.cracks[c].a0 = model.growth->lengths.front();
+    if (model.cracks[c].is_line() && growth::is_growing_crack(model, c)) {
+      model.cracks[c].a0 = a;
     }
   }
 }
