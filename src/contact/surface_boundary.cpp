@@ -34,25 +34,6 @@ std::vector<Vec3> points_along(std::span<const Edge> edges, bool closed, const b
   return points;
 }
 
-} // namespace
-
-geometry::BodyBoundary make_plane_boundary(const ContactSurface& surface, const base::Vector& u) {
-  std::vector<geometry::BoundaryFacet> facets;
-  std::size_t first = 0; // vertex of a chain: chains that touch do not hang together
-  for (const EdgeChain& chain : surface.plane.chains) {
-    const std::vector<Vec3> points =
-        points_along(surface.plane.edges_of_chain(chain), chain.closed, u);
-    for (std::size_t i = 0; i + (chain.closed ? 0 : 1) < points.size(); ++i) {
-      const std::size_t next = (i + 1) % points.size();
-      facets.push_back({{points[i], points[next], points[next]}, {first + i, first + next, 0}});
-    }
-    first += points.size();
-  }
-  return {2, facets};
-}
-
-namespace {
-
 geometry::BodyBoundary boundary_of_edges(const model::Model& model, const model::Mesh& mesh,
                                          const std::vector<model::Face>& faces,
                                          const base::Vector& u) {
@@ -81,6 +62,21 @@ geometry::BodyBoundary boundary_of_faces(const model::Model& /*model*/, const mo
 }
 
 } // namespace
+
+geometry::BodyBoundary make_plane_boundary(const ContactSurface& surface, const base::Vector& u) {
+  std::vector<geometry::BoundaryFacet> facets;
+  std::size_t first = 0; // vertex of a chain: chains that touch do not hang together
+  for (const EdgeChain& chain : surface.plane.chains) {
+    const std::vector<Vec3> points =
+        points_along(surface.plane.edges_of_chain(chain), chain.closed, u);
+    for (std::size_t i = 0; i + (chain.closed ? 0 : 1) < points.size(); ++i) {
+      const std::size_t next = (i + 1) % points.size();
+      facets.push_back({{points[i], points[next], points[next]}, {first + i, first + next, 0}});
+    }
+    first += points.size();
+  }
+  return {2, facets};
+}
 
 geometry::BodyBoundary make_body_boundary(const model::Model& model, const model::Mesh& mesh,
                                           const std::vector<model::Face>& faces,

@@ -121,38 +121,6 @@ std::size_t rows_of(const std::vector<ReportTable>& tables) {
   return rows;
 }
 
-} // namespace
-
-std::vector<std::string> missing_error_bar_reasons(const results::RunResult& run,
-                                                   const NameTable& steps) {
-  std::vector<MissingBarReason> gaps;
-  KResultExtent all;
-  for (const FrontRow& row : front_rows(run.increments)) {
-    const results::FrontResult& front = row.front;
-    if (front.two_materials || std::ranges::find(steps, row.step.step) == steps.end()) {
-      continue; // it has no K
-    }
-    all.add(row);
-    if (front.has_error_bar()) {
-      continue;
-    }
-    auto gap = std::ranges::find(gaps, front.no_bar, &MissingBarReason::why);
-    if (gap == gaps.end()) {
-      gap = gaps.insert(gap, MissingBarReason{front.no_bar, {}});
-    }
-    gap->where.add(row);
-  }
-  std::vector<std::string> words;
-  words.reserve(gaps.size());
-  for (const MissingBarReason& gap : gaps) {
-    words.push_back(
-        fmt::format("No error bar {}: {}.", place_of(gap.where, all), words_of(gap.why)));
-  }
-  return words;
-}
-
-namespace {
-
 KReportSection front_section(const model::Model& model, const results::RunResult& run) {
   KReportSection section;
   if (!run.increments.empty()) {
@@ -206,6 +174,34 @@ KReportSection tip_section(const model::Model& model, const results::RunResult& 
 }
 
 } // namespace
+
+std::vector<std::string> missing_error_bar_reasons(const results::RunResult& run,
+                                                   const NameTable& steps) {
+  std::vector<MissingBarReason> gaps;
+  KResultExtent all;
+  for (const FrontRow& row : front_rows(run.increments)) {
+    const results::FrontResult& front = row.front;
+    if (front.two_materials || std::ranges::find(steps, row.step.step) == steps.end()) {
+      continue; // it has no K
+    }
+    all.add(row);
+    if (front.has_error_bar()) {
+      continue;
+    }
+    auto gap = std::ranges::find(gaps, front.no_bar, &MissingBarReason::why);
+    if (gap == gaps.end()) {
+      gap = gaps.insert(gap, MissingBarReason{front.no_bar, {}});
+    }
+    gap->where.add(row);
+  }
+  std::vector<std::string> words;
+  words.reserve(gaps.size());
+  for (const MissingBarReason& gap : gaps) {
+    words.push_back(
+        fmt::format("No error bar {}: {}.", place_of(gap.where, all), words_of(gap.why)));
+  }
+  return words;
+}
 
 KReportSection make_k_report_section(const model::Model& model, const results::RunResult& run) {
   constexpr base::ByDimension sections{tip_section, front_section};
