@@ -25,6 +25,16 @@ enum class ElementType : std::uint8_t {
   hexec27
 };
 
+/// The body that the reference coordinates of an element or of a side run over.
+enum class ReferenceDomain : std::uint8_t {
+  line,
+  triangle,
+  quadrilateral,
+  tetrahedron,
+  prism,
+  hexahedron
+};
+
 struct ElementInfo {
   std::string_view name; ///< the deck's word
   int nodes;
@@ -32,21 +42,22 @@ struct ElementInfo {
   int dim; ///< of the element's own space
   int sides;
   bool quadratic;
+  ReferenceDomain domain;
 };
 
 inline constexpr std::array<ElementInfo, 12> element_infos{{
-    {"TRIM3", 3, 3, 2, 3, false},
-    {"TRIMC6", 6, 3, 2, 3, true},
-    {"QUAM4", 4, 4, 2, 4, false},
-    {"QUAMC8", 8, 4, 2, 4, true},
-    {"QUAMC9", 9, 4, 2, 4, true},
-    {"TET4", 4, 4, 3, 4, false},
-    {"TET10", 10, 4, 3, 4, true},
-    {"PENTA6", 6, 6, 3, 5, false},
-    {"PENTAC15", 15, 6, 3, 5, true},
-    {"HEXE8", 8, 8, 3, 6, false},
-    {"HEXEC20", 20, 8, 3, 6, true},
-    {"HEXEC27", 27, 8, 3, 6, true},
+    {"TRIM3", 3, 3, 2, 3, false, ReferenceDomain::triangle},
+    {"TRIMC6", 6, 3, 2, 3, true, ReferenceDomain::triangle},
+    {"QUAM4", 4, 4, 2, 4, false, ReferenceDomain::quadrilateral},
+    {"QUAMC8", 8, 4, 2, 4, true, ReferenceDomain::quadrilateral},
+    {"QUAMC9", 9, 4, 2, 4, true, ReferenceDomain::quadrilateral},
+    {"TET4", 4, 4, 3, 4, false, ReferenceDomain::tetrahedron},
+    {"TET10", 10, 4, 3, 4, true, ReferenceDomain::tetrahedron},
+    {"PENTA6", 6, 6, 3, 5, false, ReferenceDomain::prism},
+    {"PENTAC15", 15, 6, 3, 5, true, ReferenceDomain::prism},
+    {"HEXE8", 8, 8, 3, 6, false, ReferenceDomain::hexahedron},
+    {"HEXEC20", 20, 8, 3, 6, true, ReferenceDomain::hexahedron},
+    {"HEXEC27", 27, 8, 3, 6, true, ReferenceDomain::hexahedron},
 }};
 
 /// Name, numbers of nodes, corners and sides, dimension and order of an element type.

@@ -24,8 +24,7 @@ double remove_round_off(double value) {
 }
 
 std::string format_coordinates(const Vec3& x, int dim) {
-  return dim == 2 ? fmt::format("({:.6g}, {:.6g})", x.x(), x.y())
-                  : fmt::format("({:.6g}, {:.6g}, {:.6g})", x.x(), x.y(), x.z());
+  return fmt::format("({:.6g})", fmt::join(x.data(), x.data() + dim, ", "));
 }
 
 } // namespace spricka::base

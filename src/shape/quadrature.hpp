@@ -35,18 +35,22 @@ std::span<const QuadraturePoint<3>> prism_rule(int degree);
 /// 2000; Keast 1986); above, products of Gauss-Jacobi points on the collapsed cube (Stroud 1971).
 std::span<const QuadraturePoint<3>> tetrahedron_rule(int degree);
 
-/// The rule of a domain.
+/// The rule of a domain of so many dimensions.
 template <int dim>
-std::span<const QuadraturePoint<dim>> quadrature(ReferenceDomain domain, int degree) {
-  if constexpr (dim == 1) {
-    return line_rule(degree);
-  } else if constexpr (dim == 2) {
-    return domain == ReferenceDomain::triangle ? triangle_rule(degree) : quadrilateral_rule(degree);
-  } else {
-    return domain == ReferenceDomain::tetrahedron ? tetrahedron_rule(degree)
-           : domain == ReferenceDomain::prism     ? prism_rule(degree)
-                                                  : hexahedron_rule(degree);
-  }
+std::span<const QuadraturePoint<dim>> quadrature(ReferenceDomain domain, int degree);
+template <>
+inline std::span<const QuadraturePoint<1>> quadrature<1>(ReferenceDomain /*line*/, int degree) {
+  return line_rule(degree);
+}
+template <>
+inline std::span<const QuadraturePoint<2>> quadrature<2>(ReferenceDomain domain, int degree) {
+  return domain == ReferenceDomain::triangle ? triangle_rule(degree) : quadrilateral_rule(degree);
+}
+template <>
+inline std::span<const QuadraturePoint<3>> quadrature<3>(ReferenceDomain domain, int degree) {
+  return domain == ReferenceDomain::tetrahedron ? tetrahedron_rule(degree)
+         : domain == ReferenceDomain::prism     ? prism_rule(degree)
+                                                : hexahedron_rule(degree);
 }
 /// The rule of a shape's own domain that is exact up to a degree.
 template <Shape S> std::span<const QuadraturePoint<S::dim>> quadrature(int degree) {

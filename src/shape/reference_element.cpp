@@ -4,7 +4,7 @@
 #include "shape/quadrature.hpp"
 #include "shape/solid.hpp"
 
-#include <type_traits>
+#include <algorithm>
 
 namespace spricka::shape {
 
@@ -23,11 +23,11 @@ template <Shape S> ReferenceElement<S::dim> describe() {
 
 // The linear element with the same corners.
 template <ElementShape S> const ReferenceElement<S::dim>& linear_relative() {
-  constexpr int corners = base::element_info(S::type).corners;
-  using Linear = std::conditional_t<
-      S::dim == 2, std::conditional_t<corners == 3, Trim3, Quam4>,
-      std::conditional_t<corners == 4, Tet4, std::conditional_t<corners == 6, Penta6, Hexe8>>>;
-  return reference_element<S::dim>(Linear::type);
+  const auto* const linear =
+      std::ranges::find_if(base::element_infos, [](const base::ElementInfo& info) {
+        return info.domain == S::domain && !info.quadratic;
+      });
+  return reference_element<S::dim>(base::element_type_by_name(linear->name));
 }
 
 template <ElementShape S> const ReferenceElement<S::dim>& element_of() {

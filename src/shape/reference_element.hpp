@@ -8,7 +8,8 @@
 namespace spricka::shape {
 
 /// Nodes of an element at most.
-template <int dim> inline constexpr int most_nodes = dim == 1 ? 3 : (dim == 2 ? 9 : 27);
+template <int dim> inline constexpr int most_nodes = 3 * most_nodes<dim - 1>;
+template <> inline constexpr int most_nodes<0> = 1;
 /// Its corners at most.
 template <int dim> inline constexpr int most_corners = 1 << dim;
 
@@ -69,13 +70,13 @@ template <int dim> const ReferenceElement<dim>& reference_element(base::ElementT
 /// A side of two nodes, or of three.
 const ReferenceElement<1>& reference_line(int nodes);
 
-/// A shape struct as data.
-template <Shape S> const ReferenceElement<S::dim>& as_reference_element() {
-  if constexpr (S::dim == 1) {
-    return reference_line(S::nodes);
-  } else {
-    return reference_element<S::dim>(S::type);
-  }
+/// A shape struct as data: a side of two or three nodes.
+template <Shape S> const ReferenceElement<1>& as_reference_element() {
+  return reference_line(S::nodes);
+}
+/// A shape struct of the element library as data.
+template <ElementShape S> const ReferenceElement<S::dim>& as_reference_element() {
+  return reference_element<S::dim>(S::type);
 }
 
 } // namespace spricka::shape

@@ -20,8 +20,14 @@ namespace spricka::shape {
 /// A point in reference coordinates.
 template <int dim> using Point = Eigen::Matrix<double, dim, 1>;
 
-/// The body that the reference coordinates run over.
-enum class ReferenceDomain { line, triangle, quadrilateral, tetrahedron, prism, hexahedron };
+using base::ReferenceDomain;
+
+/// How many reference coordinates of a domain, the first ones, run over a simplex: from 0 on, their
+/// sum up to 1. The others run from -1 to 1.
+constexpr int simplex_directions(ReferenceDomain domain) {
+  constexpr std::array<int, 6> directions{0, 2, 0, 3, 2, 0};
+  return directions[static_cast<std::size_t>(domain)];
+}
 
 /// A shape known when run only (reference_element.hpp).
 template <int dim> struct ReferenceElement;
@@ -49,7 +55,7 @@ concept ElementShape = Shape<S> && requires {
 
 /// The shape of a plane element has one `Side` for all its sides.
 template <class S>
-concept PlaneShape = ElementShape<S> && S::dim == 2 && Shape<typename S::Side>;
+concept PlaneShape = ElementShape<S> && Shape<typename S::Side>;
 
 struct Line2 {
   static constexpr int nodes = 2;
@@ -76,22 +82,12 @@ struct Line3 {
   static Eigen::Matrix<double, 3, 1> dN(const Point<1>& r);
 };
 
-/// The domain of the elements of a type, by their dimension and corners.
-constexpr ReferenceDomain reference_domain(base::ElementType type) {
-  const base::ElementInfo& info = base::element_info(type);
-  return info.corners == 3   ? ReferenceDomain::triangle
-         : info.corners == 6 ? ReferenceDomain::prism
-         : info.corners == 8 ? ReferenceDomain::hexahedron
-         : info.dim == 2     ? ReferenceDomain::quadrilateral
-                             : ReferenceDomain::tetrahedron;
-}
-
 /// What the table of the element library says of a shape.
 template <base::ElementType element> struct LibraryShape {
   static constexpr base::ElementType type = element;
   static constexpr int nodes = base::element_info(element).nodes;
   static constexpr int dim = base::element_info(element).dim;
-  static constexpr ReferenceDomain domain = reference_domain(element);
+  static constexpr ReferenceDomain domain = base::element_info(element).domain;
 };
 
 struct Trim3 : LibraryShape<base::ElementType::trim3> {
@@ -184,11 +180,8 @@ template <Shape S> Point<S::dim> node_coordinates(int i) {
 /// The middle of a reference domain.
 template <int dim> Point<dim> centre(ReferenceDomain domain) {
   Point<dim> middle = Point<dim>::Zero();
-  if (domain == ReferenceDomain::triangle || domain == ReferenceDomain::tetrahedron) {
-    middle.setConstant(1.0 / (dim + 1.0));
-  } else if (domain == ReferenceDomain::prism) {
-    middle[0] = middle[1 % dim] = 1.0 / 3.0;
-  }
+  const int simplex = simplex_directions(domain);
+  middle.head(simplex).setConstant(1.0 / (simplex + 1.0));
   return middle;
 }
 /// The middle of the domain of a shape known when compiled.
@@ -199,15 +192,16 @@ template <Shape S> Point<S::dim> centre() {
 /// How far a point lies outside a reference domain: the largest violation of a side, on domains
 /// of side 1 and 2 alike; negative inside.
 template <int dim> double distance_outside(ReferenceDomain domain, const Point<dim>& r) {
-  if (domain == ReferenceDomain::triangle || domain == ReferenceDomain::tetrahedron) {
+  const int simplex = simplex_directions(domain);
+  if (simplex == 0) {
+    return r.cwiseAbs().maxCoeff() - 1.0;
+  }
+  if (simplex == dim) {
     return std::max(-r.minCoeff(), r.sum() - 1.0);
   }
-  if constexpr (dim == 3) {
-    if (domain == ReferenceDomain::prism) {
-      return std::max({-r[0], -r[1], r[0] + r[1] - 1.0, std::abs(r[2]) - 1.0});
-    }
-  }
-  return r.cwiseAbs().maxCoeff() - 1.0;
+  const auto in_simplex = r.head(simplex);
+  return std::max({-in_simplex.minCoeff(), in_simplex.sum() - 1.0,
+                   r.tail(dim - simplex).cwiseAbs().maxCoeff() - 1.0});
 }
 /// How far a point lies outside the domain of a shape known when compiled; negative inside.
 template <Shape S> double distance_outside(const Point<S::dim>& r) {

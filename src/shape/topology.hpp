@@ -13,6 +13,9 @@ namespace spricka::shape {
 /// 2D sides: edge s joins corners s and s+1.
 std::span<const int> side_nodes(base::ElementType type, int s);
 
+/// What a side is: a line, a triangle or a quadrilateral.
+base::ReferenceDomain side_domain(base::ElementType type, int s);
+
 /// The plane shape of side `s` of a solid: TRIM3, TRIMC6, QUAM4, QUAMC8 or QUAMC9. A pentahedron
 /// has triangles (sides 0, 1) and quadrilaterals.
 base::ElementType solid_side_type(base::ElementType type, int s);
@@ -23,6 +26,9 @@ std::size_t side_corners(base::ElementType type, int s);
 inline bool is_edge(base::ElementType type, int s) {
   return side_corners(type, s) == 2;
 }
+
+/// How many edges a side has: a line is one, faces have as many as corners.
+std::size_t side_edge_count(base::ElementType type, int s);
 
 /// Corners that edge `m` of an element joins; its mid node, if the element has one, is corners + m.
 std::array<int, 2> edge_corners(base::ElementType type, int m);
