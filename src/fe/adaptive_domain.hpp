@@ -38,14 +38,26 @@ struct AdaptiveRuleLimits {
   int across_degree; ///< of the rule across the lines
   int grid, layers;  ///< of lines that tell in which direction a field changes: grid^2 layers
   int bisections;    ///< to a jump: to 1e-15 of a panel, in space to 1e-11
+  bool ends;         ///< are looked at: a line's, where many a field has its peak
   /// Of an additive recurrence, across the first direction: golden section, plastic number.
   std::array<double, 2> recurrence;
 };
 /// By the dimension, less 1.
 inline constexpr std::array<AdaptiveRuleLimits, 3> adaptive_rule_limits_by_dim{
-    {{1e-9, 0.0, 0.0, 64, 20000, 8, 7, 4, 1, 50, {0.6180339887498949, 0.0}},
-     {1e-7, 1e-5, 3e-3, 256, 40000, 8, 7, 8, 1, 50, {0.6180339887498949, 0.0}},
-     {1e-4, 1e-5, 3e-3, 256, 80000, 4, 5, 4, 4, 36, {0.7548776662466927, 0.5698402909980532}}}};
+    {{1e-9, 0.0, 0.0, 64, 20000, 8, 7, 4, 1, 50, true, {0.6180339887498949, 0.0}},
+     {1e-7, 1e-5, 3e-3, 256, 40000, 8, 7, 8, 1, 50, false, {0.6180339887498949, 0.0}},
+     {1e-4,
+      1e-5,
+      3e-3,
+      256,
+      80000,
+      4,
+      5,
+      4,
+      4,
+      36,
+      false,
+      {0.7548776662466927, 0.5698402909980532}}}};
 template <int dim>
 inline constexpr AdaptiveRuleLimits adaptive_rule_limits = adaptive_rule_limits_by_dim[dim - 1];
 
@@ -64,24 +76,20 @@ using UnitPoint = std::array<double, 3>;
 /// triangles and tetrahedra are collapsed (Stroud 1971).
 template <int dim>
 shape::QuadraturePoint<dim> unit_cube_point(shape::ReferenceDomain domain, const UnitPoint& t) {
-  using shape::ReferenceDomain;
+  const auto simplex = static_cast<std::size_t>(shape::simplex_directions(domain));
   shape::QuadraturePoint<dim> p;
   p.weight = 1.0;
-  for (int k = 0; k < dim; ++k) {
-    p.r[k] = 2.0 * t[static_cast<std::size_t>(k)] - 1.0;
-    p.weight *= 2.0;
-  }
-  if constexpr (dim > 1) {
-    const double left = 1.0 - t[0];
-    if (domain == ReferenceDomain::triangle || domain == ReferenceDomain::prism) {
-      p.r.template head<2>() << t[0], t[1] * left;
-      p.weight = domain == ReferenceDomain::prism ? 2.0 * left : left;
+  for (std::size_t k = 0; k < dim; ++k) {
+    double& r = p.r[static_cast<Eigen::Index>(k)];
+    if (k >= simplex) {
+      r = 2.0 * t[k] - 1.0;
+      p.weight *= 2.0;
+      continue;
     }
-    if constexpr (dim == 3) {
-      if (domain == ReferenceDomain::tetrahedron) {
-        p.r << t[0], t[1] * left, t[2] * left * (1.0 - t[1]);
-        p.weight = left * left * (1.0 - t[1]);
-      }
+    r = t[k];
+    for (std::size_t j = 0; j < k; ++j) {
+      r *= 1.0 - t[j];
+      p.weight *= 1.0 - t[j];
     }
   }
   return p;

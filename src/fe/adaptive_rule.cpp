@@ -47,7 +47,7 @@ FieldOutlier outlier_of(const AdaptiveDomain<dim>& domain, const ReferenceField<
     const double second = step[1] * (i + 1);
     look({(i + 0.5) / places, first - std::floor(first), second - std::floor(second)});
   }
-  if constexpr (dim == 1) {
+  if constexpr (adaptive_rule_limits<dim>.ends) {
     look({inside, 0.0, 0.0});
     look({1.0 - inside, 0.0, 0.0});
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/bearing.hpp"
 
+#include "base/by_dimension.hpp"
 #include "fe/circle_fit.hpp"
 #include "fe/load_rule.hpp"
 #include "model/mesh_side.hpp"
@@ -132,7 +133,8 @@ void for_unit_pressures(const model::Model& model, const model::Mesh& mesh, cons
 }
 
 // In the plane: the circle through the nodes.
-Pin pin_on_edges(const model::Mesh& mesh, const std::vector<model::Face>& faces, const Vec3& F) {
+std::optional<Pin> pin_on_edges(const model::Mesh& mesh, const std::vector<model::Face>& faces,
+                                const Vec3& F) {
   Pin pin;
   pin.axes.setIdentity();
   // Nodes shared by two edges count twice, which does no harm to nodes on a circle.
@@ -187,6 +189,8 @@ std::optional<Pin> pin_on_faces(const model::Mesh& mesh, const std::vector<model
   return pin;
 }
 
+constexpr base::ByDimension pins{&pin_on_edges, &pin_on_faces};
+
 // Whether a plane of symmetry that cuts the faces runs along the load and the axis; one across the
 // axis does nothing.
 bool is_balanced(const std::array<bool, 3>& cuts, const Vec3& across) {
@@ -229,8 +233,7 @@ bool for_bearing_points(const model::Model& model, const model::Mesh& mesh, cons
   if (F.isZero(0.0)) {
     return true;
   }
-  std::optional<Pin> pin =
-      mesh.dim == 2 ? pin_on_edges(mesh, faces, F) : pin_on_faces(mesh, faces, F);
+  std::optional<Pin> pin = pins.at(mesh.dim)(mesh, faces, F);
   if (!pin) {
     return false;
   }

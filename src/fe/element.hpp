@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/with_dimension.hpp"
 #include "fe/dilatation.hpp"
 #include "fe/jacobian.hpp"
 #include "fe/law.hpp"
@@ -130,8 +131,9 @@ void for_shape_blocks(const model::Mesh& mesh, std::span<const base::ElementId> 
 template <class F>
 decltype(auto) with_any_element(const model::Mesh& mesh, base::ElementId e, F&& f) {
   const base::ElementType type = mesh.type[e.index()];
-  return base::element_info(type).dim == 2 ? f(shape::reference_element<2>(type))
-                                           : f(shape::reference_element<3>(type));
+  return base::with_dimension(base::element_info(type).dim, [&](auto dim) -> decltype(auto) {
+    return f(shape::reference_element<dim>(type));
+  });
 }
 
 } // namespace spricka::fe

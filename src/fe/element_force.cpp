@@ -16,20 +16,15 @@ NodeVectors<S> element_force(const S& element, const NodeVectors<S>& X, const Co
     const HoopStrain<S> hoop(element, X, law, point.r);
     const double w = point.weight * J.determinant() * law.depth(hoop.x);
     const Square H = U.lazyProduct(dN).eval() * J_inverse;
-    double ring = 0.0;
-    if constexpr (S::dim == 2) {
-      ring = U.row(0) * hoop.h;
-    }
+    const double ring = law.is_axisymmetric<S::dim>() ? double(U.row(0) * hoop.h) : 0.0;
     // (fe.11); dN/dx is not formed: T (dN/dx)^T = T J^-T dN^T.
     const double pressure = law.lambda * change.at(point.r, H.trace() + ring);
     Square T = law.mu * (H + H.transpose());
     T.diagonal().array() += pressure;
     const Square flow = w * T * J_inverse.transpose();
     F.noalias() += flow * dN.transpose();
-    if constexpr (S::dim == 2) {
-      if (law.axisymmetric) {
-        F.row(0) += (w * (pressure + 2.0 * law.mu * ring)) * hoop.h.transpose();
-      }
+    if (law.is_axisymmetric<S::dim>()) {
+      F.row(0) += (w * (pressure + 2.0 * law.mu * ring)) * hoop.h.transpose();
     }
   }
   return F;

@@ -36,7 +36,7 @@ template <shape::ElementShape S> struct Moments {
               weighted.col(p) * at.dNdx.col(q).transpose();
         }
       }
-      if (dim == 2 && law.axisymmetric) {
+      if (law.is_axisymmetric<dim>()) {
         H.noalias() += (w * hoop.h) * hoop.h.transpose();
         for (int p = 0; p < dim; ++p) {
           L[static_cast<std::size_t>(p)].noalias() += hoop.h * weighted.col(p).transpose();
@@ -47,7 +47,7 @@ template <shape::ElementShape S> struct Moments {
 };
 
 /// Adds what the hoop strain h^T u_x brings to a stiffness.
-template <shape::PlaneShape S>
+template <shape::ElementShape S>
 void add_hoop(const Moments<S>& moments, double lambda, double mu, ElementMatrix<S>& Ke) {
   constexpr int dim = S::dim;
   for (int i = 0; i < S::nodes; ++i) {
@@ -98,10 +98,8 @@ ElementMatrix<S> element_stiffness(const NodeVectors<S>& X, const ConstitutiveLa
       }
     }
   }
-  if constexpr (dim == 2) {
-    if (law.axisymmetric) {
-      add_hoop<S>(moments, lambda, mu, Ke);
-    }
+  if (law.is_axisymmetric<dim>()) {
+    add_hoop<S>(moments, lambda, mu, Ke);
   }
   if (law.projected) {
     const ProjectedDilatation<S> theta(S{}, X, law);

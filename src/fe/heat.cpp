@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/heat.hpp"
 
+#include "base/by_dimension.hpp"
 #include "fe/corner_rule.hpp"
 #include "fe/load_points.hpp"
 #include "fe/load_rule.hpp"
@@ -115,8 +116,9 @@ CaseTemperature make_case_temperature(const model::Model& model, const PatchedMe
                                       const model::LoadCase& load_case, UnresolvedLoad* missed) {
   CaseTemperature heat;
   // In the plane points of their own tell whether a temperature jumps.
-  std::vector<bool>* const jumps = patched.mesh.dim == 3 ? &heat.discontinuous : nullptr;
-  heat.temperature = element_corner_temperatures(model, patched.mesh, load_case, missed, jumps);
+  const base::ByDimension<std::vector<bool>*> jumps{nullptr, &heat.discontinuous};
+  heat.temperature = element_corner_temperatures(model, patched.mesh, load_case, missed,
+                                                 jumps.at(patched.mesh.dim));
   if (heat.temperature.size() == 0) {
     return heat;
   }
@@ -131,9 +133,7 @@ CaseTemperature make_case_temperature(const model::Model& model, const PatchedMe
       scale.mean += own.mean;
     }
   }
-  if (patched.mesh.dim == 2) {
-    add_points(model, patched, scale, heat, missed);
-  }
+  add_points(model, patched, scale, heat, missed);
   return heat;
 }
 

@@ -128,12 +128,10 @@ template <class S> struct HoopStrain {
   HoopStrain(const S& element, const NodeVectors<S>& X, const ConstitutiveLaw& law,
              const shape::Point<S::dim>& r)
       : h(NodeValues<S>::Zero(element.nodes)) {
-    if constexpr (S::dim == 2) { // the only ones that turn about an axis
-      if (law.axisymmetric) {
-        const NodeValues<S> N = element.N(r);
-        x = X.row(0) * N;
-        h = N / x;
-      }
+    if (law.is_axisymmetric<S::dim>()) {
+      const NodeValues<S> N = element.N(r);
+      x = X.row(0) * N;
+      h = N / x;
     }
   }
   HoopStrain(const NodeVectors<S>& X, const ConstitutiveLaw& law, const shape::Point<S::dim>& r)

@@ -23,6 +23,10 @@ struct ConstitutiveLaw {
   /// hardly changes its volume.
   bool projected = false;
 
+  /// Whether elements of a dimension turn about the axis: solids never do, and code for them that
+  /// is compiled for each dimension leaves out what hoop strains bring.
+  template <int dim> [[nodiscard]] bool is_axisymmetric() const { return dim == 2 && axisymmetric; }
+
   /// Strains that a temperature drives and that the state holds: two in plane stress.
   [[nodiscard]] double heated_directions() const { return plane_stress ? 2.0 : 3.0; }
 

@@ -51,7 +51,7 @@ ElementStressEvaluator<S>::held_temperature(const model::Mesh& mesh, base::Eleme
     return none;
   }
   const CornerValues<S::dim> T = corner_temperature(element, mesh, e, *field.temperature);
-  if (const auto free = free_expansion<S::dim>(element, X, law, T)) {
+  if (const auto free = free_expansion(element, X, law, T)) {
     U -= *free;
     return none;
   }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/stress_patch.hpp"
 
+#include "base/by_dimension.hpp"
+#include "base/with_dimension.hpp"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -16,9 +19,22 @@ constexpr double least_spread = 0.15;
 // Part of a term's square that earlier terms must leave over.
 constexpr double least_share = 0.02;
 
-int term_count(int dim, int degree) {
+constexpr int term_count(int dim, int degree) {
   return degree == 0 ? 1 : (degree == 1 ? dim + 1 : (dim + 1) * (dim + 2) / 2);
 }
+
+Eigen::Matrix3d principal_in_plane(const Eigen::Matrix3d& spread) {
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
+  solver.computeDirect(Eigen::Matrix2d(spread.topLeftCorner<2, 2>()));
+  Eigen::Matrix3d directions = Eigen::Matrix3d::Zero();
+  directions.topLeftCorner<2, 2>() = solver.eigenvectors();
+  return directions;
+}
+Eigen::Matrix3d principal_in_space(const Eigen::Matrix3d& spread) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
+}
+// Principal directions of the spread of samples, columns.
+constexpr base::ByDimension principal_directions{&principal_in_plane, &principal_in_space};
 
 } // namespace
 
@@ -27,11 +43,7 @@ StressPatch::StressPatch(std::span<const StressSample* const> samples, int dim, 
   // About their centre and in units of their spread samples leave well conditioned equations on
   // stretched elements as well.
   choose_axes(samples);
-  if (dim == 2) {
-    fit<most_flat>(samples);
-  } else {
-    fit<most>(samples);
-  }
+  base::with_dimension(dim, [&](auto known) { fit<term_count(known, 2)>(samples); });
 }
 
 void StressPatch::choose_axes(std::span<const StressSample* const> samples) {
@@ -54,14 +66,7 @@ void StressPatch::choose_axes(std::span<const StressSample* const> samples) {
       axes_.row(row) = axis.transpose() / std::sqrt(square);
     }
   };
-  Eigen::Matrix3d directions = Eigen::Matrix3d::Zero();
-  if (dim_ == 2) {
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
-    solver.computeDirect(Eigen::Matrix2d(spread.topLeftCorner<2, 2>()));
-    directions.topLeftCorner<2, 2>() = solver.eigenvectors();
-  } else {
-    directions = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
-  }
+  const Eigen::Matrix3d directions = principal_directions.at(dim_)(spread);
   for (int i = 0; i < dim_; ++i) {
     const base::Vec3 axis = directions.col(i);
     along(axis, axis.dot(spread * axis), i);
@@ -127,8 +132,10 @@ template <int some> void StressPatch::fit(std::span<const StressSample* const> s
 
 Stress StressPatch::at(const base::Vec3& x) const {
   const Terms t = terms(x); // coefficients are zero where no term is
-  return dim_ == 2 ? Stress(coefficient_.leftCols<most_flat>() * t.head<most_flat>())
-                   : Stress(coefficient_ * t);
+  return base::with_dimension(dim_, [&](auto known) {
+    constexpr int count = term_count(known, 2);
+    return Stress(coefficient_.leftCols<count>() * t.head<count>());
+  });
 }
 
 } // namespace spricka::fe

@@ -29,8 +29,7 @@ public:
   [[nodiscard]] Stress at(const base::Vec3& x) const;
 
 private:
-  static constexpr int most = 10;     ///< terms of degree 2 in space
-  static constexpr int most_flat = 6; ///< in the plane
+  static constexpr int most = 10; ///< terms of degree 2 in space
   using Terms = Eigen::Matrix<double, most, 1>;
 
   void choose_axes(std::span<const StressSample* const> samples);

@@ -14,7 +14,7 @@ namespace {
 template <int dim>
 double held_energy(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
                    const ConstitutiveLaw& law, const CornerValues<dim>& T) {
-  if (const auto U = free_expansion<dim>(element, X, law, T)) {
+  if (const auto U = free_expansion(element, X, law, T)) {
     return 0.5 * element_force(element, X, law, *U).cwiseProduct(*U).sum();
   }
   const ThermalStress<dim> stress(element, X, law, T);

@@ -74,6 +74,16 @@ AnyNodeVectors<2> FreeExpansion::at_nodes(const AnyNodeVectors<2>& X) const {
   return U;
 }
 
+std::optional<AnyNodeVectors<2>> free_expansion(const AnyElement<2>& element,
+                                                const AnyNodeVectors<2>& X,
+                                                const ConstitutiveLaw& law,
+                                                const CornerValues<2>& T) {
+  if (!FreeExpansion::is_required(element, X, law)) {
+    return std::nullopt;
+  }
+  return FreeExpansion(element, X, law, T).at_nodes(X);
+}
+
 template <int dim>
 TemperatureFunctions<dim>::TemperatureFunctions(const AnyElement<dim>& element,
                                                 const AnyNodeVectors<dim>& X)
@@ -134,7 +144,7 @@ ThermalStress<dim>::ThermalStress(const AnyElement<dim>& element, const AnyNodeV
 template <int dim>
 AnyNodeVectors<dim> thermal_forces(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
                                    const ConstitutiveLaw& law, const CornerValues<dim>& T) {
-  if (const auto U = free_expansion<dim>(element, X, law, T)) {
+  if (const auto U = free_expansion(element, X, law, T)) {
     return element_force(element, X, law, *U); // F = K_e u_T of (fe.38)
   }
   const ThermalStress<dim> stress(element, X, law, T);

@@ -62,17 +62,17 @@ private:
   Eigen::Vector3d plane_ = Eigen::Vector3d::Zero();
 };
 
-/// Displacements [dim, nodes] of the free expansion of an element that has to take it out
-/// beforehand; empty for others.
-template <int dim>
-std::optional<AnyNodeVectors<dim>>
-free_expansion(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
-               const ConstitutiveLaw& law, const CornerValues<dim>& T) {
-  if constexpr (dim == 2) {
-    if (FreeExpansion::is_required(element, X, law)) {
-      return FreeExpansion(element, X, law, T).at_nodes(X);
-    }
-  }
+/// Displacements [2, nodes] of the free expansion of an element that has to take it out beforehand;
+/// empty for others.
+std::optional<AnyNodeVectors<2>> free_expansion(const AnyElement<2>& element,
+                                                const AnyNodeVectors<2>& X,
+                                                const ConstitutiveLaw& law,
+                                                const CornerValues<2>& T);
+/// No solid has to: empty.
+inline std::optional<AnyNodeVectors<3>> free_expansion(const AnyElement<3>& /*element*/,
+                                                       const AnyNodeVectors<3>& /*X*/,
+                                                       const ConstitutiveLaw& /*law*/,
+                                                       const CornerValues<3>& /*T*/) {
   return std::nullopt;
 }
 

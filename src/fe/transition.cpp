@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/transition.hpp"
 
+#include "base/by_dimension.hpp"
 #include "model/freedoms.hpp"
 #include "model/mesh.hpp"
 #include "model/mesh_side.hpp"
@@ -66,6 +67,17 @@ Eigen::Matrix3d cross(const Vec3& a) {
   return A;
 }
 
+// Corners of a plane side lie on a line: about it the inertia is zero.
+Eigen::Matrix3d inverse_about_normal(const Eigen::Matrix3d& inertia) {
+  Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();
+  inverse(2, 2) = 1.0 / inertia(2, 2);
+  return inverse;
+}
+Eigen::Matrix3d inverse_in_space(const Eigen::Matrix3d& inertia) {
+  return inertia.inverse();
+}
+constexpr base::ByDimension inverse_inertia{&inverse_about_normal, &inverse_in_space};
+
 // Rotation of the corners X [3, n] by least squares: theta = sum of A_i u_i, A_i [3, 3]. In the
 // plane only that about z.
 std::vector<Eigen::Matrix3d> rotation_of(const Eigen::Matrix3Xd& X, int dim) {
@@ -75,13 +87,7 @@ std::vector<Eigen::Matrix3d> rotation_of(const Eigen::Matrix3Xd& X, int dim) {
     const Vec3 r = X.col(i) - centre;
     inertia += r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose();
   }
-  Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();
-  if (dim == 2) {
-    // Corners of a plane side lie on a line: about it the inertia is zero.
-    inverse(2, 2) = 1.0 / inertia(2, 2);
-  } else {
-    inverse = inertia.inverse();
-  }
+  const Eigen::Matrix3d inverse = inverse_inertia.at(dim)(inertia);
   std::vector<Eigen::Matrix3d> A;
   for (Eigen::Index i = 0; i < X.cols(); ++i) {
     // theta = I^-1 sum of r_i x u_i: translations drop out, as the r_i sum to zero.

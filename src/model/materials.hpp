@@ -20,6 +20,11 @@ struct ElasticMaterial {
 
 enum class StressState { plane_stress, plane_strain, axisymmetric, solid };
 
+/// The dimension of the elements that are in a state.
+constexpr int dimension_of(StressState state) {
+  return state == StressState::solid ? 3 : 2;
+}
+
 struct ElementProperty {
   base::ElementSetId elements;
   base::MaterialId material;
