@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/body_boundary.hpp"
 
+#include "base/by_dimension.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/triangle.hpp"
 
@@ -29,23 +30,59 @@ NearestTrianglePoint nearest_on_segment(const Vec3& x, const Vec3& a, const Vec3
   return {a + part * (b - a), part <= 0.0 ? 0 : (part >= 1.0 ? 1 : -1), -1};
 }
 
-// What a smooth boundary rises above a facet of size c that turns by theta towards the next one: an
-// arc c theta / 8 above its chord; a ball (c / sqrt 3)^2 / 2R above an equilateral triangle, where
-// faces turn by 2 c / (sqrt(12) R): c theta / sqrt(12).
-double rise_above(int dim, double size, double turn) {
-  return dim == 2 ? size * turn / 8.0 : size * turn / std::sqrt(12.0);
-}
-
 } // namespace
 
-BodyBoundary::BodyBoundary(int dim, const std::vector<BoundaryFacet>& facets) : dim_(dim) {
+/// What facets are: segments of the plane, or triangles.
+struct BodyBoundary::FacetKind {
+  using Corners = std::array<Vec3, 3>;
+
+  std::size_t corners;
+  std::size_t ridge_corners; ///< of what two facets have in common
+  bool in_pairs;             ///< two may be of one face, and lie in a plane
+  /// A smooth boundary rises by size times turn over this above a facet that turns by theta towards
+  /// the next one: an arc c theta / 8 above its chord; a ball (c / sqrt 3)^2 / 2R above an
+  /// equilateral triangle, where faces turn by 2 c / (sqrt(12) R): c theta / sqrt(12).
+  double flatness;
+  Vec3 (*area_vector)(const Corners& x);
+  double (*size)(const Corners& x);
+  double (*angle_at)(const Corners& x, std::size_t corner); ///< the part of a normal there
+  NearestTrianglePoint (*nearest)(const Vec3& x, const Corners& of);
+
+  static const base::ByDimension<FacetKind> kinds;
+};
+
+const base::ByDimension<BodyBoundary::FacetKind> BodyBoundary::FacetKind::kinds{
+    {.corners = 2,
+     .ridge_corners = 1,
+     .in_pairs = false,
+     .flatness = 8.0,
+     .area_vector = [](const Corners& x) -> Vec3 { return (x[1] - x[0]).cross(Vec3::UnitZ()); },
+     .size = [](const Corners& x) { return (x[1] - x[0]).norm(); },
+     .angle_at = [](const Corners& /*x*/, std::size_t /*corner*/) { return 1.0; },
+     .nearest = [](const Vec3& x,
+                   const Corners& of) { return nearest_on_segment(x, of[0], of[1]); }},
+    {.corners = 3,
+     .ridge_corners = 2,
+     .in_pairs = true,
+     .flatness = std::sqrt(12.0),
+     .area_vector = [](const Corners& x) -> Vec3 { return (x[1] - x[0]).cross(x[2] - x[0]); },
+     .size =
+         [](const Corners& x) {
+           return std::max({(x[1] - x[0]).norm(), (x[2] - x[1]).norm(), (x[0] - x[2]).norm()});
+         },
+     .angle_at =
+         [](const Corners& x, std::size_t i) {
+           return angle_between(x[(i + 1) % 3] - x[i], x[(i + 2) % 3] - x[i]);
+         },
+     .nearest = [](const Vec3& x, const Corners& of) { return nearest_point(x, of); }}};
+
+BodyBoundary::BodyBoundary(int dim, const std::vector<BoundaryFacet>& facets)
+    : kind_(&FacetKind::kinds.at(dim)) {
   std::vector<Box<3>> boxes;
   for (const BoundaryFacet& facet : facets) {
     const std::array<Vec3, 3>& x = facet.x;
-    const Vec3 normal =
-        dim == 2 ? (x[1] - x[0]).cross(Vec3::UnitZ()) : (x[1] - x[0]).cross(x[2] - x[0]);
-    facets_.push_back({x, normal.normalized()});
-    boxes.push_back(Box<3>::around(std::span(x).first(static_cast<std::size_t>(dim))));
+    facets_.push_back({x, kind_->area_vector(x).normalized()});
+    boxes.push_back(Box<3>::around(std::span(x).first(kind_->corners)));
     box_.extend(boxes.back());
   }
   tree_ = BoxTree<3>(boxes);
@@ -54,15 +91,13 @@ BodyBoundary::BodyBoundary(int dim, const std::vector<BoundaryFacet>& facets) : 
 }
 
 void BodyBoundary::sum_at_corners(const std::vector<BoundaryFacet>& facets) {
-  const auto corners = static_cast<std::size_t>(dim_);
+  const std::size_t corners = kind_->corners;
   std::map<std::size_t, Vec3> sums;
   for (std::size_t f = 0; f < facets.size(); ++f) {
     const std::array<Vec3, 3>& x = facets[f].x;
     for (std::size_t i = 0; i < corners; ++i) {
-      const double angle =
-          dim_ == 2 ? 1.0 : angle_between(x[(i + 1) % 3] - x[i], x[(i + 2) % 3] - x[i]);
       sums.try_emplace(facets[f].vertex[i], Vec3::Zero()).first->second +=
-          angle * facets_[f].normal;
+          kind_->angle_at(x, i) * facets_[f].normal;
     }
   }
   for (std::size_t f = 0; f < facets.size(); ++f) {
@@ -78,9 +113,9 @@ BodyBoundary::ridges(const std::vector<BoundaryFacet>& facets) const {
   // By their vertices, so that those of two facets follow each other.
   std::vector<std::tuple<std::size_t, std::size_t, std::size_t, std::size_t>> all;
   for (std::size_t f = 0; f < facets.size(); ++f) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(dim_); ++i) {
+    for (std::size_t i = 0; i < kind_->corners; ++i) {
       const std::size_t first = facets[f].vertex[i];
-      const std::size_t next = dim_ == 2 ? first : facets[f].vertex[(i + 1) % 3];
+      const std::size_t next = facets[f].vertex[(i + kind_->ridge_corners - 1) % 3];
       all.emplace_back(std::min(first, next), std::max(first, next), f, i);
     }
   }
@@ -108,17 +143,14 @@ void BodyBoundary::join(const std::vector<Ridge>& ridges) {
     }
     smooth.push_back(ridge);
     for (const std::size_t p : {f, g}) {
-      const std::array<Vec3, 3>& x = facets_[p].x;
-      const double size =
-          dim_ == 2 ? (x[1] - x[0]).norm()
-                    : std::max({(x[1] - x[0]).norm(), (x[2] - x[1]).norm(), (x[0] - x[2]).norm()});
-      facets_[p].rise = std::max(facets_[p].rise, rise_above(dim_, size, turn));
+      const double rise = kind_->size(facets_[p].x) * turn / kind_->flatness;
+      facets_[p].rise = std::max(facets_[p].rise, rise);
     }
   }
-  if (dim_ == 2) {
+  if (!kind_->in_pairs) {
     return;
   }
-  // Of triangles of one face two may lie in a plane: the curve above is that beside them.
+  // The curve above two in a plane is that beside them.
   std::vector<double> rise;
   std::ranges::transform(facets_, std::back_inserter(rise), &OrientedFacet::rise);
   for (const Ridge& ridge : smooth) {
@@ -135,8 +167,7 @@ std::optional<BoundaryDistance> BodyBoundary::signed_distance(const Vec3& x, dou
   std::size_t nearest = 0;
   const auto look_at = [&](std::size_t f) {
     const OrientedFacet& facet = facets_[f];
-    const NearestTrianglePoint at =
-        dim_ == 2 ? nearest_on_segment(x, facet.x[0], facet.x[1]) : nearest_point(x, facet.x);
+    const NearestTrianglePoint at = kind_->nearest(x, facet.x);
     const Vec3 off = x - at.x;
     const double distance = off.norm();
     // Of several as near the last.

@@ -38,6 +38,7 @@ public:
   [[nodiscard]] const Box<3>& box() const { return box_; } ///< z is 0 in the plane
 
 private:
+  struct FacetKind;
   struct OrientedFacet {
     std::array<base::Vec3, 3> x;
     base::Vec3 normal;                     ///< unit, out of the body
@@ -53,7 +54,7 @@ private:
   [[nodiscard]] std::vector<Ridge> ridges(const std::vector<BoundaryFacet>& facets) const;
   void join(const std::vector<Ridge>& ridges);
 
-  int dim_;
+  const FacetKind* kind_;
   std::vector<OrientedFacet> facets_;
   Box<3> box_;
   BoxTree<3> tree_;

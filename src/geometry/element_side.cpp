@@ -74,7 +74,7 @@ ElementSide::ElementSide(base::ElementType type, int side_,
                          std::span<const base::NodeId> element_nodes, std::span<const Vec3> x)
     : side(side_), nodes(side_nodes(type, side_, element_nodes)),
       X(3, static_cast<Eigen::Index>(nodes.size())) {
-  if (base::element_info(type).dim == 2) {
+  if (shape::side_domain(type, side) == shape::ReferenceDomain::line) {
     edge_ = &shape::reference_line(static_cast<int>(nodes.size()));
   } else {
     face_ = &shape::reference_element<2>(shape::solid_side_type(type, side));
