@@ -82,9 +82,6 @@ std::vector<model::Face> boundary_faces(const model::Mesh& mesh) {
 std::vector<model::Face> outer_surface_faces(const model::Mesh& mesh) {
   const SideIndex sides(mesh);
   std::vector<model::Face> faces = sides.unshared_sides();
-  if (mesh.dim != 3) {
-    return faces;
-  }
   const FacesThatMeet meet(mesh, sides, faces);
   std::vector<model::Face> met;
   for (const model::Face& face : faces) {

@@ -45,8 +45,14 @@ std::optional<GmshElementType> find_gmsh_element_type(int number) {
 std::span<const int> reversed_node_order(ElementType type) {
   const base::ElementInfo& info = base::element_info(type);
   const auto nodes = static_cast<std::size_t>(info.nodes);
-  return info.corners == 3 ? std::span<const int>(over_triangle).first(nodes)
-                           : std::span<const int>(over_quadrilateral).first(nodes);
+  switch (info.domain) {
+  case base::ReferenceDomain::triangle:
+    return std::span<const int>(over_triangle).first(nodes);
+  case base::ReferenceDomain::quadrilateral:
+    return std::span<const int>(over_quadrilateral).first(nodes);
+  default:
+    return {};
+  }
 }
 
 } // namespace spricka::mesh

@@ -20,7 +20,8 @@ struct GmshElementType {
 /// "Node ordering".
 std::optional<GmshElementType> find_gmsh_element_type(int number);
 
-/// Places of the nodes of a 2D element turned over, so that it runs anticlockwise.
+/// Places of the nodes of a plane element turned over, so that it runs anticlockwise; empty for
+/// solids.
 std::span<const int> reversed_node_order(base::ElementType type);
 
 } // namespace spricka::mesh

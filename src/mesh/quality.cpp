@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/quality.hpp"
 
+#include "base/by_dimension.hpp"
+#include "base/with_dimension.hpp"
 #include "shape/quadrature.hpp"
 #include "shape/reference_element.hpp"
 #include "shape/topology.hpp"
@@ -9,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace spricka::mesh {
 namespace {
@@ -16,9 +19,9 @@ namespace {
 /// Zero for our purpose, as a part of the largest determinant of the element.
 constexpr double zero = 1e-10;
 
-/// How far below zero the determinant of a solid may lie at a node, as a part of its mean. The
-/// solid patch of MacNeal and Harder (1985) has a corner of -8 %.
-constexpr double slight = 0.1;
+/// How far below zero the determinant may lie at a node, as a part of its mean. The solid patch of
+/// MacNeal and Harder (1985) has a corner of -8 %.
+constexpr base::ByDimension slight{0.0, 0.1};
 /// Body forces are integrated by this degree, closer to the corners than the stiffness.
 constexpr int finest_degree = 9;
 
@@ -50,26 +53,23 @@ template <int dim> struct Samples {
       add(element->node_coordinates(i));
     }
     outer = at.size();
-    if (dim == 3 && element->quadratic) {
+    if (slight.at(dim) > 0.0 && element->quadratic) {
       add_between_nodes(type);
     }
   }
 
   /// Of a type of this dimension; made once, for all of them.
   static const Samples& of(base::ElementType type) {
-    static const std::vector<Samples> all = [] {
-      std::vector<Samples> made;
-      for (std::size_t t = 0; t < base::element_infos.size(); ++t) {
+    static const std::vector<std::optional<Samples>> all = [] {
+      std::vector<std::optional<Samples>> made(base::element_infos.size());
+      for (std::size_t t = 0; t < made.size(); ++t) {
         if (base::element_infos[t].dim == dim) {
-          made.emplace_back(static_cast<base::ElementType>(t));
+          made[t].emplace(static_cast<base::ElementType>(t));
         }
       }
       return made;
     }();
-    // Plane types come first, then solids.
-    const auto first =
-        static_cast<std::size_t>(dim == 2 ? base::ElementType::trim3 : base::ElementType::tet4);
-    return all[static_cast<std::size_t>(type) - first];
+    return *all[static_cast<std::size_t>(type)];
   }
 
 private:
@@ -176,8 +176,8 @@ Fault check(base::ElementType type, std::span<const base::NodeId> nodes,
   if (worst.jacobian > -zero * largest) {
     return Fault::none;
   }
-  const bool tolerable = dim == 3 && between && corner.part >= -slight &&
-                         sound_inside<dim>(element, X, zero * largest);
+  const bool tolerable =
+      between && corner.part >= -slight.at(dim) && sound_inside<dim>(element, X, zero * largest);
   return tolerable ? Fault::corner : Fault::bad;
 }
 
@@ -190,9 +190,9 @@ MeshFaults find_mesh_faults(const model::Mesh& mesh) {
     FoldedCorner corner{base::ElementId(e), {}, 0.0};
     const base::ElementType type = mesh.type[e];
     const std::span<const base::NodeId> nodes = mesh.element_nodes(base::ElementId(e));
-    const Fault fault = base::element_info(type).dim == 2
-                            ? check<2>(type, nodes, mesh.x, worst, corner)
-                            : check<3>(type, nodes, mesh.x, worst, corner);
+    const Fault fault = base::with_dimension(base::element_info(type).dim, [&](auto dim) {
+      return check<dim>(type, nodes, mesh.x, worst, corner);
+    });
     if (fault == Fault::bad) {
       faults.bad.push_back(worst);
     } else if (fault == Fault::corner) {

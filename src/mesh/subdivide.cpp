@@ -43,6 +43,18 @@ constexpr SubdivisionPattern square_pattern{false,
                                               {{{0, 2}, {2, 2}, {2, 4}, {0, 4}}}}},
                                             4};
 
+/// How elements of a type are divided; null: they are not, as solids.
+const SubdivisionPattern* pattern_of(ElementType type) {
+  switch (base::element_info(type).domain) {
+  case base::ReferenceDomain::triangle:
+    return &triangle_pattern;
+  case base::ReferenceDomain::quadrilateral:
+    return &square_pattern;
+  default:
+    return nullptr;
+  }
+}
+
 Place middle(const Place& a, const Place& b) {
   return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
 }
@@ -134,14 +146,13 @@ private:
   using EdgeNodes = std::array<NodeId, 3>;
 
   [[nodiscard]] bool marked(const model::Mesh& old, ElementId e) const {
-    return base::element_info(old.type[e.index()]).dim == 2 &&
-           nets_[old.element_net[e.index()].index()];
+    return pattern_of(old.type[e.index()]) != nullptr && nets_[old.element_net[e.index()].index()];
   }
 
   void divide(const model::Mesh& old, ElementId e) {
     const ElementType type = old.type[e.index()];
     const base::ElementInfo& info = base::element_info(type);
-    const SubdivisionPattern& pattern = info.corners == 3 ? triangle_pattern : square_pattern;
+    const SubdivisionPattern& pattern = *pattern_of(type);
     std::map<Place, NodeId> inside;
     for (std::size_t quarter = 0; quarter < 4; ++quarter) {
       ChildElement child;

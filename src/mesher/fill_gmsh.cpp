@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesher/answers.hpp"
 
+#include "base/by_dimension.hpp"
 #include "mesh/plane.hpp"
 #include "mesher/gmsh_session.hpp"
 
@@ -143,7 +144,7 @@ template <int dim> void collect(const mesh::FillRegion<dim>& region, mesh::MeshF
   }
   std::vector<std::size_t> elements;
   std::vector<std::size_t> nodes;
-  constexpr int type = dim == 2 ? 2 : 4; // triangles, tetrahedra
+  constexpr int type = base::ByDimension{2, 4}.at(dim); // triangles, tetrahedra
   constexpr std::size_t corners = dim + 1;
   gmsh::model::mesh::getElementsByType(type, elements, nodes, filled);
   for (std::size_t i = 0; i + corners <= nodes.size(); i += corners) {
@@ -151,7 +152,7 @@ template <int dim> void collect(const mesh::FillRegion<dim>& region, mesh::MeshF
     for (std::size_t k = 0; k < corners; ++k) {
       const auto at = index.find(nodes[i + k]);
       if (at == index.end()) {
-        filling.trouble = dim == 2 ? "an edge was divided" : "a side was divided";
+        filling.trouble = base::ByDimension{"an edge was divided", "a side was divided"}.at(dim);
         return;
       }
       cell[k] = at->second;

@@ -38,7 +38,8 @@ CrackFaceMembership::CrackFaceMembership(const model::Mesh& mesh,
       add_group(left, right);
     }
   }
-  if (groups_.empty() || mesh.dim == 3) { // in space the cut knows which face a set means
+  // Where the cut has told sides, in space, it knows which face a set means.
+  if (groups_.empty() || std::ranges::any_of(crack_faces, &CrackFaces::has_sides)) {
     return;
   }
   corner_ = corners_of(mesh);

@@ -55,7 +55,7 @@ std::vector<model::Face> along(const model::Mesh& mesh, const std::vector<NodeId
 } // namespace
 
 CrackFaceSides crack_face_sides(const model::Mesh& mesh, const CrackFaces& crack_faces) {
-  if (mesh.dim == 3) {
+  if (crack_faces.has_sides()) {
     return {crack_faces.left_sides, crack_faces.right_sides};
   }
   return {along(mesh, crack_faces.left, true), along(mesh, crack_faces.right, false)};

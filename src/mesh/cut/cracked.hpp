@@ -112,6 +112,8 @@ struct CrackFaces {
   std::vector<base::NodeId> right;                      ///< as many as left, where both are meshed
   std::vector<model::Face> left_sides{}, right_sides{}; ///< in space: element sides that make them
 
+  /// Whether the cut has told which element sides make the faces.
+  [[nodiscard]] bool has_sides() const { return !left_sides.empty() || !right_sides.empty(); }
   /// Whether one is the mirror image of the other and not meshed.
   [[nodiscard]] bool has_one_face() const { return left.empty() || right.empty(); }
   /// The face that is meshed, the left one of two.

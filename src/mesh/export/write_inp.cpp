@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/export/write_inp.hpp"
 
+#include "base/by_dimension.hpp"
 #include "mesh/inp_elements.hpp"
 #include "mesh/numbering.hpp"
 #include "mesh/set_name.hpp"
@@ -20,6 +21,10 @@ using base::Label;
 
 /// What a line holds at most.
 constexpr std::size_t per_line = 16;
+
+/// Of elements without a property.
+constexpr base::ByDimension usual_state{model::StressState::plane_stress,
+                                        model::StressState::solid};
 
 /// A number as short as it can be read back, but no longer than the 20 characters that CalculiX
 /// looks at (the rest, an exponent perhaps, it passes over in silence): what needs more loses its
@@ -80,8 +85,7 @@ private:
     if (mesh_.property[e].valid()) {
       return model_.properties[mesh_.property[e].index()].state;
     }
-    return base::element_info(mesh_.type[e]).dim == 3 ? model::StressState::solid
-                                                      : model::StressState::plane_stress;
+    return usual_state.at(base::element_info(mesh_.type[e]).dim);
   }
 
   void nodes() {
@@ -213,8 +217,7 @@ std::vector<std::string> types_without_inp_name(const model::Mesh& mesh) {
   std::set<std::string> missing;
   for (const base::ElementType type : mesh.type) {
     const base::ElementInfo& info = base::element_info(type);
-    const auto state = info.dim == 3 ? model::StressState::solid : model::StressState::plane_stress;
-    if (inp_element_name(type, state).empty()) {
+    if (inp_element_name(type, usual_state.at(info.dim)).empty()) {
       missing.insert(std::string(info.name));
     }
   }

@@ -78,6 +78,14 @@ const GmshElementType& to_gmsh(base::ElementType type) {
   return known[static_cast<std::size_t>(type)];
 }
 
+/// Of a side; lines have our order.
+GmshElementType side_to_gmsh(base::ElementType type, int side) {
+  if (shape::side_domain(type, side) != base::ReferenceDomain::line) {
+    return to_gmsh(shape::solid_side_type(type, side));
+  }
+  return {shape::side_nodes(type, side).size() == 2 ? 1 : 8, type, {}};
+}
+
 /// The nodes of an element or side as gmsh orders them.
 template <class NodeOf>
 void append(const GmshElementType& form, std::size_t count, const NodeOf& node, Cells& cells) {
@@ -176,9 +184,7 @@ private:
       const base::ElementType type = mesh_.type[face.element.index()];
       const auto local = shape::side_nodes(type, face.side);
       const auto nodes = mesh_.element_nodes(face.element);
-      const int line = local.size() == 2 ? 1 : 8; // lines have our order
-      const GmshElementType form = mesh_.dim == 3 ? to_gmsh(shape::solid_side_type(type, face.side))
-                                                  : GmshElementType{line, type, {}};
+      const GmshElementType form = side_to_gmsh(type, face.side);
       append(
           form, local.size(),
           [&](std::size_t i) { return nodes[static_cast<std::size_t>(local[i])]; }, cells);

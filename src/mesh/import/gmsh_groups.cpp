@@ -77,7 +77,7 @@ private:
       const auto nodes = mesh_.element_nodes(face.element);
       const auto local =
           shape::side_nodes(type, face.side).first(shape::side_corners(type, face.side));
-      for (std::size_t c = 0; c < (numbers_.dim == 2 ? 1 : local.size()); ++c) {
+      for (std::size_t c = 0; c < shape::side_edge_count(type, face.side); ++c) {
         const std::size_t next = (c + 1) % local.size();
         if (nodes[static_cast<std::size_t>(local[c])] == corners[0] &&
             nodes[static_cast<std::size_t>(local[next])] == corners[1]) {

@@ -164,14 +164,13 @@ private:
     for (const std::size_t i : needed) {
       base::Vec3 at = request_.scale * base::Vec3(x[3 * i], x[3 * i + 1], x[3 * i + 2]);
       size = std::max(size, at.cwiseAbs().maxCoeff());
-      height = std::max(height, std::abs(at.z()));
-      if (numbers_.dim == 2) {
-        at.z() = 0.0;
-      }
+      auto across = at.tail(3 - numbers_.dim); // the plane, if the mesh lies in it
+      height = std::max(height, across.lpNorm<Eigen::Infinity>());
+      across.setZero();
       numbers_.node[i] =
           model::add_node(mesh_, at, offset + static_cast<base::Label>(tags[i]), request_.net);
     }
-    if (numbers_.dim == 2 && height > 1e-9 * size) {
+    if (height > 1e-9 * size) {
       error("E335", fmt::format("{} does not lie in the plane z = 0", file_name()));
     }
     return true;
@@ -201,9 +200,9 @@ private:
         nodes.push_back(numbers_.node_with_tag(
             elements_.nodes[elements_.first[e] + static_cast<std::size_t>(i)]));
       }
-      if (numbers_.dim == 2 && runs_clockwise(nodes, info.corners)) {
+      const std::span<const int> over = reversed_node_order(elements_.type[e]);
+      if (!over.empty() && runs_clockwise(nodes, info.corners)) {
         const std::vector<NodeId> before = nodes;
-        const std::span<const int> over = reversed_node_order(elements_.type[e]);
         std::transform(over.begin(), over.end(), nodes.begin(),
                        [&](int i) { return before[static_cast<std::size_t>(i)]; });
       }

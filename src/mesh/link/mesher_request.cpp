@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/link/mesher_request.hpp"
 
+#include "base/by_dimension.hpp"
 #include "mesh/gmsh_elements.hpp"
 
 #include <algorithm>
@@ -9,6 +10,9 @@
 
 namespace spricka::mesh {
 namespace {
+
+constexpr base::ByDimension fill_kind{MesherFrameKind::fill, MesherFrameKind::fill_solid};
+constexpr base::ByDimension filling_kind{MesherFrameKind::filling, MesherFrameKind::solid_filling};
 
 ByteWriter frame(MesherFrameKind kind) {
   ByteWriter out;
@@ -82,7 +86,7 @@ template <class List> bool are_within(const List& list, std::size_t points) {
 
 template <int dim>
 std::string encode_fill_request(const FillRegion<dim>& region, const SizeGrading<dim>& size) {
-  ByteWriter out = frame(dim == 2 ? MesherFrameKind::fill : MesherFrameKind::fill_solid);
+  ByteWriter out = frame(fill_kind.at(dim));
   exchange_region(out, region, size.sources());
   return out.release();
 }
@@ -99,15 +103,14 @@ bool decode_fill_request(ByteReader& in, FillRegion<dim>& region, SizeGrading<di
 }
 
 template <int dim> std::string encode_fill_answer(const MeshFill<dim>& filling) {
-  ByteWriter out = frame(dim == 2 ? MesherFrameKind::filling : MesherFrameKind::solid_filling);
+  ByteWriter out = frame(filling_kind.at(dim));
   exchange_fill(out, filling);
   return out.release();
 }
 
 template <int dim>
 bool decode_fill_answer(ByteReader& in, const FillRegion<dim>& region, MeshFill<dim>& filling) {
-  if (in.read_value<MesherFrameKind>() !=
-      (dim == 2 ? MesherFrameKind::filling : MesherFrameKind::solid_filling)) {
+  if (in.read_value<MesherFrameKind>() != filling_kind.at(dim)) {
     return false;
   }
   exchange_fill(in, filling);
