@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/dimension_rules.hpp"
 #include "deck/sets.hpp"
 #include "model/model.hpp"
 
@@ -40,10 +41,11 @@ struct ShapeWord {
   model::RigidTargetShape shape;
   bool two_points = false;
   bool round = false; ///< has a radius
+  int dim = 3;        ///< of the bodies that meet it
 };
 constexpr std::array rigid_shapes{
-    ShapeWord{"LINE", model::RigidTargetShape::line, true, false},
-    ShapeWord{"ARC", model::RigidTargetShape::arc, false, true},
+    ShapeWord{"LINE", model::RigidTargetShape::line, true, false, 2},
+    ShapeWord{"ARC", model::RigidTargetShape::arc, false, true, 2},
     ShapeWord{"PLANE", model::RigidTargetShape::plane, true, false},
     ShapeWord{"CYLINDER", model::RigidTargetShape::cylinder, true, true},
     ShapeWord{"CONE", model::RigidTargetShape::cone, true, true},
@@ -89,14 +91,12 @@ void master_of(DeckContext& c, const CheckedCard& card, model::Contact& contact)
     return;
   }
   contact.rigid = base::RigidId(meant->index);
-  const model::RigidTargetShape shape = c.model.rigids[meant->index].shape;
-  const bool plane =
-      shape == model::RigidTargetShape::line || shape == model::RigidTargetShape::arc;
-  if (plane != (c.model.mesh.dim == 2) && c.mesh_sound) {
+  const int dim =
+      std::ranges::find(rigid_shapes, c.model.rigids[meant->index].shape, &ShapeWord::shape)->dim;
+  if (dim != c.model.mesh.dim && c.mesh_sound) {
     c.error(master.span, "E313",
-            fmt::format("{} is a rigid target in {}", master.name, plane ? "the plane" : "space"),
-            plane ? "solids meet a PLANE, CYLINDER, CONE or SPHERE"
-                  : "in the plane and about an axis a target is a LINE or an ARC");
+            fmt::format("{} is a rigid target in {}", master.name, dimension_rules.at(dim).where),
+            std::string(dimension_rules.at(c.model.mesh.dim).rigid_targets));
   }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/build_solid_cracks.hpp"
+#include "deck/dimension_rules.hpp"
 #include "deck/sets.hpp"
 #include "mesh/cut/path_gap.hpp"
 #include "model/model.hpp"
@@ -157,19 +158,18 @@ double finer_for(double tolerance) {
   return std::clamp(std::cbrt(usual / tolerance), 0.6, 1.0);
 }
 
-// Of a tube in space: more rings change K by 1e-4, more sectors by 1e-3 at the cost of as many more
-// elements.
-constexpr int solid_rings = 3;
-constexpr int solid_sectors = 8;
-
 void tip_net(DeckContext& c, const CheckedCard& card, std::set<std::size_t>& seen) {
   model::TipMeshSettings tip;
   tip.crack = crack_of(c, card, seen);
   tip.radius = card.optional_number("RADIUS");
   tip.size = card.optional_number("SIZE");
-  const bool solid = c.model.mesh.dim == 3;
-  tip.rings = solid && !card.has_key("RINGS") ? solid_rings : card.integer_value("RINGS");
-  tip.sectors = solid && !card.has_key("SECTORS") ? solid_sectors : card.integer_value("SECTORS");
+  const DimensionRules& rules = dimension_rules.at(c.model.mesh.dim);
+  const auto count = [&](std::string_view key, const std::optional<int>& usual) {
+    const int given = card.integer_value(key); // or what the grammar has for a rosette
+    return card.has_key(key) ? given : usual.value_or(given);
+  };
+  tip.rings = count("RINGS", rules.tip_rings);
+  tip.sectors = count("SECTORS", rules.tip_sectors);
   tip.quarter_point = card.has_word("QUARTER", "YES");
   tip.join = card.has_word("JOIN", "TRANSITION") ? model::PatchCoupling::transition
                                                  : model::PatchCoupling::conforming;
@@ -181,7 +181,7 @@ void tip_net(DeckContext& c, const CheckedCard& card, std::set<std::size_t>& see
   }
   tip.tolerance = card.optional_number("TOL");
   tip.finer = card.number_value("FINER");
-  if (tip.tolerance && !solid && !card.has_key("FINER") && !card.has_key("SIZE") &&
+  if (tip.tolerance && !rules.ends_in_fronts && !card.has_key("FINER") && !card.has_key("SIZE") &&
       !card.has_key("RINGS") && !card.has_key("SECTORS")) {
     tip.finer = finer_for(*tip.tolerance);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
+#include "deck/dimension_rules.hpp"
 #include "deck/import_card.hpp"
 #include "deck/mesh_limits.hpp"
 #include "grammar/bulk_table.hpp"
@@ -165,6 +166,8 @@ void elements(DeckContext& c, const CheckedCard& card) {
   c.origins.push_back(origin);
 }
 
+constexpr base::ByDimension block_generators{&mesh::generate_block, &mesh::generate_solid_block};
+
 void generate(DeckContext& c, const CheckedCard& card) {
   const base::ElementType type = type_of(card);
   const std::string prefix = card.net.empty() ? "" : card.net + ".";
@@ -183,8 +186,7 @@ void generate(DeckContext& c, const CheckedCard& card) {
     spec.ny = times * card.integer_value("NY");
     spec.nz = times * card.integer_value("NZ");
     spec.bias = card.number_value("BIAS");
-    const bool solid = base::element_info(type).dim == 3;
-    (solid ? mesh::generate_solid_block : mesh::generate_block)(mesh, card.net_id, prefix, spec);
+    block_generators.at(base::element_info(type).dim)(mesh, card.net_id, prefix, spec);
   } else if (card.has_word("SHAPE", "RING")) {
     mesh::RingSpec spec;
     spec.type = type;
@@ -214,15 +216,15 @@ void generate(DeckContext& c, const CheckedCard& card) {
 
 // Sizes that only together make a shape.
 bool sizes_fit(DeckContext& c, const CheckedCard& card) {
-  if (base::element_info(type_of(card)).dim == 3) {
-    if (!card.has_word("SHAPE", "BLOCK")) {
-      c.error(card.find("TYPE")->span, "E110",
-              fmt::format("{} is for SHAPE=BLOCK only", card.word_value("TYPE")));
-    } else if (!card.has_key("LZ")) {
-      c.error(card.span, "E106", "$MESH with elements in space needs LZ");
-    } else {
-      return true;
-    }
+  const DimensionRules& rules = dimension_rules.at(base::element_info(type_of(card)).dim);
+  if (!rules.mesh_shape.empty() && !card.has_word("SHAPE", rules.mesh_shape)) {
+    c.error(card.find("TYPE")->span, "E110",
+            fmt::format("{} is for SHAPE={} only", card.word_value("TYPE"), rules.mesh_shape));
+    return false;
+  }
+  if (!rules.mesh_size.empty() && !card.has_key(rules.mesh_size)) {
+    c.error(card.span, "E106",
+            fmt::format("$MESH with elements in {} needs {}", rules.where, rules.mesh_size));
     return false;
   }
   const std::size_t errors = c.diagnostics.error_count();

@@ -53,7 +53,6 @@ void property(DeckContext& c, const CheckedCard& card) {
   property.thickness = card.number_value("THICK");
   property.span = card.span;
   const base::PropertyId id(c.model.properties.size());
-  const bool solid = property.state == model::StressState::solid;
   for (const base::ElementId e : mesh.set_with_id(*elements).elements) {
     if (mesh.property[e.index()].valid()) {
       c.error(card.find("ESET")->span, "E306",
@@ -62,7 +61,7 @@ void property(DeckContext& c, const CheckedCard& card) {
       c.property_sound = false;
       break;
     }
-    if (solid != (base::element_info(mesh.type[e.index()]).dim == 3)) {
+    if (base::element_info(mesh.type[e.index()]).dim != model::dimension_of(property.state)) {
       c.error(card.find("STATE")->span, "E313",
               fmt::format("STATE={} does not fit element {}, a {}", card.word_value("STATE"),
                           mesh.element_label[e.index()],
@@ -73,8 +72,7 @@ void property(DeckContext& c, const CheckedCard& card) {
     }
     mesh.property[e.index()] = id;
   }
-  if (!card.has_key("THICK") && (property.state == model::StressState::plane_stress ||
-                                 property.state == model::StressState::plane_strain)) {
+  if (!card.has_key("THICK") && model::has_thickness(property.state)) {
     c.default_thickness.insert(c.model.properties.size());
   }
   c.model.properties.push_back(property);

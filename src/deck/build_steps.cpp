@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
+#include "deck/dimension_rules.hpp"
 #include "deck/step_actions.hpp"
 #include "model/model.hpp"
 #include "model/spectrum_runs.hpp"
@@ -196,8 +197,7 @@ void law(DeckContext& c, const CheckedCard& card, model::CrackGrowthSettings& gr
     c.error(card.rows.front().span, "E115",
             fmt::format("LAW={} takes no data lines", card.word_value("LAW")));
   }
-  // K of fronts scatters from mesh to mesh by some thousandths: a life is no better than that.
-  stops(card, c.model.mesh.dim == 3 ? 0.02 : 1e-3, growth);
+  stops(card, dimension_rules.at(c.model.mesh.dim).life_stop, growth);
 }
 
 // The loads that a law counts: from step to step, or a spectrum.

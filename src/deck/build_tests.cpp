@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
+#include "deck/dimension_rules.hpp"
 #include "deck/number_file.hpp"
 #include "model/model.hpp"
 
@@ -174,11 +175,10 @@ private:
   }
 
   template <class Lacks> void look_at_the_crack(Lacks&& lacks) {
-    const bool space = c_.model.mesh.dim == 3;
     if (c_.is_certainly_plane() && card_.has_key("AXIS")) {
       lacks("AXIS is of a crack in space", "in the plane a crack has one length");
     }
-    if (space && test_.crack.valid() &&
+    if (dimension_rules.at(c_.model.mesh.dim).fronts && test_.crack.valid() &&
         c_.model.cracks[test_.crack.index()].kind != model::CrackDefinitionKind::ellipse) {
       lacks(fmt::format("{} has no half axes to read", c_.model.cracks[test_.crack.index()].name),
             "in space tests are of cracks with A and C");

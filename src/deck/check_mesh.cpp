@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/tidy.hpp"
 #include "deck/context.hpp"
+#include "deck/dimension_rules.hpp"
 #include "deck/element_place.hpp"
 #include "grammar/bulk_table.hpp"
 #include "mesh/quality.hpp"
@@ -65,8 +66,7 @@ void report_bad(DeckContext& c, const std::vector<mesh::InvalidElement>& bad) {
         "a corner lies too far inside, or a mid node too far off the middle");
   }
   report_elements(c, turned, "E307", "turned inside out: its Jacobian is negative everywhere",
-                  mesh.dim == 2 ? "corners run counter-clockwise"
-                                : "corners of the first side run clockwise, seen from outside");
+                  std::string(dimension_rules.at(mesh.dim).corner_order));
 }
 
 // One message for each card, about its worst corner.
@@ -101,8 +101,9 @@ void one_space(DeckContext& c) {
     }
   }
   report_elements(c, plane, "E313", "of the plane in a model with elements in space", "");
-  const auto it = std::ranges::find_if(mesh.x, [](const base::Vec3& x) { return x.z() != 0.0; });
-  if (mesh.dim == 2 && it != mesh.x.end() && mesh.element_count() > 0) {
+  const auto it = std::ranges::find_if(
+      mesh.x, [&](const base::Vec3& x) { return !x.tail(3 - mesh.dim).isZero(0.0); });
+  if (it != mesh.x.end() && mesh.element_count() > 0) {
     const auto node = static_cast<std::size_t>(it - mesh.x.begin());
     c.error(element_origin(c, 0).card, "E313",
             fmt::format("elements of the plane, but node {} has z = {}", mesh.node_label[node],

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
+#include "deck/dimension_rules.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -95,7 +96,6 @@ void solid_cracks_in_reach(DeckContext& c) {
 }
 
 void cracks_in_reach(DeckContext& c) {
-  const bool space = c.model.mesh.dim == 3;
   const bool axial = model::axisymmetric(c.model);
   for (const model::CrackDefinition& crack : c.model.cracks) {
     if (axial && crack.state == model::CrackTipPlaneState::stress) {
@@ -103,7 +103,7 @@ void cracks_in_reach(DeckContext& c) {
           "$CRACK STATE=STRESS about an axis, where a front is in plane strain,", crack.span);
     }
   }
-  if (space) {
+  if (dimension_rules.at(c.model.mesh.dim).ends_in_fronts) {
     solid_cracks_in_reach(c);
   }
   if (c.model.cracks.empty()) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
+#include "deck/dimension_rules.hpp"
 #include "deck/unit_warnings.hpp"
 #include "geometry/polyline.hpp"
 #include "mesh/cut/host.hpp"
@@ -76,7 +77,7 @@ std::string_view word_of(model::StressState state) {
 void crack_states(DeckContext& c) {
   const model::Mesh& mesh = c.model.mesh;
   for (const model::CrackDefinition& crack : c.model.cracks) {
-    if (crack.state == model::CrackTipPlaneState::automatic || mesh.dim != 2) {
+    if (crack.state == model::CrackTipPlaneState::automatic) {
       continue;
     }
     const base::NetId net = crack.kind == model::CrackDefinitionKind::free ? crack.net
@@ -88,7 +89,7 @@ void crack_states(DeckContext& c) {
                                        : model::StressState::plane_strain;
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {
       const model::StressState state = c.model.element_property(mesh, base::ElementId(e)).state;
-      if (mesh.element_net[e] != net || state == own || state == model::StressState::axisymmetric) {
+      if (mesh.element_net[e] != net || state == own || !model::has_thickness(state)) {
         continue;
       }
       c.warning(
@@ -112,7 +113,7 @@ void crack_starts(DeckContext& c) {
   const auto drawn = [](const model::CrackDefinition& crack) {
     return crack.kind == model::CrackDefinitionKind::free && !crack.points.empty();
   };
-  if (c.model.mesh.dim != 2 || std::ranges::none_of(c.model.cracks, drawn)) {
+  if (std::ranges::none_of(c.model.cracks, drawn)) { // free ones are of the plane
     return;
   }
   const mesh::HostMesh host(c.model.mesh);
@@ -146,7 +147,8 @@ void cut_sets(DeckContext& c) {
         continue;
       }
       const FaceSetCoverage& area = border->second;
-      const std::string unit = c.model.units.length_name + (c.model.mesh.dim == 3 ? "^2" : "");
+      const std::string unit =
+          unit_name(c.model.units, dimension_rules.at(c.model.mesh.dim).side_measure);
       c.warning(
           load.span, "W372",
           fmt::format("load case {}: the border of {} runs through faces: the load acts on whole "

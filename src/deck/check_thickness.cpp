@@ -13,10 +13,6 @@ namespace spricka::deck {
 
 namespace {
 
-bool is_plane(const model::ElementProperty& p) {
-  return p.state == model::StressState::plane_stress || p.state == model::StressState::plane_strain;
-}
-
 bool is_total(const model::Load& load) {
   return load.type == model::LoadType::force || load.type == model::LoadType::resultant ||
          load.type == model::LoadType::bearing;
@@ -29,7 +25,7 @@ void thickness_is_given(DeckContext& c) {
   const std::vector<model::ElementProperty>& properties = c.model.properties;
   std::optional<double> given;
   for (std::size_t p = 0; p < properties.size(); ++p) {
-    if (is_plane(properties[p]) && has(p) && !given) {
+    if (model::has_thickness(properties[p].state) && has(p) && !given) {
       given = properties[p].thickness;
     }
   }
@@ -145,8 +141,8 @@ void bodies_that_meet_are_alike(DeckContext& c) {
 
 void check_thickness(DeckContext& context) {
   const std::vector<model::ElementProperty>& properties = context.model.properties;
-  if (context.model.mesh.dim != 2 || properties.empty() ||
-      !std::ranges::all_of(properties, is_plane)) {
+  if (properties.empty() ||
+      !std::ranges::all_of(properties, model::has_thickness, &model::ElementProperty::state)) {
     return;
   }
   thickness_is_given(context);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/checks.hpp"
 
+#include "deck/dimension_rules.hpp"
 #include "deck/sets.hpp"
 #include "deck/unit_warnings.hpp"
 #include "grammar/lexeme.hpp"
@@ -197,22 +198,17 @@ private:
 
   // Contacts in the plane have arcs and places along them, those between solids areas and moments.
   bool is_of_this_dimension(const grammar::ResultQuantity& spec, const CardField& quantity) {
-    static constexpr std::array plane{"ARC.FROM",      "ARC.TO",      "ARC.PARTS",
-                                      "ARC.PART.FROM", "ARC.PART.TO", "STICK.FROM",
-                                      "STICK.TO",      "CPRESS.AT",   "SHEAR.AT"};
-    static constexpr std::array space{"CONTACT.AREA", "STICK.AREA", "MOMENT"};
-    const bool solid = c_.model.mesh.dim == 3;
-    if (c_.mesh_sound && !is_of_these_cracks(spec.name, quantity)) {
+    if (!c_.mesh_sound) {
+      return true;
+    }
+    const DimensionRules& other = other_rules(c_.model.mesh.dim);
+    if (!is_of_these_cracks(spec.name, quantity)) {
       return false;
     }
-    const bool other = solid ? std::ranges::find(plane, spec.name) != plane.end()
-                             : std::ranges::find(space, spec.name) != space.end();
-    if (other && c_.mesh_sound) {
-      c_.error(
-          quantity.span, "E313",
-          fmt::format("{} is of contacts {}", spec.name, solid ? "in the plane" : "between solids"),
-          solid ? "between solids there are CPRESS.NEAR, CONTACT.AREA, SUM and MOMENT"
-                : "in the plane there are CPRESS.AT, ARC.FROM, ARC.TO and SUM");
+    if (std::ranges::find(other.contact_only, spec.name) != other.contact_only.end()) {
+      c_.error(quantity.span, "E313",
+               fmt::format("{} is of contacts {}", spec.name, other.contacts),
+               std::string(dimension_rules.at(c_.model.mesh.dim).contact_results));
       return false;
     }
     return true;
@@ -232,17 +228,13 @@ private:
                                      "K2.BEST", "K3.BEST", "PATH.K1", "PATH.K2", "PATH.K3"};
     const bool of_crack = std::ranges::find(tips, of) != tips.end() || of.starts_with("DK1.") ||
                           of.starts_with("DK2.") || of.starts_with("DK3.");
-    const bool solid = c_.model.mesh.dim == 3;
-    if (!of_crack || solid == front) {
+    const DimensionRules& rules = dimension_rules.at(c_.model.mesh.dim);
+    if (!of_crack || rules.ends_in_fronts == front) {
       return true;
     }
     c_.error(quantity.span, "E313",
-             solid ? fmt::format("{} is of a crack in the plane", name)
-                   : fmt::format("{} is of a crack in space", name),
-             solid ? fmt::format("along a front there are {0}.AT(crack, x, y, z, step), "
-                                 "{0}.PHI(crack, step, angle), {0}.MIN and {0}.MAX",
-                                 of == "K" ? "K1" : of)
-                   : fmt::format("in the plane there is {}(crack, step)", of));
+             fmt::format("{} is of a crack in {}", name, other_rules(c_.model.mesh.dim).where),
+             fmt::format(fmt::runtime(rules.crack_results), of == "K" ? rules.mode_one : of));
     return false;
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/facing_surfaces.hpp"
 
+#include "base/by_dimension.hpp"
 #include "geometry/polyline.hpp"
 #include "mesh/boundary.hpp"
 
@@ -66,7 +67,8 @@ bool faces_chain(const Vec3& x, const std::vector<SideCorners>& opposite_sides,
 
 // In space: whether a place, moved along the normal of the nearest of the partner's faces, is no
 // farther from the middle of that one than its corners are.
-bool faces_side(const Vec3& x, const std::vector<SideCorners>& opposite_sides) {
+bool faces_side(const Vec3& x, const std::vector<SideCorners>& opposite_sides,
+                const std::map<base::NodeId, int>& /*uses*/) {
   const SideCorners& other = opposite_sides[nearest_middle(opposite_sides, x)];
   const Vec3 n = (other.x[0] - other.middle).cross(other.x[1] - other.middle).normalized();
   double reach = 0.0;
@@ -76,6 +78,8 @@ bool faces_side(const Vec3& x, const std::vector<SideCorners>& opposite_sides) {
   const Vec3 off = x - other.middle;
   return (off - n.dot(off) * n).norm() < reach;
 }
+
+constexpr base::ByDimension faces_partner{&faces_chain, &faces_side};
 
 } // namespace
 
@@ -142,8 +146,7 @@ std::size_t facing_face_count(const model::Mesh& mesh, const Faces& faces,
     }
   }
   return static_cast<std::size_t>(std::ranges::count_if(faces, [&](const model::Face& face) {
-    const Vec3 x = SideCorners(mesh, face).middle;
-    return mesh.dim == 2 ? faces_chain(x, sides, uses) : faces_side(x, sides);
+    return faces_partner.at(mesh.dim)(SideCorners(mesh, face).middle, sides, uses);
   }));
 }
 

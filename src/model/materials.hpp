@@ -25,6 +25,11 @@ constexpr int dimension_of(StressState state) {
   return state == StressState::solid ? 3 : 2;
 }
 
+/// Whether the elements in a state have a thickness: those of the plane that turn about no axis.
+constexpr bool has_thickness(StressState state) {
+  return state == StressState::plane_stress || state == StressState::plane_strain;
+}
+
 struct ElementProperty {
   base::ElementSetId elements;
   base::MaterialId material;
