@@ -79,7 +79,7 @@ bool faces_side(const Vec3& x, const std::vector<SideCorners>& opposite_sides,
   return (off - n.dot(off) * n).norm() < reach;
 }
 
-constexpr base::ByDimension faces_partner{&faces_chain, &faces_side};
+constexpr base::ByDimension faces_opposite{&faces_chain, &faces_side};
 
 } // namespace
 
@@ -146,7 +146,7 @@ std::size_t facing_face_count(const model::Mesh& mesh, const Faces& faces,
     }
   }
   return static_cast<std::size_t>(std::ranges::count_if(faces, [&](const model::Face& face) {
-    return faces_partner.at(mesh.dim)(SideCorners(mesh, face).middle, sides, uses);
+    return faces_opposite.at(mesh.dim)(SideCorners(mesh, face).middle, sides, uses);
   }));
 }
 

@@ -135,10 +135,10 @@ private:
     for (std::size_t i = 0; i < node_.size(); ++i) {
       if (node_[i].valid()) {
         size = std::max(size, data_.x[i].cwiseAbs().maxCoeff());
-        height = std::max(height, std::abs(data_.x[i].z()));
+        height = std::max(height, data_.x[i].tail(3 - dim_).lpNorm<Eigen::Infinity>());
       }
     }
-    if (dim_ == 2 && height > 1e-9 * size) {
+    if (height > 1e-9 * size) {
       error({}, "E335", "the elements do not lie in the plane z = 0");
       return false;
     }
@@ -268,7 +268,7 @@ private:
     for (std::size_t i = 0; i < node_.size(); ++i) {
       if (node_[i].valid()) {
         base::Vec3 x = request_.scale * data_.x[i];
-        x.z() = dim_ == 2 ? 0.0 : x.z();
+        x.tail(3 - dim_).setZero(); // in the plane
         model::add_node(mesh_, x, node_offset + data_.node[i], request_.net);
       }
     }
