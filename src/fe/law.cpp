@@ -13,8 +13,7 @@ ConstitutiveLaw constitutive_law(const model::ElasticMaterial& material,
   law.mu = k.mu;
   law.plane_stress = property.state == model::StressState::plane_stress;
   law.axisymmetric = property.state == model::StressState::axisymmetric;
-  const bool plane = law.plane_stress || property.state == model::StressState::plane_strain;
-  law.thickness = plane ? property.thickness : 1.0;
+  law.thickness = model::has_thickness(property.state) ? property.thickness : 1.0;
   law.expansion = material.alpha;
   law.projected =
       model::is_nearly_incompressible(material, property.state, base::element_info(type).quadratic);

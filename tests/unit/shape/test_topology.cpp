@@ -39,6 +39,25 @@ TEST_P(EveryType, corners_come_first_and_no_node_twice) {
   }
 }
 
+TEST_P(EveryType, edges_are_those_of_the_sides) {
+  const base::ElementInfo& info = base::element_info(GetParam());
+  std::set<std::pair<int, int>> of_sides;
+  for (int s = 0; s < info.sides; ++s) {
+    const std::span<const int> side = side_nodes(GetParam(), s);
+    const std::size_t corners = side_corners(GetParam(), s);
+    EXPECT_EQ(corners, corners_of_side(info, side));
+    for (std::size_t i = 0; i < side_edge_count(GetParam(), s); ++i) {
+      of_sides.insert(std::minmax(side[i], side[(i + 1) % corners]));
+    }
+  }
+  std::set<std::pair<int, int>> edges;
+  for (int m = 0; m < edge_count(GetParam()); ++m) {
+    const auto [a, b] = edge_corners(GetParam(), m);
+    edges.insert(std::minmax(a, b));
+  }
+  EXPECT_EQ(edges, of_sides);
+}
+
 // A closed surface: every edge of a solid is run through once in each direction, by the two sides
 // that meet there, which agree on its mid node.
 TEST_P(EveryType, sides_close_and_agree_on_mid_nodes) {
