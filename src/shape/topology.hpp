@@ -27,13 +27,13 @@ inline bool is_edge(base::ElementType type, int s) {
   return side_corners(type, s) == 2;
 }
 
-/// How many edges a side has: a line is one, faces have as many as corners.
-std::size_t side_edge_count(base::ElementType type, int s);
-
 /// Corners that edge `m` of an element joins; its mid node, if the element has one, is corners + m.
 std::array<int, 2> edge_corners(base::ElementType type, int m);
 
 /// Number of edges: as many as mid-edge nodes in the quadratic element of the family.
 int edge_count(base::ElementType type);
+
+/// How many edges a side has: a line is one, faces have as many as corners.
+std::size_t side_edge_count(base::ElementType type, int s);
 
 } // namespace spricka::shape
