@@ -20,6 +20,73 @@ using base::ElementId;
 using base::NodeId;
 using base::Vec3;
 
+/// Patches of all groups in the host's mesh, with the places of their nodes and elements noted.
+CrackedMesh graft_groups(const SolidHostMesh& host, const std::vector<LocatedSolidCrack>& requests,
+                         std::vector<CavityCrackGroup>& groups) {
+  std::vector<PatchGraft> grafts;
+  for (const CavityCrackGroup& group : groups) {
+    const std::vector<ElementId>& elements = group.cavity.elements;
+    // Where all of them are in the same sets, whatever is of some is of all.
+    const bool uniform = find_sets_cut_by_cavity(host, group.cavity).empty();
+    grafts.push_back({group.patch, elements, [&host, &elements, uniform](const PatchNode& middle) {
+                        return uniform ? elements.front()
+                                       : host.nearest_element(elements, middle.x);
+                      }});
+  }
+  GraftedMesh grafted = graft_patches(host.mesh(), grafts);
+  CrackedMesh result = std::move(grafted.cracked);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    groups[g].placed = std::move(grafted.patches[g]);
+    add_ties(groups[g].patch, groups[g].placed, requests[groups[g].members.front()].crack->crack,
+             result);
+  }
+  return result;
+}
+
+void add_faces(const CavityCrackGroup& group, std::size_t c, CrackedMesh& result) {
+  const SolidPatch::OpenedPatchCrack& crack = group.patch.cracks[c];
+  CrackFaces& faces = result.faces.emplace_back();
+  for (const auto& [upper, lower] : crack.twins) {
+    faces.left.push_back(group.placed.node_of(upper));
+    faces.right.push_back(group.placed.node_of(lower));
+  }
+  const auto side = [&](const SolidPatch::SolidPatchSide& s) {
+    return model::Face{group.placed.element[s.element], s.side};
+  };
+  std::ranges::transform(crack.upper, std::back_inserter(faces.left_sides), side);
+  std::ranges::transform(crack.lower, std::back_inserter(faces.right_sides), side);
+}
+
+void add_fronts(const LocatedSolidCrack& request, const CavityCrackGroup& group, std::size_t c,
+                CrackedMesh& result) {
+  const SolidCrack& crack = *request.crack;
+  const double unit = group.frame.a;
+  for (std::size_t t = 0; t < group.cracks[c].tubes.size(); ++t) {
+    const Tube& tube = group.cracks[c].tubes[t];
+    CrackFront front;
+    front.crack = crack.crack;
+    front.number = static_cast<int>(t) + 1;
+    front.kind = classify_crack(request);
+    front.a = make_crack_frame(crack).a;
+    front.size = unit * *std::ranges::min_element(tube.size);
+    front.radius = unit * *std::ranges::min_element(tube.radius);
+    front.points.clear();
+    const std::size_t n = tube.stations.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      FrontPoint& point = front.points.emplace_back();
+      point.node = group.placed.node_of(group.patch.cracks[c].fronts[t][k]);
+      point.x = result.mesh.x[point.node.index()];
+      point.size = unit * tube.size[k];
+      point.radius = unit * tube.radius[k];
+      point.at_surface = !tube.closed && (k == 0 || k + 1 == n);
+    }
+    front.curve = fit_front_curve(front, crack);
+    update_front_points(result.mesh, front);
+    result.notes.push_back(front_mesh_note(request, group, {c, t}, front));
+    result.fronts.push_back(std::move(front));
+  }
+}
+
 class SolidInserter {
 public:
   SolidInserter(const SolidHostMesh& host, base::Diagnostics& diagnostics)
@@ -40,11 +107,18 @@ public:
     if (!good || !mesh_groups()) {
       return std::nullopt;
     }
-    graft();
+    CrackedMesh result = graft_groups(host_, requests_, groups_);
     for (std::size_t i = 0; i < cracks.size(); ++i) {
-      finish(i);
+      for (const CavityCrackGroup& group : groups_) {
+        const auto at = std::ranges::find(group.members, i);
+        if (at != group.members.end()) {
+          const auto c = static_cast<std::size_t>(at - group.members.begin());
+          add_faces(group, c, result);
+          add_fronts(requests_[i], group, c, result);
+        }
+      }
     }
-    return std::move(result_);
+    return result;
   }
 
 private:
@@ -271,88 +345,12 @@ private:
                            : "nor does a tube of elements fit: " + why_free_[first]);
   }
 
-  void graft() {
-    std::vector<PatchGraft> grafts;
-    for (const CavityCrackGroup& group : groups_) {
-      const std::vector<ElementId>& elements = group.cavity.elements;
-      // Where all of them are in the same sets, whatever is of some is of all.
-      const bool uniform = find_sets_cut_by_cavity(host_, group.cavity).empty();
-      grafts.push_back({group.patch, elements, [this, &elements, uniform](const PatchNode& middle) {
-                          return uniform ? elements.front()
-                                         : host_.nearest_element(elements, middle.x);
-                        }});
-    }
-    GraftedMesh grafted = graft_patches(host_.mesh(), grafts);
-    result_ = std::move(grafted.cracked);
-    for (std::size_t g = 0; g < groups_.size(); ++g) {
-      groups_[g].placed = std::move(grafted.patches[g]);
-      add_ties(groups_[g].patch, groups_[g].placed,
-               requests_[groups_[g].members.front()].crack->crack, result_);
-    }
-  }
-
-  void finish(std::size_t i) {
-    for (const CavityCrackGroup& group : groups_) {
-      const auto at = std::ranges::find(group.members, i);
-      if (at != group.members.end()) {
-        const auto c = static_cast<std::size_t>(at - group.members.begin());
-        add_faces(group, c);
-        add_fronts(group, c);
-      }
-    }
-  }
-
-  void add_faces(const CavityCrackGroup& group, std::size_t c) {
-    const SolidPatch::OpenedPatchCrack& crack = group.patch.cracks[c];
-    CrackFaces& faces = result_.faces.emplace_back();
-    for (const auto& [upper, lower] : crack.twins) {
-      faces.left.push_back(group.placed.node_of(upper));
-      faces.right.push_back(group.placed.node_of(lower));
-    }
-    const auto side = [&](const SolidPatch::SolidPatchSide& s) {
-      return model::Face{group.placed.element[s.element], s.side};
-    };
-    std::ranges::transform(crack.upper, std::back_inserter(faces.left_sides), side);
-    std::ranges::transform(crack.lower, std::back_inserter(faces.right_sides), side);
-  }
-
-  void add_fronts(const CavityCrackGroup& group, std::size_t c) {
-    const LocatedSolidCrack& request = requests_[group.members[c]];
-    const SolidCrack& crack = *request.crack;
-    const double unit = group.frame.a;
-    for (std::size_t t = 0; t < group.cracks[c].tubes.size(); ++t) {
-      const Tube& tube = group.cracks[c].tubes[t];
-      CrackFront front;
-      front.crack = crack.crack;
-      front.number = static_cast<int>(t) + 1;
-      front.kind = classify_crack(request);
-      front.a = make_crack_frame(crack).a;
-      front.size = unit * *std::ranges::min_element(tube.size);
-      front.radius = unit * *std::ranges::min_element(tube.radius);
-      front.points.clear();
-      const std::size_t n = tube.stations.size();
-      for (std::size_t k = 0; k < n; ++k) {
-        FrontPoint& point = front.points.emplace_back();
-        point.node = group.placed.node_of(group.patch.cracks[c].fronts[t][k]);
-        point.x = result_.mesh.x[point.node.index()];
-        point.size = unit * tube.size[k];
-        point.radius = unit * tube.radius[k];
-        point.at_surface = !tube.closed && (k == 0 || k + 1 == n);
-      }
-      front.curve = fit_front_curve(front, crack);
-      update_front_points(result_.mesh, front);
-      result_.notes.push_back(front_mesh_note(request, group, {c, t}, front));
-      result_.fronts.push_back(std::move(front));
-    }
-  }
-
   const SolidHostMesh& host_;
   base::Diagnostics& diagnostics_;
   std::vector<TubeMeshParameters> tubes_; ///< [crack]
   std::vector<std::string> why_free_;     ///< [crack] why it has no tube, if not by the deck's wish
   std::vector<LocatedSolidCrack> requests_;
   std::vector<CavityCrackGroup> groups_;
-  CrackedMesh result_;
 };
 
 } // namespace

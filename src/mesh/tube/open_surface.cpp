@@ -9,12 +9,80 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <set>
 
 namespace spricka::mesh {
 namespace {
 
 using base::Vec3;
+
+/// How far the borders of sets move where faces of the body are meshed anew without them.
+class BorderShiftFinder {
+public:
+  /// `faces`: those meshed anew, ascending; `least`: a shift that counts.
+  BorderShiftFinder(const BodySurface& body, const SurfaceGeometry& geometry,
+                    const std::vector<std::size_t>& faces, double least)
+      : body_(body), geometry_(geometry), faces_(faces), least_(least) {}
+
+  /// What is in the sets of a face lies on faces of the same sets, or borders are moved as far.
+  void add_place(const Vec3& x, std::size_t face) {
+    const std::vector<std::size_t>& sets = geometry_.face_sets(face);
+    const SurfacePlace here = geometry_.nearest_place(x, faces_);
+    if (geometry_.face_sets(here.face) == sets) {
+      return;
+    }
+    std::vector<std::size_t> alike;
+    std::ranges::copy_if(faces_, std::back_inserter(alike),
+                         [&](std::size_t f) { return geometry_.face_sets(f) == sets; });
+    const double by = (geometry_.nearest_place(x, alike).x - here.x).norm();
+    if (by > least_) {
+      add_shifts(sets, geometry_.face_sets(here.face), by, x);
+    }
+  }
+
+  /// A face at a border that no triangle stands for: the border may have passed over it.
+  void add_removed_face(std::size_t face) {
+    const geometry::ElementSide& own = geometry_.face(face);
+    const double edge = (own.X.col(1) - own.X.col(0)).norm();
+    for (int s = 0; s < own.corners(); ++s) {
+      const SurfaceEdge& side = geometry_.edges()[geometry_.face_edge_index(face, s)];
+      const std::size_t other = side.faces[0] == face ? side.faces[1] : side.faces[0];
+      if (!side.feature && other != nowhere) {
+        add_shifts(geometry_.face_sets(face), geometry_.face_sets(other), edge, own.X.col(0));
+      }
+    }
+  }
+
+  /// By set, each by the most that its border was moved.
+  [[nodiscard]] const std::vector<SetBorderShift>& shifts() const { return shifts_; }
+
+private:
+  /// The border between faces of some sets and faces of others is moved.
+  void add_shifts(const std::vector<std::size_t>& one, const std::vector<std::size_t>& two,
+                  double by, const Vec3& at) {
+    std::vector<std::size_t> moved;
+    std::ranges::set_symmetric_difference(one, two, std::back_inserter(moved));
+    for (const std::size_t set : moved) {
+      if (!body_.is_face_set_used(set)) {
+        continue;
+      }
+      const std::string& name = body_.face_set_name(set);
+      const auto known = std::ranges::find(shifts_, name, &SetBorderShift::set);
+      if (known == shifts_.end()) {
+        shifts_.push_back({name, by, at});
+      } else if (by > known->by) {
+        *known = {name, by, at};
+      }
+    }
+  }
+
+  const BodySurface& body_;
+  const SurfaceGeometry& geometry_;
+  const std::vector<std::size_t>& faces_;
+  double least_;
+  std::vector<SetBorderShift> shifts_;
+};
 
 class SurfaceOpener {
 public:
@@ -54,9 +122,14 @@ public:
     take_points();
     take_edges();
     take_triangles();
+    if (borders_ == KeptSetBorders::none) { // else kept by their lines
+      shifts_.emplace(body_, geometry_, region_.faces, 1e-6 * frame_.a);
+    }
     take_ends();
     take_removed_edges();
-    find_shifts();
+    if (shifts_) {
+      find_shifts();
+    }
     return std::move(made_);
   }
 
@@ -234,8 +307,8 @@ private:
           middle += net_.position(corners.back()) / static_cast<double>(count);
         }
         const SurfacePlace place = geometry_.nearest_place(middle, region_.faces);
-        for (const int n : corners) {
-          look_at(net_.position(n), place.face);
+        for (std::size_t i = 0; i < corners.size() && shifts_; ++i) {
+          shifts_->add_place(net_.position(corners[i]), place.face);
         }
         pieces_.emplace_back(body_.face(place.face),
                              std::vector<std::vector<int>>{std::move(corners)});
@@ -256,67 +329,17 @@ private:
   }
 
   void find_shifts() {
-    if (borders_ != KeptSetBorders::none) {
-      return; // kept by their lines
-    }
     std::set<std::size_t> left(region_.faces.begin(), region_.faces.end());
     for (const RemeshedTriangle& t : surface_.triangles) {
       left.erase(t.face);
       for (const int p : t.points) {
-        look_at(place_of(p), t.face);
+        shifts_->add_place(place_of(p), t.face);
       }
     }
     for (const std::size_t face : left) {
-      look_at_removed(face);
+      shifts_->add_removed_face(face);
     }
-  }
-
-  /// What is in the sets of a face lies on faces of the same sets, or borders are moved as far.
-  void look_at(const Vec3& x, std::size_t face) {
-    const std::vector<std::size_t>& sets = geometry_.face_sets(face);
-    const SurfacePlace here = geometry_.nearest_place(x, region_.faces);
-    if (borders_ != KeptSetBorders::none || geometry_.face_sets(here.face) == sets) {
-      return;
-    }
-    std::vector<std::size_t> alike;
-    std::ranges::copy_if(region_.faces, std::back_inserter(alike),
-                         [&](std::size_t f) { return geometry_.face_sets(f) == sets; });
-    const double by = (geometry_.nearest_place(x, alike).x - here.x).norm();
-    if (by > 1e-6 * frame_.a) {
-      add_shifts(sets, geometry_.face_sets(here.face), by, x);
-    }
-  }
-
-  /// A face at a border that no triangle stands for: the border may have passed over it.
-  void look_at_removed(std::size_t face) {
-    const geometry::ElementSide& own = geometry_.face(face);
-    const double edge = (own.X.col(1) - own.X.col(0)).norm();
-    for (int s = 0; s < own.corners(); ++s) {
-      const SurfaceEdge& side = geometry_.edges()[geometry_.face_edge_index(face, s)];
-      const std::size_t other = side.faces[0] == face ? side.faces[1] : side.faces[0];
-      if (!side.feature && other != nowhere) {
-        add_shifts(geometry_.face_sets(face), geometry_.face_sets(other), edge, own.X.col(0));
-      }
-    }
-  }
-
-  /// The border between faces of some sets and faces of others is moved.
-  void add_shifts(const std::vector<std::size_t>& one, const std::vector<std::size_t>& two,
-                  double by, const Vec3& at) {
-    std::vector<std::size_t> moved;
-    std::ranges::set_symmetric_difference(one, two, std::back_inserter(moved));
-    for (const std::size_t set : moved) {
-      if (!body_.is_face_set_used(set)) {
-        continue;
-      }
-      const std::string& name = body_.face_set_name(set);
-      const auto known = std::ranges::find(made_.shifts, name, &SetBorderShift::set);
-      if (known == made_.shifts.end()) {
-        made_.shifts.push_back({name, by, at});
-      } else if (by > known->by) {
-        *known = {name, by, at};
-      }
-    }
+    made_.shifts = shifts_->shifts();
   }
 
   const BodySurface& body_;
@@ -332,6 +355,7 @@ private:
   std::vector<CapPlace> caps_; ///< of the region's
   RemeshedSurface surface_;
   std::vector<int> node_; ///< [point of the surface]
+  std::optional<BorderShiftFinder> shifts_;
   RemeshedMouthSurface made_;
 };
 

@@ -18,6 +18,8 @@ namespace {
 using base::ElementId;
 using base::Vec3;
 
+constexpr int front_samples = 64;
+
 /// Lengths between the two of a range at which a polygon along a curve has its corners: as far
 /// apart as given, and nowhere turning by more than a little.
 std::vector<double> steps_along(const FrontCurve& curve, const std::array<double, 2>& range,
@@ -42,6 +44,72 @@ std::vector<double> steps_along(const FrontCurve& curve, const std::array<double
   }
 }
 
+/// A place where the front runs along a plane face of the body, as of a crack whose normal is
+/// that of the face.
+std::optional<Vec3> place_along_face(const SurfaceGeometry& surface, const SolidCrack& crack,
+                                     const FrontCurve& whole) {
+  constexpr double on_it = 1e-6; // of the front
+  constexpr double same_normal = 1.0 - 1e-6;
+  constexpr int much = front_samples / 10;
+  int along = 0;
+  std::optional<Vec3> first;
+  for (int i = 0; i < front_samples && !crack.relief; ++i) {
+    const Vec3 x = whole.at((i + 0.5) / front_samples * whole.length()).x;
+    const SurfacePlace near = surface.nearest_place(x);
+    if ((near.x - x).norm() < on_it * whole.length() &&
+        std::abs(near.normal.dot(crack.normal)) > same_normal) {
+      first = first ? first : std::optional(x);
+      ++along;
+    }
+  }
+  return along > much ? first : std::nullopt;
+}
+
+/// The curve of an arc on its own, through the same points.
+InteriorFront front_of(const InteriorFrontArc& arc, const SolidCrack& crack,
+                       const FrontCurve& whole) {
+  if (arc.whole) {
+    return {std::make_shared<const FrontCurve>(whole), arc.place};
+  }
+  // As dense as the curve's own points, or as it bends, but not at the ends.
+  const double length = arc.s[1] - arc.s[0];
+  const double spacing = whole.length() / static_cast<double>(whole.points().size());
+  std::vector<Vec3> points{arc.place[0].x};
+  for (const double s : steps_along(whole, arc.s, std::min(spacing, length / 4.0))) {
+    points.push_back(whole.at(s).x);
+  }
+  points.push_back(arc.place[1].x);
+  std::vector<Vec3> normals = crack.normals_at(points);
+  return {std::make_shared<const FrontCurve>(std::move(points), std::move(normals), false),
+          arc.place};
+}
+
+/// The hole whose surface passes near a point of the crack's plane, if all of it lies within.
+std::optional<BodyHoleInCrack> find_hole(const SurfaceGeometry& surface,
+                                         const CrackReferencePlane& plane,
+                                         const PlanePolygons& area, const Vec3& at) {
+  SurfacePlace near = surface.nearest_place(at);
+  const Vec3 towards = near.normal.cross(plane.normal);
+  const TraceResult first = trace_crack_plane(surface, plane, near, near, towards);
+  if (first.trouble) {
+    return std::nullopt;
+  }
+  // Begun anew half way between two of its points, which lies on the plane and on no edge.
+  BodyHoleInCrack hole{first.trace.front().at(0.5 * first.trace.front().arc_lengths()[1]), {}, {}};
+  hole.towards = hole.from.normal.cross(plane.normal);
+  const TraceResult all = trace_crack_plane(surface, plane, hole.from, hole.from, hole.towards);
+  if (all.trouble) {
+    return std::nullopt;
+  }
+  for (const TracePoint& point : all.trace.front().points()) {
+    hole.mouth.push_back(point.place.x);
+  }
+  hole.mouth.pop_back();
+  const bool within = std::ranges::all_of(
+      hole.mouth, [&](const Vec3& x) { return area.contains(area.plane().project(x)); });
+  return within && hole.mouth.size() >= 3 ? std::optional(std::move(hole)) : std::nullopt;
+}
+
 class Placer {
 public:
   Placer(const SolidHostMesh& host, LocatedSolidCrack& request, base::Diagnostics& diagnostics)
@@ -59,7 +127,7 @@ public:
                       coordinate_text(host_.extent(request_.seed).middle)),
           *other, "give each body a net of its own and name the cracked one with NET=");
     }
-    if (const std::optional<Vec3> at = place_along_face(surface)) {
+    if (const std::optional<Vec3> at = place_along_face(surface, crack_, whole_)) {
       return fail("its plane lies in a face of the body", *at,
                   "NORMAL, or the way from X0 to X1, is the normal of the crack's plane: a crack "
                   "that opens at a face stands across it");
@@ -69,7 +137,7 @@ public:
       return fail(arcs.trouble.why, arcs.trouble.at);
     }
     for (const InteriorFrontArc& arc : arcs.arcs) {
-      request_.fronts.push_back(front_of(arc));
+      request_.fronts.push_back(front_of(arc, crack_, whole_));
     }
     for (InteriorFront& front : request_.fronts) {
       if (!front.curve->closed() && !find_crack_mouth(surface, front)) {
@@ -86,8 +154,6 @@ public:
   }
 
 private:
-  static constexpr int samples = 64;
-
   bool fail(const std::string& why, const Vec3& at, const std::string& hint = {}) {
     diagnostics_.error(
         request_.span, "E425",
@@ -97,7 +163,8 @@ private:
 
   /// More places where little of the front lies in the body, as of a long ellipse through a plate.
   bool find_seed() {
-    for (int count = samples; count <= 100 * samples && !request_.seed.valid(); count *= 10) {
+    for (int count = front_samples; count <= 100 * front_samples && !request_.seed.valid();
+         count *= 10) {
       for (int i = 0; i < count && !request_.seed.valid(); ++i) {
         const double s = (i + 0.5) / count * whole_.length();
         request_.seed = host_.find_element_at(whole_.at(s).x, crack_.net).value_or(ElementId());
@@ -110,8 +177,8 @@ private:
   /// cracked would be left to chance.
   [[nodiscard]] std::optional<Vec3> place_in_other_body(const SurfaceGeometry& surface) const {
     constexpr double at_surface = 1e-3; // of the front: where bodies touch their meshes may overlap
-    for (int i = 0; i < samples; ++i) {
-      const Vec3 x = whole_.at((i + 0.5) / samples * whole_.length()).x;
+    for (int i = 0; i < front_samples; ++i) {
+      const Vec3 x = whole_.at((i + 0.5) / front_samples * whole_.length()).x;
       const auto e = host_.find_element_at(x, crack_.net);
       if (e && &host_.body_surface(*e) != &host_.body_surface(request_.seed) &&
           (surface.nearest_place(x).x - x).norm() > at_surface * whole_.length()) {
@@ -119,44 +186,6 @@ private:
       }
     }
     return std::nullopt;
-  }
-
-  /// A place where the front runs along a plane face of the body, as of a crack whose normal is
-  /// that of the face.
-  [[nodiscard]] std::optional<Vec3> place_along_face(const SurfaceGeometry& surface) const {
-    constexpr double on_it = 1e-6; // of the front
-    constexpr double same_normal = 1.0 - 1e-6;
-    constexpr int much = samples / 10;
-    int along = 0;
-    std::optional<Vec3> first;
-    for (int i = 0; i < samples && !crack_.relief; ++i) {
-      const Vec3 x = whole_.at((i + 0.5) / samples * whole_.length()).x;
-      const SurfacePlace near = surface.nearest_place(x);
-      if ((near.x - x).norm() < on_it * whole_.length() &&
-          std::abs(near.normal.dot(crack_.normal)) > same_normal) {
-        first = first ? first : std::optional(x);
-        ++along;
-      }
-    }
-    return along > much ? first : std::nullopt;
-  }
-
-  /// The curve of an arc on its own, through the same points.
-  [[nodiscard]] InteriorFront front_of(const InteriorFrontArc& arc) const {
-    if (arc.whole) {
-      return {std::make_shared<const FrontCurve>(whole_), arc.place};
-    }
-    // As dense as the curve's own points, or as it bends, but not at the ends.
-    const double length = arc.s[1] - arc.s[0];
-    const double spacing = whole_.length() / static_cast<double>(whole_.points().size());
-    std::vector<Vec3> points{arc.place[0].x};
-    for (const double s : steps_along(whole_, arc.s, std::min(spacing, length / 4.0))) {
-      points.push_back(whole_.at(s).x);
-    }
-    points.push_back(arc.place[1].x);
-    std::vector<Vec3> normals = crack_.normals_at(points);
-    return {std::make_shared<const FrontCurve>(std::move(points), std::move(normals), false),
-            arc.place};
   }
 
   bool find_crack_mouth(const SurfaceGeometry& surface, InteriorFront& front) {
@@ -270,8 +299,8 @@ private:
 
   bool stays_in_part() {
     for (const InteriorFront& front : request_.fronts) {
-      for (int i = 0; i < samples; ++i) {
-        const Vec3 x = front.curve->at((i + 0.5) / samples * front.curve->length()).x;
+      for (int i = 0; i < front_samples; ++i) {
+        const Vec3 x = front.curve->at((i + 0.5) / front_samples * front.curve->length()).x;
         const auto e = host_.find_element_at(x, crack_.net);
         if (e && host_.part_index(*e) != host_.part_index(request_.seed)) {
           diagnostics_.error(
@@ -327,42 +356,17 @@ private:
       if (!at) {
         return true;
       }
-      if (request_.holes.size() == most_holes || !add_hole(area, *at)) {
+      std::optional<BodyHoleInCrack> hole =
+          request_.holes.size() == most_holes
+              ? std::nullopt
+              : find_hole(host_.body_surface(request_.seed).geometry(),
+                          crack_reference_plane(crack_), area, *at);
+      if (!hole) {
         return fail("the surface of the body, or the border to another $PROPERTY, crosses it", *at);
       }
+      request_.outlines.push_back(hole->mouth);
+      request_.holes.push_back(std::move(*hole));
     }
-  }
-
-  /// The hole whose surface passes near a point of the crack's plane, if all of it lies within.
-  bool add_hole(const PlanePolygons& area, const Vec3& at) {
-    const SurfaceGeometry& surface = host_.body_surface(request_.seed).geometry();
-    const CrackReferencePlane plane = crack_reference_plane(crack_);
-    SurfacePlace near = surface.nearest_place(at);
-    const Vec3 towards = near.normal.cross(plane.normal);
-    const TraceResult first = trace_crack_plane(surface, plane, near, near, towards);
-    if (first.trouble) {
-      return false;
-    }
-    // Begun anew half way between two of its points, which lies on the plane and on no edge.
-    BodyHoleInCrack hole{
-        first.trace.front().at(0.5 * first.trace.front().arc_lengths()[1]), {}, {}};
-    hole.towards = hole.from.normal.cross(plane.normal);
-    const TraceResult all = trace_crack_plane(surface, plane, hole.from, hole.from, hole.towards);
-    if (all.trouble) {
-      return false;
-    }
-    for (const TracePoint& point : all.trace.front().points()) {
-      hole.mouth.push_back(point.place.x);
-    }
-    hole.mouth.pop_back();
-    const bool within = std::ranges::all_of(
-        hole.mouth, [&](const Vec3& x) { return area.contains(area.plane().project(x)); });
-    if (!within || hole.mouth.size() < 3) {
-      return false;
-    }
-    request_.outlines.push_back(hole.mouth);
-    request_.holes.push_back(std::move(hole));
-    return true;
   }
 
   const SolidHostMesh& host_;

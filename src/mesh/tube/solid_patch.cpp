@@ -22,6 +22,101 @@ namespace {
 using base::NodeId;
 using base::Vec3;
 
+/// [shell of the cavity] whether tubes end on it, or cracks in a hole; with `renew` all that have
+/// free faces.
+std::vector<bool> find_open_shells(const SolidHostMesh& host, const CrackFrame& frame,
+                                   std::span<const PatchSolidCrack> cracks,
+                                   const SolidCavity& cavity, bool renew) {
+  std::vector<bool> open(cavity.shells.size(), false);
+  std::set<model::Face> ends;
+  for (const PatchSolidCrack& crack : cracks) {
+    for (const DividedTrace& hole : crack.holes) {
+      const BodySurface& body = host.body_surface(cavity.elements.front());
+      for (const SurfacePlace& place : hole.mids) {
+        ends.insert(body.face(place.face));
+      }
+    }
+    for (const Tube& tube : crack.tubes) {
+      for (const Tube::TubeEnd& end : tube.ends) {
+        for (const int n : end.corner) {
+          const BodySurface& body = host.body_surface(cavity.elements.front());
+          const Vec3 x = frame.global(tube.x[static_cast<std::size_t>(n)]);
+          ends.insert(body.face(body.geometry().nearest_place(x).face));
+        }
+      }
+    }
+  }
+  for (std::size_t s = 0; s < open.size(); ++s) {
+    open[s] = std::ranges::any_of(cavity.shells[s], [&](const CavityFace& face) {
+      return ends.contains(face.face) || (renew && face.free);
+    });
+  }
+  return open;
+}
+
+/// A loop, and the holes within.
+std::vector<std::vector<int>> with_holes(const std::vector<int>& loop,
+                                         const std::vector<std::vector<int>>& holes,
+                                         const PlaneBasis& plane, const PatchMeshBuilder& net) {
+  std::vector<base::Vec2> polygon;
+  polygon.reserve(loop.size());
+  for (const int n : loop) {
+    polygon.push_back(plane.project(net.local_position(n)));
+  }
+  std::vector<std::vector<int>> loops{loop};
+  std::ranges::copy_if(holes, std::back_inserter(loops), [&](const std::vector<int>& hole) {
+    return is_inside(plane.project(net.local_position(hole.front())), polygon);
+  });
+  return loops;
+}
+
+/// Nodes along the tubes and mouths of a crack, round and round; `mouths`: nodes between tubes.
+std::vector<std::vector<int>> loops_of(const PatchSolidCrack& crack,
+                                       const std::vector<PlacedTube>& tubes,
+                                       const std::vector<std::vector<int>>& mouths) {
+  std::vector<std::vector<int>> loops;
+  std::vector<bool> done(crack.tubes.size(), false);
+  for (std::size_t first = 0; first < done.size(); ++first) {
+    std::vector<int> loop;
+    for (std::size_t t = first; !done[t];) {
+      done[t] = true;
+      for (const int n : crack.tubes[t].upper) {
+        loop.push_back(tubes[t].node[static_cast<std::size_t>(n)]);
+      }
+      const auto mouth = std::ranges::find(crack.mouths, t, &CrackMouth::from);
+      if (mouth != crack.mouths.end()) {
+        const auto& nodes = mouths[static_cast<std::size_t>(mouth - crack.mouths.begin())];
+        loop.insert(loop.end(), nodes.begin(), nodes.end());
+        t = mouth->to;
+      }
+    }
+    if (!loop.empty()) {
+      loops.push_back(std::move(loop));
+    }
+  }
+  return loops;
+}
+
+/// Folded elements are the trouble of a patch.
+void look_at_elements(const PatchMeshBuilder& net, SolidPatch& patch) {
+  const std::vector<InvalidElement> folded = find_folded_elements(net.nodes, net.elements);
+  if (!folded.empty()) {
+    patch.folded = true;
+    std::set<NodeId> of_host;
+    for (const InvalidElement& bad : folded) {
+      for (const int n : net.elements[bad.element.index()].nodes) {
+        of_host.insert(net.nodes[static_cast<std::size_t>(n)].host);
+      }
+    }
+    of_host.erase(NodeId());
+    patch.folded_at.assign(of_host.begin(), of_host.end());
+    const InvalidElement& worst = most_folded_element(folded);
+    patch.trouble = fmt::format("{} elements are folded, a {} at {}", folded.size(),
+                                base::element_info(net.elements[worst.element.index()].type).name,
+                                coordinate_text(worst.at));
+  }
+}
+
 class PatchBuilder {
 public:
   PatchBuilder(const SolidHostMesh& host, const CrackFrame& frame,
@@ -46,7 +141,7 @@ public:
       promote();
       move_quarters();
       choose_held_edge_ends(net_.elements, patch_.edges);
-      look_at_elements();
+      look_at_elements(net_, patch_);
     }
     net_.move_into_patch(patch_);
     return std::move(patch_);
@@ -55,7 +150,8 @@ public:
 private:
   /// Shells of the cavity that a tube ends on are joined by it, and their free faces meshed anew.
   void make_shells() {
-    const std::vector<bool> open = find_open();
+    const std::vector<bool> open =
+        find_open_shells(host_, frame_, cracks_, cavity_, request_.renew);
     const std::vector<bool> removed =
         model::mark_members(host_.mesh().element_count(), cavity_.elements);
     std::vector<PatchTriangle> joined;
@@ -100,35 +196,6 @@ private:
       // What tubes join has the outermost shell, but where they end in a hollow inside.
       shells_.insert(open.front() ? shells_.begin() : shells_.end(), std::move(joined));
     }
-  }
-
-  /// Whether tubes end on the shells of the cavity, or cracks in a hole.
-  [[nodiscard]] std::vector<bool> find_open() const {
-    std::vector<bool> open(cavity_.shells.size(), false);
-    std::set<model::Face> ends;
-    for (const PatchSolidCrack& crack : cracks_) {
-      for (const DividedTrace& hole : crack.holes) {
-        const BodySurface& body = host_.body_surface(cavity_.elements.front());
-        for (const SurfacePlace& place : hole.mids) {
-          ends.insert(body.face(place.face));
-        }
-      }
-      for (const Tube& tube : crack.tubes) {
-        for (const Tube::TubeEnd& end : tube.ends) {
-          for (const int n : end.corner) {
-            const BodySurface& body = host_.body_surface(cavity_.elements.front());
-            const Vec3 x = frame_.global(tube.x[static_cast<std::size_t>(n)]);
-            ends.insert(body.face(body.geometry().nearest_place(x).face));
-          }
-        }
-      }
-    }
-    for (std::size_t s = 0; s < open.size(); ++s) {
-      open[s] = std::ranges::any_of(cavity_.shells[s], [&](const CavityFace& face) {
-        return ends.contains(face.face) || (request_.renew && face.free);
-      });
-    }
-    return open;
   }
 
   /// Open tubes are part of the shell that they join, closed ones have shells of their own.
@@ -187,9 +254,9 @@ private:
       }
     }
     std::vector<PatchTriangle>& faces = faces_.emplace_back();
-    for (const std::vector<int>& loop : loops_of(c)) {
-      CrackTriangulation surface =
-          triangulate_crack_area(crack.reach, with_holes(c, loop), crack.finer, net_);
+    for (const std::vector<int>& loop : loops_of(crack, tubes_[c], mouths_[c])) {
+      CrackTriangulation surface = triangulate_crack_area(
+          crack.reach, with_holes(loop, holes_[c], crack.reach.plane(), net_), crack.finer, net_);
       if (!surface.trouble.empty()) {
         patch_.trouble = "its faces: " + surface.trouble;
         return;
@@ -203,48 +270,6 @@ private:
       }
       faces.insert(faces.end(), surface.triangles.begin(), surface.triangles.end());
     }
-  }
-
-  /// A loop, and the holes within.
-  [[nodiscard]] std::vector<std::vector<int>> with_holes(std::size_t c,
-                                                         const std::vector<int>& loop) const {
-    const PlaneBasis& plane = cracks_[c].reach.plane();
-    std::vector<base::Vec2> polygon;
-    polygon.reserve(loop.size());
-    for (const int n : loop) {
-      polygon.push_back(plane.project(net_.local_position(n)));
-    }
-    std::vector<std::vector<int>> loops{loop};
-    std::ranges::copy_if(holes_[c], std::back_inserter(loops), [&](const std::vector<int>& hole) {
-      return is_inside(plane.project(net_.local_position(hole.front())), polygon);
-    });
-    return loops;
-  }
-
-  /// Along tubes and mouths, round and round.
-  [[nodiscard]] std::vector<std::vector<int>> loops_of(std::size_t c) const {
-    const PatchSolidCrack& crack = cracks_[c];
-    std::vector<std::vector<int>> loops;
-    std::vector<bool> done(crack.tubes.size(), false);
-    for (std::size_t first = 0; first < done.size(); ++first) {
-      std::vector<int> loop;
-      for (std::size_t t = first; !done[t];) {
-        done[t] = true;
-        for (const int n : crack.tubes[t].upper) {
-          loop.push_back(tubes_[c][t].node[static_cast<std::size_t>(n)]);
-        }
-        const auto mouth = std::ranges::find(crack.mouths, t, &CrackMouth::from);
-        if (mouth != crack.mouths.end()) {
-          const auto& nodes = mouths_[c][static_cast<std::size_t>(mouth - crack.mouths.begin())];
-          loop.insert(loop.end(), nodes.begin(), nodes.end());
-          t = mouth->to;
-        }
-      }
-      if (!loop.empty()) {
-        loops.push_back(std::move(loop));
-      }
-    }
-    return loops;
   }
 
   void fill_rest() {
@@ -336,26 +361,6 @@ private:
       twins.insert(twins.end(), crack.twins.begin(), crack.twins.end());
     }
     patch_.quarters = move_mid_nodes_to_quarters(net_, quarter_, twins);
-  }
-
-  void look_at_elements() {
-    const std::vector<InvalidElement> folded = find_folded_elements(net_.nodes, net_.elements);
-    if (!folded.empty()) {
-      patch_.folded = true;
-      std::set<NodeId> of_host;
-      for (const InvalidElement& bad : folded) {
-        for (const int n : net_.elements[bad.element.index()].nodes) {
-          of_host.insert(net_.nodes[static_cast<std::size_t>(n)].host);
-        }
-      }
-      of_host.erase(NodeId());
-      patch_.folded_at.assign(of_host.begin(), of_host.end());
-      const InvalidElement& worst = most_folded_element(folded);
-      patch_.trouble =
-          fmt::format("{} elements are folded, a {} at {}", folded.size(),
-                      base::element_info(net_.elements[worst.element.index()].type).name,
-                      coordinate_text(worst.at));
-    }
   }
 
   const SolidHostMesh& host_;
