@@ -27,85 +27,161 @@ namespace {
 
 constexpr double on_region = 1e-6; // of the crack's length: how far a cap's corner may lie off
 
-class Remesher {
-public:
-  Remesher(const SurfaceGeometry& surface, const SurfaceRegion& region)
-      : surface_(surface), region_(region), patches_(surface, region.faces) {}
-
-  RemeshedSurface run() {
-    out_.trouble = patches_.failure();
-    take_caps();
-    take_mouths();
-    if (!out_.trouble) {
-      lines_.emplace(surface_, patches_, size_near_caps(), crossings_, out_);
-      for (std::size_t e = 0; e < out_.edges.size(); ++e) {
-        know(e);
+/// Feature edges beside a cap, or a mouth's end, are divided no coarser than they are far from
+/// it.
+SizeFunction size_near_caps(const SurfaceRegion& region) {
+  return [&region](const Vec3& x) {
+    const double wanted = region.size(x);
+    double away = wanted;
+    for (const std::vector<Vec3>& cap : region.caps) {
+      away = std::min(away, geometry::distance_to_outline(x, cap));
+    }
+    for (const SurfaceMouth& mouth : region.mouths) {
+      const auto& corners = mouth.line.corners;
+      for (const std::size_t end : {0U, 1U}) {
+        if (!mouth.closed && mouth.end[end].cap < 0) {
+          const TracePoint& corner = end == 0 ? corners.front() : corners.back();
+          away = std::min(away, (x - corner.place.x).norm());
+        }
       }
     }
-    for (std::size_t p = 0; p < patches_.count() && !out_.trouble; ++p) {
-      fill_patch(p);
-    }
-    if (!out_.trouble) {
-      out_.trouble = find_remeshed_surface_fault(surface_, out_);
-    }
-    if (out_.trouble) {
-      return {{}, {}, {}, {}, {}, out_.trouble};
-    }
-    return std::move(out_);
-  }
+    return std::max(away, 0.1 * wanted);
+  };
+}
 
-private:
+/// The new surface while it is made: its edges are found by their points, and the first failure is
+/// its trouble.
+class RemeshedSurfaceBuilder {
+public:
   void fail(const std::string& why, const Vec3& at) {
-    if (!out_.trouble) {
-      out_.trouble = {why, at};
+    if (!surface.trouble) {
+      surface.trouble = {why, at};
     }
   }
 
   int add_point(const SurfacePlace& place) {
-    out_.points.push_back({place, NodeId()});
-    return static_cast<int>(out_.points.size()) - 1;
+    surface.points.push_back({place, NodeId()});
+    return static_cast<int>(surface.points.size()) - 1;
   }
-  /// Edges are known by their points, the lower first.
-  void know(std::size_t e) {
-    auto& [a, b] = out_.edges[e].points;
+  /// An edge of the surface is found by its points from now on, the lower first.
+  void index_edge(std::size_t e) {
+    auto& [a, b] = surface.edges[e].points;
     if (b < a) {
       std::swap(a, b);
     }
     known_.try_emplace({a, b}, static_cast<int>(e));
   }
   void add_edge(int a, int b, RemeshedEdgeKind kind, const SurfacePlace& mid) {
-    out_.edges.push_back({{a, b}, kind, mid, NodeId()});
-    know(out_.edges.size() - 1);
+    surface.edges.push_back({{a, b}, kind, mid, NodeId()});
+    index_edge(surface.edges.size() - 1);
   }
 
+  [[nodiscard]] const SurfacePlace& place(int point) const {
+    return surface.points[static_cast<std::size_t>(point)].place;
+  }
+
+  /// What the edge between two points is, for messages.
+  [[nodiscard]] std::string edge_name(int one, int two) const {
+    const auto at = known_.find(std::minmax(one, two));
+    static const std::map<RemeshedEdgeKind, const char*> names{
+        {RemeshedEdgeKind::rim, "the rim of the cavity"},
+        {RemeshedEdgeKind::feature, "an edge of the body"},
+        {RemeshedEdgeKind::outline, "an end of the tube"},
+        {RemeshedEdgeKind::mouth, "the crack's mouth"}};
+    const auto name = at == known_.end()
+                          ? names.end()
+                          : names.find(surface.edges[static_cast<std::size_t>(at->second)].kind);
+    return name == names.end() ? "a line" : name->second;
+  }
+
+  /// The triangles that fill a patch, inner points and edges with them.
+  void add_triangles(const SurfaceChart& chart, const ChartOutline& outline,
+                     const TriangleFill& filling) {
+    std::vector<Vec2> u = outline.region.points;
+    std::vector<int> point = outline.point;
+    for (const Vec2& p : filling.added) {
+      u.emplace_back(rounded(p.x()), rounded(p.y()));
+      point.push_back(add_point(chart.map_to_surface(u.back())));
+    }
+    for (const std::array<int, 3>& corners : filling.cells) {
+      RemeshedTriangle triangle;
+      Vec2 middle = Vec2::Zero();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto i = static_cast<std::size_t>(corners[k]);
+        const auto j = static_cast<std::size_t>(corners[(k + 1) % 3]);
+        const auto [a, b] = std::minmax(point[i], point[j]);
+        if (!known_.contains({a, b})) {
+          add_edge(a, b, RemeshedEdgeKind::inner,
+                   chart.midpoint(place(point[i]), place(point[j]), u[i], u[j]));
+        }
+        triangle.points[k] = point[i];
+        triangle.edges[k] = known_.at({a, b});
+        middle += u[i] / 3.0;
+      }
+      triangle.face = chart.map_to_surface(middle).face;
+      surface.triangles.push_back(triangle);
+    }
+  }
+
+  RemeshedSurface surface;
+
+private:
+  std::map<std::pair<int, int>, int> known_; ///< edges by their points
+};
+
+class Remesher {
+public:
+  Remesher(const SurfaceGeometry& surface, const SurfaceRegion& region)
+      : surface_(surface), region_(region), patches_(surface, region.faces) {}
+
+  RemeshedSurface run() {
+    made_.surface.trouble = patches_.failure();
+    take_caps();
+    take_mouths();
+    if (!made_.surface.trouble) {
+      lines_.emplace(surface_, patches_, size_near_caps(region_), crossings_, made_.surface);
+      for (std::size_t e = 0; e < made_.surface.edges.size(); ++e) {
+        made_.index_edge(e);
+      }
+    }
+    for (std::size_t p = 0; p < patches_.count() && !made_.surface.trouble; ++p) {
+      fill_patch(p);
+    }
+    if (!made_.surface.trouble) {
+      made_.surface.trouble = find_remeshed_surface_fault(surface_, made_.surface);
+    }
+    if (made_.surface.trouble) {
+      return {{}, {}, {}, {}, {}, made_.surface.trouble};
+    }
+    return std::move(made_.surface);
+  }
+
+private:
   void take_caps() {
     for (const std::vector<Vec3>& cap : region_.caps) {
       std::vector<int> points;
       for (const Vec3& x : cap) {
         const SurfacePlace near = surface_.nearest_place(x, patches_.all_faces());
         if (near.face == nowhere || (near.x - x).norm() > on_region * region_.plane.length) {
-          fail("an end of the tube round the crack's front does not lie on the surface that the "
-               "cavity takes away",
-               x);
+          made_.fail(
+              "an end of the tube round the crack's front does not lie on the surface that the "
+              "cavity takes away",
+              x);
           return;
         }
-        points.push_back(add_point(near));
+        points.push_back(made_.add_point(near));
         if (patches_.patch_containing(near.face) !=
-            patches_.patch_containing(place(points.front()).face)) {
-          fail("an end of the tube round the crack's front covers an edge of the body", x);
+            patches_.patch_containing(made_.place(points.front()).face)) {
+          made_.fail("an end of the tube round the crack's front covers an edge of the body", x);
         }
       }
-      out_.caps.push_back(points);
+      made_.surface.caps.push_back(points);
     }
-  }
-
-  [[nodiscard]] const SurfacePlace& place(int point) const {
-    return out_.points[static_cast<std::size_t>(point)].place;
   }
 
   void take_mouths() {
     for (const SurfaceMouth& mouth : region_.mouths) {
-      if (out_.trouble) {
+      if (made_.surface.trouble) {
         return;
       }
       std::vector<int> points;
@@ -118,23 +194,23 @@ private:
           continue;
         }
         if (end && at.cap >= 0) {
-          points.push_back(
-              out_.caps[static_cast<std::size_t>(at.cap)][static_cast<std::size_t>(at.corner)]);
+          points.push_back(made_.surface.caps[static_cast<std::size_t>(at.cap)]
+                                             [static_cast<std::size_t>(at.corner)]);
           continue;
         }
-        points.push_back(add_point(corners[i].place));
+        points.push_back(made_.add_point(corners[i].place));
         if (corners[i].edge != nowhere) {
           cross_edge(corners[i], points.back());
         }
       }
       for (std::size_t i = 0; i + 1 < points.size(); ++i) {
         if (patches_.patch_containing(mouth.line.mids[i].face) == nowhere) {
-          fail("the crack's mouth leaves the surface that the cavity takes away",
-               mouth.line.mids[i].x);
+          made_.fail("the crack's mouth leaves the surface that the cavity takes away",
+                     mouth.line.mids[i].x);
         }
-        add_edge(points[i], points[i + 1], RemeshedEdgeKind::mouth, mouth.line.mids[i]);
+        made_.add_edge(points[i], points[i + 1], RemeshedEdgeKind::mouth, mouth.line.mids[i]);
       }
-      out_.mouths.push_back(points);
+      made_.surface.mouths.push_back(points);
     }
   }
 
@@ -147,39 +223,17 @@ private:
           patches_.patch_containing(edge.faces[0]) == patches_.patch_containing(edge.faces[1])) {
         return;
       }
-      fail("the crack's mouth leaves the surface that the cavity takes away", corner.place.x);
+      made_.fail("the crack's mouth leaves the surface that the cavity takes away", corner.place.x);
     }
     if (std::abs(corner.t) >= 1.0 - same) {
       const NodeId node = edge.ends[corner.t < 0.0 ? 0 : 1];
       for (const std::size_t e : patches_.rim_edges()) {
         if (std::ranges::count(surface_.edges()[e].ends, node) > 0) {
-          fail("the crack's mouth runs through the rim of the cavity", corner.place.x);
+          made_.fail("the crack's mouth runs through the rim of the cavity", corner.place.x);
         }
       }
     }
     crossings_[corner.edge].push_back({corner.t, point});
-  }
-
-  /// Feature edges beside a cap, or a mouth's end, are divided no coarser than they are far from
-  /// it.
-  [[nodiscard]] SizeFunction size_near_caps() const {
-    return [this](const Vec3& x) {
-      const double wanted = region_.size(x);
-      double away = wanted;
-      for (const std::vector<Vec3>& cap : region_.caps) {
-        away = std::min(away, geometry::distance_to_outline(x, cap));
-      }
-      for (const SurfaceMouth& mouth : region_.mouths) {
-        const auto& corners = mouth.line.corners;
-        for (const std::size_t end : {0U, 1U}) {
-          if (!mouth.closed && mouth.end[end].cap < 0) {
-            const TracePoint& corner = end == 0 ? corners.front() : corners.back();
-            away = std::min(away, (x - corner.place.x).norm());
-          }
-        }
-      }
-      return std::max(away, 0.1 * wanted);
-    };
   }
 
   /// The points on one side of a patch's border, but for its end.
@@ -206,7 +260,7 @@ private:
   void fill_patch(std::size_t patch) {
     const SurfaceChart chart(surface_, patches_.faces(patch), region_.plane);
     if (chart.failure()) {
-      fail(chart.failure().why, chart.failure().at);
+      made_.fail(chart.failure().why, chart.failure().at);
       return;
     }
     ChartOutline outline;
@@ -228,31 +282,31 @@ private:
     const TriangleFill filling = fill_triangles(
         outline.region, chart_grading(chart, outline.region, region_.size, region_.growth));
     if (!filling.trouble.empty()) {
-      fail("the surface that the crack's cavity takes away cannot be meshed anew: " +
-               filling.trouble,
-           place(outline.point.front()).x);
+      made_.fail("the surface that the crack's cavity takes away cannot be meshed anew: " +
+                     filling.trouble,
+                 made_.place(outline.point.front()).x);
       return;
     }
-    take_triangles(chart, outline, filling);
+    made_.add_triangles(chart, outline, filling);
   }
 
   void add_caps(std::size_t patch, const SurfaceChart& chart, ChartOutline& outline) {
-    for (const std::vector<int>& cap : out_.caps) {
-      if (patches_.patch_containing(place(cap.front()).face) != patch) {
+    for (const std::vector<int>& cap : made_.surface.caps) {
+      if (patches_.patch_containing(made_.place(cap.front()).face) != patch) {
         continue;
       }
       std::vector<int> loop;
       for (const int point : cap) {
-        loop.push_back(
-            outline.find_or_add_region_point(point, chart.at(place(point).face, place(point).r)));
+        loop.push_back(outline.find_or_add_region_point(
+            point, chart.at(made_.place(point).face, made_.place(point).r)));
       }
       const auto u = [&](std::size_t i) -> const Vec2& {
         return outline.region.points[static_cast<std::size_t>(loop[i % loop.size()])];
       };
       for (std::size_t i = 0; i < loop.size(); ++i) {
         const auto [a, b] = std::pair(cap[i], cap[(i + 1) % cap.size()]);
-        add_edge(a, b, RemeshedEdgeKind::outline,
-                 chart.midpoint(place(a), place(b), u(i), u(i + 1)));
+        made_.add_edge(a, b, RemeshedEdgeKind::outline,
+                       chart.midpoint(made_.place(a), made_.place(b), u(i), u(i + 1)));
       }
       // the patch lies outside of it, and on the left
       if (twice_area(outline.region.points, loop) > 0.0) {
@@ -279,7 +333,7 @@ private:
         const bool here = patches_.patch_containing(line.mids[i].face) == patch;
         for (const std::size_t k : {i, i + 1}) {
           if (here && (k > i || chain.empty())) {
-            chain.push_back(outline.find_or_add_region_point(out_.mouths[m][k],
+            chain.push_back(outline.find_or_add_region_point(made_.surface.mouths[m][k],
                                                              mouth_at(patch, line, {m, k}, chart)));
           }
         }
@@ -299,12 +353,12 @@ private:
     if (corner.edge != nowhere && std::ranges::any_of(surface_.edges()[corner.edge].faces, has)) {
       return from_patch(patch, corner.edge, corner.t, chart);
     }
-    return point_at(patch, out_.mouths[index.first][index.second], chart);
+    return point_at(patch, made_.surface.mouths[index.first][index.second], chart);
   }
 
   /// A point in the chart of a patch: where it lies on the patch, else the nearest place of it.
   [[nodiscard]] Vec2 point_at(std::size_t patch, int point, const SurfaceChart& chart) const {
-    const SurfacePlace& own = place(point);
+    const SurfacePlace& own = made_.place(point);
     const SurfacePlace near = patches_.patch_containing(own.face) == patch
                                   ? own
                                   : surface_.nearest_place(own.x, patches_.faces(patch));
@@ -313,7 +367,7 @@ private:
 
   /// Feature edges that end within the patch, as they are divided.
   void embed_creases(std::size_t patch, const SurfaceChart& chart, ChartOutline& outline) {
-    for (const RemeshedEdge& made : out_.edges) {
+    for (const RemeshedEdge& made : made_.surface.edges) {
       if (made.kind != RemeshedEdgeKind::feature) {
         continue;
       }
@@ -329,67 +383,28 @@ private:
     }
   }
 
-  [[nodiscard]] std::string name_of(std::pair<int, int> line, const ChartOutline& outline) const {
-    const auto [a, b] = std::minmax(outline.point[static_cast<std::size_t>(line.first)],
-                                    outline.point[static_cast<std::size_t>(line.second)]);
-    const auto at = known_.find({a, b});
-    static const std::map<RemeshedEdgeKind, const char*> names{
-        {RemeshedEdgeKind::rim, "the rim of the cavity"},
-        {RemeshedEdgeKind::feature, "an edge of the body"},
-        {RemeshedEdgeKind::outline, "an end of the tube"},
-        {RemeshedEdgeKind::mouth, "the crack's mouth"}};
-    const auto name = at == known_.end()
-                          ? names.end()
-                          : names.find(out_.edges[static_cast<std::size_t>(at->second)].kind);
-    return name == names.end() ? "a line" : name->second;
+  [[nodiscard]] std::string line_name(std::pair<int, int> line, const ChartOutline& outline) const {
+    return made_.edge_name(outline.point[static_cast<std::size_t>(line.first)],
+                           outline.point[static_cast<std::size_t>(line.second)]);
   }
 
   void tell(const LineIntersection& clash, const ChartOutline& outline) {
-    const Vec3& x = place(outline.point[static_cast<std::size_t>(clash.one.first)]).x;
+    const Vec3& x = made_.place(outline.point[static_cast<std::size_t>(clash.one.first)]).x;
     if (clash.outside) {
-      fail("an end of the tube lies beside the surface that the cavity takes away", x);
+      made_.fail("an end of the tube lies beside the surface that the cavity takes away", x);
     } else {
-      fail("on the body's surface " + name_of(clash.one, outline) + " meets " +
-               name_of(clash.two, outline),
-           x);
-    }
-  }
-
-  void take_triangles(const SurfaceChart& chart, ChartOutline& outline,
-                      const TriangleFill& filling) {
-    std::vector<Vec2> u = outline.region.points;
-    std::vector<int> point = outline.point;
-    for (const Vec2& p : filling.added) {
-      u.emplace_back(rounded(p.x()), rounded(p.y()));
-      point.push_back(add_point(chart.map_to_surface(u.back())));
-    }
-    for (const std::array<int, 3>& corners : filling.cells) {
-      RemeshedTriangle triangle;
-      Vec2 middle = Vec2::Zero();
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto i = static_cast<std::size_t>(corners[k]);
-        const auto j = static_cast<std::size_t>(corners[(k + 1) % 3]);
-        const auto [a, b] = std::minmax(point[i], point[j]);
-        if (!known_.contains({a, b})) {
-          add_edge(a, b, RemeshedEdgeKind::inner,
-                   chart.midpoint(place(point[i]), place(point[j]), u[i], u[j]));
-        }
-        triangle.points[k] = point[i];
-        triangle.edges[k] = known_.at({a, b});
-        middle += u[i] / 3.0;
-      }
-      triangle.face = chart.map_to_surface(middle).face;
-      out_.triangles.push_back(triangle);
+      made_.fail("on the body's surface " + line_name(clash.one, outline) + " meets " +
+                     line_name(clash.two, outline),
+                 x);
     }
   }
 
   const SurfaceGeometry& surface_;
   const SurfaceRegion& region_;
   SmoothSurfacePatches patches_;
-  RemeshedSurface out_;
+  RemeshedSurfaceBuilder made_;
   std::map<std::size_t, std::vector<FeatureEdgePoint>> crossings_;
   std::optional<FeatureLines> lines_;
-  std::map<std::pair<int, int>, int> known_; ///< edges by their points
 };
 
 } // namespace
