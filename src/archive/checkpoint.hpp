@@ -102,7 +102,6 @@ private:
   [[nodiscard]] CheckpointList read_newest();
   [[nodiscard]] std::string list_bytes(const std::vector<CheckpointEntry>& entries) const;
   std::optional<CheckpointMismatch> misfit_of_steps();
-  std::optional<CheckpointMismatch> misfit_of_growth() const;
   [[nodiscard]] const CheckpointEntry* find(int number) const;
   void tell(const std::string& code, const std::string& text);
 

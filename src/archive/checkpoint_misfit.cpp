@@ -12,6 +12,40 @@ namespace {
 
 const std::vector<std::string> changeable{"STEP", "GROW", "SPECTRUM"};
 
+// Cracks that grew by the same rules may go on: to other lengths, or to a later end.
+std::optional<CheckpointMismatch> growth_mismatch(const CheckpointList& found,
+                                                  const std::vector<CardFingerprint>& cards,
+                                                  const model::Model& model,
+                                                  const std::string& file) {
+  const auto d = first_card_difference(select_cards(found.cards, {"GROW", "SPECTRUM"}),
+                                       select_cards(cards, {"GROW", "SPECTRUM"}));
+  if (!d) {
+    return std::nullopt;
+  }
+  const bool lengths = !model.growth || model.growth->law == model::CrackGrowthLaw::increment;
+  const std::array<double, 2> ends = growth_ends(model);
+  const bool further = ends[0] >= found.ends[0] && ends[1] >= found.ends[1];
+  // Rates are kept with the stations: another spectrum would have others.
+  const bool same_history = !first_card_difference(select_cards(found.cards, {"SPECTRUM"}),
+                                                   select_cards(cards, {"SPECTRUM"}));
+  if (found.growth == growth_settings_text(model) && (lengths || (further && same_history))) {
+    return std::nullopt;
+  }
+  if (found.growth == growth_settings_text(model) && same_history) {
+    const bool length = ends[0] < found.ends[0];
+    return CheckpointMismatch{
+        "E561", d->span,
+        fmt::format("{}: its cracks grew for a later end, and may go on to another one "
+                    "only if it is later still: {}, which it had as {:.6g}",
+                    file,
+                    length ? fmt::format("AMAX is {:.6g}", ends[0])
+                           : fmt::format("CYCLES is {:.6g}", ends[1]),
+                    found.ends[length ? 0 : 1])};
+  }
+  return CheckpointMismatch{"E561", d->span,
+                            fmt::format("{}: its cracks grew by other rules: {}", file, d->text)};
+}
+
 } // namespace
 
 std::optional<CheckpointMismatch> Checkpoint::find_mismatch() {
@@ -30,7 +64,7 @@ std::optional<CheckpointMismatch> Checkpoint::find_mismatch() {
   if (auto steps = misfit_of_steps()) {
     return steps;
   }
-  if (auto growth = misfit_of_growth()) {
+  if (auto growth = growth_mismatch(found_, cards_, model_, place_.read.string())) {
     return growth;
   }
   int last = 0;
@@ -70,37 +104,6 @@ std::optional<CheckpointMismatch> Checkpoint::misfit_of_steps() {
   return CheckpointMismatch{"E561", d->span,
                             fmt::format("{}: its increments were solved with other steps: {}",
                                         place_.read.string(), d->text)};
-}
-
-std::optional<CheckpointMismatch> Checkpoint::misfit_of_growth() const {
-  const auto d = first_card_difference(select_cards(found_.cards, {"GROW", "SPECTRUM"}),
-                                       select_cards(cards_, {"GROW", "SPECTRUM"}));
-  if (!d) {
-    return std::nullopt;
-  }
-  const bool lengths = !model_.growth || model_.growth->law == model::CrackGrowthLaw::increment;
-  const std::array<double, 2> ends = growth_ends(model_);
-  const bool further = ends[0] >= found_.ends[0] && ends[1] >= found_.ends[1];
-  // Rates are kept with the stations: another spectrum would have others.
-  const bool same_history = !first_card_difference(select_cards(found_.cards, {"SPECTRUM"}),
-                                                   select_cards(cards_, {"SPECTRUM"}));
-  if (found_.growth == growth_settings_text(model_) && (lengths || (further && same_history))) {
-    return std::nullopt; // other lengths, or a later end
-  }
-  if (found_.growth == growth_settings_text(model_) && same_history) {
-    const bool length = ends[0] < found_.ends[0];
-    return CheckpointMismatch{
-        "E561", d->span,
-        fmt::format("{}: its cracks grew for a later end, and may go on to another one "
-                    "only if it is later still: {}, which it had as {:.6g}",
-                    place_.read.string(),
-                    length ? fmt::format("AMAX is {:.6g}", ends[0])
-                           : fmt::format("CYCLES is {:.6g}", ends[1]),
-                    found_.ends[length ? 0 : 1])};
-  }
-  return CheckpointMismatch{
-      "E561", d->span,
-      fmt::format("{}: its cracks grew by other rules: {}", place_.read.string(), d->text)};
 }
 
 } // namespace spricka::archive

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/commands/command_tree.hpp"
 #include "base/exit_codes.hpp"
+#include "program/commands/deck_options.hpp"
 #include "program/commands/positive.hpp"
 #include "program/commands/run_deck.hpp"
 #include "program/job/standard_streams.hpp"
 
 #include "archive/version.hpp"
-#include "base/diagnostics.hpp"
-#include "mesh/link/mesher_limits.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -26,34 +25,6 @@ std::string exit_footer() {
     out += fmt::format("  {:<3} {}\n", exit.code, exit.meaning);
   }
   return out + "\nThe deck language: spricka help";
-}
-
-// -D NAME=expression
-void add_define(const std::string& text, RunOptions& options) {
-  const std::size_t equal = text.find('=');
-  if (equal == std::string::npos || equal == 0) {
-    throw CLI::ValidationError("-D", "write -D NAME=expression, not '" + text + "'");
-  }
-  options.defines.emplace_back(text.substr(0, equal), text.substr(equal + 1));
-}
-
-// Refuses any other word, with a suggestion; CLI11's own check would show its list in every help.
-CLI::Validator one_of(std::vector<std::string> words) {
-  return {[words = std::move(words)](const std::string& given) {
-            const bool known = std::find(words.begin(), words.end(), given) != words.end();
-            const std::string hint = base::suggest_spelling(given, words);
-            return known ? std::string() : fmt::format("not '{}'; {}", given, hint);
-          },
-          ""};
-}
-
-CLI::Validator whole_number() {
-  return {[](const std::string& given) {
-            const bool digits = !given.empty() && given.size() < 7 &&
-                                given.find_first_not_of("0123456789") == std::string::npos;
-            return digits ? std::string() : fmt::format("a whole number from 0, not '{}'", given);
-          },
-          ""};
 }
 
 OptionText describe(const CLI::Option& option) {
@@ -81,6 +52,29 @@ std::vector<OptionText> describe_options(const CLI::App& app) {
     texts.push_back(describe(*option));
   }
   return texts;
+}
+
+void add_verify_options(CLI::App& command, VerifyOptions& options) {
+  command
+      .add_option("WHAT", options.asked,
+                  "a tier, quick or all, names of decks or shell patterns (default: quick)")
+      ->type_name("");
+  add_path_option(command, "--out", options.out,
+                  "folder of verification.html and verification.csv (default: verification)",
+                  "FOLDER");
+  add_path_option(command, "--before", options.before,
+                  "table to compare with (default: the one that is in the folder)", "FILE");
+  command.add_option("--jobs", options.at_once, "decks at a time (default: as many as cores)")
+      ->check(whole_number())
+      ->type_name("NUMBER");
+  add_path_option(command, "--decks", options.decks, "another folder of decks", "FOLDER");
+  add_path_option(command, "--markdown", options.markdown,
+                  "write the page of the manual, too, and its table beside it, as .csv", "FILE");
+  command.add_flag("--list", options.list, "print the decks and run none");
+  command.add_flag("--keep", options.keep, "keep the run folders, beside the page");
+  command.add_flag("--costs", options.costs,
+                   "write what the decks cost into costs.csv, which the tiers follow from");
+  command.add_flag("--quiet", options.quiet, "print what failed and the sum only");
 }
 
 } // namespace
@@ -113,50 +107,6 @@ CLI::App& CommandTree::add(const std::string& name, const std::string& doc, std:
   return *command;
 }
 
-void CommandTree::add_deck_options(CLI::App& command) {
-  add_path_option(command, "DECK", run_.deck, "the deck file", "").required();
-  command
-      .add_option_function<std::vector<std::string>>(
-          "-D",
-          [this](const std::vector<std::string>& texts) {
-            for (const std::string& text : texts) {
-              add_define(text, run_);
-            }
-          },
-          "overrides a parameter of the deck; may be given again")
-      ->type_name("NAME=EXPR")
-      ->allow_extra_args(false);
-  command
-      .add_option_function<std::string>(
-          "--log-format",
-          [this](const std::string& word) {
-            run_.log_format = word == "json" ? LogFormat::json : LogFormat::text;
-          },
-          "messages as text, or as JSON, one object a line")
-      ->check(one_of({"text", "json"}))
-      ->type_name("text|json");
-  add_mesh_limits(command);
-}
-
-void CommandTree::add_mesh_limits(CLI::App& command) {
-  add_positive_option(command, "--mesh-time", mesh::mesher_limits().seconds,
-                      "processor time that meshing one imported file may take (default: 12)",
-                      "SECONDS");
-  command
-      .add_option_function<double>(
-          "--mesh-memory",
-          [](const double& gigabytes) {
-            mesh::mesher_limits().memory = static_cast<std::size_t>(1e9 * gigabytes);
-          },
-          "memory that meshing may take (default: a quarter of the machine's)")
-      ->check(positive_validator())
-      ->type_name("GB");
-}
-
-void CommandTree::add_threads(CLI::App& command, const std::string& doc) {
-  command.add_option("--threads", run_.threads, doc)->check(whole_number())->type_name("NUMBER");
-}
-
 void CommandTree::add_run() {
   CLI::App& command = add("run", "run a deck and write its run folder",
                           "  spricka run lug.deck\n"
@@ -165,10 +115,10 @@ void CommandTree::add_run() {
                           "  spricka run lug.deck --profile               what the time goes into\n"
                           "  spricka run lug.deck --restart --time 3500   in a job queue",
                           [this] { return run_deck(run_); });
-  add_deck_options(command);
+  add_deck_options(command, run_);
   add_path_option(command, "--out", run_.out, "run folder (default: the deck's name with .run)",
                   "FOLDER");
-  add_threads(command, "threads, 0: all cores; no result depends on it");
+  add_threads_option(command, run_.threads, "threads, 0: all cores; no result depends on it");
   command.add_flag("--quiet", run_.quiet, "print messages only");
   command.add_flag("--restart", run_.restart,
                    "continue from the file that $RESTART WRITE names, if it exists");
@@ -190,8 +140,9 @@ void CommandTree::add_check() {
                             run_.check_only = true;
                             return run_deck(run_);
                           });
-  add_deck_options(command);
-  add_threads(command, "threads that the forecast of the run assumes, 0: all cores");
+  add_deck_options(command, run_);
+  add_threads_option(command, run_.threads,
+                     "threads that the forecast of the run assumes, 0: all cores");
   command.add_flag("--json", run_.json, "print what was found as JSON");
 }
 
@@ -205,8 +156,8 @@ void CommandTree::add_shell() {
             session_.deck = run_;
             return program::run_shell(session_);
           });
-  add_deck_options(command);
-  add_threads(command, "threads, 0: all cores; no result depends on it");
+  add_deck_options(command, run_);
+  add_threads_option(command, run_.threads, "threads, 0: all cores; no result depends on it");
   command.add_flag("--strict", session_.strict,
                    "end with the exit code of the first command that fails");
   command.add_flag("--quiet", run_.quiet, "do not print what each answer cost");
@@ -223,7 +174,7 @@ void CommandTree::add_convert() {
                             convert_.log_format = run_.log_format;
                             return convert(convert_);
                           });
-  add_deck_options(command);
+  add_deck_options(command, run_);
   command.get_option("DECK")->description("a deck, or a mesh .msh, .geo or .inp");
   command.add_flag("--replace", convert_.replace, "overwrite OUT if it exists");
   add_path_option(command, "OUT", convert_.out,
@@ -240,26 +191,7 @@ void CommandTree::add_verify() {
           "  spricka verify all --list         which there are, and what they cost\n"
           "  spricka verify all --out new --before old/verification.csv",
           [this] { return verify_decks(verify_); });
-  command
-      .add_option("WHAT", verify_.asked,
-                  "a tier, quick or all, names of decks or shell patterns (default: quick)")
-      ->type_name("");
-  add_path_option(command, "--out", verify_.out,
-                  "folder of verification.html and verification.csv (default: verification)",
-                  "FOLDER");
-  add_path_option(command, "--before", verify_.before,
-                  "table to compare with (default: the one that is in the folder)", "FILE");
-  command.add_option("--jobs", verify_.at_once, "decks at a time (default: as many as cores)")
-      ->check(whole_number())
-      ->type_name("NUMBER");
-  add_path_option(command, "--decks", verify_.decks, "another folder of decks", "FOLDER");
-  add_path_option(command, "--markdown", verify_.markdown,
-                  "write the page of the manual, too, and its table beside it, as .csv", "FILE");
-  command.add_flag("--list", verify_.list, "print the decks and run none");
-  command.add_flag("--keep", verify_.keep, "keep the run folders, beside the page");
-  command.add_flag("--costs", verify_.costs,
-                   "write what the decks cost into costs.csv, which the tiers follow from");
-  command.add_flag("--quiet", verify_.quiet, "print what failed and the sum only");
+  add_verify_options(command, verify_);
 }
 
 void CommandTree::add_help() {

@@ -46,11 +46,6 @@ private:
   [[nodiscard]] const Command* find_parsed() const;
   CLI::App& add(const std::string& name, const std::string& doc, std::string examples,
                 std::function<base::Outcome()> act);
-  void add_deck_options(CLI::App& command);
-  /// Those that study and ladder share; `extension`: of the folder without --out.
-  void add_variant_options(CLI::App& command, const std::string& extension, int& jobs);
-  void add_mesh_limits(CLI::App& command);
-  void add_threads(CLI::App& command, const std::string& doc);
   void add_run();
   void add_check();
   void add_shell();

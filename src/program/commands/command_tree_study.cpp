@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/commands/command_tree.hpp"
+#include "program/commands/deck_options.hpp"
 #include "program/commands/positive.hpp"
 
 #include <fmt/format.h>
@@ -28,19 +29,21 @@ ParameterVariation request_of(const std::string& text) {
   return request;
 }
 
-} // namespace
-
-void CommandTree::add_variant_options(CLI::App& command, const std::string& extension, int& jobs) {
-  add_deck_options(command);
-  add_path_option(command, "--out", run_.out,
+// Those that study and ladder share; `extension`: of the folder without --out.
+void add_variant_options(CLI::App& command, RunOptions& options, const std::string& extension,
+                         int& jobs) {
+  add_deck_options(command, options);
+  add_path_option(command, "--out", options.out,
                   fmt::format("folder (default: the deck's name with {})", extension), "FOLDER");
   command
       .add_option("--jobs", jobs,
                   "runs at the same time; CPU times are reliable with 1 only (default)")
       ->check(CLI::Range(1, 64))
       ->type_name("NUMBER");
-  command.add_flag("--quiet", run_.quiet, "do not report each run as it ends");
+  command.add_flag("--quiet", options.quiet, "do not report each run as it ends");
 }
+
+} // namespace
 
 void CommandTree::add_study() {
   CLI::App& command =
@@ -52,7 +55,7 @@ void CommandTree::add_study() {
             study_.deck = run_;
             return study_deck(study_);
           });
-  add_variant_options(command, ".study", study_.jobs);
+  add_variant_options(command, run_, ".study", study_.jobs);
   command
       .add_option_function<std::vector<std::string>>(
           "--vary",
@@ -78,7 +81,7 @@ void CommandTree::add_ladder() {
             ladder_.deck = run_;
             return run_hierarchy(ladder_);
           });
-  add_variant_options(command, ".ladder", ladder_.jobs);
+  add_variant_options(command, run_, ".ladder", ladder_.jobs);
   add_positive_option(command, "--tol", ladder_.tolerance,
                       "relative difference that the answers may have (default: 0.02)", "NUMBER");
 }

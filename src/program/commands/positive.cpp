@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/commands/positive.hpp"
 
+#include "base/diagnostics.hpp"
+
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,6 +20,24 @@ CLI::Validator positive_validator() {
             const bool good =
                 read.ec == std::errc() && read.ptr == end && value > 0.0 && std::isfinite(value);
             return good ? std::string() : fmt::format("a number above 0, not '{}'", given);
+          },
+          ""};
+}
+
+CLI::Validator one_of(std::vector<std::string> words) {
+  return {[words = std::move(words)](const std::string& given) {
+            const bool known = std::find(words.begin(), words.end(), given) != words.end();
+            const std::string hint = base::suggest_spelling(given, words);
+            return known ? std::string() : fmt::format("not '{}'; {}", given, hint);
+          },
+          ""};
+}
+
+CLI::Validator whole_number() {
+  return {[](const std::string& given) {
+            const bool digits = !given.empty() && given.size() < 7 &&
+                                given.find_first_not_of("0123456789") == std::string::npos;
+            return digits ? std::string() : fmt::format("a whole number from 0, not '{}'", given);
           },
           ""};
 }

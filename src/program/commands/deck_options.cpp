@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/commands/deck_options.hpp"
+
+#include "mesh/link/mesher_limits.hpp"
+#include "program/commands/positive.hpp"
+
+namespace spricka::program {
+
+namespace {
+
+// -D NAME=expression
+void add_define(const std::string& text, RunOptions& options) {
+  const std::size_t equal = text.find('=');
+  if (equal == std::string::npos || equal == 0) {
+    throw CLI::ValidationError("-D", "write -D NAME=expression, not '" + text + "'");
+  }
+  options.defines.emplace_back(text.substr(0, equal), text.substr(equal + 1));
+}
+
+void add_mesh_limits(CLI::App& command) {
+  add_positive_option(command, "--mesh-time", mesh::mesher_limits().seconds,
+                      "processor time that meshing one imported file may take (default: 12)",
+                      "SECONDS");
+  command
+      .add_option_function<double>(
+          "--mesh-memory",
+          [](const double& gigabytes) {
+            mesh::mesher_limits().memory = static_cast<std::size_t>(1e9 * gigabytes);
+          },
+          "memory that meshing may take (default: a quarter of the machine's)")
+      ->check(positive_validator())
+      ->type_name("GB");
+}
+
+} // namespace
+
+void add_deck_options(CLI::App& command, RunOptions& options) {
+  add_path_option(command, "DECK", options.deck, "the deck file", "").required();
+  command
+      .add_option_function<std::vector<std::string>>(
+          "-D",
+          [&options](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) {
+              add_define(text, options);
+            }
+          },
+          "overrides a parameter of the deck; may be given again")
+      ->type_name("NAME=EXPR")
+      ->allow_extra_args(false);
+  command
+      .add_option_function<std::string>(
+          "--log-format",
+          [&options](const std::string& word) {
+            options.log_format = word == "json" ? LogFormat::json : LogFormat::text;
+          },
+          "messages as text, or as JSON, one object a line")
+      ->check(one_of({"text", "json"}))
+      ->type_name("text|json");
+  add_mesh_limits(command);
+}
+
+void add_threads_option(CLI::App& command, int& threads, const std::string& doc) {
+  command.add_option("--threads", threads, doc)->check(whole_number())->type_name("NUMBER");
+}
+
+} // namespace spricka::program
