@@ -1,42 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "base/diagnostics.hpp"
 #include "grammar/ast.hpp"
+#include "grammar/syntax_errors.hpp"
 
-#include <optional>
-#include <string>
-#include <string_view>
+#include <cstdint>
 #include <vector>
 
 namespace spricka::grammar {
 
-/// Receives what the X3 rules recognise and keeps the first failure. The rules are attribute-less
-/// and never go back behind an emitted piece, so nothing here has to be undone. Its methods return
-/// false when the piece is refused; the reason is then in `failure`.
+/// Receives what the X3 rules recognise. The rules are attribute-less and never go back behind an
+/// emitted piece, so nothing here has to be undone. Its methods return false when the piece is
+/// refused; the reason is then in `errors`.
 class SyntaxBuilder {
 public:
-  SyntaxBuilder(std::int32_t file, const char* origin) : file_(file), origin_(origin) {}
+  SyntaxBuilder(std::int32_t file, const char* origin) : errors(file, origin) {}
 
-  struct SyntaxFailure {
-    base::SourceSpan span;
-    std::string code;
-    std::string text;
-    std::string hint;
-  };
-  std::optional<SyntaxFailure> failure;
-
-  /// Keeps the first failure only; false, so that a terminal can return it.
-  bool fail(base::SourceSpan place, std::string code, std::string text, std::string hint = {});
-  /// "expected ..." at `at`, with the carets under the token there.
-  void fail_expected(const char* at, const char* last, std::string_view what);
-  /// Hands the first failure, if there is one, on as an error of the deck.
-  void report_failure(base::Diagnostics& diagnostics) const;
-
+  SyntaxErrors errors;
   Card card;             ///< the header being read
   Assignment assignment; ///< the assignment being read
-
-  /// The place in the source of the bytes from `begin` to `end`.
-  [[nodiscard]] base::SourceSpan span(const char* begin, const char* end) const;
 
   // Expressions.
   bool read_number(const char*& p, const char* last);        ///< unsigned, with its unit
@@ -69,17 +50,10 @@ public:
   std::vector<CardField> take_fields();
 
 private:
-  bool signed_number(const char*& p, const char* last, ExpressionTerm& term);
   bool field_range(const char*& p, const char* last);
-  bool whole_number(const char*& p, const char* last, base::Label& value);
-  bool read_unit(const char*& p, const char* last, base::SourceSpan& found);
-  bool bad_number(const char* begin, const char* end, const char* last, int error);
-  bool field_end(const char* p, const char* last);
   bool quantity(const char*& p, const char* last, const char* begin);
   CardField& add(CardField::CardFieldKind kind, const char* begin, const char* end);
 
-  std::int32_t file_;
-  const char* origin_;
   const char* token_end_ = nullptr; ///< behind the last token of an expression
   int depth_ = 0;
   std::vector<ExpressionTerm> terms_;
@@ -88,7 +62,7 @@ private:
 };
 
 /// Reads one expression from `p` on (X3, expression.cpp). False: a syntax error, kept in
-/// `builder.failure`. Stops before what cannot belong to it.
+/// `builder.errors`. Stops before what cannot belong to it.
 bool read_expression(const char*& p, const char* last, SyntaxBuilder& builder);
 
 } // namespace spricka::grammar

@@ -196,7 +196,7 @@ private:
     const char* const stop = logical_line_end(p_, last_);
     const bool ok = *p_ == '(' ? builder.parse_expression_field(p_, stop)
                                : builder.parse_number_field(p_, stop, false);
-    builder.report_failure(diagnostics_);
+    builder.errors.report(diagnostics_);
     if (!ok) {
       return false;
     }

@@ -16,7 +16,7 @@ bool take_card_name(const char*& p, const char* last, SyntaxBuilder& builder) {
     return false;
   }
   builder.card.name = to_upper(std::string_view(p, end));
-  builder.card.name_span = builder.span(p - 1, end);
+  builder.card.name_span = builder.errors.span(p - 1, end);
   p = skip_blanks_and_comments(end, last);
   return true;
 }
@@ -28,7 +28,7 @@ bool take_key(const char*& p, const char* last, SyntaxBuilder& builder) {
   }
   HeaderParameter& parameter = builder.card.parameters.emplace_back();
   parameter.key = to_upper(std::string_view(p, end));
-  parameter.key_span = builder.span(p, end);
+  parameter.key_span = builder.errors.span(p, end);
   p = skip_blanks_and_comments(end, last);
   return true;
 }
@@ -48,7 +48,7 @@ bool take_assigned(const char*& p, const char* last, SyntaxBuilder& builder) {
   }
   builder.assignment.written = std::string(p, end);
   builder.assignment.name = to_upper(builder.assignment.written);
-  builder.assignment.name_span = builder.span(p, end);
+  builder.assignment.name_span = builder.errors.span(p, end);
   p = skip_blanks_and_comments(end, last);
   return true;
 }
@@ -175,7 +175,7 @@ std::vector<Card> parse_cards(const base::SourceTexts& sources, std::int32_t fil
   const char* const last = origin + all.size();
   const char* const start = after_byte_order_mark(all);
   const char* p = next_card(start, start, last);
-  const SyntaxBuilder place(file, origin);
+  const SyntaxErrors place(file, origin);
   for (const char* line = start; line < p; line = line_end(line, p) + 1) {
     const char* q = line;
     while (q < p && is_blank(*q)) {
@@ -192,15 +192,15 @@ std::vector<Card> parse_cards(const base::SourceTexts& sources, std::int32_t fil
     const char* const begin = p;
     const char* const end = logical_line_end(p, last);
     builder.card.bad = !parse_rule(header, p, end, builder);
-    builder.report_failure(diagnostics);
+    builder.errors.report(diagnostics);
     Card card = std::move(builder.card);
-    card.header = builder.span(begin, end);
+    card.header = builder.errors.span(begin, end);
     if (!card.name_span.valid()) { // a $ without a name still has a place
-      card.name_span = builder.span(begin, begin + 1);
+      card.name_span = builder.errors.span(begin, begin + 1);
     }
     const char* const data = end < last ? end + 1 : last;
     p = next_card(data, origin, last);
-    card.data = builder.span(data, p);
+    card.data = builder.errors.span(data, p);
     std::erase_if(card.parameters, [](const HeaderParameter& q) { return q.values.empty(); });
     cards.push_back(std::move(card));
   }
@@ -215,10 +215,10 @@ std::vector<DataRow> parse_data_rows(const base::SourceTexts& sources, base::Sou
     SyntaxBuilder builder(data.file, origin);
     const char* p = begin;
     if (parse_rule(row, p, end, builder)) {
-      rows.push_back({builder.take_fields(), builder.span(begin, end)});
+      rows.push_back({builder.take_fields(), builder.errors.span(begin, end)});
       rows.back().span.end = rows.back().fields.back().span.end;
     }
-    builder.report_failure(diagnostics);
+    builder.errors.report(diagnostics);
   });
   return rows;
 }
@@ -233,13 +233,13 @@ std::vector<Assignment> parse_assignments(const base::SourceTexts& sources, base
     if (parse_rule(assigning, p, end, builder)) {
       assignments.push_back(std::move(builder.assignment));
     } else {
-      builder.fail_expected(begin, end, "NAME = expression");
+      builder.errors.fail_expected(begin, end, "NAME = expression");
       builder.assignment.value = {};
       if (!builder.assignment.name.empty()) {
         assignments.push_back(std::move(builder.assignment)); // without a value
       }
     }
-    builder.report_failure(diagnostics);
+    builder.errors.report(diagnostics);
   });
   return assignments;
 }
@@ -256,9 +256,9 @@ std::optional<ParsedExpression> parse_expression(const base::SourceTexts& source
     if (skip_blanks_and_comments(p, last) == last) {
       return builder.take_expression(begin);
     }
-    builder.fail_expected(p, last, "the end of the expression");
+    builder.errors.fail_expected(p, last, "the end of the expression");
   }
-  builder.report_failure(diagnostics);
+  builder.errors.report(diagnostics);
   return std::nullopt;
 }
 
