@@ -15,6 +15,7 @@
 #include "model/requests.hpp"
 #include "model/steps.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -82,6 +83,13 @@ struct Model {
 /// Whether the mesh is a section through bodies about the axis x = 0; then all of it is.
 inline bool axisymmetric(const Model& model) {
   return !model.properties.empty() && model.properties.front().state == StressState::axisymmetric;
+}
+
+/// Whether contacts or crack faces rub: then states depend on the order of loads.
+inline bool has_friction(const Model& model) {
+  return std::ranges::any_of(model.contacts, [](const auto& c) { return c.mu > 0.0; }) ||
+         std::ranges::any_of(model.cracks,
+                             [](const auto& c) { return c.faces_in_contact && c.mu > 0.0; });
 }
 
 } // namespace spricka::model

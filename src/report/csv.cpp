@@ -46,11 +46,7 @@ void write_k_csv(const std::filesystem::path& file, const model::Model& model,
 
 void write_pressure_csv(const std::filesystem::path& file, const model::Model& model,
                         const results::RunResult& run) {
-  const bool rubs =
-      std::ranges::any_of(model.contacts, [](const model::Contact& c) { return c.mu > 0.0; }) ||
-      std::ranges::any_of(model.cracks, [](const model::CrackDefinition& c) {
-        return c.faces_in_contact && c.mu > 0.0;
-      });
+  const bool rubs = model::has_friction(model);
   ColumnUnits units;
   units.add_column(base::Quantity::number, "increment");
   Columns<PressureRow> columns = step_columns<PressureRow>();

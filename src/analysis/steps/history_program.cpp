@@ -87,12 +87,8 @@ LoadHistoryProgram of_steps(const model::Model& model,
 } // namespace
 
 bool depends_on_load_order(const model::Model& model) {
-  if (!model.growth || model.growth->law == model::CrackGrowthLaw::increment) {
-    return false;
-  }
-  return std::ranges::any_of(model.contacts, [](const auto& c) { return c.mu > 0.0; }) ||
-         std::ranges::any_of(model.cracks,
-                             [](const auto& c) { return c.faces_in_contact && c.mu > 0.0; });
+  return model.growth && model.growth->law != model::CrackGrowthLaw::increment &&
+         model::has_friction(model);
 }
 
 LoadHistoryProgram make_load_history_program(const model::Model& model,

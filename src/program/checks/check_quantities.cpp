@@ -178,26 +178,31 @@ bool is_checkable_quantity(std::string_view word) {
   return reader_of(word) != nullptr;
 }
 
+results::CheckResult evaluate_check(const model::Model& model, const model::ResultCheck& check,
+                                    const results::RunResult& run) {
+  results::CheckResult result;
+  result.text = check_text(check);
+  result.wanted = check.value;
+  result.tolerance = check.tolerance;
+  result.relative = check.relative;
+  result.source = check.source;
+  try {
+    result.found = evaluate(model, check, run);
+    const double difference = result.found - result.wanted;
+    result.error = check.relative ? difference / std::abs(check.value) : difference;
+    result.passed = std::abs(result.error) <= check.tolerance;
+    result.bar = bar_of(model, check, run);
+  } catch (const MissingQuantity& missing) {
+    result.trouble = missing.what();
+  }
+  return result;
+}
+
 std::vector<results::CheckResult> evaluate_checks(const model::Model& model,
                                                   const results::RunResult& run) {
   std::vector<results::CheckResult> all;
   for (const model::ResultCheck& check : model.checks) {
-    results::CheckResult result;
-    result.text = check_text(check);
-    result.wanted = check.value;
-    result.tolerance = check.tolerance;
-    result.relative = check.relative;
-    result.source = check.source;
-    try {
-      result.found = evaluate(model, check, run);
-      const double difference = result.found - result.wanted;
-      result.error = check.relative ? difference / std::abs(check.value) : difference;
-      result.passed = std::abs(result.error) <= check.tolerance;
-      result.bar = bar_of(model, check, run);
-    } catch (const MissingQuantity& missing) {
-      result.trouble = missing.what();
-    }
-    all.push_back(std::move(result));
+    all.push_back(evaluate_check(model, check, run));
   }
   return all;
 }

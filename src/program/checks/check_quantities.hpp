@@ -14,6 +14,9 @@ namespace spricka::program {
 /// a point outside the body) fails with the reason in `trouble`.
 std::vector<results::CheckResult> evaluate_checks(const model::Model& model,
                                                   const results::RunResult& run);
+/// The same of one line, which the model need not have.
+results::CheckResult evaluate_check(const model::Model& model, const model::ResultCheck& check,
+                                    const results::RunResult& run);
 
 /// A check as a deck writes its quantity with arguments, "K1.AT(C1,0,46.8,1.5,LOAD)".
 std::string check_text(const model::ResultCheck& check);

@@ -10,6 +10,7 @@
 #include "program/shell/known_names.hpp"
 #include "program/shell/listing.hpp"
 #include "program/shell/plots.hpp"
+#include "program/shell/result_value.hpp"
 #include "program/shell/save.hpp"
 #include "program/shell/trouble.hpp"
 #include "program/shell/typed_words.hpp"
@@ -72,9 +73,9 @@ base::OptionalFailure evaluate_result_line(ShellSession& session, const std::str
                                            ShellReply& reply) {
   model::ResultCheck check;
   double value = 0.0;
-  base::OptionalFailure trouble = session.read_result_request(line, check);
+  base::OptionalFailure trouble = read_result_request(session.model(), line, check);
   trouble = trouble ? trouble : solve_pending_changes(session, reply);
-  trouble = trouble ? trouble : session.evaluate(check, value);
+  trouble = trouble ? trouble : evaluate_result(session, check, value);
   if (!trouble) {
     const std::string unit = base::unit_name(
         session.model().units, grammar::find_result_quantity(check.quantity)->quantity);
@@ -93,7 +94,7 @@ base::OptionalFailure apply_deck_change(ShellSession& session, const std::string
   if (trouble) {
     return trouble;
   }
-  const analysis::CondensationStatistics& log = session.condensation_figures();
+  const analysis::CondensationStatistics& log = session.solver().condensation_figures();
   reply.messages += fmt::format("note: {} nets condensed, {} reused\n", log.condensed, log.reused);
   tell_state(session, reply);
   if (!before.empty() && state_reply(session) == before) {
@@ -183,8 +184,9 @@ base::OptionalFailure list_sensitivity(const ShellCall& call) {
   base::OptionalFailure trouble = call.session.estimate_accuracy();
   if (!trouble) {
     call.reply.out = sensitivity_reply(call.session);
-    for (const std::string& note : report::missing_sensitivity_reasons(
-             call.session.displayed_model(), call.session.run_results().increments.front())) {
+    for (const std::string& note :
+         report::missing_sensitivity_reasons(call.session.solver().displayed_model(),
+                                             call.session.run_results().increments.front())) {
       call.reply.messages += fmt::format("note: {}\n", note);
     }
   }

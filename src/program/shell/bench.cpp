@@ -46,6 +46,53 @@ bool is_one_further(const std::vector<model::Step>& way, const std::vector<model
                             });
 }
 
+// The only increment of the run, with the mesh of a length and no step yet.
+results::Increment first_increment(const analysis::CrackLengthAnalysis& length,
+                                   const model::Mesh& host) {
+  const analysis::Discretisation& scene = length.discretisation();
+  const mesh::CrackedMesh& cracked = scene.cracked;
+  results::Increment increment;
+  increment.number = 1;
+  increment.a = base::remove_round_off(length.first_crack_size());
+  increment.notes = results::make_notes(scene.notes);
+  increment.mesh = cracked.mesh;
+  increment.surface = analysis::outer_faces_by_nodes(increment.mesh);
+  analysis::keep_removed_set_members(host, increment.mesh);
+  increment.kept = static_cast<std::size_t>(
+      std::ranges::count_if(cracked.host, [](base::ElementId e) { return e.valid(); }));
+  return increment;
+}
+
+// Solves the steps one by one; stops where faces touch.
+base::OptionalFailure advance(const analysis::CrackLengthAnalysis& length,
+                              const std::function<bool()>& stopped,
+                              const std::vector<model::Step>& steps, ReachedShellState& reached) {
+  for (const model::Step& step : steps) {
+    if (stopped && stopped()) {
+      return interrupted();
+    }
+    base::OptionalFailure trouble;
+    reached.state = reached.solver->solve(step, trouble);
+    if (!reached.state) {
+      trouble->why = fmt::format("step {}: {}", step.name, trouble->why);
+      return trouble;
+    }
+    results::StepResult numbers;
+    numbers.u = reached.state->u;
+    numbers.reaction = reached.state->reaction;
+    if (const std::string what = analysis::find_nonfinite_result(numbers); !what.empty()) {
+      return base::OperationFailure{.kind = base::Outcome::not_solvable,
+                                    .why = fmt::format("step {}: {}", step.name, what)};
+    }
+    // Overlap in any step counts: all of them are solved anew with the faces as a pair.
+    reached.touching = length.cracks_with_overlapping_faces(reached.state->u);
+    if (!reached.touching.empty()) {
+      return {};
+    }
+  }
+  return {};
+}
+
 } // namespace
 
 InteractiveSolver::InteractiveSolver(const InteractiveSolverInputs& parts)
@@ -66,26 +113,12 @@ std::unique_ptr<InteractiveSolver> InteractiveSolver::make(const InteractiveSolv
   if (!bench->length_) {
     return nullptr;
   }
-  bench->begin_run();
+  bench->run_.increments.push_back(first_increment(*bench->length_, parts.model.mesh));
   trouble = bench->stopped() ? interrupted() : bench->prepare();
   if (!trouble && bench->stopped()) {
     trouble = interrupted();
   }
   return trouble ? nullptr : std::move(bench);
-}
-
-void InteractiveSolver::begin_run() {
-  const analysis::Discretisation& scene = length_->discretisation();
-  const mesh::CrackedMesh& cracked = scene.cracked;
-  results::Increment& increment = run_.increments.emplace_back();
-  increment.number = 1;
-  increment.a = base::remove_round_off(length_->first_crack_size());
-  increment.notes = results::make_notes(scene.notes);
-  increment.mesh = cracked.mesh;
-  increment.surface = analysis::outer_faces_by_nodes(increment.mesh);
-  analysis::keep_removed_set_members(parts_.model.mesh, increment.mesh);
-  increment.kept = static_cast<std::size_t>(
-      std::ranges::count_if(cracked.host, [](base::ElementId e) { return e.valid(); }));
 }
 
 base::OptionalFailure InteractiveSolver::prepare() {
@@ -113,34 +146,6 @@ base::OptionalFailure InteractiveSolver::close(const std::vector<std::size_t>& l
   return prepare();
 }
 
-base::OptionalFailure InteractiveSolver::advance(const std::vector<model::Step>& steps,
-                                                 ReachedShellState& reached) const {
-  for (const model::Step& step : steps) {
-    if (stopped()) {
-      return interrupted();
-    }
-    base::OptionalFailure trouble;
-    reached.state = reached.solver->solve(step, trouble);
-    if (!reached.state) {
-      trouble->why = fmt::format("step {}: {}", step.name, trouble->why);
-      return trouble;
-    }
-    results::StepResult numbers;
-    numbers.u = reached.state->u;
-    numbers.reaction = reached.state->reaction;
-    if (const std::string what = analysis::find_nonfinite_result(numbers); !what.empty()) {
-      return base::OperationFailure{.kind = base::Outcome::not_solvable,
-                                    .why = fmt::format("step {}: {}", step.name, what)};
-    }
-    // Overlap in any step counts: all of them are solved anew with the faces as a pair.
-    reached.touching = length_->cracks_with_overlapping_faces(reached.state->u);
-    if (!reached.touching.empty()) {
-      return {};
-    }
-  }
-  return {};
-}
-
 base::OptionalFailure InteractiveSolver::reach(const std::vector<model::Step>& way,
                                                ReachedShellState& reached) {
   while (true) {
@@ -149,7 +154,7 @@ base::OptionalFailure InteractiveSolver::reach(const std::vector<model::Step>& w
     }
     // A copy: the compliances of the rows are computed once, each way begins as a run does.
     reached = {std::make_unique<analysis::StepSolver>(*fresh_), {}, {}};
-    if (base::OptionalFailure trouble = advance(way, reached)) {
+    if (base::OptionalFailure trouble = advance(*length_, parts_.stopped, way, reached)) {
       return trouble;
     }
     if (reached.touching.empty()) {
@@ -205,7 +210,7 @@ base::OptionalFailure InteractiveSolver::solve_further_step(const model::Step& s
                                                             const std::vector<model::Step>& way) {
   // A copy: the present state stays if the step has no answer.
   ReachedShellState reached{std::make_unique<analysis::StepSolver>(*solver_), {}, {}};
-  if (base::OptionalFailure trouble = advance({step}, reached)) {
+  if (base::OptionalFailure trouble = advance(*length_, parts_.stopped, {step}, reached)) {
     return trouble;
   }
   if (!reached.touching.empty()) { // solved anew with contact between them, from the beginning
@@ -273,7 +278,7 @@ base::OptionalFailure InteractiveSolver::follow_load_path(const model::LoadPathD
     // The present state is the beginning of this way: its last step is all that is missing.
     if (solver_ && is_one_further(way, now)) {
       reached = {std::make_unique<analysis::StepSolver>(*solver_), {}, {}};
-      base::OptionalFailure stuck = advance({way.back()}, reached);
+      base::OptionalFailure stuck = advance(*length_, parts_.stopped, {way.back()}, reached);
       // Faces that meet are closed and solved from the beginning, below.
       if (stuck || reached.touching.empty()) {
         return stuck;

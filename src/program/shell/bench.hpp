@@ -23,6 +23,13 @@ struct InteractiveSolverInputs {
   std::function<bool()> stopped; ///< asked between the stages of a computation; may be empty
 };
 
+/// Where steps have led, all of them or up to the one in which faces met.
+struct ReachedShellState {
+  std::unique_ptr<analysis::StepSolver> solver;
+  std::optional<analysis::StepState> state;
+  std::vector<std::size_t> touching; ///< lines to close before this is an answer
+};
+
 /// One set of crack lengths of a deck, condensed and ready to be asked: loads and fits change the
 /// contact solution only. Nothing in it prints or reads. An operation that fails leaves the state
 /// as it was, or the bench not ready().
@@ -72,19 +79,10 @@ public:
 
 private:
   explicit InteractiveSolver(const InteractiveSolverInputs& parts);
-  void begin_run();
   base::OptionalFailure prepare();
   /// Lines whose faces would overlap become pairs, and everything that stood on it is made anew.
   base::OptionalFailure close(const std::vector<std::size_t>& lines);
-  struct ReachedShellState {
-    std::unique_ptr<analysis::StepSolver> solver;
-    std::optional<analysis::StepState> state;
-    std::vector<std::size_t> touching; ///< lines to close before this is an answer
-  };
-  /// Solves the steps one by one; stops where faces touch.
-  base::OptionalFailure advance(const std::vector<model::Step>& steps,
-                                ReachedShellState& reached) const;
-  /// advance() from the unloaded state, faces closed where they meet.
+  /// Solves the steps from the unloaded state, faces closed where they meet.
   base::OptionalFailure reach(const std::vector<model::Step>& way, ReachedShellState& reached);
   void take(ReachedShellState reached, const std::vector<model::Step>& way);
   [[nodiscard]] results::StepResult gather(const ReachedShellState& reached,

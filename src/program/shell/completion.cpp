@@ -5,6 +5,7 @@
 #include "grammar/lexeme.hpp"
 #include "model/model.hpp"
 #include "program/shell/actions.hpp"
+#include "program/shell/command_table.hpp"
 #include "program/shell/known_names.hpp"
 #include "program/shell/plots.hpp"
 #include "program/shell/typed_words.hpp"

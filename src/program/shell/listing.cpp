@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -92,6 +93,22 @@ std::string touching_note(const FrontResult& front) {
                            front.name, closed, front.points.size());
 }
 
+// Warnings of a state, and behind them its notes that were not given before.
+std::vector<std::string> new_notes(const results::StepResult& state,
+                                   std::set<std::string>& reported) {
+  std::vector<std::string> warnings;
+  std::vector<std::string> notes;
+  for (const results::Note& note : state.notes) {
+    if (results::is_warning(note)) {
+      warnings.push_back(results::text_with_code(note));
+    } else if (reported.insert(note.text).second) {
+      notes.push_back("note: " + note.text);
+    }
+  }
+  warnings.insert(warnings.end(), notes.begin(), notes.end());
+  return warnings;
+}
+
 } // namespace
 
 std::string state_reply(const ShellSession& session) {
@@ -108,7 +125,7 @@ std::string state_reply(const ShellSession& session) {
 
 std::string state_notes(ShellSession& session) {
   std::string text;
-  for (const std::string& note : session.new_notes()) {
+  for (const std::string& note : new_notes(session.current_result(), session.reported_notes())) {
     text += note + "\n";
   }
   for (const FrontResult& front : session.current_result().fronts) {
@@ -132,9 +149,11 @@ results::Increment current_increment_of_crack(const ShellSession& session,
 
 std::string k_reply(const ShellSession& session, const std::string& only) {
   const results::Increment fronts = current_increment_of_crack(session, only);
-  std::vector<ReportTable> tables = report::front_tables(session.displayed_model(), fronts);
+  std::vector<ReportTable> tables =
+      report::front_tables(session.solver().displayed_model(), fronts);
   if (tables.empty()) {
-    tables.push_back(report::without_title(report::k_table(session.displayed_model(), fronts)));
+    tables.push_back(
+        report::without_title(report::k_table(session.solver().displayed_model(), fronts)));
   }
   std::string text;
   for (const ReportTable& table : tables) {
@@ -156,7 +175,7 @@ std::string k_notes(const ShellSession& session, const std::string& only) {
 
 std::string sensitivity_reply(const ShellSession& session) {
   return report::table_to_text(report::without_title(report::sensitivity_table(
-      session.displayed_model(), session.run_results().increments.front())));
+      session.solver().displayed_model(), session.run_results().increments.front())));
 }
 
 std::string contact_reply(const ShellSession& session, const results::ContactResult& contact) {

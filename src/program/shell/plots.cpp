@@ -72,7 +72,7 @@ std::vector<report::Figure> path_figures(const ShellSession& session,
 std::vector<report::Figure> k_along_fronts(const ShellSession& session) {
   results::Increment sizes;
   std::vector<std::string> names;
-  for (ShellSession::FrontsAtSize& tried : session.fronts_by_size()) {
+  for (FrontsAtSize& tried : session.fronts_by_size()) {
     results::StepResult& step = sizes.steps.emplace_back();
     step.step = fmt::format("a = {:.5g}", tried.size.a);
     step.step += tried.size.c > 0.0 ? fmt::format(", c = {:.5g}", tried.size.c) : "";
@@ -86,7 +86,7 @@ std::vector<report::Figure> k_along_fronts(const ShellSession& session) {
   std::vector<report::Figure> figures;
   figures.reserve(names.size());
   for (const std::string& name : names) {
-    figures.push_back(report::front_figure(session.displayed_model(), sizes, name));
+    figures.push_back(report::front_figure(session.solver().displayed_model(), sizes, name));
   }
   return figures;
 }
@@ -94,7 +94,7 @@ std::vector<report::Figure> k_along_fronts(const ShellSession& session) {
 // The same as increments of a run, for K over the length of tips.
 results::RunResult run_of_sizes(const ShellSession& session) {
   results::RunResult run;
-  for (ShellSession::FrontsAtSize& tried : session.fronts_by_size()) {
+  for (FrontsAtSize& tried : session.fronts_by_size()) {
     results::Increment& increment = run.increments.emplace_back();
     increment.number = static_cast<int>(run.increments.size());
     increment.a = tried.a;
@@ -117,7 +117,7 @@ base::OptionalFailure draw_picture(const ShellSession& session, const std::strin
     svg = stacked(k_along_fronts(session));
   } else if (kind == "k") {
     const std::optional<report::Figure> figure =
-        report::k_figure(session.displayed_model(), run_of_sizes(session));
+        report::k_figure(session.solver().displayed_model(), run_of_sizes(session));
     if (!figure) {
       return invalid_input("K over the crack length needs two lengths with these loads and fits",
                            "$CRACK NAME=C A0=5 tries another one");
@@ -125,13 +125,13 @@ base::OptionalFailure draw_picture(const ShellSession& session, const std::strin
     svg = stacked({*figure});
   } else if (kind == "pressure") {
     const std::vector<report::Figure> figures =
-        report::pressure_figures(session.displayed_model(), session.run_results());
+        report::pressure_figures(session.solver().displayed_model(), session.run_results());
     if (figures.empty()) {
       return invalid_input("no contact is mounted");
     }
     svg = stacked(figures);
   } else if (kind == "mesh") {
-    svg = stacked(report::mesh_figures(session.displayed_model(), session.run_results()));
+    svg = stacked(report::mesh_figures(session.solver().displayed_model(), session.run_results()));
   } else if (kind == "path") {
     const results::LoadPathResult* path = session.last_followed_path();
     if (path == nullptr || path->fronts.empty()) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/shell/result_value.hpp"
 #include "shell_runs.hpp"
 
 #include <cmath>
@@ -56,7 +57,7 @@ TEST(ShellSession, LengthIsThatOfARun) {
   const base::Vec2 wanted = k_of_run(cracked_hub("A0=6"));
   expect_k(shell, wanted, 1e-10);
   EXPECT_GT(std::abs(shell.K1() - first), 0.01 * first);
-  EXPECT_GT(shell->condensation_figures().reused, 0); // the pin at least
+  EXPECT_GT(shell->solver().condensation_figures().reused, 0); // the pin at least
   good(shell->change_card("$CRACK NAME=C A0=4.0"));
   EXPECT_NEAR(shell.K1(), first, 1e-10 * first);
 }
@@ -68,8 +69,8 @@ TEST(ShellSession, WhatACrackDoesNotTouchStaysCondensed) {
   const ShellOnText shell(hub("A0=4"));
   good(shell->change_card("$CRACK NAME=C A0=6.0")); // region and rest are parted here
   good(shell->change_card("$CRACK NAME=C A0=6.5"));
-  EXPECT_EQ(shell->condensation_figures().condensed, 1); // the region
-  EXPECT_EQ(shell->condensation_figures().reused, 2);    // the rest and the pin
+  EXPECT_EQ(shell->solver().condensation_figures().condensed, 1); // the region
+  EXPECT_EQ(shell->solver().condensation_figures().reused, 2);    // the rest and the pin
   expect_k(shell, k_of_run(hub("A0=6.5")), 1e-9);
 }
 
@@ -119,7 +120,7 @@ TEST(ShellSession, KeysTakeThePlaceOfOthers) {
   good(shell->add_step_line("FIT SEAT 0.5"));
   good(shell->solve());
   good(shell->change_card("$CONTACT NAME=SEAT DIAMETRAL=0.08"));
-  EXPECT_EQ(shell->factors().fit[0], 0.5);
+  EXPECT_EQ(shell->solver().factors().fit[0], 0.5);
   expect_k(shell, k_of_run(cracked_hub("A0=4", "INTERFERENCE=0.02")), 1e-10);
   EXPECT_TRUE(shell->change_card("$CONTACT NAME=SAET GAP=0"));
   EXPECT_TRUE(shell->change_card("$CONTACT NAME=SEAT GAP"));
@@ -176,15 +177,15 @@ TEST(ShellSession, QuantitiesOfNowAndOfSteps) {
   check.quantity = "K1";
   double value = 0.0;
   check.arguments = {std::string("C"), std::string("PRESS")};
-  good(shell->evaluate(check, value));
+  good(program::evaluate_result(*shell, check, value));
   EXPECT_NEAR(value, run->step(0).fronts.front().tip().K1, 1e-10 * value);
   check.arguments = {std::string("C"), std::string("NOW")};
-  good(shell->evaluate(check, value));
+  good(program::evaluate_result(*shell, check, value));
   EXPECT_EQ(value, shell.K1()); // what was pending is solved
   EXPECT_FALSE(shell->has_pending_changes());
   check.quantity = "SUM"; // equilibrium of the pin
   check.arguments = {std::string("SEAT"), std::string("NOW"), std::string("X")};
-  good(shell->evaluate(check, value));
+  good(program::evaluate_result(*shell, check, value));
   EXPECT_NEAR(value, -40000.0, 1e-4);
 }
 
@@ -253,7 +254,7 @@ TEST(ShellSession, StopsWhenAsked) {
   shell.stop = false;
   good(shell->restore_after_failure());
   EXPECT_EQ(shell.K1(), before);
-  EXPECT_EQ(shell->crack_size(0).a, 4.0);
+  EXPECT_EQ(shell.crack_size().a, 4.0);
 }
 
 // With friction the order counts: the shell follows it as steps of a run do.

@@ -89,16 +89,16 @@ TEST(ShellSolid, LoadsAndSizesAreThoseOfARun) {
   }
   good(shell->go_to_step("SHEARED"));
   good(shell->change_card("$CRACK NAME=C A=1.2 C=1.5"));
-  EXPECT_EQ(shell->crack_size(0), (program::CrackSize{1.2, 1.5}));
+  EXPECT_EQ(shell.crack_size(), (program::CrackSize{1.2, 1.5}));
   good(shell->estimate_accuracy());
   expect_same(shell->current_result().fronts.at(0),
               front_of_run(buried("A=1.2 C=1.5 X0=0 Y0=0 Z0=0 NORMAL=Z"), 1));
   good(shell->change_card("$CRACK NAME=C C=1.25"));
-  EXPECT_EQ(shell->crack_size(0), (program::CrackSize{1.2, 1.25}));
+  EXPECT_EQ(shell.crack_size(), (program::CrackSize{1.2, 1.25}));
   EXPECT_EQ(shell->fronts_by_size().size(), 3U);
   // A size that fits nowhere leaves all as it is.
   EXPECT_TRUE(shell->change_card("$CRACK NAME=C A=80 C=100"));
-  EXPECT_EQ(shell->crack_size(0), (program::CrackSize{1.2, 1.25}));
+  EXPECT_EQ(shell.crack_size(), (program::CrackSize{1.2, 1.25}));
   EXPECT_NEAR(shell->current_result().fronts.at(0).a, 1.2, 1e-12);
 }
 
@@ -131,7 +131,7 @@ TEST(ShellSolid, SavedDeckHasTheSameK) {
   expect_same(shell->current_result().fronts.at(0), front_of_run(saved, 2));
   // A parameter of the deck does not reach an axis that was given another value.
   type("r = 2");
-  EXPECT_EQ(shell->crack_size(0), (program::CrackSize{1.1, 1.4}));
+  EXPECT_EQ(shell.crack_size(), (program::CrackSize{1.1, 1.4}));
 }
 
 // Its points say how large it is.

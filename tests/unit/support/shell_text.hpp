@@ -39,6 +39,9 @@ struct ShellOnText {
   [[nodiscard]] double K2(std::size_t tip = 0) const {
     return session->current_result().fronts.at(tip).tip().K2;
   }
+  [[nodiscard]] program::CrackSize crack_size() const {
+    return program::crack_size(session->model(), session->current_result(), 0);
+  }
 };
 
 /// A pin pressed into a hub with a crack at its outside, and pulled; where `more` stands further

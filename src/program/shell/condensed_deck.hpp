@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/steps/mount_memory.hpp"
+#include "base/outcome.hpp"
+#include "program/job/ready_deck.hpp"
+#include "program/shell/bench.hpp"
+#include "program/shell/deck_changes.hpp"
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace spricka::program {
+
+/// What solvers may take of the machine.
+struct SolverControls {
+  std::function<int(const model::Model&)> threads; ///< empty: one
+  std::function<bool()> stopped;                   ///< may be empty
+};
+
+/// A deck as it was read, its nets condensed for one size of each crack, and the solver that is
+/// asked of it.
+class CondensedDeck {
+public:
+  /// `text`: the cards of the deck, which has a model.
+  CondensedDeck(CheckedDeck deck, const deck::DeckCardList& text, const SolverControls& controls);
+  CondensedDeck(const CondensedDeck&) = delete;
+  CondensedDeck& operator=(const CondensedDeck&) = delete;
+
+  /// Nets that are as they were in the deck before stay condensed.
+  void reuse_nets(const CondensedDeck& before) { cache_ = before.cache_; }
+  /// Where only sizes of cracks differ, the region condensed apart, compliances of contacts and
+  /// what was mounted stay, too.
+  void reuse_region(const CondensedDeck& before);
+  /// Condenses and solves the steps to the present state. Once, before the solver is asked.
+  base::OptionalFailure open(const SessionDeckChanges& changes);
+  /// A new solver for the same model, at the end of the steps.
+  base::OptionalFailure renew_solver(const SessionDeckChanges& changes);
+
+  [[nodiscard]] const model::Model& model() const { return *deck_.model; }
+  [[nodiscard]] InteractiveSolver& solver() { return *solver_; }
+  [[nodiscard]] const InteractiveSolver& solver() const { return *solver_; }
+  /// All that K depends on but the sizes of cracks: cards, loads, fits, as a text to compare.
+  [[nodiscard]] std::string setting() const;
+
+private:
+  base::OptionalFailure make_solver(bool first, std::unique_ptr<InteractiveSolver>& solver);
+
+  CheckedDeck deck_; ///< with the lengths that $GROW begins with
+  SolverControls controls_;
+  std::string other_cards_; ///< all cards but $CRACK
+  analysis::CrackRegionPlan plan_;
+  std::shared_ptr<analysis::CondensationCache> cache_ =
+      std::make_shared<analysis::CondensationCache>();
+  std::shared_ptr<analysis::ContactMemory> contact_ = std::make_shared<analysis::ContactMemory>();
+  std::shared_ptr<analysis::MountOffsetMemory> memory_; ///< where $GROW says MOUNTED=FIRST
+  std::unique_ptr<InteractiveSolver> solver_;
+};
+
+} // namespace spricka::program
