@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/recover/load_path_fronts.hpp"
+
 #include "analysis/recover/judge_faces.hpp"
-#include "analysis/recover/load_paths.hpp"
 #include "analysis/recover/path_functions.hpp"
+#include "analysis/scene/front_functionals.hpp"
 #include "analysis/steps/crack_face_contact.hpp"
 #include "model/model.hpp"
 
@@ -11,7 +13,6 @@
 
 #include <fmt/format.h>
 
-/// K of fronts on load paths.
 namespace spricka::analysis {
 
 namespace {
@@ -149,12 +150,11 @@ bool is_shifted(const model::Model& model, base::CrackId crack) {
   });
 }
 
-} // namespace
-
-std::vector<std::optional<std::size_t>>
-LoadPathSolver::rows_behind(std::size_t f, const std::vector<std::size_t>& in_force) const {
+// [point of front f] its row among those in force, if faces bear behind it.
+std::vector<std::optional<std::size_t>> rows_behind(const Discretisation& scene, std::size_t f,
+                                                    const std::vector<std::size_t>& in_force) {
   std::vector<std::optional<std::size_t>> rows =
-      contact_rows_behind_front(scene_, scene_.cracked.fronts[f]);
+      contact_rows_behind_front(scene, scene.cracked.fronts[f]);
   for (std::optional<std::size_t>& row : rows) {
     const auto at = row ? std::ranges::find(in_force, *row) : in_force.end();
     row = at != in_force.end() ? std::optional(static_cast<std::size_t>(at - in_force.begin()))
@@ -164,15 +164,15 @@ LoadPathSolver::rows_behind(std::size_t f, const std::vector<std::size_t>& in_fo
 }
 
 // K1, K2, K3 of the points of a front by t, which begin among the functionals at `first`.
-results::LoadPathFront LoadPathSolver::follow_front(std::size_t f, Eigen::Index first,
-                                                    const solve::SolutionPath& found,
-                                                    const results::FrontResult& is) const {
+results::LoadPathFront follow_front(const Discretisation& scene, std::size_t f, Eigen::Index first,
+                                    const solve::SolutionPath& found,
+                                    const results::FrontResult& is) {
   results::LoadPathFront out;
   out.is = is;
   out.is.points.clear();
   out.is.sensitivities = {};
   out.is.invalid_reason.clear();
-  const Eigen::Index modes = scene_.k_layout().modes();
+  const Eigen::Index modes = scene.k_layout().modes();
   const std::vector<double> zeros(found.segments.size(), 0.0);
   for (std::size_t i = 0; i < is.points.size(); ++i) {
     results::LoadPathFrontPoint& point = out.points.emplace_back();
@@ -185,32 +185,35 @@ results::LoadPathFront LoadPathSolver::follow_front(std::size_t f, Eigen::Index 
     }
     point.smooth = point.K;
   }
-  if (!scene_.cracked.fronts[f].is_tip()) {
-    smooth_front(scene_.cracked.fronts[f], scene_.domains[f], first, found, out);
+  if (!scene.cracked.fronts[f].is_tip()) {
+    smooth_front(scene.cracked.fronts[f], scene.domains[f], first, found, out);
   }
   return out;
 }
 
-void LoadPathSolver::fronts(const solve::SolutionPath& found, const LoadPathEnd& from,
-                            const LoadPathEnd& to, results::LoadPathResult& path) const {
+} // namespace
+
+void follow_fronts(const model::Model& model, const Discretisation& scene,
+                   const solve::SolutionPath& found, const LoadPathEnd& from, const LoadPathEnd& to,
+                   results::LoadPathResult& path) {
   double size = 0.0;
   double apart = 0.0;
-  const crack::KLayout layout = scene_.k_layout();
+  const crack::KLayout layout = scene.k_layout();
   std::size_t first = 0;
-  for (std::size_t f = 0; f < scene_.cracked.fronts.size(); ++f) {
+  for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {
     const results::FrontResult& is = from.result.fronts[f];
-    const base::CrackId crack = scene_.cracked.fronts[f].crack;
-    results::LoadPathFront front = follow_front(f, layout.first_index(first), found, is);
+    const base::CrackId crack = scene.cracked.fronts[f].crack;
+    results::LoadPathFront front = follow_front(scene, f, layout.first_index(first), found, is);
     first += front.points.size();
     if (is.is_tip()) { // before its faces touch
       const base::PiecewiseLinear& K1 = front.tip().K[0];
       size = std::max({size, std::abs(K1.lowest()), std::abs(K1.highest())});
     }
-    tell_touching(close_path_points(rows_behind(f, from.problem.rows), found, front), is.is_tip(),
-                  front, path);
+    tell_touching(close_path_points(rows_behind(scene, f, from.problem.rows), found, front),
+                  is.is_tip(), front, path);
     if (is.is_tip()) {
-      tell_negative_tip(model_.growth && model_.growth->spectrum &&
-                            !model_.cracks[crack.index()].faces_in_contact,
+      tell_negative_tip(model.growth && model.growth->spectrum &&
+                            !model.cracks[crack.index()].faces_in_contact,
                         front, path);
     }
     mark_invalid_end(from.result.fronts[f], front, path);
@@ -218,9 +221,9 @@ void LoadPathSolver::fronts(const solve::SolutionPath& found, const LoadPathEnd&
     if (!is.is_tip()) {
       const FrontKRange range = range_of(front);
       size = std::max(size, range.largest);
-      tell_negative_front(scene_.crack_face_pairs[crack.index()].has_value(), range, front, path);
+      tell_negative_front(scene.crack_face_pairs[crack.index()].has_value(), range, front, path);
     }
-    if (is_shifted(model_, crack)) {
+    if (is_shifted(model, crack)) {
       path.notes.push_back(
           results::note(fmt::format("{}: K on the path is the analytic one, without the SHIFT "
                                     "of $VCE",
@@ -239,6 +242,40 @@ void LoadPathSolver::fronts(const solve::SolutionPath& found, const LoadPathEnd&
   }
   path.mismatch = size > 0.0 ? apart / size : 0.0;
   warn_of_K_mismatch(path);
+}
+
+// What the mesh finds a little below 0 for faces in contact is 0, as in steps (judge_faces).
+void smooth_fronts(const Discretisation& scene, base::Vector& value) {
+  const crack::KLayout layout = scene.k_layout();
+  std::size_t first = 0;
+  for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {
+    const mesh::CrackFront& front = scene.cracked.fronts[f];
+    if (front.is_tip()) {
+      continue;
+    }
+    const bool bear = scene.crack_face_pairs[front.crack.index()].has_value();
+    const auto smooth =
+        smooth_K_along_front(front, scene.domains[f], value, layout.first_index(first));
+    for (const std::array<double, 3>& K : smooth) {
+      layout.point_entries(value, first++) << (bear ? std::max(0.0, K[0]) : K[0]), K[1], K[2];
+    }
+  }
+}
+
+// Faces that touch do not part there: what is left is the error of the mesh.
+void close_points(const Discretisation& scene, const std::vector<std::size_t>& in_force,
+                  const std::vector<bool>& closed, base::Vector& value) {
+  const crack::KLayout layout = scene.k_layout();
+  std::size_t first = 0;
+  for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {
+    const std::vector<std::optional<std::size_t>> rows = rows_behind(scene, f, in_force);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (rows[i] && closed[*rows[i]]) {
+        value[layout.at(first + i, 1)] = 0.0;
+      }
+    }
+    first += scene.cracked.fronts[f].points.size();
+  }
 }
 
 } // namespace spricka::analysis

@@ -3,7 +3,7 @@
 
 #include "analysis/recover/closed_run.hpp"
 #include "analysis/recover/path_functions.hpp"
-#include "analysis/scene/front_surroundings.hpp"
+#include "analysis/scene/free_faces.hpp"
 #include "analysis/steps/crack_face_contact.hpp"
 #include "analysis/steps/history_program.hpp"
 #include "contact/slave_places.hpp"
@@ -20,9 +20,6 @@
 namespace spricka::analysis {
 
 namespace {
-
-// Functionals that are condensed at a time.
-constexpr Eigen::Index most_columns = 64;
 
 std::string why_stopped(const solve::SolutionPath& found, const StepSolver& solver) {
   switch (found.status) {
@@ -42,125 +39,11 @@ std::string why_stopped(const solve::SolutionPath& found, const StepSolver& solv
   return "round-off grew too large: the contact is nearly singular";
 }
 
-} // namespace
-
-LoadPathSolver::LoadPathSolver(const model::Model& model, const Discretisation& scene,
-                               const std::vector<SubstructuredBody>& bodies)
-    : model_(model), scene_(scene), bodies_(bodies), watches_(watch_faces(model, scene)) {}
-
-void LoadPathSolver::record_step(std::size_t step, const StepSolver& solver,
-                                 const results::StepResult& result) {
-  const bool wanted =
-      std::ranges::any_of(model_.load_paths, [&](const model::LoadPathDefinition& path) {
-        return path.from.index() == step || path.to.index() == step;
-      });
-  if (!wanted) {
-    return;
-  }
-  LoadPathEnd& end = ends_[step];
-  if (solver.contact_system() != nullptr) {
-    end.problem = solver.contact_problem();
-  }
-  end.case_factor = solver.factors().case_factor;
-  end.result.fronts = result.fronts;
-  end.result.contacts = result.contacts;
-}
-
-LoadPathSolver::ContactForceFunctionals LoadPathSolver::functionals(const StepSolver& solver) {
-  const Eigen::Index count = functional_count();
-  ContactForceFunctionals out;
-  if (solver.contact_system() == nullptr || count == 0) {
-    return out;
-  }
-  K_rows_ = displacement_K_functionals(model_, scene_);
-  const contact::ContactSystem& system = *solver.contact_system();
-  Eigen::Index modes = 0;
-  for (const std::size_t b : solver.condensed_bodies()) {
-    modes += bodies_[b].condensed->modes().cols();
-  }
-  const auto rows = static_cast<Eigen::Index>(scene_.table.size());
-  out.of_row.resize(count, rows);
-  out.of_mode.resize(count, modes);
-  for (Eigen::Index first = 0; first < count;) {
-    base::Matrix nodal = functional_columns(first, most_columns);
-    // A functional is condensed as a load is (solve.32).
-    scene_.ties->transfer_forces_to_masters(nodal);
-    std::vector<base::Matrix> external;
-    std::vector<base::Matrix> moved;
-    for (const std::size_t b : solver.condensed_bodies()) {
-      external.push_back(condense_load(bodies_[b], *scene_.ties, nodal).external);
-      moved.push_back(bodies_[b].condensed->displacements_under_forces(external.back()));
-    }
-    for (Eigen::Index k = 0; k < nodal.cols(); ++k) {
-      std::vector<base::Vector> u;
-      for (std::size_t i = 0; i < moved.size(); ++i) {
-        u.emplace_back(moved[i].col(k));
-        const base::Matrix& Q = bodies_[solver.condensed_bodies()[i]].condensed->modes();
-        out.of_mode.row(first + k).segment(system.first_mode(i), Q.cols()) =
-            external[i].col(k).transpose() * Q;
-      }
-      for (Eigen::Index r = 0; r < rows; ++r) {
-        out.of_row(first + k, r) = system.opening(static_cast<std::size_t>(r), u);
-      }
-    }
-    first += nodal.cols();
-  }
-  // Between faces in contact a unit of a row changes K without moving anything, too (crack.33).
-  out.of_row.topRows(first_watched()) += contact_force_K_functionals(model_, scene_);
-  return out;
-}
-
-// K and faces of the bodies alone, without contact forces and rigid motions.
-base::Vector LoadPathSolver::free_values(const base::Vector& case_factor) const {
-  base::Vector u = scene_.case_displacement * case_factor;
-  for (const SubstructuredBody& body : bodies_) {
-    base::Vector external;
-    if (body.condensed) {
-      external = body.condensed->displacements_under_forces(body.external_load * case_factor);
-    }
-    recover_body(body, external, case_factor, u);
-  }
-  base::Vector values(functional_count());
-  values.head(first_watched()) = evaluate_K_values(model_, scene_, u, case_factor);
-  values.tail(2 * static_cast<Eigen::Index>(watches_.size())) = watched(u);
-  return values;
-}
-
-solve::ParametricProblem LoadPathSolver::problem(const LoadPathEnd& from, const LoadPathEnd& to,
-                                                 const StepSolver& solver) const {
-  solve::ParametricProblem p;
-  p.f0 = free_values(from.case_factor);
-  p.df = free_values(to.case_factor) - p.f0;
-  if (solver.contact_system() == nullptr) {
-    p.at_zero.W.resize(0, 0);
-    p.at_zero.B.resize(0, 0);
-    p.of_force.resize(p.f0.size(), 0);
-    p.of_mode.resize(p.f0.size(), 0);
-    return p;
-  }
-  p.at_zero = solver.contact_system()->condensed(from.problem);
-  const solve::ContactProblem at_one = solver.contact_system()->condensed(to.problem);
-  p.db = at_one.b - p.at_zero.b;
-  p.dh = at_one.h - p.at_zero.h;
-  // One end may be without load: the larger scale serves all of the path.
-  p.at_zero.load_scale = std::max(from.problem.load_scale, to.problem.load_scale);
-  const auto n = static_cast<Eigen::Index>(from.problem.rows.size());
-  p.of_force.resize(p.f0.size(), n);
-  p.of_mode = rows_->of_mode;
-  if (p.f0.size() == 0) {
-    p.of_mode.resize(0, p.dh.size());
-  }
-  for (Eigen::Index i = 0; i < n && p.f0.size() > 0; ++i) {
-    p.of_force.col(i) = rows_->of_row.col(
-        static_cast<Eigen::Index>(from.problem.rows[static_cast<std::size_t>(i)]));
-  }
-  return p;
-}
-
-bool LoadPathSolver::homogeneous(const LoadPathEnd& from, const LoadPathEnd& to,
-                                 const StepSolver& solver) const {
+// Whether all that a path begins with is scaled by its factors.
+bool is_homogeneous(const Discretisation& scene, const LoadPathEnd& from, const LoadPathEnd& to,
+                    const StepSolver& solver) {
   // The right-hand side of a tie has no factor (solve.33).
-  if (scene_.ties->has_constants()) {
+  if (scene.ties->has_constants()) {
     return false;
   }
   // What no factor of the steps scales: gaps without FIT, or left over from a MOUNT.
@@ -171,23 +54,24 @@ bool LoadPathSolver::homogeneous(const LoadPathEnd& from, const LoadPathEnd& to,
   return rest.size() == 0 || rest.cwiseAbs().maxCoeff() <= 1e-12 * size;
 }
 
-void LoadPathSolver::contacts(const solve::SolutionPath& found, const LoadPathEnd& end,
-                              results::LoadPathResult& path) const {
+// Contacts on a path that begins or goes by at `end`: their closed ranges, and what changes.
+void follow_contacts(const Discretisation& scene, const solve::SolutionPath& found,
+                     const LoadPathEnd& end, results::LoadPathResult& path) {
   const std::vector<std::size_t>& rows = end.problem.rows;
   std::size_t first = 0; // of a contact among the rows in force
-  for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
+  for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     std::size_t last = first;
     // Rows in force stand in the order of the table; of a pair the normal ones come first.
-    while (last < rows.size() && rows[last] < scene_.table.first[c + 1]) {
+    while (last < rows.size() && rows[last] < scene.table.first[c + 1]) {
       ++last;
     }
-    const contact::PairConstraints& pair = scene_.pairs[c];
+    const contact::PairConstraints& pair = scene.pairs[c];
     const std::size_t normal = std::min(pair.normal.size(), last - first);
     if (normal == 0) {
       continue; // not mounted
     }
     results::LoadPathContact contact;
-    contact.name = scene_.contacts[c].name;
+    contact.name = scene.contacts[c].name;
     contact.round = contact::uses_angular_coordinate(pair);
     contact.rows = static_cast<int>(normal);
     std::unordered_map<std::int32_t, double> place_of;
@@ -232,13 +116,71 @@ void LoadPathSolver::contacts(const solve::SolutionPath& found, const LoadPathEn
   std::ranges::stable_sort(path.changes, {}, &results::ContactStatusChange::t);
 }
 
+// Whether a row of the table is one between the faces of a crack.
+bool between_faces(const Discretisation& scene, std::size_t row) {
+  return std::ranges::any_of(scene.crack_face_pairs, [&](const auto& crack_face) {
+    return crack_face && row >= scene.table.first[crack_face->pair] &&
+           row < scene.table.first[crack_face->pair + 1];
+  });
+}
+
+} // namespace
+
+LoadPathSolver::LoadPathSolver(const model::Model& model, const Discretisation& scene,
+                               const std::vector<SubstructuredBody>& bodies)
+    : model_(model), scene_(scene), functionals_(model, scene, bodies) {}
+
+void LoadPathSolver::record_step(std::size_t step, const StepSolver& solver,
+                                 const results::StepResult& result) {
+  const bool wanted =
+      std::ranges::any_of(model_.load_paths, [&](const model::LoadPathDefinition& path) {
+        return path.from.index() == step || path.to.index() == step;
+      });
+  if (!wanted) {
+    return;
+  }
+  LoadPathEnd& end = ends_[step];
+  if (solver.contact_system() != nullptr) {
+    end.problem = solver.contact_problem();
+  }
+  end.case_factor = solver.factors().case_factor;
+  end.result.fronts = result.fronts;
+  end.result.contacts = result.contacts;
+}
+
 solve::ParametricProblem
 LoadPathSolver::parametric_path_problem(const model::LoadPathDefinition& card,
                                         const StepSolver& solver) {
-  if (!rows_) {
-    rows_ = functionals(solver);
+  const LoadPathEnd& from = ends_.at(card.from.index());
+  const LoadPathEnd& to = ends_.at(card.to.index());
+  solve::ParametricProblem p;
+  p.f0 = functionals_.of_loads(from.case_factor);
+  p.df = functionals_.of_loads(to.case_factor) - p.f0;
+  if (solver.contact_system() == nullptr) {
+    p.at_zero.W.resize(0, 0);
+    p.at_zero.B.resize(0, 0);
+    p.of_force.resize(p.f0.size(), 0);
+    p.of_mode.resize(p.f0.size(), 0);
+    return p;
   }
-  return problem(ends_.at(card.from.index()), ends_.at(card.to.index()), solver);
+  p.at_zero = solver.contact_system()->condensed(from.problem);
+  const solve::ContactProblem at_one = solver.contact_system()->condensed(to.problem);
+  p.db = at_one.b - p.at_zero.b;
+  p.dh = at_one.h - p.at_zero.h;
+  // One end may be without load: the larger scale serves all of the path.
+  p.at_zero.load_scale = std::max(from.problem.load_scale, to.problem.load_scale);
+  const auto n = static_cast<Eigen::Index>(from.problem.rows.size());
+  p.of_force.resize(p.f0.size(), n);
+  const ContactForceFunctionals& by = functionals_.of_contact(solver);
+  p.of_mode = by.of_mode;
+  if (p.f0.size() == 0) {
+    p.of_mode.resize(0, p.dh.size());
+  }
+  for (Eigen::Index i = 0; i < n && p.f0.size() > 0; ++i) {
+    p.of_force.col(i) =
+        by.of_row.col(static_cast<Eigen::Index>(from.problem.rows[static_cast<std::size_t>(i)]));
+  }
+  return p;
 }
 
 results::LoadPathResult LoadPathSolver::path(const model::LoadPathDefinition& card,
@@ -282,11 +224,42 @@ results::LoadPathResult LoadPathSolver::path(const model::LoadPathDefinition& ca
                                   t)));
   }
   out.t = path_knots(found);
-  out.homogeneous = homogeneous(from, to, solver);
-  look_at_faces(found);
-  fronts(found, from, to, out);
-  contacts(found, from, out);
+  out.homogeneous = is_homogeneous(scene_, from, to, solver);
+  // Between knots all is linear: the largest overlaps are at knots.
+  for (const solve::SolutionPathSegment& s : found.segments) {
+    functionals_.add_overlapping_lines(s.value, overlapping_);
+    functionals_.add_overlapping_lines(s.value + (s.to - s.from) * s.slope, overlapping_);
+  }
+  follow_fronts(model_, scene_, found, from, to, out);
+  follow_contacts(scene_, found, from, out);
   return out;
+}
+
+base::Vector LoadPathSolver::evaluate_K(const contact::ContactSystem::IncrementProblem& problem,
+                                        const contact::ContactSystem::IncrementSolution& solution,
+                                        const StepSolver& solver) {
+  base::Vector value = functionals_.of_increment(problem, solution, solver);
+  functionals_.add_overlapping_lines(value, overlapping_);
+  base::Vector free; // without the forces between faces of cracks, all others as they are
+  if (scene_.has_tips() && continues_K_below_closing(model_)) {
+    free = value;
+    const base::Matrix& of_row = functionals_.of_contact(solver).of_row;
+    for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+      if (between_faces(scene_, problem.rows[i])) {
+        free -= of_row.col(static_cast<Eigen::Index>(problem.rows[i])) *
+                solution.contact.lambda[static_cast<Eigen::Index>(i)];
+      }
+    }
+  }
+  smooth_fronts(scene_, value);
+  close_points(scene_, problem.rows, solution.contact.closed, value);
+  const crack::KLayout layout = scene_.k_layout();
+  for (std::size_t t = 0; t < layout.points() && free.size() > 0; ++t) {
+    if (free[layout.at(t, 1)] < 0.0) {
+      layout.point_entries(value, t) = layout.point_entries(free, t);
+    }
+  }
+  return value.head(layout.count());
 }
 
 std::vector<results::LoadPathResult> LoadPathSolver::solve_paths(const StepSolver& solver) {

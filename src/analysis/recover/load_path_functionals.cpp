@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/recover/load_path_functionals.hpp"
+
+#include "analysis/scene/front_functionals.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace spricka::analysis {
+
+namespace {
+
+// Functionals that are condensed at a time.
+constexpr Eigen::Index most_columns = 64;
+
+} // namespace
+
+const ContactForceFunctionals& LoadPathFunctionals::of_contact(const StepSolver& solver) {
+  if (!of_contact_) {
+    of_contact_ = condense_functionals(solver);
+  }
+  return *of_contact_;
+}
+
+ContactForceFunctionals LoadPathFunctionals::condense_functionals(const StepSolver& solver) const {
+  const Eigen::Index all = count();
+  ContactForceFunctionals out;
+  if (solver.contact_system() == nullptr || all == 0) {
+    return out;
+  }
+  const crack::SparseLinearFunctionals K = displacement_K_functionals(model_, scene_);
+  const contact::ContactSystem& system = *solver.contact_system();
+  Eigen::Index modes = 0;
+  for (const std::size_t b : solver.condensed_bodies()) {
+    modes += bodies_[b].condensed->modes().cols();
+  }
+  const auto rows = static_cast<Eigen::Index>(scene_.table.size());
+  out.of_row.resize(all, rows);
+  out.of_mode.resize(all, modes);
+  for (Eigen::Index first = 0; first < all;) {
+    const bool of_K = first < K_count();
+    const Eigen::Index columns = std::min(most_columns, (of_K ? K_count() : all) - first);
+    base::Matrix nodal = of_K ? base::Matrix(K.middleCols(first, columns))
+                              : openings_.columns(first - K_count(), columns);
+    // A functional is condensed as a load is (solve.32).
+    scene_.ties->transfer_forces_to_masters(nodal);
+    std::vector<base::Matrix> external;
+    std::vector<base::Matrix> moved;
+    for (const std::size_t b : solver.condensed_bodies()) {
+      external.push_back(condense_load(bodies_[b], *scene_.ties, nodal).external);
+      moved.push_back(bodies_[b].condensed->displacements_under_forces(external.back()));
+    }
+    for (Eigen::Index k = 0; k < nodal.cols(); ++k) {
+      std::vector<base::Vector> u;
+      for (std::size_t i = 0; i < moved.size(); ++i) {
+        u.emplace_back(moved[i].col(k));
+        const base::Matrix& Q = bodies_[solver.condensed_bodies()[i]].condensed->modes();
+        out.of_mode.row(first + k).segment(system.first_mode(i), Q.cols()) =
+            external[i].col(k).transpose() * Q;
+      }
+      for (Eigen::Index r = 0; r < rows; ++r) {
+        out.of_row(first + k, r) = system.opening(static_cast<std::size_t>(r), u);
+      }
+    }
+    first += nodal.cols();
+  }
+  // Between faces in contact a unit of a row changes K without moving anything, too (crack.33).
+  out.of_row.topRows(K_count()) += contact_force_K_functionals(model_, scene_);
+  return out;
+}
+
+base::Vector LoadPathFunctionals::of_loads(const base::Vector& case_factor) const {
+  base::Vector u = scene_.case_displacement * case_factor;
+  for (const SubstructuredBody& body : bodies_) {
+    base::Vector external;
+    if (body.condensed) {
+      external = body.condensed->displacements_under_forces(body.external_load * case_factor);
+    }
+    recover_body(body, external, case_factor, u);
+  }
+  base::Vector values(count());
+  values.head(K_count()) = evaluate_K_values(model_, scene_, u, case_factor);
+  values.tail(openings_.count()) = openings_.values(u);
+  return values;
+}
+
+base::Vector
+LoadPathFunctionals::of_increment(const contact::ContactSystem::IncrementProblem& problem,
+                                  const contact::ContactSystem::IncrementSolution& solution,
+                                  const StepSolver& solver) {
+  if (of_case_.cols() == 0) {
+    of_case_.resize(count(), scene_.case_load.cols());
+    for (Eigen::Index c = 0; c < of_case_.cols(); ++c) {
+      // Bodies alone are linear in the factors: unit cases now, a product in each increment.
+      of_case_.col(c) = of_loads(base::Vector::Unit(of_case_.cols(), c));
+    }
+  }
+  const ContactForceFunctionals& by = of_contact(solver);
+  base::Vector value = of_case_ * solver.factors().case_factor;
+  value += by.of_mode * solution.contact.alpha;
+  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+    value += by.of_row.col(static_cast<Eigen::Index>(problem.rows[i])) *
+             solution.contact.lambda[static_cast<Eigen::Index>(i)];
+  }
+  return value;
+}
+
+} // namespace spricka::analysis
