@@ -22,6 +22,8 @@ constexpr double longest_part = 0.2;
 constexpr double usual_exponent = 3.0; // of a table
 /// What K scatters by along a front from mesh to mesh, rms.
 constexpr double scatter_of_K = 0.015;
+/// The same of K2, as a part of K1: headings scatter by it.
+constexpr double scatter_of_K2 = 0.04;
 
 // [front][point] The tips of a crack's fronts in the order along them.
 std::vector<std::vector<std::size_t>> tips_along(const std::vector<GrownTip>& tips,
@@ -42,6 +44,82 @@ std::vector<std::vector<std::size_t>> tips_along(const std::vector<GrownTip>& ti
     }
   }
   return fronts;
+}
+
+// [tip] The same the other way: on which front of its crack each of so many tips is.
+std::vector<GrownTip> places_of_tips(const MovingFronts& now, std::size_t count) {
+  std::vector<GrownTip> places(count);
+  std::vector<std::size_t> fronts(now.cracks.size(), 0);
+  for (const GrowingFront& of : now.growing) {
+    for (std::size_t i = 0; i < of.tips.size(); ++i) {
+      places[of.tips[i]] = {.crack = of.crack, .front = fronts[of.crack], .number = i};
+    }
+    ++fronts[of.crack];
+  }
+  return places;
+}
+
+// The cracks of fronts, and where K of so many tips is taken.
+CrackGeometry state_of(const MovingFronts& fronts, std::size_t tips) {
+  CrackGeometry state{.lines = {}, .solids = fronts.cracks};
+  state.aims.resize(tips, Vec3::Zero());
+  state.fronts.resize(tips);
+  for (const GrowingFront& of : fronts.growing) {
+    for (std::size_t i = 0; i < of.tips.size(); ++i) {
+      state.aims[of.tips[i]] = of.frame_at(i).x;
+      state.fronts[of.tips[i]] = of.crack;
+    }
+  }
+  return state;
+}
+
+// Of the law.
+double law_exponent(const model::Model& model) {
+  const double m = model.growth->constants.m;
+  return m > 0.0 ? m : usual_exponent;
+}
+
+// How the waves of a front die, nothing else of it.
+FrontGrowthRates waves_of(const GrowingFront& of, double exponent) {
+  FrontGrowthRates front;
+  front.stiffness = exponent / of.arc.curve.length();
+  front.kind = of.kind();
+  return front;
+}
+
+// Of all that a front has made on its way to the last station.
+FrontGrowthRates rates_of(const GrowingFront& of, const GrowthState& state, double exponent) {
+  FrontGrowthRates front = waves_of(of, exponent);
+  const SolvedStation& here = state.stations.back();
+  const std::size_t count = state.stations.size();
+  // A breakthrough has nothing in common with what was before.
+  const SolvedStation* before =
+      count > 1 && here.breakthroughs == 0 ? &state.stations[count - 2] : nullptr;
+  for (const std::size_t tip : of.tips) {
+    front.rate.push_back(here.tips[tip].rate);
+    front.deferred_advance.push_back(here.tips[tip].deferred_advance);
+    if (before != nullptr) {
+      front.rate_before.push_back(before->tips[tip].rate);
+      front.last.push_back(here.tips[tip].a - before->tips[tip].a);
+    }
+  }
+  return front;
+}
+
+// The longest way to a surface from the points of a front.
+std::optional<SurfaceLigament> longest_ligament(const GrowingFront& of,
+                                                const model::CrackDefinition& crack,
+                                                const SolidBodyQuery& around) {
+  std::optional<SurfaceLigament> longest;
+  for (std::size_t i = 0; i < of.tips.size(); ++i) {
+    const mesh::FrontFrame at = of.frame_at(i);
+    const auto ahead = around.surface_ahead(at.x, at.m, crack.net);
+    if (ahead && (!longest || ahead->distance > longest->left)) {
+      longest =
+          SurfaceLigament{.behind = (at.x - crack.plane.place).norm(), .left = ahead->distance};
+    }
+  }
+  return longest;
 }
 
 } // namespace
@@ -76,35 +154,6 @@ FreeFrontShape::FreeFrontShape(const model::Model& model)
   ligaments_.measure(now_, tips_.size());
 }
 
-void FreeFrontShape::update_fronts(const GrowthState& state) {
-  kinks_.update(state);
-  ligaments_.measure(now_, tips_.size());
-}
-
-FreeFrontShape::TipOnFront FreeFrontShape::place_of(std::size_t tip) const {
-  for (std::size_t g = 0; g < now_.growing.size(); ++g) {
-    const GrowingFront& of = now_.growing[g];
-    const auto at = std::ranges::find(of.tips, tip);
-    if (at != of.tips.end()) {
-      return {of, g, static_cast<std::size_t>(at - of.tips.begin())};
-    }
-  }
-  return {now_.growing.front(), 0, 0}; // every tip has a front
-}
-
-CrackGeometry FreeFrontShape::state_of(const MovingFronts& fronts) const {
-  CrackGeometry state{.lines = {}, .solids = fronts.cracks};
-  state.aims.resize(tips_.size(), Vec3::Zero());
-  state.fronts.resize(tips_.size());
-  for (const GrowingFront& of : fronts.growing) {
-    for (std::size_t i = 0; i < of.tips.size(); ++i) {
-      state.aims[of.tips[i]] = of.frame_at(i).x;
-      state.fronts[of.tips[i]] = of.crack;
-    }
-  }
-  return state;
-}
-
 void FreeFrontShape::resume_from(const GrowthState& state) {
   restore_cracks(state, now_.cracks);
   now_.growing.clear();
@@ -121,17 +170,18 @@ void FreeFrontShape::resume_from(const GrowthState& state) {
       now_.growing.push_back({c, std::move(tips[i]), std::move(arcs[i])});
     }
   }
-  update_fronts(state);
+  kinks_.update(state);
+  ligaments_.measure(now_, tips_.size());
 }
 
 CrackGeometry FreeFrontShape::current_cracks() {
   trial_ = now_;
   kinks_.reset_trial();
-  return state_of(trial_);
+  return state_of(trial_, tips_.size());
 }
 
 double FreeFrontShape::behind(std::size_t tip) const {
-  const TipOnFront at = place_of(tip);
+  const TipOnFront at = now_.place_of(tip);
   return (at.tip_frame().x - now_.cracks[at.of.crack].plane.place).norm();
 }
 
@@ -140,7 +190,7 @@ double FreeFrontShape::longest_advance(std::size_t tip) const {
 }
 
 bool FreeFrontShape::goes_on_behind(std::size_t tip, const SurfaceLigament& /*before*/) const {
-  const TipOnFront at = place_of(tip);
+  const TipOnFront at = now_.place_of(tip);
   const double gap = passage_policy.left_out * surface_policy.passed;
   const std::size_t fronts = ligaments_.staying(at.of, at.growing, gap, {}).size();
   return fronts == 1 ||
@@ -148,7 +198,7 @@ bool FreeFrontShape::goes_on_behind(std::size_t tip, const SurfaceLigament& /*be
 }
 
 std::optional<FrontKinematics::NeighbourCrack> FreeFrontShape::neighbour(std::size_t tip) const {
-  const TipOnFront at = place_of(tip);
+  const TipOnFront at = now_.place_of(tip);
   const Vec3 x = at.tip_frame().x;
   std::optional<NeighbourCrack> nearest;
   for (const GrowingFront& other : now_.growing) {
@@ -162,39 +212,9 @@ std::optional<FrontKinematics::NeighbourCrack> FreeFrontShape::neighbour(std::si
   return nearest;
 }
 
-FrontGrowthRates FreeFrontShape::waves_of(const GrowingFront& of) const {
-  FrontGrowthRates front;
-  front.stiffness = exponent() / of.arc.curve.length();
-  front.kind = of.kind();
-  return front;
-}
-
-double FreeFrontShape::exponent() const {
-  const double m = model_.growth->constants.m;
-  return m > 0.0 ? m : usual_exponent;
-}
-
-FrontGrowthRates FreeFrontShape::rates_of(const GrowingFront& of, const GrowthState& state) const {
-  FrontGrowthRates front = waves_of(of);
-  const SolvedStation& here = state.stations.back();
-  const std::size_t count = state.stations.size();
-  // A breakthrough has nothing in common with what was before.
-  const SolvedStation* before =
-      count > 1 && here.breakthroughs == 0 ? &state.stations[count - 2] : nullptr;
-  for (const std::size_t tip : of.tips) {
-    front.rate.push_back(here.tips[tip].rate);
-    front.deferred_advance.push_back(here.tips[tip].deferred_advance);
-    if (before != nullptr) {
-      front.rate_before.push_back(before->tips[tip].rate);
-      front.last.push_back(here.tips[tip].a - before->tips[tip].a);
-    }
-  }
-  return front;
-}
-
 bool FreeFrontShape::smooth_front(const GrowthState& state, std::vector<double>& by) const {
   for (const GrowingFront& of : now_.growing) {
-    const FrontGrowthRates front = rates_of(of, state);
+    const FrontGrowthRates front = rates_of(of, state, law_exponent(model_));
     double sum = 0.0;
     double rates = 0.0;
     for (const std::size_t tip : of.tips) {
@@ -215,7 +235,7 @@ bool FreeFrontShape::smooth_front(const GrowthState& state, std::vector<double>&
 void FreeFrontShape::damp_deferred_advance(std::vector<double>& deferred_advance,
                                            const std::vector<double>& by) const {
   for (const GrowingFront& of : now_.growing) {
-    FrontGrowthRates front = waves_of(of);
+    FrontGrowthRates front = waves_of(of, law_exponent(model_));
     double mean = 0.0;
     for (const std::size_t tip : of.tips) {
       front.deferred_advance.push_back(deferred_advance[tip]);
@@ -234,25 +254,26 @@ std::optional<CrackGeometry> FreeFrontShape::advance_cracks(const GrowthState& /
   trial_ = now_;
   kinks_.set_trial(advance.by);
   trial_.growing.clear();
+  FrontDrawing drawing(around_, kinks_, ligaments_, now_, trial_);
   for (std::size_t g = 0; g < now_.growing.size(); ++g) {
     const bool last =
         g + 1 == now_.growing.size() || now_.growing[g + 1].crack != now_.growing[g].crack;
     const std::size_t crack = now_.growing[g].crack;
-    if (!draw_all(g, advance) || (last && !draw_together(crack))) {
+    if (!drawing.draw_all(g, advance) || (last && !drawing.draw_together(crack))) {
       diagnostics.error(now_.cracks[crack].span, "E425",
                         fmt::format("crack {}: its front would fall into several parts",
                                     now_.cracks[crack].name));
       return std::nullopt;
     }
   }
-  if (advance.is(GrowthEventKind::coalescence) && !join(advance)) {
+  if (advance.is(GrowthEventKind::coalescence) && !join(advance, drawing)) {
     const model::CrackDefinition& other = now_.cracks[advance.passage->crack];
     diagnostics.error(
         other.span, "E425",
         fmt::format("crack {}: it and the one it meets would have no common front", other.name));
     return std::nullopt;
   }
-  return state_of(trial_);
+  return state_of(trial_, tips_.size());
 }
 
 void FreeFrontShape::evaluate_trial_tips(std::vector<TipStation>& found) const {
@@ -266,7 +287,7 @@ void FreeFrontShape::evaluate_trial_tips(std::vector<TipStation>& found) const {
       continue;
     }
     const std::vector<double> smooth =
-        smooth_front_rates(rate, of.kind(), exponent() * scatter_of_K);
+        smooth_front_rates(rate, of.kind(), law_exponent(model_) * scatter_of_K);
     for (std::size_t i = 0; i < of.tips.size(); ++i) {
       TipStation& at = found[of.tips[i]];
       if (at.rate > 0.0) {
@@ -279,34 +300,27 @@ void FreeFrontShape::evaluate_trial_tips(std::vector<TipStation>& found) const {
 
 void FreeFrontShape::accept_trial(GrowthState& state) {
   now_ = trial_;
-  update_fronts(state);
+  kinks_.update(state);
+  ligaments_.measure(now_, tips_.size());
   for (const GrowingFront& of : now_.growing) {
-    const std::vector<double> uncertain_fraction = rates_of(of, state).uncertain_fraction();
+    const std::vector<double> uncertain_fraction =
+        rates_of(of, state, law_exponent(model_)).uncertain_fraction();
     for (std::size_t i = 0; i < uncertain_fraction.size(); ++i) {
       double& part = state.stations.back().tips[of.tips[i]].uncertain_fraction;
       part = std::max(part, std::abs(uncertain_fraction[i]));
     }
   }
   accept_cracks(now_.cracks, state);
-  state.tips.assign(tips_.size(), {});
-  std::vector<std::size_t> fronts(now_.cracks.size(), 0);
-  for (const GrowingFront& of : now_.growing) {
-    for (std::size_t i = 0; i < of.tips.size(); ++i) {
-      state.tips[of.tips[i]] = {.crack = of.crack, .front = fronts[of.crack], .number = i};
-    }
-    ++fronts[of.crack];
-  }
+  state.tips = places_of_tips(now_, tips_.size());
 }
 
-// K2 scatters by some per cent of K1 along fronts.
 double FreeFrontShape::heading_scatter() const {
-  constexpr double scatter = 0.04;
-  return scatter;
+  return scatter_of_K2;
 }
 
 AdvanceLimit FreeFrontShape::advance_limit(const GrowthState& state, std::size_t tip, double share,
                                            double ds) const {
-  const TipOnFront at = place_of(tip);
+  const TipOnFront at = now_.place_of(tip);
   const Vec3& normal = now_.cracks[at.of.crack].plane.normal;
   if (std::abs(kinks_.tip_growth_direction(at.tip_frame(), tip, 0.0).dot(normal)) >
       futility_policy.steepest) {
@@ -320,23 +334,13 @@ AdvanceLimit FreeFrontShape::advance_limit(const GrowthState& state, std::size_t
 }
 
 std::optional<SurfaceLigament> FreeFrontShape::left_in_corner(std::size_t tip) const {
-  const GrowingFront& of = place_of(tip).of;
+  const GrowingFront& of = now_.place_of(tip).of;
   if (of.arc.is_closed() || std::ranges::any_of(of.tips, [&](std::size_t other) {
         return ligaments_.at_tip(other).has_value();
       })) {
     return std::nullopt;
   }
-  const model::CrackDefinition& crack = now_.cracks[of.crack];
-  std::optional<SurfaceLigament> longest;
-  for (std::size_t i = 0; i < of.tips.size(); ++i) {
-    const mesh::FrontFrame at = of.frame_at(i);
-    const auto ahead = around_.surface_ahead(at.x, at.m, crack.net);
-    if (ahead && (!longest || ahead->distance > longest->left)) {
-      longest =
-          SurfaceLigament{.behind = (at.x - crack.plane.place).norm(), .left = ahead->distance};
-    }
-  }
-  return longest;
+  return longest_ligament(of, now_.cracks[of.crack], around_);
 }
 
 } // namespace spricka::growth

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "growth/front_drawing.hpp"
 #include "growth/front_kinematics.hpp"
 #include "growth/front_kinks.hpp"
 #include "growth/front_ligaments.hpp"
@@ -48,23 +49,6 @@ public:
   void accept_trial(GrowthState& state) override;
 
 private:
-  /// Points of the next front, those in front of which next to nothing is left out.
-  struct NextPoints {
-    std::vector<base::Vec3> points;
-    bool closed = false;
-  };
-  /// A front that goes on, and the tips that it has.
-  struct NextFront {
-    NextPoints next;
-    std::vector<std::size_t> tips;
-  };
-  /// Where a tip is.
-  struct TipOnFront {
-    const GrowingFront& of;
-    std::size_t growing = 0; ///< which that is
-    std::size_t number = 0;  ///< of its points
-    [[nodiscard]] mesh::FrontFrame tip_frame() const { return of.frame_at(number); }
-  };
   [[nodiscard]] std::optional<SurfaceLigament> ligament(std::size_t tip) const override {
     return ligaments_.at_tip(tip);
   }
@@ -75,35 +59,10 @@ private:
   [[nodiscard]] double behind(std::size_t tip) const override;
   [[nodiscard]] double longest_advance(std::size_t tip) const override;
 
-  void update_fronts(const GrowthState& state);
-  [[nodiscard]] TipOnFront place_of(std::size_t tip) const;
-  [[nodiscard]] CrackGeometry state_of(const MovingFronts& fronts) const;
-  /// What a front goes on as: one, or where it goes through a surface between its ends, one on each
-  /// side of that. Empty: nothing.
-  [[nodiscard]] std::vector<NextFront> next_fronts(std::size_t growing,
-                                                   const TrialAdvance& advance) const;
-  /// All fronts on trial by an advance; false: a crack would have none that can be drawn.
-  bool draw_all(std::size_t growing, const TrialAdvance& advance);
-  /// Draws the fronts of a crack on trial that has several as one line, out of the body between
-  /// them; false: that is not outside.
-  bool draw_together(std::size_t crack);
-  /// A front on trial; false: it would be none, or several.
-  bool draw(const NextPoints& next, GrowingFront& of);
-  void leave_front_history(std::size_t crack, const NextPoints& next,
-                           model::CrackDefinition& drawn) const;
-  [[nodiscard]] double exponent() const; ///< of the law
-  /// How the waves of a front die, nothing else of it.
-  [[nodiscard]] FrontGrowthRates waves_of(const GrowingFront& of) const;
-  /// Of all that a front has made on its way to the last station.
-  [[nodiscard]] FrontGrowthRates rates_of(const GrowingFront& of, const GrowthState& state) const;
-  /// Moves a front on trial to where its points have advanced by `by` [tip] on their way.
-  void go_round(const GrowingFront& from, const std::vector<double>& by, GrowingFront& of);
-  /// Of one crack against the other: what is nearer to it than `reach` does not stay.
-  [[nodiscard]] CoalescingFront meeting(const GrowingFront& of, const GrowingFront& other,
-                                        double reach, const std::vector<double>& by) const;
+  /// The front of both where a tip meets another crack; empty: there is none.
   [[nodiscard]] std::optional<CoalescedFront> joined(std::size_t tip, const NeighbourCrack& other,
                                                      const TrialAdvance& advance) const;
-  bool join(const TrialAdvance& advance);
+  bool join(const TrialAdvance& advance, FrontDrawing& drawing);
 
   FrontKinks kinks_;
   FrontLigaments ligaments_;

@@ -8,8 +8,11 @@
 /// Two free fronts that meet and go on as one.
 namespace spricka::growth {
 
-CoalescingFront FreeFrontShape::meeting(const GrowingFront& of, const GrowingFront& other,
-                                        double reach, const std::vector<double>& by) const {
+namespace {
+
+// Of one crack against the other: what is nearer to it than `reach` does not stay.
+CoalescingFront coalescing_front(const GrowingFront& of, const GrowingFront& other, double reach,
+                                 const std::vector<double>& by) {
   CoalescingFront front{.points = {}, .tips = of.tips, .stays = {}, .closed = of.arc.is_closed()};
   for (std::size_t i = 0; i < of.tips.size(); ++i) {
     const mesh::FrontFrame at = of.frame_at(i);
@@ -19,9 +22,11 @@ CoalescingFront FreeFrontShape::meeting(const GrowingFront& of, const GrowingFro
   return front;
 }
 
+} // namespace
+
 std::optional<CoalescedFront> FreeFrontShape::joined(std::size_t tip, const NeighbourCrack& other,
                                                      const TrialAdvance& advance) const {
-  const GrowingFront& one = place_of(tip).of;
+  const GrowingFront& one = now_.place_of(tip).of;
   const auto two = std::ranges::find(now_.growing, other.crack, &GrowingFront::crack);
   const model::CrackDefinition& crack = now_.cracks[one.crack];
   const auto fronts_of = [&](std::size_t number) {
@@ -32,8 +37,8 @@ std::optional<CoalescedFront> FreeFrontShape::joined(std::size_t tip, const Neig
     return std::nullopt;
   }
   const double reach = advance.lengthening * (other.gap + passage_policy.notch * behind(tip));
-  CoalescingFront here = meeting(one, *two, reach, advance.by);
-  CoalescingFront there = meeting(*two, one, reach, advance.by);
+  CoalescingFront here = coalescing_front(one, *two, reach, advance.by);
+  CoalescingFront there = coalescing_front(*two, one, reach, advance.by);
   if (crack.plane.normal.dot(now_.cracks[other.crack].plane.normal) < 0.0) {
     there.reverse_order();
   }
@@ -45,7 +50,7 @@ bool FreeFrontShape::joins(std::size_t tip, const NeighbourCrack& other) const {
 }
 
 // The crack of the tip goes on with the front of both, the other one is gone.
-bool FreeFrontShape::join(const TrialAdvance& advance) {
+bool FreeFrontShape::join(const TrialAdvance& advance, FrontDrawing& drawing) {
   const std::optional<NeighbourCrack> other = neighbour(advance.passage->tip);
   if (!other || other->crack != advance.passage->crack) {
     return false;
@@ -54,13 +59,13 @@ bool FreeFrontShape::join(const TrialAdvance& advance) {
   if (!both) {
     return false;
   }
-  const TipOnFront at = place_of(advance.passage->tip);
+  const TipOnFront at = now_.place_of(advance.passage->tip);
   const auto one = std::ranges::find(trial_.growing, at.of.crack, &GrowingFront::crack);
   // Within both, where they met: what lies between counts as cracked.
   const mesh::FrontFrame tip = at.tip_frame();
   trial_.cracks[one->crack].plane.place = tip.x + 0.5 * other->gap * tip.m;
   one->tips = both->tips;
-  if (!draw({both->points, both->closed}, *one)) {
+  if (!drawing.draw({both->points, both->closed}, *one)) {
     return false;
   }
   mark_merged(trial_.cracks[other->crack]);

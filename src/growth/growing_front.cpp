@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "growth/growing_front.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace spricka::growth {
@@ -22,6 +23,17 @@ FrontKind GrowingFront::kind() const {
   return arc.is_closed()          ? FrontKind::closed
          : turned > hardly_turned ? FrontKind::straight
                                   : FrontKind::round;
+}
+
+TipOnFront MovingFronts::place_of(std::size_t tip) const {
+  for (std::size_t g = 0; g < growing.size(); ++g) {
+    const GrowingFront& of = growing[g];
+    const auto at = std::ranges::find(of.tips, tip);
+    if (at != of.tips.end()) {
+      return {of, g, static_cast<std::size_t>(at - of.tips.begin())};
+    }
+  }
+  return {growing.front(), 0, 0}; // every tip has a front
 }
 
 } // namespace spricka::growth

@@ -31,10 +31,20 @@ struct GrowingFront {
   [[nodiscard]] FrontKind kind() const;
 };
 
+/// Where a tip is.
+struct TipOnFront {
+  const GrowingFront& of;
+  std::size_t growing = 0; ///< which that is
+  std::size_t number = 0;  ///< of its points
+  [[nodiscard]] mesh::FrontFrame tip_frame() const { return of.frame_at(number); }
+};
+
 /// The cracks of a body and their fronts that move, in the order of the cracks.
 struct MovingFronts {
   std::vector<model::CrackDefinition> cracks;
   std::vector<GrowingFront> growing;
+
+  [[nodiscard]] TipOnFront place_of(std::size_t tip) const;
 };
 
 } // namespace spricka::growth

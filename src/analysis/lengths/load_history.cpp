@@ -190,7 +190,7 @@ bool LoadHistorySolver::begin(const LoadHistoryProgram& program,
     solver_->restore_state(places_[program.start]);
     return true;
   }
-  const std::optional<StepSolver::StepSolverState> place =
+  const std::optional<StepSolverState> place =
       carried.put(scene_, solver_->solver_state(), trouble);
   if (!place) {
     trouble->span = model_.growth->span;
@@ -217,7 +217,7 @@ bool LoadHistorySolver::solve_load_history(StepSolver& solver, InheritedContactS
   if (!out.none.empty()) {
     return true;
   }
-  const StepSolver::StepSolverState was = solver.solver_state();
+  const StepSolverState was = solver.solver_state();
   solver_ = &solver;
   per_unit_ = program.per_unit;
   const bool spectrum = model_.growth->spectrum.has_value();

@@ -67,9 +67,9 @@ private:
   const std::vector<SubstructuredBody>& bodies_;
   LoadPathSolver& paths_;
   std::vector<StepActionFactors> of_step_;
-  std::vector<StepSolver::StepSolverState> places_; ///< [step]
-  KSequence of_steps_;                              ///< [step] K of its result
-  std::vector<int> parts_;                          ///< [step] increments it was cut into
+  std::vector<StepSolverState> places_; ///< [step]
+  KSequence of_steps_;                  ///< [step] K of its result
+  std::vector<int> parts_;              ///< [step] increments it was cut into
   // while it is followed
   StepSolver* solver_ = nullptr;
   contact::ContactSystem::IncrementSolution solution_; ///< of the last increment
@@ -78,7 +78,7 @@ private:
   double largest_ = 0.0;   ///< K so far
   double unsettled_ = 0.0; ///< of cycles of blocks in the last pass
   int increments_ = 0;
-  StepSolver::StepSolverState at_growth_;
+  StepSolverState at_growth_;
 };
 
 } // namespace spricka::analysis

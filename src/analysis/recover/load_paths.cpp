@@ -39,15 +39,33 @@ std::string why_stopped(const solve::SolutionPath& found, const StepSolver& solv
   return "round-off grew too large: the contact is nearly singular";
 }
 
+// The part of the gaps of these rows [rows] that neither fits nor loads scale.
+base::Vector gap_without_fits_and_loads(const model::Model& model, const Discretisation& scene,
+                                        const base::Vector& offset,
+                                        const std::vector<std::size_t>& rows) {
+  base::Vector rest(static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::size_t r = rows[i];
+    const auto c = scene.table.contact_index(r);
+    const base::ContactId contact(c);
+    // A declared gap that no step names has the factor 1 on all of the path: nothing scales it.
+    const bool scaled = scene.contacts[c].gap && is_fit_set_by_steps(model, contact);
+    rest[static_cast<Eigen::Index>(i)] =
+        offset[static_cast<Eigen::Index>(r)] + (scaled ? 0.0 : scene.contact_row(r).gap);
+  }
+  return rest;
+}
+
 // Whether all that a path begins with is scaled by its factors.
-bool is_homogeneous(const Discretisation& scene, const LoadPathEnd& from, const LoadPathEnd& to,
-                    const StepSolver& solver) {
+bool is_homogeneous(const model::Model& model, const Discretisation& scene, const LoadPathEnd& from,
+                    const LoadPathEnd& to, const base::Vector& mount_offset) {
   // The right-hand side of a tie has no factor (solve.33).
   if (scene.ties->has_constants()) {
     return false;
   }
   // What no factor of the steps scales: gaps without FIT, or left over from a MOUNT.
-  const base::Vector rest = solver.gap_without_fits_and_loads(from.problem.rows);
+  const base::Vector rest =
+      gap_without_fits_and_loads(model, scene, mount_offset, from.problem.rows);
   const double size =
       std::max(from.problem.gap.size() > 0 ? from.problem.gap.cwiseAbs().maxCoeff() : 0.0,
                to.problem.gap.size() > 0 ? to.problem.gap.cwiseAbs().maxCoeff() : 0.0);
@@ -224,7 +242,7 @@ results::LoadPathResult LoadPathSolver::path(const model::LoadPathDefinition& ca
                                   t)));
   }
   out.t = path_knots(found);
-  out.homogeneous = is_homogeneous(scene_, from, to, solver);
+  out.homogeneous = is_homogeneous(model_, scene_, from, to, solver.mount_offset());
   // Between knots all is linear: the largest overlaps are at knots.
   for (const solve::SolutionPathSegment& s : found.segments) {
     functionals_.add_overlapping_lines(s.value, overlapping_);

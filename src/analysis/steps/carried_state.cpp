@@ -46,8 +46,7 @@ base::Vector as_vector(const std::vector<double>& v) {
 
 } // namespace
 
-void InheritedContactState::store_state(const Discretisation& scene,
-                                        const StepSolver::StepSolverState& place) {
+void InheritedContactState::store_state(const Discretisation& scene, const StepSolverState& place) {
   contacts_.clear();
   for (std::size_t c = 0; c < scene.contacts.size(); ++c) {
     // Faces of a crack are other nodes at each length: what they did is not carried.
@@ -73,10 +72,10 @@ void InheritedContactState::store_state(const Discretisation& scene,
   alpha_ = as_list(place.friction.alpha);
 }
 
-std::optional<StepSolver::StepSolverState>
-InheritedContactState::put(const Discretisation& scene, const StepSolver::StepSolverState& now,
-                           base::OptionalFailure& trouble) const {
-  StepSolver::StepSolverState place = now;
+std::optional<StepSolverState> InheritedContactState::put(const Discretisation& scene,
+                                                          const StepSolverState& now,
+                                                          base::OptionalFailure& trouble) const {
+  StepSolverState place = now;
   // Rows may have other numbers here: the next solution begins without closed ones.
   place.closed.clear();
   if (static_cast<Eigen::Index>(case_factor_.size()) == now.factors.case_factor.size()) {

@@ -20,12 +20,12 @@ public:
   [[nodiscard]] bool empty() const { return contacts_.empty(); }
 
   /// Keeps a place of a solver on this scene.
-  void store_state(const Discretisation& scene, const StepSolver::StepSolverState& place);
+  void store_state(const Discretisation& scene, const StepSolverState& place);
   /// The same place on another scene; `now` is where its solver is, for what is not carried. Empty:
   /// the rows of a contact are not those they were; `trouble` says so.
-  [[nodiscard]] std::optional<StepSolver::StepSolverState>
-  put(const Discretisation& scene, const StepSolver::StepSolverState& now,
-      base::OptionalFailure& trouble) const;
+  [[nodiscard]] std::optional<StepSolverState> put(const Discretisation& scene,
+                                                   const StepSolverState& now,
+                                                   base::OptionalFailure& trouble) const;
 
   /// As arrays "carried...", for a restart file.
   void save_state(results::NamedArrays& arrays) const;

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "growth/free_front_shape.hpp"
+#include "growth/front_drawing.hpp"
+
 #include "growth/turned_front.hpp"
-#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-/// The fronts that free ones go on as.
 namespace spricka::growth {
 
 namespace {
@@ -46,15 +45,15 @@ std::vector<std::vector<std::size_t>> shared_out(const std::vector<std::size_t>&
 
 } // namespace
 
-std::vector<FreeFrontShape::NextFront>
-FreeFrontShape::next_fronts(std::size_t growing, const TrialAdvance& advance) const {
-  const GrowingFront& of = now_.growing[growing];
+std::vector<FrontDrawing::NextFront> FrontDrawing::next_fronts(std::size_t growing,
+                                                               const TrialAdvance& advance) const {
+  const GrowingFront& of = from_.growing[growing];
   const bool through = advance.is(GrowthEventKind::breakthrough);
   const double gap =
       through ? passage_policy.left_out * surface_policy.passed * advance.lengthening : -1.0;
   const std::vector<FrontPointRun> runs =
       ligaments_.staying(of, growing, gap, through ? advance.by : std::vector<double>());
-  if ((can_kink() && runs.size() > 1) || runs.size() * fewest_front_points > of.tips.size()) {
+  if ((kinks_.allowed() && runs.size() > 1) || runs.size() * fewest_front_points > of.tips.size()) {
     return {}; // heights of a front history are those behind one; and all have points
   }
   std::vector<std::size_t> tips = of.tips;
@@ -80,14 +79,18 @@ FreeFrontShape::next_fronts(std::size_t growing, const TrialAdvance& advance) co
   return fronts;
 }
 
-bool FreeFrontShape::draw(const NextPoints& next, GrowingFront& of) {
-  model::CrackDefinition& crack = trial_.cracks[of.crack];
+bool FrontDrawing::draw(const FrontPoints& next, GrowingFront& of) {
+  model::CrackDefinition& crack = to_.cracks[of.crack];
   std::optional<model::CrackDefinition> drawn;
   if (next.points.size() >= fewest_front_points) {
     drawn = make_crack_through_points(crack, next.points, next.closed, around_);
   }
-  if (drawn && can_kink()) {
-    leave_front_history(of.crack, next, *drawn);
+  if (drawn && kinks_.allowed()) {
+    // Behind what its front has left since the last station that counts.
+    const model::CrackDefinition& before = from_.cracks[of.crack];
+    drawn->front_history = extend_front_history(
+        before, std::ranges::find(from_.growing, of.crack, &GrowingFront::crack)->arc.curve,
+        mesh::FrontCurve(next.points, crack_normals(before, next.points), next.closed));
   }
   std::optional<BodyFrontArc> arc =
       drawn ? single_front_arc_in_body(*drawn, around_) : std::nullopt;
@@ -100,8 +103,8 @@ bool FreeFrontShape::draw(const NextPoints& next, GrowingFront& of) {
   return true;
 }
 
-bool FreeFrontShape::draw_all(std::size_t growing, const TrialAdvance& advance) {
-  const GrowingFront& before = now_.growing[growing];
+bool FrontDrawing::draw_all(std::size_t growing, const TrialAdvance& advance) {
+  const GrowingFront& before = from_.growing[growing];
   const std::vector<NextFront> fronts = next_fronts(growing, advance);
   for (const NextFront& front : fronts) {
     GrowingFront of{before.crack, front.tips, before.arc};
@@ -111,14 +114,14 @@ bool FreeFrontShape::draw_all(std::size_t growing, const TrialAdvance& advance) 
     if (!advance.passage && front.next.points.size() == of.tips.size()) {
       go_round(before, advance.by, of);
     }
-    trial_.growing.push_back(std::move(of));
+    to_.growing.push_back(std::move(of));
   }
   return !fronts.empty();
 }
 
-bool FreeFrontShape::draw_together(std::size_t crack) {
+bool FrontDrawing::draw_together(std::size_t crack) {
   std::vector<GrowingFront*> parts;
-  for (GrowingFront& of : trial_.growing) {
+  for (GrowingFront& of : to_.growing) {
     if (of.crack == crack) {
       parts.push_back(&of);
     }
@@ -126,7 +129,7 @@ bool FreeFrontShape::draw_together(std::size_t crack) {
   if (parts.size() == 1) {
     return true;
   }
-  model::CrackDefinition& drawn = trial_.cracks[crack];
+  model::CrackDefinition& drawn = to_.cracks[crack];
   std::vector<Vec3> points = parts.front()->line;
   for (std::size_t i = 1; i < parts.size(); ++i) {
     const Vec3 from = points.back();
@@ -162,13 +165,13 @@ bool FreeFrontShape::draw_together(std::size_t crack) {
 
 // Rates found later count along the front, whose points slide on it to stay evenly spread: each has
 // gone its advance at right angles to the mean of the front's directions before and behind.
-void FreeFrontShape::go_round(const GrowingFront& from, const std::vector<double>& by,
-                              GrowingFront& of) {
+void FrontDrawing::go_round(const GrowingFront& from, const std::vector<double>& by,
+                            GrowingFront& of) {
   if (of.arc.is_closed() != from.arc.is_closed()) {
     return;
   }
   for (int round = 0; round < rounds; ++round) {
-    NextPoints next{.points = {}, .closed = of.arc.is_closed()};
+    FrontPoints next{.points = {}, .closed = of.arc.is_closed()};
     for (std::size_t i = 0; i < of.tips.size(); ++i) {
       const mesh::FrontFrame before = from.frame_at(i);
       const mesh::FrontFrame behind = of.frame_at(i);
@@ -184,16 +187,6 @@ void FreeFrontShape::go_round(const GrowingFront& from, const std::vector<double
       return;
     }
   }
-}
-
-// Behind what its front has left since the last station that counts.
-void FreeFrontShape::leave_front_history(std::size_t crack, const NextPoints& next,
-                                         model::CrackDefinition& drawn) const {
-  const auto from = std::ranges::find(now_.growing, crack, &GrowingFront::crack);
-  const model::CrackDefinition& before = now_.cracks[crack];
-  drawn.front_history = extend_front_history(
-      before, from->arc.curve,
-      mesh::FrontCurve(next.points, crack_normals(before, next.points), next.closed));
 }
 
 } // namespace spricka::growth
