@@ -53,52 +53,12 @@ double end_angle(bool on_a, double sign) {
   return on_a ? sign * 0.5 * std::numbers::pi : (sign > 0.0 ? 0.0 : std::numbers::pi);
 }
 
-} // namespace
-
-EllipticalFront::EllipticalFront(const model::Model& model) : FrontKinematics(model) {
-  now_.cracks = model.cracks;
-  find_tips();
-}
-
-void EllipticalFront::find_tips() {
-  for (std::size_t c = 0; c < now_.cracks.size(); ++c) {
-    const model::CrackDefinition& crack = now_.cracks[c];
-    if (!is_growing_crack(model_, c) || crack.kind != model::CrackDefinitionKind::ellipse) {
-      continue;
-    }
-    for (const bool on_a : {true, false}) {
-      std::vector<double> ends;
-      for (const double sign : {1.0, -1.0}) {
-        const double phi = end_angle(on_a, sign);
-        const bool in_body = std::ranges::any_of(beside_end, [&](double off) {
-          return around_.inside(crack.plane.ellipse_point(phi + off), crack.net) ||
-                 around_.inside(crack.plane.ellipse_point(phi - off), crack.net);
-        });
-        if (in_body) {
-          ends.push_back(sign);
-        }
-      }
-      for (const double sign : ends) {
-        const bool paired = ends.size() == 2;
-        now_.arms.push_back({.crack = c, .on_a = on_a, .sign = sign, .paired = paired});
-        first_arm_.push_back(on_a ? crack.plane.a : crack.plane.c);
-        tips_.push_back({.name = fmt::format("{}.{}{}", crack.name, on_a ? "A" : "C",
-                                             !paired      ? ""
-                                             : sign > 0.0 ? "1"
-                                                          : "2"),
-                         .line = c,
-                         .at_first = false});
-      }
-    }
-  }
-}
-
 // The angle along the ellipse from an end on a surface to where it leaves the body, up to a
 // quarter.
-double EllipticalFront::angle_inside(const model::CrackDefinition& crack, double end,
-                                     double sign) const {
+double angle_inside(const SolidBodyQuery& around, const model::CrackDefinition& crack, double end,
+                    double sign) {
   const auto inside = [&](double angle) {
-    return around_.inside(crack.plane.ellipse_point(end + sign * angle), crack.net);
+    return around.inside(crack.plane.ellipse_point(end + sign * angle), crack.net);
   };
   const double step = 0.5 * std::numbers::pi / steps_inside;
   double within = step;
@@ -114,33 +74,91 @@ double EllipticalFront::angle_inside(const model::CrackDefinition& crack, double
   return low;
 }
 
-// An end whose other axis has one arm lies on the surface that the centre lies on.
-double EllipticalFront::aim_of(const Ellipses& ellipses, const GrownTip& arm) const {
+// The parametric angle at which K of an arm is taken. An end whose other axis has one arm lies on
+// the surface that the centre lies on.
+double aim_of(const SolidBodyQuery& around, const EllipticalFront::Ellipses& ellipses,
+              const GrownTip& arm) {
   const double end = end_angle(arm.on_a, arm.sign);
   for (const GrownTip& other : ellipses.arms) {
     if (other.crack == arm.crack && other.on_a != arm.on_a && !other.paired) {
       const double turn = std::sin(end_angle(other.on_a, other.sign) - end);
       const double sign = std::copysign(1.0, turn);
-      const double left = angle_inside(ellipses.cracks[arm.crack], end, sign);
+      const double left = angle_inside(around, ellipses.cracks[arm.crack], end, sign);
       return end + sign * std::min(inside_end, inside_part * left);
     }
   }
   return end;
 }
 
-CrackGeometry EllipticalFront::state_of(const Ellipses& ellipses) const {
+CrackGeometry geometry_of(const SolidBodyQuery& around, const EllipticalFront::Ellipses& ellipses) {
   const std::vector<model::CrackDefinition>& cracks = ellipses.cracks;
   CrackGeometry state{.lines = {}, .solids = cracks};
   for (const GrownTip& arm : ellipses.arms) {
-    state.aims.push_back(cracks[arm.crack].plane.ellipse_point(aim_of(ellipses, arm)));
+    state.aims.push_back(cracks[arm.crack].plane.ellipse_point(aim_of(around, ellipses, arm)));
     state.fronts.push_back(arm.crack);
   }
   return state;
 }
 
+// How far the front moves outwards at x for a unit of an arm.
+double moved_by(const GrownTip& arm, const model::CrackDefinition& crack, const Vec3& x) {
+  const double phi = angle_at(crack, x);
+  const Vec3 along = arm.on_a ? crack.plane.transverse_axis() : crack.plane.along;
+  const double by_axis = arm.on_a ? std::sin(phi) : std::cos(phi);
+  const double way = arm.paired ? 0.5 * (by_axis + arm.sign) : by_axis;
+  return way * along.dot(outwards(crack, phi));
+}
+
+// Signs of the ends of an axis beside which the body is.
+std::vector<double> ends_in_body(const SolidBodyQuery& around, const model::CrackDefinition& crack,
+                                 bool on_a) {
+  std::vector<double> ends;
+  for (const double sign : {1.0, -1.0}) {
+    const double phi = end_angle(on_a, sign);
+    const bool in_body = std::ranges::any_of(beside_end, [&](double off) {
+      return around.inside(crack.plane.ellipse_point(phi + off), crack.net) ||
+             around.inside(crack.plane.ellipse_point(phi - off), crack.net);
+    });
+    if (in_body) {
+      ends.push_back(sign);
+    }
+  }
+  return ends;
+}
+
+} // namespace
+
+EllipticalFront::EllipticalFront(const model::Model& model) : FrontKinematics(model) {
+  now_.cracks = model.cracks;
+  find_tips();
+}
+
+void EllipticalFront::find_tips() {
+  for (std::size_t c = 0; c < now_.cracks.size(); ++c) {
+    const model::CrackDefinition& crack = now_.cracks[c];
+    if (!is_growing_crack(model_, c) || crack.kind != model::CrackDefinitionKind::ellipse) {
+      continue;
+    }
+    for (const bool on_a : {true, false}) {
+      const std::vector<double> ends = ends_in_body(around_, crack, on_a);
+      for (const double sign : ends) {
+        const bool paired = ends.size() == 2;
+        now_.arms.push_back({.crack = c, .on_a = on_a, .sign = sign, .paired = paired});
+        first_arm_.push_back(on_a ? crack.plane.a : crack.plane.c);
+        tips_.push_back({.name = fmt::format("{}.{}{}", crack.name, on_a ? "A" : "C",
+                                             !paired      ? ""
+                                             : sign > 0.0 ? "1"
+                                                          : "2"),
+                         .line = c,
+                         .at_first = false});
+      }
+    }
+  }
+}
+
 CrackGeometry EllipticalFront::current_cracks() {
   trial_ = now_;
-  return state_of(trial_);
+  return geometry_of(around_, trial_);
 }
 
 double EllipticalFront::behind(std::size_t tip) const {
@@ -310,17 +328,7 @@ std::optional<CrackGeometry> EllipticalFront::advance_cracks(const GrowthState& 
     }
     trial_ = std::move(*both);
   }
-  return state_of(trial_);
-}
-
-// How far the front moves outwards at x for a unit of an arm.
-double EllipticalFront::moved_by(const GrownTip& arm, const model::CrackDefinition& crack,
-                                 const Vec3& x) const {
-  const double phi = angle_at(crack, x);
-  const Vec3 along = arm.on_a ? crack.plane.transverse_axis() : crack.plane.along;
-  const double by_axis = arm.on_a ? std::sin(phi) : std::cos(phi);
-  const double way = arm.paired ? 0.5 * (by_axis + arm.sign) : by_axis;
-  return way * along.dot(outwards(crack, phi));
+  return geometry_of(around_, trial_);
 }
 
 void EllipticalFront::evaluate_trial_tips(std::vector<TipStation>& found) const {

@@ -45,19 +45,12 @@ private:
   [[nodiscard]] double longest_advance(std::size_t tip) const override;
 
   void find_tips();
-  [[nodiscard]] CrackGeometry state_of(const Ellipses& ellipses) const;
-  /// The parametric angle at which K of an arm is taken.
-  [[nodiscard]] double aim_of(const Ellipses& ellipses, const GrownTip& arm) const;
-  [[nodiscard]] double angle_inside(const model::CrackDefinition& crack, double end,
-                                    double sign) const;
   /// The tip that moves the arm of another one: its own, or behind a meeting that of the crack
   /// which the two have become.
   static std::size_t mover_of(const std::vector<GrownTip>& arms, std::size_t tip);
   /// One ellipse in the place of two, under the name of the first; empty: there is none.
   [[nodiscard]] std::optional<Ellipses> joined(Ellipses from, std::size_t one,
                                                std::size_t other) const;
-  [[nodiscard]] double moved_by(const GrownTip& arm, const model::CrackDefinition& crack,
-                                const base::Vec3& x) const;
 
   Ellipses now_, trial_; ///< at the last station that counts; to be solved
 };

@@ -2,6 +2,7 @@
 #include "growth/growth_integrator.hpp"
 
 #include "base/damaged_field.hpp"
+#include "growth/advance_error.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -21,6 +22,36 @@ constexpr double first_step = 0.1;
 constexpr double nearly_there = 0.95;
 constexpr double little_left = 0.03; ///< that is left, as a part of the arm
 
+// Parts of the next advance by tip: rates extrapolated to its middle (Adams and Bashforth), once
+// there are two stations. `step`: logarithm of the ratio by which an arm grows at most.
+std::vector<double> predicted_shares(const std::vector<SolvedStation>& all, double step) {
+  std::vector<double> share;
+  const auto of = [](const SolvedStation& station, std::size_t tip) {
+    return station.tips[tip].rate / station.growth_rate();
+  };
+  for (std::size_t tip = 0; tip < all.back().tips.size(); ++tip) {
+    double p = of(all.back(), tip);
+    if (all.size() > 1 && p > 0.0) {
+      const SolvedStation& before = all[all.size() - 2];
+      const double h = all.back().s - before.s;
+      // A guess of the advance of s: obstacles and lengths that cut it are looked at afterwards.
+      const double next = all.back().s * (std::exp(step) - 1.0);
+      // (growth.2). Cut, so that a line through two stations makes no share negative or far too
+      // large.
+      p = std::clamp(p + 0.5 * next / h * (p - of(before, tip)), 0.5 * p, 2.0 * p);
+    }
+    share.push_back(p);
+  }
+  double sum = 0.0;
+  for (const double p : share) {
+    sum += p;
+  }
+  for (double& p : share) {
+    p /= sum;
+  }
+  return share;
+}
+
 } // namespace
 
 GrowthIntegrator::GrowthIntegrator(const model::Model& model, GrowthRateFunction law,
@@ -39,37 +70,6 @@ GrowthIntegrator::GrowthIntegrator(const model::Model& model, GrowthRateFunction
   }
 }
 
-// Parts of the next advance by tip: rates extrapolated to its middle (Adams and Bashforth), once
-// there are two stations.
-std::vector<double> GrowthIntegrator::shares() const {
-  const std::vector<SolvedStation>& all = state_.stations;
-  std::vector<double> share;
-  const auto of = [](const SolvedStation& station, std::size_t tip) {
-    return station.tips[tip].rate / station.growth_rate();
-  };
-  for (std::size_t tip = 0; tip < tips().size(); ++tip) {
-    double p = of(all.back(), tip);
-    if (all.size() > 1 && p > 0.0) {
-      const SolvedStation& before = all[all.size() - 2];
-      const double h = all.back().s - before.s;
-      // A guess of the advance of s: obstacles and lengths that cut it are looked at afterwards.
-      const double next = all.back().s * (std::exp(state_.step) - 1.0);
-      // (growth.2). Cut, so that a line through two stations makes no share negative or far too
-      // large.
-      p = std::clamp(p + 0.5 * next / h * (p - of(before, tip)), 0.5 * p, 2.0 * p);
-    }
-    share.push_back(p);
-  }
-  double sum = 0.0;
-  for (const double p : share) {
-    sum += p;
-  }
-  for (double& p : share) {
-    p /= sum;
-  }
-  return share;
-}
-
 std::optional<CrackGeometry> GrowthIntegrator::propose_next_cracks(base::Diagnostics& diagnostics) {
   if (end_) {
     return std::nullopt;
@@ -85,7 +85,7 @@ std::optional<CrackGeometry> GrowthIntegrator::propose_next_cracks(base::Diagnos
 }
 
 bool GrowthIntegrator::plan() {
-  const std::vector<double> share = shares();
+  const std::vector<double> share = predicted_shares(state_.stations, state_.step);
   const SolvedStation& here = state_.stations.back();
   const std::optional<double> ds = next_advance(share);
   if (!ds) {
@@ -191,7 +191,7 @@ bool GrowthIntegrator::accept_station(std::vector<TipStation> found) {
   station.tips = std::move(found);
   state_.stations.push_back(std::move(station));
   // First, as the judgement counts what the advance is found to have missed.
-  settle();
+  defer_advance(*kinematics_, advance_, state_.stations);
   if (!good_enough()) {
     state_.stations.pop_back();
     ++state_.rejected;
@@ -202,6 +202,10 @@ bool GrowthIntegrator::accept_station(std::vector<TipStation> found) {
   kinematics_->accept_trial(state_);
   end_ = ends().find_growth_end(trajectory());
   return true;
+}
+
+double GrowthIntegrator::cycle_error() const {
+  return growth_cycle_error(state_.stations, law_, end_);
 }
 
 } // namespace spricka::growth

@@ -46,15 +46,10 @@ public:
   }
 
 private:
-  [[nodiscard]] std::vector<double> shares() const;
   bool plan();
   void stop_at_last_length(bool planned);
   std::optional<double> next_advance(const std::vector<double>& share);
   [[nodiscard]] bool good_enough();
-  [[nodiscard]] double cycles_missed() const;
-  [[nodiscard]] double turn_missed() const;
-  [[nodiscard]] double drift() const;
-  void settle();
   [[nodiscard]] GrowthEndCriteria ends() const { return {model_, tips(), state_.stations}; }
   void end_at_station(GrowthEvent end);
 

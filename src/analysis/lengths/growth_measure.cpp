@@ -35,6 +35,26 @@ std::optional<life::CountedSpectrum> spectrum_of(const model::Model& model) {
   return life::CountedSpectrum::from_cycles(std::move(cycles));
 }
 
+// Whether a tip with this K is open at the largest load: a closed one grows nowhere. K1 = 0 stands
+// for faces that touch; K1 < 0 but for round-off for such that overlap.
+bool opens(const base::Vec2& K) {
+  return K[0] != 0.0 && K[0] > -much_less_than_K2 * std::abs(K[1]);
+}
+
+// The plastic part of a tip in the plane whose edge ahead is found.
+void add_plastic_ratio(const model::Model& model, const growth::PlaneBoundaryAhead& around,
+                       const results::Increment& increment, const mesh::CrackFront& front,
+                       const mesh::CrackLine& line, growth::TipStation& found) {
+  const growth::TipGrowthDirection heading{front.tip_point().x, front.tip_point().growth};
+  // Without an edge ahead there is no ligament that could yield.
+  if (const auto edge = around.edge_ahead(line, heading)) {
+    found.plastic = growth::plastic_load_ratio(
+        model, increment.mesh,
+        {front.tip_point().node, front.tip_point().x, front.tip_point().growth, edge->distance},
+        increment.steps[largest_load_step(model)].u, *model.growth->flow_stress);
+  }
+}
+
 } // namespace
 
 life::GrowthRateLaw growth_law(const model::CrackGrowthSettings& growth) {
@@ -71,6 +91,20 @@ std::optional<results::LoadPathResult> growth_load_path(const model::Model& mode
                                  : path;
 }
 
+base::Vec2 kink_tip(const model::Model& model, const base::Vec2& K, bool straight,
+                    growth::TipStation& found) {
+  found.K2_max = K[1];
+  // On a line of symmetry a crack cannot turn; a closed tip has no direction to go.
+  if (straight || !opens(K) || model.growth->direction == model::GrowthDirection::path) {
+    return {1.0, 0.0};
+  }
+  const crack::KinkCriterion criterion = model.growth->direction == model::GrowthDirection::hoop
+                                             ? crack::KinkCriterion::hoop
+                                             : crack::KinkCriterion::k2_zero;
+  found.turn = crack::kink_angle(criterion, K[0], K[1]);
+  return crack::kinked_K1_factors(criterion, found.turn);
+}
+
 std::optional<std::vector<growth::TipStation>>
 GrowthRateEvaluator::evaluate_tip_rates(const SolvedCrackState& at,
                                         const std::vector<growth::TrackedTip>& growing) {
@@ -101,7 +135,7 @@ GrowthRateEvaluator::evaluate_tip_rates(const SolvedCrackState& at,
       // The second tip, or the only one, stands at the last point of its line.
       const bool second = front.number == 2 || !line.embedded;
       if (front.crack == line.crack && second != growing[i].at_first) {
-        plastic(at.increment, front, line, found[i]);
+        add_plastic_ratio(model_, around_, at.increment, front, line, found[i]);
       }
     }
   }
@@ -164,25 +198,6 @@ base::Vec2 GrowthRateEvaluator::intensity(const results::FrontResult& front,
                                             : base::Vec2(tip.K1, tip.K2);
 }
 
-// K1 = 0 stands for faces that touch; K1 < 0 but for round-off for such that overlap.
-bool GrowthRateEvaluator::opens(const base::Vec2& K) {
-  return K[0] != 0.0 && K[0] > -much_less_than_K2 * std::abs(K[1]);
-}
-
-base::Vec2 GrowthRateEvaluator::turn(const base::Vec2& K, bool straight,
-                                     growth::TipStation& found) const {
-  found.K2_max = K[1];
-  // On a line of symmetry a crack cannot turn; a closed tip has no direction to go.
-  if (straight || !opens(K) || model_.growth->direction == model::GrowthDirection::path) {
-    return {1.0, 0.0};
-  }
-  const crack::KinkCriterion criterion = model_.growth->direction == model::GrowthDirection::hoop
-                                             ? crack::KinkCriterion::hoop
-                                             : crack::KinkCriterion::k2_zero;
-  found.turn = crack::kink_angle(criterion, K[0], K[1]);
-  return crack::kinked_K1_factors(criterion, found.turn);
-}
-
 void GrowthRateEvaluator::note_order(const std::string& name, bool upside_down) {
   upside_down_ = upside_down_ && upside_down;
   if (upside_down) {
@@ -224,7 +239,7 @@ bool GrowthRateEvaluator::by_steps(const SolvedCrackState& at, const GrowingPlac
     warnings_.warn_of_invalid_result(high, high.tip().K1);
   }
   const base::Vec2 K = intensity(high, place);
-  const base::Vec2 part = turn(K, to.straight, found);
+  const base::Vec2 part = kink_tip(model_, K, to.straight, found);
   found.K_max = std::max(0.0, part.dot(K));
   found.K_min = at_smallest(at, to, part, low, there);
   found.rate = found.K_max > found.K_min ? law_.growth_rate(found.K_max, found.K_min) : 0.0;
@@ -235,19 +250,6 @@ bool GrowthRateEvaluator::by_steps(const SolvedCrackState& at, const GrowingPlac
     note_order(to.name, found.K_min > K[0] && found.K_min > 0.0);
   }
   return true;
-}
-
-void GrowthRateEvaluator::plastic(const results::Increment& increment,
-                                  const mesh::CrackFront& front, const mesh::CrackLine& line,
-                                  growth::TipStation& found) const {
-  const growth::TipGrowthDirection heading{front.tip_point().x, front.tip_point().growth};
-  // Without an edge ahead there is no ligament that could yield.
-  if (const auto edge = around_.edge_ahead(line, heading)) {
-    found.plastic = growth::plastic_load_ratio(
-        model_, increment.mesh,
-        {front.tip_point().node, front.tip_point().x, front.tip_point().growth, edge->distance},
-        increment.steps[largest_load_step(model_)].u, *model_.growth->flow_stress);
-  }
 }
 
 } // namespace spricka::analysis

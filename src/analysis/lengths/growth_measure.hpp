@@ -14,7 +14,6 @@
 #include "results/named_arrays.hpp"
 #include "results/results.hpp"
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +34,14 @@ struct SolvedCrackState {
   const results::LoadPathResult* path;               ///< growth_load_path(), null: it has none
 };
 
+/// A tip that grows, and the place of a front where its K is taken.
+struct GrowingPlace {
+  std::string name;                    ///< of the tip
+  std::string front;                   ///< its crack, in the plane the tip
+  base::Vec3 aim = base::Vec3::Zero(); ///< in space: the place is the nearest to it
+  bool straight = false;               ///< it cannot turn, on a line of symmetry
+};
+
 /// The step of the largest load of the growth: KMAX, or the end of the spectrum's load path.
 std::size_t largest_load_step(const model::Model& model);
 
@@ -45,6 +52,11 @@ std::optional<results::LoadPathResult> growth_load_path(const model::Model& mode
 
 /// Where K1 on a path is largest between two places: at one of them or at a breakpoint.
 double locate_K1_maximum(const base::PiecewiseLinear& K1, double low, double high);
+
+/// Sets the turn of a tip and gives the K to the law: factors of K1 and K2 of the crack before the
+/// turn.
+base::Vec2 kink_tip(const model::Model& model, const base::Vec2& K, bool straight,
+                    growth::TipStation& found);
 
 /// What a solved state of the cracks means for their growth: K at the largest and the smallest
 /// load, the way on, the rate.
@@ -79,13 +91,6 @@ public:
 private:
   /// Says why a state has no rate; false.
   bool no_rate(std::string why);
-  /// A tip that grows, and the place of a front where its K is taken.
-  struct GrowingPlace {
-    std::string name;                    ///< of the tip
-    std::string front;                   ///< its crack, in the plane the tip
-    base::Vec3 aim = base::Vec3::Zero(); ///< in space: the place is the nearest to it
-    bool straight = false;               ///< it cannot turn, on a line of symmetry
-  };
   bool evaluate_place(const SolvedCrackState& at, const GrowingPlace& to,
                       growth::TipStation& found);
   /// What K along a front in space at KMAX means, however the law is given it.
@@ -104,25 +109,10 @@ private:
   [[nodiscard]] double at_smallest(const SolvedCrackState& at, const GrowingPlace& to,
                                    const base::Vec2& part, const results::FrontResult& front,
                                    const PlaceOnFront& place);
-  void warn_of_bars_on_path(const SolvedCrackState& at, const GrowingPlace& to);
-  /// The K that the law is given, out of those of all tips [crack::KLayout].
-  using KOfLaw = std::function<double(const base::Vector&)>;
-  /// Rate and extremes of K in a pass of the spectrum that was followed.
-  void of_pass(const LoadPassResult& pass, const KOfLaw& K, growth::TipStation& found) const;
-  /// Rate and extremes of the loads that were followed, of the first cycle and of those that repeat
-  /// themselves.
-  void of_loads(const LoadHistoryResult& loads, const KOfLaw& K, growth::TipStation& found) const;
   /// Warns where K at KMIN is larger than at KMAX, which all tips together may not have.
   void note_order(const std::string& name, bool upside_down);
   /// K1 and K2 of a place at the end of a step, corrected where the law is to have that.
   [[nodiscard]] base::Vec2 intensity(const results::FrontResult& front, const PlaceOnFront& place);
-  /// Sets the turn and gives the K to the law: of the crack before the turn, first and second.
-  [[nodiscard]] base::Vec2 turn(const base::Vec2& K, bool straight,
-                                growth::TipStation& found) const;
-  /// Whether a tip with this K is open at the largest load: a closed one grows nowhere.
-  [[nodiscard]] static bool opens(const base::Vec2& K);
-  void plastic(const results::Increment& increment, const mesh::CrackFront& front,
-               const mesh::CrackLine& line, growth::TipStation& found) const;
 
   const model::Model& model_;
   life::GrowthRateLaw law_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include <fmt/format.h>
@@ -30,10 +31,12 @@ template <class KOf> base::Vec2 largest(const LoadPassResult& pass, const KOf& K
   return best;
 }
 
-} // namespace
+// The K that the law is given, out of those of all tips [crack::KLayout].
+using KOfLaw = std::function<double(const base::Vector&)>;
 
-void GrowthRateEvaluator::of_pass(const LoadPassResult& pass, const KOfLaw& K,
-                                  growth::TipStation& found) const {
+// Rate and extremes of K in a pass of the spectrum that was followed.
+void measure_pass(const life::GrowthRateLaw& law, const LoadPassResult& pass, const KOfLaw& K,
+                  growth::TipStation& found) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   found.rate = 0.0;
@@ -48,7 +51,7 @@ void GrowthRateEvaluator::of_pass(const LoadPassResult& pass, const KOfLaw& K,
     // Counted on K itself: with friction it is no function of the load.
     for (const life::LoadCycle& cycle : life::rainflow(along, true)) {
       if (cycle.high > 0.0 && cycle.high > cycle.low) {
-        found.rate += times * cycle.count * law_.growth_rate(cycle.high, cycle.low);
+        found.rate += times * cycle.count * law.growth_rate(cycle.high, cycle.low);
       }
     }
   };
@@ -60,16 +63,18 @@ void GrowthRateEvaluator::of_pass(const LoadPassResult& pass, const KOfLaw& K,
   found.K_max = std::max(0.0, high);
 }
 
-void GrowthRateEvaluator::of_loads(const LoadHistoryResult& loads, const KOfLaw& K,
-                                   growth::TipStation& found) const {
+// Rate and extremes of the loads that were followed, of the first cycle and of those that repeat
+// themselves.
+void measure_loads(const life::GrowthRateLaw& law, bool spectrum, const LoadHistoryResult& loads,
+                   const KOfLaw& K, growth::TipStation& found) {
   growth::TipStation first; // of the first cycle or pass
-  if (spectrum_) {
-    of_pass(loads.last, K, found);
-    of_pass(loads.first, K, first);
+  if (spectrum) {
+    measure_pass(law, loads.last, K, found);
+    measure_pass(law, loads.first, K, first);
   } else {
     found.K_max = std::max(0.0, K(loads.last.marks[loads.grow_at]));
     found.K_min = K(loads.last.marks[loads.smallest]);
-    found.rate = found.K_max > found.K_min ? law_.growth_rate(found.K_max, found.K_min) : 0.0;
+    found.rate = found.K_max > found.K_min ? law.growth_rate(found.K_max, found.K_min) : 0.0;
     first.K_max = std::max(0.0, K(loads.first.marks[loads.grow_at]));
     first.K_min = K(loads.first.marks[loads.smallest]);
   }
@@ -78,6 +83,8 @@ void GrowthRateEvaluator::of_loads(const LoadHistoryResult& loads, const KOfLaw&
   found.passes = loads.passes;
   found.change = loads.change;
 }
+
+} // namespace
 
 bool GrowthRateEvaluator::by_history(const SolvedCrackState& at, const GrowingPlace& to,
                                      const PlaceOnFront& place, growth::TipStation& found) {
@@ -92,9 +99,10 @@ bool GrowthRateEvaluator::by_history(const SolvedCrackState& at, const GrowingPl
   const base::Vec2 K = !front.is_tip() ? intensity(front, place)
                        : spectrum_     ? largest(loads.last, K_of)
                                        : grown;
-  const base::Vec2 part = turn(K, to.straight, found);
-  of_loads(
-      loads, [&](const base::Vector& all) { return part.dot(K_of(all)); }, found);
+  const base::Vec2 part = kink_tip(model_, K, to.straight, found);
+  measure_loads(
+      law_, spectrum_.has_value(), loads,
+      [&](const base::Vector& all) { return part.dot(K_of(all)); }, found);
   if (front.is_tip()) {
     if (!spectrum_) {
       note_order(to.name, found.K_min > found.K_max);

@@ -11,6 +11,25 @@
 /// Growth by K on the load path of a spectrum.
 namespace spricka::analysis {
 
+namespace {
+
+// Of a front at the ends of the path that has none.
+void warn_of_bars_on_path(const model::Model& model, const results::Increment& increment,
+                          const std::string& name, GrowthWarnings& warnings) {
+  const model::SpectrumDefinition& card = model.spectra[*model.growth->spectrum];
+  const model::LoadPathDefinition& path = model.load_paths[card.path];
+  for (const base::StepId step : {path.from, path.to}) {
+    for (const results::FrontResult& end : increment.steps[step.index()].fronts) {
+      // In space look_at_front() has told of the largest load.
+      if (end.is_tip() ? end.name == name : step == path.from) {
+        warnings.warn_of_no_bar(end);
+      }
+    }
+  }
+}
+
+} // namespace
+
 double locate_K1_maximum(const base::PiecewiseLinear& K1, double low, double high) {
   double best = K1(high) >= K1(low) ? high : low;
   for (const double t : K1.knots()) {
@@ -44,19 +63,6 @@ base::PiecewiseLinear GrowthRateEvaluator::on_path(const SolvedCrackState& at,
   return below ? std::move(*below) : std::move(K);
 }
 
-void GrowthRateEvaluator::warn_of_bars_on_path(const SolvedCrackState& at, const GrowingPlace& to) {
-  const model::SpectrumDefinition& card = model_.spectra[*model_.growth->spectrum];
-  const model::LoadPathDefinition& path = model_.load_paths[card.path];
-  for (const base::StepId step : {path.from, path.to}) {
-    for (const results::FrontResult& end : at.increment.steps[step.index()].fronts) {
-      // In space look_at_front() has told of the largest load.
-      if (end.is_tip() ? end.name == to.front : step == path.from) {
-        warnings_.warn_of_no_bar(end);
-      }
-    }
-  }
-}
-
 bool GrowthRateEvaluator::by_spectrum(const SolvedCrackState& at, const GrowingPlace& to,
                                       growth::TipStation& found) {
   const model::SpectrumDefinition& card = model_.spectra[*model_.growth->spectrum];
@@ -68,7 +74,7 @@ bool GrowthRateEvaluator::by_spectrum(const SolvedCrackState& at, const GrowingP
                     card.name, spectrum_->highest(), path.name, path.stopped));
   }
   if (model_.growth->corrected) {
-    warn_of_bars_on_path(at, to);
+    warn_of_bars_on_path(model_, at.increment, to.front, warnings_);
   }
   const results::LoadPathFront& front = path.fronts[place.front];
   const bool tip = front.points.size() == 1;
@@ -81,7 +87,7 @@ bool GrowthRateEvaluator::by_spectrum(const SolvedCrackState& at, const GrowingP
   const base::PiecewiseLinear K1 = K_on_path(front, place, {1.0, 0.0});
   const base::PiecewiseLinear K2 = K_on_path(front, place, {0.0, 1.0});
   const double peak = locate_K1_maximum(K1, spectrum_->lowest(), spectrum_->highest());
-  const base::Vec2 part = turn({K1(peak), K2(peak)}, to.straight, found);
+  const base::Vec2 part = kink_tip(model_, {K1(peak), K2(peak)}, to.straight, found);
   const base::PiecewiseLinear K = on_path(at, front, place, part);
   const auto [low, high] = spectrum_->extreme_K(K);
   found.K_min = low;
