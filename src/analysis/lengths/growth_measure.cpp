@@ -41,17 +41,40 @@ bool opens(const base::Vec2& K) {
   return K[0] != 0.0 && K[0] > -much_less_than_K2 * std::abs(K[1]);
 }
 
+GrowingPlace growing_place(const growth::CrackGeometry& cracks,
+                           const std::vector<growth::TrackedTip>& growing, std::size_t i) {
+  GrowingPlace to{.name = growing[i].name, .front = growing[i].name};
+  if (cracks.solids.empty()) {
+    to.straight = cracks.lines[growing[i].line].symmetric_half;
+  } else { // the crack that its own has become a part of
+    to.front = cracks.crack_of(i).name;
+    to.aim = cracks.aims[i];
+  }
+  return to;
+}
+
 // The plastic part of a tip in the plane whose edge ahead is found.
 void add_plastic_ratio(const model::Model& model, const growth::PlaneBoundaryAhead& around,
-                       const results::Increment& increment, const mesh::CrackFront& front,
-                       const mesh::CrackLine& line, growth::TipStation& found) {
-  const growth::TipGrowthDirection heading{front.tip_point().x, front.tip_point().growth};
-  // Without an edge ahead there is no ligament that could yield.
-  if (const auto edge = around.edge_ahead(line, heading)) {
-    found.plastic = growth::plastic_load_ratio(
-        model, increment.mesh,
-        {front.tip_point().node, front.tip_point().x, front.tip_point().growth, edge->distance},
-        increment.steps[largest_load_step(model)].u, *model.growth->flow_stress);
+                       const SolvedCrackState& at, const growth::TrackedTip& tip,
+                       growth::TipStation& found) {
+  for (const mesh::CrackFront& front : at.fronts) {
+    if (!front.is_tip() || !model.growth->flow_stress) {
+      continue;
+    }
+    const mesh::CrackLine& line = at.cracks.lines[tip.line];
+    // The second tip, or the only one, stands at the last point of its line.
+    const bool second = front.number == 2 || !line.embedded;
+    if (front.crack != line.crack || second == tip.at_first) {
+      continue;
+    }
+    const growth::TipGrowthDirection heading{front.tip_point().x, front.tip_point().growth};
+    // Without an edge ahead there is no ligament that could yield.
+    if (const auto edge = around.edge_ahead(line, heading)) {
+      found.plastic = growth::plastic_load_ratio(
+          model, at.increment.mesh,
+          {front.tip_point().node, front.tip_point().x, front.tip_point().growth, edge->distance},
+          at.increment.steps[largest_load_step(model)].u, *model.growth->flow_stress);
+    }
   }
 }
 
@@ -117,27 +140,10 @@ GrowthRateEvaluator::evaluate_tip_rates(const SolvedCrackState& at,
                              at.followed->none)});
   }
   for (std::size_t i = 0; i < growing.size(); ++i) {
-    GrowingPlace to{.name = growing[i].name, .front = growing[i].name};
-    if (at.cracks.solids.empty()) {
-      to.straight = at.cracks.lines[growing[i].line].symmetric_half;
-    } else { // the crack that its own has become a part of
-      to.front = at.cracks.crack_of(i).name;
-      to.aim = at.cracks.aims[i];
-    }
-    if (!evaluate_place(at, to, found[i])) {
+    if (!evaluate_place(at, growing_place(at.cracks, growing, i), found[i])) {
       return std::nullopt;
     }
-    for (const mesh::CrackFront& front : at.fronts) {
-      if (!front.is_tip() || !model_.growth->flow_stress) {
-        continue;
-      }
-      const mesh::CrackLine& line = at.cracks.lines[growing[i].line];
-      // The second tip, or the only one, stands at the last point of its line.
-      const bool second = front.number == 2 || !line.embedded;
-      if (front.crack == line.crack && second != growing[i].at_first) {
-        add_plastic_ratio(model_, around_, at.increment, front, line, found[i]);
-      }
-    }
+    add_plastic_ratio(model_, around_, at, growing[i], found[i]);
   }
   return found;
 }

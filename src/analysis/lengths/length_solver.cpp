@@ -59,6 +59,121 @@ void log_paths(const std::vector<results::LoadPathResult>& paths, LogWriter& log
   }
 }
 
+// By front in space, with SFLOW: force and moments of the section before it at the growth's largest
+// load, over their plastic limit.
+std::vector<double> section_load_ratios(const model::Model& model, const Discretisation& scene,
+                                        const results::Increment& increment) {
+  std::vector<double> ratios;
+  if (!model.growth || !model.growth->flow_stress) {
+    return ratios;
+  }
+  for (const mesh::CrackFront& front : scene.cracked.fronts) {
+    if (!front.is_tip()) {
+      ratios.push_back(growth::plastic_load_ratio(
+          {model, scene.cracked, *scene.ties, scene.cls}, front,
+          increment.steps[largest_load_step(model)].u, *model.growth->flow_stress));
+    }
+  }
+  return ratios;
+}
+
+// Tells that a stage of an increment is done.
+void report_stage(const SolveOptions& options, std::string stage, std::size_t step = 0,
+                  std::size_t steps = 0) {
+  if (options.progress) {
+    options.progress({.stage = std::move(stage), .step = step, .steps = steps});
+  }
+}
+
+// Tells that the last step of an increment under way has its K, or the bars of it.
+void show_increment(const SolveOptions& options, const results::Increment& increment) {
+  if (options.found) {
+    options.found(increment);
+  }
+}
+
+// Which results of a step are no numbers; empty: none.
+base::OptionalFailure unsound_numbers(const results::StepResult& result, const model::Step& step) {
+  const std::string what = find_nonfinite_result(result);
+  if (what.empty()) {
+    return std::nullopt;
+  }
+  return base::OperationFailure{.kind = base::Outcome::not_solvable,
+                                .why = fmt::format("step {}: {}", step.name, what),
+                                .span = step.span};
+}
+
+/// A step of the deck and the state it ended in.
+struct SolvedStep {
+  const model::Step& step;
+  const StepSolver& solver;
+  const StepState& state;
+  bool bars = true;
+  bool pictured = false; ///< it, or a step that repeats it, is to have its stresses
+};
+
+// Bars, sensitivities, stresses of a step's end, as far as they are asked for; not empty: some are
+// no numbers.
+base::OptionalFailure add_estimates(const model::Model& model, const SolvedStep& solved,
+                                    CrackLengthAnalysis& length, LogWriter& log,
+                                    results::StepResult& result) {
+  const model::Step& step = solved.step;
+  if (solved.bars) {
+    length.add_K_estimates(solved.solver, solved.state, result,
+                           [&](const std::string& processor, const std::string& did) {
+                             log.add_line(processor, fmt::format("step {}: {}", step.name, did));
+                             return true;
+                           });
+  }
+  if (!solved.pictured) {
+    return std::nullopt;
+  }
+  add_stress(model, length.discretisation().cracked.mesh, result);
+  log.add_line("RECOVER", fmt::format("step {}: stresses", step.name));
+  if (base::OptionalFailure trouble = unsound_numbers(result, step)) {
+    return trouble;
+  }
+  length.add_net_errors(solved.state, result);
+  log.add_line("ESTIMATE", fmt::format("step {}: energy error {:.1f} %", step.name,
+                                       100.0 * result.errors.back().part));
+  return std::nullopt;
+}
+
+// Takes K of faces that may overlap from the first solution of a state whose faces meet, where the
+// law wants it.
+std::optional<OverlappingFaceResults> take_overlap_results(const model::Model& model,
+                                                           results::Increment& increment) {
+  const bool whole = increment.steps.size() == model.steps.size();
+  if (!whole || !continues_K_below_closing(model)) {
+    return std::nullopt;
+  }
+  OverlappingFaceResults free;
+  for (results::StepResult& step : increment.steps) {
+    free.steps.push_back(std::move(step.fronts));
+  }
+  free.paths = std::move(increment.paths);
+  return free;
+}
+
+void log_compliances(const StepSolver& solver, LogWriter& log) {
+  const double row_flops =
+      solver.contact_system() == nullptr ? 0.0 : solver.contact_system()->row_flops();
+  log.add_line("CONTACT",
+               fmt::format("compliances of the contact rows{}",
+                           row_flops > 0.0 ? fmt::format(", {:.3g} flops", row_flops) : ""),
+               row_flops > 0.0 ? std::optional(row_flops) : std::nullopt);
+}
+
+base::OptionalFailure unsound_numbers(const std::vector<results::LoadPathResult>& paths) {
+  for (const results::LoadPathResult& path : paths) {
+    if (const std::string what = find_nonfinite_result(path); !what.empty()) {
+      return base::OperationFailure{.kind = base::Outcome::not_solvable,
+                                    .why = fmt::format("load path {}: {}", path.name, what)};
+    }
+  }
+  return std::nullopt;
+}
+
 } // namespace
 
 CrackLengthContext CrackStateSolver::parts() {
@@ -97,7 +212,7 @@ std::optional<results::Increment> CrackStateSolver::solve(const CrackStateReques
                            reported > 0.0 ? fmt::format("a = {:.6g}: ", reported) : "",
                            cut.cracked.mesh.node_count(), cut.cracked.mesh.element_count(),
                            cut.table.size(), fronts_in_words(cut)));
-  tell("meshed");
+  report_stage(options_, "meshed");
   results::Increment increment;
   std::vector<std::size_t> touching;
   free_.reset();
@@ -107,7 +222,7 @@ std::optional<results::Increment> CrackStateSolver::solve(const CrackStateReques
     if (!condense(*length, log)) {
       return std::nullopt;
     }
-    tell("condensed");
+    report_stage(options_, "condensed");
     increment = {};
     increment.a = a > 0.0 ? a : base::remove_round_off(first);
     increment.notes = results::make_notes(cut.notes);
@@ -116,15 +231,15 @@ std::optional<results::Increment> CrackStateSolver::solve(const CrackStateReques
       return std::nullopt;
     }
     // Of tips alone: the law is given K_min = 0 of fronts in space whose faces touch.
-    if (cut.has_tips()) {
-      keep_free(touching, increment);
+    if (!touching.empty() && !free_ && cut.has_tips()) {
+      free_ = take_overlap_results(model_, increment);
     }
     close_faces(touching, *length, log);
   } while (!touching.empty());
   increment.unknowns = unknowns(length->bodies());
   Discretisation scene = CrackLengthAnalysis::take_discretisation(std::move(length));
   fronts_ = scene.cracked.fronts;
-  measure_sections(scene, increment);
+  plastic_ = section_load_ratios(model_, scene, increment);
   // From here on what was mounted stands, for MOUNTED=FIRST.
   first_ = false;
   increment.kept = static_cast<std::size_t>(
@@ -140,33 +255,6 @@ std::optional<results::Increment> CrackStateSolver::solve(const CrackStateReques
   add_face_sets_as_node_sets(model_, increment.mesh);
   log.record_in_profile("RECOVER", "surface, results of the nodes that the patches took");
   return increment;
-}
-
-void CrackStateSolver::measure_sections(const Discretisation& scene,
-                                        const results::Increment& increment) {
-  plastic_.clear();
-  if (!model_.growth || !model_.growth->flow_stress) {
-    return;
-  }
-  for (const mesh::CrackFront& front : scene.cracked.fronts) {
-    if (!front.is_tip()) {
-      plastic_.push_back(growth::plastic_load_ratio(
-          {model_, scene.cracked, *scene.ties, scene.cls}, front,
-          increment.steps[largest_load_step(model_)].u, *model_.growth->flow_stress));
-    }
-  }
-}
-
-void CrackStateSolver::tell(std::string stage, std::size_t step, std::size_t steps) const {
-  if (options_.progress) {
-    options_.progress({.stage = std::move(stage), .step = step, .steps = steps});
-  }
-}
-
-void CrackStateSolver::show(const results::Increment& increment) const {
-  if (options_.found) {
-    options_.found(increment);
-  }
 }
 
 bool CrackStateSolver::condense(CrackLengthAnalysis& length, LogWriter& log) {
@@ -221,56 +309,6 @@ bool CrackStateSolver::follow(LoadHistorySolver& history, StepSolver& solver, Lo
   return true;
 }
 
-bool CrackStateSolver::numbers_are_sound(const results::StepResult& result,
-                                         const model::Step& step) {
-  const std::string what = find_nonfinite_result(result);
-  if (!what.empty()) {
-    trouble_ = base::OperationFailure{.kind = base::Outcome::not_solvable,
-                                      .why = fmt::format("step {}: {}", step.name, what),
-                                      .span = step.span};
-  }
-  return what.empty();
-}
-
-// The first solution with faces that overlap is K of faces that may.
-void CrackStateSolver::keep_free(const std::vector<std::size_t>& touching,
-                                 results::Increment& increment) {
-  const bool whole = increment.steps.size() == model_.steps.size();
-  if (touching.empty() || free_ || !whole || !continues_K_below_closing(model_)) {
-    return;
-  }
-  free_.emplace();
-  for (results::StepResult& step : increment.steps) {
-    free_->steps.push_back(std::move(step.fronts));
-  }
-  free_->paths = std::move(increment.paths);
-}
-
-bool CrackStateSolver::estimate(CrackLengthAnalysis& length, const CrackStateRequest& request,
-                                const SolvedStep& solved, LogWriter& log,
-                                results::StepResult& result) {
-  const model::Step& step = model_.steps[solved.step];
-  if (request.bars) {
-    length.add_K_estimates(solved.solver, solved.state, result,
-                           [&](const std::string& processor, const std::string& did) {
-                             log.add_line(processor, fmt::format("step {}: {}", step.name, did));
-                             return true;
-                           });
-  }
-  if (!request.pictured[solved.step] && !solved.pictured_later) {
-    return true;
-  }
-  add_stress(model_, length.discretisation().cracked.mesh, result);
-  log.add_line("RECOVER", fmt::format("step {}: stresses", step.name));
-  if (!numbers_are_sound(result, step)) {
-    return false;
-  }
-  length.add_net_errors(solved.state, result);
-  log.add_line("ESTIMATE", fmt::format("step {}: energy error {:.1f} %", step.name,
-                                       100.0 * result.errors.back().part));
-  return true;
-}
-
 // Stops at the first step with faces that would overlap: `touching` says which. Only where K of
 // such faces is wanted the first solution goes on with them, without bars and pictures.
 bool CrackStateSolver::walk_steps(CrackLengthAnalysis& length, const CrackStateRequest& request,
@@ -284,18 +322,13 @@ bool CrackStateSolver::walk_steps(CrackLengthAnalysis& length, const CrackStateR
   LoadHistorySolver history(model_, scene, length.bodies(), paths);
   const bool follows = depends_on_load_order(model_);
   const bool goes_on = continues_K_below_closing(model_);
-  const double row_flops =
-      solver.contact_system() == nullptr ? 0.0 : solver.contact_system()->row_flops();
-  log.add_line("CONTACT",
-               fmt::format("compliances of the contact rows{}",
-                           row_flops > 0.0 ? fmt::format(", {:.3g} flops", row_flops) : ""),
-               row_flops > 0.0 ? std::optional(row_flops) : std::nullopt);
+  log_compliances(solver, log);
   std::size_t solved = 0;
   for (std::size_t s = 0; s < model_.steps.size(); ++s) {
     const model::Step& step = model_.steps[s];
     if (const std::size_t* earlier = repeated.earlier_step(s)) {
       repeated.copy_step(s, solver, increment.steps);
-      show(increment);
+      show_increment(options_, increment);
       log.add_line("CONTACT", fmt::format("step {}: the same as step {}, taken over", step.name,
                                           model_.steps[*earlier].name));
       paths.record_step(s, solver, increment.steps.back());
@@ -318,7 +351,8 @@ bool CrackStateSolver::walk_steps(CrackLengthAnalysis& length, const CrackStateR
       trouble_ = std::move(trouble);
       return false;
     }
-    tell(fmt::format("step {}: contact", step.name), solved, repeated.count_solved());
+    report_stage(options_, fmt::format("step {}: contact", step.name), solved,
+                 repeated.count_solved());
     log.add_line("CONTACT",
                  fmt::format("step {}: {} iterations, {} pivots, imbalance {:.1e}", step.name,
                              state->iterations, state->pivots, state->imbalance));
@@ -334,13 +368,14 @@ bool CrackStateSolver::walk_steps(CrackLengthAnalysis& length, const CrackStateR
       return true;
     }
     increment.steps.push_back(length.recover_step(step, *state));
-    if (!numbers_are_sound(increment.steps.back(), step)) {
+    if (base::OptionalFailure unsound = unsound_numbers(increment.steps.back(), step)) {
+      trouble_ = std::move(unsound);
       return false;
     }
     log.add_line("VCE",
                  fmt::format("step {}: {}, pressures, balance", step.name, fronts_in_words(scene)));
-    show(increment);
-    tell(fmt::format("step {}: K", step.name), solved, repeated.count_solved());
+    show_increment(options_, increment);
+    report_stage(options_, fmt::format("step {}: K", step.name), solved, repeated.count_solved());
     paths.record_step(s, solver, increment.steps.back());
     if (follows) {
       history.record_step(s, solver, increment.steps.back());
@@ -348,21 +383,22 @@ bool CrackStateSolver::walk_steps(CrackLengthAnalysis& length, const CrackStateR
     if (!touching.empty()) {
       continue;
     }
-    if (!estimate(length, request, {s, solver, *state, repeated.stresses_needed_later(s)}, log,
-                  increment.steps.back())) {
+    if (base::OptionalFailure unsound =
+            add_estimates(model_,
+                          {step, solver, *state, request.bars,
+                           request.pictured[s] || repeated.stresses_needed_later(s)},
+                          length, log, increment.steps.back())) {
+      trouble_ = std::move(unsound);
       return false;
     }
-    show(increment);
-    tell(fmt::format("step {}", step.name), ++solved, repeated.count_solved());
+    show_increment(options_, increment);
+    report_stage(options_, fmt::format("step {}", step.name), ++solved, repeated.count_solved());
   }
   repeated.drop_extra_stresses(increment.steps);
   increment.paths = paths.solve_paths(solver);
-  for (const results::LoadPathResult& path : increment.paths) {
-    if (const std::string what = find_nonfinite_result(path); !what.empty()) {
-      trouble_ = base::OperationFailure{.kind = base::Outcome::not_solvable,
-                                        .why = fmt::format("load path {}: {}", path.name, what)};
-      return false;
-    }
+  if (base::OptionalFailure unsound = unsound_numbers(increment.paths)) {
+    trouble_ = std::move(unsound);
+    return false;
   }
   if (!touching.empty()) {
     return true;

@@ -76,33 +76,14 @@ public:
   }
 
 private:
-  /// A step of the deck and the state it ended in.
-  struct SolvedStep {
-    std::size_t step = 0;
-    const StepSolver& solver;
-    const StepState& state;
-    bool pictured_later = false; ///< a step that repeats it is to have its stresses
-  };
   [[nodiscard]] CrackLengthContext parts();
   bool condense(CrackLengthAnalysis& length, LogWriter& log);
-  /// Tells that a stage of this increment is done.
-  void tell(std::string stage, std::size_t step = 0, std::size_t steps = 0) const;
-  /// Tells that the last step of an increment under way has its K, or the bars of it.
-  void show(const results::Increment& increment) const;
   void close_faces(const std::vector<std::size_t>& lines, CrackLengthAnalysis& length,
                    LogWriter& log);
-  /// Takes K of faces that may overlap from the first solution of a state whose faces meet.
-  void keep_free(const std::vector<std::size_t>& touching, results::Increment& increment);
-  void measure_sections(const Discretisation& scene, const results::Increment& increment);
   /// Follows the loads of the growth behind the steps; false: no answer.
   bool follow(LoadHistorySolver& history, StepSolver& solver, LogWriter& log);
-  /// Whether the results of a step are numbers; else the trouble says which are not.
-  bool numbers_are_sound(const results::StepResult& result, const model::Step& step);
   bool walk_steps(CrackLengthAnalysis& length, const CrackStateRequest& request, LogWriter& log,
                   results::Increment& increment, std::vector<std::size_t>& touching);
-  /// Bars, sensitivities, stresses of a step's end, as far as they are asked for; false: no number.
-  bool estimate(CrackLengthAnalysis& length, const CrackStateRequest& request,
-                const SolvedStep& solved, LogWriter& log, results::StepResult& result);
 
   const model::Model& model_;
   std::optional<model::Model> grown_; ///< in space: with the cracks of the state that is solved
