@@ -6,38 +6,12 @@
 #include "solve/friction.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace spricka::contact {
 
 using base::at;
 using base::index;
-
-namespace {
-
-// The rows of a body as columns [m, k].
-base::Matrix as_columns(const std::vector<std::vector<RowCoefficient>>& rows,
-                        std::size_t freedoms) {
-  base::Matrix GT = base::Matrix::Zero(index(freedoms), index(rows.size()));
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    for (const RowCoefficient& share : rows[k]) {
-      GT(share.at, index(k)) += share.weight;
-    }
-  }
-  return GT;
-}
-
-// What a row opens by if all its freedoms move by one against it.
-double row_size(const std::vector<RowCoefficient>& row) {
-  double size = 0.0;
-  for (const RowCoefficient& share : row) {
-    size += std::abs(share.weight);
-  }
-  return size;
-}
-
-} // namespace
 
 ContactSystem::ContactSystem(std::vector<const CondensedBody*> bodies,
                              std::vector<const ConstraintRow*> rows, int dim, std::size_t freedoms,
@@ -67,12 +41,7 @@ ContactSystem::ContactSystem(std::vector<const CondensedBody*> bodies,
       }
     }
   }
-  const auto n = index(rows.size());
-  W_ = base::Matrix::Zero(n, n);
-  B_ = base::Matrix::Zero(n, mode_start_.back());
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    add_body(b, lasting, rows);
-  }
+  compliances_ = assemble_compliances(bodies_, rows_, rows, lasting);
   let_slide(sliding, dim, place);
 }
 
@@ -96,119 +65,9 @@ void ContactSystem::let_slide(const std::vector<ContactRowSurfaces>& sliding, in
     }
     return found;
   };
-  slid_ = B_;
-  remove_self_sliding(sliding, mode_start_, modes_at, B_);
-  slid_ -= B_;
-}
-
-// Of a layered factor only the early rows outlast a length; a body with S of its own is kept as a
-// whole or not at all.
-bool ContactSystem::may_last(std::size_t body, std::size_t row) const {
-  const solve::FactoredExternals* factor = bodies_[body]->external_block_factor();
-  return factor == nullptr || std::ranges::all_of(rows_[row], [&](const BodyRowEntry& e) {
-           return e.body != body || factor->row[at(e.at)] < factor->L.first_block_size();
-         });
-}
-
-std::vector<std::vector<RowCoefficient>>
-ContactSystem::shares_of(std::size_t body, const std::vector<std::size_t>& list, bool early) const {
-  std::vector<std::vector<RowCoefficient>> out;
-  for (const std::size_t r : list) {
-    std::vector<RowCoefficient>& own = out.emplace_back();
-    for (const BodyRowEntry& e : rows_[r]) {
-      if (e.body == body) {
-        own.push_back(
-            {early ? bodies_[body]->external_block_factor()->row[at(e.at)] : e.at, e.weight});
-      }
-    }
-  }
-  return out;
-}
-
-void ContactSystem::add_body(std::size_t body, const PersistentRowSet& lasting,
-                             const std::vector<const ConstraintRow*>& rows) {
-  std::vector<std::size_t> stay; // rows of the body that last, and those that do not
-  std::vector<std::size_t> move;
-  const bool keeps = body < lasting.kept.size() && lasting.kept[body] != nullptr &&
-                     !bodies_[body]->is_uncondensed();
-  for (std::size_t r = 0; r < rows_.size(); ++r) {
-    if (std::ranges::any_of(rows_[r], [&](const BodyRowEntry& e) { return e.body == body; })) {
-      (keeps && lasting.row[r] && may_last(body, r) ? stay : move).push_back(r);
-    }
-  }
-  // By node, not as the chains run: these may begin elsewhere at another length, and then what is
-  // kept would not be known again.
-  std::ranges::stable_sort(
-      stay, {}, [&](std::size_t r) { return std::pair(rows[r]->node, rows[r]->tangential); });
-  const std::vector<std::vector<RowCoefficient>> moving = shares_of(body, move, false);
-  const CondensedBody& own = *bodies_[body];
-  const solve::FactoredExternals* factor = own.external_block_factor();
-  if (own.is_uncondensed()) {
-    const solve::RowCompliance found = own.compliance(moving);
-    row_flops_ += found.flops;
-    add_compliance(move, move, found.W);
-    add_modes(body, move, moving);
-    return;
-  }
-  // Rows that do not last: half compliances anew; Y^T Y is symmetric to the last bit.
-  const base::Matrix Y = own.compliance_root(as_columns(moving, own.freedom().size()));
-  add_compliance(move, move, solve::gram_matrix(Y));
-  add_modes(body, move, moving);
-  if (stay.empty()) {
-    return;
-  }
-  PersistentRowCompliance& kept = *lasting.kept[body];
-  std::vector<std::vector<RowCoefficient>> staying = shares_of(body, stay, factor != nullptr);
-  // What is kept serves only if its rows weigh the same freedoms, number by number.
-  if (kept.rows != staying) {
-    if (factor != nullptr) {
-      const solve::FirstBlockFactor& early = *factor->L.first_block();
-      kept.Y =
-          early.forward_substitute(as_columns(staying, static_cast<std::size_t>(early.count())));
-      kept.late_load = early.second_block_load(kept.Y);
-    } else {
-      kept.Y = own.compliance_root(as_columns(staying, own.freedom().size()));
-    }
-    kept.W = solve::gram_matrix(kept.Y);
-    kept.rows = std::move(staying);
-  }
-  add_compliance(stay, stay, kept.W);
-  add_modes(body, stay, kept.rows);
-  // Lasting rows with the others. What the late rows add to either is of this length: their half
-  // solves go into the compliances after the kept part.
-  base::Matrix between = solve::transposed_product(kept.Y, Y.topRows(kept.Y.rows()));
-  if (factor != nullptr) {
-    const base::Matrix late = factor->L.forward_second_block(kept.late_load);
-    add_compliance(stay, stay, solve::gram_matrix(late));
-    between += solve::transposed_product(late, Y.bottomRows(late.rows()));
-  }
-  add_compliance(stay, move, between);
-  add_compliance(move, stay, between.transpose());
-}
-
-void ContactSystem::add_compliance(const std::vector<std::size_t>& r,
-                                   const std::vector<std::size_t>& c, const base::Matrix& part) {
-  for (std::size_t k = 0; k < c.size(); ++k) {
-    auto column = W_.col(index(c[k]));
-    for (std::size_t i = 0; i < r.size(); ++i) {
-      column[index(r[i])] += part(index(i), index(k));
-    }
-  }
-}
-
-void ContactSystem::add_modes(std::size_t body, const std::vector<std::size_t>& list,
-                              const std::vector<std::vector<RowCoefficient>>& shares) {
-  const base::Matrix& Q = bodies_[body]->modes();
-  const double motion = Q.size() > 0 ? Q.cwiseAbs().maxCoeff() : 0.0;
-  for (std::size_t k = 0; k < list.size() && Q.cols() > 0; ++k) {
-    auto row = B_.block(index(list[k]), mode_start_[body], 1, Q.cols());
-    for (const RowCoefficient& share : shares[k]) {
-      row += share.weight * Q.row(share.at);
-    }
-    // By the motion of the whole body, not by what its modes open here: a mode that no row feels
-    // must look small against it.
-    opening_scale_ = std::max(opening_scale_, motion * row_size(shares[k]));
-  }
+  slid_ = compliances_.B;
+  remove_self_sliding(sliding, mode_start_, modes_at, compliances_.B);
+  slid_ -= compliances_.B;
 }
 
 std::vector<base::Vector> ContactSystem::resting_force(const std::vector<std::size_t>& rows,
@@ -269,18 +128,18 @@ solve::ContactProblem ContactSystem::equality_problem(const std::vector<std::siz
   const auto n = index(rows.size());
   solve::ContactProblem small;
   small.W.resize(n, n);
-  small.B.resize(n, B_.cols());
+  small.B.resize(n, compliances_.B.cols());
   for (Eigen::Index i = 0; i < n; ++i) {
     const auto row = index(rows[at(i)]);
     for (Eigen::Index k = 0; k < n; ++k) {
-      small.W(k, i) = W_(index(rows[at(k)]), row);
+      small.W(k, i) = compliances_.W(index(rows[at(k)]), row);
     }
-    small.B.row(i) = B_.row(row);
+    small.B.row(i) = compliances_.B.row(row);
   }
   small.b = base::Vector::Zero(n);
-  small.h = base::Vector::Zero(B_.cols());
+  small.h = base::Vector::Zero(compliances_.B.cols());
   small.equality.assign(rows.size(), true);
-  small.opening_scale = opening_scale_;
+  small.opening_scale = compliances_.opening_scale;
   return small;
 }
 

@@ -3,6 +3,7 @@
 #include "base/vec.hpp"
 #include "contact/condensed_body.hpp"
 #include "contact/constraint.hpp"
+#include "contact/contact_compliances.hpp"
 #include "contact/sliding_motions.hpp"
 #include "solve/contact_problem.hpp"
 #include "solve/friction_problem.hpp"
@@ -13,21 +14,6 @@
 #include <vector>
 
 namespace spricka::contact {
-
-/// The part of a body's compliance that belongs to rows which the next crack length has again.
-struct PersistentRowCompliance {
-  std::vector<std::vector<RowCoefficient>> rows; ///< [k] in a canonical order
-  base::Matrix Y;         ///< [m, k] their half compliance; of early rows only
-  base::Matrix W;         ///< [k, k] Y^T Y
-  base::Matrix late_load; ///< [late, k] FirstBlockFactor::late_load of Y
-};
-
-/// The rows that the next crack length has again, and what is kept of them for each body. The
-/// compliances come out with the same bits whether anything was kept before or not.
-struct PersistentRowSet {
-  std::vector<bool> row;                      ///< [row] whether it is one of them; empty: none is
-  std::vector<PersistentRowCompliance*> kept; ///< [body]; null where nothing may be kept
-};
 
 /// All constraint rows of an increment on all bodies, condensed to compliances once; then any
 /// subset of rows, loads and gaps is one small quadratic problem.
@@ -77,9 +63,13 @@ public:
   [[nodiscard]] double opening(std::size_t row, const std::vector<base::Vector>& u) const;
   /// The same of all rows for several displacements [body][m, k]: [row, k].
   [[nodiscard]] base::Matrix openings(const std::vector<base::Matrix>& u) const;
-  [[nodiscard]] const base::Matrix& row_compliance() const { return W_; } ///< [row, row] compliance
-  [[nodiscard]] const base::Matrix& openings_by_rigid_modes() const { return B_; } ///< [row, mode]
-  [[nodiscard]] double row_flops() const { return row_flops_; } ///< of rows on whole bodies
+  [[nodiscard]] const base::Matrix& row_compliance() const {
+    return compliances_.W;
+  } ///< [row, row] compliance
+  [[nodiscard]] const base::Matrix& openings_by_rigid_modes() const {
+    return compliances_.B;
+  }                                                                     ///< [row, mode]
+  [[nodiscard]] double row_flops() const { return compliances_.flops; } ///< of rows on whole bodies
   /// Adds what forces [k] of a row load the bodies with [body][m, k].
   void add_row_force(std::size_t row, const Eigen::RowVectorXd& force,
                      std::vector<base::Matrix>& load) const;
@@ -95,29 +85,11 @@ private:
                                                         const base::Vector& lambda) const;
   void let_slide(const std::vector<ContactRowSurfaces>& sliding, int dim,
                  const std::vector<std::pair<std::int32_t, std::int32_t>>& place);
-  void add_body(std::size_t body, const PersistentRowSet& lasting,
-                const std::vector<const ConstraintRow*>& rows);
-  [[nodiscard]] std::vector<std::vector<RowCoefficient>>
-  shares_of(std::size_t body, const std::vector<std::size_t>& list, bool early) const;
-  /// Whether a row can be among the kept ones of a body.
-  [[nodiscard]] bool may_last(std::size_t body, std::size_t row) const;
-  void add_compliance(const std::vector<std::size_t>& r, const std::vector<std::size_t>& c,
-                      const base::Matrix& part);
-  void add_modes(std::size_t body, const std::vector<std::size_t>& list,
-                 const std::vector<std::vector<RowCoefficient>>& shares);
-  struct BodyRowEntry {
-    std::size_t body = 0;
-    Eigen::Index at = 0;
-    double weight = 0.0;
-  };
   std::vector<const CondensedBody*> bodies_;
   std::vector<std::vector<BodyRowEntry>> rows_;
   std::vector<Eigen::Index> mode_start_; ///< [body + 1]
-  base::Matrix W_;                       ///< [row, row]
-  base::Matrix B_;                       ///< [row, mode]
+  ContactCompliances compliances_;
   base::Matrix slid_; ///< [row, mode] what B would have of surfaces that slide on themselves
-  double row_flops_ = 0.0;
-  double opening_scale_ = 0.0; ///< what a unit of a mode opens where it moves along a row's forces
 };
 
 } // namespace spricka::contact
