@@ -24,6 +24,21 @@ constexpr double arrived = 1e-12; // a residual that no step makes smaller
 
 using NeglectedShearK = Eigen::Vector2d; // zero where there is no second tangent
 
+// The tangential entries of a contact point.
+NeglectedShearK tangential(const RoundFriction::RoundFrictionUnit& u, const base::Vector& v) {
+  NeglectedShearK t = NeglectedShearK::Zero();
+  for (int k = 0; k < u.tangents; ++k) {
+    t[k] = v[u.tangent[at(k)]];
+  }
+  return t;
+}
+
+// The nearest place on a disk about the origin.
+NeglectedShearK on_disk(const NeglectedShearK& z, double radius) {
+  const double size = z.norm();
+  return size <= radius ? z : NeglectedShearK(radius / size * z);
+}
+
 class RoundSolver {
 public:
   explicit RoundSolver(const RoundFriction& problem) : p_(problem) {}
@@ -79,20 +94,6 @@ private:
     best.newton_steps = steps;
     best.sweeps = all_sweeps;
     return best;
-  }
-
-  [[nodiscard]] NeglectedShearK tangential(const RoundFriction::RoundFrictionUnit& u,
-                                           const base::Vector& v) const {
-    NeglectedShearK t = NeglectedShearK::Zero();
-    for (int k = 0; k < u.tangents; ++k) {
-      t[k] = v[u.tangent[at(k)]];
-    }
-    return t;
-  }
-
-  static NeglectedShearK on_disk(const NeglectedShearK& z, double radius) {
-    const double size = z.norm();
-    return size <= radius ? z : NeglectedShearK(radius / size * z);
   }
 
   // Gaps from forces and motions, states from both (solve.35), and how far they are off.
