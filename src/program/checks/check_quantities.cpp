@@ -3,11 +3,7 @@
 
 #include "analysis/scene/gone_nodes.hpp"
 #include "model/model.hpp"
-#include "program/checks/contact_readings.hpp"
-#include "program/checks/field_quantities.hpp"
-#include "program/checks/front_quantities.hpp"
-#include "program/checks/growth_readings.hpp"
-#include "program/checks/path_quantities.hpp"
+#include "program/checks/check_line.hpp"
 #include "results/growth_end.hpp"
 
 #include <algorithm>
@@ -22,7 +18,8 @@ namespace spricka::program {
 
 namespace {
 
-double reaction(const model::Model& model, CheckArguments& args, const results::RunResult& run) {
+double reaction(CheckLine& line) {
+  auto& [model, run, word, args] = line;
   const std::string set = args.next_name("a set");
   const std::string step = args.next_name("a step");
   const Eigen::Index axis = axis_index(args.next_name("X, Y or Z"));
@@ -45,7 +42,8 @@ double reaction(const model::Model& model, CheckArguments& args, const results::
   return sum;
 }
 
-double energy(CheckArguments& args, const results::RunResult& run) {
+double energy(CheckLine& line) {
+  auto& [model, run, word, args] = line;
   const std::string net = args.next_name("a net or *");
   const std::string step = args.next_name("a step");
   const results::StepResult& at = *find_checked_step(run, step, args.next_number()).step;
@@ -59,7 +57,8 @@ double energy(CheckArguments& args, const results::RunResult& run) {
   return found->energy;
 }
 
-double estimated_error(CheckArguments& args, const results::RunResult& run) {
+double estimated_error(CheckLine& line) {
+  auto& [model, run, word, args] = line;
   const std::string net = args.next_name("a net or *");
   const std::string step = args.next_name("a step");
   const results::StepResult& at = *find_checked_step(run, step, args.next_number()).step;
@@ -71,14 +70,15 @@ double estimated_error(CheckArguments& args, const results::RunResult& run) {
 }
 
 // Cycles until the first of the growing tips has a length, or to the end.
-double cycles(const std::string& quantity, CheckArguments& args, const results::RunResult& run) {
+double cycles(CheckLine& line) {
+  auto& [model, run, word, args] = line;
   if (!run.growth) {
     throw MissingQuantity("no crack grows by a law");
   }
   if (results::growth_ended_early(*run.growth)) {
     throw MissingQuantity("the growth ended early: " + run.growth->reason);
   }
-  if (quantity == "LIFE") {
+  if (word == "LIFE") {
     return run.growth->final_cycles();
   }
   const std::optional<double> a = args.next_number();
@@ -93,14 +93,6 @@ double cycles(const std::string& quantity, CheckArguments& args, const results::
   return first;
 }
 
-// A line of $CHECK: its word, and what is left of its arguments.
-struct CheckLine {
-  const model::Model& model;
-  const results::RunResult& run;
-  const std::string& word;
-  CheckArguments args;
-};
-
 using Reader = double (*)(CheckLine&);
 
 // Words that are not of a front or a contact, by what stands in front of their first point.
@@ -108,28 +100,22 @@ struct QuantityFamily {
   std::string_view name;
   Reader read;
 };
-constexpr std::array families{
-    QuantityFamily{"PATH",
-                   [](CheckLine& l) { return evaluate_path_quantity(l.word, l.args, l.run); }},
-    QuantityFamily{
-        "TEST", [](CheckLine& l) { return evaluate_growth_test_quantity(l.word, l.args, l.run); }},
-    QuantityFamily{"N", [](CheckLine& l) { return cycles(l.word, l.args, l.run); }},
-    QuantityFamily{"LIFE", [](CheckLine& l) { return cycles(l.word, l.args, l.run); }},
-    QuantityFamily{"ENERGY", [](CheckLine& l) { return energy(l.args, l.run); }},
-    QuantityFamily{"ERROR", [](CheckLine& l) { return estimated_error(l.args, l.run); }},
-    QuantityFamily{"REACTION", [](CheckLine& l) { return reaction(l.model, l.args, l.run); }},
-    QuantityFamily{
-        "U", [](CheckLine& l) { return evaluate_field_quantity(l.model, l.word, l.args, l.run); }},
-    QuantityFamily{
-        "S", [](CheckLine& l) { return evaluate_field_quantity(l.model, l.word, l.args, l.run); }},
-};
+constexpr std::array families{QuantityFamily{"PATH", evaluate_path_quantity},
+                              QuantityFamily{"TEST", evaluate_growth_test_quantity},
+                              QuantityFamily{"N", cycles},
+                              QuantityFamily{"LIFE", cycles},
+                              QuantityFamily{"ENERGY", energy},
+                              QuantityFamily{"ERROR", estimated_error},
+                              QuantityFamily{"REACTION", reaction},
+                              QuantityFamily{"U", evaluate_field_quantity},
+                              QuantityFamily{"S", evaluate_field_quantity}};
 
 Reader reader_of(std::string_view word) {
   if (is_front_quantity(word)) {
-    return [](CheckLine& l) { return evaluate_front_quantity(l.word, l.args, l.run); };
+    return evaluate_front_quantity;
   }
   if (is_contact_quantity(word)) {
-    return [](CheckLine& l) { return evaluate_contact_quantity(l.model, l.word, l.args, l.run); };
+    return evaluate_contact_quantity;
   }
   const auto* const found =
       std::ranges::find(families, word.substr(0, word.find('.')), &QuantityFamily::name);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "program/checks/contact_readings.hpp"
-
 #include "analysis/recover/closed_parts.hpp"
+#include "geometry/polyline.hpp"
 #include "model/model.hpp"
-#include "program/checks/place_quantities.hpp"
+#include "program/checks/check_line.hpp"
 
 #include <algorithm>
 #include <array>
@@ -85,6 +84,51 @@ double value_at(const results::ContactResult& contact, PointValue value, double 
   return (1.0 - t) * (below->*value) + t * (above->*value);
 }
 
+// At the place of the surface that is nearest to a point, between two nodes that follow one
+// another; in space at the nearest node.
+double value_near(const results::ContactResult& contact, PointValue value, const base::Vec3& x) {
+  if (contact.points.empty()) {
+    throw MissingQuantity("the contact has no surface");
+  }
+  double best = std::numeric_limits<double>::infinity();
+  double found = 0.0;
+  if (contact.space) {
+    for (const results::ContactPoint& p : contact.points) {
+      if ((p.x - x).norm() < best) {
+        best = (p.x - x).norm();
+        found = p.*value;
+      }
+    }
+    return found;
+  }
+  for (std::size_t i = 0; i < contact.points.size(); ++i) {
+    const results::ContactPoint& a = contact.points[i];
+    const bool ends = i + 1 == contact.points.size();
+    const results::ContactPoint& next = ends ? a : contact.points[i + 1];
+    const double run = (next.x - a.x).norm(); // a jump or a mouth is no edge
+    const bool last = !(run > 0.0) || run > 1.6 * std::abs(next.arc - a.arc);
+    const results::ContactPoint& b = last ? a : next;
+    const auto [t, distance] =
+        geometry::nearest_point(base::Vec2(x.head<2>()), a.x.head<2>(), b.x.head<2>());
+    if (distance < best) {
+      best = distance;
+      found = (1.0 - t) * a.*value + t * b.*value;
+    }
+  }
+  return found;
+}
+
+// ARC.PART.FROM (end 0) or ARC.PART.TO (1): of the closed part of that number, along the surface.
+double arc_end(const results::ContactResult& contact, double number, std::size_t end) {
+  const std::vector<std::array<double, 2>> parts = analysis::closed_parts(contact);
+  const auto count = static_cast<double>(parts.size());
+  if (!(number >= 1.0 && number <= count) || number != std::floor(number)) {
+    throw MissingQuantity(
+        fmt::format("contact {} is closed in {} parts", contact.name, parts.size()));
+  }
+  return parts[static_cast<std::size_t>(number) - 1][end];
+}
+
 // What stands between contact and step, or behind the step.
 enum class Argument { none, point, place, part, axis };
 
@@ -120,10 +164,10 @@ double at_place(const Question& q) {
   return value_at(q.contact, q.value, q.at);
 }
 double near_point(const Question& q) {
-  return contact_value_near(q.contact, q.value, q.point);
+  return value_near(q.contact, q.value, q.point);
 }
 template <std::size_t end> double part_end(const Question& q) {
-  return contact_arc_end(q.contact, q.at, end);
+  return arc_end(q.contact, q.at, end);
 }
 double count_of_parts(const Question& q) {
   return static_cast<double>(analysis::closed_parts(q.contact).size());
@@ -211,8 +255,8 @@ bool is_contact_quantity(std::string_view word) {
   return find_word(word) != nullptr || find_member(word) != nullptr;
 }
 
-double evaluate_contact_quantity(const model::Model& model, const std::string& word,
-                                 CheckArguments& args, const results::RunResult& run) {
+double evaluate_contact_quantity(CheckLine& line) {
+  auto& [model, run, word, args] = line;
   const Word* const asked = find_word(word);
   const Argument argument = asked != nullptr ? asked->argument : Argument::none;
   const bool shear = word.starts_with("SHEAR.");

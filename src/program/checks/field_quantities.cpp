@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "program/checks/field_quantities.hpp"
-
 #include "analysis/scene/gone_nodes.hpp"
 #include "fe/locate.hpp"
 #include "fe/stress.hpp"
 #include "mesh/boundary.hpp"
 #include "model/model.hpp"
 #include "model/property_points.hpp"
+#include "program/checks/check_line.hpp"
 #include "results/stress_component.hpp"
 
 #include <algorithm>
@@ -152,8 +151,8 @@ double displacement_at(const model::Mesh& mesh, const base::Vector& u, const bas
 
 } // namespace
 
-double evaluate_field_quantity(const model::Model& model, const std::string& quantity,
-                               CheckArguments& args, const results::RunResult& run) {
+double evaluate_field_quantity(CheckLine& line) {
+  auto& [model, run, quantity, args] = line;
   const FieldName field = split(quantity);
   if (field.how == "AT") {
     const base::Vec3 x = args.required_point(model.mesh.dim);

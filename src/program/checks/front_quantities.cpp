@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "program/checks/front_quantities.hpp"
-
 #include "geometry/polyline.hpp"
-#include "program/checks/path_quantities.hpp"
+#include "program/checks/check_line.hpp"
+#include "program/checks/check_quantities.hpp"
 #include "results/k_quantities.hpp"
 
 #include <algorithm>
@@ -292,9 +291,8 @@ std::string error_bar_part_word(std::string_view word, std::string_view part) {
   return fmt::format("{}.{}{}{}", of.quantity->name, part, of.where.empty() ? "" : ".", of.where);
 }
 
-double evaluate_front_quantity(const std::string& text, CheckArguments& args,
-                               const results::RunResult& run) {
-  const Asked asked = asked_of(text, args, run);
+double evaluate_front_quantity(CheckLine& line) {
+  const Asked asked = asked_of(line.word, line.args, line.run);
   if (asked.word.where.empty()) {
     return asked.word.quantity->extract_value(asked.fronts.front());
   }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "program/checks/growth_readings.hpp"
-
 #include "analysis/lengths/growth_measure.hpp"
 #include "geometry/cubic_spline.hpp"
 #include "life/inversion.hpp"
 #include "life/life_curve.hpp"
 #include "model/model.hpp"
+#include "program/checks/check_line.hpp"
+#include "program/checks/check_quantities.hpp"
 #include "results/half_axes.hpp"
 
 #include <algorithm>
@@ -320,8 +320,8 @@ std::vector<results::GrowthTestResult> invert_growth_tests(const model::Model& m
   return tests;
 }
 
-double evaluate_growth_test_quantity(const std::string& quantity, CheckArguments& args,
-                                     const results::RunResult& run) {
+double evaluate_growth_test_quantity(CheckLine& line) {
+  auto& [model, run, quantity, args] = line;
   const results::GrowthTestResult& test = test_of(run, args.next_name("a test"));
   if (quantity == "TEST.SCATTER") {
     return test.scatter;

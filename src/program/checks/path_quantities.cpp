@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "program/checks/path_quantities.hpp"
+#include "program/checks/check_line.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -104,8 +104,8 @@ const results::LoadPathResult& find_load_path(const results::RunResult& run,
   return path;
 }
 
-double evaluate_path_quantity(const std::string& quantity, CheckArguments& args,
-                              const results::RunResult& run) {
+double evaluate_path_quantity(CheckLine& line) {
+  auto& [model, run, quantity, args] = line;
   if (quantity == "PATH.K1.SUM") {
     return of_two(args, run);
   }

@@ -9,8 +9,6 @@
 #include "base/printable.hpp"
 #include "model/model.hpp"
 #include "program/checks/check_quantities.hpp"
-#include "program/checks/front_quantities.hpp"
-#include "program/checks/growth_readings.hpp"
 #include "program/job/k_so_far.hpp"
 #include "program/job/progress_line.hpp"
 #include "program/job/remedy.hpp"

@@ -3,7 +3,6 @@
 
 #include "model/model.hpp"
 #include "program/checks/check_quantities.hpp"
-#include "program/checks/front_quantities.hpp"
 
 #include <algorithm>
 #include <array>

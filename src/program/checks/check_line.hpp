@@ -8,12 +8,13 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 
-/// Displacements and stresses that $CHECK asks for, and what all its quantities share.
+/// A line of $CHECK while it is read, and the families of quantities that it may ask for.
 namespace spricka::program {
 
 /// Why a quantity has no value; caught where the line is evaluated.
@@ -67,6 +68,14 @@ private:
   std::size_t next_ = 0;
 };
 
+/// A line of $CHECK: its word, and what is left of its arguments.
+struct CheckLine {
+  const model::Model& model;
+  const results::RunResult& run;
+  const std::string& word;
+  CheckArguments args;
+};
+
 struct CheckedStep {
   const results::Increment* increment = nullptr;
   const results::StepResult* step = nullptr;
@@ -83,7 +92,31 @@ std::vector<base::NodeId> nodes_of_named_set(const model::Mesh& mesh, const std:
 Eigen::Index axis_index(const std::string& component);
 
 /// U.X.MAX, S.XX.AT and their like.
-double evaluate_field_quantity(const model::Model& model, const std::string& quantity,
-                               CheckArguments& args, const results::RunResult& run);
+double evaluate_field_quantity(CheckLine& line);
+
+/// Whether a word of $CHECK is of a front, at the end of a step, on a load path or a derivative: in
+/// the plane K1, DK1.LOAD, PATH.K1 and their like, of one tip; in space K1.AT, G.MAX and theirs.
+bool is_front_quantity(std::string_view word);
+/// Its value. What the front does not have is Missing.
+double evaluate_front_quantity(CheckLine& line);
+
+/// PATH.SLOPE, PATH.OPENING and their like, but for K itself (evaluate_front_quantity). What a path
+/// does not cover is Missing: nothing is extrapolated.
+double evaluate_path_quantity(CheckLine& line);
+/// The path of that name with the place t on it.
+const results::LoadPathResult& find_load_path(const results::RunResult& run,
+                                              const std::string& name, double t,
+                                              std::optional<double> a);
+/// Why K along a front, at a place of a load path, is no answer: K1 < 0, as at the end of a step.
+/// Empty: it is one.
+std::string negative_k1_reason(const results::FrontResult& front);
+
+/// Whether $CHECK asks a contact for that word: CPRESS.MAX, ARC.FROM and their like.
+bool is_contact_quantity(std::string_view word);
+/// The value of such a word. Throws Missing where there is none.
+double evaluate_contact_quantity(CheckLine& line);
+
+/// TEST.K, TEST.RATIO and their like.
+double evaluate_growth_test_quantity(CheckLine& line);
 
 } // namespace spricka::program
