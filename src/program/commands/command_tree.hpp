@@ -5,8 +5,8 @@
 #include "program/commands/convert.hpp"
 #include "program/job/run_options.hpp"
 #include "program/shell/shell.hpp"
-#include "program/study/ladder_deck.hpp"
-#include "program/study/study_deck.hpp"
+#include "program/study/ladder.hpp"
+#include "program/study/study.hpp"
 #include "program/verify/verify.hpp"
 
 #include <functional>

@@ -144,7 +144,8 @@ std::vector<AnswerRequest> collect_answers(const model::Model& model,
     for (const model::ResultCheck& check : checks) {
       if (const std::optional<AnswerGroup> group = group_of(check.quantity)) {
         const bool given = own && check.relative && check.value != 0.0;
-        answers.push_back({check, "", *group, given ? std::optional(check.value) : std::nullopt});
+        answers.push_back(
+            {check, check_text(check), *group, given ? std::optional(check.value) : std::nullopt});
       }
     }
   };
@@ -156,47 +157,34 @@ std::vector<AnswerRequest> collect_answers(const model::Model& model,
   if (answers.empty()) {
     add(questions_of_bodies(run), false);
   }
-  // What the deck itself does not find is no answer.
-  model::Model asked = model;
-  asked.checks.clear();
-  for (const AnswerRequest& answer : answers) {
-    asked.checks.push_back(answer.check);
-  }
-  const std::vector<results::CheckResult> found = evaluate_checks(asked, run);
-  std::vector<AnswerRequest> kept;
-  for (std::size_t i = 0; i < answers.size(); ++i) {
-    answers[i].text = found[i].text;
-    if (found[i].trouble.empty() && std::isfinite(found[i].found)) {
-      kept.push_back(std::move(answers[i]));
-    }
-  }
-  return kept;
+  std::erase_if(answers, [&](const AnswerRequest& answer) { // what the deck itself does not find
+    return !std::isfinite(found_value(model, answer.check, run));
+  });
+  return answers;
+}
+
+double found_value(const model::Model& model, const model::ResultCheck& check,
+                   const results::RunResult& run) {
+  const results::CheckResult result = evaluate_check(model, check, run);
+  return result.trouble.empty() ? result.found : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::vector<AnswerReading> read_answers(const model::Model& model,
-                                        const std::vector<AnswerRequest>& answers,
+                                        const std::vector<AnswerCounterpart>& asked,
                                         const results::RunResult& run) {
-  model::Model asked = model;
-  std::vector<AnswerReading> readings(answers.size());
-  for (const auto& [part, member] :
-       {std::pair{"", &AnswerReading::value}, std::pair{"BAR", &AnswerReading::bar},
-        std::pair{"BEST", &AnswerReading::best}}) {
-    std::vector<std::size_t> of; // [check] answer
-    asked.checks.clear();
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-      model::ResultCheck check = answers[i].check;
-      check.quantity = *part == 0 ? check.quantity : with_part(check.quantity, part);
-      if (!check.quantity.empty()) {
-        of.push_back(i);
-        asked.checks.push_back(std::move(check));
-      }
+  std::vector<AnswerReading> readings(asked.size());
+  for (std::size_t a = 0; a < asked.size(); ++a) {
+    if (!asked[a].check) {
+      continue;
     }
-    const std::vector<results::CheckResult> found = evaluate_checks(asked, run);
-    for (std::size_t k = 0; k < found.size(); ++k) {
-      if (found[k].trouble.empty()) {
-        readings[of[k]].*member = found[k].found;
-      }
-    }
+    const auto part_of_bar = [&](const char* part) {
+      model::ResultCheck check = *asked[a].check;
+      check.quantity = with_part(check.quantity, part);
+      return check.quantity.empty() ? AnswerReading().bar : found_value(model, check, run);
+    };
+    readings[a].value = found_value(model, *asked[a].check, run) / asked[a].factor;
+    readings[a].bar = part_of_bar("BAR") / std::abs(asked[a].factor);
+    readings[a].best = part_of_bar("BEST") / asked[a].factor;
   }
   return readings;
 }

@@ -2,6 +2,7 @@
 #pragma once
 #include "model/forward.hpp"
 #include "model/requests.hpp"
+#include "program/study/deck_variant.hpp"
 #include "results/results.hpp"
 
 #include <limits>
@@ -40,10 +41,26 @@ struct AnswerReading {
 std::vector<AnswerRequest> collect_answers(const model::Model& model,
                                            const results::RunResult& run);
 
-/// Values of the answers in a run, with error bar and corrected value of those that have them.
-/// [answer]
+/// What $CHECK finds of a line in a run; not a number where there is nothing.
+double found_value(const model::Model& model, const model::ResultCheck& check,
+                   const results::RunResult& run);
+
+/// How the deck of a variant is asked for an answer.
+struct AnswerCounterpart {
+  std::optional<model::ResultCheck> check; ///< empty: its model does not have it
+  double factor = 1.0;                     ///< its value over that of the deck given
+};
+
+/// How a variant is asked for each answer of the deck given: a section for what that plane model
+/// has, with the sign of K2 and the energy of the whole; a part by symmetry for its part of the
+/// energy, and not for what its images would change. [answer]
+std::vector<AnswerCounterpart> answer_counterparts(const DeckVariant& variant,
+                                                   const std::vector<AnswerRequest>& answers);
+
+/// Values in a run of a `model` that is asked so, as those of the deck given, with error bar and
+/// corrected value of those that have them. [answer]
 std::vector<AnswerReading> read_answers(const model::Model& model,
-                                        const std::vector<AnswerRequest>& answers,
+                                        const std::vector<AnswerCounterpart>& asked,
                                         const results::RunResult& run);
 
 /// What errors of each answer are parts of: the amount of `found`, or where an answer may be zero

@@ -3,9 +3,12 @@
 
 #include "grammar/lexeme.hpp"
 #include "grammar/parse.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -221,6 +224,77 @@ DeckCard make_rigid_circle_card(const std::string& name, const base::Vec3& centr
                                    {"X0", format_twelve_digits(centre.x())},
                                    {"Y0", format_twelve_digits(centre.y())},
                                    {"R", format_twelve_digits(radius)}});
+}
+
+namespace {
+
+/// Factors of fits and load cases, by {"LOAD", name}.
+using ActionFactors = std::map<std::pair<std::string, std::string>, double>;
+
+// Those at the end of a step.
+ActionFactors factors_after(const model::Model& model, std::size_t step) {
+  ActionFactors factors;
+  for (std::size_t s = 0; s <= step; ++s) {
+    for (const model::StepAction& action : model.steps[s].actions) {
+      if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {
+        factors[{"LOAD", model.cases[load->load_case.index()].name}] = load->factor;
+      } else if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
+        factors[{"FIT", model.contacts[fit->contact.index()].name}] = fit->factor;
+      }
+    }
+  }
+  return factors;
+}
+
+// LOAD SHAFTLOAD 0.3, for each of what either end has.
+std::string lines_at(const ActionFactors& from, const ActionFactors& to, double t) {
+  ActionFactors between;
+  for (const auto& [action, factor] : from) {
+    between[action] = (1.0 - t) * factor;
+  }
+  for (const auto& [action, factor] : to) {
+    between[action] += t * factor;
+  }
+  std::string lines;
+  for (const auto& [action, factor] : between) {
+    lines += fmt::format("  {} {} {:.12g}\n", action.first, action.second, factor);
+  }
+  return lines;
+}
+
+// Without lines of $CHECK that name a path.
+void drop_path_checks(DeckCardList& text) {
+  for (DeckCard& card : cards_named(text, "CHECK")) {
+    filter_data_lines(card, [](const DataFields& fields) {
+      return std::ranges::none_of(fields, [](const std::string& field) {
+        return grammar::to_upper(field).find("PATH.") != std::string::npos;
+      });
+    });
+  }
+  std::erase_if(text, [](const DeckCard& card) {
+    return card.name == "CHECK" && split_data_lines(card).empty();
+  });
+}
+
+} // namespace
+
+bool replace_load_paths_by_steps(DeckCardList& text, const model::Model& model) {
+  if (model.load_paths.empty() || !model.spectra.empty()) {
+    return false;
+  }
+  std::erase_if(text, [](const DeckCard& card) { return card.name == "LOADPATH"; });
+  drop_path_checks(text);
+  constexpr int steps = 10;
+  for (const model::LoadPathDefinition& path : model.load_paths) {
+    const ActionFactors from = factors_after(model, path.from.index());
+    const ActionFactors to = factors_after(model, path.to.index());
+    for (int i = 1; i <= steps; ++i) {
+      const double t = path.beyond * i / steps;
+      append_card(text, deck::make_card("STEP", {{"NAME", fmt::format("{}_{}", path.name, i)}},
+                                        lines_at(from, to, t)));
+    }
+  }
+  return true;
 }
 
 } // namespace spricka::program

@@ -2,22 +2,16 @@
 #pragma once
 #include "base/vec.hpp"
 #include "deck/deck_text.hpp"
+#include "model/forward.hpp"
 
 #include <functional>
-#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
-/// Changes of a deck at card level that several variants of the ladder make.
+/// Changes of a deck at card level, of which its variants are made.
 namespace spricka::program {
-
-/// A deck that was rewritten, or why there is none.
-struct RewrittenDeck {
-  std::optional<deck::DeckCardList> text;
-  std::string reason;
-};
 
 /// The fields of one data line, as the deck writes them.
 using DataFields = std::vector<std::string>;
@@ -54,6 +48,11 @@ void drop_undefined_loads(deck::DeckCardList& text);
 
 /// Checks, requests, tests and states of runs go: a variant is asked anew.
 void remove_checks_and_requests(deck::DeckCardList& text);
+
+/// Puts ten steps in the place of each load path, from its first loads to its last, and leaves out
+/// the checks of the path. False, and nothing changed, where there is no path or a spectrum needs
+/// it. The steps stand behind those of the deck, which end with other loads.
+bool replace_load_paths_by_steps(deck::DeckCardList& text, const model::Model& model);
 
 /// A number as cards of variants have it.
 std::string format_twelve_digits(double value);

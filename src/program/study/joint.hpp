@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "model/forward.hpp"
+#include "program/study/deck_variant.hpp"
 
 #include <set>
 #include <string>
@@ -37,5 +38,12 @@ Joint analyse_joint(const model::Model& model);
 /// Nets that are there only to press on those with cracks: they meet them by contacts, one behind
 /// the other, and nothing else is known of them. Empty without cracks.
 std::set<std::string> find_pressing_nets(const Joint& joint);
+
+/// Makes what only presses rigid in `text`: a body that is loaded by a modulus 1e4 times as large,
+/// as rigid targets do not move; one that stands in one contact and carries nothing by a rigid
+/// target in the place of its surface, where that is straight or round. Fits of such contacts are
+/// taken from `steps`, the deck as it was given.
+DeckVariant make_pressing_bodies_rigid(const model::Model& model, const Joint& joint,
+                                       deck::DeckCardList text, const deck::DeckCardList& steps);
 
 } // namespace spricka::program

@@ -5,13 +5,13 @@
 #include "model/model.hpp"
 #include "program/checks/check_quantities.hpp"
 #include "program/study/convergence.hpp"
-#include "program/study/halves.hpp"
 #include "report/topics/result_tables.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -29,18 +29,49 @@ bool is_of_step(const AnswerRequest& answer, const std::string& step) {
 // The step with the largest amount among these answers.
 std::string largest_step(const std::vector<AnswerRequest>& answers, const model::Model& model,
                          const results::RunResult& run) {
-  const std::vector<AnswerReading> readings = read_answers(model, answers, run);
   double most = -1.0;
   std::string largest = report::leading_step_name(model);
-  for (std::size_t a = 0; a < answers.size(); ++a) {
+  for (const AnswerRequest& answer : answers) {
+    const double amount = std::abs(found_value(model, answer.check, run));
     for (const model::Step& step : model.steps) {
-      if (std::abs(readings[a].value) > most && is_of_step(answers[a], step.name)) {
-        most = std::abs(readings[a].value);
+      if (amount > most && is_of_step(answer, step.name)) {
+        most = amount;
         largest = step.name;
       }
     }
   }
   return largest;
+}
+
+// Answers of the most telling group that there are: K before pressures and the rest. Those that are
+// not the deck's own checks: of the step with the largest of them, with $GROW of its KMAX.
+std::vector<AnswerRequest> choose_hierarchy_answers(const model::Model& model,
+                                                    const results::RunResult& run) {
+  std::vector<AnswerRequest> all = collect_answers(model, run);
+  if (all.empty()) {
+    return all;
+  }
+  const AnswerGroup leading = std::ranges::min(all, {}, &AnswerRequest::group).group;
+  std::erase_if(all, [&](const AnswerRequest& answer) { return answer.group != leading; });
+  const bool own =
+      !model.checks.empty() && std::ranges::any_of(all, [](const AnswerRequest& answer) {
+        return answer.check.span.valid();
+      });
+  // What matters is where the crack is driven most; in the end the joint may be unloaded.
+  const std::string step =
+      model.growth ? report::leading_step_name(model) : largest_step(all, model, run);
+  const bool has_step = std::ranges::any_of(
+      all, [&](const AnswerRequest& answer) { return is_of_step(answer, step); });
+  if (!own && has_step) {
+    std::erase_if(all, [&](const AnswerRequest& answer) { return !is_of_step(answer, step); });
+  }
+  return all;
+}
+
+// Its image or nothing stands for such an answer.
+bool lacks_answer(const ModelVariantResult& variant, std::size_t answer) {
+  return (!variant.asked.empty() && !variant.asked[answer].check) ||
+         (!variant.variant.mirrored.empty() && !std::isfinite(variant.readings[answer].value));
 }
 
 // Fills difference, bar and verdict of a variant with answers: the largest of them all.
@@ -103,36 +134,6 @@ const char* display_name(ModelVariantVerdict verdict) {
   return names.at(static_cast<std::size_t>(verdict));
 }
 
-std::vector<AnswerRequest> choose_hierarchy_answers(const model::Model& model,
-                                                    const results::RunResult& run) {
-  std::vector<AnswerRequest> all = collect_answers(model, run);
-  if (all.empty()) {
-    return all;
-  }
-  const AnswerGroup leading = std::ranges::min(all, {}, &AnswerRequest::group).group;
-  std::erase_if(all, [&](const AnswerRequest& answer) { return answer.group != leading; });
-  const bool own =
-      !model.checks.empty() && std::ranges::any_of(all, [](const AnswerRequest& answer) {
-        return answer.check.span.valid();
-      });
-  // What matters is where the crack is driven most; in the end the joint may be unloaded.
-  const std::string step =
-      model.growth ? report::leading_step_name(model) : largest_step(all, model, run);
-  const bool has_step = std::ranges::any_of(
-      all, [&](const AnswerRequest& answer) { return is_of_step(answer, step); });
-  if (!own && has_step) {
-    std::erase_if(all, [&](const AnswerRequest& answer) { return !is_of_step(answer, step); });
-  }
-  return all;
-}
-
-bool lacks_answer(const ModelVariantResult& variant, std::size_t answer) {
-  if (!variant.asked.empty()) {
-    return !variant.asked[answer].check;
-  }
-  return !variant.variant.mirrored.empty() && !std::isfinite(variant.readings[answer].value);
-}
-
 void compare(ModelHierarchy& ladder) {
   const auto first = std::ranges::find_if(
       ladder.variants, [](const ModelVariantResult& variant) { return !variant.readings.empty(); });
@@ -158,26 +159,86 @@ void compare(ModelHierarchy& ladder) {
   }
 }
 
+namespace {
+
+// The deck of a variant with the richest variant's answers as its checks, to the tolerance; of a
+// part by symmetry its part of energies; no answers that the variant's model does not have.
 deck::DeckCardList deck_with_checks(const ModelHierarchy& ladder,
                                     const ModelVariantResult& variant) {
   deck::DeckCard checks = deck::make_card("CHECK");
   const ModelVariantResult& richest = ladder.variants[*ladder.richest];
   for (std::size_t a = 0; a < ladder.answers.size(); ++a) {
-    const bool part = ladder.answers[a].group == AnswerGroup::energy;
-    const double factor = variant.asked.empty()
-                              ? 1.0 / (part ? mirror_image_count(variant.variant.mirrored) : 1)
-                              : variant.asked[a].factor;
-    const double value = richest.readings[a].value * factor;
+    const AnswerCounterpart& own = variant.asked[a];
+    const double value = richest.readings[a].value * own.factor;
     if (std::isfinite(value) && ladder.scales[a] > 0.0 && !lacks_answer(variant, a)) {
       checks.data += fmt::format(
-          "  {} = {:.7g}  ABS {:.3g}  SOURCE 'the richest rung, {}'\n",
-          variant.asked.empty() ? ladder.answers[a].text : check_text(*variant.asked[a].check),
-          value, ladder.tolerance * ladder.scales[a] * std::abs(factor), richest.variant.name);
+          "  {} = {:.7g}  ABS {:.3g}  SOURCE 'the richest rung, {}'\n", check_text(*own.check),
+          value, ladder.tolerance * ladder.scales[a] * std::abs(own.factor), richest.variant.name);
     }
   }
   deck::DeckCardList whole = *variant.variant.text;
   append_card(whole, std::move(checks));
   return whole;
+}
+
+// Decks of all rungs, that of the cheapest with checks, table and page.
+void fill_folder(VariantRuns& runs, const ModelHierarchy& ladder) {
+  for (const ModelVariantResult& result : ladder.variants) {
+    if (result.variant.text) {
+      runs.folder().add_file(
+          result.variant.deck.filename(),
+          write_deck(*result.variant.text, runs.place(), {result.variant.words}));
+    }
+  }
+  if (ladder.cheapest) {
+    const ModelVariantResult& cheapest = ladder.variants[*ladder.cheapest];
+    runs.folder().add_file(
+        "cheapest.deck",
+        write_deck(deck_with_checks(ladder, cheapest), runs.place(),
+                   {fmt::format("{}: {}", cheapest.variant.name, cheapest.variant.words)}));
+  }
+  runs.folder().add_file("ladder.csv", hierarchy_csv(ladder));
+  runs.folder().add_file("ladder.html",
+                         hierarchy_page(runs.deck().ready->sources, runs.model(), ladder));
+}
+
+base::Outcome run_ladder(const HierarchyOptions& options, VariantRuns& runs, std::string& summary) {
+  ModelHierarchy ladder;
+  ladder.tolerance = options.tolerance;
+  for (DeckVariant& variant : simpler_models(runs.deck(), runs.scratch())) {
+    ModelVariantResult& result = ladder.variants.emplace_back();
+    result.trouble = variant.reason;
+    result.variant = std::move(variant);
+  }
+  const base::Outcome outcome =
+      runs.run_original_deck(ladder.variants.front(), choose_hierarchy_answers);
+  if (outcome != base::Outcome::done) {
+    return outcome;
+  }
+  ladder.answers = runs.answers();
+  std::vector<StudyTrial*> chosen;
+  for (ModelVariantResult& result : ladder.variants) {
+    if (result.variant.text && &result != &ladder.variants.front()) {
+      chosen.push_back(&result);
+    }
+  }
+  runs.run_other_variants(chosen, options.jobs);
+  if (runs.children().stopped()) {
+    return base::Outcome::stopped;
+  }
+  compare(ladder);
+  fill_folder(runs, ladder);
+  summary = hierarchy_text(runs.model(), ladder) +
+            "decks of all rungs, cheapest.deck, ladder.csv and ladder.html";
+  return outcome;
+}
+
+} // namespace
+
+base::Outcome run_hierarchy(const HierarchyOptions& options) {
+  return run_variants_of(options.deck, ".ladder", [&](VariantRuns& runs, std::string& summary) {
+    return run_ladder(options, runs, summary);
+  });
 }
 
 } // namespace spricka::program

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "program/study/model_variants.hpp"
+#include "base/outcome.hpp"
+#include "base/source.hpp"
+#include "program/job/run_options.hpp"
 #include "program/study/variant_runs.hpp"
 
 #include <optional>
 #include <string>
 #include <vector>
 
-/// What the variants of a ladder give, and which of them is enough.
+/// Simpler models of a deck, from rung to rung: what they give, and which of them is enough.
 namespace spricka::program {
 
 /// How a variant's answers stand to those of the richest.
@@ -22,8 +24,7 @@ enum class ModelVariantVerdict {
 /// "within", "not within": for tables.
 const char* display_name(ModelVariantVerdict verdict);
 
-struct ModelVariantResult : VariantRun {
-  ModelVariant variant;
+struct ModelVariantResult : StudyTrial {
   double difference = 0.0; ///< the largest, with its sign, as a part of the answer
   double bar = 0.0;        ///< the largest, as a part
   ModelVariantVerdict verdict = ModelVariantVerdict::missing;
@@ -41,20 +42,30 @@ struct ModelHierarchy {
   std::vector<std::string> stopped = {};
 };
 
-/// Answers of the most telling group that there are: K before pressures and the rest. Those that
-/// are not the deck's own checks: of the step with the largest of them, with $GROW of its KMAX.
-std::vector<AnswerRequest> choose_hierarchy_answers(const model::Model& model,
-                                                    const results::RunResult& run);
-
 /// Fills differences, verdicts and the cheapest variant.
 void compare(ModelHierarchy& ladder);
 
-/// Whether the variant's model does not have an answer, which its image or nothing stands for.
-bool lacks_answer(const ModelVariantResult& variant, std::size_t answer);
+/// Tables and a closing sentence for the terminal: the variants, and what was left out.
+std::string hierarchy_text(const model::Model& model, const ModelHierarchy& ladder);
 
-/// The deck of a variant with the richest variant's answers as its checks, to the tolerance; of a
-/// part by symmetry its part of energies; no answers that the variant's model does not have.
-deck::DeckCardList deck_with_checks(const ModelHierarchy& ladder,
-                                    const ModelVariantResult& variant);
+/// A row for each variant and answer.
+std::string hierarchy_csv(const ModelHierarchy& ladder);
+
+/// The HTML page: sentence, chart of differences against CPU time, tables.
+std::string hierarchy_page(const base::SourceTexts& sources, const model::Model& model,
+                           const ModelHierarchy& ladder);
+
+/// What the command line asks of a ladder.
+struct HierarchyOptions {
+  RunOptions deck;         ///< out empty: the deck's name with .ladder
+  double tolerance = 0.02; ///< of the answers, as a part
+  int jobs = 1;            ///< runs at once
+};
+
+/// Runs ever simpler models of a deck's joint, compares their answers with those of the deck and
+/// names the cheapest that is within the tolerance. Writes ladder.csv, ladder.html, the decks of
+/// all variants, and that of the cheapest with the deck's answers as checks, into a folder. The
+/// outcome is that of the deck itself where it cannot be solved.
+base::Outcome run_hierarchy(const HierarchyOptions& given);
 
 } // namespace spricka::program

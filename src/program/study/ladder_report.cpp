@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "program/study/ladder_report.hpp"
-
 #include "model/model.hpp"
+#include "program/study/ladder.hpp"
 #include "program/study/variant_report.hpp"
 #include "report/deck_name.hpp"
 #include "report/drawing/columns.hpp"
@@ -132,24 +131,17 @@ std::string hierarchy_text(const model::Model& model, const ModelHierarchy& ladd
 }
 
 std::string hierarchy_csv(const ModelHierarchy& ladder) {
-  base::CsvTable csv("rung,verdict,freedoms,cpu,wall,memory,exit_code,answer,value,bar,difference");
-  for (const ModelVariantResult& variant : ladder.variants) {
-    base::CsvRow head = cost_csv_fields(variant);
-    head.insert(head.end(),
-                {{"rung", variant.variant.name}, {"verdict", display_name(variant.verdict)}});
-    if (variant.readings.empty()) {
-      csv.add_row(head);
-    }
-    for (std::size_t a = 0; a < variant.readings.size(); ++a) {
-      const AnswerReading& reading = variant.readings[a];
-      const double rich = ladder.variants[*ladder.richest].readings[a].value;
-      csv.add_row(head, {{"answer", ladder.answers[a].text},
-                         {"value", reading.value},
-                         {"bar", reading.bar},
-                         {"difference", (reading.value - rich) / ladder.scales[a]}});
-    }
-  }
-  return csv.text();
+  return trials_csv(
+      "rung,verdict,freedoms,cpu,wall,memory,exit_code,answer,value,bar,difference",
+      ladder.variants, ladder.answers,
+      [](const ModelVariantResult& variant) {
+        return base::CsvRow{{"rung", variant.variant.name},
+                            {"verdict", display_name(variant.verdict)}};
+      },
+      [&](const ModelVariantResult& variant, std::size_t a) {
+        const double rich = ladder.variants[*ladder.richest].readings[a].value;
+        return base::CsvRow{{"difference", (variant.readings[a].value - rich) / ladder.scales[a]}};
+      });
 }
 
 std::string hierarchy_page(const base::SourceTexts& sources, const model::Model& model,

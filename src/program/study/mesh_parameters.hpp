@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/source.hpp"
 #include "deck/deck_text.hpp"
-#include "model/forward.hpp"
 #include "program/job/ready_deck.hpp"
+#include "program/study/deck_variant.hpp"
 
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
-/// What of a deck makes the meshes of its bodies finer: found from the deck itself.
+/// What of a deck makes the meshes of its bodies finer, found from the deck itself, and where its
+/// parameters are used.
 namespace spricka::program {
-
-using ParameterDefinitions = std::vector<std::pair<std::string, std::string>>;
 
 /// A parameter that sets sizes or numbers of elements, and nothing else.
 struct MeshParameter {
@@ -33,14 +34,6 @@ struct MeshParameterSet {
   [[nodiscard]] bool empty() const {
     return parameters.empty() && constants.empty() && !counts && scaled.empty();
   }
-};
-
-/// A deck as its cards, what it was read with, and the model that it makes.
-struct StudiedDeck {
-  std::filesystem::path file;
-  ParameterDefinitions defines; ///< of the command line
-  deck::DeckCardList text;
-  const CheckedDeck* ready = nullptr;
 };
 
 /// Parameters are those that the numbers of elements of $MESH are made of, or that a geometry
@@ -77,5 +70,21 @@ bool imports_geometry_script(const deck::DeckCard& card);
 /// Makes the card import a copy of its script in `folder`, NAME_SUFFIX.geo, with one more line.
 void copy_script(deck::DeckCard& card, const std::string& suffix, const std::string& line,
                  const std::filesystem::path& folder);
+
+struct ParameterUse {
+  std::set<std::size_t> counts; ///< $MESH cards whose numbers of elements it goes into [card]
+  bool elsewhere = false;       ///< any other use
+};
+
+/// By name in upper case; a parameter has the uses of those that are made of it.
+std::map<std::string, ParameterUse> find_parameter_uses(const deck::DeckCardList& text,
+                                                        const base::SourceTexts& sources);
+
+/// Parameters that go into the value of one, by its name, directly or through others, and itself.
+std::map<std::string, std::set<std::string>>
+parameter_dependencies(const deck::DeckCardList& text, const base::SourceTexts& sources);
+
+/// Whether a key of $MESH is a number of elements, or how their sizes are spread.
+bool is_element_count_key(std::string_view key);
 
 } // namespace spricka::program

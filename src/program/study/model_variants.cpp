@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "program/study/model_variants.hpp"
-
 #include "grammar/lexeme.hpp"
 #include "model/model.hpp"
-#include "program/study/halves.hpp"
-#include "program/study/rigid_bodies.hpp"
+#include "program/study/deck_edits.hpp"
+#include "program/study/deck_variant.hpp"
+#include "program/study/joint.hpp"
+#include "program/study/mesh_parameters.hpp"
 #include "report/drawing/file.hpp"
+#include "sense/half_model.hpp"
+#include "sense/mirrors.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,18 +26,14 @@ using deck::DeckCardList;
 /// What may stand against a variant, and the words for it.
 using Obstacles = std::initializer_list<std::pair<bool, const char*>>;
 
-RewrittenDeck refused(std::string reason) {
-  return {std::nullopt, std::move(reason)};
-}
-
 // The text, or the first obstacle there is.
-RewrittenDeck unless(Obstacles obstacles, const DeckCardList& text) {
+DeckVariant unless(Obstacles obstacles, const DeckCardList& text) {
   for (const auto& [there, reason] : obstacles) {
     if (there) {
       return refused(reason);
     }
   }
-  return {text, {}};
+  return {.text = text};
 }
 
 void drop_friction(DeckCardList& text) {
@@ -73,8 +71,9 @@ DeckCardList with_bonds(DeckCardList text) {
 
 class VariantMaker {
 public:
-  VariantMaker(const StudiedDeck& deck, const Joint& joint, std::filesystem::path folder)
-      : model_(*deck.ready->model), joint_(joint), folder_(std::move(folder)), given_(deck.text) {
+  VariantMaker(const StudiedDeck& deck, std::filesystem::path folder)
+      : model_(*deck.ready->model), joint_(analyse_joint(model_)), folder_(std::move(folder)),
+        given_(deck.text) {
     remove_checks_and_requests(given_);
     for (const auto& [name, value] : deck.defines) {
       deck::replace_parameter(given_, grammar::to_upper(name), value);
@@ -85,7 +84,7 @@ public:
     remove_mount_actions(at_once_);
   }
 
-  std::vector<ModelVariant> run() {
+  std::vector<DeckVariant> run() {
     const bool presses = has_contact([](const JointContact& c) { return c.presses; });
     const bool mounted = has_contact([](const JointContact& c) { return c.mounted; });
     const bool loose = has_contact([](const JointContact& c) { return !c.bonded && !c.rigid; });
@@ -97,8 +96,9 @@ public:
         pressing.insert(contact.name);
       }
     }
-    add("as given", "the deck itself", {given_, {}});
-    add_part();
+    add("as given", "the deck itself", {.text = given_});
+    const DeckVariant part = reduce_by_symmetry(model_, given_);
+    add(part.name, part.words, part);
     add("without friction", "all surfaces are smooth",
         unless({{!joint_.friction, "nothing rubs"}}, smooth_));
     add("all at once", "nothing is mounted later, all stands from the beginning",
@@ -118,9 +118,11 @@ public:
     add("cosine pressure", "a cosine pressure in place of what presses", bearing("COSINE"));
     add("uniform pressure", "a uniform pressure in place of what presses", bearing("UNIFORM"));
     if (model_.mesh.dim == 3) {
-      add_section("axisymmetric", "the section of round bodies", "AXI");
-      add_section("plane strain", "the section of the bodies in plane strain", "STRAIN");
-      add_section("plane stress", "the section of the bodies in plane stress", "STRESS");
+      add("axisymmetric", "the section of round bodies", make_section_deck(model_, given_, "AXI"));
+      add("plane strain", "the section of the bodies in plane strain",
+          make_section_deck(model_, given_, "STRAIN"));
+      add("plane stress", "the section of the bodies in plane stress",
+          make_section_deck(model_, given_, "STRESS"));
     } else {
       add("plane strain", "plane strain in place of plane stress", state("STRESS", "STRAIN"));
       add("plane stress", "plane stress in place of plane strain", state("STRAIN", "STRESS"));
@@ -129,38 +131,24 @@ public:
   }
 
 private:
-  ModelVariant& add(const std::string& name, const std::string& words, RewrittenDeck made) {
-    ModelVariant& variant = variants_.emplace_back();
-    static_cast<RewrittenDeck&>(variant) = std::move(made);
+  void add(const std::string& name, const std::string& words, DeckVariant made) {
+    DeckVariant& variant = variants_.emplace_back(std::move(made));
     variant.name = name;
     std::string file = name + ".deck";
     std::ranges::replace(file, ' ', '_');
     variant.deck = folder_ / file;
     variant.words = words;
-    variant.simpler = !name.starts_with("plane");
+    variant.simpler = variant.section || !name.starts_with("plane");
     if (variant.text) {
       report::write_file(variant.deck, write_deck(*variant.text, folder_));
     }
-    return variant;
-  }
-
-  void add_part() {
-    const SymmetricPart part = reduce_by_symmetry(model_, given_);
-    add(part.name, part.words, part).mirrored = part.mirrored;
-  }
-
-  void add_section(const std::string& name, const std::string& words, const char* state) {
-    const SectionDeck made = make_section_deck(model_, given_, state);
-    ModelVariant& variant = add(name, words, made);
-    variant.simpler = true;
-    variant.section = made.view;
   }
 
   template <class Condition> [[nodiscard]] bool has_contact(const Condition& condition) const {
     return std::ranges::any_of(joint_.contacts, condition);
   }
 
-  [[nodiscard]] RewrittenDeck bearing(const char* shape) const {
+  [[nodiscard]] DeckVariant bearing(const char* shape) const {
     const std::set<std::string> nets = find_pressing_nets(joint_);
     if (nets.empty()) {
       return refused(joint_.cracked.empty() ? "without a crack there is no body to keep"
@@ -189,7 +177,7 @@ private:
       append_card(text, std::move(load));
     }
     drop_undefined_loads(text);
-    return {std::move(text), {}};
+    return {.text = std::move(text)};
   }
 
   // One load for each case that presses; why not, in words.
@@ -215,7 +203,7 @@ private:
     return loads.empty() ? "what presses is not loaded" : "";
   }
 
-  [[nodiscard]] RewrittenDeck state(const std::string& from, const std::string& to) const {
+  [[nodiscard]] DeckVariant state(const std::string& from, const std::string& to) const {
     DeckCardList text = given_;
     bool changed = false;
     for (DeckCard& card : text) {
@@ -225,25 +213,60 @@ private:
         changed = changed || body;
       }
     }
-    return changed ? RewrittenDeck{std::move(text), {}}
+    return changed ? DeckVariant{.text = std::move(text)}
                    : refused(fmt::format("no body is in plane {}",
                                          from == "STRESS" ? "stress" : "strain"));
   }
 
   const model::Model& model_;
-  const Joint& joint_;
+  Joint joint_;
   std::filesystem::path folder_;
   DeckCardList given_;
   DeckCardList smooth_;
   DeckCardList at_once_;
-  std::vector<ModelVariant> variants_;
+  std::vector<DeckVariant> variants_;
 };
 
 } // namespace
 
-std::vector<ModelVariant> make_model_variants(const StudiedDeck& deck, const Joint& joint,
-                                              const std::filesystem::path& folder) {
-  return VariantMaker(deck, joint, folder).run();
+DeckVariant reduce_by_symmetry(const model::Model& model, const DeckCardList& text) {
+  DeckVariant part;
+  DeckCardList changed = text;
+  for (const results::SymmetryPlanePreview& mirror : sense::find_symmetry_planes(model)) {
+    const bool there = std::ranges::any_of(
+        model.mirrors, [&](const model::MirrorPlane& plane) { return plane.axis == mirror.axis; });
+    const char axis = "xyz"[mirror.axis];
+    std::string against = mirror.against;
+    if (against.empty() && !there) {
+      against = sense::half_model_obstacle(model, mirror.axis);
+    }
+    if (there || !against.empty()) {
+      if (!there) {
+        part.reason = fmt::format("{} = {:.4g}: {}", axis, mirror.at, against);
+      }
+      continue;
+    }
+    append_card(changed,
+                deck::make_card("SYMMETRY", {{"NORMAL", std::string(1, "XYZ"[mirror.axis])}}));
+    part.mirrored += "XYZ"[mirror.axis];
+    part.words += fmt::format("{}{} >= {:.4g}", part.words.empty() ? "" : ", ", axis, mirror.at);
+  }
+  if (part.mirrored.empty()) {
+    part.reason = part.reason.empty() ? "the bodies have no plane of symmetry" : part.reason;
+    part.name = "half by symmetry";
+    return part;
+  }
+  constexpr std::array names{"half", "quarter", "eighth"};
+  part.name = fmt::format("{} by symmetry", names.at(part.mirrored.size() - 1));
+  part.words += " alone";
+  part.text = std::move(changed);
+  part.reason.clear();
+  return part;
+}
+
+std::vector<DeckVariant> simpler_models(const StudiedDeck& deck,
+                                        const std::filesystem::path& folder) {
+  return VariantMaker(deck, folder).run();
 }
 
 } // namespace spricka::program

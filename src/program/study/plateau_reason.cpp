@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/study/study.hpp"
 #include "program/study/variant_report.hpp"
-#include "program/study/verdict.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 double least_of_whole(const PlateauContext& view) {
   double error = std::numeric_limits<double>::infinity();
   for (const std::size_t t : series_trials(view.study.trials, SettingFamily::whole)) {
-    const bool own = view.study.trials[t].setting.family == SettingFamily::whole;
+    const bool own = view.study.trials[t].variant.family == SettingFamily::whole;
     error = own && std::isfinite(view.group.errors[t].plain) ? view.group.errors[t].plain : error;
   }
   return error;
@@ -38,7 +38,7 @@ PlateauAnswers assess_answers(const PlateauContext& view) {
   const std::vector<std::size_t> rows = series_trials(trials, view.series.family);
   std::optional<std::size_t> own_finest;
   for (const std::size_t t : rows) {
-    own_finest = trials[t].setting.family == view.series.family ? t : own_finest;
+    own_finest = trials[t].variant.family == view.series.family ? t : own_finest;
   }
   PlateauAnswers found;
   for (std::size_t a = 0; a < view.study.answers.size(); ++a) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "program/study/section_deck.hpp"
-
 #include "grammar/lexeme.hpp"
 #include "model/model.hpp"
-#include "program/study/section_loads.hpp"
-#include "program/study/section_mesh.hpp"
+#include "program/study/deck_edits.hpp"
+#include "program/study/deck_variant.hpp"
+#include "program/study/section_cards.hpp"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -41,11 +42,11 @@ class SectionMaker {
 public:
   SectionMaker(const model::Model& model, sense::PlaneSection section, const std::string& state)
       : model_(model), section_(std::move(section)), state_(state) {
-    made_.view.plane = section_.plane;
+    made_.section = {section_.plane, {}};
   }
 
   // Units and parameters first, then the mesh with the cards of its nets.
-  SectionDeck run(const DeckCardList& given) && {
+  DeckVariant run(const DeckCardList& given) && {
     refuse_what_varies();
     DeckCardList first;
     DeckCardList in_nets;
@@ -178,7 +179,7 @@ private:
                             format_twelve_digits(mouth->y()), format_twelve_digits(tip.x()),
                             format_twelve_digits(tip.y()));
     const double left = (tip - *mouth).cross(direction(own->plane.normal)).z();
-    made_.view.sign_of_K2[name] = left > 0.0 ? 1.0 : -1.0;
+    made_.section->sign_of_K2[name] = left > 0.0 ? 1.0 : -1.0;
   }
 
   [[nodiscard]] bool runs_through(const model::CrackDefinition& crack) const {
@@ -234,18 +235,17 @@ private:
   const model::Model& model_;
   sense::PlaneSection section_;
   std::string state_;
-  SectionDeck made_;
+  DeckVariant made_;
 };
 
 } // namespace
 
-SectionDeck make_section_deck(const model::Model& model, const DeckCardList& text,
+DeckVariant make_section_deck(const model::Model& model, const DeckCardList& text,
                               const std::string& state) {
-  SectionDeck none;
   if (model.mesh.dim != 3) {
-    none.reason = "the bodies are plane";
-    return none;
+    return refused("the bodies are plane");
   }
+  DeckVariant none;
   const bool round = state == "AXI";
   std::vector<sense::PlaneSection> sections =
       round ? sense::revolved_sections(model.mesh) : sense::extruded_sections(model.mesh);
@@ -257,7 +257,7 @@ SectionDeck make_section_deck(const model::Model& model, const DeckCardList& tex
                              return fits_a != fits_b ? fits_a : a.plane.depth() < b.plane.depth();
                            });
   for (sense::PlaneSection& section : sections) {
-    SectionDeck made = SectionMaker(model, std::move(section), state).run(text);
+    DeckVariant made = SectionMaker(model, std::move(section), state).run(text);
     if (made.text) {
       return made;
     }

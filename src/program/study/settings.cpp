@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "program/study/settings.hpp"
-
 #include "grammar/lexeme.hpp"
-#include "program/study/halves.hpp"
-#include "program/study/path_steps.hpp"
+#include "program/study/deck_edits.hpp"
+#include "program/study/mesh_parameters.hpp"
+#include "program/study/study.hpp"
 #include "report/drawing/file.hpp"
 
 #include <algorithm>
@@ -90,7 +89,8 @@ bool make_linear(DeckCardList& text, const fs::path& folder) {
 
 class Planner {
 public:
-  Planner(const StudiedDeck& deck, fs::path folder) : deck_(deck), folder_(std::move(folder)) {
+  Planner(const StudiedDeck& deck, fs::path folder, std::vector<std::string>& notes)
+      : deck_(deck), folder_(std::move(folder)), notes_(notes) {
     base_ = deck.text;
     std::erase_if(base_, [](const DeckCard& card) { // of long runs, not of a study of one state
       return card.name == "SWEEP" || card.name == "RESTART" || card.name == "OUTPUT";
@@ -103,9 +103,9 @@ public:
     dim_ = deck.ready->model->mesh.dim;
   }
 
-  StudyPlan run(const std::vector<ParameterVariation>& requests) {
-    plan_.mesh_parameter = find_mesh_parameters(deck_, folder_);
-    plan_.notes = plan_.mesh_parameter.fixed;
+  std::vector<DeckVariant> run(const std::vector<ParameterVariation>& requests) {
+    varied_ = find_mesh_parameters(deck_, folder_);
+    notes_ = varied_.fixed;
     add("as given", SettingFamily::given, 1.0, base_, {});
     for (const ParameterVariation& request : requests) {
       add_request(request);
@@ -114,18 +114,19 @@ public:
       add_series();
       add_routes();
     }
-    return std::move(plan_);
+    return std::move(settings_);
   }
 
 private:
   void add(const std::string& name, SettingFamily family, double fineness, const DeckCardList& text,
            const ParameterDefinitions& defines) {
-    const fs::path deck = folder_ / fmt::format("{:02}.deck", plan_.settings.size() + 1);
+    const fs::path deck = folder_ / fmt::format("{:02}.deck", settings_.size() + 1);
     report::write_file(deck, write_deck(text, folder_, {name}));
-    plan_.settings.push_back(
-        {{.name = name, .deck = deck, .defines = merge_defines(deck_.defines, defines)},
-         family,
-         fineness});
+    settings_.push_back({.name = name,
+                         .deck = deck,
+                         .defines = merge_defines(deck_.defines, defines),
+                         .family = family,
+                         .fineness = fineness});
   }
 
   void add_request(const ParameterVariation& request) {
@@ -136,7 +137,7 @@ private:
     const auto known = std::ranges::find_if(
         parameters, [&](const auto& parameter) { return is_it(parameter.first); });
     const bool larger_is_finer =
-        std::ranges::none_of(plan_.mesh_parameter.parameters, [&](const MeshParameter& parameter) {
+        std::ranges::none_of(varied_.parameters, [&](const MeshParameter& parameter) {
           return is_it(parameter.name) && !parameter.larger_is_finer;
         });
     for (const std::string& value : request.values) {
@@ -153,7 +154,7 @@ private:
 
   // The deck with its bodies' meshes so much finer.
   RefinedMeshDeck bodies(double fineness) {
-    return refine_deck_mesh(deck_, plan_.mesh_parameter, fineness, sizes_, folder_);
+    return refine_deck_mesh(deck_, varied_, fineness, sizes_, folder_);
   }
 
   bool is_readable(double fineness) {
@@ -164,7 +165,7 @@ private:
 
   // Coarse to fine, without the deck's own: those that are wanted, or one that may stand for it.
   std::vector<double> finenesses() {
-    if (plan_.mesh_parameter.empty()) {
+    if (varied_.empty()) {
       return {0.5, 0.7, 1.4, 2.0};
     }
     std::vector<std::vector<double>> wanted{
@@ -172,8 +173,7 @@ private:
     if (dim_ == 2) {
       wanted.push_back({2.0, 1.75});
     }
-    const bool never_broken =
-        plan_.mesh_parameter.parameters.empty() && plan_.mesh_parameter.constants.empty();
+    const bool never_broken = varied_.parameters.empty() && varied_.constants.empty();
     std::vector<double> found;
     for (const std::vector<double>& several : wanted) {
       const auto sound =
@@ -204,19 +204,19 @@ private:
   }
 
   void add_series() {
-    if (plan_.mesh_parameter.empty()) {
-      plan_.notes.emplace_back("no mesh of a body can be varied: the nets round tips alone");
+    if (varied_.empty()) {
+      notes_.emplace_back("no mesh of a body can be varied: the nets round tips alone");
     }
     sizes_of_bodies_ = finenesses();
-    if (plan_.mesh_parameter.empty() && !cracks_) {
-      plan_.notes.emplace_back("without cracks nothing is left to vary; name a parameter: --vary");
+    if (varied_.empty() && !cracks_) {
+      notes_.emplace_back("without cracks nothing is left to vary; name a parameter: --vary");
       return;
     }
     const auto as_it_is = [](DeckCardList& /*text*/) {};
     for (const double f : sizes_of_bodies_) {
       add_route(SettingFamily::whole, f, Tips::finer, "", as_it_is);
     }
-    if (!cracks_ || plan_.mesh_parameter.empty()) {
+    if (!cracks_ || varied_.empty()) {
       return;
     }
     for (const double f : sizes_of_bodies_) {
@@ -241,14 +241,14 @@ private:
     }
     DeckCardList linear = sizes_;
     if (cracks_) {
-      plan_.notes.emplace_back("no linear elements: a crack is cut into quadratic ones");
+      notes_.emplace_back("no linear elements: a crack is cut into quadratic ones");
     } else if (make_linear(linear, folder_)) {
       for (const double f : some) {
         add_route(SettingFamily::linear, f, Tips::finer, "linear",
                   [&](DeckCardList& text) { make_linear(text, folder_); });
       }
     } else {
-      plan_.notes.emplace_back("the deck's elements have no linear partners");
+      notes_.emplace_back("the deck's elements have no linear partners");
     }
     DeckCardList steps = sizes_;
     if (replace_load_paths_by_steps(steps, *deck_.ready->model)) {
@@ -258,15 +258,15 @@ private:
 
   void add_parts(const std::vector<double>& sizes) {
     const model::Model& model = *deck_.ready->model;
-    const SymmetricPart part = reduce_by_symmetry(model, sizes_);
+    const DeckVariant part = reduce_by_symmetry(model, sizes_);
     if (!part.text) {
-      plan_.notes.push_back("no part by symmetry: " + part.reason);
+      notes_.push_back("no part by symmetry: " + part.reason);
       return;
     }
     for (const double f : sizes) {
       add_route(SettingFamily::part, f, Tips::finer, part.name,
                 [&](DeckCardList& text) { text = *reduce_by_symmetry(model, text).text; });
-      plan_.settings.back().mirrored = part.mirrored;
+      settings_.back().mirrored = part.mirrored;
     }
   }
 
@@ -274,7 +274,7 @@ private:
     for (const double tolerance : {1e-2, 1e-3, 3e-4}) {
       add_route(SettingFamily::tolerance, some.front(), Tips::as_given,
                 fmt::format("TOL={:g}", tolerance), tip_key("TOL", fmt::format("{:g}", tolerance)));
-      plan_.settings.back().fineness = 1.0; // what it ends with is not known
+      settings_.back().fineness = 1.0; // what it ends with is not known
     }
     for (const double f : some) {
       add_route(SettingFamily::quarter, f, Tips::finer, "QUARTER=NO", tip_key("QUARTER", "NO"));
@@ -301,7 +301,9 @@ private:
   bool cracks_ = false;
   int dim_ = 2;
   std::vector<double> sizes_of_bodies_;
-  StudyPlan plan_;
+  std::vector<std::string>& notes_;
+  MeshParameterSet varied_;
+  std::vector<DeckVariant> settings_;
 };
 
 } // namespace
@@ -323,10 +325,11 @@ const char* display_name(SettingFamily family) {
   return names.at(static_cast<std::size_t>(family));
 }
 
-StudyPlan plan_study_settings(const StudiedDeck& deck,
-                              const std::vector<ParameterVariation>& requests,
-                              const fs::path& folder) {
-  return Planner(deck, folder).run(requests);
+std::vector<DeckVariant> plan_study_settings(const StudiedDeck& deck,
+                                             const std::vector<ParameterVariation>& requests,
+                                             const fs::path& folder,
+                                             std::vector<std::string>& notes) {
+  return Planner(deck, folder, notes).run(requests);
 }
 
 } // namespace spricka::program

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "program/study/study_report.hpp"
-
 #include "model/model.hpp"
+#include "program/study/study.hpp"
 #include "program/study/variant_report.hpp"
 #include "report/deck_name.hpp"
 #include "report/drawing/columns.hpp"
@@ -62,7 +61,7 @@ std::vector<report::DrawingPoint> curve_points(const Study& study, const AnswerG
     const StudyTrial& trial = study.trials[row];
     const double error = group.errors[row].of(curve.corrected);
     const double x = against_cpu ? trial.end.cpu : static_cast<double>(trial.unknowns);
-    own = own || trial.setting.family == curve.family;
+    own = own || trial.variant.family == curve.family;
     if (std::isfinite(error) && x > 0.0) {
       points.push_back({x, 100.0 * std::max(error, least_error)});
     }
@@ -106,7 +105,7 @@ ReportTable settings_table(const Study& study) {
     return [&study, value](std::size_t t) { return std::invoke(value, study.trials[t]); };
   };
   report::Columns<std::size_t> columns;
-  columns.words("setting", of([](const StudyTrial& trial) { return trial.setting.name; }))
+  columns.words("setting", of([](const StudyTrial& trial) { return trial.variant.name; }))
       .number("freedoms", "", of(freedoms_text))
       .number("CPU", "s", of([](const StudyTrial& trial) { return trial.end.cpu; }), "{:.2f}")
       .number("memory", "MiB",
@@ -204,7 +203,7 @@ std::string reference_words(const Study& study) {
     own += reference.scale > 0.0 && reference.of_deck ? 1 : 0;
   }
   const std::string finest =
-      study.verdict.finest ? study.trials[*study.verdict.finest].setting.name : "none";
+      study.verdict.finest ? study.trials[*study.verdict.finest].variant.name : "none";
   const std::string answers = fmt::format("{} answer{}", all, all == 1 ? "" : "s");
   const std::string against = fmt::format(
       "the finest setting ({}), with its estimated error taken out where there is a bar", finest);
@@ -233,34 +232,27 @@ std::string study_text(const Study& study) {
 }
 
 std::string study_csv(const Study& study) {
-  base::CsvTable csv(
+  return trials_csv(
       "setting,family,fineness,freedoms,cpu,wall,memory,exit_code,answer,group,value,"
-      "bar,best,reference,of_deck,uncertainty,error,best_error");
-  for (const StudyTrial& trial : study.trials) {
-    base::CsvRow head = cost_csv_fields(trial);
-    head.insert(head.end(), {{"setting", trial.setting.name},
-                             {"family", display_name(trial.setting.family)},
-                             {"fineness", trial.setting.fineness}});
-    if (trial.readings.empty()) {
-      csv.add_row(head);
-    }
-    for (std::size_t a = 0; a < trial.readings.size(); ++a) {
-      const AnswerReading& reading = trial.readings[a];
-      const AnswerReference& reference = study.verdict.references[a];
-      const double scale = reference.scale > 0.0 ? reference.scale : NAN;
-      csv.add_row(head, {{"answer", study.answers[a].text},
-                         {"group", display_name(study.answers[a].group)},
-                         {"value", reading.value},
-                         {"bar", reading.bar},
-                         {"best", reading.best},
-                         {"reference", reference.value},
-                         {"of_deck", reference.of_deck},
-                         {"uncertainty", reference.uncertainty},
-                         {"error", (reading.value - reference.value) / scale},
-                         {"best_error", (reading.best - reference.value) / scale}});
-    }
-  }
-  return csv.text();
+      "bar,best,reference,of_deck,uncertainty,error,best_error",
+      study.trials, study.answers,
+      [](const StudyTrial& trial) {
+        return base::CsvRow{{"setting", trial.variant.name},
+                            {"family", display_name(trial.variant.family)},
+                            {"fineness", trial.variant.fineness}};
+      },
+      [&](const StudyTrial& trial, std::size_t a) {
+        const AnswerReading& reading = trial.readings[a];
+        const AnswerReference& reference = study.verdict.references[a];
+        const double scale = reference.scale > 0.0 ? reference.scale : NAN;
+        return base::CsvRow{{"group", display_name(study.answers[a].group)},
+                            {"best", reading.best},
+                            {"reference", reference.value},
+                            {"of_deck", reference.of_deck},
+                            {"uncertainty", reference.uncertainty},
+                            {"error", (reading.value - reference.value) / scale},
+                            {"best_error", (reading.best - reference.value) / scale}};
+      });
 }
 
 std::string study_page(const base::SourceTexts& sources, const model::Model& model,

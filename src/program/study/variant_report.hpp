@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/csv.hpp"
 #include "model/forward.hpp"
+#include "program/study/deck_answers.hpp"
 #include "report/drawing/plot.hpp"
 #include "report/page.hpp"
 
 #include <cstddef>
 #include <string>
+#include <string_view>
+#include <vector>
 
 /// What the pages and tables of studies and ladders have in common.
 namespace spricka::program {
@@ -30,5 +34,34 @@ report::PlotSeries horizontal_line_series(const std::string& name, double low, d
 /// about, a sentence without its point. The title.
 std::string begin_titled_page(report::HtmlPage& page, const model::Model& model,
                               const char* command, const std::string& about);
+
+/// A table of trials with a row for each answer, or for a trial without any: `columns` names them.
+/// Beside what `head` gives of a trial and `fields` of a trial's answer there are
+/// freedoms,cpu,wall,memory,exit_code,answer,value,bar.
+template <class Trials, class Head, class Fields>
+std::string trials_csv(std::string_view columns, const Trials& trials,
+                       const std::vector<AnswerRequest>& answers, const Head& head,
+                       const Fields& fields) {
+  base::CsvTable csv(columns);
+  for (const auto& trial : trials) {
+    base::CsvRow first = head(trial);
+    first.insert(first.end(), {{"freedoms", trial.unknowns},
+                               {"cpu", trial.end.cpu},
+                               {"wall", trial.end.wall},
+                               {"memory", trial.end.peak_memory},
+                               {"exit_code", trial.end.exit_code}});
+    if (trial.readings.empty()) {
+      csv.add_row(first);
+    }
+    for (std::size_t a = 0; a < trial.readings.size(); ++a) {
+      base::CsvRow row = fields(trial, a);
+      row.insert(row.end(), {{"answer", answers[a].text},
+                             {"value", trial.readings[a].value},
+                             {"bar", trial.readings[a].bar}});
+      csv.add_row(first, row);
+    }
+  }
+  return csv.text();
+}
 
 } // namespace spricka::program

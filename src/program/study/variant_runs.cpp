@@ -7,7 +7,6 @@
 #include "program/job/file_failures.hpp"
 #include "program/job/interrupt.hpp"
 #include "program/job/standard_streams.hpp"
-#include "program/study/halves.hpp"
 #include "program/trials/deck_outcome.hpp"
 #include "results/store.hpp"
 #include "results/store_run.hpp"
@@ -68,14 +67,6 @@ StudiedDeck studied_deck(const RunOptions& options, CheckedDeck& ready) {
 
 } // namespace
 
-base::CsvRow cost_csv_fields(const VariantRun& run) {
-  return {{"freedoms", run.unknowns},
-          {"cpu", run.end.cpu},
-          {"wall", run.end.wall},
-          {"memory", run.end.peak_memory},
-          {"exit_code", run.end.exit_code}};
-}
-
 VariantRuns::VariantRuns(const RunOptions& options, CheckedDeck& ready, const Log& log)
     : log_(log), quiet_(options.quiet), deck_(studied_deck(options, ready)),
       place_(canonical_folder(options.out)), folder_(options.out), scratch_(place_) {}
@@ -86,37 +77,34 @@ void VariantRuns::abandon() {
   folder_.abandon();
 }
 
-VariantRun VariantRuns::read_variant(const DeckVariant& variant, const ChildProcessResult& end,
-                                     const std::optional<results::RunResult>& run) const {
-  VariantRun found{.end = end};
+void VariantRuns::read_trial(const ChildProcessResult& end,
+                             const std::optional<results::RunResult>& run,
+                             StudyTrial& trial) const {
+  trial.end = end;
   if (!run) {
-    found.trouble = first_trouble(end);
-    return found;
+    trial.trouble = first_trouble(end);
+    return;
   }
   for (const results::Increment& increment : run->increments) {
-    found.unknowns = std::max(found.unknowns, increment.unknowns);
+    trial.unknowns = std::max(trial.unknowns, increment.unknowns);
   }
-  if (variant.section) {
-    const CheckedDeck own = read_deck_silently(variant.deck, {});
-    found.asked = section_counterparts(*variant.section, answers_);
-    found.readings = read_section_answers(own.model.value(), found.asked, *run);
-  } else {
-    found.readings = read_answers(model(), answers_, *run);
-    convert_answers_to_whole_model(found.readings, answers_, variant.mirrored);
-  }
-  return found;
+  trial.asked = answer_counterparts(trial.variant, answers_);
+  trial.readings = trial.variant.section
+                       ? read_answers(read_deck_silently(trial.variant.deck, {}).model.value(),
+                                      trial.asked, *run)
+                       : read_answers(model(), trial.asked, *run);
 }
 
 base::Outcome VariantRuns::run_original_deck(
-    const DeckVariant& given, VariantRun& found,
+    StudyTrial& given,
     const std::function<std::vector<AnswerRequest>(const model::Model&, const results::RunResult&)>&
         choose) {
   base::Outcome outcome = base::Outcome::stopped;
-  const ChildRun child = child_of(given, 0.0);
+  const ChildRun child = child_of(given.variant, 0.0);
   children_.run_all_children({&child, 1}, 1, [&](std::size_t, const ChildProcessResult& end) {
     const std::optional<results::RunResult> run = take_results(child.out, end);
     answers_ = run ? choose(model(), *run) : std::vector<AnswerRequest>();
-    found = read_variant(given, end, run);
+    read_trial(end, run, given);
     outcome = run ? base::Outcome::done
                   : base::outcome_of_exit_code(end.exit_code).value_or(base::Outcome::done);
     if (!answers_.empty()) {
@@ -127,28 +115,25 @@ base::Outcome VariantRuns::run_original_deck(
     log_.message(
         base::Severity::error, "E555",
         run ? "the deck has no answer to compare"
-            : fmt::format("the deck itself has no results to compare with: {}", found.trouble));
+            : fmt::format("the deck itself has no results to compare with: {}", given.trouble));
   });
   return outcome;
 }
 
-std::vector<VariantRun>
-VariantRuns::run_other_variants(const std::vector<const DeckVariant*>& variants, int at_once,
-                                double cpu_seconds) {
+void VariantRuns::run_other_variants(const std::vector<StudyTrial*>& trials, int at_once,
+                                     double cpu_seconds) {
   std::vector<ChildRun> children;
-  for (const DeckVariant* variant : variants) {
-    children.push_back(child_of(*variant, cpu_seconds));
+  for (const StudyTrial* trial : trials) {
+    children.push_back(child_of(trial->variant, cpu_seconds));
   }
-  std::vector<VariantRun> found(variants.size());
   std::size_t reported = 0;
   children_.run_all_children(children, at_once, [&](std::size_t i, const ChildProcessResult& end) {
-    found[i] = read_variant(*variants[i], end, take_results(children[i].out, end));
+    read_trial(end, take_results(children[i].out, end), *trials[i]);
     if (!quiet_) {
-      write_to_stderr(fmt::format("{} of {}: {}, {:.2f} s\n", ++reported, variants.size(),
-                                  variants[i]->name, end.cpu));
+      write_to_stderr(fmt::format("{} of {}: {}, {:.2f} s\n", ++reported, trials.size(),
+                                  trials[i]->variant.name, end.cpu));
     }
   });
-  return found;
 }
 
 base::Outcome

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "base/csv.hpp"
 #include "base/outcome.hpp"
+#include "program/job/ready_deck.hpp"
 #include "program/job/run_folder.hpp"
 #include "program/job/run_options.hpp"
 #include "program/study/deck_answers.hpp"
-#include "program/study/mesh_parameters.hpp"
-#include "program/study/section_deck.hpp"
+#include "program/study/deck_variant.hpp"
 #include "program/trials/child_run.hpp"
 #include "program/trials/scratch_folder.hpp"
 #include "results/results.hpp"
@@ -20,26 +19,15 @@
 /// The engine of studies and ladders: one deck run in many variants, each as a process of its own.
 namespace spricka::program {
 
-/// A deck that is run beside the one given, and how it is asked for the answers of that one.
-struct DeckVariant {
-  std::string name;           ///< "fine=0.5 FINER=0.5", "without friction": for tables
-  std::filesystem::path deck; ///< in the scratch folder
-  ParameterDefinitions defines = {};
-  std::string mirrored = {};                  ///< across which axes its model is a part, "XY"
-  std::optional<SectionMapping> section = {}; ///< it is a plane model of a solid
-};
-
-/// What the run of one variant took and found.
-struct VariantRun {
+/// A variant, what its run took and what it found.
+struct StudyTrial {
+  DeckVariant variant = {};
   ChildProcessResult end = {};
-  std::size_t unknowns = 0;                   ///< of its largest increment
-  std::vector<AnswerReading> readings = {};   ///< [answer]; empty: the run has no results
-  std::vector<SectionCounterpart> asked = {}; ///< [answer] of a plane model of a solid; else empty
-  std::string trouble = {};                   ///< why there are no results, in one line
+  std::size_t unknowns = 0;                  ///< of its largest increment
+  std::vector<AnswerCounterpart> asked = {}; ///< [answer]; empty: the run has no results
+  std::vector<AnswerReading> readings = {};  ///< [answer]; empty: the run has no results
+  std::string trouble = {};                  ///< why there are no results, in one line
 };
-
-/// Columns of a table: freedoms,cpu,wall,memory,exit_code.
-base::CsvRow cost_csv_fields(const VariantRun& run);
 
 /// A deck and the folders in which its variants run.
 class VariantRuns {
@@ -63,19 +51,18 @@ public:
   /// Runs the deck itself, which decides by `choose` what is asked for. Where it has no results, or
   /// nothing to be asked for, it is told (E555), and the outcome is that of the run, or
   /// not_solvable.
-  base::Outcome run_original_deck(const DeckVariant& given, VariantRun& found,
+  base::Outcome run_original_deck(StudyTrial& given,
                                   const std::function<std::vector<AnswerRequest>(
                                       const model::Model&, const results::RunResult&)>& choose);
 
   /// Runs others, at most `at_once` at a time and each with `cpu_seconds` at most, or with 0 as
-  /// long as it takes; tells of each that has ended. What is not run, as all are stopped, is empty.
-  /// [variant]
-  std::vector<VariantRun> run_other_variants(const std::vector<const DeckVariant*>& variants,
-                                             int at_once, double cpu_seconds = 0.0);
+  /// long as it takes; tells of each that has ended. What is not run, as all are stopped, stays.
+  void run_other_variants(const std::vector<StudyTrial*>& trials, int at_once,
+                          double cpu_seconds = 0.0);
 
 private:
-  [[nodiscard]] VariantRun read_variant(const DeckVariant& variant, const ChildProcessResult& end,
-                                        const std::optional<results::RunResult>& run) const;
+  void read_trial(const ChildProcessResult& end, const std::optional<results::RunResult>& run,
+                  StudyTrial& trial) const;
 
   const Log& log_;
   bool quiet_;

@@ -3,7 +3,7 @@
 #include "deck/deck_text.hpp"
 #include "deck/read_deck.hpp"
 #include "program/study/deck_edits.hpp"
-#include "program/study/name_uses.hpp"
+#include "program/study/mesh_parameters.hpp"
 #include "tests/places.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Solids by their sections: where nothing changes along an axis, the plane deck gives what they do.
 #include "deck/deck_text.hpp"
-#include "program/study/section_deck.hpp"
+#include "program/study/deck_variant.hpp"
 #include "tests/unit/support/solved_text.hpp"
 
 #include <fmt/format.h>
@@ -39,7 +39,7 @@ std::string vector(int axis, const std::string& v0, const std::string& v1,
   return v[0] + "  " + v[1] + "  " + v[2];
 }
 
-program::SectionDeck section_of(const std::string& deck, const std::string& state) {
+program::DeckVariant section_of(const std::string& deck, const std::string& state) {
   const test::Folder folder;
   const std::filesystem::path file = folder.path() / "test.deck";
   std::ofstream(file) << deck;
@@ -55,7 +55,7 @@ program::SectionDeck section_of(const std::string& deck, const std::string& stat
   return program::make_section_deck(*ready.model, *text, state);
 }
 
-std::string written(const program::SectionDeck& section) {
+std::string written(const program::DeckVariant& section) {
   EXPECT_TRUE(section.text) << section.reason;
   return deck::write_deck(section.text.value_or(deck::DeckCardList{}), "/");
 }
@@ -132,12 +132,12 @@ TEST(Section, OfABlockInPlaneStrainIsTheSolid) {
                              "  UP.BODY  (20*@1)\n";
     for (const char* type : {"HEXEC20", "HEXEC27"}) {
       const std::string deck = block(axis, type, more);
-      const program::SectionDeck section = section_of(deck, "STRAIN");
-      EXPECT_EQ(section.view.plane.axis, axis);
+      const program::DeckVariant section = section_of(deck, "STRAIN");
+      EXPECT_EQ(section.section->plane.axis, axis);
       const auto solid = test::solve_text(deck);
       const auto plane = test::solve_text(written(section));
       ASSERT_TRUE(solid && plane) << deck;
-      EXPECT_LT(difference(*solid, *plane, section.view.plane), 1e-9) << type << deck;
+      EXPECT_LT(difference(*solid, *plane, section.section->plane), 1e-9) << type << deck;
     }
   }
 }
@@ -159,11 +159,11 @@ TEST(Section, KeepsContactsAndTheirFits) {
               "$CONTACT NAME=ON SLAVE=UP.#1MIN MASTER=LOW.#1MAX GAP=0.001 MULTIPLIER=CORNER\n"
               "$LOAD CASE=F TYPE=PRESSURE\n"
               "  UP.#1MAX  100\n");
-    const program::SectionDeck section = section_of(deck, "STRAIN");
+    const program::DeckVariant section = section_of(deck, "STRAIN");
     const auto solid = test::solve_text(deck);
     const auto plane = test::solve_text(written(section));
     ASSERT_TRUE(solid && plane) << deck;
-    EXPECT_LT(difference(*solid, *plane, section.view.plane), 1e-9) << deck;
+    EXPECT_LT(difference(*solid, *plane, section.section->plane), 1e-9) << deck;
   }
 }
 
@@ -226,7 +226,7 @@ TEST(Section, HasTheModesOfAStraightFront) {
     const std::size_t dof = deck.find("DOF=ZX");
     deck.replace(dof == std::string::npos ? 0 : dof, dof == std::string::npos ? 0 : 6,
                  dof == std::string::npos ? "" : "DOF=XZ");
-    const program::SectionDeck section = section_of(deck, "STRAIN");
+    const program::DeckVariant section = section_of(deck, "STRAIN");
     const auto solid = test::solve_text(deck);
     const auto plane = test::solve_text(written(section));
     ASSERT_TRUE(solid && plane);
@@ -234,7 +234,7 @@ TEST(Section, HasTheModesOfAStraightFront) {
     const results::FrontResult& front = solid->step().fronts.at(0);
     const results::FrontPointResult& middle = front.points.at(front.points.size() / 2);
     EXPECT_NEAR(middle.K1, tip.K1, 3e-3 * tip.K1);
-    EXPECT_NEAR(middle.K2, section.view.sign_of_K2.at("C") * tip.K2, 3e-3 * tip.K1);
+    EXPECT_NEAR(middle.K2, section.section->sign_of_K2.at("C") * tip.K2, 3e-3 * tip.K1);
     EXPECT_GT(std::abs(tip.K2), 0.1 * tip.K1);
   }
 }
@@ -266,7 +266,7 @@ TEST(Section, IsRefusedWhereSomethingChangesAlongTheAxis) {
        "not the same all along"},
   };
   for (const auto& [more, reason] : refused) {
-    const program::SectionDeck section = section_of(block(2, "HEXEC20", more), "STRAIN");
+    const program::DeckVariant section = section_of(block(2, "HEXEC20", more), "STRAIN");
     EXPECT_FALSE(section.text) << more;
     EXPECT_NE(section.reason.find(reason), std::string::npos) << section.reason << "\n" << more;
   }

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/vec.hpp"
 #include "model/model.hpp"
-#include "program/study/section_deck.hpp"
+#include "program/study/deck_answers.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
-
-#include <fmt/format.h>
 
 namespace spricka::program {
 
@@ -28,7 +27,7 @@ class InSection {
 public:
   explicit InSection(const SectionMapping& view) : view_(view) {}
 
-  [[nodiscard]] SectionCounterpart of(const AnswerRequest& answer) const {
+  [[nodiscard]] AnswerCounterpart of(const AnswerRequest& answer) const {
     switch (answer.group) {
     case AnswerGroup::K:
       return of_front(answer.check);
@@ -46,7 +45,7 @@ public:
 
 private:
   // All places of a front are one tip.
-  [[nodiscard]] SectionCounterpart of_front(model::ResultCheck check) const {
+  [[nodiscard]] AnswerCounterpart of_front(model::ResultCheck check) const {
     const std::string place(last_word(check.quantity));
     const std::size_t from = check.quantity.starts_with("PATH.") ? 5 : 0;
     const std::string mode = check.quantity.substr(from, check.quantity.find('.', from) - from);
@@ -65,7 +64,7 @@ private:
     return {std::move(check), mode == "K2" ? sign->second : 1.0};
   }
 
-  [[nodiscard]] SectionCounterpart of_contact(model::ResultCheck check) const {
+  [[nodiscard]] AnswerCounterpart of_contact(model::ResultCheck check) const {
     const std::string place(last_word(check.quantity));
     if (place == "NEAR") {
       put_place(check.arguments, 1);
@@ -76,7 +75,7 @@ private:
   }
 
   // "S.XX.AT", "U.Y.MAX": the word in the middle is of components.
-  [[nodiscard]] SectionCounterpart of_field(model::ResultCheck check) const {
+  [[nodiscard]] AnswerCounterpart of_field(model::ResultCheck check) const {
     if (std::ranges::count(check.quantity, '.') != 2) {
       return {};
     }
@@ -135,32 +134,41 @@ private:
   const SectionMapping& view_;
 };
 
-} // namespace
-
-std::vector<SectionCounterpart> section_counterparts(const SectionMapping& view,
-                                                     const std::vector<AnswerRequest>& answers) {
-  const InSection section(view);
-  std::vector<SectionCounterpart> found;
-  for (const AnswerRequest& answer : answers) {
-    found.push_back(section.of(answer));
+// The largest "U.Y" of a whole that y mirrors is that of a part, or minus its smallest.
+bool is_odd_extreme(const AnswerRequest& answer, const std::string& mirrored) {
+  const std::string& word = answer.check.quantity;
+  const bool directed =
+      answer.group == AnswerGroup::displacement || answer.group == AnswerGroup::stress;
+  const std::size_t from = word.find('.');
+  const std::size_t to = word.rfind('.');
+  if (!directed || from == to || (!word.ends_with(".MIN") && !word.ends_with(".MAX"))) {
+    return false;
   }
-  return found;
+  const std::string component = word.substr(from, to - from);
+  return std::ranges::any_of(
+      mirrored, [&](char axis) { return std::ranges::count(component, axis) % 2 == 1; });
 }
 
-std::vector<AnswerReading> read_section_answers(const model::Model& model,
-                                                const std::vector<SectionCounterpart>& asked,
-                                                const results::RunResult& run) {
-  std::vector<AnswerRequest> own;
-  for (const SectionCounterpart& counterpart : asked) {
-    own.emplace_back().check = counterpart.check.value_or(model::ResultCheck{});
+// Of the whole from a part: its energy is the sum of that of all images; of contact arcs, which may
+// lie across, and of extremes that change their sign across a plane, nothing is told.
+AnswerCounterpart in_part(const AnswerRequest& answer, const std::string& mirrored) {
+  if (!mirrored.empty() && (answer.group == AnswerGroup::arc || is_odd_extreme(answer, mirrored))) {
+    return {};
   }
-  std::vector<AnswerReading> readings = read_answers(model, own, run);
-  for (std::size_t a = 0; a < readings.size(); ++a) {
-    readings[a].value /= asked[a].factor;
-    readings[a].bar /= std::abs(asked[a].factor);
-    readings[a].best /= asked[a].factor;
+  const int images = answer.group == AnswerGroup::energy ? 1 << mirrored.size() : 1;
+  return {answer.check, 1.0 / images};
+}
+
+} // namespace
+
+std::vector<AnswerCounterpart> answer_counterparts(const DeckVariant& variant,
+                                                   const std::vector<AnswerRequest>& answers) {
+  std::vector<AnswerCounterpart> found;
+  for (const AnswerRequest& answer : answers) {
+    found.push_back(variant.section ? InSection(*variant.section).of(answer)
+                                    : in_part(answer, variant.mirrored));
   }
-  return readings;
+  return found;
 }
 
 } // namespace spricka::program

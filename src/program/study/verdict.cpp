@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/study/study.hpp"
 #include "program/study/variant_report.hpp"
-#include "program/study/verdict.hpp"
 
 #include <algorithm>
 #include <array>
@@ -97,6 +97,69 @@ std::optional<double> theory_of(AnswerGroup group, SettingFamily family, bool cr
                                                      : std::nullopt;
 }
 
+// The deck as it is stands in the series of all sizes.
+SettingFamily series_family(const StudyTrial& trial) {
+  const SettingFamily family = trial.variant.family;
+  return family == SettingFamily::given ? SettingFamily::whole : family;
+}
+
+// Of a trial and all finer ones of its family.
+double lasting_error(const AnswerGroupVerdict& group, const std::vector<StudyTrial>& trials,
+                     std::size_t t, bool corrected) {
+  double largest = group.errors[t].of(corrected);
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const bool finer = series_family(trials[i]) == series_family(trials[t]) &&
+                       trials[i].variant.fineness > trials[t].variant.fineness;
+    if (finer && std::isfinite(group.errors[i].of(corrected))) {
+      largest = std::max(largest, group.errors[i].of(corrected));
+    }
+  }
+  return largest;
+}
+
+std::string cheapest_sentence(const AnswerGroupVerdict& group,
+                              const std::vector<StudyTrial>& trials, const CheapestSetting& found) {
+  const std::string what =
+      fmt::format("{} within {:g} %: ", display_name(group.group), 100.0 * found.tolerance);
+  if (found.trial) {
+    const StudyTrial& trial = trials[*found.trial];
+    return what + fmt::format("{} gives {} for {:.2f} s{}", trial.variant.name,
+                              percent(found.error), trial.end.cpu,
+                              found.corrected ? ", with the estimated error taken out" : "");
+  }
+  return what + (group.floor >= found.tolerance
+                     ? fmt::format("not to be told, the reference is known to {} only",
+                                   percent(group.floor))
+                     : "none of the settings that were run");
+}
+
+// For 1, 0.1 and 0.01 %: the setting of the least CPU (within 15 % of it, of the fewest freedoms)
+// whose error, and that of all finer ones of its family, is below it together with what the
+// references are uncertain by. CalculiX is not among them.
+std::vector<CheapestSetting> cheapest_settings(const AnswerGroupVerdict& group,
+                                               const std::vector<StudyTrial>& trials) {
+  std::vector<CheapestSetting> found;
+  for (const double tolerance : std::array{1e-2, 1e-3, 1e-4}) {
+    std::vector<RunCost> costs; // [2 trial + corrected] plain values before corrected ones
+    for (std::size_t i = 0; i < 2 * trials.size(); ++i) {
+      const StudyTrial& trial = trials[i / 2];
+      const bool own = !trial.readings.empty() && trial.variant.family != SettingFamily::peer &&
+                       lasting_error(group, trials, i / 2, i % 2 == 1) + group.floor <= tolerance;
+      costs.push_back({own ? trial.end.cpu : std::numeric_limits<double>::infinity(),
+                       static_cast<double>(trial.unknowns)});
+    }
+    CheapestSetting& cheapest = found.emplace_back();
+    cheapest.tolerance = tolerance;
+    if (const std::optional<std::size_t> best = cheapest_run(costs)) {
+      cheapest.trial = *best / 2;
+      cheapest.corrected = *best % 2 == 1;
+      cheapest.error = lasting_error(group, trials, *best / 2, cheapest.corrected);
+    }
+    cheapest.words = cheapest_sentence(group, trials, cheapest);
+  }
+  return found;
+}
+
 class GroupJudge {
 public:
   GroupJudge(const Study& study, AnswerGroup group)
@@ -144,11 +207,11 @@ private:
     for (const std::size_t row : rows) {
       const double error = found_.errors[row].of(corrected);
       if (std::isfinite(error)) {
-        points.push_back({1.0 / trials_[row].setting.fineness, error});
+        points.push_back({1.0 / trials_[row].variant.fineness, error});
       }
     }
     if (rows.size() < 2 || points.size() < 2 ||
-        trials_[rows.front()].setting.fineness == trials_[rows.back()].setting.fineness) {
+        trials_[rows.front()].variant.fineness == trials_[rows.back()].variant.fineness) {
       return;
     }
     SeriesVerdict series;
@@ -164,7 +227,7 @@ private:
     // Differences to values of the finest mesh, which has an error of the same law.
     const bool alike = family == SettingFamily::whole || family == SettingFamily::asked;
     const bool to_finest = alike && own_ && !has_bars() && verdict_.finest;
-    const double reference = to_finest ? 1.0 / trials_[*verdict_.finest].setting.fineness : 0.0;
+    const double reference = to_finest ? 1.0 / trials_[*verdict_.finest].variant.fineness : 0.0;
     const std::size_t falling = series.plateau ? series.plateau->first + 1 : points.size();
     // A corrected value is several times better than its bar (manual, error_bar.md).
     constexpr double better = 0.25;
@@ -183,7 +246,7 @@ private:
     std::optional<std::size_t> peer;
     for (const std::size_t t : series_trials(trials_, SettingFamily::peer)) {
       if (std::isfinite(found_.errors[t].plain) &&
-          (!peer || trials_[t].setting.fineness > trials_[*peer].setting.fineness)) {
+          (!peer || trials_[t].variant.fineness > trials_[*peer].variant.fineness)) {
         peer = t;
       }
     }
@@ -191,8 +254,8 @@ private:
       return {};
     }
     const auto same_mesh = std::ranges::find_if(trials_, [&](const StudyTrial& trial) {
-      return trial.setting.family != SettingFamily::peer &&
-             trial.setting.deck == trials_[*peer].setting.deck;
+      return trial.variant.family != SettingFamily::peer &&
+             trial.variant.deck == trials_[*peer].variant.deck;
     });
     StudyTrial own = *same_mesh;
     for (std::size_t a = 0; a < study_.answers.size(); ++a) {
@@ -205,7 +268,7 @@ private:
     const double error = errors_of(found_.group, study_, own, is_finest).plain;
     return fmt::format("{} by CalculiX: {} gives {} for {:.2f} s, the program on the same mesh {} "
                        "for {:.2f} s",
-                       display_name(found_.group), own.setting.name,
+                       display_name(found_.group), own.variant.name,
                        percent(found_.errors[*peer].plain), trials_[*peer].end.cpu,
                        std::isfinite(error) ? percent(error) : "what errors are counted from",
                        own.end.cpu);
@@ -231,12 +294,12 @@ std::vector<std::size_t> series_trials(const std::vector<StudyTrial>& trials,
   const bool given = std::ranges::find(of_sizes, family) != of_sizes.end();
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < trials.size(); ++i) {
-    const SettingFamily own = trials[i].setting.family;
+    const SettingFamily own = trials[i].variant.family;
     if (!trials[i].readings.empty() && (own == family || (given && own == SettingFamily::given))) {
       rows.push_back(i);
     }
   }
-  std::ranges::stable_sort(rows, {}, [&](std::size_t i) { return trials[i].setting.fineness; });
+  std::ranges::stable_sort(rows, {}, [&](std::size_t i) { return trials[i].variant.fineness; });
   return rows;
 }
 

@@ -1,21 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/source.hpp"
+#include "program/job/run_options.hpp"
 #include "program/study/convergence.hpp"
-#include "program/study/settings.hpp"
 #include "program/study/variant_runs.hpp"
 
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-/// What the runs of a study say: errors of each, slopes, plateaus and the cheapest setting.
+/// Work against precision: the settings of a deck that are run, and what their runs say, the errors
+/// of each, slopes, plateaus and the cheapest setting.
 namespace spricka::program {
 
-/// One setting that was run.
-struct StudyTrial : VariantRun {
-  StudySetting setting;
+/// A parameter and the values that the command line wants of it.
+struct ParameterVariation {
+  std::string parameter;
+  std::vector<std::string> values;
 };
+
+/// The settings of a study, the deck itself first, then by worth; their decks are written into
+/// `folder`. Finenesses at which numbers of elements would be broken are replaced by the next that
+/// a deck can be read with. What cannot be varied, and why, goes to `notes`.
+std::vector<DeckVariant> plan_study_settings(const StudiedDeck& deck,
+                                             const std::vector<ParameterVariation>& requests,
+                                             const std::filesystem::path& folder,
+                                             std::vector<std::string>& notes);
 
 /// Trials with results of one family, coarse to fine. The deck as it is belongs to the series of
 /// sizes: of all, of bodies, of tips, and of what is asked for.
@@ -88,12 +100,6 @@ struct Study {
 /// setting; else the finest setting's value does, corrected where it has a bar.
 void assess_trials(Study& study);
 
-/// For 1, 0.1 and 0.01 %: the setting of the least CPU (within 15 % of it, of the fewest freedoms)
-/// whose error, and that of all finer ones of its family, is below it together with what the
-/// references are uncertain by. CalculiX is not among them.
-std::vector<CheapestSetting> cheapest_settings(const AnswerGroupVerdict& group,
-                                               const std::vector<StudyTrial>& trials);
-
 /// What a plateau is judged by.
 struct PlateauContext {
   const AnswerGroupVerdict& group; ///< its errors and floor
@@ -104,5 +110,29 @@ struct PlateauContext {
 /// Why errors of a series stop falling, in words: how well the reference is known, what is not made
 /// finer with the rest, quarter points that are missing, values at single nodes.
 std::string plateau_reason(const PlateauContext& view, std::span<const ConvergencePoint> points);
+
+/// Settings with their cost and errors, series with slopes and plateaus, references of the deck
+/// that are not used, the cheapest settings.
+std::string study_text(const Study& study);
+
+/// A row for each setting and answer.
+std::string study_csv(const Study& study);
+
+/// One page: error of each group of answers against CPU time and against freedoms, then the tables.
+std::string study_page(const base::SourceTexts& sources, const model::Model& model,
+                       const Study& study);
+
+/// What the command line asks of a study.
+struct StudyOptions {
+  RunOptions deck;                          ///< out empty: the deck's name with .study
+  std::vector<ParameterVariation> requests; ///< in place of what is found in the deck
+  int jobs = 1;                             ///< runs at once; one alone has an honest CPU time
+  double budget = 600.0;                    ///< [s] CPU of all runs; what would not fit is left out
+};
+
+/// Work against precision: runs a deck in many settings, and says what each costs and how right it
+/// is. Writes study.csv and study.html into a folder. The outcome is that of the deck itself where
+/// it cannot be solved.
+base::Outcome study_deck(const StudyOptions& given);
 
 } // namespace spricka::program
