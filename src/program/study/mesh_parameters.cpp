@@ -260,18 +260,18 @@ MeshParameterSet find_mesh_parameters(const StudiedDeck& deck, const fs::path& f
   return mesh_parameter;
 }
 
-RefinedMeshDeck refine_deck_mesh(const StudiedDeck& deck, const MeshParameterSet& mesh_parameter,
-                                 double fineness, const deck::DeckCardList& text,
-                                 const fs::path& folder) {
-  RefinedMeshDeck finer{text, {}, {}};
+DeckVariant refine_deck_mesh(const StudiedDeck& deck, const MeshParameterSet& mesh_parameter,
+                             double fineness, const deck::DeckCardList& text,
+                             const fs::path& folder) {
+  DeckVariant finer{.text = text};
   const std::map<std::string, ParameterUse> uses = find_parameter_uses(text, deck.ready->sources);
   const std::set<std::size_t> reached = reached_cards(mesh_parameter.parameters, uses);
   for (std::size_t i = 0; i < text.size() && fineness != 1.0; ++i) {
     if (text[i].name == "MESH" && !reached.contains(i)) {
-      multiply_counts(deck, fineness, finer.text[i]);
+      multiply_counts(deck, fineness, (*finer.text)[i]);
     } else if (imports_geometry_script(text[i]) &&
                mesh_parameter.scaled.contains(name_of_file(file_of(text[i])))) {
-      copy_finer(finer.text[i], fineness, folder);
+      copy_finer((*finer.text)[i], fineness, folder);
     }
   }
   const auto add_words = [&](const MeshParameter& parameter) {
@@ -285,7 +285,7 @@ RefinedMeshDeck refine_deck_mesh(const StudiedDeck& deck, const MeshParameterSet
     finer.defines.emplace_back(parameter.name, fmt::format("{:.6g}", add_words(parameter)));
   }
   for (const MeshParameter& constant : mesh_parameter.constants) {
-    set_constant(finer.text, constant.name, add_words(constant));
+    set_constant(*finer.text, constant.name, add_words(constant));
   }
   if (finer.words.empty()) {
     finer.words = fmt::format("elements*{:.6g}", fineness);

@@ -43,19 +43,12 @@ struct MeshParameterSet {
 /// way, then the factor of all sizes. Decks to try are written into `folder`.
 MeshParameterSet find_mesh_parameters(const StudiedDeck& deck, const std::filesystem::path& folder);
 
-/// How a deck is changed to have elements of 1/fineness of their size: parameters by name, or cards
-/// of its text.
-struct RefinedMeshDeck {
-  deck::DeckCardList text;
-  ParameterDefinitions defines;
-  std::string words; ///< "fine=0.5", "elements*0.5"
-};
-/// Changes cards of `text` and collects values of parameters for elements of 1/fineness of their
-/// size. A fineness of 1 leaves the counts of $MESH cards and the scripts alone. Scripts are copied
-/// into `folder`.
-RefinedMeshDeck refine_deck_mesh(const StudiedDeck& deck, const MeshParameterSet& mesh_parameter,
-                                 double fineness, const deck::DeckCardList& text,
-                                 const std::filesystem::path& folder);
+/// Changes cards of `text` and collects values of parameters (defines, and words: "fine=0.5",
+/// "elements*0.5") for elements of 1/fineness of their size. A fineness of 1 leaves the counts of
+/// $MESH cards and the scripts alone. Scripts are copied into `folder`.
+DeckVariant refine_deck_mesh(const StudiedDeck& deck, const MeshParameterSet& mesh_parameter,
+                             double fineness, const deck::DeckCardList& text,
+                             const std::filesystem::path& folder);
 
 /// Values of parameters with some more; those of `more` count where both have one.
 ParameterDefinitions merge_defines(ParameterDefinitions defines, const ParameterDefinitions& more);

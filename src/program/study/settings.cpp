@@ -153,13 +153,13 @@ private:
   }
 
   // The deck with its bodies' meshes so much finer.
-  RefinedMeshDeck bodies(double fineness) {
+  DeckVariant bodies(double fineness) {
     return refine_deck_mesh(deck_, varied_, fineness, sizes_, folder_);
   }
 
   bool is_readable(double fineness) {
-    const RefinedMeshDeck finer = bodies(fineness);
-    return read_trial_deck(finer.text, merge_defines(deck_.defines, finer.defines), folder_)
+    const DeckVariant finer = bodies(fineness);
+    return read_trial_deck(*finer.text, merge_defines(deck_.defines, finer.defines), folder_)
         .model.has_value();
   }
 
@@ -191,16 +191,16 @@ private:
   template <class Edit>
   void add_route(SettingFamily family, double fineness, Tips tips, const std::string& word,
                  const Edit& edit) {
-    RefinedMeshDeck finer = bodies(fineness);
-    edit(finer.text);
+    DeckVariant finer = bodies(fineness);
+    edit(*finer.text);
     std::string name = finer.words;
     if (tips == Tips::finer && cracks_ && fineness != 1.0) {
       name += fmt::format(" FINER={:.4g}", fineness);
     }
     if (tips == Tips::finer) {
-      make_tips_finer(finer.text, fineness);
+      make_tips_finer(*finer.text, fineness);
     }
-    add(word.empty() ? name : name + " " + word, family, fineness, finer.text, finer.defines);
+    add(word.empty() ? name : name + " " + word, family, fineness, *finer.text, finer.defines);
   }
 
   void add_series() {

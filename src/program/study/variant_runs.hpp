@@ -7,7 +7,6 @@
 #include "program/study/deck_answers.hpp"
 #include "program/study/deck_variant.hpp"
 #include "program/trials/child_run.hpp"
-#include "program/trials/scratch_folder.hpp"
 #include "results/results.hpp"
 
 #include <filesystem>

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/trials/child_run.hpp"
 
+#include "archive/safe_file.hpp"
 #include "base/clock.hpp"
+#include "base/input_file.hpp"
+#include "base/memory.hpp"
 #include "base/parallel.hpp"
 
 #include <algorithm>
@@ -10,13 +13,17 @@
 #include <chrono>
 #include <csignal>
 #include <ctime>
+#include <fstream>
 #include <system_error>
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
+#include <sched.h>
 #include <spawn.h>
+#include <stdlib.h> // NOLINT(modernize-deprecated-headers): mkdtemp is of POSIX
 #include <sys/resource.h>
+#include <sys/utsname.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -112,6 +119,19 @@ struct Listener {
     }
   }
 };
+
+// The kernel's name of the processor, where it has one.
+std::string processor_name() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) {
+      return line.substr(colon + 2);
+    }
+  }
+  utsname names{};
+  return uname(&names) == 0 ? std::string(names.machine) : "unknown processor";
+}
 
 } // namespace
 
@@ -219,6 +239,44 @@ void ChildRunner::stop() {
 bool ChildRunner::stopped() const {
   const std::scoped_lock lock(guard_);
   return stopped_;
+}
+
+ScratchFolder::ScratchFolder(const std::filesystem::path& prefix, bool keep) : keep_(keep) {
+  std::string name = prefix.string() + ".XXXXXX";
+  if (::mkdtemp(name.data()) == nullptr) {
+    throw std::system_error(errno, std::generic_category(), name);
+  }
+  path_ = name;
+}
+
+void ScratchFolder::remove() const {
+  std::error_code ignored;
+  if (!keep_) {
+    std::filesystem::remove_all(path_, ignored);
+  }
+}
+
+int core_count() {
+  cpu_set_t cores;
+  CPU_ZERO(&cores);
+  return sched_getaffinity(0, sizeof cores, &cores) == 0 ? std::max(1, CPU_COUNT(&cores)) : 1;
+}
+
+std::string machine_description() {
+  return fmt::format("{}, {} cores, {:.0f} GB", processor_name(), core_count(),
+                     1e-9 * static_cast<double>(base::process_memory_limit()));
+}
+
+std::string program_version_and_build() {
+  // Piece by piece: what this process once had counts as memory of all that it starts.
+  std::ifstream file(running_program_file(), std::ios::binary);
+  std::string piece(base::mebibyte, '\0');
+  std::string hashes;
+  while (file.read(piece.data(), static_cast<std::streamsize>(piece.size())) || file.gcount() > 0) {
+    hashes += archive::hash_bytes({piece.data(), static_cast<std::size_t>(file.gcount())});
+  }
+  const std::string hash = archive::hash_bytes(hashes);
+  return fmt::format("spricka {} ({})", SPRICKA_VERSION, hash.substr(0, 8));
 }
 
 } // namespace spricka::program

@@ -78,4 +78,32 @@ private:
   std::mutex telling_;
 };
 
+/// A new folder PREFIX.XXXXXX for decks and run folders, removed at the end, whole. Throws
+/// std::system_error where none can be made.
+class ScratchFolder {
+public:
+  /// `keep`: it stays at the end.
+  explicit ScratchFolder(const std::filesystem::path& prefix, bool keep = false);
+  ~ScratchFolder() { remove(); }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// Removes it now, unless it is kept.
+  void remove() const;
+
+private:
+  std::filesystem::path path_;
+  bool keep_;
+};
+
+/// What times were measured on: "Intel(R) Xeon(R) CPU @ 2.20GHz, 2 cores, 24 GB".
+std::string machine_description();
+
+/// Cores that this process may use.
+int core_count();
+
+/// What was measured: "spricka 0.1.0 (4f1d22c8)", the digits from the bytes of the program's file,
+/// so that two builds of one version are told apart.
+std::string program_version_and_build();
+
 } // namespace spricka::program

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/verify/comparison.hpp"
 
+#include "report/drawing/columns.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -130,6 +132,26 @@ std::string summary(const VerificationComparison& comparison) {
     }
   }
   return text.empty() ? "nothing has changed" : text;
+}
+
+report::ReportTable verification_change_table(const VerificationComparison& comparison) {
+  using Row = std::pair<const ChangeKind*, VerificationChange>;
+  std::vector<Row> rows;
+  for (const ChangeKind& kind : change_kinds) {
+    for (const VerificationChange& change : comparison.*kind.changes) {
+      rows.emplace_back(&kind, change);
+    }
+  }
+  return report::Columns<Row>()
+      .words("what", [](const Row& row) { return row.first->in_table; })
+      .words("deck", [](const Row& row) { return row.second.deck; })
+      .words("check", [](const Row& row) { return row.second.what; })
+      .number(
+          "before", "", [](const Row& row) { return row.first->unit * row.second.before; },
+          "{:.3g}")
+      .number(
+          "now", "", [](const Row& row) { return row.first->unit * row.second.now; }, "{:.3g}")
+      .table("", rows);
 }
 
 } // namespace spricka::program

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "program/verify/verification.hpp"
+#include "report/drawing/table.hpp"
 
 #include <array>
 #include <string>
@@ -60,5 +61,8 @@ VerificationComparison compare(const Verification& now, const Verification& befo
 
 /// "larger error: 2, slower: 1"; "nothing has changed".
 std::string summary(const VerificationComparison& comparison);
+
+/// What has changed since the last verification; without rows: nothing.
+report::ReportTable verification_change_table(const VerificationComparison& comparison);
 
 } // namespace spricka::program

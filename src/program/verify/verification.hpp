@@ -4,7 +4,9 @@
 #include "results/results.hpp"
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <vector>
 
@@ -32,6 +34,11 @@ struct VerifiedDeck {
   [[nodiscard]] bool failed() const { return exit_code != 0; }
   [[nodiscard]] std::size_t missed_check_count() const;
 };
+
+/// The checks of all its points.
+inline auto checks_of(const VerifiedDeck& deck) {
+  return deck.points | std::views::transform(&VerifiedPoint::checks) | std::views::join;
+}
 
 struct Verification {
   std::string program; ///< version and build
@@ -75,5 +82,13 @@ base::Outcome worst_outcome(const Verification& verification);
 /// "110 decks, 146 runs, 1312 checks with a reference: 1310 passed, 2 missed", and what counts
 /// apart, a sentence each.
 std::vector<std::string> summary(const Verification& verification);
+
+/// verification.csv: a row for each check, or for a deck that has none; manual/verify.md names the
+/// columns.
+std::string verification_csv(const Verification& verification);
+
+/// What such a file says, as far as a comparison needs it: texts of checks, errors, what is
+/// allowed, costs. Empty if it is not there, or no such table. Throws std::system_error.
+std::optional<Verification> read_verification_csv(const std::filesystem::path& file);
 
 } // namespace spricka::program

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/verify/verification_report.hpp"
 
+#include "base/exit_codes.hpp"
 #include "program/trials/child_run.hpp"
-#include "program/verify/verification_tables.hpp"
+#include "report/drawing/columns.hpp"
 #include "report/drawing/plot.hpp"
 #include "report/page.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <ranges>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,17 +19,193 @@ namespace spricka::program {
 
 namespace {
 
+std::string error_in_words(double value, bool relative, const char* form) {
+  return relative ? fmt::format("{} %", fmt::format(fmt::runtime(form), 100.0 * value))
+                  : fmt::format("{:.2g}", value);
+}
+
+std::string error_of(const results::CheckResult& check) {
+  if (!check.trouble.empty()) {
+    return "-";
+  }
+  return error_in_words(check.error, check.relative, "{:+.3f}") + (check.passed ? "" : " MISSED");
+}
+
+std::string end_of(const VerifiedDeck& deck) {
+  if (deck.late) {
+    return "too slow, ended";
+  }
+  return deck.exit_code > 128 ? fmt::format("signal {}", deck.exit_code - 128)
+                              : fmt::format("exit code {}", deck.exit_code);
+}
+
+std::string what_of(const VerifiedDeck& deck, const VerifiedPoint& point) {
+  return fmt::format("{}{}{}", deck.title, point.values.empty() ? "" : ", ", point.values);
+}
+
+std::string check_count(const VerifiedPoint& point) {
+  const auto recorded = std::ranges::count_if(point.checks, has_recorded_reference);
+  return fmt::format("{}{}", point.checks.size(),
+                     recorded > 0 ? fmt::format(" ({} recorded)", recorded) : "");
+}
+
+// Of a deck that ended otherwise than by a missed check also how.
+std::string passed_count(const VerifiedDeck& deck, const VerifiedPoint& point) {
+  const auto passed = std::ranges::count_if(point.checks, &results::CheckResult::passed);
+  const auto missed = static_cast<std::ptrdiff_t>(point.checks.size()) - passed;
+  const bool broken =
+      deck.failed() && base::outcome_of_exit_code(deck.exit_code) != base::Outcome::check_failed;
+  return fmt::format("{}{}{}", passed, missed > 0 ? fmt::format(", {} MISSED", missed) : "",
+                     broken ? ", " + end_of(deck) : "");
+}
+
+// The largest error of a point over what is allowed; empty where no check has found a value.
+std::string largest_share(const VerifiedPoint& point) {
+  double largest = -1.0;
+  for (const results::CheckResult& check : point.checks) {
+    if (check.trouble.empty()) {
+      const double error = std::abs(check.error);
+      largest = std::max(largest, error > 0.0 ? error / check.tolerance : 0.0);
+    }
+  }
+  return largest < 0.0 ? "" : fmt::format("{:.2f}", largest);
+}
+
+// How the decks of a problem have ended, as far as they were run.
+std::string standing(const Verification& verification, const BenchmarkProblem& problem) {
+  std::size_t run = 0;
+  std::size_t failed = 0;
+  for (const std::string& name : problem.decks) {
+    const auto found = std::ranges::find(verification.decks, name, &VerifiedDeck::name);
+    if (found != verification.decks.end()) {
+      ++run;
+      failed += found->failed() ? 1 : 0;
+    }
+  }
+  if (failed > 0) {
+    return fmt::format("{} of {} FAILED", failed, problem.decks.size());
+  }
+  if (problem.decks.empty()) {
+    return "by a test";
+  }
+  return run == problem.decks.size() ? "passed"
+         : run == 0                  ? "not run"
+                                     : fmt::format("{} of {} run", run, problem.decks.size());
+}
+
+// "le1: NAFEMS LE1, elliptic membrane, beta = 0.78".
+std::string deck_heading(const VerifiedDeck& deck, const VerifiedPoint& point) {
+  return fmt::format("{}: {}", deck.name, what_of(deck, point));
+}
+
+// "1240 freedoms, 0.31 s CPU, 45 MB"; of a sweep time and memory are those of all its points.
+std::string deck_cost_text(const VerifiedDeck& deck, const VerifiedPoint& point) {
+  return fmt::format("{} freedoms, {:.2f} s CPU, {:.0f} MB{}", point.unknowns, deck.cpu,
+                     megabytes(deck.memory), deck.points.size() > 1 ? " with all points" : "");
+}
+
+// The checks of a point: check, reference, result, error, allowed, bar, source.
+report::ReportTable checks_table(const VerifiedPoint& point) {
+  using Check = results::CheckResult;
+  return report::Columns<Check>()
+      .words("check", &Check::text)
+      .number("reference", "", &Check::wanted)
+      .number("result", "",
+              [](const Check& c) { return c.trouble.empty() ? report::six_digits(c.found) : "-"; })
+      .number("error", "", error_of)
+      .number("allowed", "",
+              [](const Check& c) { return error_in_words(c.tolerance, c.relative, "{:.4g}"); })
+      .number(
+          "error bar", "",
+          [](const Check& c) { return std::isfinite(c.bar) ? fmt::format("{:.2g}", c.bar) : ""; })
+      .words("source", [](const Check& c) { return c.trouble.empty() ? c.source : c.trouble; })
+      .table("", point.checks);
+}
+
+// Every deck, and every point of a sweep: how many checks, how many passed, the largest error over
+// what is allowed, costs of the deck.
+report::ReportTable verified_deck_table(const Verification& verification) {
+  struct DeckTableRow {
+    const VerifiedDeck& deck;
+    const VerifiedPoint* point; // null: it has no results
+  };
+  std::vector<DeckTableRow> rows;
+  for (const VerifiedDeck& deck : verification.decks) {
+    for (const VerifiedPoint& point : deck.points) {
+      rows.push_back({deck, &point});
+    }
+    if (deck.points.empty()) {
+      rows.push_back({deck, nullptr});
+    }
+  }
+  return report::Columns<DeckTableRow>()
+      .words("deck", [](const DeckTableRow& r) { return r.deck.name; })
+      .words("what",
+             [](const DeckTableRow& r) {
+               return r.point ? what_of(r.deck, *r.point) : r.deck.message;
+             })
+      .number("checks", "",
+              [](const DeckTableRow& r) { return r.point ? check_count(*r.point) : "0"; })
+      .number("passed", "",
+              [](const DeckTableRow& r) {
+                return r.point ? passed_count(r.deck, *r.point) : end_of(r.deck);
+              })
+      .number("error / allowed", "",
+              [](const DeckTableRow& r) { return r.point ? largest_share(*r.point) : ""; })
+      .where([](const DeckTableRow& r) { return !r.point || r.point == r.deck.points.data(); })
+      .number(
+          "CPU, s", "", [](const DeckTableRow& r) { return r.deck.cpu; }, "{:.2f}")
+      .number(
+          "memory, MB", "", [](const DeckTableRow& r) { return megabytes(r.deck.memory); },
+          "{:.0f}")
+      .table("", rows);
+}
+
+// Problems of the open collections: which decks and tests stand for each, and how they ended.
+report::ReportTable benchmark_problem_table(const Verification& verification,
+                                            const std::vector<BenchmarkProblem>& problems) {
+  return report::Columns<BenchmarkProblem>()
+      .words("problem", &BenchmarkProblem::name)
+      .words("what", &BenchmarkProblem::title)
+      .words("decks, other tests",
+             [](const BenchmarkProblem& problem) {
+               std::vector<std::string> by = problem.decks;
+               by.insert(by.end(), problem.tests.begin(), problem.tests.end());
+               return fmt::format("{}", fmt::join(by, ", "));
+             })
+      .words("", [&](const BenchmarkProblem& problem) { return standing(verification, problem); })
+      .words("remark", &BenchmarkProblem::remark)
+      .table("", problems | std::views::filter(&BenchmarkProblem::is_covered));
+}
+
+// Those that are not covered, with the reason.
+report::ReportTable uncovered_problem_table(const std::vector<BenchmarkProblem>& problems) {
+  return report::Columns<BenchmarkProblem>()
+      .words("problem", &BenchmarkProblem::name)
+      .words("what", &BenchmarkProblem::title)
+      .words("not covered, because", &BenchmarkProblem::remark)
+      .table("", problems | std::views::filter(std::not_fn(&BenchmarkProblem::is_covered)));
+}
+
+// Decks that have not ended with 0, and why.
+report::ReportTable failed_deck_table(const Verification& verification) {
+  return report::Columns<VerifiedDeck>()
+      .words("deck", &VerifiedDeck::name)
+      .words("ended with", end_of)
+      .number("checks missed", "", &VerifiedDeck::missed_check_count)
+      .words("said last", &VerifiedDeck::message)
+      .table("", verification.decks | std::views::filter(&VerifiedDeck::failed));
+}
+
 /// Errors below this part of the reference are drawn here.
 constexpr double smallest_drawn = 1e-9;
 
 // The largest relative error of a deck against a reference, by what it takes; empty: it has none.
 std::optional<report::DrawingPoint> mark_of(const VerifiedDeck& deck) {
   std::optional<double> worst;
-  for (const VerifiedPoint& point : deck.points) {
-    for (const results::CheckResult& check : point.checks) {
-      if (check.relative && check.trouble.empty() && !has_recorded_reference(check)) {
-        worst = std::max(worst.value_or(smallest_drawn), std::abs(check.error));
-      }
+  for (const results::CheckResult& check : checks_of(deck)) {
+    if (check.relative && check.trouble.empty() && !has_recorded_reference(check)) {
+      worst = std::max(worst.value_or(smallest_drawn), std::abs(check.error));
     }
   }
   if (!worst || deck.cpu <= 0.0) {

@@ -11,14 +11,10 @@
 #include "program/job/standard_streams.hpp"
 #include "program/trials/child_run.hpp"
 #include "program/trials/deck_outcome.hpp"
-#include "program/trials/machine.hpp"
-#include "program/trials/scratch_folder.hpp"
 #include "program/verify/comparison.hpp"
 #include "program/verify/deck_list.hpp"
 #include "program/verify/verification.hpp"
-#include "program/verify/verification_csv.hpp"
 #include "program/verify/verification_report.hpp"
-#include "program/verify/verification_tables.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -170,10 +166,7 @@ private:
   void tell(const VerifiedDeck& deck, const ListedDeck& listed, double wall) {
     const bool terminal = isatty(STDERR_FILENO) != 0;
     known_done_ += listed.cost ? listed.cost->cpu : 0.0;
-    std::size_t checks = 0;
-    for (const VerifiedPoint& point : deck.points) {
-      checks += point.checks.size();
-    }
+    const auto checks = std::ranges::distance(checks_of(deck));
     if (!options_.quiet || deck.failed()) {
       write_to_stdout(fmt::format(
           "{}{:>4} of {}  {:<6} {:<36} {:>4} checks {:8.2f} s {:6.0f} MB{}\n",

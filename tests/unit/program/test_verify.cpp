@@ -5,7 +5,6 @@
 #include "program/verify/comparison.hpp"
 #include "program/verify/deck_list.hpp"
 #include "program/verify/verification.hpp"
-#include "program/verify/verification_csv.hpp"
 #include "program/verify/verification_report.hpp"
 #include "tests/places.hpp"
 #include "tests/unit/support/run_text.hpp"
