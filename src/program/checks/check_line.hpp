@@ -85,6 +85,12 @@ struct CheckedStep {
 CheckedStep find_checked_step(const results::RunResult& run, const std::string& step,
                               std::optional<double> a);
 
+/// The same, of a step and length that come next among the arguments.
+inline CheckedStep next_step(CheckLine& line) {
+  const std::string step = line.args.next_name("a step");
+  return find_checked_step(line.run, step, line.args.next_number());
+}
+
 /// Nodes of the node, face or element set of that name, perhaps several times.
 std::vector<base::NodeId> nodes_of_named_set(const model::Mesh& mesh, const std::string& name);
 

@@ -43,10 +43,8 @@ double reaction(CheckLine& line) {
 }
 
 double energy(CheckLine& line) {
-  auto& [model, run, word, args] = line;
-  const std::string net = args.next_name("a net or *");
-  const std::string step = args.next_name("a step");
-  const results::StepResult& at = *find_checked_step(run, step, args.next_number()).step;
+  const std::string net = line.args.next_name("a net or *");
+  const results::StepResult& at = *next_step(line).step;
   if (net == "*") {
     return at.energy;
   }
@@ -58,10 +56,8 @@ double energy(CheckLine& line) {
 }
 
 double estimated_error(CheckLine& line) {
-  auto& [model, run, word, args] = line;
-  const std::string net = args.next_name("a net or *");
-  const std::string step = args.next_name("a step");
-  const results::StepResult& at = *find_checked_step(run, step, args.next_number()).step;
+  const std::string net = line.args.next_name("a net or *");
+  const results::StepResult& at = *next_step(line).step;
   const auto found = std::ranges::find(at.errors, net, &results::NetErrorEstimate::net);
   if (found == at.errors.end()) {
     throw MissingQuantity(fmt::format("net {} has no elements outside crack patches", net));

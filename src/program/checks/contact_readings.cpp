@@ -261,10 +261,8 @@ double evaluate_contact_quantity(CheckLine& line) {
   const Argument argument = asked != nullptr ? asked->argument : Argument::none;
   const bool shear = word.starts_with("SHEAR.");
   const std::string name = args.next_name("a contact");
-  base::Vec3 point = base::Vec3::Zero();
-  if (argument == Argument::point) {
-    point = args.required_point(model.mesh.dim);
-  }
+  const base::Vec3 point =
+      argument == Argument::point ? args.required_point(model.mesh.dim) : base::Vec3::Zero();
   const std::string step = args.next_name("a step");
   double at = 0.0;
   Eigen::Index axis = 0;

@@ -156,8 +156,7 @@ double evaluate_field_quantity(CheckLine& line) {
   const FieldName field = split(quantity);
   if (field.how == "AT") {
     const base::Vec3 x = args.required_point(model.mesh.dim);
-    const std::string step = args.next_name("a step");
-    const CheckedStep at = find_checked_step(run, step, args.next_number());
+    const CheckedStep at = next_step(line);
     if (field.what == "U") {
       return displacement_at(at.increment->mesh, at.step->u, x, axis_index(field.component));
     }
@@ -169,8 +168,7 @@ double evaluate_field_quantity(CheckLine& line) {
     return stress_component(*s, field.component);
   }
   const std::string set = args.next_name("a set");
-  const std::string step = args.next_name("a step");
-  const CheckedStep at = find_checked_step(run, step, args.next_number());
+  const CheckedStep at = next_step(line);
   std::vector<double> values;
   if (field.what == "S") {
     values = stresses_of_set(model, at, set, field.component);

@@ -27,29 +27,16 @@ void count_freedoms(const analysis::Discretisation& scene, const std::vector<boo
                     base::NetId net, results::NetPreview& preview) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const auto dim = static_cast<std::size_t>(mesh.dim);
+  constexpr std::array counts{&results::NetPreview::local, &results::NetPreview::external,
+                              &results::NetPreview::suppressed, &results::NetPreview::prescribed,
+                              &results::NetPreview::dependent}; // by FreedomClass
   for (std::size_t n = 0; n < mesh.node_count(); ++n) {
     if (!used[n] || mesh.node_net[n] != net) {
       continue;
     }
     ++preview.nodes;
     for (std::size_t c = 0; c < dim; ++c) {
-      switch (scene.cls[dim * n + c]) {
-      case model::FreedomClass::local:
-        ++preview.local;
-        break;
-      case model::FreedomClass::external:
-        ++preview.external;
-        break;
-      case model::FreedomClass::suppressed:
-        ++preview.suppressed;
-        break;
-      case model::FreedomClass::prescribed:
-        ++preview.prescribed;
-        break;
-      case model::FreedomClass::dependent:
-        ++preview.dependent;
-        break;
-      }
+      ++(preview.*counts.at(static_cast<std::size_t>(scene.cls[dim * n + c])));
     }
   }
 }

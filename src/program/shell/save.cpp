@@ -18,9 +18,7 @@ namespace {
 // The lengths of $GROW are gone with its card.
 void set_grown_lengths(const model::Model& model, deck::DeckCardList& text) {
   for (const model::CrackDefinition& crack : model.cracks) {
-    const auto card = std::ranges::find_if(text, [&](const deck::DeckCard& one) {
-      return one.name == "CRACK" && one.word_value("NAME") == crack.name;
-    });
+    deck::DeckCard* const card = find_named_card(text, "CRACK", "NAME", crack.name);
     if (crack.kind == model::CrackDefinitionKind::ellipse) {
       card->set("A", fmt::format("{}", crack.plane.a));
       card->set("C", fmt::format("{}", crack.plane.c));

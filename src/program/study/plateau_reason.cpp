@@ -42,12 +42,12 @@ PlateauAnswers assess_answers(const PlateauContext& view) {
   }
   PlateauAnswers found;
   for (std::size_t a = 0; a < view.study.answers.size(); ++a) {
-    const AnswerReference& reference = view.study.verdict.references[a];
+    const AnswerReference& reference = view.study.references[a];
     if (view.study.answers[a].group != view.group.group || !(reference.scale > 0.0)) {
       continue;
     }
     if (reference.of_deck) {
-      const AnswerReading& reading = trials[*view.study.verdict.finest].readings[a];
+      const AnswerReading& reading = trials[*view.study.finest].readings[a];
       const double limit = std::isfinite(reading.best) ? reading.best : reading.value;
       found.distance =
           std::max(found.distance, std::abs(limit - reference.value) / reference.scale);

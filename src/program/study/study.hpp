@@ -63,48 +63,34 @@ struct SeriesVerdict {
   std::string reason;                  ///< of the plateau
 };
 
-/// The cheapest setting for a tolerance.
-struct CheapestSetting {
-  double tolerance = 0.0;
-  std::optional<std::size_t> trial;
-  bool corrected = false;
-  double error = 0.0; ///< lasting: of it and all finer ones of its family
-  std::string words;  ///< the sentence
-};
-
 struct AnswerGroupVerdict {
   AnswerGroup group = AnswerGroup::K;
   std::vector<AnswerGroupErrors> errors; ///< [trial]
   double floor = 0.0; ///< how uncertain the references are: nothing below is told apart
   std::vector<SeriesVerdict> series;
-  std::vector<CheapestSetting> cheapest;
-  std::string peer; ///< CalculiX beside it, a sentence; empty: it was not run
-};
-
-struct StudyVerdict {
-  std::vector<AnswerReference> references; ///< [answer]
-  std::optional<std::size_t> finest;       ///< trial that others are compared with
-  std::vector<AnswerGroupVerdict> groups;  ///< those with answers, in their order
+  std::vector<std::string> sentences; ///< the cheapest settings, and CalculiX beside them
 };
 
 /// All that is shown of a study.
 struct Study {
   std::vector<AnswerRequest> answers;
   std::vector<StudyTrial> trials;
-  std::vector<std::string> notes; ///< what was not varied or run, and why
-  StudyVerdict verdict;
+  std::vector<std::string> notes;          ///< what was not varied or run, and why
+  std::vector<AnswerReference> references; ///< [answer]
+  std::optional<std::size_t> finest;       ///< trial that others are compared with
+  std::vector<AnswerGroupVerdict> groups;  ///< those with answers, in their order
 };
 
-/// Fills the verdict with errors of all trials. A deck's reference counts where the finest setting
-/// agrees with it within its own bar, or without one within its change from the next coarser
-/// setting; else the finest setting's value does, corrected where it has a bar.
+/// Fills references and groups with errors of all trials. A deck's reference counts where the
+/// finest setting agrees with it within its own bar, or without one within its change from the next
+/// coarser setting; else the finest setting's value does, corrected where it has a bar.
 void assess_trials(Study& study);
 
 /// What a plateau is judged by.
 struct PlateauContext {
   const AnswerGroupVerdict& group; ///< its errors and floor
   const SeriesVerdict& series;
-  const Study& study; ///< with the references of its verdict
+  const Study& study; ///< with its references
 };
 
 /// Why errors of a series stop falling, in words: how well the reference is known, what is not made

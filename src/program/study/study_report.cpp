@@ -110,7 +110,7 @@ ReportTable settings_table(const Study& study) {
       .number("CPU", "s", of([](const StudyTrial& trial) { return trial.end.cpu; }), "{:.2f}")
       .number("memory", "MiB",
               of([](const StudyTrial& t) { return mebibytes(t.end.peak_memory); }));
-  for (const AnswerGroupVerdict& group : study.verdict.groups) {
+  for (const AnswerGroupVerdict& group : study.groups) {
     const auto error = [&group](double AnswerGroupErrors::*kind) {
       return [&group, kind](std::size_t t) { return percent_number(group.errors[t].*kind); };
     };
@@ -131,7 +131,7 @@ ReportTable settings_table(const Study& study) {
 ReportTable series_table(const Study& study) {
   using Row = std::pair<AnswerGroup, const SeriesVerdict*>;
   std::vector<Row> rows;
-  for (const AnswerGroupVerdict& group : study.verdict.groups) {
+  for (const AnswerGroupVerdict& group : study.groups) {
     for (const SeriesVerdict& series : group.series) {
       rows.emplace_back(group.group, &series);
     }
@@ -156,7 +156,7 @@ ReportTable series_table(const Study& study) {
 
 // References of the deck that are not used, and what they are off by; the largest of each source.
 ReportTable distrusted_table(const Study& study) {
-  const std::vector<AnswerReference>& references = study.verdict.references;
+  const std::vector<AnswerReference>& references = study.references;
   std::map<std::string, std::size_t> worst; // answers by source
   for (std::size_t a = 0; a < references.size(); ++a) {
     const auto [found, fresh] = worst.emplace(study.answers[a].check.source, a);
@@ -182,28 +182,14 @@ ReportTable distrusted_table(const Study& study) {
       .table("References of the deck that finer meshes do not go to", rows);
 }
 
-std::vector<std::string> sentences(const Study& study) {
-  std::vector<std::string> all;
-  for (const AnswerGroupVerdict& group : study.verdict.groups) {
-    for (const CheapestSetting& cheapest : group.cheapest) {
-      all.push_back(cheapest.words);
-    }
-    if (!group.peer.empty()) {
-      all.push_back(group.peer);
-    }
-  }
-  return all;
-}
-
 std::string reference_words(const Study& study) {
   std::size_t own = 0;
   std::size_t all = 0;
-  for (const AnswerReference& reference : study.verdict.references) {
+  for (const AnswerReference& reference : study.references) {
     all += reference.scale > 0.0 ? 1 : 0;
     own += reference.scale > 0.0 && reference.of_deck ? 1 : 0;
   }
-  const std::string finest =
-      study.verdict.finest ? study.trials[*study.verdict.finest].variant.name : "none";
+  const std::string finest = study.finest ? study.trials[*study.finest].variant.name : "none";
   const std::string answers = fmt::format("{} answer{}", all, all == 1 ? "" : "s");
   const std::string against = fmt::format(
       "the finest setting ({}), with its estimated error taken out where there is a bar", finest);
@@ -225,8 +211,8 @@ std::string study_text(const Study& study) {
     out += note + "\n";
   }
   out += "\n";
-  for (const std::string& words : sentences(study)) {
-    out += words + "\n";
+  for (const AnswerGroupVerdict& group : study.groups) {
+    out += fmt::format("{}\n", fmt::join(group.sentences, "\n"));
   }
   return out;
 }
@@ -243,7 +229,7 @@ std::string study_csv(const Study& study) {
       },
       [&](const StudyTrial& trial, std::size_t a) {
         const AnswerReading& reading = trial.readings[a];
-        const AnswerReference& reference = study.verdict.references[a];
+        const AnswerReference& reference = study.references[a];
         const double scale = reference.scale > 0.0 ? reference.scale : NAN;
         return base::CsvRow{{"group", display_name(study.answers[a].group)},
                             {"best", reading.best},
@@ -263,11 +249,13 @@ std::string study_page(const base::SourceTexts& sources, const model::Model& mod
                         fmt::format("Work against precision of {}: {}",
                                     report::deck_name(sources, 0), reference_words(study)));
   page.add_heading("The cheapest settings");
-  for (const std::string& words : sentences(study)) {
-    page.add_paragraph(words, "");
+  for (const AnswerGroupVerdict& group : study.groups) {
+    for (const std::string& words : group.sentences) {
+      page.add_paragraph(words, "");
+    }
   }
   page.add_heading("Error and cost");
-  for (const AnswerGroupVerdict& group : study.verdict.groups) {
+  for (const AnswerGroupVerdict& group : study.groups) {
     page.add_figure(
         {{draw_svg(group_plot(study, group, true)), draw_svg(group_plot(study, group, false))},
          "",

@@ -62,7 +62,7 @@ AnswerGroupErrors errors_of(AnswerGroup group, const Study& study, const StudyTr
   AnswerGroupErrors errors{none, none, none};
   bool all_best = true;
   for (std::size_t a = 0; a < trial.readings.size(); ++a) {
-    const AnswerReference& reference = study.verdict.references[a];
+    const AnswerReference& reference = study.references[a];
     if (study.answers[a].group != group || !(reference.scale > 0.0)) {
       continue;
     }
@@ -117,59 +117,44 @@ double lasting_error(const AnswerGroupVerdict& group, const std::vector<StudyTri
   return largest;
 }
 
-std::string cheapest_sentence(const AnswerGroupVerdict& group,
-                              const std::vector<StudyTrial>& trials, const CheapestSetting& found) {
-  const std::string what =
-      fmt::format("{} within {:g} %: ", display_name(group.group), 100.0 * found.tolerance);
-  if (found.trial) {
-    const StudyTrial& trial = trials[*found.trial];
-    return what + fmt::format("{} gives {} for {:.2f} s{}", trial.variant.name,
-                              percent(found.error), trial.end.cpu,
-                              found.corrected ? ", with the estimated error taken out" : "");
+// For 1, 0.1 and 0.01 %: the setting of the least CPU (within 15 % of it, of the fewest freedoms)
+// whose error, and that of all finer ones of its family, is below it together with what the
+// references are uncertain by. CalculiX is not among them.
+std::string cheapest_setting(const AnswerGroupVerdict& group, const std::vector<StudyTrial>& trials,
+                             double tolerance) {
+  std::vector<RunCost> costs; // [2 trial + corrected] plain values before corrected ones
+  for (std::size_t i = 0; i < 2 * trials.size(); ++i) {
+    const StudyTrial& trial = trials[i / 2];
+    const bool own = !trial.readings.empty() && trial.variant.family != SettingFamily::peer &&
+                     lasting_error(group, trials, i / 2, i % 2 == 1) + group.floor <= tolerance;
+    costs.push_back({own ? trial.end.cpu : std::numeric_limits<double>::infinity(),
+                     static_cast<double>(trial.unknowns)});
   }
-  return what + (group.floor >= found.tolerance
+  const std::string what =
+      fmt::format("{} within {:g} %: ", display_name(group.group), 100.0 * tolerance);
+  if (const std::optional<std::size_t> best = cheapest_run(costs)) {
+    const StudyTrial& trial = trials[*best / 2];
+    const bool corrected = *best % 2 == 1;
+    return what + fmt::format("{} gives {} for {:.2f} s{}", trial.variant.name,
+                              percent(lasting_error(group, trials, *best / 2, corrected)),
+                              trial.end.cpu,
+                              corrected ? ", with the estimated error taken out" : "");
+  }
+  return what + (group.floor >= tolerance
                      ? fmt::format("not to be told, the reference is known to {} only",
                                    percent(group.floor))
                      : "none of the settings that were run");
 }
 
-// For 1, 0.1 and 0.01 %: the setting of the least CPU (within 15 % of it, of the fewest freedoms)
-// whose error, and that of all finer ones of its family, is below it together with what the
-// references are uncertain by. CalculiX is not among them.
-std::vector<CheapestSetting> cheapest_settings(const AnswerGroupVerdict& group,
-                                               const std::vector<StudyTrial>& trials) {
-  std::vector<CheapestSetting> found;
-  for (const double tolerance : std::array{1e-2, 1e-3, 1e-4}) {
-    std::vector<RunCost> costs; // [2 trial + corrected] plain values before corrected ones
-    for (std::size_t i = 0; i < 2 * trials.size(); ++i) {
-      const StudyTrial& trial = trials[i / 2];
-      const bool own = !trial.readings.empty() && trial.variant.family != SettingFamily::peer &&
-                       lasting_error(group, trials, i / 2, i % 2 == 1) + group.floor <= tolerance;
-      costs.push_back({own ? trial.end.cpu : std::numeric_limits<double>::infinity(),
-                       static_cast<double>(trial.unknowns)});
-    }
-    CheapestSetting& cheapest = found.emplace_back();
-    cheapest.tolerance = tolerance;
-    if (const std::optional<std::size_t> best = cheapest_run(costs)) {
-      cheapest.trial = *best / 2;
-      cheapest.corrected = *best % 2 == 1;
-      cheapest.error = lasting_error(group, trials, *best / 2, cheapest.corrected);
-    }
-    cheapest.words = cheapest_sentence(group, trials, cheapest);
-  }
-  return found;
-}
-
 class GroupJudge {
 public:
-  GroupJudge(const Study& study, AnswerGroup group)
-      : study_(study), trials_(study.trials), verdict_(study.verdict) {
+  GroupJudge(const Study& study, AnswerGroup group) : study_(study), trials_(study.trials) {
     found_.group = group;
   }
 
   std::optional<AnswerGroupVerdict> run() {
     for (std::size_t t = 0; t < trials_.size(); ++t) {
-      found_.errors.push_back(errors_of(found_.group, study_, trials_[t], t == verdict_.finest));
+      found_.errors.push_back(errors_of(found_.group, study_, trials_[t], t == study_.finest));
     }
     if (std::ranges::none_of(
             found_.errors, [](double plain) { return std::isfinite(plain); },
@@ -185,15 +170,17 @@ public:
         judge_series(family, true);
       }
     }
-    found_.cheapest = cheapest_settings(found_, trials_);
-    found_.peer = peer_sentence();
+    for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
+      found_.sentences.push_back(cheapest_setting(found_, trials_, tolerance));
+    }
+    compare_with_peer();
     return std::move(found_);
   }
 
 private:
   void find_floor() {
     for (std::size_t a = 0; a < study_.answers.size(); ++a) {
-      const AnswerReference& reference = verdict_.references[a];
+      const AnswerReference& reference = study_.references[a];
       if (study_.answers[a].group == found_.group && reference.scale > 0.0) {
         own_ = own_ || !reference.of_deck;
         found_.floor = std::max(found_.floor, reference.uncertainty / reference.scale);
@@ -226,8 +213,8 @@ private:
     }
     // Differences to values of the finest mesh, which has an error of the same law.
     const bool alike = family == SettingFamily::whole || family == SettingFamily::asked;
-    const bool to_finest = alike && own_ && !has_bars() && verdict_.finest;
-    const double reference = to_finest ? 1.0 / trials_[*verdict_.finest].variant.fineness : 0.0;
+    const bool to_finest = alike && own_ && !has_bars() && study_.finest;
+    const double reference = to_finest ? 1.0 / trials_[*study_.finest].variant.fineness : 0.0;
     const std::size_t falling = series.plateau ? series.plateau->first + 1 : points.size();
     // A corrected value is several times better than its bar (manual, error_bar.md).
     constexpr double better = 0.25;
@@ -242,7 +229,7 @@ private:
 
   // Of the finest mesh that CalculiX has an error for; both by the answers that CalculiX has: those
   // of the first step.
-  [[nodiscard]] std::string peer_sentence() const {
+  void compare_with_peer() {
     std::optional<std::size_t> peer;
     for (const std::size_t t : series_trials(trials_, SettingFamily::peer)) {
       if (std::isfinite(found_.errors[t].plain) &&
@@ -251,7 +238,7 @@ private:
       }
     }
     if (!peer) {
-      return {};
+      return;
     }
     const auto same_mesh = std::ranges::find_if(trials_, [&](const StudyTrial& trial) {
       return trial.variant.family != SettingFamily::peer &&
@@ -264,23 +251,22 @@ private:
       }
     }
     const bool is_finest = same_mesh - trials_.begin() ==
-                           static_cast<std::ptrdiff_t>(verdict_.finest.value_or(trials_.size()));
+                           static_cast<std::ptrdiff_t>(study_.finest.value_or(trials_.size()));
     const double error = errors_of(found_.group, study_, own, is_finest).plain;
-    return fmt::format("{} by CalculiX: {} gives {} for {:.2f} s, the program on the same mesh {} "
-                       "for {:.2f} s",
-                       display_name(found_.group), own.variant.name,
-                       percent(found_.errors[*peer].plain), trials_[*peer].end.cpu,
-                       std::isfinite(error) ? percent(error) : "what errors are counted from",
-                       own.end.cpu);
+    found_.sentences.push_back(fmt::format(
+        "{} by CalculiX: {} gives {} for {:.2f} s, the program on the same mesh {} "
+        "for {:.2f} s",
+        display_name(found_.group), own.variant.name, percent(found_.errors[*peer].plain),
+        trials_[*peer].end.cpu,
+        std::isfinite(error) ? percent(error) : "what errors are counted from", own.end.cpu));
   }
 
   [[nodiscard]] bool has_bars() const {
-    return verdict_.finest && std::isfinite(found_.errors[*verdict_.finest].bar);
+    return study_.finest && std::isfinite(found_.errors[*study_.finest].bar);
   }
 
   const Study& study_;
   const std::vector<StudyTrial>& trials_;
-  const StudyVerdict& verdict_;
   AnswerGroupVerdict found_;
   bool own_ = false; ///< some reference is of the finest setting
 };
@@ -304,7 +290,6 @@ std::vector<std::size_t> series_trials(const std::vector<StudyTrial>& trials,
 }
 
 void assess_trials(Study& study) {
-  StudyVerdict& verdict = study.verdict;
   std::vector<std::size_t> series = series_trials(study.trials, SettingFamily::whole);
   if (series.size() < 2) {
     series = series_trials(study.trials, SettingFamily::asked);
@@ -312,19 +297,19 @@ void assess_trials(Study& study) {
   if (series.empty()) {
     return;
   }
-  verdict.finest = series.back();
+  study.finest = series.back();
   std::vector<double> values;
   for (std::size_t a = 0; a < study.answers.size(); ++a) {
-    verdict.references.push_back(reference_of(study.answers[a], a, study.trials, series));
-    values.push_back(verdict.references.back().value);
+    study.references.push_back(reference_of(study.answers[a], a, study.trials, series));
+    values.push_back(study.references.back().value);
   }
   const std::vector<double> scales = answer_scales(study.answers, values);
   for (std::size_t a = 0; a < scales.size(); ++a) {
-    verdict.references[a].scale = scales[a];
+    study.references[a].scale = scales[a];
   }
   for (int g = 0; g <= static_cast<int>(AnswerGroup::other); ++g) {
     if (auto group = GroupJudge(study, static_cast<AnswerGroup>(g)).run()) {
-      verdict.groups.push_back(std::move(*group));
+      study.groups.push_back(std::move(*group));
     }
   }
 }
