@@ -223,7 +223,7 @@ base::Outcome run_ladder(const HierarchyOptions& options, VariantRuns& runs, std
     }
   }
   runs.run_other_variants(chosen, options.jobs);
-  if (runs.children().stopped()) {
+  if (runs.processes().stopped()) {
     return base::Outcome::stopped;
   }
   compare(ladder);

@@ -5,7 +5,6 @@
 #include "base/input_file.hpp"
 #include "model/model.hpp"
 #include "program/job/file_failures.hpp"
-#include "program/job/interrupt.hpp"
 #include "program/job/standard_streams.hpp"
 #include "program/trials/deck_outcome.hpp"
 #include "results/store.hpp"
@@ -13,7 +12,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -43,19 +41,16 @@ ChildRun child_of(const DeckVariant& variant, double cpu_seconds) {
           .cpu_seconds = cpu_seconds};
 }
 
-// The results in the folder of a run, which goes; empty: it has none.
-std::optional<results::RunResult> take_results(const fs::path& folder,
+// The results in the folder of a run; empty: it has none.
+std::optional<results::RunResult> read_results(const fs::path& folder,
                                                const ChildProcessResult& end) {
-  std::optional<results::RunResult> run;
   const std::optional<base::Outcome> outcome = base::outcome_of_exit_code(end.exit_code);
-  if ((outcome == base::Outcome::done || outcome == base::Outcome::check_failed) &&
-      fs::exists(folder / results_name)) {
-    const std::string bytes = base::read_file(folder / results_name, base::largest_mesh_file);
-    run = results::read_run(results::Store::from_bytes(bytes).root());
+  if ((outcome != base::Outcome::done && outcome != base::Outcome::check_failed) ||
+      !fs::exists(folder / results_name)) {
+    return std::nullopt;
   }
-  std::error_code ignored;
-  fs::remove_all(folder, ignored);
-  return run;
+  const std::string bytes = base::read_file(folder / results_name, base::largest_mesh_file);
+  return results::read_run(results::Store::from_bytes(bytes).root());
 }
 
 // The text of a deck that was read; its places are in the same sources.
@@ -69,13 +64,8 @@ StudiedDeck studied_deck(const RunOptions& options, CheckedDeck& ready) {
 
 VariantRuns::VariantRuns(const RunOptions& options, CheckedDeck& ready, const Log& log)
     : log_(log), quiet_(options.quiet), deck_(studied_deck(options, ready)),
-      place_(canonical_folder(options.out)), folder_(options.out), scratch_(place_) {}
-
-void VariantRuns::abandon() {
-  children_.stop();
-  scratch_.remove();
-  folder_.abandon();
-}
+      place_(canonical_folder(options.out)), folder_(options.out),
+      runs_(place_, false, [this](int) { folder_.abandon(); }) {}
 
 void VariantRuns::read_trial(const ChildProcessResult& end,
                              const std::optional<results::RunResult>& run,
@@ -101,8 +91,8 @@ base::Outcome VariantRuns::run_original_deck(
         choose) {
   base::Outcome outcome = base::Outcome::stopped;
   const ChildRun child = child_of(given.variant, 0.0);
-  children_.run_all_children({&child, 1}, 1, [&](std::size_t, const ChildProcessResult& end) {
-    const std::optional<results::RunResult> run = take_results(child.out, end);
+  runs_.run_all_children({&child, 1}, 1, [&](std::size_t, const ChildProcessResult& end) {
+    const std::optional<results::RunResult> run = read_results(child.out, end);
     answers_ = run ? choose(model(), *run) : std::vector<AnswerRequest>();
     read_trial(end, run, given);
     outcome = run ? base::Outcome::done
@@ -127,8 +117,8 @@ void VariantRuns::run_other_variants(const std::vector<StudyTrial*>& trials, int
     children.push_back(child_of(trial->variant, cpu_seconds));
   }
   std::size_t reported = 0;
-  children_.run_all_children(children, at_once, [&](std::size_t i, const ChildProcessResult& end) {
-    read_trial(end, take_results(children[i].out, end), *trials[i]);
+  runs_.run_all_children(children, at_once, [&](std::size_t i, const ChildProcessResult& end) {
+    read_trial(end, read_results(children[i].out, end), *trials[i]);
     if (!quiet_) {
       write_to_stderr(fmt::format("{} of {}: {}, {:.2f} s\n", ++reported, trials.size(),
                                   trials[i]->variant.name, end.cpu));
@@ -150,13 +140,9 @@ run_variants_of(const RunOptions& given, const char* extension,
       return ready.refusal.kind;
     }
     VariantRuns runs(options, ready, log);
-    const InterruptHandler interrupt([&](int signal) {
-      runs.abandon();
-      return 128 + signal;
-    });
     std::string summary;
     const base::Outcome outcome = work(runs, summary);
-    if (runs.children()
+    if (runs.processes()
             .stopped()) { // what was not run says nothing; the interrupt ends the program
       return base::Outcome::stopped;
     }

@@ -38,14 +38,12 @@ public:
   /// What all variants are asked for, from run_original_deck() on.
   [[nodiscard]] const std::vector<AnswerRequest>& answers() const { return answers_; }
   /// Where decks of variants are written; gone at the end.
-  [[nodiscard]] const std::filesystem::path& scratch() const { return scratch_.path(); }
+  [[nodiscard]] const std::filesystem::path& scratch() const { return runs_.folder(); }
   /// The folder that is left at the end, absolute.
   [[nodiscard]] const std::filesystem::path& place() const { return place_; }
   /// The same, to be filled.
   RunFolder& folder() { return folder_; }
-  ChildRunner& children() { return children_; }
-  /// Ends all that runs and removes what is written. From any thread.
-  void abandon();
+  DeckRuns& processes() { return runs_; }
 
   /// Runs the deck itself, which decides by `choose` what is asked for. Where it has no results, or
   /// nothing to be asked for, it is told (E555), and the outcome is that of the run, or
@@ -68,9 +66,8 @@ private:
   StudiedDeck deck_;
   std::filesystem::path place_;
   RunFolder folder_;
-  ScratchFolder scratch_;
-  ChildRunner children_;
   std::vector<AnswerRequest> answers_;
+  DeckRuns runs_; ///< last: a signal removes the folder as well
 };
 
 /// Reads the deck and lets `work` run variants of it: without a folder in `given` into one of the

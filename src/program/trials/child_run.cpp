@@ -15,6 +15,7 @@
 #include <ctime>
 #include <fstream>
 #include <system_error>
+#include <utility>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -119,6 +120,14 @@ struct Listener {
     }
   }
 };
+
+std::string new_folder(const std::filesystem::path& prefix) {
+  std::string name = prefix.string() + ".XXXXXX";
+  if (::mkdtemp(name.data()) == nullptr) {
+    throw std::system_error(errno, std::generic_category(), name);
+  }
+  return name;
+}
 
 // The kernel's name of the processor, where it has one.
 std::string processor_name() {
@@ -241,19 +250,33 @@ bool ChildRunner::stopped() const {
   return stopped_;
 }
 
-ScratchFolder::ScratchFolder(const std::filesystem::path& prefix, bool keep) : keep_(keep) {
-  std::string name = prefix.string() + ".XXXXXX";
-  if (::mkdtemp(name.data()) == nullptr) {
-    throw std::system_error(errno, std::generic_category(), name);
-  }
-  path_ = name;
-}
+DeckRuns::DeckRuns(const std::filesystem::path& prefix, bool keep,
+                   std::function<void(int signal)> stopped_by)
+    : folder_(new_folder(prefix)), keep_(keep),
+      interrupt_([this, last = std::move(stopped_by)](int signal) {
+        runner_.stop();
+        remove();
+        last(signal);
+        return 128 + signal;
+      }) {}
 
-void ScratchFolder::remove() const {
+void DeckRuns::remove() const {
   std::error_code ignored;
   if (!keep_) {
-    std::filesystem::remove_all(path_, ignored);
+    std::filesystem::remove_all(folder_, ignored);
   }
+}
+
+void DeckRuns::run_all_children(
+    std::span<const ChildRun> runs, int at_once,
+    const std::function<void(std::size_t, const ChildProcessResult&)>& ended) {
+  runner_.run_all_children(runs, at_once, [&](std::size_t i, const ChildProcessResult& end) {
+    ended(i, end);
+    std::error_code ignored;
+    if (!keep_) {
+      std::filesystem::remove_all(runs[i].out, ignored);
+    }
+  });
 }
 
 int core_count() {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "program/job/interrupt.hpp"
+
 #include <condition_variable>
 #include <cstddef>
 #include <filesystem>
@@ -78,22 +80,31 @@ private:
   std::mutex telling_;
 };
 
-/// A new folder PREFIX.XXXXXX for decks and run folders, removed at the end, whole. Throws
-/// std::system_error where none can be made.
-class ScratchFolder {
+/// Runs of decks in a new folder PREFIX.XXXXXX for decks and run folders, which is removed at the
+/// end, whole. A signal ends all that run and removes the folder; then `stopped_by` may do what is
+/// left, and the program ends. Throws std::system_error where no folder can be made.
+class DeckRuns {
 public:
-  /// `keep`: it stays at the end.
-  explicit ScratchFolder(const std::filesystem::path& prefix, bool keep = false);
-  ~ScratchFolder() { remove(); }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// Removes it now, unless it is kept.
-  void remove() const;
+  /// `keep`: the folder stays at the end.
+  DeckRuns(const std::filesystem::path& prefix, bool keep,
+           std::function<void(int signal)> stopped_by);
+  ~DeckRuns() { remove(); }
+  DeckRuns(const DeckRuns&) = delete;
+  DeckRuns& operator=(const DeckRuns&) = delete;
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  [[nodiscard]] bool stopped() const { return runner_.stopped(); }
+  /// As ChildRunner has it; the run folder of each goes when `ended` has seen it, unless it is
+  /// kept.
+  void run_all_children(std::span<const ChildRun> runs, int at_once,
+                        const std::function<void(std::size_t, const ChildProcessResult&)>& ended);
 
 private:
-  std::filesystem::path path_;
+  void remove() const;
+
+  std::filesystem::path folder_;
   bool keep_;
+  ChildRunner runner_;
+  InterruptHandler interrupt_;
 };
 
 /// What times were measured on: "Intel(R) Xeon(R) CPU @ 2.20GHz, 2 cores, 24 GB".

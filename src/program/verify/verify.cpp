@@ -4,7 +4,6 @@
 #include "base/clock.hpp"
 #include "base/output_file.hpp"
 #include "program/job/file_failures.hpp"
-#include "program/job/interrupt.hpp"
 #include "program/job/log.hpp"
 #include "program/job/point_record.hpp"
 #include "program/job/restart_run.hpp"
@@ -19,7 +18,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -124,7 +122,9 @@ private:
   bool run_decks() {
     order_by_cost();
     const base::Stopwatch watch;
-    const ScratchFolder scratch(options_.out / "runs", options_.keep);
+    DeckRuns deck_runs(options_.out / "runs", options_.keep, [](int signal) {
+      write_to_stderr(fmt::format("\nstopped by {}: nothing is written\n", signal_name(signal)));
+    });
     std::vector<ChildRun> runs;
     double most = 0.0;
     for (const ListedDeck& deck : all_) {
@@ -132,34 +132,23 @@ private:
     }
     for (const ListedDeck& deck : chosen_) {
       runs.push_back({.deck = deck.file,
-                      .out = scratch.path() / deck.name,
+                      .out = deck_runs.folder() / deck.name,
                       .defines = {},
                       .threads = 1,
                       .seconds = 0.0,
                       .cpu_seconds = far_longer * most});
     }
-    ChildRunner children;
-    const InterruptHandler interrupt([&](int signal) {
-      children.stop();
-      scratch.remove();
-      write_to_stderr(fmt::format("\nstopped by {}: nothing is written\n", signal_name(signal)));
-      return 128 + signal;
-    });
-    children.run_all_children(
+    deck_runs.run_all_children(
         runs, verification_.at_once, [&](std::size_t i, const ChildProcessResult& end) {
           verification_.decks.push_back(verified(chosen_[i], end, runs[i].out));
-          if (!options_.keep) {
-            std::error_code ignored;
-            fs::remove_all(runs[i].out, ignored);
-          }
           tell(verification_.decks.back(), chosen_[i], watch.wall_time());
         });
     verification_.wall = watch.wall_time();
     std::ranges::sort(verification_.decks, {}, &VerifiedDeck::name);
     if (options_.keep) {
-      write_to_stdout(fmt::format("run folders in {}\n", scratch.path().string()));
+      write_to_stdout(fmt::format("run folders in {}\n", deck_runs.folder().string()));
     }
-    return !children.stopped();
+    return !deck_runs.stopped();
   }
 
   // A line for each deck; on a terminal one more below it, that says how far it is.
