@@ -4,10 +4,9 @@
 #include "base/diagnostics.hpp"
 #include "base/exit_codes.hpp"
 #include "program/commands/command_tree.hpp"
+#include "program/job/failures.hpp"
 #include "program/job/log.hpp"
-#include "program/job/out_of_memory.hpp"
 #include "program/job/standard_streams.hpp"
-#include "program/job/written_out.hpp"
 #include "program/shell/trouble.hpp"
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #include "mesh/import/gmsh_import.hpp"
 #include "mesh/import/inp_import.hpp"
 #include "model/model.hpp"
-#include "program/job/file_failures.hpp"
+#include "program/job/failures.hpp"
 #include "program/job/run_options.hpp"
 #include "program/job/standard_streams.hpp"
 #include "program/peers/inp_of_deck.hpp"

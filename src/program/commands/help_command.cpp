@@ -8,7 +8,6 @@
 #include "program/commands/code_texts.hpp"
 #include "program/commands/commands.hpp"
 #include "program/job/standard_streams.hpp"
-#include "program/job/terminal.hpp"
 
 #include <cstdio>
 #include <optional>

@@ -6,7 +6,7 @@
 #include "model/model.hpp"
 #include "program/commands/check_deck.hpp"
 #include "program/commands/sweep_deck.hpp"
-#include "program/job/file_failures.hpp"
+#include "program/job/failures.hpp"
 #include "program/job/interrupt.hpp"
 #include "program/job/job.hpp"
 #include "program/job/restart_run.hpp"

@@ -4,10 +4,13 @@
 #include "base/printable.hpp"
 #include "base/source_index.hpp"
 #include "program/job/standard_streams.hpp"
-#include "program/job/terminal.hpp"
 
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
+#include <iostream>
+#include <string>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -101,6 +104,19 @@ void Log::failed_check(const results::CheckResult& check) const {
         "check failed: {} = {:.8g}, wanted {:.8g}: {} {:.2e} > {:.2e}\n", check.text, check.found,
         check.wanted, check.relative ? "REL" : "ABS", std::abs(check.error), check.tolerance));
   }
+}
+
+bool check_streams_written(LogFormat format) {
+  errno = 0;
+  std::cout.flush();
+  const bool missing =
+      std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || std::cout.fail() || std::cout.bad();
+  if (missing) {
+    const std::string why = errno != 0 ? fmt::format(": {}", std::strerror(errno)) : "";
+    Log(format).message(base::Severity::error, "E468", "standard output is incomplete" + why);
+  }
+  const bool silent = std::ferror(stderr) != 0;
+  return !missing && !silent;
 }
 
 } // namespace spricka::program

@@ -30,4 +30,7 @@ private:
   base::MessageColour colour_;
 };
 
+/// Whether all that was written to stdout and stderr has got there; what stdout lacks is told.
+bool check_streams_written(LogFormat format);
+
 } // namespace spricka::program

@@ -7,6 +7,7 @@
 #include "model/model.hpp"
 #include "program/job/log.hpp"
 #include "results/results.hpp"
+#include "results/script_constant.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -54,5 +55,8 @@ RunOutcome report_refusal(const base::SourceTexts& sources, const base::Diagnost
 /// "lug.deck:12:18: E108: text" of the first error; empty without one.
 std::string first_error_text(const base::SourceTexts& sources,
                              const base::Diagnostics& diagnostics);
+
+/// The constants of a deck's geometry scripts, for listing and check.
+std::vector<results::ReportedScriptConstant> report_script_constants(const CheckedDeck& deck);
 
 } // namespace spricka::program

@@ -4,7 +4,7 @@
 #include "base/exit_codes.hpp"
 #include "base/input_file.hpp"
 #include "model/model.hpp"
-#include "program/job/file_failures.hpp"
+#include "program/job/failures.hpp"
 #include "program/job/standard_streams.hpp"
 #include "program/trials/deck_outcome.hpp"
 #include "results/store.hpp"

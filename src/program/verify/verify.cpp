@@ -3,7 +3,7 @@
 
 #include "base/clock.hpp"
 #include "base/output_file.hpp"
-#include "program/job/file_failures.hpp"
+#include "program/job/failures.hpp"
 #include "program/job/log.hpp"
 #include "program/job/point_record.hpp"
 #include "program/job/restart_run.hpp"

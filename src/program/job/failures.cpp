@@ -1,11 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "program/job/remedy.hpp"
+#include "program/job/failures.hpp"
+
+#include "archive/safe_file.hpp"
+#include "base/clock.hpp"
+#include "base/memory.hpp"
 
 #include <array>
+#include <new>
+#include <stdexcept>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace spricka::program {
+
+base::Outcome run_reporting_file_failures(const Log& log,
+                                          const std::function<base::Outcome()>& work) {
+  try {
+    return work();
+  } catch (const archive::FileFailure& failure) {
+    log.message(base::Severity::error, failure.code(), failure.what());
+  } catch (const std::system_error& failure) {
+    log.message(base::Severity::error, "E530", failure.what());
+  }
+  return base::Outcome::file_trouble;
+}
+
+bool is_out_of_memory(const std::exception& trouble) {
+  return dynamic_cast<const std::bad_alloc*>(&trouble) != nullptr ||
+         dynamic_cast<const std::length_error*>(&trouble) != nullptr; // more than can be counted
+}
+
+std::string out_of_memory_message() {
+  constexpr double mebi = 1048576.0;
+  return fmt::format("out of memory: {:.0f} MiB were in use, the machine or its limits (ulimit -v, "
+                     "a job queue) allow {:.0f} MiB; spricka check foretells what the deck needs",
+                     static_cast<double>(base::peak_memory()) / mebi,
+                     static_cast<double>(base::process_memory_limit()) / mebi);
+}
 
 std::string failure_remedy(const base::OperationFailure& answer) {
   if (answer.kind == base::Outcome::not_converged) {
