@@ -19,10 +19,7 @@ DeckOutcome read_results(const fs::path& file) {
   const std::string bytes = base::read_file(file, base::largest_mesh_file);
   const results::Store store = results::Store::from_bytes(bytes);
   const results::StoreGroup root = store.root();
-  DeckOutcome outcome{.title = root.text_attribute("title"),
-                      .point = {},
-                      .checks = results::read_checks(root),
-                      .unknowns = 0};
+  DeckOutcome outcome{.checks = results::read_checks(root), .title = root.text_attribute("title")};
   const results::StoreGroup increments = root.group("increments");
   for (const std::string& name : increments.names()) {
     outcome.unknowns =
@@ -51,7 +48,7 @@ std::vector<DeckOutcome> read_deck_outcomes(const fs::path& folder) {
   std::ranges::sort(points);
   for (const fs::path& point : points) {
     DeckOutcome& outcome = all.emplace_back(read_results(point / results_name));
-    outcome.point = read_point_values(point / point_record_name);
+    outcome.values = sweep_point_text(read_point_values(point / point_record_name));
   }
   return all;
 }

@@ -5,18 +5,16 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace spricka::program {
 
 /// What one deck has found, as its run folder says it: the run, or one point of a sweep.
 struct DeckOutcome {
-  std::string title;
-  /// Swept parameters and their values; empty: no sweep.
-  std::vector<std::pair<std::string, double>> point;
-  std::vector<results::CheckResult> checks;
+  std::string values = {};  ///< of the point, "beta = 0.785398"; empty: no sweep
   std::size_t unknowns = 0; ///< of the largest of its increments
+  std::vector<results::CheckResult> checks = {};
+  std::string title = {};
 };
 
 /// The outcome in a run folder, or one for each point of the folder of a sweep, in order; those

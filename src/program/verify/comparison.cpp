@@ -25,7 +25,7 @@ using Errors = std::map<std::string, const results::CheckResult*>;
 // Checks by point and text; one that stands there twice is told apart by a number.
 Errors errors_of(const VerifiedDeck& deck) {
   Errors all;
-  for (const VerifiedPoint& point : deck.points) {
+  for (const DeckOutcome& point : deck.points) {
     for (const results::CheckResult& check : point.checks) {
       const std::string name =
           point.values.empty() ? check.text : fmt::format("{}, {}", check.text, point.values);
@@ -91,9 +91,12 @@ void compare_costs(const Pairs& pairs, VerificationComparison& out) {
     } else if (expected > slower_by * now->cpu && expected - now->cpu > noise_of_starts * start) {
       out.faster.push_back(cpu);
     }
-    if (static_cast<double>(now->memory) > larger_by * static_cast<double>(before->memory)) {
-      out.larger.push_back(
-          {now->name, {}, static_cast<double>(before->memory), static_cast<double>(now->memory)});
+    if (static_cast<double>(now->peak_memory) >
+        larger_by * static_cast<double>(before->peak_memory)) {
+      out.larger.push_back({now->name,
+                            {},
+                            static_cast<double>(before->peak_memory),
+                            static_cast<double>(now->peak_memory)});
     }
   }
 }

@@ -4,7 +4,6 @@
 #include "base/csv.hpp"
 #include "base/exit_codes.hpp"
 #include "base/input_file.hpp"
-#include "program/trials/child_run.hpp"
 #include "program/verify/deck_list.hpp"
 
 #include <algorithm>
@@ -65,13 +64,13 @@ base::CsvRow check_fields(const results::CheckResult& check) {
 }
 
 base::CsvRow deck_fields(const Verification& verification, const VerifiedDeck& deck,
-                         const VerifiedPoint* point) {
+                         const DeckOutcome* point) {
   return {{"deck", deck.name},
           {"title", deck.title},
           {"point", point == nullptr ? "" : point->values},
           {"freedoms", point == nullptr ? std::nullopt : std::optional(point->unknowns)},
           {"cpu", fmt::format("{:.3f}", deck.cpu)},
-          {"memory", fmt::format("{:.1f}", megabytes(deck.memory))},
+          {"memory", fmt::format("{:.1f}", megabytes(deck.peak_memory))},
           {"exit_code", deck.exit_code},
           {"program", verification.program},
           {"machine", verification.machine}};
@@ -87,7 +86,7 @@ void read_row(const base::CsvRecord& row, Verification& out) {
     deck.name = row.text("deck");
     deck.title = row.text("title");
     deck.cpu = row.number("cpu", none);
-    deck.memory = bytes_of(row.number("memory", 0.0));
+    deck.peak_memory = bytes_of(row.number("memory", 0.0));
     deck.exit_code = static_cast<int>(row.number("exit_code", 0.0));
   }
   VerifiedDeck& deck = out.decks.back();
@@ -95,7 +94,7 @@ void read_row(const base::CsvRecord& row, Verification& out) {
     return;
   }
   if (deck.points.empty() || deck.points.back().values != row.text("point")) {
-    deck.points.push_back({.values = row.text("point"), .unknowns = 0, .checks = {}});
+    deck.points.push_back({.values = row.text("point")});
   }
   results::CheckResult& check = deck.points.back().checks.emplace_back();
   check.text = row.text("quantity");
@@ -151,7 +150,7 @@ VerificationCounts count(const Verification& verification) {
     }
     counts.failed += deck.failed() ? 1 : 0;
     counts.cpu += deck.cpu;
-    counts.memory = std::max(counts.memory, deck.memory);
+    counts.memory = std::max(counts.memory, deck.peak_memory);
   }
   return counts;
 }
@@ -201,7 +200,7 @@ std::string verification_csv(const Verification& verification) {
                      "parts of the reference; cpu in s, memory in MB, of the whole deck");
   for (const VerifiedDeck& deck : verification.decks) {
     bool any = false;
-    for (const VerifiedPoint& point : deck.points) {
+    for (const DeckOutcome& point : deck.points) {
       for (const results::CheckResult& check : point.checks) {
         csv.add_row(deck_fields(verification, deck, &point), check_fields(check));
         any = true;

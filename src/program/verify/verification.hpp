@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/outcome.hpp"
+#include "program/trials/child_run.hpp"
+#include "program/trials/deck_outcome.hpp"
 #include "results/results.hpp"
 
 #include <cstddef>
@@ -13,23 +15,11 @@
 /// What a verification has found, as plain records.
 namespace spricka::program {
 
-/// A run of a deck: the one, or a point of its sweep.
-struct VerifiedPoint {
-  std::string values; ///< "beta = 0.785398"; empty: no sweep
-  std::size_t unknowns = 0;
-  std::vector<results::CheckResult> checks;
-};
-
-struct VerifiedDeck {
+struct VerifiedDeck : ChildProcessResult {
   std::string name; ///< without .deck
   std::string title;
-  int exit_code = 0;
-  bool late = false;      ///< ended, as it took far longer than it is known to
-  std::string message;    ///< the last line that it said, where it has no results
-  double cpu = 0.0;       ///< [s]
-  double wall = 0.0;      ///< [s]
-  std::size_t memory = 0; ///< [bytes]
-  std::vector<VerifiedPoint> points;
+  std::string said_last; ///< where it has no results
+  std::vector<DeckOutcome> points;
 
   [[nodiscard]] bool failed() const { return exit_code != 0; }
   [[nodiscard]] std::size_t missed_check_count() const;
@@ -37,7 +27,7 @@ struct VerifiedDeck {
 
 /// The checks of all its points.
 inline auto checks_of(const VerifiedDeck& deck) {
-  return deck.points | std::views::transform(&VerifiedPoint::checks) | std::views::join;
+  return deck.points | std::views::transform(&DeckOutcome::checks) | std::views::join;
 }
 
 struct Verification {

@@ -2,7 +2,6 @@
 #include "program/verify/verification_report.hpp"
 
 #include "base/exit_codes.hpp"
-#include "program/trials/child_run.hpp"
 #include "report/drawing/columns.hpp"
 #include "report/drawing/plot.hpp"
 #include "report/page.hpp"
@@ -39,18 +38,18 @@ std::string end_of(const VerifiedDeck& deck) {
                               : fmt::format("exit code {}", deck.exit_code);
 }
 
-std::string what_of(const VerifiedDeck& deck, const VerifiedPoint& point) {
+std::string what_of(const VerifiedDeck& deck, const DeckOutcome& point) {
   return fmt::format("{}{}{}", deck.title, point.values.empty() ? "" : ", ", point.values);
 }
 
-std::string check_count(const VerifiedPoint& point) {
+std::string check_count(const DeckOutcome& point) {
   const auto recorded = std::ranges::count_if(point.checks, has_recorded_reference);
   return fmt::format("{}{}", point.checks.size(),
                      recorded > 0 ? fmt::format(" ({} recorded)", recorded) : "");
 }
 
 // Of a deck that ended otherwise than by a missed check also how.
-std::string passed_count(const VerifiedDeck& deck, const VerifiedPoint& point) {
+std::string passed_count(const VerifiedDeck& deck, const DeckOutcome& point) {
   const auto passed = std::ranges::count_if(point.checks, &results::CheckResult::passed);
   const auto missed = static_cast<std::ptrdiff_t>(point.checks.size()) - passed;
   const bool broken =
@@ -60,7 +59,7 @@ std::string passed_count(const VerifiedDeck& deck, const VerifiedPoint& point) {
 }
 
 // The largest error of a point over what is allowed; empty where no check has found a value.
-std::string largest_share(const VerifiedPoint& point) {
+std::string largest_share(const DeckOutcome& point) {
   double largest = -1.0;
   for (const results::CheckResult& check : point.checks) {
     if (check.trouble.empty()) {
@@ -94,18 +93,18 @@ std::string standing(const Verification& verification, const BenchmarkProblem& p
 }
 
 // "le1: NAFEMS LE1, elliptic membrane, beta = 0.78".
-std::string deck_heading(const VerifiedDeck& deck, const VerifiedPoint& point) {
+std::string deck_heading(const VerifiedDeck& deck, const DeckOutcome& point) {
   return fmt::format("{}: {}", deck.name, what_of(deck, point));
 }
 
 // "1240 freedoms, 0.31 s CPU, 45 MB"; of a sweep time and memory are those of all its points.
-std::string deck_cost_text(const VerifiedDeck& deck, const VerifiedPoint& point) {
+std::string deck_cost_text(const VerifiedDeck& deck, const DeckOutcome& point) {
   return fmt::format("{} freedoms, {:.2f} s CPU, {:.0f} MB{}", point.unknowns, deck.cpu,
-                     megabytes(deck.memory), deck.points.size() > 1 ? " with all points" : "");
+                     megabytes(deck.peak_memory), deck.points.size() > 1 ? " with all points" : "");
 }
 
 // The checks of a point: check, reference, result, error, allowed, bar, source.
-report::ReportTable checks_table(const VerifiedPoint& point) {
+report::ReportTable checks_table(const DeckOutcome& point) {
   using Check = results::CheckResult;
   return report::Columns<Check>()
       .words("check", &Check::text)
@@ -127,11 +126,11 @@ report::ReportTable checks_table(const VerifiedPoint& point) {
 report::ReportTable verified_deck_table(const Verification& verification) {
   struct DeckTableRow {
     const VerifiedDeck& deck;
-    const VerifiedPoint* point; // null: it has no results
+    const DeckOutcome* point; // null: it has no results
   };
   std::vector<DeckTableRow> rows;
   for (const VerifiedDeck& deck : verification.decks) {
-    for (const VerifiedPoint& point : deck.points) {
+    for (const DeckOutcome& point : deck.points) {
       rows.push_back({deck, &point});
     }
     if (deck.points.empty()) {
@@ -142,7 +141,7 @@ report::ReportTable verified_deck_table(const Verification& verification) {
       .words("deck", [](const DeckTableRow& r) { return r.deck.name; })
       .words("what",
              [](const DeckTableRow& r) {
-               return r.point ? what_of(r.deck, *r.point) : r.deck.message;
+               return r.point ? what_of(r.deck, *r.point) : r.deck.said_last;
              })
       .number("checks", "",
               [](const DeckTableRow& r) { return r.point ? check_count(*r.point) : "0"; })
@@ -156,7 +155,7 @@ report::ReportTable verified_deck_table(const Verification& verification) {
       .number(
           "CPU, s", "", [](const DeckTableRow& r) { return r.deck.cpu; }, "{:.2f}")
       .number(
-          "memory, MB", "", [](const DeckTableRow& r) { return megabytes(r.deck.memory); },
+          "memory, MB", "", [](const DeckTableRow& r) { return megabytes(r.deck.peak_memory); },
           "{:.0f}")
       .table("", rows);
 }
@@ -193,7 +192,7 @@ report::ReportTable failed_deck_table(const Verification& verification) {
       .words("deck", &VerifiedDeck::name)
       .words("ended with", end_of)
       .number("checks missed", "", &VerifiedDeck::missed_check_count)
-      .words("said last", &VerifiedDeck::message)
+      .words("said last", &VerifiedDeck::said_last)
       .table("", verification.decks | std::views::filter(&VerifiedDeck::failed));
 }
 
@@ -280,7 +279,7 @@ void add_decks(report::HtmlPage& page, const Verification& verification) {
   std::string unchecked;
   for (const VerifiedDeck& deck : verification.decks) {
     bool any = false;
-    for (const VerifiedPoint& point : deck.points) {
+    for (const DeckOutcome& point : deck.points) {
       report::ReportTable table = checks_table(point);
       table.title = fmt::format("{} ({})", deck_heading(deck, point), deck_cost_text(deck, point));
       page.add_table(table);

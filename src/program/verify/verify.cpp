@@ -37,20 +37,12 @@ constexpr double far_longer = 20.0; // of its CPU time
 VerifiedDeck verified(const ListedDeck& deck, const ChildProcessResult& end,
                       const fs::path& folder) {
   VerifiedDeck out;
+  static_cast<ChildProcessResult&>(out) = end;
   out.name = deck.name;
-  out.exit_code = end.exit_code;
-  out.late = end.late;
-  out.cpu = end.cpu;
-  out.wall = end.wall;
-  out.memory = end.peak_memory;
-  for (DeckOutcome& outcome : read_deck_outcomes(folder)) {
-    out.title = outcome.title;
-    out.points.push_back({.values = sweep_point_text(outcome.point),
-                          .unknowns = outcome.unknowns,
-                          .checks = std::move(outcome.checks)});
-  }
+  out.points = read_deck_outcomes(folder);
+  out.title = out.points.empty() ? "" : out.points.back().title;
   if (out.failed()) {
-    out.message = first_error_line(end.messages);
+    out.said_last = first_error_line(end.messages);
   }
   return out;
 }
@@ -160,8 +152,9 @@ private:
       write_to_stdout(fmt::format(
           "{}{:>4} of {}  {:<6} {:<36} {:>4} checks {:8.2f} s {:6.0f} MB{}\n",
           terminal && !options_.quiet ? "\r\x1b[K" : "", verification_.decks.size(), chosen_.size(),
-          deck.failed() ? "FAILED" : "passed", deck.name, checks, deck.cpu, megabytes(deck.memory),
-          deck.failed() ? fmt::format("  {} missed; {}", deck.missed_check_count(), deck.message)
+          deck.failed() ? "FAILED" : "passed", deck.name, checks, deck.cpu,
+          megabytes(deck.peak_memory),
+          deck.failed() ? fmt::format("  {} missed; {}", deck.missed_check_count(), deck.said_last)
                         : ""));
       std::fflush(stdout);
     }
@@ -195,7 +188,7 @@ private:
     if (options_.costs) {
       std::vector<std::pair<std::string, DeckCost>> found;
       for (const VerifiedDeck& deck : verification_.decks) {
-        found.emplace_back(deck.name, DeckCost{.cpu = deck.cpu, .memory = deck.memory});
+        found.emplace_back(deck.name, DeckCost{.cpu = deck.cpu, .memory = deck.peak_memory});
       }
       write_deck_costs(decks_, all_, found);
     }

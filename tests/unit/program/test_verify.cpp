@@ -39,7 +39,7 @@ VerifiedDeck deck_of(const std::string& name, double cpu,
   deck.name = name;
   deck.title = "Title of " + name;
   deck.cpu = cpu;
-  deck.memory = 50'000'000;
+  deck.peak_memory = 50'000'000;
   deck.points.push_back({.values = "", .unknowns = 1234, .checks = checks});
   const bool missed = std::ranges::any_of(checks, [](const auto& check) { return !check.passed; });
   deck.exit_code = missed ? 1 : 0;
@@ -170,7 +170,7 @@ TEST(VerificationComparison, ABusyMachineIsNoSlowerDeck) {
 
 TEST(VerificationComparison, MemoryAndSpeedAreTold) {
   Verification now = sample();
-  now.decks[3].memory *= 2;
+  now.decks[3].peak_memory *= 2;
   now.decks[3].cpu = 1.0;
   const VerificationComparison c = compare(now, sample());
   EXPECT_EQ(c.larger.size(), 1U);
@@ -215,7 +215,7 @@ TEST(VerificationChapter, SaysHowADeckEndedThatHasNoResults) {
   Verification v = sample();
   v.decks[1].points.clear();
   v.decks[1].exit_code = 128 + 11; // a signal
-  v.decks[1].message = "out of memory";
+  v.decks[1].said_last = "out of memory";
   v.decks[3].exit_code = 5;
   const std::string chapter = verification_chapter(v, {}, "checks.csv");
   for (const char* row : {"| `bare` | out of memory | 0 | signal 11 |  | 0.10 | 50 |",
