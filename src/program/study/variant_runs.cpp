@@ -67,13 +67,16 @@ VariantRuns::VariantRuns(const RunOptions& options, CheckedDeck& ready, const Lo
       place_(canonical_folder(options.out)), folder_(options.out),
       runs_(place_, false, [this](int) { folder_.abandon(); }) {}
 
-void VariantRuns::read_trial(const ChildProcessResult& end,
-                             const std::optional<results::RunResult>& run,
-                             StudyTrial& trial) const {
+bool VariantRuns::read_trial(const ChildRun& child, const ChildProcessResult& end,
+                             const AnswerChoice& choose, StudyTrial& trial) {
   trial.end = end;
+  const std::optional<results::RunResult> run = read_results(child.out, end);
   if (!run) {
     trial.trouble = first_trouble(end);
-    return;
+    return false;
+  }
+  if (choose) {
+    answers_ = choose(model(), *run);
   }
   for (const results::Increment& increment : run->increments) {
     trial.unknowns = std::max(trial.unknowns, increment.unknowns);
@@ -83,29 +86,25 @@ void VariantRuns::read_trial(const ChildProcessResult& end,
                        ? read_answers(read_deck_silently(trial.variant.deck, {}).model.value(),
                                       trial.asked, *run)
                        : read_answers(model(), trial.asked, *run);
+  return true;
 }
 
-base::Outcome VariantRuns::run_original_deck(
-    StudyTrial& given,
-    const std::function<std::vector<AnswerRequest>(const model::Model&, const results::RunResult&)>&
-        choose) {
+base::Outcome VariantRuns::run_original_deck(StudyTrial& given, const AnswerChoice& choose) {
   base::Outcome outcome = base::Outcome::stopped;
   const ChildRun child = child_of(given.variant, 0.0);
   runs_.run_all_children({&child, 1}, 1, [&](std::size_t, const ChildProcessResult& end) {
-    const std::optional<results::RunResult> run = read_results(child.out, end);
-    answers_ = run ? choose(model(), *run) : std::vector<AnswerRequest>();
-    read_trial(end, run, given);
-    outcome = run ? base::Outcome::done
-                  : base::outcome_of_exit_code(end.exit_code).value_or(base::Outcome::done);
+    const bool solved = read_trial(child, end, choose, given);
+    outcome = solved ? base::Outcome::done
+                     : base::outcome_of_exit_code(end.exit_code).value_or(base::Outcome::done);
     if (!answers_.empty()) {
       return;
     }
     outcome = outcome == base::Outcome::done ? base::Outcome::not_solvable : outcome;
-    write_to_stderr(run ? "" : end.messages);
+    write_to_stderr(solved ? "" : end.messages);
     log_.message(
         base::Severity::error, "E555",
-        run ? "the deck has no answer to compare"
-            : fmt::format("the deck itself has no results to compare with: {}", given.trouble));
+        solved ? "the deck has no answer to compare"
+               : fmt::format("the deck itself has no results to compare with: {}", given.trouble));
   });
   return outcome;
 }
@@ -118,7 +117,7 @@ void VariantRuns::run_other_variants(const std::vector<StudyTrial*>& trials, int
   }
   std::size_t reported = 0;
   runs_.run_all_children(children, at_once, [&](std::size_t i, const ChildProcessResult& end) {
-    read_trial(end, read_results(children[i].out, end), *trials[i]);
+    read_trial(children[i], end, {}, *trials[i]);
     if (!quiet_) {
       write_to_stderr(fmt::format("{} of {}: {}, {:.2f} s\n", ++reported, trials.size(),
                                   trials[i]->variant.name, end.cpu));
@@ -142,8 +141,7 @@ run_variants_of(const RunOptions& given, const char* extension,
     VariantRuns runs(options, ready, log);
     std::string summary;
     const base::Outcome outcome = work(runs, summary);
-    if (runs.processes()
-            .stopped()) { // what was not run says nothing; the interrupt ends the program
+    if (runs.processes().stopped()) { // the interrupt ends the program
       return base::Outcome::stopped;
     }
     if (outcome == base::Outcome::done) {

@@ -28,6 +28,10 @@ struct StudyTrial {
   std::string trouble = {};                  ///< why there are no results, in one line
 };
 
+/// Which answers of the run of the deck itself all variants are asked for.
+using AnswerChoice =
+    std::function<std::vector<AnswerRequest>(const model::Model&, const results::RunResult&)>;
+
 /// A deck and the folders in which its variants run.
 class VariantRuns {
 public:
@@ -48,9 +52,7 @@ public:
   /// Runs the deck itself, which decides by `choose` what is asked for. Where it has no results, or
   /// nothing to be asked for, it is told (E555), and the outcome is that of the run, or
   /// not_solvable.
-  base::Outcome run_original_deck(StudyTrial& given,
-                                  const std::function<std::vector<AnswerRequest>(
-                                      const model::Model&, const results::RunResult&)>& choose);
+  base::Outcome run_original_deck(StudyTrial& given, const AnswerChoice& choose);
 
   /// Runs others, at most `at_once` at a time and each with `cpu_seconds` at most, or with 0 as
   /// long as it takes; tells of each that has ended. What is not run, as all are stopped, stays.
@@ -58,8 +60,9 @@ public:
                           double cpu_seconds = 0.0);
 
 private:
-  void read_trial(const ChildProcessResult& end, const std::optional<results::RunResult>& run,
-                  StudyTrial& trial) const;
+  /// False: the run has no results. Else `choose`, where there is one, has its say first.
+  bool read_trial(const ChildRun& child, const ChildProcessResult& end, const AnswerChoice& choose,
+                  StudyTrial& trial);
 
   const Log& log_;
   bool quiet_;
