@@ -10,7 +10,6 @@
 #include "model/model.hpp"
 #include "program/checks/check_quantities.hpp"
 #include "program/job/failures.hpp"
-#include "program/job/k_so_far.hpp"
 #include "program/job/progress_line.hpp"
 #include "program/job/ready_deck.hpp"
 #include "program/job/restart_run.hpp"
