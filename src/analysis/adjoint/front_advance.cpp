@@ -9,7 +9,7 @@
 #include "contact/pairing.hpp"
 #include "fe/assemble.hpp"
 #include "mesh/boundary.hpp"
-#include "mesh/tube/front_points.hpp"
+#include "mesh/tube/solid_crack.hpp"
 #include "model/mesh_side.hpp"
 #include "model/model.hpp"
 

@@ -5,7 +5,7 @@
 #include "fe/assemble.hpp"
 #include "fe/set_shares.hpp"
 #include "mesh/boundary.hpp"
-#include "mesh/cut/crack_sides.hpp"
+#include "mesh/cut/graft.hpp"
 #include "model/model.hpp"
 #include "shape/topology.hpp"
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+/// Patches put into the host, and the sides of elements at the cracks of the mesh that comes of it.
 namespace spricka::mesh {
 
 /// A patch ready to be put into the host.
@@ -36,5 +37,12 @@ GraftedMesh graft_patches(const model::Mesh& host, std::span<const PatchGraft> g
 /// Adds the ties of a patch to the mesh that it was put into, in the name of a crack.
 void add_ties(const Patch& patch, const GraftedPatch& placed, base::CrackId crack,
               CrackedMesh& cracked);
+
+/// The faces of a crack, in the plane from the mouth (or first tip) to the tip; one side is empty
+/// where the crack lies on a symmetry line.
+struct CrackFaceSides {
+  std::vector<model::Face> left, right;
+};
+CrackFaceSides crack_face_sides(const model::Mesh& mesh, const CrackFaces& crack_faces);
 
 } // namespace spricka::mesh

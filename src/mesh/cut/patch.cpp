@@ -4,9 +4,9 @@
 #include "mesh/cut/cavity_check.hpp"
 #include "mesh/cut/crack_check.hpp"
 #include "mesh/cut/crack_face_sets.hpp"
-#include "mesh/cut/folded_elements.hpp"
 #include "mesh/cut/graft.hpp"
 #include "mesh/cut/patch_mesh.hpp"
+#include "mesh/cut/patch_net.hpp"
 #include "mesh/cut/path.hpp"
 #include "mesh/cut/split.hpp"
 

@@ -2,6 +2,7 @@
 #pragma once
 #include "base/element_type.hpp"
 #include "mesh/cut/crack_frame.hpp"
+#include "mesh/quality.hpp"
 #include "model/mesh.hpp"
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+/// What fills a cavity of a host, its nodes and elements: how they are collected, and looked at.
 namespace spricka::mesh {
 
 /// A node of a patch: one of the host's, or new.
@@ -106,5 +108,18 @@ private:
   std::unordered_map<std::int32_t, int> of_host_;
   std::unordered_map<std::uint64_t, int> mid_;
 };
+
+/// Of these elements of a patch, ascending, those that are folded (find_mesh_faults), by their
+/// numbers there.
+std::vector<InvalidElement> find_folded_elements(std::span<const PatchNode> nodes,
+                                                 std::span<const PatchElement> elements,
+                                                 const std::vector<std::size_t>& asked);
+
+/// Of all elements of a patch.
+std::vector<InvalidElement> find_folded_elements(std::span<const PatchNode> nodes,
+                                                 std::span<const PatchElement> elements);
+
+/// The one with the least determinant, the first of several; of at least one.
+const InvalidElement& most_folded_element(const std::vector<InvalidElement>& folded);
 
 } // namespace spricka::mesh

@@ -56,6 +56,11 @@ using SolidGrading = SizeGrading<3>;
 std::vector<double> divide_by_cumulative_count(const std::vector<double>& s,
                                                const std::vector<double>& N);
 
+/// Divides a line, from length s0 to s1, into elements of the size that is wanted at each s: the
+/// lengths of their ends, s0 and s1 included.
+std::vector<double> divide_line_by_size(double s0, double s1,
+                                        const std::function<double(double)>& size);
+
 /// Divides a curve x(t), from t0 to t1, into elements of the wanted sizes. Returns the values of t
 /// at their ends, both ends of the curve included.
 std::vector<double> divide(const std::function<base::Vec2(double)>& x, double t0, double t1,

@@ -45,7 +45,7 @@ NonPlanarCrackSurface::NonPlanarCrackSurface(SuccessiveFronts fronts) : fronts_(
     ++number_;
   }
   go_on_before();
-  tree_ = TriangleTree(flat_);
+  tree_ = geometry::TriangleTree(flat_);
   find_bends();
 }
 
@@ -129,7 +129,7 @@ double NonPlanarCrackSurface::crack_height_over_plane(const Vec3& x) const {
   if (behind_first(q)) {
     return n.dot(fronts_.points.front().front() - x);
   }
-  const TriangleTree::NearestTriangle at = tree_.nearest(q);
+  const geometry::TriangleTree::NearestTriangle at = tree_.nearest(q);
   const StripTriangle& strip = strips_[at.given];
   return n.dot(strip.x0 - x) + strip.slope.dot(at.at - strip.x0);
 }

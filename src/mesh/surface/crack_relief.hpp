@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "geometry/box.hpp"
-#include "mesh/surface/triangle_tree.hpp"
+#include "geometry/triangle.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -62,12 +62,12 @@ private:
   void find_bends();
 
   SuccessiveFronts fronts_;
-  std::vector<StripTriangle> strips_;       ///< [triangle]
-  std::vector<CornerPlaces> flat_;          ///< [triangle] in the plane
-  std::size_t number_ = 1;                  ///< of the strip that is made
-  TriangleTree tree_{{}};                   ///< of these
-  std::vector<std::vector<double>> turned_; ///< [front before the last][point] angle [rad]
-  geometry::Box<3> box_;                    ///< of the fronts
+  std::vector<StripTriangle> strips_;        ///< [triangle]
+  std::vector<geometry::CornerPlaces> flat_; ///< [triangle] in the plane
+  std::size_t number_ = 1;                   ///< of the strip that is made
+  geometry::TriangleTree tree_{{}};          ///< of these
+  std::vector<std::vector<double>> turned_;  ///< [front before the last][point] angle [rad]
+  geometry::Box<3> box_;                     ///< of the fronts
   double narrowest_ = 0.0;
 };
 

@@ -4,11 +4,9 @@
 #include "geometry/polyline.hpp"
 #include "mesh/link/fill.hpp"
 #include "mesh/plane.hpp"
-#include "mesh/surface/feature_lines.hpp"
-#include "mesh/surface/piece_outline.hpp"
-#include "mesh/surface/region_patches.hpp"
 #include "mesh/surface/surface_chart.hpp"
 #include "mesh/surface/surface_fold.hpp"
+#include "mesh/surface/surface_region.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/surface/surface_geometry.hpp"
 
+#include "base/disjoint_sets.hpp"
 #include "mesh/boundary.hpp"
 #include "model/mesh_side.hpp"
+#include "shape/topology.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <set>
 #include <utility>
 
 namespace spricka::mesh {
+namespace {
 
+using base::NodeId;
 using base::Vec2;
 using base::Vec3;
-
-namespace {
 
 /// The nearest place on faces that come one by one; ties go to the lower number.
 class NearestFaceSearch {
@@ -100,6 +104,170 @@ SurfacePlace SurfaceGeometry::nearest_place(const Vec3& x,
     }
   }
   return nearest.place();
+}
+
+namespace {
+
+NodeId mid_of_side(const geometry::ElementSide& face, int i) {
+  return face.quadratic() ? face.nodes[static_cast<std::size_t>(face.corners() + i)] : NodeId();
+}
+
+/// Walks along feature edges from node to node.
+class ChainWalk {
+public:
+  ChainWalk(const std::vector<SurfaceEdge>& edges, const std::vector<std::size_t>& which,
+            const std::set<NodeId>& stops)
+      : edges_(edges), stops_(stops) {
+    for (const std::size_t e : which) {
+      at_[edges[e].ends[0]].push_back(e);
+      at_[edges[e].ends[1]].push_back(e);
+    }
+  }
+
+  std::vector<FeatureChain> chains() {
+    std::vector<FeatureChain> all;
+    for (const bool rings : {false, true}) {
+      for (const auto& [node, around] : at_) {
+        for (const std::size_t e : around) {
+          if (!used_.contains(e) && (rings || !passes(node))) {
+            all.push_back(from(node, e));
+          }
+        }
+      }
+    }
+    return all;
+  }
+
+private:
+  [[nodiscard]] bool passes(NodeId node) const {
+    return at_.at(node).size() == 2 && !stops_.contains(node);
+  }
+  FeatureChain from(NodeId node, std::size_t edge) {
+    FeatureChain chain{{}, {node}};
+    for (std::size_t e = edge; e != nowhere;) {
+      used_.insert(e);
+      chain.edges.push_back(e);
+      const auto& ends = edges_[e].ends;
+      node = ends[0] == node ? ends[1] : ends[0];
+      chain.nodes.push_back(node);
+      const std::vector<std::size_t>& around = at_.at(node);
+      e = nowhere;
+      for (const std::size_t next : around) {
+        e = passes(node) && !used_.contains(next) ? next : e;
+      }
+    }
+    return chain;
+  }
+
+  const std::vector<SurfaceEdge>& edges_;
+  std::map<NodeId, std::vector<std::size_t>> at_; ///< feature edges of a node
+  const std::set<NodeId>& stops_;
+  std::set<std::size_t> used_;
+};
+
+} // namespace
+
+void SurfaceGeometry::find_edges() {
+  face_edges_.assign(faces_.size(), {nowhere, nowhere, nowhere, nowhere});
+  std::map<std::pair<NodeId, NodeId>, std::size_t> known;
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const geometry::ElementSide& face = faces_[f];
+    for (int i = 0; i < face.corners(); ++i) {
+      const NodeId a = face.nodes[static_cast<std::size_t>(i)];
+      const NodeId b = face.nodes[static_cast<std::size_t>((i + 1) % face.corners())];
+      const auto [at, fresh] = known.try_emplace(std::minmax(a, b), edges_.size());
+      if (fresh) {
+        edges_.push_back({{std::min(a, b), std::max(a, b)}, mid_of_side(face, i)});
+      }
+      SurfaceEdge& edge = edges_[at->second];
+      face_edges_[f][static_cast<std::size_t>(i)] = at->second;
+      const std::size_t way = a < b ? 0 : 1;
+      ++edge.count;
+      if (edge.faces[way] == nowhere) {
+        edge.faces[way] = f;
+        edge.side[way] = i;
+      }
+    }
+  }
+}
+
+void SurfaceGeometry::find_sets(const model::Mesh& mesh, std::span<const base::FaceSetId> kept) {
+  sets_.resize(faces_.size());
+  for (std::size_t s = 0; s < kept.size(); ++s) {
+    for (const model::Face& face : mesh.set_with_id(kept[s]).faces) {
+      const std::size_t f = face_index(face);
+      if (f != nowhere && (sets_[f].empty() || sets_[f].back() != s)) {
+        sets_[f].push_back(s);
+      }
+    }
+  }
+}
+
+void SurfaceGeometry::find_lines(const model::Mesh& mesh, std::span<const base::NodeSetId> lines) {
+  lines_.assign(edges_.size(), {});
+  bare_.assign(edges_.size(), false);
+  for (std::size_t s = 0; s < lines.size(); ++s) {
+    const std::vector<NodeId>& nodes = mesh.set_with_id(lines[s]).nodes;
+    const std::vector<bool> member = model::mark_members(mesh.node_count(), nodes);
+    for (const NodeId n : nodes) {
+      line_nodes_[n].push_back(s);
+    }
+    const auto has = [&](NodeId n) { return member[n.index()]; };
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      const SurfaceEdge& edge = edges_[e];
+      if (!std::ranges::all_of(edge.ends, has) || (edge.mid.valid() && !has(edge.mid))) {
+        continue;
+      }
+      lines_[e].push_back(s);
+      bare_[e] = bare_[e] || std::ranges::none_of(edge.faces, [&](std::size_t f) {
+                   return f != nowhere && std::ranges::all_of(faces_[f].nodes, has);
+                 });
+    }
+  }
+}
+
+const std::vector<std::size_t>& SurfaceGeometry::node_sets(NodeId node) const {
+  static const std::vector<std::size_t> none;
+  const auto at = line_nodes_.find(node);
+  return at == line_nodes_.end() ? none : at->second;
+}
+
+void SurfaceGeometry::find_pieces(bool borders) {
+  const double least = std::cos(most_turn);
+  base::DisjointSets smooth(faces_.size());
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    SurfaceEdge& edge = edges_[e];
+    const auto [one, two] = edge.faces;
+    edge.feature = edge.count != 2 || one == nowhere || two == nowhere;
+    if (!edge.feature) {
+      const Vec3 n1 =
+          place_at_coordinates(one, faces_[one].edge_coordinates(edge.side[0], 0.0)).normal;
+      const Vec3 n2 =
+          place_at_coordinates(two, faces_[two].edge_coordinates(edge.side[1], 0.0)).normal;
+      edge.feature = !(n1.dot(n2) > least);
+    }
+    edge.border = borders && !edge.feature && (sets_[one] != sets_[two] || bare_[e]);
+    edge.feature = edge.feature || edge.border;
+    if (!edge.feature) {
+      smooth.join_sets(one, two);
+    }
+  }
+  base::DisjointSets::SetNumbers pieces = smooth.set_numbers();
+  piece_ = std::move(pieces.of);
+  pieces_ = pieces.count;
+}
+
+SurfacePlace SurfaceGeometry::place_on_edge(std::size_t edge, double t) const {
+  const SurfaceEdge& e = edges_[edge];
+  const std::size_t way = e.faces[0] != nowhere ? 0 : 1;
+  const std::size_t f = e.faces[way];
+  return place_at_coordinates(f, faces_[f].edge_coordinates(e.side[way], way == 0 ? t : -t));
+}
+
+std::vector<FeatureChain> chain_edges(const std::vector<SurfaceEdge>& all,
+                                      const std::vector<std::size_t>& which,
+                                      const std::set<NodeId>& stops) {
+  return ChainWalk(all, which, stops).chains();
 }
 
 } // namespace spricka::mesh

@@ -10,7 +10,7 @@
 #include <vector>
 
 /// Lines on the surface of a body: where the plane of a crack meets it, or what the crack has made
-/// of that plane.
+/// of that plane; and their division into edges.
 namespace spricka::mesh {
 
 /// Why something could not be made, in words, and where. Empty words: it was made.

@@ -3,9 +3,14 @@
 #include "mesh/cut/patch_net.hpp"
 #include "mesh/tube/crack_reach.hpp"
 
+#include <array>
+#include <set>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
+/// The faces of a crack in its patch: triangles between its tubes and mouths, and the fill opened
+/// along them.
 namespace spricka::mesh {
 
 /// A crack between its tubes (and mouths), as triangles round its normal.
@@ -20,5 +25,28 @@ struct CrackTriangulation {
 CrackTriangulation triangulate_crack_area(const CrackDistanceField& reach,
                                           const std::vector<std::vector<int>>& loops, double finer,
                                           PatchMeshBuilder& net);
+
+/// Divides the edges of a crack's triangles that join two nodes of free fronts across the crack:
+/// with no node between them that is there twice the crack could not open there.
+void divide_front_chord_edges(const PlaneBasis& plane, const std::set<int>& front,
+                              PatchMeshBuilder& net, CrackTriangulation& surface);
+
+/// A side of a tetrahedron of a fill; side s as that of TET4.
+struct FillTetrahedronSide {
+  std::size_t tetrahedron = 0;
+  int side = 0;
+};
+
+struct OpenedFill {
+  std::vector<FillTetrahedronSide> upper, lower; ///< [triangle of the crack]
+  std::string trouble;
+};
+
+/// Opens a crack in a fill: tetrahedra below its triangles (which run round its normal) get the
+/// second nodes, `lower`, of those on it. What is below is told round each node by following the
+/// tetrahedra through sides that are not the crack.
+OpenedFill open_crack_in_fill(const PatchMeshBuilder& net, const std::vector<PatchTriangle>& crack,
+                              const std::unordered_map<int, int>& lower,
+                              std::vector<std::array<int, 4>>& tetrahedra);
 
 } // namespace spricka::mesh

@@ -4,7 +4,7 @@
 #include "mesh/boundary.hpp"
 #include "mesh/cut/coincidence.hpp"
 #include "mesh/side_index.hpp"
-#include "mesh/tube/front_points.hpp"
+#include "mesh/tube/solid_crack.hpp"
 
 #include <algorithm>
 #include <cmath>

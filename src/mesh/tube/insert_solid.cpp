@@ -2,9 +2,8 @@
 #include "mesh/tube/insert_solid.hpp"
 
 #include "mesh/tube/crack_extent.hpp"
-#include "mesh/tube/front_points.hpp"
-#include "mesh/tube/place_tubes.hpp"
-#include "mesh/tube/solid_mouths.hpp"
+#include "mesh/tube/place_crack.hpp"
+#include "mesh/tube/solid_crack.hpp"
 #include "mesh/tube/solid_notes.hpp"
 
 #include <fmt/format.h>
@@ -182,18 +181,13 @@ private:
 
   /// A crack with its tubes and mouths; without tubes where they do not fit.
   std::optional<PatchSolidCrack> place(const CrackFrame& frame, std::size_t i) {
-    const auto attempt = [&](base::Diagnostics& found) {
-      auto crack = place_tubes(host_, frame, requests_[i], requests_, found);
-      return crack && divide_crack_mouths(host_, frame, requests_[i], *crack, found)
-                 ? std::move(crack)
-                 : std::nullopt;
-    };
     base::Diagnostics found;
-    std::optional<PatchSolidCrack> crack = attempt(found);
+    std::optional<PatchSolidCrack> crack =
+        place_crack(host_, frame, requests_[i], requests_, found);
     if (!crack && may_be_free(i)) {
       base::Diagnostics without;
       tubes_[i].tube = false;
-      crack = attempt(without);
+      crack = place_crack(host_, frame, requests_[i], requests_, without);
       tubes_[i].tube = !crack;
       if (crack) {
         const std::string title = requests_[i].crack->display_name() + ": ";

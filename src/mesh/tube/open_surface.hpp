@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/tube/laid_crack.hpp"
+#include "mesh/tube/place_crack.hpp"
 #include "mesh/tube/solid_shell.hpp"
 
 #include <span>

@@ -80,7 +80,7 @@ double PlanePolygons::distance(const Vec3& x) const {
   return std::hypot(plane_.height(x), contains(q) ? 0.0 : distance_to_outlines(q));
 }
 
-std::vector<Vec3> PlanePolygons::intersect_triangle(const CornerPlaces& triangle) const {
+std::vector<Vec3> PlanePolygons::intersect_triangle(const geometry::CornerPlaces& triangle) const {
   std::vector<Vec2> ends;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3& a = triangle[i];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/surface/triangle_tree.hpp"
-#include "mesh/tube/solid_frame.hpp"
+#include "geometry/triangle.hpp"
+#include "mesh/tube/solid_crack.hpp"
 
 #include <optional>
 #include <vector>
@@ -27,7 +27,8 @@ public:
     return contains(q) && distance_to_outlines(q) > rim;
   }
   /// Places along the line in which a triangle cuts the plane; empty: it does not.
-  [[nodiscard]] std::vector<base::Vec3> intersect_triangle(const CornerPlaces& triangle) const;
+  [[nodiscard]] std::vector<base::Vec3>
+  intersect_triangle(const geometry::CornerPlaces& triangle) const;
   /// Where the line from q along d leaves the areas, as a multiple of d; of the first that is not
   /// at q. Empty: it does not.
   [[nodiscard]] std::optional<double> exit_distance(const base::Vec2& q, const base::Vec2& d) const;

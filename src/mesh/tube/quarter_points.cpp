@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/tube/quarter_points.hpp"
 
-#include "mesh/cut/folded_elements.hpp"
+#include "mesh/cut/patch_net.hpp"
 #include "shape/topology.hpp"
 
 #include <algorithm>

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/tube/crack_reach.hpp"
+#include "mesh/cut/patch_net.hpp"
+#include "mesh/link/grading.hpp"
+#include "mesh/tube/place_crack.hpp"
 #include "mesh/tube/solid_host.hpp"
 
 #include <span>
 #include <string>
 #include <vector>
 
+/// What a patch replaces of a host of solids, and the sizes of what fills it.
 namespace spricka::mesh {
 
 /// A side of an element inside a cavity that the cavity ends at.
@@ -40,5 +43,11 @@ struct SetCutByCavity {
 /// Sets that have some of a cavity's elements and not others.
 std::vector<SetCutByCavity> find_sets_cut_by_cavity(const SolidHostMesh& host,
                                                     const SolidCavity& cavity);
+
+/// Sizes of the tetrahedra of a patch: those of the fronts, growing with the distance, and of the
+/// faces of a finer host at its rim.
+SolidGrading solid_patch_grading(std::span<const PatchSolidCrack> cracks,
+                                 const std::vector<std::vector<PatchTriangle>>& rims,
+                                 const PatchMeshBuilder& net);
 
 } // namespace spricka::mesh

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "base/id.hpp"
-#include "base/vec.hpp"
+#include "mesh/cut/crack_frame.hpp"
+#include "mesh/cut/cracked.hpp"
+#include "mesh/surface/crack_relief.hpp"
 
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-/// Cracks cut into finished meshes of solids.
+/// A crack that is to be cut into a mesh of solids: its front, its frame, and the points of the
+/// front after the cut.
 namespace spricka::mesh {
-
-class NonPlanarCrackSurface;
 
 /// A crack in space of one size, before it is cut: what its front encloses of a plane, inside the
 /// body, or of what it has made of that plane as it turned. Where the front leaves the body the
@@ -48,5 +48,45 @@ struct TubeMeshParameters {
   bool tube = true;   ///< false: tetrahedra with the front as edges; `radius` is that of even sizes
   double finer = 1.0; ///< divides all sizes, and their growth with the distance outside the tube
 };
+
+/// Frame of a crack in space. Of an open front the area between it and the chord of its ends
+/// counts; of a straight one a quarter of its length stands for the radius.
+CrackFrame make_crack_frame(const SolidCrack& crack);
+
+/// What a crack has made of its plane, in a frame; empty: it has not turned.
+std::shared_ptr<const NonPlanarCrackSurface> crack_surface_in_frame(const CrackFrame& frame,
+                                                                    const SolidCrack& crack);
+
+/// A plane in space with coordinates, (u, v) of places on it, and what a crack has made of it.
+struct PlaneBasis {
+  base::Vec3 origin = base::Vec3::Zero();
+  base::Vec3 u = base::Vec3::UnitX();
+  base::Vec3 v = base::Vec3::UnitY();
+  base::Vec3 normal = base::Vec3::UnitZ();
+  std::shared_ptr<const NonPlanarCrackSurface> relief =
+      {}; ///< of a crack that has turned out of it
+
+  [[nodiscard]] base::Vec2 project(const base::Vec3& p) const {
+    return {u.dot(p - origin), v.dot(p - origin)};
+  }
+  /// Along the normal, above the crack.
+  [[nodiscard]] double height(const base::Vec3& p) const {
+    return relief ? -relief->crack_height_over_plane(p) : normal.dot(p - origin);
+  }
+  /// On the crack.
+  [[nodiscard]] base::Vec3 lift_to_crack(const base::Vec2& q) const {
+    const base::Vec3 p = origin + q.x() * u + q.y() * v;
+    return relief ? base::Vec3(p + relief->crack_height_over_plane(p) * normal) : p;
+  }
+};
+
+/// The front as smooth as its elements have it: the spline through its points, near the ends of an
+/// open one through those that lie half a radius of the tube or more apart. What is shorter than
+/// that in a front as it was drawn or grown, elements round it do not follow, and the axes along it
+/// would waver from it all over the domains.
+std::shared_ptr<const FrontCurve> fit_front_curve(const CrackFront& front, const SolidCrack& crack);
+
+/// Places, growth directions, s and weights of points whose nodes or curve have been moved.
+void update_front_points(const model::Mesh& mesh, CrackFront& front);
 
 } // namespace spricka::mesh

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/tube/solid_front.hpp"
 
-#include "mesh/surface/front_arcs.hpp"
+#include "mesh/surface/surface_hits.hpp"
 #include "mesh/tube/plane_polygons.hpp"
-#include "mesh/tube/solid_frame.hpp"
+#include "mesh/tube/solid_crack.hpp"
 
 #include <fmt/format.h>
 
@@ -331,8 +331,8 @@ private:
       return in_area(x) && in_area(surface.nearest_place(x).x);
     };
     std::optional<Vec3> found;
-    const auto look = [&](const TriangleTree& tree, const auto& counts) {
-      for (const CornerPlaces& triangle : tree.triangles()) {
+    const auto look = [&](const geometry::TriangleTree& tree, const auto& counts) {
+      for (const geometry::CornerPlaces& triangle : tree.triangles()) {
         if (found) {
           return;
         }

@@ -18,7 +18,7 @@ using base::NodeId;
 using base::Vec3;
 
 void add_triangles(const model::Mesh& mesh, const model::Face& face,
-                   std::vector<CornerPlaces>& triangles) {
+                   std::vector<geometry::CornerPlaces>& triangles) {
   const FaceNodes nodes = face_nodes(mesh, face);
   std::vector<Vec3> rim; // round the face, middles too
   Vec3 middle = Vec3::Zero();
@@ -82,8 +82,8 @@ void SolidHostMesh::find_parts() {
 void SolidHostMesh::find_skins() {
   surface_.resize(members_.size());
   for (std::size_t p = 0; p < members_.size(); ++p) {
-    std::vector<CornerPlaces> triangles;
-    std::vector<CornerPlaces> between;
+    std::vector<geometry::CornerPlaces> triangles;
+    std::vector<geometry::CornerPlaces> between;
     for (const model::Face& face :
          outline(members_[p], [&](ElementId e) { return part_index(e) == p; })) {
       add_triangles(mesh(), face, triangles);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "geometry/triangle.hpp"
 #include "mesh/boundary.hpp"
 #include "mesh/cut/host.hpp"
-#include "mesh/surface/triangle_tree.hpp"
 #include "mesh/tube/body_surface.hpp"
 #include "model/mesh.hpp"
 
@@ -27,9 +27,13 @@ public:
   [[nodiscard]] const std::vector<base::ElementId>& part_elements(std::size_t part) const {
     return members_[part];
   }
-  [[nodiscard]] const TriangleTree& skin_tree(std::size_t part) const { return skin_[part]; }
+  [[nodiscard]] const geometry::TriangleTree& skin_tree(std::size_t part) const {
+    return skin_[part];
+  }
   /// Where a part meets others.
-  [[nodiscard]] const TriangleTree& interface_tree(std::size_t part) const { return border_[part]; }
+  [[nodiscard]] const geometry::TriangleTree& interface_tree(std::size_t part) const {
+    return border_[part];
+  }
   /// The surface of the body, of whatever parts, that an element belongs to. Made when first asked
   /// for, by one thread at a time.
   [[nodiscard]] const BodySurface& body_surface(base::ElementId e) const;
@@ -59,8 +63,8 @@ private:
   SetUsage use_;
   std::vector<std::size_t> part_; ///< [element]
   std::vector<std::vector<base::ElementId>> members_;
-  std::vector<TriangleTree> skin_;   ///< [part]
-  std::vector<TriangleTree> border_; ///< [part]
+  std::vector<geometry::TriangleTree> skin_;   ///< [part]
+  std::vector<geometry::TriangleTree> border_; ///< [part]
   /// [part] that of its body
   mutable std::vector<std::shared_ptr<const BodySurface>> surface_;
   std::vector<ElementExtent> extent_; ///< [element]
@@ -71,6 +75,6 @@ double distance_outside(const model::Mesh& mesh, base::ElementId e, const base::
 
 /// Triangles between all nodes of a face: its shape, for distances.
 void add_triangles(const model::Mesh& mesh, const model::Face& face,
-                   std::vector<CornerPlaces>& triangles);
+                   std::vector<geometry::CornerPlaces>& triangles);
 
 } // namespace spricka::mesh

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/tube/solid_patch.hpp"
 
-#include "mesh/cut/folded_elements.hpp"
+#include "mesh/cut/patch_net.hpp"
 #include "mesh/link/fill.hpp"
 #include "mesh/plane.hpp"
 #include "mesh/tube/crack_surface.hpp"
-#include "mesh/tube/free_front.hpp"
+#include "mesh/tube/solid_cavity.hpp"
 #include "mesh/tube/solid_front.hpp"
-#include "mesh/tube/solid_sizes.hpp"
-#include "mesh/tube/solid_split.hpp"
 
 #include <fmt/format.h>
 

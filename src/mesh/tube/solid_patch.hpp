@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "mesh/cut/patch_net.hpp"
-#include "mesh/tube/laid_crack.hpp"
 #include "mesh/tube/open_surface.hpp"
+#include "mesh/tube/place_crack.hpp"
 #include "mesh/tube/quarter_points.hpp"
 #include "mesh/tube/solid_cavity.hpp"
 #include "mesh/tube/solid_shell.hpp"

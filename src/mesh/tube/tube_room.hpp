@@ -2,7 +2,7 @@
 #pragma once
 #include "mesh/tube/plane_polygons.hpp"
 #include "mesh/tube/solid_front.hpp"
-#include "mesh/tube/tube_sizes.hpp"
+#include "mesh/tube/tube.hpp"
 
 #include <span>
 #include <vector>

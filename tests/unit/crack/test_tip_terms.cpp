@@ -3,7 +3,7 @@
 #include "crack/front_intensity.hpp"
 #include "crack/front_rows.hpp"
 #include "crack/tip_intensity.hpp"
-#include "mesh/cut/crack_sides.hpp"
+#include "mesh/cut/graft.hpp"
 #include "mesh/cut/patch.hpp"
 #include "mesh/cut/tip_mesh.hpp"
 #include "mesh/generate/generate.hpp"

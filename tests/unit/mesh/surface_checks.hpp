@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/surface/region_patches.hpp"
 #include "mesh/surface/surface_fold.hpp"
+#include "mesh/surface/surface_region.hpp"
 #include "shape/quadrature.hpp"
 #include "surface_cracks.hpp"
 

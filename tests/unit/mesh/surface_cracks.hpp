@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/surface/front_arcs.hpp"
 #include "mesh/surface/remesh_surface.hpp"
+#include "mesh/surface/surface_hits.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Planes and fronts that meet the surface of a solid mesh, against closed forms.
-#include "mesh/surface/front_arcs.hpp"
+#include "mesh/surface/surface_hits.hpp"
 #include "mesh/surface/surface_trace.hpp"
 #include "surface_hosts.hpp"
 

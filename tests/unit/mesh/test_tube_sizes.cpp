@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/tube/tube_sizes.hpp"
+#include "mesh/tube/tube.hpp"
 
 #include <cmath>
 #include <numbers>
