@@ -27,6 +27,7 @@ struct KinkLinePoint {
   base::Vec3 x = base::Vec3::Zero(); ///< there
   double size = 0.0;                 ///< of elements
 };
+/// Where a crack that has turned is bent: a line that its faces have edges along.
 struct KinkLine {
   std::vector<KinkLinePoint> points;
   bool closed = false; ///< the first point not repeated

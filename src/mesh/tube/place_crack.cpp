@@ -30,6 +30,8 @@ constexpr double most_lean_free = 5.6713;
 /// They are shorter than elements of a tube.
 constexpr double most_free_elements = 2000.0;
 
+// Fronts without a tube: edges of tetrahedra, where no tube fits or none is wanted.
+
 /// Size of the elements at a free front over the radius of the tube that it stands for.
 constexpr double size_of_radius = 0.5;
 /// Elements along the front over those across it.
