@@ -38,7 +38,8 @@ public:
     test_.on_c = card_.has_word("AXIS", "C");
     test_.span = card_.span;
     if (const NameDefinition* crack =
-            resolve_definition(c_, EntityKind::crack, card_.name_reference("CRACK"))) {
+            resolve_definition(c_, EntityKind::crack, card_.name_reference("CRACK"));
+        crack != nullptr && crack->index < c_.model.cracks.size()) { // else its card is wrong
       test_.crack = base::CrackId(crack->index);
     }
     if (test_.window % 2 == 0) {
@@ -178,7 +179,7 @@ private:
     if (c_.is_certainly_plane() && card_.has_key("AXIS")) {
       lacks("AXIS is of a crack in space", "in the plane a crack has one length");
     }
-    if (dimension_rules.at(c_.model.mesh.dim).fronts && test_.crack.valid() &&
+    if (dimension_rules.at(c_.model.mesh.dim).ends_in_fronts && test_.crack.valid() &&
         c_.model.cracks[test_.crack.index()].kind != model::CrackDefinitionKind::ellipse) {
       lacks(fmt::format("{} has no half axes to read", c_.model.cracks[test_.crack.index()].name),
             "in space tests are of cracks with A and C");
