@@ -241,7 +241,7 @@ def along(rows, phi, column):
 
 def compare(joint, coarse, fine):
     """Points within the sum of both bars (with friction within a share of the front's largest K), all points, and by
-    how much of K1 the most K moves, in per cent."""
+    how much of the front's largest K the most K moves, in per cent."""
     held = total = 0
     moves = 0.0
     for step in ("PRESS", "LOAD"):
@@ -260,7 +260,7 @@ def compare(joint, coarse, fine):
                     continue
                 total += 1
                 held += abs(float(row[k]) - other) <= bars
-                moves = max(moves, 100 * abs(float(row[k]) - other) / max(abs(float(row["K1"])), 1e-300))
+                moves = max(moves, 100 * abs(float(row[k]) - other) / (largest or 1.0))
     return held, total, moves
 
 
@@ -305,7 +305,7 @@ def main():
         held, total = held + good, total + points
         alone = contradicted(*runs, moves)
         lonely += bool(alone)
-        print(f"{name}: rests {found}, K {good} of {points}, by up to {moves:.1f} % of K1, "
+        print(f"{name}: rests {found}, K {good} of {points}, by up to {moves:.1f} % of the largest, "
               f"{[f'{run.seconds:.0f} s' for run in runs]}, "
               f"warnings {sorted(doubts(runs[0]))} {sorted(doubts(runs[1]))}", flush=True)
     if full or chosen:
