@@ -16,7 +16,7 @@ DENIED = {
     "rough": "discontinuous", "lost": "what it is: missing, removed, unprojected",
 }
 # Lines of src and grammar that ask for the dimension, and files with such lines: to go down, never up.
-BRANCHES, BRANCHING_FILES = 177, 120
+BRANCHES, BRANCHING_FILES = 28, 27
 
 
 def word_errors(measures):
