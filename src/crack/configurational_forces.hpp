@@ -12,9 +12,9 @@ namespace spricka::crack {
 /// Configurational forces: how much energy is released as nodes move, of the solution with each
 /// auxiliary field [force], in the plane per unit thickness. Terms add to them; G, K and T are
 /// their product with a virtual extension. Assembled once for all points and domains of a front.
-template <int dim> class ConfigurationalForces {
+template <int dim> class InteractionConfigurationalForces {
 public:
-  explicit ConfigurationalForces(std::size_t nodes) : slot_(nodes, -1) {}
+  explicit InteractionConfigurationalForces(std::size_t nodes) : slot_(nodes, -1) {}
 
   using OfNode = std::array<shape::Point<dim>, auxiliary_field_count<dim>>;
   /// Of a node; zero where no term has touched it yet.

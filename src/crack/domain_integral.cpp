@@ -85,7 +85,7 @@ private:
 // One vector per node serves all domains (crack.5): outside its own elements the q of a domain is
 // constant, and there the gradients of the shape functions of an element sum to zero.
 void add_domain_terms(const TipAuxiliaryFields& fields, const base::Vector& u,
-                      ConfigurationalForces<2>& out) {
+                      InteractionConfigurationalForces<2>& out) {
   const TipContext& set = fields.set();
   const std::vector<BodyForceField> body =
       body_force_fields(set.model, set.mesh, set.loads, ScaleElements::whole_set);

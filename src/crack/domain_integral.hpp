@@ -9,6 +9,6 @@ namespace spricka::crack {
 /// and crack.10), forces per volume (crack.19) and the temperature's gradient (crack.22) wherever q
 /// is not zero.
 void add_domain_terms(const TipAuxiliaryFields& fields, const base::Vector& u,
-                      ConfigurationalForces<2>& out);
+                      InteractionConfigurationalForces<2>& out);
 
 } // namespace spricka::crack

@@ -47,7 +47,7 @@ public:
         elasticity_(source.elasticity(e)) {}
 
   /// Adds all terms; `strained`: the extension is not constant in the element.
-  void add(bool strained, ConfigurationalForces<dim>& out) const {
+  void add(bool strained, InteractionConfigurationalForces<dim>& out) const {
     OfNodes P;
     const auto nodes = static_cast<std::size_t>(element_.nodes);
     for (std::size_t n = 0; n < nodes; ++n) {
@@ -59,7 +59,8 @@ public:
     }
     add_body_forces(P);
     for (std::size_t n = 0; n < nodes; ++n) {
-      typename ConfigurationalForces<dim>::OfNode& sum = out[mesh().element_nodes(e_)[n]];
+      typename InteractionConfigurationalForces<dim>::OfNode& sum =
+          out[mesh().element_nodes(e_)[n]];
       for (std::size_t k = 0; k < sum.size(); ++k) {
         sum[k] += P[n][k];
       }
@@ -68,7 +69,8 @@ public:
 
 private:
   /// Of the first nodes, as many as the element has.
-  using OfNodes = std::array<typename ConfigurationalForces<dim>::OfNode, shape::most_nodes<dim>>;
+  using OfNodes =
+      std::array<typename InteractionConfigurationalForces<dim>::OfNode, shape::most_nodes<dim>>;
   using Vector = shape::Point<dim>;
 
   [[nodiscard]] const model::Mesh& mesh() const { return source_.set().mesh; }

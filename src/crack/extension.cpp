@@ -135,7 +135,7 @@ VirtualExtensionField TipNeighbourhood::field(const mesh::CrackFront& front, int
 std::vector<VirtualExtensionField>
 TipNeighbourhood::extension_fields(const mesh::CrackedMesh& cracked, const mesh::CrackFront& front,
                                    const std::vector<int>& rings, std::vector<int>& left_out,
-                                   const DomainLimits& limits) const {
+                                   const IntegrationDomainConstraints& limits) const {
   const Movable movable(cracked, front);
   const auto fixed = [&](base::NodeId n) {
     return (!limits.node.empty() && limits.node[n.index()]) ||

@@ -43,7 +43,7 @@ struct MovedFreeSide {
 };
 
 /// What domains must keep clear of, beside what the mesh says; empty: nothing.
-struct DomainLimits {
+struct IntegrationDomainConstraints {
   std::vector<bool> node; ///< [node] must not move
   /// [element] not negative: a domain stays in one, on each side of the tip's line; empty: the
   /// element's property
@@ -62,7 +62,7 @@ public:
   [[nodiscard]] std::vector<VirtualExtensionField>
   extension_fields(const mesh::CrackedMesh& cracked, const mesh::CrackFront& front,
                    const std::vector<int>& rings, std::vector<int>& left_out,
-                   const DomainLimits& limits = {}) const;
+                   const IntegrationDomainConstraints& limits = {}) const;
 
 private:
   [[nodiscard]] bool on_boundary(base::NodeId n) const;

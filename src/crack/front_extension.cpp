@@ -33,7 +33,7 @@ struct Follower {
 class FrontExtensionsBuilder {
 public:
   FrontExtensionsBuilder(const mesh::CrackedMesh& cracked, const mesh::CrackFront& front, int most,
-                         const DomainLimits& limits)
+                         const IntegrationDomainConstraints& limits)
       : cracked_(cracked), mesh_(cracked.mesh), front_(front), limits_(limits),
         elements_(cracked.mesh), line_(front_mid_nodes(mesh_, elements_, front)),
         layers_(find_front_element_layers(mesh_, elements_, front, line_, most + 1)),
@@ -289,7 +289,7 @@ private:
   const mesh::CrackedMesh& cracked_;
   const model::Mesh& mesh_;
   const mesh::CrackFront& front_;
-  const DomainLimits& limits_;
+  const IntegrationDomainConstraints& limits_;
   mesh::NodeToElementsMap elements_;
   FrontMidNodes line_;
   FrontElementLayers layers_;
@@ -331,7 +331,7 @@ std::vector<ElementId> FrontIntegralDomains::elements() const {
 FrontIntegralDomains build_front_domains(const mesh::CrackedMesh& cracked,
                                          const mesh::CrackFront& front,
                                          const std::vector<int>& rings,
-                                         const DomainLimits& limits) {
+                                         const IntegrationDomainConstraints& limits) {
   if (rings.empty() || front.curve == nullptr) {
     return {};
   }

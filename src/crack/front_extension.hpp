@@ -60,6 +60,6 @@ inline FrontIntegralDomains make_tip_domains(std::vector<VirtualExtensionField> 
 FrontIntegralDomains build_front_domains(const mesh::CrackedMesh& cracked,
                                          const mesh::CrackFront& front,
                                          const std::vector<int>& rings,
-                                         const DomainLimits& limits = {});
+                                         const IntegrationDomainConstraints& limits = {});
 
 } // namespace spricka::crack

@@ -57,7 +57,8 @@ public:
   }
 
   /// Which face of the crack a side is that a domain moves; nothing: none moves it.
-  [[nodiscard]] std::optional<CrackFaceSide> crack_face_of_side(const model::Face& face) const {
+  [[nodiscard]] std::optional<CrackFaceSide>
+  crack_face_of_element_side(const model::Face& face) const {
     const auto known = moved_.find(face);
     return known == moved_.end() ? std::nullopt : std::optional(known->second);
   }

@@ -106,7 +106,7 @@ private:
 } // namespace
 
 void add_front_element_terms(const FrontAuxiliaryFields& fields, const FrontLoads& loads,
-                             const base::Vector& u, ConfigurationalForces<3>& out) {
+                             const base::Vector& u, InteractionConfigurationalForces<3>& out) {
   const FrontContext& set = fields.set();
   const std::vector<BodyForceField> body =
       body_force_fields(set.model, set.mesh, loads, ScaleElements::near_front);

@@ -109,9 +109,10 @@ private:
   const FrontIntegralDomains& fields_;
 };
 
-ConfigurationalForces<3> all_forces(const FrontContext& set, const FrontIntegralDomains& extensions,
-                                    const base::Vector& u, const FrontLoads& loads) {
-  ConfigurationalForces<3> forces(set.mesh.node_count());
+InteractionConfigurationalForces<3> all_forces(const FrontContext& set,
+                                               const FrontIntegralDomains& extensions,
+                                               const base::Vector& u, const FrontLoads& loads) {
+  InteractionConfigurationalForces<3> forces(set.mesh.node_count());
   const FrontAuxiliaryFields fields(set, extensions);
   add_front_element_terms(fields, loads, u, forces);
   add_face_load_terms(fields, load_forces_on_faces(set.mesh, loads), u, forces);
@@ -185,7 +186,7 @@ std::vector<StressIntensity> front_intensity(const model::Model& model,
     return result;
   }
   const FrontContext set = make_front_context(model, cracked, front, domains);
-  const ConfigurationalForces<3> forces = all_forces(set, domains, u, loads);
+  const InteractionConfigurationalForces<3> forces = all_forces(set, domains, u, loads);
   const AtFront at_front = FrontStress(set, front, domains).of(loads);
   const auto strain = strain_along_front_weights(front, cracked.mesh, domains);
   for (std::size_t i = 0; i < result.size(); ++i) {

@@ -9,7 +9,7 @@ namespace spricka::crack {
 
 namespace {
 
-using Builder = IntensityRowBuilder<FrontAuxiliaryFields>;
+using Builder = IntensityFunctionalBuilder<FrontAuxiliaryFields>;
 
 // What `make` takes from the builder of a front; zero rows [dim * count, K] without a domain.
 template <class Make>

@@ -16,12 +16,12 @@
 namespace spricka::crack {
 
 /// The rows of K of all points of a front, made once for each builder.
-template <class Source> class IntensityRowBuilder {
+template <class Source> class IntensityFunctionalBuilder {
 public:
   static constexpr int dim = Source::dim;
 
   /// Columns are by KLayout.
-  explicit IntensityRowBuilder(FrontContractions<Source> front)
+  explicit IntensityFunctionalBuilder(FrontContractions<Source> front)
       : front_(std::move(front)), source_(front_.source()), layout_(front_.point_count(), dim) {}
 
   /// Rows of the nodal displacements, from the domains and the free sides that move with them.
@@ -53,7 +53,8 @@ public:
   [[nodiscard]] SparseLinearFunctionals force_rows(const std::vector<FacePointForces>& places) {
     Eigen::Index first = 0;
     for (const FacePointForces& place : places) {
-      if (const std::optional<CrackFaceSide> known = source_.crack_face_of_side(place.face)) {
+      if (const std::optional<CrackFaceSide> known =
+              source_.crack_face_of_element_side(place.face)) {
         add_places(place, *known, first);
       }
       first += dim * static_cast<Eigen::Index>(place.points.size());

@@ -40,7 +40,7 @@ SurfaceGradients<dim> surface_gradients(const geometry::ElementSide& side, const
 template <int dim>
 void subtract_nodal_forces(const geometry::ElementSide& side, const geometry::SideValues& N,
                            std::size_t auxiliary, const shape::Point<dim>& c,
-                           ConfigurationalForces<dim>& out) {
+                           InteractionConfigurationalForces<dim>& out) {
   for (std::size_t n = 0; n < side.nodes.size(); ++n) {
     out[side.nodes[n]][auxiliary] -= N[static_cast<Eigen::Index>(n)] * c;
   }
@@ -52,10 +52,11 @@ void subtract_nodal_forces(const geometry::ElementSide& side, const geometry::Si
 /// nothing.
 template <class Source>
 void add_face_load_terms(const Source& source, const std::vector<FacePointForces>& forces,
-                         const base::Vector& u, ConfigurationalForces<Source::dim>& out) {
+                         const base::Vector& u,
+                         InteractionConfigurationalForces<Source::dim>& out) {
   constexpr int dim = Source::dim;
   for (const FacePointForces& on : forces) {
-    const std::optional<CrackFaceSide> known = source.crack_face_of_side(on.face);
+    const std::optional<CrackFaceSide> known = source.crack_face_of_element_side(on.face);
     if (!known) {
       continue;
     }
@@ -85,7 +86,7 @@ void add_face_load_terms(const Source& source, const std::vector<FacePointForces
 /// plane strain are not where the front leaves the body (crack.40, crack_space.8).
 template <class Source>
 void add_auxiliary_tractions(const Source& source, const base::Vector& u,
-                             ConfigurationalForces<Source::dim>& out) {
+                             InteractionConfigurationalForces<Source::dim>& out) {
   constexpr int dim = Source::dim;
   for (const MovedFreeSide& moved : source.sides()) {
     const geometry::ElementSide side = model::element_side(source.set().mesh, moved.face);

@@ -72,7 +72,8 @@ public:
   }
 
   /// Which face of the crack a loaded side is, as far as fields need it: its normal tells.
-  [[nodiscard]] std::optional<CrackFaceSide> crack_face_of_side(const model::Face& /*face*/) const {
+  [[nodiscard]] std::optional<CrackFaceSide>
+  crack_face_of_element_side(const model::Face& /*face*/) const {
     return CrackFaceSide::none;
   }
   [[nodiscard]] std::vector<shape::QuadraturePoint<2>>

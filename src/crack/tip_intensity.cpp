@@ -38,10 +38,10 @@ double restated(const TipContext& set, model::CrackTipPlaneState request) {
 }
 
 // All terms of G, K and T: each adds to the forces of the nodes it touches.
-ConfigurationalForces<2> configurational_forces(const TipContext& set,
-                                                const std::vector<VirtualExtensionField>& domains,
-                                                const base::Vector& u) {
-  ConfigurationalForces<2> forces(set.mesh.node_count());
+InteractionConfigurationalForces<2>
+configurational_forces(const TipContext& set, const std::vector<VirtualExtensionField>& domains,
+                       const base::Vector& u) {
+  InteractionConfigurationalForces<2> forces(set.mesh.node_count());
   const TipAuxiliaryFields fields(set, domains);
   add_domain_terms(fields, u, forces);
   add_face_load_terms(fields, load_forces_on_faces(set.mesh, set.loads), u, forces);
@@ -102,7 +102,7 @@ StressIntensity tip_intensity(const model::Model& model, const mesh::CrackedMesh
   const double restate = restated(set, request.state);
   result.two_materials = std::ranges::any_of(
       fields, [&](const VirtualExtensionField& f) { return is_between_materials(set, f); });
-  const ConfigurationalForces<2> forces = configurational_forces(set, fields, u);
+  const InteractionConfigurationalForces<2> forces = configurational_forces(set, fields, u);
   // What stands beside the bracket of (crack.26).
   const double T_of_tip =
       stress_on_crack_faces_at_tip(set, front) - thermal_stress_at_tip(set, front) +
@@ -168,7 +168,7 @@ SparseLinearFunctionals tip_intensity_functionals(const model::Model& model,
   }
   const TipAuxiliaryFields source(set, fields);
   return restated(set, state) *
-         IntensityRowBuilder<TipAuxiliaryFields>({source, front, {fields}}).rows();
+         IntensityFunctionalBuilder<TipAuxiliaryFields>({source, front, {fields}}).rows();
 }
 
 std::vector<IntensityFunctionalPoint> intensity_functional_points(

@@ -157,7 +157,7 @@ void add_paths(HtmlPage& page, const model::Model& model, const results::RunResu
   add_figures(page, load_path_figures(model, run));
   const auto paths = [&](const results::Increment& i) { return load_path_table(model, i); };
   page.add_table(over_lengths(model, run, paths));
-  page.add_table(over_lengths(model, run, contact_opening_table));
+  page.add_table(over_lengths(model, run, contact_opening_onset_table));
 }
 
 void add_contacts(HtmlPage& page, const model::Model& model, const results::RunResult& run) {

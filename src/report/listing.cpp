@@ -107,7 +107,7 @@ std::string increment_text(const model::Model& model, const results::Increment& 
         energy_error_table(increment), contact_result_table(model, increment),
         contact_moment_table(model, increment), friction_table(model, increment),
         k_table(model, increment), sensitivity_table(model, increment),
-        load_path_table(model, increment), contact_opening_table(increment)}) {
+        load_path_table(model, increment), contact_opening_onset_table(increment)}) {
     out += to_text_after_blank_line(table);
   }
   for (const ReportTable& table : front_tables(model, increment)) {

@@ -84,7 +84,7 @@ void add_requested(std::vector<SweepValue>& cells, const results::Increment& inc
 
 } // namespace
 
-std::vector<SweepValue> collect_sweep_values(const results::RunResult& run) {
+std::vector<SweepValue> collect_sweep_values_of_run(const results::RunResult& run) {
   std::vector<SweepValue> cells;
   if (run.growth) {
     cells.push_back({"N", "", "", 0, run.growth->final_cycles()});

@@ -16,7 +16,7 @@ namespace spricka::report {
 /// crack length of each increment; at each step's end the quantities of each tip and of each
 /// contact that are for sweeps (results/k_quantities.hpp, results/contact_result.hpp), of those
 /// that have a value.
-std::vector<results::SweepValue> collect_sweep_values(const results::RunResult& run);
+std::vector<results::SweepValue> collect_sweep_values_of_run(const results::RunResult& run);
 
 /// What a card $OUTPUT EVERY=END asks for as single numbers, at the end of KMAX or of the last step
 /// of the last increment: K and CPRESS give what sweeps have of a tip, with a, and of a contact;

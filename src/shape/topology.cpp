@@ -82,7 +82,7 @@ const DomainTopology& topology_of(ElementType type) {
   return topology_of(base::element_info(type).domain);
 }
 
-const DomainSide& crack_face_of_side(ElementType type, int s) {
+const DomainSide& crack_face_of_element_side(ElementType type, int s) {
   assert(s >= 0 && s < base::element_info(type).sides);
   return topology_of(type).sides[static_cast<std::size_t>(s)];
 }
@@ -90,7 +90,7 @@ const DomainSide& crack_face_of_side(ElementType type, int s) {
 } // namespace
 
 std::span<const int> side_nodes(ElementType type, int s) {
-  const DomainSide& side = crack_face_of_side(type, s);
+  const DomainSide& side = crack_face_of_element_side(type, s);
   const DomainTopology& own = topology_of(side.domain);
   const std::size_t between = base::element_info(type).quadratic ? own.edges.size() : 0;
   const std::size_t centre = type == ElementType::hexec27 ? 1 : 0;
@@ -98,7 +98,7 @@ std::span<const int> side_nodes(ElementType type, int s) {
 }
 
 ReferenceDomain side_domain(ElementType type, int s) {
-  return crack_face_of_side(type, s).domain;
+  return crack_face_of_element_side(type, s).domain;
 }
 
 ElementType solid_side_type(ElementType type, int s) {

@@ -126,7 +126,7 @@ void FrontSensitivityAnalysis::add_to_fronts(const FrozenContactStep& step,
       of_loads_,
       [&K](const base::Vector& u) -> base::Vector { return K.rows.transpose() * u; }};
   std::vector<ParameterDerivative> causes = load_and_fit_derivatives(of);
-  if ((step.solver.mount_offset().array() != 0.0).any()) {
+  if ((step.solver.gap_offset_at_mounting().array() != 0.0).any()) {
     add_sensitivity_note("no derivatives by moduli: parts were mounted on deformed ones", result);
   } else {
     add_modulus_derivatives(of, causes);

@@ -204,7 +204,7 @@ void TipSensitivityAnalysis::add_to_tips(const StepSolver& solver, const StepSta
       [&adjoint](const base::Vector& u) -> base::Vector { return adjoint.rows.transpose() * u; }};
   std::vector<ParameterDerivative> causes = load_and_fit_derivatives(K);
   const std::size_t with_range = causes.size();
-  if ((solver.mount_offset().array() != 0.0).any()) {
+  if ((solver.gap_offset_at_mounting().array() != 0.0).any()) {
     add_sensitivity_note(
         "no derivatives by moduli and crack lengths: parts were mounted on deformed ones", result);
   } else {

@@ -58,13 +58,13 @@ public:
       law = [this](double K_max, double K_min) { return measure_.law().growth_rate(K_max, K_min); };
     }
     const std::optional<results::NamedArrays> kept = take_over_kept();
-    growth::GrowthIntegrator integrator = restore_checked([&] {
+    growth::GrowthIntegrator integrator = restore_or_report_damage([&] {
       return growth::GrowthIntegrator(model_, law, std::move(kinematics),
                                       kept ? state_from(*kept) : growth::GrowthState());
     });
     GrowthCondensationRegion region(model_);
     if (kept) {
-      restore_checked([&] { region.restore_state(*kept); });
+      restore_or_report_damage([&] { region.restore_state(*kept); });
     }
     mark_.emplace(run_.log);
     tell_progress("read");

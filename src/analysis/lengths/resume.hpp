@@ -23,7 +23,7 @@ std::optional<archive::StoredIncrement> resume_increment(const model::Model& mod
 
 /// What `take` makes of the state that was kept; where that lacks something, or names what is not
 /// there, the file is in trouble: throws FileFailure E560, which names the field.
-template <class Take> auto restore_checked(const Take& take) {
+template <class Take> auto restore_or_report_damage(const Take& take) {
   try {
     return take();
   } catch (const base::CorruptStoredField& trouble) {

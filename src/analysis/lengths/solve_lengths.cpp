@@ -86,7 +86,7 @@ bool solve_lengths(const model::Model& model, const SolveOptions& options,
     const base::Stopwatch resuming;
     if (auto kept = resume_increment(model, options.checkpoint, number, lengths[i], pictured)) {
       // What was mounted and closed goes on from the last length that was kept.
-      restore_checked([&] { solver.restore_state(kept->state); });
+      restore_or_report_damage([&] { solver.restore_state(kept->state); });
       append_increment(std::move(*kept), run);
       report_resumed_increment(options, run, lengths.size());
       if (options.recorder != nullptr) {

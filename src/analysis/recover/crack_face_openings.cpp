@@ -27,7 +27,8 @@ CrackFaceOpenings::CrackFaceOpenings(const model::Model& model, const Discretisa
     contact::PairConstraints pair = contact::build_crack_face_constraints(
         model, scene.cracked.mesh, scene.cracked.faces[i], true);
     for (std::size_t r = 0; r < pair.normal.size(); ++r) {
-      FaceNodePair& nodes = pairs_.emplace_back(FaceNodePair{i, std::move(pair.normal[r]), {}});
+      WatchedFaceNodePair& nodes =
+          pairs_.emplace_back(WatchedFaceNodePair{i, std::move(pair.normal[r]), {}});
       if (!pair.tangent.empty()) {
         nodes.along = std::move(pair.tangent[r]);
       }
@@ -40,7 +41,7 @@ base::Matrix CrackFaceOpenings::columns(Eigen::Index first, Eigen::Index count) 
       static_cast<Eigen::Index>(scene_.cracked.mesh.node_count()) * scene_.cracked.mesh.dim;
   base::Matrix nodal = base::Matrix::Zero(size, count);
   for (Eigen::Index c = 0; c < count; ++c) {
-    const FaceNodePair& nodes = pairs_[static_cast<std::size_t>((first + c) / 2)];
+    const WatchedFaceNodePair& nodes = pairs_[static_cast<std::size_t>((first + c) / 2)];
     const bool along = (first + c) % 2 == 1;
     if (along && !nodes.along) {
       continue;
@@ -58,7 +59,7 @@ base::Matrix CrackFaceOpenings::columns(Eigen::Index first, Eigen::Index count) 
 base::Vector CrackFaceOpenings::values(const base::Vector& u) const {
   base::Vector values = base::Vector::Zero(count());
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
-    const FaceNodePair& nodes = pairs_[p];
+    const WatchedFaceNodePair& nodes = pairs_[p];
     const auto at = 2 * static_cast<Eigen::Index>(p);
     values[at] = row_opening(nodes.apart, 2, u) / nodes.apart.area;
     if (nodes.along) {

@@ -23,14 +23,14 @@ public:
   void add_overlapping_lines(const base::Vector& value, std::vector<std::size_t>& lines) const;
 
 private:
-  struct FaceNodePair {
+  struct WatchedFaceNodePair {
     std::size_t line = 0;
     contact::ConstraintRow apart;
     std::optional<contact::ConstraintRow> along; ///< none in a half model
   };
 
   const Discretisation& scene_;
-  std::vector<FaceNodePair> pairs_;
+  std::vector<WatchedFaceNodePair> pairs_;
 };
 
 } // namespace spricka::analysis

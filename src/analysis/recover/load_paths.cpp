@@ -58,14 +58,14 @@ base::Vector gap_without_fits_and_loads(const model::Model& model, const Discret
 
 // Whether all that a path begins with is scaled by its factors.
 bool is_homogeneous(const model::Model& model, const Discretisation& scene, const LoadPathEnd& from,
-                    const LoadPathEnd& to, const base::Vector& mount_offset) {
+                    const LoadPathEnd& to, const base::Vector& gap_offset_at_mounting) {
   // The right-hand side of a tie has no factor (solve.33).
   if (scene.ties->has_constants()) {
     return false;
   }
   // What no factor of the steps scales: gaps without FIT, or left over from a MOUNT.
   const base::Vector rest =
-      gap_without_fits_and_loads(model, scene, mount_offset, from.problem.rows);
+      gap_without_fits_and_loads(model, scene, gap_offset_at_mounting, from.problem.rows);
   const double size =
       std::max(from.problem.gap.size() > 0 ? from.problem.gap.cwiseAbs().maxCoeff() : 0.0,
                to.problem.gap.size() > 0 ? to.problem.gap.cwiseAbs().maxCoeff() : 0.0);
@@ -242,7 +242,7 @@ results::LoadPathResult LoadPathSolver::path(const model::LoadPathDefinition& ca
                                   t)));
   }
   out.t = path_knots(found);
-  out.homogeneous = is_homogeneous(model_, scene_, from, to, solver.mount_offset());
+  out.homogeneous = is_homogeneous(model_, scene_, from, to, solver.gap_offset_at_mounting());
   // Between knots all is linear: the largest overlaps are at knots.
   for (const solve::SolutionPathSegment& s : found.segments) {
     functionals_.add_overlapping_lines(s.value, overlapping_);

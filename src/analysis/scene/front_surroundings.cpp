@@ -247,11 +247,12 @@ crack::FrontLoads collect_front_loads(const model::Model& model, const Discretis
   return loads;
 }
 
-crack::DomainLimits find_domain_limits(const model::Model& model, const Discretisation& scene,
-                                       const mesh::CrackFront& front) {
+crack::IntegrationDomainConstraints find_domain_limits(const model::Model& model,
+                                                       const Discretisation& scene,
+                                                       const mesh::CrackFront& front) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const auto dim = static_cast<std::size_t>(mesh.dim);
-  crack::DomainLimits limits;
+  crack::IntegrationDomainConstraints limits;
   limits.node.assign(mesh.node_count(), false);
   limits.zone = material_zones(model, mesh);
   const std::vector<bool> by_planes =

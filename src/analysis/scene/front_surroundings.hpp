@@ -23,8 +23,9 @@ std::vector<std::int64_t> material_zones(const model::Model& model, const model:
 /// (in the plane those of a half model's own line are not, in space not those of a flat part of the
 /// surface that is held across or along, which they move in), in the plane also the rims of what is
 /// heated and the axis.
-crack::DomainLimits find_domain_limits(const model::Model& model, const Discretisation& scene,
-                                       const mesh::CrackFront& front);
+crack::IntegrationDomainConstraints find_domain_limits(const model::Model& model,
+                                                       const Discretisation& scene,
+                                                       const mesh::CrackFront& front);
 
 /// Puts the faces of all cracks into the sets that loads name.
 void fill_crack_face_sets(const model::Model& model, mesh::CrackedMesh& cracked);

@@ -64,7 +64,9 @@ public:
   [[nodiscard]] std::string unsupported_motion(const base::Vector& mode, bool slides = false) const;
   [[nodiscard]] const StepActionFactors& factors() const { return increment_state_.factors(); }
   /// [row] since MOUNT
-  [[nodiscard]] const base::Vector& mount_offset() const { return increment_state_.offset(); }
+  [[nodiscard]] const base::Vector& gap_offset_at_mounting() const {
+    return increment_state_.offset();
+  }
 
 private:
   /// The answer at the end of the step, in increments from the factors `from` where contacts rub;

@@ -139,7 +139,8 @@ Vec2 SurfaceChart::at(std::size_t face, const Vec2& r) const {
 }
 
 /// The place of a plane face with exactly these parameters, or the nearest that steps lead to.
-SurfaceChart::ChartPreimage SurfaceChart::flat_on(std::size_t face, Vec2 r, const Vec2& u) const {
+SurfaceChart::FacePointAtParameters SurfaceChart::flat_on(std::size_t face, Vec2 r,
+                                                          const Vec2& u) const {
   const geometry::ElementSide& f = surface_.face(face);
   for (int i = 0; i < 20; ++i) {
     const geometry::SidePoint p = f.point(r);
@@ -162,9 +163,9 @@ SurfaceChart::ChartPreimage SurfaceChart::flat_on(std::size_t face, Vec2 r, cons
 
 /// The same on whichever face has it: edges between plane faces may be curved, so that the facet
 /// tells only whereabouts to look.
-SurfaceChart::ChartPreimage SurfaceChart::flat_place(std::size_t face, const Vec2& r,
-                                                     const Vec2& u) const {
-  ChartPreimage best = flat_on(face, r, u);
+SurfaceChart::FacePointAtParameters SurfaceChart::flat_place(std::size_t face, const Vec2& r,
+                                                             const Vec2& u) const {
+  FacePointAtParameters best = flat_on(face, r, u);
   if (best.off <= same) {
     return best;
   }
@@ -174,7 +175,7 @@ SurfaceChart::ChartPreimage SurfaceChart::flat_place(std::size_t face, const Vec
     near.insert(net_.facets()[f].face);
   }
   for (const std::size_t other : near) {
-    const ChartPreimage there = flat_on(other, surface_.face(other).centre(), u);
+    const FacePointAtParameters there = flat_on(other, surface_.face(other).centre(), u);
     best = there.off < best.off - same ? there : best;
   }
   return best;
@@ -188,7 +189,7 @@ SurfacePlace SurfaceChart::map_to_surface(const Vec2& u) const {
   if (!flat_) {
     return surface_.place_at_coordinates(facet.face, r);
   }
-  const ChartPreimage exact = flat_place(facet.face, r, u);
+  const FacePointAtParameters exact = flat_place(facet.face, r, u);
   return surface_.place_at_coordinates(exact.face, exact.r);
 }
 

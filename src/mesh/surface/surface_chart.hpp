@@ -39,7 +39,7 @@ private:
     std::size_t facet = 0;
     Eigen::Vector3d hat = Eigen::Vector3d::Zero();
   };
-  struct ChartPreimage {
+  struct FacePointAtParameters {
     std::size_t face = nowhere;
     base::Vec2 r = base::Vec2::Zero();
     double off = 0.0; ///< in parameters
@@ -48,9 +48,10 @@ private:
   void sort_facets();
   [[nodiscard]] BarycentricPoint find(const base::Vec2& u) const;
   [[nodiscard]] Eigen::Vector3d hats(std::size_t facet, const base::Vec2& u) const;
-  [[nodiscard]] ChartPreimage flat_on(std::size_t face, base::Vec2 r, const base::Vec2& u) const;
-  [[nodiscard]] ChartPreimage flat_place(std::size_t face, const base::Vec2& r,
-                                         const base::Vec2& u) const;
+  [[nodiscard]] FacePointAtParameters flat_on(std::size_t face, base::Vec2 r,
+                                              const base::Vec2& u) const;
+  [[nodiscard]] FacePointAtParameters flat_place(std::size_t face, const base::Vec2& r,
+                                                 const base::Vec2& u) const;
 
   const SurfaceGeometry& surface_;
   std::vector<std::size_t> faces_;

@@ -112,7 +112,7 @@ public:
       if (i == 0) {
         look_closely(scene, length->bodies());
       }
-      results::CrackLengthPreview figures = preview_crack_length(model_, scene);
+      results::CrackLengthPreview figures = preview_mesh_at_crack_length(model_, scene);
       figures.number = static_cast<int>(i) + 1;
       if (forecast) {
         future.forecast_crack_length(length->request(), length->bodies(), scene, scene_cpu,

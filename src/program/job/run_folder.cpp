@@ -251,7 +251,7 @@ void RunFolder::write(const base::SourceTexts& sources, const model::Model& mode
       {{k_table_name, report::write_k_csv},
        {"sensitivity.csv", report::write_sensitivity_csv},
        {"pressure.csv", report::write_pressure_csv},
-       {"load_path.csv", report::write_load_path_csv},
+       {"load_path.csv", report::write_K_along_load_path_csv},
        {"load_path_fronts.csv", report::write_load_path_fronts_csv},
        {"life.csv", report::write_life_csv},
        {"life_curve.csv", report::write_life_curve_csv},

@@ -147,8 +147,8 @@ preview_contact_pairs(const analysis::Discretisation& scene) {
   return list;
 }
 
-results::CrackLengthPreview preview_crack_length(const model::Model& model,
-                                                 const analysis::Discretisation& scene) {
+results::CrackLengthPreview preview_mesh_at_crack_length(const model::Model& model,
+                                                         const analysis::Discretisation& scene) {
   results::CrackLengthPreview length;
   const mesh::CrackedMesh& cracked = scene.cracked;
   length.nodes = cracked.mesh.node_count();

@@ -22,7 +22,7 @@ std::vector<results::ContactPairPreview>
 preview_contact_pairs(const analysis::Discretisation& scene);
 
 /// Mesh, tips and patches of one length; forecasts stay empty.
-results::CrackLengthPreview preview_crack_length(const model::Model& model,
-                                                 const analysis::Discretisation& scene);
+results::CrackLengthPreview preview_mesh_at_crack_length(const model::Model& model,
+                                                         const analysis::Discretisation& scene);
 
 } // namespace spricka::program

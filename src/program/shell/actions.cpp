@@ -38,7 +38,7 @@ std::string name_argument(const ShellCall& call, std::size_t i) {
 }
 
 void tell_state(ShellSession& session, ShellReply& reply) {
-  reply.out += state_reply(session);
+  reply.out += K_and_contact_state_reply(session);
   reply.messages += state_notes(session);
 }
 
@@ -88,7 +88,7 @@ base::OptionalFailure evaluate_result_line(ShellSession& session, const std::str
 base::OptionalFailure apply_deck_change(ShellSession& session, const std::string& line,
                                         bool is_card, ShellReply& reply) {
   base::OptionalFailure trouble = solve_pending_changes(session, reply);
-  const std::string before = state_reply(session);
+  const std::string before = K_and_contact_state_reply(session);
   trouble =
       trouble ? trouble : (is_card ? session.change_card(line) : session.change_parameter(line));
   if (trouble) {
@@ -97,7 +97,7 @@ base::OptionalFailure apply_deck_change(ShellSession& session, const std::string
   const analysis::CondensationStatistics& log = session.solver().condensation_figures();
   reply.messages += fmt::format("note: {} nets condensed, {} reused\n", log.condensed, log.reused);
   tell_state(session, reply);
-  if (!before.empty() && state_reply(session) == before) {
+  if (!before.empty() && K_and_contact_state_reply(session) == before) {
     reply.messages += "note: K and the contacts are as they were before\n";
   }
   return {};

@@ -111,7 +111,7 @@ std::vector<std::string> new_notes(const results::StepResult& state,
 
 } // namespace
 
-std::string state_reply(const ShellSession& session) {
+std::string K_and_contact_state_reply(const ShellSession& session) {
   const base::UnitSystem& units = session.model().units;
   std::string text;
   for (const FrontResult& front : session.current_result().fronts) {
@@ -303,7 +303,7 @@ std::string settings_reply(const ShellSession& session) {
   for (const std::string& typed : session.changes().lines) {
     text += fmt::format("changed  {}\n", typed);
   }
-  return text + state_reply(session);
+  return text + K_and_contact_state_reply(session);
 }
 
 std::string cards_reply(const ShellSession& session, const std::string& name) {

@@ -8,7 +8,7 @@
 namespace spricka::program {
 
 /// Size and K of all fronts, in space the range of K1, and the contacts, a line for each.
-std::string state_reply(const ShellSession& session);
+std::string K_and_contact_state_reply(const ShellSession& session);
 /// What the last solution has to say: warnings, and notes that were not given before.
 std::string state_notes(ShellSession& session);
 

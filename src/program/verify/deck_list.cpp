@@ -138,7 +138,7 @@ void write_deck_costs(const fs::path& folder, const std::vector<ListedDeck>& dec
   base::write_atomically(folder / costs_name, text);
 }
 
-std::vector<BenchmarkProblem> read_benchmark_problems(const fs::path& folder) {
+std::vector<BenchmarkProblem> read_benchmark_coverage(const fs::path& folder) {
   std::vector<BenchmarkProblem> problems;
   for (const base::CsvRecord& row : records_of(folder / problems_name)) {
     problems.push_back({.name = row.text("problem"),

@@ -71,7 +71,7 @@ struct BenchmarkProblem {
 
 /// The problems of a folder of decks, in the order of the table; none where there is no table.
 /// Throws std::system_error.
-std::vector<BenchmarkProblem> read_benchmark_problems(const std::filesystem::path& folder);
+std::vector<BenchmarkProblem> read_benchmark_coverage(const std::filesystem::path& folder);
 
 /// The decks that ship with the running program: share/spricka/decks beside its bin, or for a
 /// program of a build tree those of its source. Empty if there are none.

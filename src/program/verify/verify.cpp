@@ -174,7 +174,7 @@ private:
   }
 
   void write() {
-    const std::vector<BenchmarkProblem> problems = read_benchmark_problems(decks_);
+    const std::vector<BenchmarkProblem> problems = read_benchmark_coverage(decks_);
     std::optional<VerificationComparison> comparison;
     if (before_) {
       comparison = compare(verification_, *before_);

@@ -137,8 +137,8 @@ double place_in_table_units(const results::LoadPathContact& contact, double plac
   return contact.round ? place * degrees_per_radian : place;
 }
 
-void write_load_path_csv(const std::filesystem::path& file, const model::Model& model,
-                         const results::RunResult& run) {
+void write_K_along_load_path_csv(const std::filesystem::path& file, const model::Model& model,
+                                 const results::RunResult& run) {
   if (model.load_paths.empty()) {
     return;
   }

@@ -216,7 +216,7 @@ ReportTable load_path_table(const model::Model& model, const results::Increment&
   return columns.table("Load paths: K1 over t", rows);
 }
 
-ReportTable contact_opening_table(const results::Increment& increment) {
+ReportTable contact_opening_onset_table(const results::Increment& increment) {
   struct OpeningRow {
     const results::LoadPathResult& path;
     const results::LoadPathContact& contact;

@@ -18,8 +18,8 @@ double place_in_table_units(const results::LoadPathContact& contact, double plac
 /// increment,path,t,changes, then of each tip K1,K2 and their slopes before and behind, then of
 /// each contact the closed pairs and the first and last of them behind the breakpoint (angles in
 /// degrees). Nothing is written without paths.
-void write_load_path_csv(const std::filesystem::path& file, const model::Model& model,
-                         const results::RunResult& run);
+void write_K_along_load_path_csv(const std::filesystem::path& file, const model::Model& model,
+                                 const results::RunResult& run);
 
 /// load_path_fronts.csv: K1, K2, K3 and their slopes of each point of a front in space, one row for
 /// each point and t. Nothing is written without cracks in space.
@@ -30,7 +30,7 @@ void write_load_path_fronts_csv(const std::filesystem::path& file, const model::
 /// front its points with the largest and the smallest K1.
 ReportTable load_path_table(const model::Model& model, const results::Increment& increment);
 /// When each contact begins to open, and what is closed at both ends.
-ReportTable contact_opening_table(const results::Increment& increment);
+ReportTable contact_opening_onset_table(const results::Increment& increment);
 
 /// K1 over t and its slope, with the kinks; one figure for each path, at most six lengths.
 std::vector<Figure> load_path_figures(const model::Model& model, const results::RunResult& run);

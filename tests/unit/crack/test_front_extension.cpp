@@ -72,14 +72,14 @@ TEST(FrontExtension, LeavesOutWhatWouldMoveTheSurface) {
 
 TEST(FrontExtension, LeavesOutHeldNodesAndOtherMaterials) {
   const Tube tube(test::straight_front(1.0), {.segments = 4});
-  crack::DomainLimits limits;
+  crack::IntegrationDomainConstraints limits;
   limits.node.assign(tube.mesh().node_count(), false);
   limits.node[tube.front().points.front().node.index()] = true;
   const crack::FrontIntegralDomains held =
       crack::build_front_domains(tube.cracked, tube.front(), {1}, limits);
   EXPECT_TRUE(held.points[0].empty());
   EXPECT_FALSE(held.points[1].empty());
-  crack::DomainLimits zones;
+  crack::IntegrationDomainConstraints zones;
   zones.zone.assign(tube.mesh().element_count(), 0);
   zones.zone.back() = 1;
   const crack::FrontIntegralDomains other =

@@ -295,7 +295,7 @@ TEST(ShippedDecks, ProblemsNameDecksThatAreThereOrAReason) {
   for (const ListedDeck& deck : list_decks(test::decks_folder())) {
     names.insert(deck.name);
   }
-  const std::vector<BenchmarkProblem> problems = read_benchmark_problems(test::decks_folder());
+  const std::vector<BenchmarkProblem> problems = read_benchmark_coverage(test::decks_folder());
   std::set<std::string> ids;
   for (const BenchmarkProblem& problem : problems) {
     EXPECT_TRUE(ids.insert(problem.name).second) << problem.name << " stands there twice";
