@@ -257,7 +257,7 @@ std::optional<std::vector<mesh::CrackLine>> crack_lines(const model::Model& mode
                                                         base::Diagnostics& diagnostics) {
   std::vector<mesh::CrackLine> lines;
   if (std::ranges::none_of(model.cracks, &model::CrackDefinition::is_line)) {
-    return lines; // cracks in solids: mesh/tube/cracks_in_solids.hpp
+    return lines; // cracks in solids: mesh/tube/solid_crack.hpp
   }
   CrackLineBuilder builder{model, diagnostics, fe::classify_freedoms(model, model.mesh)};
   // All cracks are looked at, so that every error is told at once.

@@ -3,7 +3,7 @@
 
 #include "fe/dof_map.hpp"
 #include "mesh/tube/crack_extent.hpp"
-#include "mesh/tube/cracks_in_solids.hpp"
+#include "mesh/tube/solid_crack.hpp"
 #include "model/model.hpp"
 #include "sense/find_kink.hpp"
 

@@ -9,7 +9,7 @@
 #include "contact/space_tractions.hpp"
 #include "crack/front_intensity.hpp"
 #include "crack/load_jumps.hpp"
-#include "mesh/tube/cracks_in_solids.hpp"
+#include "mesh/tube/solid_crack.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>

@@ -9,9 +9,9 @@
 #include "mesh/cut/host.hpp"
 #include "mesh/cut/patch.hpp"
 #include "mesh/cut/tip_mesh.hpp"
-#include "mesh/tube/cracks_in_solids.hpp"
 #include "mesh/tube/found_crack.hpp"
 #include "mesh/tube/insert_solid.hpp"
+#include "mesh/tube/solid_crack.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>

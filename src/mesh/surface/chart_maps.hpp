@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/surface/facet_net.hpp"
+#include "mesh/surface/surface_geometry.hpp"
 #include "mesh/surface/surface_trace.hpp"
 
 #include <optional>

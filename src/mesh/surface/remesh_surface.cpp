@@ -4,8 +4,8 @@
 #include "geometry/polyline.hpp"
 #include "mesh/link/fill.hpp"
 #include "mesh/plane.hpp"
+#include "mesh/surface/new_surface.hpp"
 #include "mesh/surface/surface_chart.hpp"
-#include "mesh/surface/surface_fold.hpp"
 #include "mesh/surface/surface_region.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/surface/surface_hits.hpp"
 
-#include "mesh/surface/facet_net.hpp"
+#include "mesh/surface/surface_geometry.hpp"
 
 #include <algorithm>
 #include <array>

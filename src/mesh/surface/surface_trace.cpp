@@ -4,7 +4,7 @@
 #include "geometry/polyline.hpp"
 #include "mesh/link/grading.hpp"
 #include "mesh/plane.hpp"
-#include "mesh/surface/facet_net.hpp"
+#include "mesh/surface/surface_geometry.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,6 @@
 #include "mesh/tube/crack_extent.hpp"
 
 #include "geometry/polyline.hpp"
-#include "mesh/tube/plane_polygons.hpp"
 #include "mesh/tube/solid_front.hpp"
 
 #include <algorithm>

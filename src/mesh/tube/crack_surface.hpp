@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "mesh/cut/patch_net.hpp"
-#include "mesh/tube/crack_reach.hpp"
+#include "mesh/tube/tube_room.hpp"
 
 #include <array>
 #include <set>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "mesh/surface/surface_trace.hpp"
-#include "mesh/tube/crack_reach.hpp"
 #include "mesh/tube/solid_front.hpp"
 #include "mesh/tube/tube.hpp"
+#include "mesh/tube/tube_room.hpp"
 
 #include <optional>
 #include <span>

@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "geometry/triangle.hpp"
 #include "mesh/cut/crack_frame.hpp"
 #include "mesh/cut/cracked.hpp"
 #include "mesh/surface/crack_relief.hpp"
+#include "model/forward.hpp"
 
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-/// A crack that is to be cut into a mesh of solids: its front, its frame, and the points of the
-/// front after the cut.
+namespace spricka::model {
+struct CrackDefinition;
+}
+
+/// A crack that is to be cut into a mesh of solids: its front, its frame, its areas of a plane, and
+/// the points of the front after the cut.
 namespace spricka::mesh {
 
 /// A crack in space of one size, before it is cut: what its front encloses of a plane, inside the
@@ -36,6 +42,12 @@ struct SolidCrack {
 
   [[nodiscard]] std::string display_name() const;
 };
+
+/// The cracks of a deck in space, ready to be cut. [crack]
+std::vector<SolidCrack> make_solid_cracks(const model::Model& model);
+
+/// Parametric angle of a place on the front of an ellipse, from its axis C [rad], -pi .. pi.
+double ellipse_parametric_angle(const model::CrackDefinition& crack, const base::Vec3& x);
 
 /// How to mesh round a front; what is 0 follows the front (lengths in deck units).
 struct TubeMeshParameters {
@@ -78,6 +90,36 @@ struct PlaneBasis {
     const base::Vec3 p = origin + q.x() * u + q.y() * v;
     return relief ? base::Vec3(p + relief->crack_height_over_plane(p) * normal) : p;
   }
+};
+
+/// Areas of a plane, within closed polygons; those within others are holes.
+class PlanePolygons {
+public:
+  PlanePolygons(const PlaneBasis& plane, const std::vector<std::vector<base::Vec3>>& outlines);
+  /// In the plane of a crack.
+  PlanePolygons(const SolidCrack& crack, const std::vector<std::vector<base::Vec3>>& outlines);
+
+  [[nodiscard]] const PlaneBasis& plane() const { return plane_; }
+  [[nodiscard]] const std::vector<std::vector<base::Vec2>>& outlines() const { return outlines_; }
+  [[nodiscard]] bool contains(const base::Vec2& q) const;
+  [[nodiscard]] double area() const; ///< without holes
+  /// Of a place in space from the areas; of a place in the plane from their outlines.
+  [[nodiscard]] double distance(const base::Vec3& x) const;
+  [[nodiscard]] double distance_to_outlines(const base::Vec2& q) const;
+  /// Whether a place of the plane lies within the areas, farther than `rim` from their outlines.
+  [[nodiscard]] bool is_well_within(const base::Vec2& q, double rim) const {
+    return contains(q) && distance_to_outlines(q) > rim;
+  }
+  /// Places along the line in which a triangle cuts the plane; empty: it does not.
+  [[nodiscard]] std::vector<base::Vec3>
+  intersect_triangle(const geometry::CornerPlaces& triangle) const;
+  /// Where the line from q along d leaves the areas, as a multiple of d; of the first that is not
+  /// at q. Empty: it does not.
+  [[nodiscard]] std::optional<double> exit_distance(const base::Vec2& q, const base::Vec2& d) const;
+
+private:
+  PlaneBasis plane_;
+  std::vector<std::vector<base::Vec2>> outlines_;
 };
 
 /// The front as smooth as its elements have it: the spline through its points, near the ends of an

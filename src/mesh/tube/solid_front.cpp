@@ -2,7 +2,6 @@
 #include "mesh/tube/solid_front.hpp"
 
 #include "mesh/surface/surface_hits.hpp"
-#include "mesh/tube/plane_polygons.hpp"
 #include "mesh/tube/solid_crack.hpp"
 
 #include <fmt/format.h>

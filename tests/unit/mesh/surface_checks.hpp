@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/surface/surface_fold.hpp"
+#include "mesh/surface/new_surface.hpp"
 #include "mesh/surface/surface_region.hpp"
 #include "shape/quadrature.hpp"
 #include "surface_cracks.hpp"

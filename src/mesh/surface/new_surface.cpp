@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/surface/surface_fold.hpp"
+#include "mesh/surface/new_surface.hpp"
 
 #include "shape/quadrature.hpp"
 #include "shape/shape.hpp"
