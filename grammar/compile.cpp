@@ -204,7 +204,7 @@ private:
       return;
     }
     std::vector<std::string> valid;
-    if (!base::should_suggest_spelling(diagnostics_)) {
+    if (!base::is_below_hint_error_limit(diagnostics_)) {
       fail(span, "E201", fmt::format("'{}' is not a parameter defined above", written));
       return;
     }
@@ -216,7 +216,7 @@ private:
                      [](const auto& variable) { return std::string(variable.first); });
     }
     fail(span, "E201", fmt::format("'{}' is not a parameter defined above", written),
-         base::suggest_spelling(upper, valid));
+         base::make_spelling_hint(upper, valid));
   }
 
   void call(const ExpressionTerm& term) {
@@ -279,7 +279,7 @@ std::string unknown_function_hint(std::string_view name) {
   std::vector<std::string> valid;
   std::ranges::transform(functions, std::back_inserter(valid),
                          [](const Function& f) { return std::string(f.name); });
-  return base::suggest_spelling(name, valid);
+  return base::make_spelling_hint(name, valid);
 }
 
 std::vector<ExpressionFunctionText> expression_functions() {

@@ -55,7 +55,7 @@ void Diagnostics::note(SourceSpan span, std::string code, std::string text, std:
   all_.push_back({Severity::note, std::move(code), span, std::move(text), std::move(hint)});
 }
 
-std::string suggest_spelling(std::string_view word, const std::vector<std::string>& valid) {
+std::string make_spelling_hint(std::string_view word, const std::vector<std::string>& valid) {
   const std::string wanted = upper(word);
   std::size_t best = wanted.size() / 3 + 1;
   const std::string* nearest = nullptr;

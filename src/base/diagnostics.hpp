@@ -40,11 +40,11 @@ private:
 
 /// "did you mean 'STRESS'?" for the nearest word within a third of the length
 /// (Damerau-Levenshtein), else "one of: A, B, C" while the list is short, else empty.
-std::string suggest_spelling(std::string_view word, const std::vector<std::string>& valid);
+std::string make_spelling_hint(std::string_view word, const std::vector<std::string>& valid);
 
 /// Whether a suggestion for one more error is worth its search through all names: who has made so
 /// many mistakes does not read them, and with as many names it takes for ever.
-inline bool should_suggest_spelling(const Diagnostics& diagnostics) {
+inline bool is_below_hint_error_limit(const Diagnostics& diagnostics) {
   constexpr std::size_t many = 100;
   return diagnostics.error_count() < many;
 }

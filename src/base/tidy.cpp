@@ -10,7 +10,7 @@
 
 namespace spricka::base {
 
-double remove_round_off(double value) {
+double restore_short_decimal(double value) {
   constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
   constexpr int digits = 12; // with those of the rounding all that a double has
   std::array<char, 40> text{};

@@ -8,7 +8,7 @@ namespace spricka::base {
 
 /// The number with few decimal digits that `value` is but for the rounding of a sum, 3.6 for
 /// 3.6000000000000014; `value` itself where there is none.
-double remove_round_off(double value);
+double restore_short_decimal(double value);
 
 /// A place for people: (x, y), in space (x, y, z), with six digits.
 std::string format_coordinates(const Vec3& x, int dim);

@@ -118,7 +118,7 @@ private:
     const std::string given =
         field.is_name() ? field.text : std::string(scope_.sources->text(field.span));
     if (!field.is_name() || std::ranges::find(valid, given) == valid.end()) {
-      const std::string near = base::suggest_spelling(given, valid);
+      const std::string near = base::make_spelling_hint(given, valid);
       return fail(field.span, "E108",
                   fmt::format("{}: '{}' is not one of {}", key_.name,
                               scope_.sources->text(field.span), key_.words),
@@ -216,7 +216,7 @@ private:
       fail(p.key_span, "E105",
            valid.empty() ? fmt::format("${} takes no keys", spec_.name)
                          : fmt::format("${} has no key '{}'", spec_.name, p.key),
-           base::suggest_spelling(p.key, valid));
+           base::make_spelling_hint(p.key, valid));
       for (const CardField& field : p.values) {
         bound_.stray.push_back(field.text);
       }

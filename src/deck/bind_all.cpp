@@ -83,7 +83,7 @@ private:
     for (const grammar::CardSpec& spec : grammar::card_catalogue()) {
       valid.push_back(fmt::format("${}", spec.name));
     }
-    const std::string hint = base::suggest_spelling(fmt::format("${}", card.name), valid);
+    const std::string hint = base::make_spelling_hint(fmt::format("${}", card.name), valid);
     if (!card.name.empty()) {
       c_.error(card.name_span, "E104", fmt::format("there is no card ${}", card.name), hint);
     }
@@ -346,7 +346,7 @@ const NameDefinition* resolve_definition(DeckContext& context, EntityKind kind,
   if (!reference.name.empty() && !context.names.is_poisoned(kinds, reference.name, reference.net)) {
     context.error(reference.span, "E301",
                   fmt::format("there is no {} '{}'", grammar::display_name(kind), reference.name),
-                  base::should_suggest_spelling(context.diagnostics)
+                  base::is_below_hint_error_limit(context.diagnostics)
                       ? context.names.hint(kinds, reference.name)
                       : "");
   }

@@ -167,7 +167,7 @@ void task(DeckContext& c, const CheckedCard& card) {
       if (!field.is_name() || it == valid.end()) {
         c.error(field.span, "E108",
                 fmt::format("'{}' is not a processor", c.sources.text(field.span)),
-                base::suggest_spelling(field.text, valid));
+                base::make_spelling_hint(field.text, valid));
         continue;
       }
       const auto place = static_cast<std::size_t>(it - valid.begin()) + 1;
@@ -195,7 +195,7 @@ std::string swept_parameter(DeckContext& c, const CheckedCard& card, std::string
         valid.push_back(other);
       }
       c.error(span, "E301", fmt::format("there is no parameter '{}'", name),
-              base::suggest_spelling(name, valid));
+              base::make_spelling_hint(name, valid));
     }
     return {};
   }

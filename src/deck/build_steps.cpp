@@ -329,7 +329,7 @@ void read_step_row(DeckContext& context, const grammar::DataRow& row, model::Ste
   } else {
     context.error(verb.span, "E115",
                   fmt::format("a step has no '{}'", context.sources.text(verb.span)),
-                  base::suggest_spelling(verb.text, k_actions));
+                  base::make_spelling_hint(verb.text, k_actions));
   }
 }
 

@@ -83,7 +83,7 @@ void unused(DeckContext& c, const std::string& name, const base::SourceSpan& spa
   }
   const std::string scripts =
       c.scripts.size() == 1 ? name_of(c.scripts.front()) : std::string("the imported scripts");
-  const std::string hint = base::suggest_spelling(name, unset);
+  const std::string hint = base::make_spelling_hint(name, unset);
   if (hint.starts_with("did you mean")) {
     c.error(span, "E486",
             fmt::format("{} has no constant {}, and nothing else uses it", scripts, name), hint);

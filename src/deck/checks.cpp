@@ -256,7 +256,7 @@ private:
     }
     base::SourceSpan name = quantity.span;
     name.end = name.begin + static_cast<std::uint32_t>(quantity.text.size());
-    std::string hint = longer.empty() ? base::suggest_spelling(quantity.text, valid)
+    std::string hint = longer.empty() ? base::make_spelling_hint(quantity.text, valid)
                                       : fmt::format("one of: {}", fmt::join(longer, ", "));
     c_.error(name, "E314", fmt::format("'{}' is not a result", quantity.text),
              hint.empty()

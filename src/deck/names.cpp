@@ -120,7 +120,7 @@ std::string NameTable::hint(const std::vector<EntityKind>& kinds, const std::str
   if (same_word.empty()) {
     const std::string other = describe_other_kind(kinds, name);
     return valid.empty() && other.empty() ? "the deck defines none"
-           : other.empty()                ? base::suggest_spelling(name, valid)
+           : other.empty()                ? base::make_spelling_hint(name, valid)
                                           : other;
   }
   return same_word.size() == 1 ? fmt::format("did you mean '{}'?", same_word.front())

@@ -112,7 +112,7 @@ void ParameterOverrides::report_unknown_parameters(DeckContext& context,
     if (!defined.contains(name) && !syntax_error && entry.span.valid()) {
       context.error(entry.span, "E201",
                     fmt::format("-D: the deck has no parameter '{}'", entry.written),
-                    base::suggest_spelling(name, valid));
+                    base::make_spelling_hint(name, valid));
     }
   }
 }

@@ -21,7 +21,7 @@ results::LifeCurvePoint point_at(const growth::GrowthTrajectory& between, double
   results::LifeCurvePoint point;
   point.cycles = cycles;
   for (std::size_t tip = 0; tip < tips; ++tip) {
-    point.a.push_back(base::remove_round_off(between.crack_extent(tip, s)));
+    point.a.push_back(base::restore_short_decimal(between.crack_extent(tip, s)));
   }
   return point;
 }
@@ -51,7 +51,7 @@ std::vector<std::array<double, 2>> ranges_of(const life::CountedSpectrum& spectr
 
 results::GrownPointResult record_of(const std::string& name, const growth::TipStation& t) {
   return {.name = name,
-          .a = base::remove_round_off(t.a),
+          .a = base::restore_short_decimal(t.a),
           .K_max = t.K_max,
           .K_min = t.K_min,
           .K2_max = t.K2_max,
@@ -146,7 +146,7 @@ void set_front_sizes(const model::Model& model, const growth::CrackGeometry& cra
   }
   // Backwards, so that the first tip of a front is the one that stays.
   for (std::size_t t = tips.size(); t-- > 0;) {
-    const double a = base::remove_round_off(here.tips[t].a);
+    const double a = base::restore_short_decimal(here.tips[t].a);
     const std::string& crack = cracks.crack_of(t).name;
     results::for_each_front(increment, [&](results::FrontResult& front) {
       if (front.name == crack || front.name.starts_with(crack + ".")) {

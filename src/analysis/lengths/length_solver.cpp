@@ -224,7 +224,7 @@ std::optional<results::Increment> CrackStateSolver::solve(const CrackStateReques
     }
     report_stage(options_, "condensed");
     increment = {};
-    increment.a = a > 0.0 ? a : base::remove_round_off(first);
+    increment.a = a > 0.0 ? a : base::restore_short_decimal(first);
     increment.notes = results::make_notes(cut.notes);
     touching.clear();
     if (!walk_steps(*length, request, log, increment, touching)) {

@@ -84,7 +84,7 @@ results::FrontResult front_of(const model::Model& model, const Discretisation& s
                               const std::vector<crack::StressIntensity>& K) {
   results::FrontResult result;
   result.name = front_name(model, scene, front);
-  result.a = base::remove_round_off(front.a);
+  result.a = base::restore_short_decimal(front.a);
   result.length = front.points.back().s;
   result.two_materials = std::ranges::any_of(K, &crack::StressIntensity::two_materials);
   for (std::size_t i = 0; i < front.points.size(); ++i) {

@@ -159,7 +159,7 @@ bool name_gmsh_sets(const ImportRequest& request, base::Diagnostics& diagnostics
       diagnostics.error(request.span, "E332",
                         fmt::format("no physical group '{}' in {}", request.renames[i].first,
                                     request.file.filename().string()),
-                        base::suggest_spelling(request.renames[i].first, names));
+                        base::make_spelling_hint(request.renames[i].first, names));
     }
   }
   return std::all_of(used.begin(), used.end(), [](bool b) { return b; });

@@ -178,7 +178,7 @@ private:
     for (std::size_t i = 0; i < renamed_.size(); ++i) {
       if (!renamed_[i]) {
         error({}, "E332", fmt::format("there is no set '{}'", request_.renames[i].first),
-              base::suggest_spelling(request_.renames[i].first, names));
+              base::make_spelling_hint(request_.renames[i].first, names));
       }
     }
   }

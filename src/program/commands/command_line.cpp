@@ -53,7 +53,7 @@ base::OperationFailure explain(CommandTree& tree, const CLI::ParseError& error) 
   if (option != extras.end()) {
     const std::string name = option->substr(0, option->find('='));
     return invalid_input(fmt::format("there is no option {}", name),
-                         base::suggest_spelling(name, option_names(place)));
+                         base::make_spelling_hint(name, option_names(place)));
   }
   if (command == nullptr && !extras.empty() && extras.front().ends_with(".deck")) {
     return invalid_input("a command is missing",
@@ -61,7 +61,7 @@ base::OperationFailure explain(CommandTree& tree, const CLI::ParseError& error) 
   }
   if (command == nullptr && !extras.empty()) {
     return invalid_input(fmt::format("there is no command '{}'", extras.front()),
-                         base::suggest_spelling(extras.front(), command_names(tree.app())));
+                         base::make_spelling_hint(extras.front(), command_names(tree.app())));
   }
   if (command == nullptr) {
     return invalid_input("a command is missing",

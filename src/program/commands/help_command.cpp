@@ -161,7 +161,7 @@ std::string nearest(const std::string& topic, const ProgramText& program) {
     const auto names = grammar::term_synonyms(word);
     known.insert(known.end(), names.begin(), names.end());
   }
-  return base::suggest_spelling(topic, known);
+  return base::make_spelling_hint(topic, known);
 }
 
 } // namespace

@@ -27,7 +27,7 @@ CLI::Validator positive_validator() {
 CLI::Validator one_of(std::vector<std::string> words) {
   return {[words = std::move(words)](const std::string& given) {
             const bool known = std::find(words.begin(), words.end(), given) != words.end();
-            const std::string hint = base::suggest_spelling(given, words);
+            const std::string hint = base::make_spelling_hint(given, words);
             return known ? std::string() : fmt::format("not '{}'; {}", given, hint);
           },
           ""};

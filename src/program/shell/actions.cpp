@@ -222,7 +222,7 @@ base::OptionalFailure do_list(const ShellCall& call) {
   call.reply.out = cards_reply(call.session, what.starts_with('$') ? what.substr(1) : what);
   return call.reply.out.empty() ? base::OptionalFailure(invalid_input(
                                       fmt::format("there is no list or card '{}'", what),
-                                      base::suggest_spelling(what, list_command_topics())))
+                                      base::make_spelling_hint(what, list_command_topics())))
                                 : base::OptionalFailure();
 }
 

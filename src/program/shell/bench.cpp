@@ -53,7 +53,7 @@ results::Increment first_increment(const analysis::CrackLengthAnalysis& length,
   const mesh::CrackedMesh& cracked = scene.cracked;
   results::Increment increment;
   increment.number = 1;
-  increment.a = base::remove_round_off(length.first_crack_size());
+  increment.a = base::restore_short_decimal(length.first_crack_size());
   increment.notes = results::make_notes(scene.notes);
   increment.mesh = cracked.mesh;
   increment.surface = analysis::outer_faces_by_nodes(increment.mesh);

@@ -47,7 +47,7 @@ base::OperationFailure unknown(const std::string& word) {
       return invalid_input(fmt::format("'{}' is written otherwise: {}", former, now));
     }
   }
-  std::string hint = base::suggest_spelling(word, command_words());
+  std::string hint = base::make_spelling_hint(word, command_words());
   return invalid_input(fmt::format("there is no command '{}'", word),
                        hint.empty() ? "help lists them" : std::move(hint));
 }

@@ -49,7 +49,7 @@ base::OptionalFailure find_card(const DeckCardList& text, const DeckCard& typed,
     return invalid_input(names.empty()
                              ? fmt::format("the deck has no ${}", typed.name)
                              : fmt::format("there is no ${} {}={}", typed.name, key, name),
-                         base::suggest_spelling(name, names));
+                         base::make_spelling_hint(name, names));
   }
   if (found.size() > 1) {
     return invalid_input(
@@ -165,7 +165,7 @@ base::OptionalFailure set_parameter(const std::string& line, DeckCardList& text)
     std::ranges::transform(read(card.data), std::back_inserter(names), &grammar::Assignment::name);
   }
   return invalid_input(fmt::format("the deck has no parameter '{}'", wanted.written),
-                       base::suggest_spelling(wanted.name, names));
+                       base::make_spelling_hint(wanted.name, names));
 }
 
 void comment_out_card(DeckCardList& text, std::size_t card) {

@@ -89,7 +89,7 @@ base::OptionalFailure find_name_index(const std::vector<std::string>& names, con
   if (found == names.end()) {
     return invalid_input(names.empty() ? fmt::format("the deck has no {}", what)
                                        : fmt::format("there is no {} '{}'", what, name),
-                         base::suggest_spelling(name, names));
+                         base::make_spelling_hint(name, names));
   }
   index = static_cast<std::size_t>(found - names.begin());
   return {};

@@ -140,7 +140,7 @@ base::OptionalFailure draw_picture(const ShellSession& session, const std::strin
     svg = stacked(path_figures(session, *path));
   } else {
     return invalid_input(fmt::format("there is no picture of '{}'", kind),
-                         base::suggest_spelling(kind, picture_kinds()));
+                         base::make_spelling_hint(kind, picture_kinds()));
   }
   return {};
 }

@@ -104,7 +104,7 @@ std::vector<ListedDeck> select_decks(const std::vector<ListedDeck>& decks,
       }
       trouble = base::OperationFailure{.kind = base::Outcome::usage,
                                        .why = fmt::format("there is no deck '{}'", word),
-                                       .hint = base::suggest_spelling(word, names)};
+                                       .hint = base::make_spelling_hint(word, names)};
       return {};
     }
   }

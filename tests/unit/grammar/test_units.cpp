@@ -40,12 +40,12 @@ TEST(Units, RootsAreHalfPowers) {
 
 // 18.8 - 15.2 is 3.6 but for rounding; pi is no short number, and what differs more stays.
 TEST(Units, NumbersLoseTheRoundingOfSums) {
-  EXPECT_EQ(remove_round_off(3.6000000000000014), 3.6);
-  EXPECT_EQ(remove_round_off(18.8 - 15.2), 3.6);
-  EXPECT_EQ(remove_round_off(3.14159265358979), 3.14159265358979);
-  EXPECT_EQ(remove_round_off(3.6000000001), 3.6000000001);
-  EXPECT_EQ(remove_round_off(0.0), 0.0);
-  EXPECT_EQ(remove_round_off(-0.30000000000000004), -0.3);
+  EXPECT_EQ(restore_short_decimal(3.6000000000000014), 3.6);
+  EXPECT_EQ(restore_short_decimal(18.8 - 15.2), 3.6);
+  EXPECT_EQ(restore_short_decimal(3.14159265358979), 3.14159265358979);
+  EXPECT_EQ(restore_short_decimal(3.6000000001), 3.6000000001);
+  EXPECT_EQ(restore_short_decimal(0.0), 0.0);
+  EXPECT_EQ(restore_short_decimal(-0.30000000000000004), -0.3);
 }
 
 TEST(Units, UnknownFormsAreRefused) {
