@@ -76,7 +76,7 @@ using UnitPoint = std::array<double, 3>;
 /// triangles and tetrahedra are collapsed (Stroud 1971).
 template <int dim>
 shape::QuadraturePoint<dim> unit_cube_point(shape::ReferenceDomain domain, const UnitPoint& t) {
-  const auto simplex = static_cast<std::size_t>(shape::simplex_directions(domain));
+  const auto simplex = static_cast<std::size_t>(shape::simplex_coordinate_count(domain));
   shape::QuadraturePoint<dim> p;
   p.weight = 1.0;
   for (std::size_t k = 0; k < dim; ++k) {

@@ -24,7 +24,7 @@ using base::ReferenceDomain;
 
 /// How many reference coordinates of a domain, the first ones, run over a simplex: from 0 on, their
 /// sum up to 1. The others run from -1 to 1.
-constexpr int simplex_directions(ReferenceDomain domain) {
+constexpr int simplex_coordinate_count(ReferenceDomain domain) {
   constexpr std::array<int, 6> directions{0, 2, 0, 3, 2, 0};
   return directions[static_cast<std::size_t>(domain)];
 }
@@ -83,14 +83,14 @@ struct Line3 {
 };
 
 /// What the table of the element library says of a shape.
-template <base::ElementType element> struct LibraryShape {
+template <base::ElementType element> struct ShapeFromElementTable {
   static constexpr base::ElementType type = element;
   static constexpr int nodes = base::element_info(element).nodes;
   static constexpr int dim = base::element_info(element).dim;
   static constexpr ReferenceDomain domain = base::element_info(element).domain;
 };
 
-struct Trim3 : LibraryShape<base::ElementType::trim3> {
+struct Trim3 : ShapeFromElementTable<base::ElementType::trim3> {
   static constexpr int degree = 0; ///< constant strain
   using Side = Line2;
   static constexpr std::array<std::array<double, 2>, 3> coordinates{
@@ -102,7 +102,7 @@ struct Trim3 : LibraryShape<base::ElementType::trim3> {
   static Eigen::Matrix<double, 3, 2> dN(const Point<2>& r);
 };
 
-struct Trimc6 : LibraryShape<base::ElementType::trimc6> {
+struct Trimc6 : ShapeFromElementTable<base::ElementType::trimc6> {
   /// Straight sides need 2. Curved and quarter-point ones have a rational integrand: with 7 points
   /// (degree 5) the energy of a sqrt(r) field in a tip element is off by 5e-4, with these 12 by
   /// 2e-4. Constant strain passes with degree 2, as dN times the adjugate of J is a polynomial.
@@ -117,7 +117,7 @@ struct Trimc6 : LibraryShape<base::ElementType::trimc6> {
   static Eigen::Matrix<double, 6, 2> dN(const Point<2>& r);
 };
 
-struct Quam4 : LibraryShape<base::ElementType::quam4> {
+struct Quam4 : ShapeFromElementTable<base::ElementType::quam4> {
   static constexpr int degree = 3; ///< 2 x 2 points
   using Side = Line2;
   static constexpr std::array<std::array<double, 2>, 4> coordinates{
@@ -130,7 +130,7 @@ struct Quam4 : LibraryShape<base::ElementType::quam4> {
 };
 
 /// Serendipity.
-struct Quamc8 : LibraryShape<base::ElementType::quamc8> {
+struct Quamc8 : ShapeFromElementTable<base::ElementType::quamc8> {
   static constexpr int degree = 5; ///< 3 x 3 points
   using Side = Line3;
   static constexpr std::array<std::array<double, 2>, 8> coordinates{{{-1.0, -1.0},
@@ -150,7 +150,7 @@ struct Quamc8 : LibraryShape<base::ElementType::quamc8> {
 };
 
 /// Lagrange; the ninth node is the centre.
-struct Quamc9 : LibraryShape<base::ElementType::quamc9> {
+struct Quamc9 : ShapeFromElementTable<base::ElementType::quamc9> {
   static constexpr int degree = 5; ///< 3 x 3 points
   using Side = Line3;
   static constexpr std::array<std::array<double, 2>, 9> coordinates{{{-1.0, -1.0},
@@ -180,7 +180,7 @@ template <Shape S> Point<S::dim> node_coordinates(int i) {
 /// The middle of a reference domain.
 template <int dim> Point<dim> centre(ReferenceDomain domain) {
   Point<dim> middle = Point<dim>::Zero();
-  const int simplex = simplex_directions(domain);
+  const int simplex = simplex_coordinate_count(domain);
   middle.head(simplex).setConstant(1.0 / (simplex + 1.0));
   return middle;
 }
@@ -192,7 +192,7 @@ template <Shape S> Point<S::dim> centre() {
 /// How far a point lies outside a reference domain: the largest violation of a side, on domains
 /// of side 1 and 2 alike; negative inside.
 template <int dim> double distance_outside(ReferenceDomain domain, const Point<dim>& r) {
-  const int simplex = simplex_directions(domain);
+  const int simplex = simplex_coordinate_count(domain);
   if (simplex == 0) {
     return r.cwiseAbs().maxCoeff() - 1.0;
   }

@@ -13,7 +13,7 @@
 /// and, in HEXEC27, the middles of the sides 0 to 5 (topology.hpp) and the centre.
 namespace spricka::shape {
 
-struct Tet4 : LibraryShape<base::ElementType::tet4> {
+struct Tet4 : ShapeFromElementTable<base::ElementType::tet4> {
   static constexpr int degree = 0; ///< constant strain
   static constexpr std::array<std::array<double, 3>, 4> coordinates{
       {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
@@ -24,7 +24,7 @@ struct Tet4 : LibraryShape<base::ElementType::tet4> {
   static Eigen::Matrix<double, 4, 3> dN(const Point<3>& r);
 };
 
-struct Tet10 : LibraryShape<base::ElementType::tet10> {
+struct Tet10 : ShapeFromElementTable<base::ElementType::tet10> {
   /// 14 points. Straight sides need 2; on curved ones the integrand is rational.
   static constexpr int degree = 5;
   static constexpr std::array<std::array<double, 3>, 10> coordinates{{{0.0, 0.0, 0.0},
@@ -48,7 +48,7 @@ struct Tet10 : LibraryShape<base::ElementType::tet10> {
 };
 
 /// Sides 0 and 1 are triangles, 2 to 4 quadrilaterals.
-struct Penta6 : LibraryShape<base::ElementType::penta6> {
+struct Penta6 : ShapeFromElementTable<base::ElementType::penta6> {
   static constexpr int degree = 2; ///< 3 x 2 points
   static constexpr std::array<std::array<double, 3>, 6> coordinates{{{0.0, 0.0, -1.0},
                                                                      {1.0, 0.0, -1.0},
@@ -64,7 +64,7 @@ struct Penta6 : LibraryShape<base::ElementType::penta6> {
 };
 
 /// Serendipity. Sides as Penta6.
-struct Pentac15 : LibraryShape<base::ElementType::pentac15> {
+struct Pentac15 : ShapeFromElementTable<base::ElementType::pentac15> {
   static constexpr int degree = 5; ///< 7 x 3 points; straight sides need 4
   static constexpr std::array<std::array<double, 3>, 15> coordinates{{{0.0, 0.0, -1.0},
                                                                       {1.0, 0.0, -1.0},
@@ -109,7 +109,7 @@ template <std::size_t n> constexpr std::array<std::array<double, 3>, n> first_he
 
 } // namespace detail
 
-struct Hexe8 : LibraryShape<base::ElementType::hexe8> {
+struct Hexe8 : ShapeFromElementTable<base::ElementType::hexe8> {
   static constexpr int degree = 3; ///< 2 x 2 x 2 points
   static constexpr std::array<std::array<double, 3>, 8> coordinates =
       detail::first_hexahedron_nodes<8>();
@@ -121,7 +121,7 @@ struct Hexe8 : LibraryShape<base::ElementType::hexe8> {
 };
 
 /// Serendipity.
-struct Hexec20 : LibraryShape<base::ElementType::hexec20> {
+struct Hexec20 : ShapeFromElementTable<base::ElementType::hexec20> {
   static constexpr int degree = 5; ///< 3 x 3 x 3 points
   static constexpr std::array<std::array<double, 3>, 20> coordinates =
       detail::first_hexahedron_nodes<20>();
@@ -144,7 +144,7 @@ private:
 };
 
 /// Lagrange.
-struct Hexec27 : LibraryShape<base::ElementType::hexec27> {
+struct Hexec27 : ShapeFromElementTable<base::ElementType::hexec27> {
   static constexpr int degree = 5; ///< 3 x 3 x 3 points
   static constexpr std::array<std::array<double, 3>, 27> coordinates = detail::hexahedron;
 
