@@ -79,7 +79,7 @@ std::vector<SurfaceNode> collect_nodes(const ContactSurface& surface, const Pair
         facet.nodes.size() == 6 ? hat_areas(facet) : shape_areas(facet, pair);
     for (std::size_t i = 0; i < facet.nodes.size(); ++i) {
       SurfaceNode& node = all[place.at({surface.part[f], facet.nodes[i]})];
-      const geometry::SidePoint at = facet.point(facet.node_coordinates(static_cast<int>(i)));
+      const geometry::SidePoint at = facet.point(facet.node_local_coordinates(static_cast<int>(i)));
       node.x = facet.X.col(index(i));
       node.normal += surface_normal(surface, f, at);
       node.area += area[index(i)];

@@ -94,8 +94,8 @@ public:
 
   [[nodiscard]] ElementPairPoints project(const HatElement& element) const {
     const geometry::ElementSide& edge = pair_.contact.facets[element.facet];
-    const double from = edge.node_coordinates(element.node[0])[0];
-    const double to = edge.node_coordinates(element.node[1])[0];
+    const double from = edge.node_local_coordinates(element.node[0])[0];
+    const double to = edge.node_local_coordinates(element.node[1])[0];
     ElementPairPoints found;
     found.whole = whole_hats(element);
     const auto own =

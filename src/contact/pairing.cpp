@@ -80,9 +80,10 @@ MetFaces met_faces(const FacetSurface& surface, const FacetSurface& target) {
   std::vector<bool> seen(surface.facets.size(), false);
   for (const HatElement& t : surface.elements) {
     const geometry::ElementSide& face = surface.facets[t.facet];
-    const Vec2 middle = (face.node_coordinates(t.node[0]) + face.node_coordinates(t.node[1]) +
-                         face.node_coordinates(t.node[2])) /
-                        3.0;
+    const Vec2 middle =
+        (face.node_local_coordinates(t.node[0]) + face.node_local_coordinates(t.node[1]) +
+         face.node_local_coordinates(t.node[2])) /
+        3.0;
     const geometry::SidePoint at = face.point(middle);
     seen[t.facet] = seen[t.facet] ||
                     projection.project_along_normal(at.x, surface_normal(surface, t.facet, at));

@@ -124,7 +124,8 @@ PartBoundaryEdge boundary_edge(const FacetSurface& surface, std::size_t f, int c
   if (static_cast<int>(face.nodes.size()) >= 2 * corners) {
     edge.nodes.push_back(face.nodes[static_cast<std::size_t>(corners + corner)]);
   }
-  const Vec2 middle = 0.5 * (face.node_coordinates(corner) + face.node_coordinates(next));
+  const Vec2 middle =
+      0.5 * (face.node_local_coordinates(corner) + face.node_local_coordinates(next));
   edge.x = {face.X.col(corner), face.position(middle), face.X.col(next)};
   edge.length = (edge.x[2] - edge.x[0]).norm();
   const geometry::SidePoint at = face.point(middle + lifted * (face.centre() - middle));

@@ -208,7 +208,7 @@ std::vector<SurfaceNodeNormal> surface_node_normals(const ContactSurface& surfac
   for (std::size_t f = 0; f < surface.facets.size(); ++f) {
     const geometry::ElementSide& face = surface.facets[f];
     for (std::size_t i = 0; i < face.nodes.size(); ++i) {
-      const geometry::SidePoint at = face.point(face.node_coordinates(static_cast<int>(i)));
+      const geometry::SidePoint at = face.point(face.node_local_coordinates(static_cast<int>(i)));
       points.push_back({face.nodes[i], surface_normal(surface, f, at)});
     }
   }

@@ -43,11 +43,11 @@ geometry::BodyBoundary boundary_of_edges(const model::Model& model, const model:
 geometry::BodyBoundary boundary_of_faces(const model::Model& /*model*/, const model::Mesh& mesh,
                                          const std::vector<model::Face>& faces,
                                          const base::Vector& u) {
-  std::vector<geometry::BoundaryFacet> facets;
+  std::vector<geometry::FlatBoundaryFacet> facets;
   for (const model::Face& side : faces) {
     const geometry::ElementSide face = model::element_side(mesh, side);
     for (const HatNodes& t : hat_elements(face)) {
-      geometry::BoundaryFacet& facet = facets.emplace_back();
+      geometry::FlatBoundaryFacet& facet = facets.emplace_back();
       for (std::size_t i = 0; i < t.size(); ++i) {
         const std::size_t node = face.nodes[static_cast<std::size_t>(t[i])].index();
         facet.vertex[i] = node;
@@ -64,7 +64,7 @@ geometry::BodyBoundary boundary_of_faces(const model::Model& /*model*/, const mo
 } // namespace
 
 geometry::BodyBoundary make_plane_boundary(const ContactSurface& surface, const base::Vector& u) {
-  std::vector<geometry::BoundaryFacet> facets;
+  std::vector<geometry::FlatBoundaryFacet> facets;
   std::size_t first = 0; // vertex of a chain: chains that touch do not hang together
   for (const EdgeChain& chain : surface.plane.chains) {
     const std::vector<Vec3> points =

@@ -63,9 +63,9 @@ private:
       return;
     }
     const shape::Point<2> centre = own.centre();
-    const shape::Point<2> r =
-        (1.0 - beside_front) * own.node_coordinates(static_cast<int>(at - own.nodes.begin())) +
-        beside_front * centre;
+    const shape::Point<2> r = (1.0 - beside_front) * own.node_local_coordinates(
+                                                         static_cast<int>(at - own.nodes.begin())) +
+                              beside_front * centre;
     const Vec3 normal = own.area_vector(centre).normalized();
     const double part = 0.5 * set_.halves / static_cast<double>(faces_at(side.on, point));
     for (const ActingLoad& acting : loads.loads) {

@@ -84,13 +84,13 @@ public:
   }
   /// The point t of -1 .. 1 on a side.
   [[nodiscard]] shape::Point<2> on_side(int side, double t) const {
-    return 0.5 * (1.0 - t) * element_.node_coordinates(side) +
-           0.5 * (1.0 + t) * element_.node_coordinates(after(side));
+    return 0.5 * (1.0 - t) * element_.node_local_coordinates(side) +
+           0.5 * (1.0 + t) * element_.node_local_coordinates(after(side));
   }
   /// dx/dt there.
   [[nodiscard]] Vec2 along_side(int side, const shape::Point<2>& r) const {
-    const shape::Point<2> step =
-        0.5 * (element_.node_coordinates(after(side)) - element_.node_coordinates(side));
+    const shape::Point<2> step = 0.5 * (element_.node_local_coordinates(after(side)) -
+                                        element_.node_local_coordinates(side));
     return Eigen::Matrix2d(X_.lazyProduct(element_.dN(r))) * step;
   }
   [[nodiscard]] Vec2 middle() const { return x(element_.centre()); }

@@ -42,7 +42,7 @@ inline int find_tip_corner(const model::Mesh& mesh, base::ElementId e,
 /// Charts of an element, collapsed into the corner `tip`; -1: nothing is singular.
 inline std::vector<ReferenceChart> reference_charts(const AnyElement<2>& element, int tip) {
   const int corners = element.corners;
-  const auto at = [&](int i) { return element.node_coordinates(i % corners); };
+  const auto at = [&](int i) { return element.node_local_coordinates(i % corners); };
   if (corners == 4 && tip < 0) {
     return {{at(0), at(1) - at(0), at(3) - at(0), false}};
   }

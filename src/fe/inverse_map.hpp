@@ -17,7 +17,7 @@ std::optional<shape::Point<dim>> inverse_map(const AnyElement<dim>& element,
   const double size = (X.colwise() - X.col(0)).cwiseAbs().maxCoeff();
   for (int i = 0; i < element.nodes; ++i) {
     if ((X.col(i) - x).norm() <= 1e-12 * size) {
-      return element.node_coordinates(i);
+      return element.node_local_coordinates(i);
     }
   }
   shape::Point<dim> r = element.centre();

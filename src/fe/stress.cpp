@@ -18,7 +18,7 @@ std::vector<Stress> element_node_stress(const model::Model& model, const model::
                        const auto first = static_cast<std::size_t>(mesh.first[e.index()]);
                        for (int i = 0; i < S::nodes; ++i) {
                          stress[first + static_cast<std::size_t>(i)] =
-                             element.at(shape::node_coordinates<S>(i));
+                             element.at(shape::node_local_coordinates<S>(i));
                        }
                      }
                    });

@@ -18,7 +18,8 @@ bool holds_quadratics(const AnyElement<2>& element, const AnyNodeVectors<2>& X) 
     return false;
   }
   for (int n = element.corners; n < element.nodes; ++n) {
-    if ((X.col(n) - C * element.linear_element().N(element.node_coordinates(n))).norm() > least) {
+    if ((X.col(n) - C * element.linear_element().N(element.node_local_coordinates(n))).norm() >
+        least) {
       return false;
     }
   }
@@ -190,7 +191,7 @@ CornerValues<dim> project_temperature(const AnyElement<dim>& element, const AnyN
   const base::Vector c = base::solve_semidefinite_system(G, right);
   CornerValues<dim> T(element.corners);
   for (int n = 0; n < element.corners; ++n) {
-    T[n] = c.dot(functions(X.col(n), element.node_coordinates(n)));
+    T[n] = c.dot(functions(X.col(n), element.node_local_coordinates(n)));
   }
   return T;
 }

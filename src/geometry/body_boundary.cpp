@@ -76,10 +76,10 @@ const base::ByDimension<BodyBoundary::FacetKind> BodyBoundary::FacetKind::kinds{
          },
      .nearest = [](const Vec3& x, const Corners& of) { return nearest_point(x, of); }}};
 
-BodyBoundary::BodyBoundary(int dim, const std::vector<BoundaryFacet>& facets)
+BodyBoundary::BodyBoundary(int dim, const std::vector<FlatBoundaryFacet>& facets)
     : kind_(&FacetKind::kinds.at(dim)) {
   std::vector<Box<3>> boxes;
-  for (const BoundaryFacet& facet : facets) {
+  for (const FlatBoundaryFacet& facet : facets) {
     const std::array<Vec3, 3>& x = facet.x;
     facets_.push_back({x, kind_->area_vector(x).normalized()});
     boxes.push_back(Box<3>::around(std::span(x).first(kind_->corners)));
@@ -90,7 +90,7 @@ BodyBoundary::BodyBoundary(int dim, const std::vector<BoundaryFacet>& facets)
   join(ridges(facets));
 }
 
-void BodyBoundary::sum_at_corners(const std::vector<BoundaryFacet>& facets) {
+void BodyBoundary::sum_at_corners(const std::vector<FlatBoundaryFacet>& facets) {
   const std::size_t corners = kind_->corners;
   std::map<std::size_t, Vec3> sums;
   for (std::size_t f = 0; f < facets.size(); ++f) {
@@ -109,7 +109,7 @@ void BodyBoundary::sum_at_corners(const std::vector<BoundaryFacet>& facets) {
 }
 
 std::vector<BodyBoundary::Ridge>
-BodyBoundary::ridges(const std::vector<BoundaryFacet>& facets) const {
+BodyBoundary::ridges(const std::vector<FlatBoundaryFacet>& facets) const {
   // By their vertices, so that those of two facets follow each other.
   std::vector<std::tuple<std::size_t, std::size_t, std::size_t, std::size_t>> all;
   for (std::size_t f = 0; f < facets.size(); ++f) {
@@ -152,7 +152,7 @@ void BodyBoundary::join(const std::vector<Ridge>& ridges) {
   }
   // The curve above two in a plane is that beside them.
   std::vector<double> rise;
-  std::ranges::transform(facets_, std::back_inserter(rise), &OrientedFacet::rise);
+  std::ranges::transform(facets_, std::back_inserter(rise), &FacetWithNormals::rise);
   for (const Ridge& ridge : smooth) {
     const std::size_t f = ridge[0].first;
     const std::size_t g = ridge[1].first;
@@ -166,7 +166,7 @@ std::optional<BoundaryDistance> BodyBoundary::signed_distance(const Vec3& x, dou
   double best = reach;
   std::size_t nearest = 0;
   const auto look_at = [&](std::size_t f) {
-    const OrientedFacet& facet = facets_[f];
+    const FacetWithNormals& facet = facets_[f];
     const NearestTrianglePoint at = kind_->nearest(x, facet.x);
     const Vec3 off = x - at.x;
     const double distance = off.norm();

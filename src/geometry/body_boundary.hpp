@@ -12,7 +12,7 @@ namespace spricka::geometry {
 
 /// A flat facet of the boundary of a body: in the plane (z = 0) a segment with the body on its
 /// left, in space a triangle whose corners run anticlockwise seen from outside.
-struct BoundaryFacet {
+struct FlatBoundaryFacet {
   std::array<base::Vec3, 3> x{base::Vec3::Zero(), base::Vec3::Zero(), base::Vec3::Zero()};
   /// Numbers of the corners: facets that have some in common hang together there.
   std::array<std::size_t, 3> vertex{};
@@ -28,7 +28,7 @@ struct BoundaryDistance {
 class BodyBoundary {
 public:
   /// dim 2: segments, the third corner means nothing; dim 3: triangles.
-  BodyBoundary(int dim, const std::vector<BoundaryFacet>& facets);
+  BodyBoundary(int dim, const std::vector<FlatBoundaryFacet>& facets);
 
   /// The nearest place no farther off than `reach` [length], if there is one. Inside and outside
   /// are told by the normals of all facets that meet there, each by its angle (Baerentzen and
@@ -39,7 +39,7 @@ public:
 
 private:
   struct FacetKind;
-  struct OrientedFacet {
+  struct FacetWithNormals {
     std::array<base::Vec3, 3> x;
     base::Vec3 normal;                     ///< unit, out of the body
     std::array<base::Vec3, 3> at_corner{}; ///< sums of the normals that meet there
@@ -50,12 +50,12 @@ private:
   /// plane a corner, in space an edge.
   using Ridge = std::array<std::pair<std::size_t, std::size_t>, 2>;
 
-  void sum_at_corners(const std::vector<BoundaryFacet>& facets);
-  [[nodiscard]] std::vector<Ridge> ridges(const std::vector<BoundaryFacet>& facets) const;
+  void sum_at_corners(const std::vector<FlatBoundaryFacet>& facets);
+  [[nodiscard]] std::vector<Ridge> ridges(const std::vector<FlatBoundaryFacet>& facets) const;
   void join(const std::vector<Ridge>& ridges);
 
   const FacetKind* kind_;
-  std::vector<OrientedFacet> facets_;
+  std::vector<FacetWithNormals> facets_;
   Box<3> box_;
   BoxTree<3> tree_;
 };

@@ -84,8 +84,9 @@ ElementSide::ElementSide(base::ElementType type, int side_,
   }
 }
 
-Vec2 ElementSide::node_coordinates(int node) const {
-  return is_edge() ? Vec2(edge_->node_coordinates(node)[0], 0.0) : face_->node_coordinates(node);
+Vec2 ElementSide::node_local_coordinates(int node) const {
+  return is_edge() ? Vec2(edge_->node_local_coordinates(node)[0], 0.0)
+                   : face_->node_local_coordinates(node);
 }
 
 Vec2 ElementSide::centre() const {
@@ -103,8 +104,8 @@ Vec2 ElementSide::clamp(const Vec2& r) const {
 Vec2 ElementSide::edge_coordinates(int i, double t) const {
   assert(face_ != nullptr);
   const int next = (i + 1) % face_->corners;
-  return 0.5 * (1.0 - t) * face_->node_coordinates(i) +
-         0.5 * (1.0 + t) * face_->node_coordinates(next);
+  return 0.5 * (1.0 - t) * face_->node_local_coordinates(i) +
+         0.5 * (1.0 + t) * face_->node_local_coordinates(next);
 }
 
 SideValues ElementSide::N(const Vec2& r) const {
@@ -139,14 +140,15 @@ double ElementSide::area(int degree) const {
   return area;
 }
 
-Vec2 ElementSide::nearest_point(const Vec3& x, BorderFootPolicy border) const {
+Vec2 ElementSide::nearest_point(const Vec3& x, ClampedFootPolicy border) const {
   if (is_edge()) {
     return {foot_of_perpendicular<1>(*edge_, X, x, longest_step)[0], 0.0};
   }
   Vec2 best = foot_of_perpendicular<2>(*face_, X, x, longest_step);
-  const bool stands = border == BorderFootPolicy::compared || distance_outside(best) < -1e-14;
-  const double longest =
-      border == BorderFootPolicy::compared ? longest_step : std::numeric_limits<double>::infinity();
+  const bool stands = border == ClampedFootPolicy::compared || distance_outside(best) < -1e-14;
+  const double longest = border == ClampedFootPolicy::compared
+                             ? longest_step
+                             : std::numeric_limits<double>::infinity();
   double least = stands ? (x - position(best)).norm() : std::numeric_limits<double>::max();
   const shape::ReferenceElement<1>& edge = shape::reference_line(quadratic() ? 3 : 2);
   for (int i = 0; i < corners(); ++i) {

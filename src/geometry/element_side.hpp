@@ -37,7 +37,7 @@ struct SidePoint {
 };
 
 /// What nearest_point does with a foot of the perpendicular that was kept from leaving a face.
-enum class BorderFootPolicy {
+enum class ClampedFootPolicy {
   compared, ///< gives way to a foot on an edge that is nearer
   replaced  ///< always gives way; feet on edges are sought however far x is off
 };
@@ -75,7 +75,7 @@ struct ElementSide {
   }
 
   /// Local coordinates of a node; the second of an edge's is 0.
-  [[nodiscard]] base::Vec2 node_coordinates(int node) const;
+  [[nodiscard]] base::Vec2 node_local_coordinates(int node) const;
   /// The middle of the domain.
   [[nodiscard]] base::Vec2 centre() const;
   /// How far r lies outside the domain, in local coordinates; negative inside.
@@ -122,7 +122,7 @@ struct ElementSide {
   /// perpendicular, or the nearest point of the edges. Exact for points on the side and for those
   /// off it by a small share of the radius of curvature. Without area the centre.
   [[nodiscard]] base::Vec2
-  nearest_point(const base::Vec3& x, BorderFootPolicy border = BorderFootPolicy::compared) const;
+  nearest_point(const base::Vec3& x, ClampedFootPolicy border = ClampedFootPolicy::compared) const;
 
   /// A box round the side, curved as it may be: that of its Bezier points (Farin 2002).
   [[nodiscard]] Box<3> bounding_box() const;

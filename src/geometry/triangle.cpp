@@ -43,7 +43,7 @@ NearestTrianglePoint nearest_point(const Vec3& x, const std::array<Vec3, 3>& tri
 }
 
 TriangleTree::TriangleTree(std::vector<CornerPlaces> triangles) : triangles_(std::move(triangles)) {
-  std::vector<InputTriangle> all;
+  std::vector<NumberedTriangle> all;
   all.reserve(triangles_.size());
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
     all.push_back({triangles_[i], i});
@@ -57,7 +57,7 @@ TriangleTree::TriangleTree(std::vector<CornerPlaces> triangles) : triangles_(std
   }
 }
 
-std::size_t TriangleTree::make(std::vector<InputTriangle>& all, std::size_t begin,
+std::size_t TriangleTree::make(std::vector<NumberedTriangle>& all, std::size_t begin,
                                std::size_t end) {
   constexpr std::size_t few = 8;
   Box<3> box;
@@ -71,12 +71,12 @@ std::size_t TriangleTree::make(std::vector<InputTriangle>& all, std::size_t begi
     (box.high - box.low).maxCoeff(&axis);
     const std::size_t middle = begin + (end - begin) / 2;
     const auto at = [&](std::size_t i) { return all.begin() + static_cast<std::ptrdiff_t>(i); };
-    const auto sum = [&](const InputTriangle& t) {
+    const auto sum = [&](const NumberedTriangle& t) {
       return t.x[0][axis] + t.x[1][axis] + t.x[2][axis];
     };
     std::nth_element(
         at(begin), at(middle), at(end),
-        [&](const InputTriangle& s, const InputTriangle& t) { return sum(s) < sum(t); });
+        [&](const NumberedTriangle& s, const NumberedTriangle& t) { return sum(s) < sum(t); });
     const std::size_t left = make(all, begin, middle);
     const std::size_t right = make(all, middle, end);
     boxes_[own].left = left;
@@ -92,7 +92,7 @@ TriangleTree::NearestTriangle TriangleTree::nearest(const Vec3& p) const {
     open.push_back(0);
   }
   while (!open.empty()) {
-    const TriangleBox& box = boxes_[open.back()];
+    const TriangleTreeNode& box = boxes_[open.back()];
     open.pop_back();
     if (box.box.distance(p) >= best.distance) {
       continue;

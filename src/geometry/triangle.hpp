@@ -38,20 +38,20 @@ public:
   [[nodiscard]] const std::vector<CornerPlaces>& triangles() const { return triangles_; }
 
 private:
-  struct TriangleBox {
+  struct TriangleTreeNode {
     Box<3> box;
     std::size_t begin = 0, end = 0;  ///< of triangles
     std::size_t left = 0, right = 0; ///< boxes; 0: none
   };
-  struct InputTriangle {
+  struct NumberedTriangle {
     CornerPlaces x;
     std::size_t number = 0;
   };
-  std::size_t make(std::vector<InputTriangle>& all, std::size_t begin, std::size_t end);
+  std::size_t make(std::vector<NumberedTriangle>& all, std::size_t begin, std::size_t end);
 
   std::vector<CornerPlaces> triangles_;
   std::vector<std::size_t> given_; ///< [triangle]
-  std::vector<TriangleBox> boxes_;
+  std::vector<TriangleTreeNode> boxes_;
 };
 
 } // namespace spricka::geometry

@@ -50,7 +50,7 @@ template <int dim> struct Samples {
     }
     inner = at.size();
     for (int i = 0; i < element->nodes; ++i) {
-      add(element->node_coordinates(i));
+      add(element->node_local_coordinates(i));
     }
     outer = at.size();
     if (slight.at(dim) > 0.0 && element->quadratic) {
@@ -81,14 +81,14 @@ private:
   void add_between_nodes(base::ElementType type) {
     for (int m = 0; m < shape::edge_count(type); ++m) {
       const auto [a, b] = shape::edge_corners(type, m);
-      add(0.75 * element->node_coordinates(a) + 0.25 * element->node_coordinates(b));
-      add(0.25 * element->node_coordinates(a) + 0.75 * element->node_coordinates(b));
+      add(0.75 * element->node_local_coordinates(a) + 0.25 * element->node_local_coordinates(b));
+      add(0.25 * element->node_local_coordinates(a) + 0.75 * element->node_local_coordinates(b));
     }
     for (int s = 0; s < base::element_info(type).sides; ++s) {
       const auto corners = static_cast<int>(shape::side_corners(type, s));
       shape::Point<dim> middle = shape::Point<dim>::Zero();
       for (const int i : shape::side_nodes(type, s).first(static_cast<std::size_t>(corners))) {
-        middle += element->node_coordinates(i) / corners;
+        middle += element->node_local_coordinates(i) / corners;
       }
       add(middle);
     }

@@ -66,7 +66,7 @@ double error_of_faces(const contact::FacetSurface& surface) {
     for (const std::array<double, 3>& at : middles) {
       contact::Vec2 r = contact::Vec2::Zero();
       for (std::size_t i = 0; i < at.size(); ++i) {
-        r += at[i] * face.node_coordinates(triangle.node[i]);
+        r += at[i] * face.node_local_coordinates(triangle.node[i]);
       }
       const base::Vec3 x = face.position(r);
       most = std::max(most, std::abs(contact::distance_to(*round, x)));

@@ -34,7 +34,7 @@ template <int d> struct ReferenceElement {
   const ReferenceElement* relative = nullptr; ///< of a quadratic element, see linear_element()
 
   /// Reference coordinates of node i by the table of the element.
-  [[nodiscard]] Point<d> node_coordinates(int i) const {
+  [[nodiscard]] Point<d> node_local_coordinates(int i) const {
     return Eigen::Map<const Point<d>>(coordinates[static_cast<std::size_t>(i)].data());
   }
   /// The linear element with the same corners.

@@ -173,7 +173,7 @@ struct Quamc9 : ShapeFromElementTable<base::ElementType::quamc9> {
 };
 
 /// Reference coordinates of node i of a shape known when compiled.
-template <Shape S> Point<S::dim> node_coordinates(int i) {
+template <Shape S> Point<S::dim> node_local_coordinates(int i) {
   return Eigen::Map<const Point<S::dim>>(S::coordinates[static_cast<std::size_t>(i)].data());
 }
 

@@ -14,7 +14,7 @@ inline Point<3> side_to_solid_point(base::ElementType type, int side, const Poin
       reference_element<2>(solid_side_type(type, side)).linear_element().N(r);
   Point<3> place = Point<3>::Zero();
   for (Eigen::Index k = 0; k < N.size(); ++k) {
-    place += N[k] * element.node_coordinates(local[static_cast<std::size_t>(k)]);
+    place += N[k] * element.node_local_coordinates(local[static_cast<std::size_t>(k)]);
   }
   return place;
 }

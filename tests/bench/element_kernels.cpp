@@ -17,7 +17,7 @@ template <shape::ElementShape S> fe::NodeVectors<S> distorted() {
   fe::NodeVectors<S> X;
   for (int n = 0; n < S::nodes; ++n) {
     for (int c = 0; c < S::dim; ++c) {
-      X(c, n) = 3.0 + shape::node_coordinates<S>(n)[c] + 0.02 * std::sin(1.0 + 3.0 * n + c);
+      X(c, n) = 3.0 + shape::node_local_coordinates<S>(n)[c] + 0.02 * std::sin(1.0 + 3.0 * n + c);
     }
   }
   return X;

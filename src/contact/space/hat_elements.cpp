@@ -42,8 +42,8 @@ std::span<const HatNodes> corner_hat_elements(const geometry::ElementSide& face)
 }
 
 std::array<Vec2, 3> corner_coordinates(const geometry::ElementSide& face, const HatNodes& nodes) {
-  return {face.node_coordinates(nodes[0]), face.node_coordinates(nodes[1]),
-          face.node_coordinates(nodes[2])};
+  return {face.node_local_coordinates(nodes[0]), face.node_local_coordinates(nodes[1]),
+          face.node_local_coordinates(nodes[2])};
 }
 
 } // namespace spricka::contact

@@ -28,8 +28,8 @@ std::span<const HatNodes> corner_hat_elements(const geometry::ElementSide& face)
 template <class F>
 void for_hat_quadrature_points(const geometry::ElementSide& facet, const HatNodes& nodes,
                                int degree, F&& f) {
-  const Vec2 first = facet.node_coordinates(nodes[0]);
-  const Vec2 a = facet.node_coordinates(nodes[1]) - first;
+  const Vec2 first = facet.node_local_coordinates(nodes[0]);
+  const Vec2 a = facet.node_local_coordinates(nodes[1]) - first;
   if (facet.is_edge()) {
     for (const auto& [r, weight] : shape::line_rule(degree)) {
       const double part = 0.5 * (1.0 + r[0]);
@@ -37,7 +37,7 @@ void for_hat_quadrature_points(const geometry::ElementSide& facet, const HatNode
     }
     return;
   }
-  const Vec2 b = facet.node_coordinates(nodes[2]) - first;
+  const Vec2 b = facet.node_local_coordinates(nodes[2]) - first;
   const double area2 = a.x() * b.y() - a.y() * b.x();
   for (const auto& [q, weight] : shape::triangle_rule(degree)) {
     f(Vec3(1.0 - q[0] - q[1], q[0], q[1]), Vec2(first + q[0] * a + q[1] * b), weight * area2);

@@ -19,7 +19,7 @@ using Edge3 = std::pair<base::NodeId, base::NodeId>; ///< corners, the smaller f
 
 // Unit normal of a face in the middle between two corners that follow one another.
 Vec3 normal_on_edge(const geometry::ElementSide& face, int corner, int next) {
-  const Vec2 r = 0.5 * (face.node_coordinates(corner) + face.node_coordinates(next));
+  const Vec2 r = 0.5 * (face.node_local_coordinates(corner) + face.node_local_coordinates(next));
   return face.area_vector(r).normalized();
 }
 

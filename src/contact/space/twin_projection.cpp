@@ -32,7 +32,7 @@ std::optional<CoincidentFace> matched(const geometry::ElementSide& face,
     for (std::size_t k = 0; k < corner_count(face) && !met; ++k) {
       met = (face.X.col(static_cast<Eigen::Index>(c)) - other.X.col(static_cast<Eigen::Index>(k)))
                 .norm() <= apart;
-      twin.corner[c] = met ? face.node_coordinates(static_cast<int>(k)) : twin.corner[c];
+      twin.corner[c] = met ? face.node_local_coordinates(static_cast<int>(k)) : twin.corner[c];
     }
     if (!met) {
       return std::nullopt;

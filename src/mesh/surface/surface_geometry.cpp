@@ -28,7 +28,7 @@ public:
   [[nodiscard]] double distance() const { return distance_; }
   void look_at(std::size_t face) {
     const geometry::ElementSide& f = surface_.face(face);
-    const Vec2 r = f.nearest_point(x_, geometry::BorderFootPolicy::replaced);
+    const Vec2 r = f.nearest_point(x_, geometry::ClampedFootPolicy::replaced);
     const double distance = (f.position(r) - x_).norm();
     const double same = 1e-12 * surface_.diagonal();
     if (distance < distance_ - same || (distance < distance_ + same && face < face_)) {

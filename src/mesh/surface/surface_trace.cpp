@@ -243,7 +243,7 @@ public:
     PlaneLine::Side side = sides[along.dot(towards) > 0.0 ? 1 : 0];
     std::size_t at = first;
     Vec2 r = surface_.face(line_.facet(at).face)
-                 .nearest_point(from.x, geometry::BorderFootPolicy::replaced);
+                 .nearest_point(from.x, geometry::ClampedFootPolicy::replaced);
     // In its own stretch the end may lie behind the start; one that is entered is all ahead.
     bool ends = at == last && (to.x - from.x).dot(line_.x(side) - from.x) > 0.0;
     while (!ends) {
@@ -262,7 +262,7 @@ public:
     }
     add(at, r, {to, nowhere, 0.0},
         surface_.face(line_.facet(at).face)
-            .nearest_point(to.x, geometry::BorderFootPolicy::replaced));
+            .nearest_point(to.x, geometry::ClampedFootPolicy::replaced));
     if (points_.size() < 2) {
       return {{}, {"the crack's mouth has no length", from.x}};
     }

@@ -86,7 +86,8 @@ Matrix quadrilateral_tie_weights(std::span<const Vec3> nodes) {
     weights.row(0) = face.N(face.centre()).transpose();
   }
   for (int corner = 0; corner < 4; ++corner) {
-    weights.row(others - 4 + corner) = face.N(0.5 * face.node_coordinates(corner)).transpose();
+    weights.row(others - 4 + corner) =
+        face.N(0.5 * face.node_local_coordinates(corner)).transpose();
   }
   std::vector<Vec2> x = flatten(nodes);
   for (Eigen::Index s = 0; s < others; ++s) {

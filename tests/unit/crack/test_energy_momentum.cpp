@@ -31,7 +31,7 @@ template <int dim> fe::AnyNodeVectors<dim> rough(const fe::AnyElement<dim>& elem
 template <int dim> fe::AnyNodeVectors<dim> skewed(const fe::AnyElement<dim>& element) {
   fe::AnyNodeVectors<dim> X = 0.04 * rough(element, 0.3);
   for (int i = 0; i < element.nodes; ++i) {
-    X.col(i) += element.node_coordinates(i);
+    X.col(i) += element.node_local_coordinates(i);
   }
   return X;
 }

@@ -31,15 +31,16 @@ template <shape::PlaneShape S> std::vector<shape::Point<2>> inner_points() {
 
 // From corner s to the next one at t.
 template <shape::PlaneShape S> shape::Point<2> on_side(int s, double t) {
-  const shape::Point<2> a = shape::node_coordinates<S>(s);
-  const shape::Point<2> b = shape::node_coordinates<S>((s + 1) % Modes<S>::sides);
+  const shape::Point<2> a = shape::node_local_coordinates<S>(s);
+  const shape::Point<2> b = shape::node_local_coordinates<S>((s + 1) % Modes<S>::sides);
   return 0.5 * (1.0 - t) * a + 0.5 * (1.0 + t) * b;
 }
 
 TYPED_TEST(CubicModes, VanishAtAllNodes) {
   for (int n = 0; n < TypeParam::nodes; ++n) {
-    EXPECT_LT(Modes<TypeParam>::psi(shape::node_coordinates<TypeParam>(n)).cwiseAbs().maxCoeff(),
-              1e-16);
+    EXPECT_LT(
+        Modes<TypeParam>::psi(shape::node_local_coordinates<TypeParam>(n)).cwiseAbs().maxCoeff(),
+        1e-16);
   }
 }
 
@@ -129,9 +130,9 @@ TYPED_TEST(CubicModes, AreContinuousAcrossEdges) {
       const shape::Point<2> r = on_side<S>(s, 0.3 * sign);
       const Eigen::Matrix2d J = X * S::dN(r);
       const auto G = estimate::mode_gradients(PlaneModes::for_type(S::type), X, r, J, sides);
-      const base::Vec2 along =
-          sign * J *
-          (shape::node_coordinates<S>((s + 1) % Modes<S>::sides) - shape::node_coordinates<S>(s));
+      const base::Vec2 along = sign * J *
+                               (shape::node_local_coordinates<S>((s + 1) % Modes<S>::sides) -
+                                shape::node_local_coordinates<S>(s));
       Seen found;
       for (int k = 0; k < 2; ++k) {
         const Eigen::Vector4d g = G.col(2 * s + k);

@@ -35,7 +35,7 @@ template <class S> struct Sample {
 template <class S> std::vector<Sample<S>> samples() {
   NodeVectors<S> X;
   for (int i = 0; i < S::nodes; ++i) {
-    X.col(i) = shape::node_coordinates<S>(i);
+    X.col(i) = shape::node_local_coordinates<S>(i);
   }
   std::vector<Sample<S>> all{{"regular", X}};
 
@@ -182,8 +182,8 @@ TYPED_TEST(EveryElement, inverse_map_finds_points_inside_on_sides_and_at_nodes) 
     }
     std::vector<shape::Point<2>> places{shape::centre<S>(), {0.2, 0.3}, {0.0, 0.5}, {0.4, 0.0}};
     for (int i = 0; i < S::nodes; ++i) {
-      places.push_back(shape::node_coordinates<S>(i));
-      places.push_back(0.999 * shape::node_coordinates<S>(i) + 0.001 * shape::centre<S>());
+      places.push_back(shape::node_local_coordinates<S>(i));
+      places.push_back(0.999 * shape::node_local_coordinates<S>(i) + 0.001 * shape::centre<S>());
     }
     for (const shape::Point<2>& r : places) {
       const Eigen::Vector2d x = sample.X * S::N(r);
@@ -199,9 +199,9 @@ TEST(quarter_point, det_is_zero_at_the_tip_only) {
   using S = shape::Trimc6;
   const NodeVectors<S> X = samples<S>().back().X;
   const double scale = jacobian<S>(X, shape::centre<S>()).det;
-  EXPECT_NEAR(jacobian<S>(X, shape::node_coordinates<S>(0)).det, 0.0, 1e-14 * scale);
+  EXPECT_NEAR(jacobian<S>(X, shape::node_local_coordinates<S>(0)).det, 0.0, 1e-14 * scale);
   for (int i = 1; i < S::nodes; ++i) {
-    EXPECT_GT(jacobian<S>(X, shape::node_coordinates<S>(i)).det, 0.1 * scale) << i;
+    EXPECT_GT(jacobian<S>(X, shape::node_local_coordinates<S>(i)).det, 0.1 * scale) << i;
   }
 }
 

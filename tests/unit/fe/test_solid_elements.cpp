@@ -37,7 +37,7 @@ model::Model one_property(double E, double nu, model::StressState state) {
 template <class S> NodeVectors<S> distorted() {
   NodeVectors<S> X;
   for (int i = 0; i < S::nodes; ++i) {
-    const shape::Point<S::dim> r = shape::node_coordinates<S>(i);
+    const shape::Point<S::dim> r = shape::node_local_coordinates<S>(i);
     X.col(i) = 1.3 * r;
     X(0, i) += 4.0 + 0.2 * r[0] * r[1] + 0.1 * r[S::dim - 1];
     X(1, i) += 0.15 * r[0] * r[S::dim - 1] - 0.3 * r[0];
@@ -106,7 +106,7 @@ template <class S> void expect_free_expansion(model::StressState state) {
   model::Model model = one_element<S>(0.3, state);
   for (std::size_t n = 0; n < model.mesh.node_count(); ++n) {
     Vec3 x = Vec3::Zero();
-    const shape::Point<S::dim> r = shape::node_coordinates<S>(static_cast<int>(n));
+    const shape::Point<S::dim> r = shape::node_local_coordinates<S>(static_cast<int>(n));
     x.template head<S::dim>() = r;
     model.mesh.x[n] = Vec3(2.0 * x.x() + 0.3 * x.y(), x.y() - 0.4 * x.x() + 0.2 * x.z(),
                            1.5 * x.z() + (S::dim == 3 ? 0.1 * x.y() : 0.0));

@@ -77,9 +77,9 @@ public:
     for (int i = 0; i < base::element_info(type).nodes; ++i) {
       Vec3 r = Vec3::Zero();
       if (dim == 2) {
-        r.head<2>() = shape::reference_element<2>(type).node_coordinates(i);
+        r.head<2>() = shape::reference_element<2>(type).node_local_coordinates(i);
       } else {
-        r = shape::reference_element<3>(type).node_coordinates(i);
+        r = shape::reference_element<3>(type).node_local_coordinates(i);
       }
       Vec3 x = A.leftCols(dim) * r.head(dim) + Vec3(0.5, -2.0, 1.0);
       if (curved) {

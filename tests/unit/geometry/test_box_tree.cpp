@@ -198,8 +198,8 @@ TEST(Triangle, NearestPointIsNearerThanAllOthers) {
   }
 }
 
-std::vector<BoundaryFacet> polygon(const std::vector<Vec3>& corners, std::size_t first = 0) {
-  std::vector<BoundaryFacet> facets;
+std::vector<FlatBoundaryFacet> polygon(const std::vector<Vec3>& corners, std::size_t first = 0) {
+  std::vector<FlatBoundaryFacet> facets;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const std::size_t next = (i + 1) % corners.size();
     facets.push_back({{corners[i], corners[next], Vec3::Zero()}, {first + i, first + next, 0}});
@@ -219,9 +219,9 @@ std::vector<Vec3> circle(double radius, int count) {
 // Between two circles: the outer one anticlockwise, the inner one clockwise.
 TEST(BodyBoundary, RingInThePlane) {
   constexpr int count = 400;
-  std::vector<BoundaryFacet> facets = polygon(circle(2.0, count));
+  std::vector<FlatBoundaryFacet> facets = polygon(circle(2.0, count));
   const std::vector<Vec3> inner = circle(1.0, count);
-  const std::vector<BoundaryFacet> hole =
+  const std::vector<FlatBoundaryFacet> hole =
       polygon({inner.rbegin(), inner.rend()}, static_cast<std::size_t>(count));
   facets.insert(facets.end(), hole.begin(), hole.end());
   const BodyBoundary body(2, facets);
@@ -267,7 +267,7 @@ TEST(BodyBoundary, TetrahedronInSpace) {
                               Vec3(0.5, 0.4, 2.0)};
   const std::array<std::array<std::size_t, 3>, 4> faces{
       {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
-  std::vector<BoundaryFacet> facets;
+  std::vector<FlatBoundaryFacet> facets;
   for (const auto& f : faces) {
     facets.push_back({{p[f[0]], p[f[1]], p[f[2]]}, f});
   }
@@ -278,7 +278,7 @@ TEST(BodyBoundary, TetrahedronInSpace) {
     const Vec3 x(at(random), at(random), at(random));
     double highest = -std::numeric_limits<double>::infinity(); // above the planes of the faces
     double least = std::numeric_limits<double>::infinity();
-    for (const BoundaryFacet& facet : facets) {
+    for (const FlatBoundaryFacet& facet : facets) {
       const Vec3 n = (facet.x[1] - facet.x[0]).cross(facet.x[2] - facet.x[0]).normalized();
       highest = std::max(highest, n.dot(x - facet.x[0]));
       least = std::min(least, (nearest_point(x, facet.x).x - x).norm());

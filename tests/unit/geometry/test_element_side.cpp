@@ -47,7 +47,7 @@ private:
     const shape::ReferenceElement<dim>& element = shape::reference_element<dim>(type);
     for (int i = 0; i < element.nodes; ++i) {
       nodes.emplace_back(static_cast<std::size_t>(i));
-      x.emplace_back(Vec3::Zero()).template head<dim>() = element.node_coordinates(i);
+      x.emplace_back(Vec3::Zero()).template head<dim>() = element.node_local_coordinates(i);
     }
   }
 };
@@ -63,7 +63,7 @@ ElementSide distorted_side(ElementType type, Random& random) {
   const Vec3 across(2.0 * random.number(), 0.6, 0.4 * random.number());
   const Vec3 bend(1.0, 1.0, side.dim() == 1 ? 0.0 : 1.0);
   for (Eigen::Index i = 0; i < side.X.cols(); ++i) {
-    const Vec2 r = side.node_coordinates(static_cast<int>(i));
+    const Vec2 r = side.node_local_coordinates(static_cast<int>(i));
     side.X.col(i) =
         r[0] * Vec3::UnitX() + r[1] * across + 0.02 * random.vector().cwiseProduct(bend);
   }
@@ -102,10 +102,10 @@ TEST_P(EverySide, has_one_function_for_each_node) {
   const ElementSide side = LoneElement(GetParam()).side(0);
   const auto count = static_cast<int>(side.nodes.size());
   for (int i = 0; i < count; ++i) {
-    const SideValues N = side.N(side.node_coordinates(i));
+    const SideValues N = side.N(side.node_local_coordinates(i));
     ASSERT_EQ(N.size(), count);
     EXPECT_LT((N - SideValues::Unit(count, i)).norm(), 1e-14);
-    EXPECT_LT((side.position(side.node_coordinates(i)) - side.X.col(i)).norm(), 1e-14);
+    EXPECT_LT((side.position(side.node_local_coordinates(i)) - side.X.col(i)).norm(), 1e-14);
   }
 }
 
@@ -152,7 +152,8 @@ TEST_P(EverySide, finds_its_nearest_point) {
     const Vec3 x =
         side.position(side.clamp(some_coordinates(side, random))) + 0.1 * size * off.normalized();
     const double raster = raster_distance(side, x);
-    for (const BorderFootPolicy border : {BorderFootPolicy::compared, BorderFootPolicy::replaced}) {
+    for (const ClampedFootPolicy border :
+         {ClampedFootPolicy::compared, ClampedFootPolicy::replaced}) {
       const Vec2 r = side.nearest_point(x, border);
       EXPECT_LT((side.clamp(r) - r).norm(), 1e-14);
       EXPECT_LT((x - side.position(r)).norm(), raster + 1e-9 * size) << trial;
@@ -241,7 +242,7 @@ TEST(ElementSide, HasTheAreaOfAParallelogram) {
     const Vec3 a(0.3, 0.1, -0.2);
     const Vec3 b(-0.1, 0.4, 0.5);
     for (Eigen::Index i = 0; i < face.X.cols(); ++i) {
-      const Vec2 r = face.node_coordinates(static_cast<int>(i));
+      const Vec2 r = face.node_local_coordinates(static_cast<int>(i));
       face.X.col(i) = r[0] * a + r[1] * b;
     }
     EXPECT_NEAR(face.area(), 4.0 * a.cross(b).norm(), 1e-14);

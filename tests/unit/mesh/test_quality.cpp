@@ -73,7 +73,7 @@ model::Mesh reference(base::ElementType type, const std::function<base::Vec3(bas
   shape::with_element_shape(type, [&]<shape::ElementShape S>(S) {
     for (int i = 0; i < S::nodes; ++i) {
       base::Vec3 at = base::Vec3::Zero();
-      at.template head<S::dim>() = shape::node_coordinates<S>(i);
+      at.template head<S::dim>() = shape::node_local_coordinates<S>(i);
       x.push_back(f(at));
     }
   });

@@ -67,9 +67,9 @@ TYPED_TEST(EveryShape, has_a_reference_element) {
   EXPECT_EQ(element.quadratic, element.nodes > element.corners);
   EXPECT_EQ(element.centre(), centre<S>());
   for (int i = 0; i < S::nodes; ++i) {
-    EXPECT_EQ(element.node_coordinates(i), node_coordinates<S>(i));
+    EXPECT_EQ(element.node_local_coordinates(i), node_local_coordinates<S>(i));
     if constexpr (S::dim > 1) { // its linear relative has the same corners
-      const auto L = element.linear_element().N(node_coordinates<S>(i));
+      const auto L = element.linear_element().N(node_local_coordinates<S>(i));
       EXPECT_EQ(L.size(), element.corners);
       EXPECT_TRUE(i >= element.corners || std::abs(L[i] - 1.0) < 1e-15);
     }
@@ -91,7 +91,7 @@ TYPED_TEST(EveryShape, sums_to_one) {
 TYPED_TEST(EveryShape, is_one_at_its_node_and_zero_at_the_others) {
   for (int i = 0; i < TypeParam::nodes; ++i) {
     const Eigen::Matrix<double, TypeParam::nodes, 1> n =
-        TypeParam::N(node_coordinates<TypeParam>(i));
+        TypeParam::N(node_local_coordinates<TypeParam>(i));
     for (int j = 0; j < TypeParam::nodes; ++j) {
       EXPECT_NEAR(n[j], i == j ? 1.0 : 0.0, 1e-15) << i << ' ' << j;
     }
@@ -104,8 +104,8 @@ TYPED_TEST(EveryShape, reproduces_the_reference_coordinates) {
     Eigen::Matrix<double, TypeParam::dim, TypeParam::dim> J;
     J.setZero();
     for (int i = 0; i < TypeParam::nodes; ++i) {
-      x += node_coordinates<TypeParam>(i) * TypeParam::N(r)[i];
-      J += node_coordinates<TypeParam>(i) * TypeParam::dN(r).row(i);
+      x += node_local_coordinates<TypeParam>(i) * TypeParam::N(r)[i];
+      J += node_local_coordinates<TypeParam>(i) * TypeParam::dN(r).row(i);
     }
     EXPECT_LT((x - r).norm(), 1e-14);
     EXPECT_LT((J - decltype(J)::Identity()).norm(), 1e-14);
@@ -127,7 +127,7 @@ TYPED_TEST(EveryShape, derivatives_agree_with_central_differences) {
 
 TYPED_TEST(EveryShape, nodes_lie_on_the_domain_and_the_centre_inside) {
   for (int i = 0; i < TypeParam::nodes; ++i) {
-    EXPECT_LE(distance_outside<TypeParam>(node_coordinates<TypeParam>(i)), 0.0);
+    EXPECT_LE(distance_outside<TypeParam>(node_local_coordinates<TypeParam>(i)), 0.0);
   }
   EXPECT_LE(distance_outside<TypeParam>(centre<TypeParam>()), -0.25);
   const double simplex = TypeParam::domain == ReferenceDomain::tetrahedron ? 2.75 : 1.5;
@@ -162,7 +162,7 @@ TYPED_TEST(EveryElement, is_complete) {
       for (int c = 0; a + b + c <= (S::dim == 3 ? order : 0); ++c) {
         Eigen::Matrix<double, S::nodes, 1> nodal;
         for (int i = 0; i < S::nodes; ++i) {
-          nodal[i] = monomial(node_coordinates<S>(i), {a, b, c});
+          nodal[i] = monomial(node_local_coordinates<S>(i), {a, b, c});
         }
         for (const auto& r : sample<S>()) {
           EXPECT_NEAR(S::N(r).dot(nodal), monomial(r, {a, b, c}), 1e-14) << a << b << c;
@@ -186,8 +186,8 @@ TYPED_TEST(EveryElement, edges_are_those_of_the_sides_and_mid_nodes_lie_on_them)
     }
     EXPECT_EQ(sides, S::dim == 2 ? 1 : 2) << m;
     if (info.quadratic) {
-      const Point<S::dim> mid = 0.5 * (node_coordinates<S>(a) + node_coordinates<S>(b));
-      EXPECT_EQ((node_coordinates<S>(info.corners + m) - mid).norm(), 0.0) << m;
+      const Point<S::dim> mid = 0.5 * (node_local_coordinates<S>(a) + node_local_coordinates<S>(b));
+      EXPECT_EQ((node_local_coordinates<S>(info.corners + m) - mid).norm(), 0.0) << m;
     }
   }
 }
@@ -201,7 +201,7 @@ TYPED_TEST(EveryPlane, restricted_to_a_side_is_the_shape_of_the_side) {
       const Eigen::Matrix<double, Side::nodes, 1> n = Side::N(Point<1>(t));
       Point<2> r = Point<2>::Zero();
       for (int i = 0; i < Side::nodes; ++i) {
-        r += n[i] * node_coordinates<TypeParam>(local[static_cast<std::size_t>(i)]);
+        r += n[i] * node_local_coordinates<TypeParam>(local[static_cast<std::size_t>(i)]);
       }
       Eigen::Matrix<double, TypeParam::nodes, 1> expected;
       expected.setZero();
@@ -228,7 +228,7 @@ TYPED_TEST(EverySolid, restricted_to_a_side_is_the_shape_of_the_side) {
         Eigen::Matrix<double, S::nodes, 1> expected;
         expected.setZero();
         for (int i = 0; i < Side::nodes; ++i) {
-          r += n[i] * node_coordinates<S>(local[static_cast<std::size_t>(i)]);
+          r += n[i] * node_local_coordinates<S>(local[static_cast<std::size_t>(i)]);
           expected[local[static_cast<std::size_t>(i)]] = n[i];
         }
         EXPECT_LT((S::N(r) - expected).cwiseAbs().maxCoeff(), 1e-13);
@@ -242,12 +242,12 @@ TYPED_TEST(EverySolid, sides_face_outwards_and_hold_all_their_nodes) {
   using S = TypeParam;
   for (int s = 0; s < base::element_info(S::type).sides; ++s) {
     const std::span<const int> local = side_nodes(S::type, s);
-    const Point<3> at = node_coordinates<S>(local[0]);
+    const Point<3> at = node_local_coordinates<S>(local[0]);
     const Point<3> normal =
-        (node_coordinates<S>(local[1]) - at).cross(node_coordinates<S>(local[2]) - at);
+        (node_local_coordinates<S>(local[1]) - at).cross(node_local_coordinates<S>(local[2]) - at);
     for (int i = 0; i < S::nodes; ++i) {
       const bool listed = std::find(local.begin(), local.end(), i) != local.end();
-      const double height = normal.dot(node_coordinates<S>(i) - at);
+      const double height = normal.dot(node_local_coordinates<S>(i) - at);
       EXPECT_EQ(listed, std::abs(height) < 1e-14) << s << ' ' << i;
       EXPECT_LT(height, 1e-14) << s << ' ' << i;
     }
@@ -270,7 +270,7 @@ TYPED_TEST(EverySolid, sides_enclose_the_reference_volume) {
         Eigen::Matrix<double, 3, 2> T;
         T.setZero();
         for (int i = 0; i < Side::nodes; ++i) {
-          const Point<3> xi = node_coordinates<S>(local[static_cast<std::size_t>(i)]);
+          const Point<3> xi = node_local_coordinates<S>(local[static_cast<std::size_t>(i)]);
           x += Side::N(q.r)[i] * xi;
           T += xi * Side::dN(q.r).row(i);
         }
