@@ -21,7 +21,7 @@ constexpr std::int64_t format_version = 2;
 // the last fields are kept only where the deck asks for fields of each.
 std::vector<bool> kept_fields(const model::Model& model, const results::RunResult& run) {
   const bool law = model.growth && model.growth->law != model::CrackGrowthLaw::increment;
-  const bool asked = std::ranges::any_of(model.outputs, [](const model::Output& output) {
+  const bool asked = std::ranges::any_of(model.outputs, [](const model::OutputFileRequest& output) {
     return output.format == model::OutputFormat::vtu && output.every != model::OutputFrequency::end;
   });
   std::vector<bool> kept(run.increments.size(), !law || asked);

@@ -277,8 +277,8 @@ std::vector<NodeConstraints> held_nodes(const DeckContext& c) {
     for (const base::NodeId node : c.model.mesh.set_with_id(freedom.nodes).nodes) {
       for (std::size_t d = 0; d < 3; ++d) {
         const unsigned bit = freedom.dof[d] ? 1U << d : 0U;
-        held[node.index()].prescribed |= freedom.cls == model::FreedomClass::prescribed ? bit : 0U;
-        held[node.index()].suppressed |= freedom.cls == model::FreedomClass::suppressed ? bit : 0U;
+        held[node.index()].prescribed |= freedom.cls == model::FreedomRole::prescribed ? bit : 0U;
+        held[node.index()].suppressed |= freedom.cls == model::FreedomRole::suppressed ? bit : 0U;
       }
     }
   }

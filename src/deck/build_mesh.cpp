@@ -257,7 +257,7 @@ bool sizes_fit(DeckContext& c, const CheckedCard& card) {
 template <class Set>
 bool adopt_sets(DeckContext& c, const CheckedCard& card, EntityKind kind, std::vector<Set>& sets,
                 std::size_t first) {
-  const auto of_net = [&](const model::MeshNet& net) { return net.name == card.net; };
+  const auto of_net = [&](const model::NetDefinition& net) { return net.name == card.net; };
   for (std::size_t i = first; i < sets.size(); ++i) {
     if (!sets[i].span.valid()) {
       sets[i].span = card.span;
@@ -267,7 +267,7 @@ bool adopt_sets(DeckContext& c, const CheckedCard& card, EntityKind kind, std::v
     if (before == nullptr || before->poisoned) {
       continue;
     }
-    const std::vector<model::MeshNet>& nets = c.model.nets;
+    const std::vector<model::NetDefinition>& nets = c.model.nets;
     if (std::ranges::count_if(nets, of_net) < 2) { // else the net is said to be double
       c.error(card.span, "E302", fmt::format("there is a set {} already", sets[i].name),
               "put each mesh into a $NET of its own");

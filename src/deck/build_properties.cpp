@@ -86,9 +86,9 @@ void freedom(DeckContext& c, const CheckedCard& card) {
   }
   const std::string_view dof = card.word_value("DOF");
   model::FreedomAssignment freedom;
-  freedom.cls = card.has_word("CLASS", "SUPPRESSED")   ? model::FreedomClass::suppressed
-                : card.has_word("CLASS", "PRESCRIBED") ? model::FreedomClass::prescribed
-                                                       : model::FreedomClass::external;
+  freedom.cls = card.has_word("CLASS", "SUPPRESSED")   ? model::FreedomRole::suppressed
+                : card.has_word("CLASS", "PRESCRIBED") ? model::FreedomRole::prescribed
+                                                       : model::FreedomRole::external;
   freedom.dof = {dof.find('X') != std::string_view::npos, dof.find('Y') != std::string_view::npos,
                  dof.find('Z') != std::string_view::npos};
   freedom.nodes = base::NodeSetId(c.model.mesh.node_sets.size());

@@ -40,7 +40,8 @@ constexpr std::array<std::string_view, 16> own_files{
 
 // Why a file in the run folder cannot have this name, which is that of FILE without its folders;
 // empty: it can.
-std::string why_not(const DeckContext& c, const model::Output& output, const std::string& name) {
+std::string why_not(const DeckContext& c, const model::OutputFileRequest& output,
+                    const std::string& name) {
   const std::string named = name == output.file ? fmt::format("'{}'", name)
                                                 : fmt::format("'{}' ('{}')", name, output.file);
   const bool control = std::ranges::any_of(
@@ -57,14 +58,16 @@ std::string why_not(const DeckContext& c, const model::Output& output, const std
   if (name.ends_with(".vtu") || name.ends_with(".pvd") || name.ends_with(".part")) {
     return fmt::format("{} is the name of a picture or of a file that is being written", named);
   }
-  const bool twice = std::ranges::any_of(c.model.outputs, [&](const model::Output& other) {
-    return other.format == output.format && std::filesystem::path(other.file).filename() == name;
-  });
+  const bool twice =
+      std::ranges::any_of(c.model.outputs, [&](const model::OutputFileRequest& other) {
+        return other.format == output.format &&
+               std::filesystem::path(other.file).filename() == name;
+      });
   return twice ? fmt::format("{} is written by another $OUTPUT already", named) : std::string();
 }
 
 void output(DeckContext& c, const CheckedCard& card) {
-  model::Output output;
+  model::OutputFileRequest output;
   output.file = card.word_value("FILE");
   output.format = card.has_word("FORMAT", "VTU")   ? model::OutputFormat::vtu
                   : card.has_word("FORMAT", "CSV") ? model::OutputFormat::csv

@@ -233,11 +233,11 @@ void grow(DeckContext& c, const CheckedCard& card) {
       }
     }
   }
-  growth.history = card.has_word("HISTORY", "CONTINUE") ? model::GrowthHistoryMode::carry_on
-                                                        : model::GrowthHistoryMode::restart;
+  growth.history = card.has_word("HISTORY", "CONTINUE") ? model::SlipHistoryOverGrowth::carry_on
+                                                        : model::SlipHistoryOverGrowth::restart;
   // a part that keeps what it has slipped keeps what it was mounted with
   growth.mounted =
-      card.has_word("MOUNTED", "FIRST") || growth.history == model::GrowthHistoryMode::carry_on
+      card.has_word("MOUNTED", "FIRST") || growth.history == model::SlipHistoryOverGrowth::carry_on
           ? model::ContactMountingPolicy::first
           : model::ContactMountingPolicy::each;
   growth.shape = card.has_word("SHAPE", "ELLIPSE") ? model::FrontShapeRule::ellipse

@@ -114,14 +114,14 @@ void unmoved_freedoms(DeckContext& c) {
     return (freedom.dof[0] ? 1U : 0U) | (freedom.dof[1] ? 2U : 0U) | (freedom.dof[2] ? 4U : 0U);
   };
   for (const model::FreedomAssignment& freedom : c.model.freedoms) {
-    for (const base::NodeId n : freedom.cls == model::FreedomClass::suppressed
+    for (const base::NodeId n : freedom.cls == model::FreedomRole::suppressed
                                     ? mesh.set_with_id(freedom.nodes).nodes
                                     : std::vector<base::NodeId>()) {
       held[n.index()] |= bits(freedom);
     }
   }
   for (const model::FreedomAssignment& freedom : c.model.freedoms) {
-    if (freedom.cls != model::FreedomClass::prescribed) {
+    if (freedom.cls != model::FreedomRole::prescribed) {
       continue;
     }
     const std::vector<base::NodeId>& nodes = mesh.set_with_id(freedom.nodes).nodes;

@@ -39,7 +39,7 @@ const CheckedCard* DeckContext::find_sound_card_named(std::string_view card,
 }
 
 base::NetId DeckContext::find_net(std::string_view name) const {
-  const auto found = std::ranges::find(model.nets, name, &model::MeshNet::name);
+  const auto found = std::ranges::find(model.nets, name, &model::NetDefinition::name);
   return base::NetId(static_cast<std::size_t>(found - model.nets.begin()));
 }
 

@@ -128,8 +128,8 @@ private:
   }
 
   [[nodiscard]] bool given(base::NodeId n, std::size_t c) const {
-    const model::FreedomClass k = set_.cls[2 * n.index() + c];
-    return k == model::FreedomClass::suppressed || k == model::FreedomClass::prescribed;
+    const model::FreedomRole k = set_.cls[2 * n.index() + c];
+    return k == model::FreedomRole::suppressed || k == model::FreedomRole::prescribed;
   }
 
   // Nodes that are held though none of their sides is, and those that forces push.

@@ -26,7 +26,7 @@ struct CornerSearchInput {
   const model::Model& model;
   const model::Mesh& mesh;
   const EdgeTable& edges;
-  const std::vector<model::FreedomClass>& cls;
+  const std::vector<model::FreedomRole>& cls;
   const fe::ConstraintTransformation& ties;
   const std::vector<base::NodeId>& front_nodes; ///< of cracks: their elements follow u ~ sqrt(r)
   /// [node] held by another body or a rigid one; null: none

@@ -79,14 +79,14 @@ base::Matrix ModeFreedomMap::reduce(const base::Matrix& f) const {
 }
 
 ModeSupports find_mode_supports(const CubicEnrichment& enrichment,
-                                const std::vector<model::FreedomClass>& cls,
+                                const std::vector<model::FreedomRole>& cls,
                                 const fe::ConstraintTransformation& ties) {
   const std::vector<QuadraticEdge>& edges = enrichment.edges().edges;
   ModeSupports supports;
   supports.held.assign(static_cast<std::size_t>(enrichment.freedoms()), false);
   const auto given = [&](base::NodeId n, int c) {
-    const model::FreedomClass k = cls[static_cast<std::size_t>(freedom_of(n, c))];
-    return k == model::FreedomClass::suppressed || k == model::FreedomClass::prescribed;
+    const model::FreedomRole k = cls[static_cast<std::size_t>(freedom_of(n, c))];
+    return k == model::FreedomRole::suppressed || k == model::FreedomRole::prescribed;
   };
   const std::vector<bool> tied = tied_nodes(enrichment.mesh(), ties);
   std::map<std::array<base::NodeId, 3>, std::size_t> index;

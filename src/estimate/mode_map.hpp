@@ -35,7 +35,7 @@ struct ModeSupports {
 };
 /// cls [dim * node]
 ModeSupports find_mode_supports(const CubicEnrichment& enrichment,
-                                const std::vector<model::FreedomClass>& cls,
+                                const std::vector<model::FreedomRole>& cls,
                                 const fe::ConstraintTransformation& ties);
 
 /// With the closed contact edges of a step (manual, estimate.10): on matching edges the normal mode

@@ -27,7 +27,7 @@ std::string solid_enrichment_obstacle(const model::Model& model, const model::Me
 }
 
 SolidEnrichment::SolidEnrichment(const model::Model& model, const model::Mesh& mesh,
-                                 const std::vector<model::FreedomClass>& cls,
+                                 const std::vector<model::FreedomRole>& cls,
                                  const fe::ConstraintTransformation& ties)
     : model_(model), mesh_(mesh), operator_(model, mesh, number_solid_modes(mesh, cls, ties)) {
   std::vector<Eigen::Matrix3d> block = operator_.diagonal();

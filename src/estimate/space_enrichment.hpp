@@ -27,7 +27,7 @@ public:
   /// Held are modes along freedoms that supports hold at all nodes of an edge or a face, and modes
   /// of edges and faces that ties join (manual, estimate.22). All must outlive it.
   SolidEnrichment(const model::Model& model, const model::Mesh& mesh,
-                  const std::vector<model::FreedomClass>& cls,
+                  const std::vector<model::FreedomRole>& cls,
                   const fe::ConstraintTransformation& ties);
 
   /// Three directions of each mode. [freedoms]

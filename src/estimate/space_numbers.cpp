@@ -27,7 +27,7 @@ struct ModePlace {
 
 class Numbering {
 public:
-  Numbering(const model::Mesh& mesh, const std::vector<model::FreedomClass>& cls,
+  Numbering(const model::Mesh& mesh, const std::vector<model::FreedomRole>& cls,
             const fe::ConstraintTransformation& ties)
       : mesh_(mesh), cls_(cls), ties_(ties) {}
 
@@ -98,8 +98,8 @@ private:
   }
 
   [[nodiscard]] bool given(NodeId n, std::size_t c) const {
-    const model::FreedomClass k = cls_[3 * n.index() + c];
-    return k == model::FreedomClass::suppressed || k == model::FreedomClass::prescribed;
+    const model::FreedomRole k = cls_[3 * n.index() + c];
+    return k == model::FreedomRole::suppressed || k == model::FreedomRole::prescribed;
   }
 
   /// Nodes by their part in ties.
@@ -168,7 +168,7 @@ private:
   }
 
   const model::Mesh& mesh_;
-  const std::vector<model::FreedomClass>& cls_;
+  const std::vector<model::FreedomRole>& cls_;
   const fe::ConstraintTransformation& ties_;
   std::map<PlaceKey, ModePlace> places_;
   std::int32_t next_ = 0;
@@ -178,7 +178,7 @@ private:
 } // namespace
 
 SolidModeNumbers number_solid_modes(const model::Mesh& mesh,
-                                    const std::vector<model::FreedomClass>& cls,
+                                    const std::vector<model::FreedomRole>& cls,
                                     const fe::ConstraintTransformation& ties) {
   return Numbering(mesh, cls, ties).make();
 }

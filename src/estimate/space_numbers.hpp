@@ -25,7 +25,7 @@ struct SolidModeNumbers {
 /// that differs inside the face on both sides would let a linear stress do work on it: an error
 /// where there is none.)
 SolidModeNumbers number_solid_modes(const model::Mesh& mesh,
-                                    const std::vector<model::FreedomClass>& cls,
+                                    const std::vector<model::FreedomRole>& cls,
                                     const fe::ConstraintTransformation& ties);
 
 } // namespace spricka::estimate

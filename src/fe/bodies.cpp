@@ -39,7 +39,7 @@ std::vector<Body> find_bodies(const model::Mesh& mesh) {
 
 std::vector<std::vector<Body>> join_tied_bodies(const model::Mesh& mesh, std::vector<Body> bodies,
                                                 const ConstraintTransformation& ties,
-                                                const std::vector<model::FreedomClass>& cls) {
+                                                const std::vector<model::FreedomRole>& cls) {
   constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::vector<std::size_t> body_of(mesh.node_count(), none);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -62,7 +62,7 @@ std::vector<std::vector<Body>> join_tied_bodies(const model::Mesh& mesh, std::ve
     const std::size_t first = body_at(row.freedom);
     for (const FreedomTerm& t : row.terms) {
       // A tie to a freedom that is held or given is a support and joins nothing.
-      if (!model::is_supported_freedom(cls[static_cast<std::size_t>(t.freedom)])) {
+      if (!model::is_suppressed_or_prescribed(cls[static_cast<std::size_t>(t.freedom)])) {
         links.emplace_back(first, body_at(t.freedom));
       }
     }

@@ -10,7 +10,7 @@ namespace spricka::fe {
 
 namespace {
 
-using model::FreedomClass;
+using model::FreedomRole;
 
 // What is left of terms that cancel, over the sum of their sizes.
 constexpr double round_off = 1e-12;
@@ -69,7 +69,7 @@ struct ConstraintTransformation::Sum {
 };
 
 ConstraintTransformation::ConstraintTransformation(const std::vector<Tie>& ties,
-                                                   const std::vector<FreedomClass>& cls)
+                                                   const std::vector<FreedomRole>& cls)
     : row_of_(cls.size(), -1) {
   for (const Tie& tie : ties) {
     add(tie, cls);
@@ -84,7 +84,7 @@ ConstraintTransformation::ConstraintTransformation(const std::vector<Tie>& ties,
 }
 
 // sum c u + constant = 0, with dependent freedoms replaced, is solved for one of its free freedoms.
-void ConstraintTransformation::add(const Tie& tie, const std::vector<FreedomClass>& cls) {
+void ConstraintTransformation::add(const Tie& tie, const std::vector<FreedomRole>& cls) {
   Sum sum;
   // All on one side: sum of c u - rhs = 0.
   sum.constant.add(-tie.rhs, std::abs(tie.rhs));
@@ -103,8 +103,8 @@ void ConstraintTransformation::add(const Tie& tie, const std::vector<FreedomClas
   double largest = 0.0;
   for (const auto& [freedom, entry] : sum.terms) {
     // What may be round-off as a whole is no coefficient to divide by.
-    if (!model::is_supported_freedom(cls[static_cast<std::size_t>(freedom)]) && !entry.doubtful() &&
-        std::abs(entry.value) > largest) {
+    if (!model::is_suppressed_or_prescribed(cls[static_cast<std::size_t>(freedom)]) &&
+        !entry.doubtful() && std::abs(entry.value) > largest) {
       largest = std::abs(entry.value);
       pivot = freedom;
     }
@@ -126,7 +126,7 @@ void ConstraintTransformation::add(const Tie& tie, const std::vector<FreedomClas
   const auto first = sum.terms.find(tie.terms.front().freedom);
   // The freedom that the tie names first shall follow, if dividing by its coefficient does no harm.
   if (first != sum.terms.end() &&
-      !model::is_supported_freedom(cls[static_cast<std::size_t>(first->first)]) &&
+      !model::is_suppressed_or_prescribed(cls[static_cast<std::size_t>(first->first)]) &&
       !first->second.doubtful() && std::abs(first->second.value) >= least_pivot * largest) {
     pivot = first->first;
   }

@@ -53,7 +53,7 @@ public:
   /// Solves the ties one after another in their order. The first term of each is eliminated where
   /// it can be, else the largest coefficient that is left. `cls` is by freedom of the mesh.
   ConstraintTransformation(const std::vector<Tie>& ties,
-                           const std::vector<model::FreedomClass>& cls);
+                           const std::vector<model::FreedomRole>& cls);
 
   [[nodiscard]] const std::vector<DependentRow>& rows() const { return rows_; }
   [[nodiscard]] const std::vector<FullyGivenTie>& fully_given_ties() const { return demands_; }
@@ -83,7 +83,7 @@ private:
     std::vector<double> terms;
     double constant = 0.0;
   };
-  void add(const Tie& tie, const std::vector<model::FreedomClass>& cls);
+  void add(const Tie& tie, const std::vector<model::FreedomRole>& cls);
   void eliminate(std::int32_t freedom, std::size_t by);
 
   std::vector<DependentRow> rows_;

@@ -9,44 +9,44 @@ namespace spricka::fe {
 
 namespace {
 
-using model::FreedomClass;
+using model::FreedomRole;
 
 // Where cards differ on a freedom the higher rank counts.
-int rank(FreedomClass cls) {
+int rank(FreedomRole cls) {
   switch (cls) {
-  case FreedomClass::local:
+  case FreedomRole::local:
     return 0;
-  case FreedomClass::external:
+  case FreedomRole::external:
     return 1;
-  case FreedomClass::prescribed:
+  case FreedomRole::prescribed:
     return 2;
-  case FreedomClass::suppressed:
+  case FreedomRole::suppressed:
     return 3;
-  case FreedomClass::dependent: // no card says so
+  case FreedomRole::dependent: // no card says so
     return 4;
   }
   return 0;
 }
 
 // A point on the axis has no way to leave it.
-void hold_axis(const model::Mesh& mesh, std::vector<FreedomClass>& cls) {
+void hold_axis(const model::Mesh& mesh, std::vector<FreedomRole>& cls) {
   const double reach = model::axis_tolerance(mesh);
   for (std::size_t n = 0; n < mesh.node_count(); ++n) {
     if (mesh.x[n].x() <= reach) {
-      cls[2 * n] = FreedomClass::suppressed;
+      cls[2 * n] = FreedomRole::suppressed;
     }
   }
 }
 
 } // namespace
 
-std::vector<FreedomClass> classify_freedoms(const model::Model& model, const model::Mesh& mesh) {
+std::vector<FreedomRole> classify_freedoms(const model::Model& model, const model::Mesh& mesh) {
   const auto dim = static_cast<std::size_t>(mesh.dim);
-  std::vector<FreedomClass> cls(dim * mesh.node_count(), FreedomClass::local);
+  std::vector<FreedomRole> cls(dim * mesh.node_count(), FreedomRole::local);
   for (const model::FreedomAssignment& freedom : model.freedoms) {
     for (const base::NodeId n : mesh.set_with_id(freedom.nodes).nodes) {
       for (std::size_t c = 0; c < dim; ++c) {
-        FreedomClass& now = cls[dim * n.index() + c];
+        FreedomRole& now = cls[dim * n.index() + c];
         if (freedom.dof[c] && rank(freedom.cls) > rank(now)) {
           now = freedom.cls;
         }
@@ -60,12 +60,12 @@ std::vector<FreedomClass> classify_freedoms(const model::Model& model, const mod
 }
 
 DofMap number_freedoms(const model::Mesh& mesh, const std::vector<base::NodeId>& nodes,
-                       const std::vector<FreedomClass>& cls) {
+                       const std::vector<FreedomRole>& cls) {
   const auto dim = static_cast<std::size_t>(mesh.dim);
   DofMap dofs;
   dofs.row.assign(dim * mesh.node_count(), -1);
   // Locals first: they are condensed, externals stay.
-  for (const FreedomClass wanted : {FreedomClass::local, FreedomClass::external}) {
+  for (const FreedomRole wanted : {FreedomRole::local, FreedomRole::external}) {
     for (const base::NodeId n : nodes) {
       for (std::size_t c = 0; c < dim; ++c) {
         const std::size_t freedom = dim * n.index() + c;
@@ -75,7 +75,7 @@ DofMap number_freedoms(const model::Mesh& mesh, const std::vector<base::NodeId>&
         }
       }
     }
-    if (wanted == FreedomClass::local) {
+    if (wanted == FreedomRole::local) {
       dofs.locals = dofs.size();
     }
   }

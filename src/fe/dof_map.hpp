@@ -18,8 +18,8 @@ namespace spricka::fe {
 /// Class of each freedom of the whole mesh [dim * node]. Suppressed wins over prescribed, that
 /// over external. Nodes behind a crack tip on a symmetry line must already be out of the sets.
 /// About an axis the nodes on it are suppressed along x.
-std::vector<model::FreedomClass> classify_freedoms(const model::Model& model,
-                                                   const model::Mesh& mesh);
+std::vector<model::FreedomRole> classify_freedoms(const model::Model& model,
+                                                  const model::Mesh& mesh);
 
 /// What is connected by elements: a piece of the mesh, or a node that has none.
 struct Body {
@@ -36,7 +36,7 @@ std::vector<Body> find_bodies(const model::Mesh& mesh);
 /// suppressed or prescribed join nothing.
 std::vector<std::vector<Body>> join_tied_bodies(const model::Mesh& mesh, std::vector<Body> bodies,
                                                 const ConstraintTransformation& ties,
-                                                const std::vector<model::FreedomClass>& cls);
+                                                const std::vector<model::FreedomRole>& cls);
 
 /// Numbering of one system of equations.
 struct DofMap {
@@ -54,7 +54,7 @@ struct DofMap {
 /// Numbers the free freedoms of some nodes: locals in node order, then externals in node order.
 /// `cls` is by freedom of the whole mesh [dim * node].
 DofMap number_freedoms(const model::Mesh& mesh, const std::vector<base::NodeId>& nodes,
-                       const std::vector<model::FreedomClass>& cls);
+                       const std::vector<model::FreedomRole>& cls);
 
 /// How many ways a body of this model can move rigidly: 3 in the plane, 6 in space, 1 about an
 /// axis.
@@ -71,6 +71,6 @@ base::Matrix rigid_modes(const model::Model& model, const model::Mesh& mesh,
 /// free when its largest held freedom is below 1e-9 of its largest freedom.
 base::Matrix free_rigid_modes(const model::Mesh& mesh, const base::Matrix& modes,
                               std::span<const Body> pieces, const ConstraintTransformation& ties,
-                              const std::vector<model::FreedomClass>& cls);
+                              const std::vector<model::FreedomRole>& cls);
 
 } // namespace spricka::fe

@@ -35,7 +35,7 @@ std::size_t corner_count(const model::Mesh& mesh, std::size_t e) {
 /// What the patches are made from.
 struct StressRecovery {
   const model::Mesh& mesh;
-  model::PropertySplitPoints points;
+  model::FieldPointsByProperty points;
   std::vector<StressSample> samples;
   std::vector<std::size_t> first; ///< [element + 1] into samples
   Lists elements;                 ///< of a point, those with a corner there

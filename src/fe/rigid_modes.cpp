@@ -62,7 +62,7 @@ void add_ring(const std::vector<base::NodeId>& nodes, Eigen::Ref<base::Vector> m
 // What supports and ties forbid, as rows on the modes.
 base::Matrix forbidden(const model::Mesh& mesh, const base::Matrix& modes,
                        std::span<const Body> pieces, const ConstraintTransformation& ties,
-                       const std::vector<model::FreedomClass>& cls) {
+                       const std::vector<model::FreedomRole>& cls) {
   std::vector<double> values;
   const auto add = [&](const Eigen::RowVectorXd& row) {
     values.insert(values.end(), row.begin(), row.end());
@@ -71,7 +71,7 @@ base::Matrix forbidden(const model::Mesh& mesh, const base::Matrix& modes,
     for (const base::NodeId n : piece.nodes) {
       for (int c = 0; c < mesh.dim; ++c) {
         const auto freedom = static_cast<std::int32_t>(n.index()) * mesh.dim + c;
-        if (model::is_supported_freedom(cls[static_cast<std::size_t>(freedom)])) {
+        if (model::is_suppressed_or_prescribed(cls[static_cast<std::size_t>(freedom)])) {
           add(modes.row(freedom));
         } else if (const ConstraintTransformation::DependentRow* row = ties.find_row(freedom)) {
           Eigen::RowVectorXd broken = modes.row(freedom);
@@ -121,7 +121,7 @@ base::Matrix rigid_modes(const model::Model& model, const model::Mesh& mesh,
 
 base::Matrix free_rigid_modes(const model::Mesh& mesh, const base::Matrix& modes,
                               std::span<const Body> pieces, const ConstraintTransformation& ties,
-                              const std::vector<model::FreedomClass>& cls) {
+                              const std::vector<model::FreedomRole>& cls) {
   const Eigen::Index count = modes.cols();
   const base::Matrix A = forbidden(mesh, modes, pieces, ties, cls);
   base::Matrix free(count, 0);

@@ -28,7 +28,7 @@ std::vector<Stress> element_node_stress(const model::Model& model, const model::
 std::vector<Stress> nodal_stress(const model::Model& /*model*/, const model::Mesh& mesh,
                                  const std::vector<Stress>& element_stress) {
   // A point for each property at a node: stresses jump between materials, their mean is none.
-  const model::PropertySplitPoints points = model::property_points(mesh);
+  const model::FieldPointsByProperty points = model::property_points(mesh);
   std::vector<Stress> mean(points.node.size(), Stress::Zero());
   std::vector<int> count(points.node.size(), 0);
   for (std::size_t k = 0; k < points.of.size(); ++k) {

@@ -75,7 +75,7 @@ std::vector<base::Vec3> without_middles(const std::vector<base::Vec3>& points) {
 
 // Symmetry: every node of the path is suppressed across the path.
 bool on_symmetry_line(const model::Model& model, const std::vector<base::NodeId>& path,
-                      const std::vector<model::FreedomClass>& cls) {
+                      const std::vector<model::FreedomRole>& cls) {
   const model::Mesh& mesh = model.mesh;
   const base::Vec3 along =
       (mesh.x[path.back().index()] - mesh.x[path.front().index()]).normalized();
@@ -91,14 +91,14 @@ bool on_symmetry_line(const model::Model& model, const std::vector<base::NodeId>
   const auto dim = static_cast<std::size_t>(mesh.dim);
   return std::all_of(path.begin(), path.end(), [&](base::NodeId n) {
     return cls[dim * n.index() + static_cast<std::size_t>(across)] ==
-           model::FreedomClass::suppressed;
+           model::FreedomRole::suppressed;
   });
 }
 
 struct CrackLineBuilder {
   const model::Model& model;
   base::Diagnostics& diagnostics;
-  std::vector<model::FreedomClass> cls;
+  std::vector<model::FreedomRole> cls;
 
   std::optional<mesh::CrackLine> path_line(const model::CrackDefinition& crack,
                                            mesh::CrackLine line) {

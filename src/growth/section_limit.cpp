@@ -124,10 +124,10 @@ private:
       bool free = false;
       for (std::size_t n = 0; n < mesh_.node_count(); ++n) {
         if (on_cut_[n] && std::abs(mesh_.x[n][axis] - end) <= near) {
-          const model::FreedomClass cls = in_.cls[3 * n + static_cast<std::size_t>(axis)];
-          held += cls == model::FreedomClass::suppressed ? 1 : 0;
-          free = free || (cls != model::FreedomClass::suppressed &&
-                          cls != model::FreedomClass::dependent); // goes where others go
+          const model::FreedomRole cls = in_.cls[3 * n + static_cast<std::size_t>(axis)];
+          held += cls == model::FreedomRole::suppressed ? 1 : 0;
+          free = free || (cls != model::FreedomRole::suppressed &&
+                          cls != model::FreedomRole::dependent); // goes where others go
         }
       }
       if (high > low && held > 1 && !free) {

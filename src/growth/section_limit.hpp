@@ -34,7 +34,7 @@ struct CrackedBodies {
   const model::Model& model;
   const mesh::CrackedMesh& cracked;
   const fe::ConstraintTransformation& ties;
-  const std::vector<model::FreedomClass>& cls; ///< [3 * node]
+  const std::vector<model::FreedomRole>& cls; ///< [3 * node]
 };
 
 /// The same of the section in a crack's plane, as far as it is left before a front and hangs

@@ -23,7 +23,7 @@ enum class CrackGrowthLaw {
 enum class GrowthDirection { path, hoop, k2_zero };
 /// In space: fronts as K shapes them, or held to ellipses.
 enum class FrontShapeRule { ellipse, free };
-enum class GrowthHistoryMode { restart, carry_on };
+enum class SlipHistoryOverGrowth { restart, carry_on };
 enum class ContactMountingPolicy { each, first };
 
 /// Constants of a growth law. C and the table count K in `k_unit` and lengths in `a_unit`;
@@ -51,7 +51,7 @@ struct CrackGrowthSettings {
   base::StepId kmax;
   base::StepId kmin;
   std::optional<std::size_t> spectrum; ///< of Model::spectra, in place of the two steps
-  GrowthHistoryMode history = GrowthHistoryMode::restart;
+  SlipHistoryOverGrowth history = SlipHistoryOverGrowth::restart;
   ContactMountingPolicy mounted = ContactMountingPolicy::each;
   std::vector<double> lengths; ///< law increment [length]
   GrowthLawConstants constants;

@@ -5,7 +5,7 @@
 namespace spricka::model {
 
 enum class CrackTipPlaneState;
-enum class FreedomClass;
+enum class FreedomRole;
 enum class StressState;
 struct ResultCheck;
 struct Contact;
@@ -17,7 +17,7 @@ struct LoadCase;
 struct ElasticMaterial;
 struct Mesh;
 struct Model;
-struct Output;
+struct OutputFileRequest;
 struct ElementProperty;
 struct RigidTarget;
 struct SpectrumDefinition;

@@ -11,15 +11,15 @@
 namespace spricka::model {
 
 /// Dependent freedoms follow others by an MPC; no card says so, the ties do.
-enum class FreedomClass { local, external, suppressed, prescribed, dependent };
+enum class FreedomRole { local, external, suppressed, prescribed, dependent };
 
 /// Whether a support gives the freedom its displacement: suppressed or prescribed.
-constexpr bool is_supported_freedom(FreedomClass cls) {
-  return cls == FreedomClass::suppressed || cls == FreedomClass::prescribed;
+constexpr bool is_suppressed_or_prescribed(FreedomRole cls) {
+  return cls == FreedomRole::suppressed || cls == FreedomRole::prescribed;
 }
 
 struct FreedomAssignment {
-  FreedomClass cls = FreedomClass::suppressed;
+  FreedomRole cls = FreedomRole::suppressed;
   std::array<bool, 3> dof{}; ///< x y z
   base::NodeSetId nodes;
   base::SourceSpan span;

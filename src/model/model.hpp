@@ -26,13 +26,13 @@
 /// entity keeps the place in the deck that made it. Nothing here knows a card.
 namespace spricka::model {
 
-struct MeshNet {
+struct NetDefinition {
   std::string name; ///< empty: what stands outside every $NET
   base::SourceSpan span;
 };
 
 /// A card that is understood but whose analysis this version does not have.
-struct UnavailableAnalysis {
+struct UnimplementedAnalysis {
   std::string what;
   base::SourceSpan span;
 };
@@ -44,7 +44,7 @@ struct Model {
 
   Mesh mesh;                        ///< the host: without cracks
   std::vector<MirrorPlane> mirrors; ///< of which one side is modelled
-  std::vector<MeshNet> nets;
+  std::vector<NetDefinition> nets;
   std::vector<ElasticMaterial> materials;
   std::vector<ElementProperty> properties;
   std::vector<FreedomAssignment> freedoms;
@@ -57,13 +57,13 @@ struct Model {
   std::vector<VirtualCrackExtensionSettings> vces; ///< at most one for each crack
   std::vector<Step> steps;
   std::optional<CrackGrowthSettings> growth;
-  std::vector<Output> outputs;
+  std::vector<OutputFileRequest> outputs;
   std::vector<ResultCheck> checks;
   std::optional<RestartFiles> restart;
   std::vector<ParameterSweep> sweeps; ///< several multiply, the last varies fastest
   SolverControl control;
   std::vector<std::string> tasks; ///< empty: the default chain
-  std::vector<UnavailableAnalysis> unavailable;
+  std::vector<UnimplementedAnalysis> unavailable;
   std::vector<std::string> imported_files; ///< paths of what $IMPORT brought in
   std::vector<LoadPathDefinition> load_paths;
   std::vector<SpectrumDefinition> spectra;

@@ -6,8 +6,8 @@
 
 namespace spricka::model {
 
-PropertySplitPoints property_points(const Mesh& mesh) {
-  PropertySplitPoints points;
+FieldPointsByProperty property_points(const Mesh& mesh) {
+  FieldPointsByProperty points;
   points.of.reserve(mesh.nodes.size());
   points.node.reserve(mesh.node_count());
   for (std::size_t n = 0; n < mesh.node_count(); ++n) {

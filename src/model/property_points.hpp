@@ -9,7 +9,7 @@ namespace spricka::model {
 
 /// Where a field that jumps between properties has one value: at every node, and once more for each
 /// further property that meets there. (Crack faces have nodes of their own already.)
-struct PropertySplitPoints {
+struct FieldPointsByProperty {
   std::vector<std::int32_t> of; ///< [connectivity index] point
   /// [point]; the first are the nodes themselves, each with the property that comes first there
   std::vector<base::NodeId> node;
@@ -17,6 +17,6 @@ struct PropertySplitPoints {
 
 /// Numbers the points of a mesh by its elements in their order; a node without an element has one
 /// too.
-PropertySplitPoints property_points(const Mesh& mesh);
+FieldPointsByProperty property_points(const Mesh& mesh);
 
 } // namespace spricka::model

@@ -13,16 +13,16 @@ namespace spricka::model {
 enum class OutputFormat { vtu, csv, json };
 enum class OutputFrequency { step, increment, end };
 
-struct OutputRequest {
+struct RequestedQuantity {
   std::string quantity; ///< U, S, CPRESS, K, REACTION
   std::string name;     ///< set, contact or crack
   base::SourceSpan span;
 };
-struct Output {
+struct OutputFileRequest {
   std::string file;
   OutputFormat format = OutputFormat::csv;
   OutputFrequency every = OutputFrequency::step;
-  std::vector<OutputRequest> requests;
+  std::vector<RequestedQuantity> requests;
   base::SourceSpan span;
 };
 

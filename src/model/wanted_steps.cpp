@@ -7,7 +7,7 @@
 
 namespace spricka::model {
 
-std::vector<std::size_t> output_step_indices(const Model& model, const Output& output,
+std::vector<std::size_t> output_step_indices(const Model& model, const OutputFileRequest& output,
                                              bool last_increment) {
   std::vector<std::size_t> steps;
   if (output.every == OutputFrequency::step) {

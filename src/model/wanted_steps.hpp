@@ -7,7 +7,7 @@
 namespace spricka::model {
 
 /// The steps of an increment that an output card wants, by index.
-std::vector<std::size_t> output_step_indices(const Model& model, const Output& output,
+std::vector<std::size_t> output_step_indices(const Model& model, const OutputFileRequest& output,
                                              bool last_increment);
 
 } // namespace spricka::model

@@ -28,7 +28,7 @@ void write_pressure_csv(const std::filesystem::path& file, const model::Model& m
 /// step; INCREMENT: KMAX of a growth run, else the last step, of each length; END: that step of the
 /// last length.
 void write_requested_csv(const std::filesystem::path& file, const model::Model& model,
-                         const model::Output& output, const results::RunResult& run);
+                         const model::OutputFileRequest& output, const results::RunResult& run);
 
 /// One .vtu for an increment and step: cells of all types, displacement, reaction, stress (6
 /// components, principal, von Mises; nodal and mean of each element), net number. A node where

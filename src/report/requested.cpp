@@ -23,7 +23,7 @@ namespace {
 struct RequestedRow {
   const results::Increment& increment;
   const results::StepResult& step;
-  const model::OutputRequest& request;
+  const model::RequestedQuantity& request;
   RequestedValue of;
 };
 
@@ -68,12 +68,12 @@ ColumnUnits column_units(std::string_view axes) {
 } // namespace
 
 void write_requested_csv(const std::filesystem::path& file, const model::Model& model,
-                         const model::Output& output, const results::RunResult& run) {
+                         const model::OutputFileRequest& output, const results::RunResult& run) {
   std::vector<RequestedRow> rows;
   for (const results::Increment& increment : run.increments) {
     const bool last = &increment == &run.increments.back();
     for (const std::size_t s : model::output_step_indices(model, output, last)) {
-      for (const model::OutputRequest& request : output.requests) {
+      for (const model::RequestedQuantity& request : output.requests) {
         const results::StepResult& step = increment.steps[s];
         for (RequestedValue& value : collect_requested_values(increment, step, request)) {
           rows.push_back({increment, step, request, std::move(value)});

@@ -42,7 +42,7 @@ struct StressPoint {
 };
 /// The stress points of the sets of that name, ascending by node; empty without such a set.
 std::vector<StressPoint> stress_points(const model::Mesh& mesh, std::string_view name) {
-  const model::PropertySplitPoints points = model::property_points(mesh);
+  const model::FieldPointsByProperty points = model::property_points(mesh);
   std::vector<bool> wanted(points.node.size(), false);
   for (const model::ElementSet& set : mesh.element_sets) {
     for (std::size_t i = 0; set.name == name && i < set.elements.size(); ++i) {
@@ -77,7 +77,7 @@ std::vector<StressPoint> stress_points(const model::Mesh& mesh, std::string_view
 class RequestCollector {
 public:
   RequestCollector(const results::Increment& increment, const results::StepResult& step,
-                   const model::OutputRequest& request)
+                   const model::RequestedQuantity& request)
       : mesh_(increment.mesh), step_(step), request_(request) {}
 
   std::vector<RequestedValue> collect() {
@@ -169,7 +169,7 @@ private:
 
   const model::Mesh& mesh_;
   const results::StepResult& step_;
-  const model::OutputRequest& request_;
+  const model::RequestedQuantity& request_;
   std::vector<RequestedValue> values_;
 };
 
@@ -177,11 +177,12 @@ private:
 
 std::vector<RequestedValue> collect_requested_values(const results::Increment& increment,
                                                      const results::StepResult& step,
-                                                     const model::OutputRequest& request) {
+                                                     const model::RequestedQuantity& request) {
   return RequestCollector(increment, step, request).collect();
 }
 
-bool request_names_front(const model::OutputRequest& request, const results::FrontResult& front) {
+bool request_names_front(const model::RequestedQuantity& request,
+                         const results::FrontResult& front) {
   return front.name == request.name || front.name.starts_with(request.name + ".");
 }
 

@@ -22,9 +22,10 @@ struct RequestedValue {
 /// over the set. Empty where the step has nothing of the kind.
 std::vector<RequestedValue> collect_requested_values(const results::Increment& increment,
                                                      const results::StepResult& step,
-                                                     const model::OutputRequest& request);
+                                                     const model::RequestedQuantity& request);
 
 /// Whether a request for K means a front: by its name or that of its crack.
-bool request_names_front(const model::OutputRequest& request, const results::FrontResult& front);
+bool request_names_front(const model::RequestedQuantity& request,
+                         const results::FrontResult& front);
 
 } // namespace spricka::report

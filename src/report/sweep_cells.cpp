@@ -38,7 +38,7 @@ void add_front(std::vector<SweepValue>& cells, const results::FrontResult& front
 }
 
 /// Sums as they are, of values at nodes the smallest and the largest of each component.
-void add_values(std::vector<SweepValue>& cells, const model::OutputRequest& request,
+void add_values(std::vector<SweepValue>& cells, const model::RequestedQuantity& request,
                 std::vector<RequestedValue> values, const std::string& step, int increment) {
   std::ranges::stable_partition(values, [](const auto& v) { return v.component != "MISES"; });
   std::vector<std::string> components;
@@ -64,7 +64,7 @@ void add_values(std::vector<SweepValue>& cells, const model::OutputRequest& requ
 
 /// The cells of one request at the end of one step.
 void add_requested(std::vector<SweepValue>& cells, const results::Increment& increment,
-                   const results::StepResult& step, const model::OutputRequest& request) {
+                   const results::StepResult& step, const model::RequestedQuantity& request) {
   if (request.quantity == "K") {
     for (const results::FrontResult& front : step.fronts) {
       if (request_names_front(request, front) && front.is_tip()) {
@@ -106,7 +106,7 @@ std::vector<SweepValue> collect_sweep_values_of_run(const results::RunResult& ru
 }
 
 std::vector<SweepValue> requested_sweep_values(const model::Model& model,
-                                               const model::Output& output,
+                                               const model::OutputFileRequest& output,
                                                const results::RunResult& run) {
   std::vector<SweepValue> cells;
   if (run.increments.empty()) {
@@ -114,7 +114,7 @@ std::vector<SweepValue> requested_sweep_values(const model::Model& model,
   }
   const results::Increment& last = run.increments.back();
   for (const std::size_t s : model::output_step_indices(model, output, true)) {
-    for (const model::OutputRequest& request : output.requests) {
+    for (const model::RequestedQuantity& request : output.requests) {
       add_requested(cells, last, last.steps[s], request);
     }
   }

@@ -22,7 +22,7 @@ std::vector<results::SweepValue> collect_sweep_values_of_run(const results::RunR
 /// of the last increment: K and CPRESS give what sweeps have of a tip, with a, and of a contact;
 /// REACTION the sum; U and S the smallest and largest value of each component over the set.
 std::vector<results::SweepValue> requested_sweep_values(const model::Model& model,
-                                                        const model::Output& output,
+                                                        const model::OutputFileRequest& output,
                                                         const results::RunResult& run);
 
 /// sweep.csv: `# units` line, then the parameters, point, status, exit_code, error, checks, passed

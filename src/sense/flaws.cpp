@@ -227,7 +227,7 @@ private:
       const mesh::FaceNodes nodes = mesh::face_nodes(model_.mesh, side);
       return std::ranges::all_of(nodes.all, [&](base::NodeId n) {
         return cls_[3 * n.index() + static_cast<std::size_t>(axis)] ==
-               model::FreedomClass::suppressed;
+               model::FreedomRole::suppressed;
       });
     });
   }
@@ -251,7 +251,7 @@ private:
   const model::Model& model_;
   base::Diagnostics& list_;
   mesh::SolidHostMesh host_;
-  std::vector<model::FreedomClass> cls_; ///< [3 * node]
+  std::vector<model::FreedomRole> cls_; ///< [3 * node]
 };
 
 } // namespace

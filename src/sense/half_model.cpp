@@ -310,7 +310,7 @@ private:
       }
     }
     model::FreedomAssignment freedom;
-    freedom.cls = model::FreedomClass::suppressed;
+    freedom.cls = model::FreedomRole::suppressed;
     freedom.dof[static_cast<std::size_t>(side_.plane().axis)] = true;
     freedom.nodes = base::NodeSetId(mesh.node_sets.size());
     freedom.span = side_.plane().span;

@@ -24,8 +24,8 @@ namespace {
 constexpr double balance_round_off = 1e-9; // of a load
 constexpr double straight_on = 0.985;      // cosine of 10 degrees
 
-bool is_held(model::FreedomClass cls) {
-  return cls == model::FreedomClass::suppressed || cls == model::FreedomClass::prescribed;
+bool is_held(model::FreedomRole cls) {
+  return cls == model::FreedomRole::suppressed || cls == model::FreedomRole::prescribed;
 }
 
 class ConstraintCheck {
@@ -96,7 +96,7 @@ private:
     });
   }
 
-  [[nodiscard]] std::span<const model::FreedomClass> freedoms_of(base::NodeId n) const {
+  [[nodiscard]] std::span<const model::FreedomRole> freedoms_of(base::NodeId n) const {
     const auto dim = static_cast<std::size_t>(mesh_.dim);
     return std::span(cls_).subspan(dim * n.index(), dim);
   }
@@ -159,8 +159,8 @@ private:
 
   // What a case prescribes may draw the crack faces apart.
   [[nodiscard]] bool suppressed(base::NodeId node) const {
-    return std::ranges::all_of(freedoms_of(node), [](model::FreedomClass cls) {
-      return cls == model::FreedomClass::suppressed;
+    return std::ranges::all_of(freedoms_of(node), [](model::FreedomRole cls) {
+      return cls == model::FreedomRole::suppressed;
     });
   }
 
@@ -197,7 +197,7 @@ private:
   const model::Model& model_;
   const model::Mesh& mesh_;
   base::Diagnostics& list_;
-  std::vector<model::FreedomClass> cls_;
+  std::vector<model::FreedomRole> cls_;
   std::vector<fe::Body> bodies_;
   std::vector<bool> loaded_; ///< [node]
 };
@@ -258,7 +258,7 @@ void warn_of_misplaced_crack_mouths(const model::Model& model, base::Diagnostics
     return;
   }
   const mesh::HostMesh host(model.mesh);
-  const std::vector<model::FreedomClass> cls = fe::classify_freedoms(model, model.mesh);
+  const std::vector<model::FreedomRole> cls = fe::classify_freedoms(model, model.mesh);
   for (std::size_t c = 0; c < model.cracks.size(); ++c) {
     const model::CrackDefinition& crack = model.cracks[c];
     if (crack.kind != model::CrackDefinitionKind::path || !crack.path.valid() ||

@@ -91,15 +91,15 @@ private:
   }
 
   void find_held() {
-    const std::vector<model::FreedomClass> cls = fe::classify_freedoms(model_, mesh_);
+    const std::vector<model::FreedomRole> cls = fe::classify_freedoms(model_, mesh_);
     const std::vector<bool> used = model::mark_nodes_in_use(mesh_);
     const auto dim = static_cast<std::size_t>(mesh_.dim);
     for (std::size_t c = 0; c < dim; ++c) {
       std::vector<base::NodeId> nodes;
       for (std::size_t n = 0; n < mesh_.node_count(); ++n) {
-        const model::FreedomClass k = cls[dim * n + c];
+        const model::FreedomRole k = cls[dim * n + c];
         if (used[n] &&
-            (k == model::FreedomClass::suppressed || k == model::FreedomClass::prescribed)) {
+            (k == model::FreedomRole::suppressed || k == model::FreedomRole::prescribed)) {
           nodes.emplace_back(n);
         }
       }

@@ -41,8 +41,8 @@ void drop_requests_without_target(model::Model& model, const std::set<std::strin
     list.warning(span, "W366", fmt::format("{} lies on the side that $SYMMETRY leaves away", name),
                  "ask for its mirror image");
   };
-  for (model::Output& output : model.outputs) {
-    for (const model::OutputRequest& request : output.requests) {
+  for (model::OutputFileRequest& output : model.outputs) {
+    for (const model::RequestedQuantity& request : output.requests) {
       if (is_gone(request.name)) {
         warn(request.span, request.name);
       }

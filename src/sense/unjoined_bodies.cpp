@@ -210,10 +210,10 @@ private:
     bool held = true;
     for (std::size_t i = 0; i < static_cast<std::size_t>(side.count); ++i) {
       const std::size_t node = side.nodes[i].index();
-      const model::FreedomClass cls = cls_[2 * node + across];
+      const model::FreedomRole cls = cls_[2 * node + across];
       cared = cared && cared_for_[node];
-      held = held &&
-             (cls == model::FreedomClass::suppressed || cls == model::FreedomClass::prescribed);
+      held =
+          held && (cls == model::FreedomRole::suppressed || cls == model::FreedomRole::prescribed);
     }
     return cared || held;
   }
@@ -309,7 +309,7 @@ private:
   std::vector<fe::Body> bodies_;
   std::vector<std::size_t> of_element_, of_node_;
   std::vector<bool> cared_for_; ///< [node]
-  std::vector<model::FreedomClass> cls_;
+  std::vector<model::FreedomRole> cls_;
   std::set<std::pair<std::size_t, std::size_t>> joined_;
   std::vector<geometry::BodyBoundary> outlines_; ///< [body]
   std::vector<std::vector<contact::Edge>> sides_;

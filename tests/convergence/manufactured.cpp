@@ -119,7 +119,7 @@ model::Model solid_model(ElementType type, double nu, int n) {
   }
   model.mesh.node_sets.push_back(rim);
   model::FreedomAssignment held;
-  held.cls = model::FreedomClass::prescribed;
+  held.cls = model::FreedomRole::prescribed;
   held.dof = {true, true, true};
   held.nodes = base::NodeSetId(model.mesh.node_sets.size() - 1);
   model.freedoms.push_back(held);
@@ -163,7 +163,7 @@ Manufactured manufactured_plane(ElementType type, StressState state, int n) {
   for (Vec3& x : model.mesh.x) { // cos(pi / 2) is not quite zero
     x.x() = std::abs(x.x()) < 1e-12 ? 0.0 : x.x();
   }
-  set_freedom(model, model::FreedomClass::prescribed, on_rim, true, true);
+  set_freedom(model, model::FreedomRole::prescribed, on_rim, true, true);
   model::Load body;
   body.type = model::LoadType::body;
   body.elements = all_elements(model);

@@ -15,7 +15,7 @@ namespace {
 
 using base::CompiledExpression;
 using base::ElementType;
-using model::FreedomClass;
+using model::FreedomRole;
 using model::StressState;
 
 double grade(double t, double power) {
@@ -57,7 +57,7 @@ TEST_P(Quadratics, K07_cook_membrane) {
     return Vec2(48.0 * s, (1.0 - t) * 44.0 * s + t * (44.0 + 16.0 * s));
   });
   set_freedom(
-      model, FreedomClass::suppressed, [](const Vec3& x) { return x.x() == 0.0; }, true, true);
+      model, FreedomRole::suppressed, [](const Vec3& x) { return x.x() == 0.0; }, true, true);
   model::Load shear;
   shear.type = model::LoadType::resultant;
   shear.faces = face_set(model, [](const Vec3& x) { return std::abs(x.x() - 48.0) < 1e-9; });
@@ -79,9 +79,9 @@ TEST_P(Quadratics, K04_elliptic_membrane) {
     return Vec2((1.0 - g) * inner + g * outer);
   });
   set_freedom(
-      model, FreedomClass::suppressed, [](const Vec3& x) { return x.x() < 1e-12; }, true, false);
+      model, FreedomRole::suppressed, [](const Vec3& x) { return x.x() < 1e-12; }, true, false);
   set_freedom(
-      model, FreedomClass::suppressed, [](const Vec3& x) { return x.y() < 1e-12; }, false, true);
+      model, FreedomRole::suppressed, [](const Vec3& x) { return x.y() < 1e-12; }, false, true);
   model::Load pressure;
   pressure.type = model::LoadType::pressure;
   pressure.faces = face_set(model, [](const Vec3& x) {
@@ -107,9 +107,9 @@ TEST_P(Quadratics, K06_thick_cylinder) {
       return Vec2((3.0 + 6.0 * p.y()) * Vec2(std::cos(angle), std::sin(angle)));
     });
     set_freedom(
-        model, FreedomClass::suppressed, [](const Vec3& x) { return x.x() < 1e-12; }, true, false);
+        model, FreedomRole::suppressed, [](const Vec3& x) { return x.x() < 1e-12; }, true, false);
     set_freedom(
-        model, FreedomClass::suppressed, [](const Vec3& x) { return x.y() < 1e-12; }, false, true);
+        model, FreedomRole::suppressed, [](const Vec3& x) { return x.y() < 1e-12; }, false, true);
     model::Load pressure;
     pressure.type = model::LoadType::pressure;
     pressure.faces = face_set(model, [](const Vec3& x) { return std::abs(x.norm() - 3.0) < 1e-9; });

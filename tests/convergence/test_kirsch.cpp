@@ -37,8 +37,8 @@ model::Model quarter_plate(ElementType type, int n, const Map& map) {
       type, unit_grid(n, n, [](const Vec2& p) { return Vec2(p.x(), p.y() * p.y()); }), map);
   const auto x_axis = [](const Vec3& x) { return std::abs(x.y()) < 1e-12; };
   const auto y_axis = [](const Vec3& x) { return std::abs(x.x()) < 1e-12; };
-  set_freedom(model, model::FreedomClass::suppressed, y_axis, true, false);
-  set_freedom(model, model::FreedomClass::suppressed, x_axis, false, true);
+  set_freedom(model, model::FreedomRole::suppressed, y_axis, true, false);
+  set_freedom(model, model::FreedomRole::suppressed, x_axis, false, true);
   return model;
 }
 

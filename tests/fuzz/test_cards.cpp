@@ -124,7 +124,7 @@ TEST(Cards, AGrowthTestIsInTheModel) {
 TEST(Cards, WhatHasNoAnalysisIsNamedWithItsLine) {
   const Outcome outcome = Reader().read(deck_of("cards_plane").text);
   ASSERT_TRUE(outcome.model) << outcome.messages();
-  for (const model::UnavailableAnalysis& u : outcome.model->unavailable) {
+  for (const model::UnimplementedAnalysis& u : outcome.model->unavailable) {
     ASSERT_TRUE(u.span.valid()) << u.what;
     const std::string line(outcome.sources.line_at(u.span.file, u.span.begin));
     const std::string card = u.what.substr(0, u.what.find(' '));

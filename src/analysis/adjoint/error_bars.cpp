@@ -32,7 +32,7 @@ std::vector<bool> fixed_freedoms(const Discretisation& scene, const StepState& s
   std::vector<bool> fixed(scene.cls.size(), false);
   for (std::size_t i = 0; i < fixed.size(); ++i) {
     fixed[i] =
-        scene.cls[i] != model::FreedomClass::local && scene.cls[i] != model::FreedomClass::external;
+        scene.cls[i] != model::FreedomRole::local && scene.cls[i] != model::FreedomRole::external;
   }
   // Followers are dependent by their class; here come their masters.
   for (const fe::ConstraintTransformation::DependentRow& row : scene.ties->rows()) {

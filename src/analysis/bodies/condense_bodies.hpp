@@ -81,7 +81,7 @@ enum class CondensationMode { automatic, to_freedoms };
 struct CondensationRequest {
   const model::Model& model;
   const model::Mesh& mesh;
-  std::vector<model::FreedomClass> cls; ///< [dim * node], contact nodes external
+  std::vector<model::FreedomRole> cls; ///< [dim * node], contact nodes external
   std::shared_ptr<const fe::ConstraintTransformation> ties;
   std::vector<bool> rest_element; ///< [element] belongs to what no crack will touch
   base::Matrix case_load;         ///< [dim * node, case] consistent loads, supports' pull in

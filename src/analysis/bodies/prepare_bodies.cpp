@@ -32,7 +32,7 @@ std::vector<base::NodeId> nodes_of(const model::Mesh& mesh,
 }
 
 void make_node_external(const CondensationRequest& request, base::NodeId node,
-                        std::vector<model::FreedomClass>& cls) {
+                        std::vector<model::FreedomRole>& cls) {
   const auto dim = static_cast<std::size_t>(request.mesh.dim);
   for (std::size_t c = 0; c < dim; ++c) {
     make_freedom_external(dim * node.index() + c, *request.ties, cls);
@@ -42,7 +42,7 @@ void make_node_external(const CondensationRequest& request, base::NodeId node,
 // A floating piece needs external freedoms on which its rigid modes differ: the first node, the one
 // farthest from it, and in space the one farthest from their line.
 void add_carriers(const CondensationRequest& request, const fe::Body& piece,
-                  std::vector<model::FreedomClass>& cls) {
+                  std::vector<model::FreedomRole>& cls) {
   const model::Mesh& mesh = request.mesh;
   const base::Vec3& a = mesh.x[piece.nodes.front().index()];
   const auto farthest = [&](const auto& distance) {
@@ -64,12 +64,12 @@ void add_carriers(const CondensationRequest& request, const fe::Body& piece,
 
 // Whether the external freedoms of a body tell all its free modes apart.
 bool externals_carry(const model::Mesh& mesh, const SubstructuredBody& body,
-                     const std::vector<model::FreedomClass>& cls) {
+                     const std::vector<model::FreedomRole>& cls) {
   std::vector<Eigen::Index> external;
   for (const base::NodeId n : body.body.nodes) {
     for (int c = 0; c < mesh.dim; ++c) {
       const auto freedom = static_cast<Eigen::Index>(n.index()) * mesh.dim + c;
-      if (cls[static_cast<std::size_t>(freedom)] == model::FreedomClass::external) {
+      if (cls[static_cast<std::size_t>(freedom)] == model::FreedomRole::external) {
         external.push_back(freedom);
       }
     }
@@ -148,23 +148,23 @@ std::vector<std::vector<base::ElementId>> parts_of(const CondensationRequest& re
 
 // Classes as a part sees them: what others share with it or tie to it is external, node by node, so
 // that a node of the region has all its freedoms there.
-std::vector<model::FreedomClass> classes_of_part(const CondensationRequest& request,
-                                                 const std::vector<base::NodeId>& nodes,
-                                                 const std::vector<bool>& shared,
-                                                 const std::vector<model::FreedomClass>& cls) {
-  using model::FreedomClass;
+std::vector<model::FreedomRole> classes_of_part(const CondensationRequest& request,
+                                                const std::vector<base::NodeId>& nodes,
+                                                const std::vector<bool>& shared,
+                                                const std::vector<model::FreedomRole>& cls) {
+  using model::FreedomRole;
   const auto dim = static_cast<std::size_t>(request.mesh.dim);
-  std::vector<FreedomClass> own = cls;
+  std::vector<FreedomRole> own = cls;
   for (const base::NodeId n : nodes) {
-    FreedomClass* const c = own.data() + dim * n.index();
+    FreedomRole* const c = own.data() + dim * n.index();
     bool outside = shared[n.index()];
     for (std::size_t k = 0; k < dim; ++k) {
-      outside = outside || c[k] == FreedomClass::external || c[k] == FreedomClass::dependent;
+      outside = outside || c[k] == FreedomRole::external || c[k] == FreedomRole::dependent;
     }
     for (std::size_t k = 0; k < dim; ++k) {
       // A tie is a matter of the region: the part keeps its side of it as an external.
-      if (c[k] == FreedomClass::dependent || (outside && c[k] == FreedomClass::local)) {
-        c[k] = FreedomClass::external;
+      if (c[k] == FreedomRole::dependent || (outside && c[k] == FreedomRole::local)) {
+        c[k] = FreedomRole::external;
       }
     }
   }
@@ -220,15 +220,15 @@ std::vector<bool> weighed_nodes(const CondensationRequest& request) {
 // freedoms that they were.
 std::vector<std::int32_t> keep_whole(const CondensationRequest& request,
                                      const SubstructuredBody& body,
-                                     std::vector<model::FreedomClass>& cls) {
+                                     std::vector<model::FreedomRole>& cls) {
   std::vector<std::int32_t> freedoms;
   const int dim = request.mesh.dim;
   for (const base::NodeId n : body.body.nodes) {
     for (int c = 0; c < dim; ++c) {
       const auto freedom = static_cast<std::int32_t>(n.index()) * dim + c;
-      model::FreedomClass& own = cls[static_cast<std::size_t>(freedom)];
-      if (own == model::FreedomClass::external) {
-        own = model::FreedomClass::local;
+      model::FreedomRole& own = cls[static_cast<std::size_t>(freedom)];
+      if (own == model::FreedomRole::external) {
+        own = model::FreedomRole::local;
         freedoms.push_back(freedom);
       }
     }
@@ -242,7 +242,7 @@ std::vector<std::int32_t> keep_whole(const CondensationRequest& request,
 }
 
 void split(const CondensationRequest& request, SubstructuredBody& body,
-           const std::vector<model::FreedomClass>& cls) {
+           const std::vector<model::FreedomRole>& cls) {
   const model::Mesh& mesh = request.mesh;
   std::vector<std::vector<base::ElementId>> lists = parts_of(request, body);
   std::vector<base::NodeId> region_nodes = body.body.nodes;
@@ -294,7 +294,7 @@ void split(const CondensationRequest& request, SubstructuredBody& body,
 } // namespace
 
 std::vector<SubstructuredBody> partition_bodies(const CondensationRequest& request) {
-  std::vector<model::FreedomClass> cls = request.cls;
+  std::vector<model::FreedomRole> cls = request.cls;
   const model::Mesh& mesh = request.mesh;
   std::vector<std::vector<fe::Body>> joined =
       fe::join_tied_bodies(mesh, fe::find_bodies(mesh), *request.ties, cls);

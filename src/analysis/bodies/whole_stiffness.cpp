@@ -12,8 +12,8 @@ namespace spricka::analysis {
 
 base::SymmetricCsc global_stiffness(const model::Model& model, const Discretisation& scene) {
   const model::Mesh& mesh = scene.cracked.mesh;
-  std::vector<model::FreedomClass> cls = scene.cls;
-  std::ranges::replace(cls, model::FreedomClass::external, model::FreedomClass::local);
+  std::vector<model::FreedomRole> cls = scene.cls;
+  std::ranges::replace(cls, model::FreedomRole::external, model::FreedomRole::local);
   std::vector<base::NodeId> nodes;
   std::vector<base::ElementId> elements;
   // Joined, since nodes that only ties know are among the pieces then.

@@ -244,7 +244,7 @@ bool LoadHistorySolver::solve_load_history(StepSolver& solver, InheritedContactS
     before = out.last.marks;
   }
   good = good && compare_with_recovered(out, trouble);
-  if (good && model_.growth->history == model::GrowthHistoryMode::carry_on) {
+  if (good && model_.growth->history == model::SlipHistoryOverGrowth::carry_on) {
     carried.store_state(scene_, at_growth_);
   }
   out.increments = increments_;

@@ -22,7 +22,7 @@ std::vector<bool> steps_with_stress_recovery(const model::Model& model, bool las
 
 std::vector<bool> steps_with_requested_stresses(const model::Model& model, bool last_increment) {
   std::vector<bool> pictured(model.steps.size(), false);
-  for (const model::Output& output : model.outputs) {
+  for (const model::OutputFileRequest& output : model.outputs) {
     const bool stress = std::any_of(output.requests.begin(), output.requests.end(),
                                     [](const auto& request) { return request.quantity == "S"; });
     if (output.format == model::OutputFormat::vtu || stress) {

@@ -53,10 +53,11 @@ std::vector<results::OuterSurfaceFace> outer_faces_by_nodes(const model::Mesh& m
 // Reports know nodes of sets but not of faces.
 void add_face_sets_as_node_sets(const model::Model& model, model::Mesh& mesh) {
   for (const model::FaceSet& set : mesh.face_sets) {
-    const bool wanted = std::ranges::any_of(model.outputs, [&](const model::Output& output) {
-      return std::ranges::any_of(output.requests,
-                                 [&](const auto& request) { return request.name == set.name; });
-    });
+    const bool wanted =
+        std::ranges::any_of(model.outputs, [&](const model::OutputFileRequest& output) {
+          return std::ranges::any_of(output.requests,
+                                     [&](const auto& request) { return request.name == set.name; });
+        });
     const bool there = std::ranges::any_of(
         mesh.node_sets, [&](const model::NodeSet& nodes) { return nodes.name == set.name; });
     if (wanted && !there && !set.name.empty()) {

@@ -54,9 +54,9 @@ double energy_of(const results::StepResult& step, const std::string& net) {
 void mark_point_supports(const Discretisation& scene, std::vector<bool>& marked) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const auto held = [&](base::NodeId n, int c) {
-    const model::FreedomClass k =
+    const model::FreedomRole k =
         scene.cls[n.index() * static_cast<std::size_t>(mesh.dim) + static_cast<std::size_t>(c)];
-    return k == model::FreedomClass::suppressed || k == model::FreedomClass::prescribed;
+    return k == model::FreedomRole::suppressed || k == model::FreedomRole::prescribed;
   };
   // [dim * node] no side with this node is held as a whole in this direction.
   std::vector<bool> alone(mesh.node_count() * static_cast<std::size_t>(mesh.dim), true);

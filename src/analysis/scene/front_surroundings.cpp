@@ -119,7 +119,7 @@ bool lies_across(const model::Mesh& mesh, const std::vector<base::NodeId>& nodes
 // with what moves in their plane, as they are at right angles to how the displacement changes in
 // it.
 std::vector<bool> held_by_planes(const model::Mesh& mesh,
-                                 const std::vector<model::FreedomClass>& cls) {
+                                 const std::vector<model::FreedomRole>& cls) {
   std::vector<bool> by_planes(cls.size(), false);
   for (const model::Face& face : mesh::boundary_faces(mesh)) {
     const std::vector<base::NodeId> nodes = nodes_of_side(mesh, face);
@@ -129,7 +129,7 @@ std::vector<bool> held_by_planes(const model::Mesh& mesh,
       };
       const auto rests = [&](int along) {
         return std::ranges::all_of(nodes, [&](base::NodeId n) {
-          return cls[at(n, along)] == model::FreedomClass::suppressed;
+          return cls[at(n, along)] == model::FreedomRole::suppressed;
         });
       };
       if (!lies_across(mesh, nodes, axis)) {
@@ -258,8 +258,8 @@ crack::IntegrationDomainConstraints find_domain_limits(const model::Model& model
   const std::vector<bool> by_planes =
       front.is_tip() ? std::vector<bool>(scene.cls.size(), false) : held_by_planes(mesh, scene.cls);
   for (std::size_t i = 0; i < scene.cls.size(); ++i) {
-    if ((model::is_supported_freedom(scene.cls[i]) && !by_planes[i]) ||
-        scene.cls[i] == model::FreedomClass::dependent) {
+    if ((model::is_suppressed_or_prescribed(scene.cls[i]) && !by_planes[i]) ||
+        scene.cls[i] == model::FreedomRole::dependent) {
       limits.node[i / dim] = true;
     }
   }

@@ -50,8 +50,7 @@ void note_pair(const model::Contact& contact, const contact::PairConstraints& pa
 
 /// What contacts of plane bodies and of solids differ in.
 struct ContactRules {
-  void (*apply_supports_to_rows)(contact::PairConstraints&,
-                                 const std::vector<model::FreedomClass>&);
+  void (*apply_supports_to_rows)(contact::PairConstraints&, const std::vector<model::FreedomRole>&);
   void (*note_pair)(const model::Contact&, const contact::PairConstraints&, Discretisation&);
   /// Nodes whose freedoms rows weigh. In the plane those of both surfaces, so that what is
   /// condensed is the same at the next crack length; in space, where nodes that see nothing are

@@ -49,7 +49,7 @@ struct CrackFacePair {
 /// One crack length made ready to be solved: what processor TOPOLOGY leaves (make_scene.hpp).
 struct Discretisation {
   mesh::CrackedMesh cracked;
-  std::vector<model::FreedomClass> cls; ///< [dim * node]
+  std::vector<model::FreedomRole> cls; ///< [dim * node]
   std::shared_ptr<const fe::ConstraintTransformation> ties;
   std::vector<model::Contact> contacts;        ///< the deck's, then those between faces of cracks
   std::vector<contact::PairConstraints> pairs; ///< [contact]

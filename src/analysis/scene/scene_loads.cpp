@@ -63,8 +63,8 @@ bool make_case_loads(const model::Model& model, Discretisation& scene,
         fe::consistent_nodal_load(model, mesh, without_temperature_loads(load_case));
     scene.case_displacement.col(c) = fe::prescribed_nodal_displacement(model, mesh, load_case);
     for (Eigen::Index i = 0; i < n; ++i) { // a crack may have freed one face of what a load moves
-      if (scene.cls[static_cast<std::size_t>(i)] == model::FreedomClass::local ||
-          scene.cls[static_cast<std::size_t>(i)] == model::FreedomClass::external) {
+      if (scene.cls[static_cast<std::size_t>(i)] == model::FreedomRole::local ||
+          scene.cls[static_cast<std::size_t>(i)] == model::FreedomRole::external) {
         scene.case_displacement(i, c) = 0.0;
       }
     }

@@ -14,7 +14,7 @@ namespace spricka::analysis {
 
 namespace {
 
-using model::FreedomClass;
+using model::FreedomRole;
 
 /// Finds cards that name a doubled node without a side that tells its face.
 class Mouths {
@@ -116,7 +116,7 @@ std::vector<bool> held_beside(const model::Model& model, const model::Mesh& mesh
   std::vector<bool> held(mesh.node_count(), false);
   const std::vector<mesh::ElementEdge> sides = sides_off(mesh, crack_face, across);
   for (const model::FreedomAssignment& freedom : model.freedoms) {
-    if (freedom.cls != FreedomClass::suppressed || !freedom.dof[across]) {
+    if (freedom.cls != FreedomRole::suppressed || !freedom.dof[across]) {
       continue;
     }
     const std::vector<bool> in = marked(mesh, mesh.set_with_id(freedom.nodes).nodes);
@@ -135,7 +135,7 @@ bool check_nodes_split_by_crack(const model::Model& model, const Discretisation&
                                 base::Diagnostics& diagnostics) {
   Mouths mouths(model, scene, diagnostics);
   for (const model::FreedomAssignment& freedom : model.freedoms) {
-    if (model::is_supported_freedom(freedom.cls)) {
+    if (model::is_suppressed_or_prescribed(freedom.cls)) {
       mouths.set(freedom.nodes, freedom.span, "held");
     }
   }
@@ -175,8 +175,8 @@ void release_crack_faces(const model::Model& model, const std::vector<mesh::Crac
     const std::vector<bool> held = held_beside(model, mesh, crack_face, across);
     // All but the tip, which stays on the line.
     for (std::size_t k = 0; k + 1 < crack_face.size(); ++k) {
-      FreedomClass& c = scene.cls[dim * crack_face[k].index() + across];
-      c = c == FreedomClass::suppressed && !held[crack_face[k].index()] ? FreedomClass::local : c;
+      FreedomRole& c = scene.cls[dim * crack_face[k].index() + across];
+      c = c == FreedomRole::suppressed && !held[crack_face[k].index()] ? FreedomRole::local : c;
     }
   }
 }

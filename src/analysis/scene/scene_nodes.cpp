@@ -100,7 +100,8 @@ bool check_supports_survive_cut(const model::Model& model, const Discretisation&
     return false;
   };
   for (const model::FreedomAssignment& freedom : model.freedoms) {
-    if (model::is_supported_freedom(freedom.cls) && !keeps(freedom.nodes, freedom.span, "held")) {
+    if (model::is_suppressed_or_prescribed(freedom.cls) &&
+        !keeps(freedom.nodes, freedom.span, "held")) {
       return false;
     }
   }

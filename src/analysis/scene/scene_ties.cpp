@@ -15,7 +15,7 @@ namespace spricka::analysis {
 
 namespace {
 
-using model::FreedomClass;
+using model::FreedomRole;
 
 base::SourceSpan span_of(const model::Model& model, std::size_t mpc) {
   if (mpc >= model.mpcs.size()) { // the rim of a crack's patch
@@ -88,9 +88,9 @@ void warn_once(base::Diagnostics& diagnostics, const base::SourceSpan& span,
 } // namespace
 
 void make_freedom_external(std::size_t freedom, const fe::ConstraintTransformation& ties,
-                           std::vector<FreedomClass>& cls) {
+                           std::vector<FreedomRole>& cls) {
   const auto raise = [&](std::size_t f) {
-    cls[f] = cls[f] == FreedomClass::local ? FreedomClass::external : cls[f];
+    cls[f] = cls[f] == FreedomRole::local ? FreedomRole::external : cls[f];
   };
   raise(freedom);
   if (const fe::ConstraintTransformation::DependentRow* row =
@@ -123,10 +123,10 @@ bool eliminate_ties(const model::Model& model, Discretisation& scene,
   for (const fe::ConstraintTransformation::DependentRow& row : scene.ties->rows()) {
     const auto freedom = static_cast<std::size_t>(row.freedom);
     // Contact acts on the masters of a freedom that follows them.
-    if (scene.cls[freedom] == FreedomClass::external) {
+    if (scene.cls[freedom] == FreedomRole::external) {
       make_freedom_external(freedom, *scene.ties, scene.cls);
     }
-    scene.cls[freedom] = FreedomClass::dependent;
+    scene.cls[freedom] = FreedomRole::dependent;
   }
   if (!ties.empty()) {
     scene.notes.push_back(fmt::format("{} freedoms follow others by {} ties ({} redundant)",

@@ -14,7 +14,7 @@ bool eliminate_ties(const model::Model& model, Discretisation& scene,
 
 /// Makes a freedom external; a dependent one hands this on to its masters.
 void make_freedom_external(std::size_t freedom, const fe::ConstraintTransformation& ties,
-                           std::vector<model::FreedomClass>& cls);
+                           std::vector<model::FreedomRole>& cls);
 
 /// Gives dependent freedoms their part of the prescribed displacements and finds ties that
 /// contradict prescribed or suppressed freedoms. Returns whether there are none.

@@ -26,7 +26,7 @@ public:
     }
     for (const model::FreedomAssignment& freedom : model_.freedoms) {
       mark(freedom.nodes);
-      if (freedom.cls != model::FreedomClass::external) {
+      if (freedom.cls != model::FreedomRole::external) {
         hold(freedom.nodes);
       }
     }
@@ -92,8 +92,8 @@ private:
         }
       }
     }
-    for (const model::Output& output : model_.outputs) {
-      for (const model::OutputRequest& request : output.requests) {
+    for (const model::OutputFileRequest& output : model_.outputs) {
+      for (const model::RequestedQuantity& request : output.requests) {
         names.insert(request.name);
       }
     }

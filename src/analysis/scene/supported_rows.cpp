@@ -11,7 +11,7 @@ namespace {
 // Between solids there is no slip where supports, as those of a symmetry plane, hold a node of the
 // contact side and the target before it in one direction: a row of friction or of a bond in it
 // would press across the plane.
-void drop_held_slips(contact::PairConstraints& pair, const std::vector<model::FreedomClass>& cls) {
+void drop_held_slips(contact::PairConstraints& pair, const std::vector<model::FreedomRole>& cls) {
   constexpr double most = 0.7; // of a row's weight, squared: a surface turns on to one side
   std::set<base::NodeId> own;
   for (const geometry::ElementSide& face : pair.contact.facets) {
@@ -21,7 +21,8 @@ void drop_held_slips(contact::PairConstraints& pair, const std::vector<model::Fr
     double held = 0.0;
     for (int c = 0; c < 3; ++c) {
       const std::size_t freedom = 3 * entry.node.index() + static_cast<std::size_t>(c);
-      held += model::is_supported_freedom(cls[freedom]) ? entry.weight[c] * entry.weight[c] : 0.0;
+      held += model::is_suppressed_or_prescribed(cls[freedom]) ? entry.weight[c] * entry.weight[c]
+                                                               : 0.0;
     }
     return held >= most * entry.weight.squaredNorm();
   };
@@ -37,10 +38,10 @@ void drop_held_slips(contact::PairConstraints& pair, const std::vector<model::Fr
 // Where a support holds a node along an axis the surface may end at a plane of symmetry, across
 // which the pressure has no slope.
 void mark_held_functions(contact::PairConstraints& pair,
-                         const std::vector<model::FreedomClass>& cls) {
+                         const std::vector<model::FreedomRole>& cls) {
   for (contact::MultiplierFunction& function : pair.functions) {
     for (std::size_t c = 0; c < function.held.size(); ++c) {
-      function.held[c] = model::is_supported_freedom(cls[3 * function.node.index() + c]);
+      function.held[c] = model::is_suppressed_or_prescribed(cls[3 * function.node.index() + c]);
     }
   }
 }
@@ -48,7 +49,7 @@ void mark_held_functions(contact::PairConstraints& pair,
 } // namespace
 
 void apply_supports_to_rows(contact::PairConstraints& pair,
-                            const std::vector<model::FreedomClass>& cls) {
+                            const std::vector<model::FreedomRole>& cls) {
   drop_held_slips(pair, cls);
   mark_held_functions(pair, cls);
 }

@@ -10,7 +10,7 @@ namespace spricka::analysis {
 
 /// Leaves out slips that supports hold and notes which functions they hold. cls [3 * node].
 void apply_supports_to_rows(contact::PairConstraints& pair,
-                            const std::vector<model::FreedomClass>& cls);
+                            const std::vector<model::FreedomRole>& cls);
 
 /// Nodes whose freedoms the rows of a pair weigh, ascending.
 std::vector<base::NodeId> contact_row_nodes(const contact::PairConstraints& pair);

@@ -20,9 +20,8 @@ bool is_held(const Discretisation& scene, const contact::ConstraintRow& row) {
   return std::ranges::all_of(row.entries, [&](const contact::RowEntry& entry) {
     for (int c = 0; c < dim; ++c) {
       const auto freedom = static_cast<std::size_t>(dim) * entry.node.index() + std::size_t(c);
-      const model::FreedomClass k = scene.cls[freedom];
-      const bool moves =
-          k != model::FreedomClass::suppressed && k != model::FreedomClass::prescribed;
+      const model::FreedomRole k = scene.cls[freedom];
+      const bool moves = k != model::FreedomRole::suppressed && k != model::FreedomRole::prescribed;
       if (moves && std::abs(entry.weight[c]) > round_off * row.area) {
         return false;
       }

@@ -109,8 +109,8 @@ void add_nodal_forces(const model::Model& model, const Discretisation& scene,
   state.reaction = out_of_balance;
   double left_over = 0.0;
   for (Eigen::Index i = 0; i < state.reaction.size(); ++i) {
-    const model::FreedomClass k = scene.cls[static_cast<std::size_t>(i)];
-    if (k != model::FreedomClass::suppressed && k != model::FreedomClass::prescribed) {
+    const model::FreedomRole k = scene.cls[static_cast<std::size_t>(i)];
+    if (k != model::FreedomRole::suppressed && k != model::FreedomRole::prescribed) {
       left_over = std::max(left_over, std::abs(state.reaction[i]));
       state.reaction[i] = 0.0;
     }

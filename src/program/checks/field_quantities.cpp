@@ -115,7 +115,7 @@ std::vector<double> stresses_of_set(const model::Model& model, const CheckedStep
   for (const base::NodeId n : nodes_of_named_set(mesh, name)) {
     wanted[n.index()] = true;
   }
-  const model::PropertySplitPoints points = model::property_points(mesh);
+  const model::FieldPointsByProperty points = model::property_points(mesh);
   for (std::size_t p = 0; p < points.node.size(); ++p) {
     if (wanted[points.node[p].index()]) {
       values.push_back(stress_component(nodal[p], component));

@@ -265,7 +265,7 @@ private:
                                                   [](const auto& c) { return c.passed; }));
     point.warnings = static_cast<int>(run.warnings.size());
     point.cells = report::collect_sweep_values_of_run(run);
-    for (const model::Output& output : model.outputs) {
+    for (const model::OutputFileRequest& output : model.outputs) {
       if (output.format == model::OutputFormat::csv &&
           output.every == model::OutputFrequency::end) {
         std::vector<results::SweepValue>& cells =
@@ -280,7 +280,7 @@ private:
   void write_tables() {
     const std::scoped_lock lock(tables_guard_);
     const model::Model& model = *deck_.model;
-    for (const model::Output& output : model.outputs) {
+    for (const model::OutputFileRequest& output : model.outputs) {
       const std::string name = fs::path(output.file).filename().string();
       if (output.format == model::OutputFormat::csv &&
           output.every == model::OutputFrequency::end && name != sweep_table_name) {

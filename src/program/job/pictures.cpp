@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 // Names of the pictures: those of the first VTU output of the deck, else "results".
 std::string picture_stem(const model::Model& model) {
-  for (const model::Output& output : model.outputs) {
+  for (const model::OutputFileRequest& output : model.outputs) {
     if (output.format == model::OutputFormat::vtu) {
       return fs::path(output.file).stem().string();
     }

@@ -22,12 +22,12 @@ namespace {
 // Cards that are understood but not available: each with its place.
 base::Diagnostics unavailable(const model::Model& model) {
   base::Diagnostics list;
-  for (const model::Output& output : model.outputs) {
+  for (const model::OutputFileRequest& output : model.outputs) {
     if (output.format == model::OutputFormat::json) {
       list.error(output.span, "E500", "FORMAT=JSON is not available in this version");
     }
   }
-  for (const model::UnavailableAnalysis& u : model.unavailable) {
+  for (const model::UnimplementedAnalysis& u : model.unavailable) {
     list.error(u.span, "E500", fmt::format("{} is not available in this version", u.what));
   }
   return list;

@@ -205,7 +205,7 @@ void RunFolder::put(const std::string& name, const std::function<void(const fs::
 }
 
 void RunFolder::put_requested(const model::Model& model, const results::RunResult& run) {
-  for (const model::Output& output : model.outputs) {
+  for (const model::OutputFileRequest& output : model.outputs) {
     if (output.format == model::OutputFormat::csv) {
       put(fs::path(output.file).filename().string(),
           [&](const fs::path& file) { report::write_requested_csv(file, model, output, run); });

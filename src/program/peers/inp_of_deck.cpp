@@ -21,7 +21,7 @@ namespace {
 
 /// Whether the model holds all that a card says though it has no analysis yet: elements in space,
 /// axial symmetry.
-bool is_in_model(const model::UnavailableAnalysis& u) {
+bool is_in_model(const model::UnimplementedAnalysis& u) {
   static constexpr std::array<std::string_view, 5> held{
       "elements in 3D", "$ELEMENT TYPE", "$MESH TYPE", "$PROPERTY STATE", "axial symmetry"};
   return std::any_of(held.begin(), held.end(),
@@ -40,7 +40,7 @@ public:
     for (const model::CrackDefinition& crack : model_.cracks) {
       refuse(crack.span, "$CRACK");
     }
-    for (const model::UnavailableAnalysis& u : model_.unavailable) {
+    for (const model::UnimplementedAnalysis& u : model_.unavailable) {
       if (!is_in_model(u)) {
         refuse(u.span, u.what);
       }
@@ -87,14 +87,14 @@ private:
     step.name = from.name;
     step.temperature = at_nodes(T);
     step.force.assign(mesh.node_count(), base::Vec3::Zero());
-    const std::vector<model::FreedomClass> cls = fe::classify_freedoms(model_, mesh);
+    const std::vector<model::FreedomRole> cls = fe::classify_freedoms(model_, mesh);
     for (std::size_t i = 0; i < cls.size(); ++i) {
       const base::NodeId node(i / dim);
       const auto c = static_cast<int>(i % dim);
       step.force[node.index()][c] = f[static_cast<Eigen::Index>(i)];
-      if (cls[i] == model::FreedomClass::suppressed) {
+      if (cls[i] == model::FreedomRole::suppressed) {
         step.fixed.push_back({node, c, 0.0});
-      } else if (cls[i] == model::FreedomClass::prescribed) {
+      } else if (cls[i] == model::FreedomRole::prescribed) {
         step.fixed.push_back({node, c, u[static_cast<Eigen::Index>(i)]});
       }
     }

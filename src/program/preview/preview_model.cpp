@@ -29,7 +29,7 @@ void count_freedoms(const analysis::Discretisation& scene, const std::vector<boo
   const auto dim = static_cast<std::size_t>(mesh.dim);
   constexpr std::array counts{&results::NetPreview::local, &results::NetPreview::external,
                               &results::NetPreview::suppressed, &results::NetPreview::prescribed,
-                              &results::NetPreview::dependent}; // by FreedomClass
+                              &results::NetPreview::dependent}; // by FreedomRole
   for (std::size_t n = 0; n < mesh.node_count(); ++n) {
     if (!used[n] || mesh.node_net[n] != net) {
       continue;

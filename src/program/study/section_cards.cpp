@@ -262,7 +262,7 @@ public:
       nets_[card.net].push_back(card);
     }
     DeckCardList all;
-    for (const model::MeshNet& net : model_.nets) {
+    for (const model::NetDefinition& net : model_.nets) {
       if (const std::string name = grammar::to_upper(net.name); !name.empty()) {
         all.push_back(deck::make_card("NET", {{"NAME", name}}));
         std::ranges::move(nets_[name], std::back_inserter(all));

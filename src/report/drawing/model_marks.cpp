@@ -24,8 +24,8 @@ constexpr const char* load_colour = "#b00000";
 constexpr const char* heat_colour = "#d55e00";
 constexpr std::size_t most_dots = 150; ///< of one heated set
 
-bool is_held(model::FreedomClass cls) {
-  return cls == model::FreedomClass::suppressed || cls == model::FreedomClass::prescribed;
+bool is_held(model::FreedomRole cls) {
+  return cls == model::FreedomRole::suppressed || cls == model::FreedomRole::prescribed;
 }
 
 /// Every k-th index so that at most `most_marks` are left.

@@ -98,7 +98,7 @@ private:
 
   const SolidView& view_;
   double magnify_ = 0.0;
-  model::PropertySplitPoints points_;
+  model::FieldPointsByProperty points_;
 };
 
 ColourScale scale_of(const std::vector<DrawnFace>& faces) {

@@ -119,7 +119,7 @@ std::string compress_array(std::string_view data, bool measured) {
 }
 
 VtuGridPoints make_vtu_grid_points(const model::Mesh& mesh, bool split) {
-  model::PropertySplitPoints sources;
+  model::FieldPointsByProperty sources;
   if (split) {
     sources = model::property_points(mesh);
   } else {

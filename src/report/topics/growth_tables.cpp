@@ -208,7 +208,7 @@ std::string history_summary(const model::Model& model, const results::GrowthResu
            "warnings.\n";
   }
   // with slip carried over a length begins with what was before, not with the steps
-  const bool carried = model.growth->history == model::GrowthHistoryMode::carry_on;
+  const bool carried = model.growth->history == model::SlipHistoryOverGrowth::carry_on;
   const std::string first = growth.unit == "pass" ? "first pass at a length"
                             : carried             ? "cycle of the steps run once at a length"
                                                   : "first cycle";

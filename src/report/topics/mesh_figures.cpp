@@ -187,7 +187,7 @@ std::string stress_drawing(const model::Model& model, const results::Increment& 
   MeshView view = whole_view(model, increment, 480.0, 0.06);
   view.id = "stress-whole";
   view.title = "Von Mises stress";
-  const model::PropertySplitPoints points = model::property_points(increment.mesh);
+  const model::FieldPointsByProperty points = model::property_points(increment.mesh);
   for (const std::int32_t point : points.of) {
     view.field.push_back(results::von_mises(step.stress[static_cast<std::size_t>(point)]));
   }

@@ -51,8 +51,8 @@ base::Matrix constraints(const analysis::Discretisation& scene, const base::Matr
     }
   }
   for (Eigen::Index i = 0; i < n; ++i) {
-    const model::FreedomClass k = scene.cls[static_cast<std::size_t>(i)];
-    if (k == model::FreedomClass::suppressed || k == model::FreedomClass::prescribed ||
+    const model::FreedomRole k = scene.cls[static_cast<std::size_t>(i)];
+    if (k == model::FreedomRole::suppressed || k == model::FreedomRole::prescribed ||
         K(i, i) == 0.0) {
       rows.emplace_back(base::Vector::Unit(n, i));
     }

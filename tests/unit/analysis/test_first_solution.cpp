@@ -76,14 +76,14 @@ model::LoadCase pull() {
 }
 
 // The lower corners: what balances without supports is held against rigid motion only.
-std::vector<model::FreedomClass> supports(const model::Mesh& mesh) {
-  std::vector<model::FreedomClass> cls(2 * mesh.node_count(), model::FreedomClass::local);
+std::vector<model::FreedomRole> supports(const model::Mesh& mesh) {
+  std::vector<model::FreedomRole> cls(2 * mesh.node_count(), model::FreedomRole::local);
   for (std::size_t n = 0; n < mesh.node_count(); ++n) {
     const base::Vec3& x = mesh.x[n];
     if (x.norm() < 1e-9) {
-      cls[2 * n] = cls[2 * n + 1] = model::FreedomClass::suppressed;
+      cls[2 * n] = cls[2 * n + 1] = model::FreedomRole::suppressed;
     } else if ((x - base::Vec3(W, 0.0, 0.0)).norm() < 1e-9) {
-      cls[2 * n + 1] = model::FreedomClass::suppressed;
+      cls[2 * n + 1] = model::FreedomRole::suppressed;
     }
   }
   return cls;

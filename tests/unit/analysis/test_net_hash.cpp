@@ -43,8 +43,8 @@ struct HalfBar : testing::Test {
     net.map = fe::number_freedoms(model.mesh, nodes, free());
   }
 
-  [[nodiscard]] std::vector<model::FreedomClass> free() const {
-    return std::vector(3 * model.mesh.node_count(), model::FreedomClass::local);
+  [[nodiscard]] std::vector<model::FreedomRole> free() const {
+    return std::vector(3 * model.mesh.node_count(), model::FreedomRole::local);
   }
   /// The x freedom of the corner at x.
   [[nodiscard]] std::int32_t at(double x) const {

@@ -26,7 +26,7 @@ TEST(ReadDeck, ASmallDeckBecomesAModel) {
   ASSERT_EQ(m.mesh.element_count(), 1U);
   EXPECT_EQ(m.element_material(m.mesh, base::ElementId(0)).E, 210000.0);
   EXPECT_EQ(m.element_property(m.mesh, base::ElementId(0)).thickness, 1.0);
-  EXPECT_EQ(m.freedoms.at(0).cls, model::FreedomClass::prescribed);
+  EXPECT_EQ(m.freedoms.at(0).cls, model::FreedomRole::prescribed);
   EXPECT_EQ(m.freedoms.at(0).dof, (std::array<bool, 3>{true, true, false}));
   const model::Load& load = m.cases.at(0).loads.at(0);
   EXPECT_EQ(load.type, model::LoadType::displacement);
@@ -236,7 +236,7 @@ TEST(ReadDeck, WhatHasNoAnalysisIsNotedNotIgnored) {
                                      "$CONTROL TOL=1e-9\n$END\n");
   ASSERT_TRUE(r.model) << r.messages();
   std::vector<std::string> what;
-  for (const model::UnavailableAnalysis& u : r.model->unavailable) {
+  for (const model::UnimplementedAnalysis& u : r.model->unavailable) {
     what.push_back(u.what);
     EXPECT_TRUE(u.span.valid());
   }

@@ -30,7 +30,7 @@ std::vector<std::string> notes(const Reading& r) {
   std::vector<std::string> what;
   EXPECT_TRUE(r.model) << r.messages();
   if (r.model) {
-    for (const model::UnavailableAnalysis& u : r.model->unavailable) {
+    for (const model::UnimplementedAnalysis& u : r.model->unavailable) {
       EXPECT_TRUE(u.span.valid());
       what.push_back(u.what);
     }

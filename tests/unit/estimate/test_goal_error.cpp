@@ -29,7 +29,7 @@ struct StripTriangle {
   model::Model model;
   mesh::CrackedMesh cracked;
   std::vector<crack::VirtualExtensionField> fields;
-  std::vector<model::FreedomClass> cls;
+  std::vector<model::FreedomRole> cls;
   fe::DofMap map;
   fe::ConstraintTransformation ties{{}, {}};
   base::Matrix K;
@@ -92,10 +92,10 @@ struct StripTriangle {
   }
 
   void suppress() {
-    cls.assign(2 * cracked.mesh.node_count(), model::FreedomClass::local);
+    cls.assign(2 * cracked.mesh.node_count(), model::FreedomRole::local);
     for (std::size_t n = 0; n < cracked.mesh.node_count(); ++n) {
       if (cracked.mesh.x[n].y() == 0.0) {
-        cls[2 * n] = cls[2 * n + 1] = model::FreedomClass::suppressed;
+        cls[2 * n] = cls[2 * n + 1] = model::FreedomRole::suppressed;
       }
     }
   }

@@ -60,8 +60,8 @@ struct Block {
       }
     }
     numbers = number_solid_modes(model.mesh,
-                                 std::vector<model::FreedomClass>(static_cast<std::size_t>(nodal()),
-                                                                  model::FreedomClass::local),
+                                 std::vector<model::FreedomRole>(static_cast<std::size_t>(nodal()),
+                                                                 model::FreedomRole::local),
                                  fe::ConstraintTransformation({}, {}));
   }
 

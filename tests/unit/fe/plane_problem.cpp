@@ -218,7 +218,7 @@ base::ElementSetId all_elements(model::Model& model) {
   return base::ElementSetId(model.mesh.element_sets.size() - 1);
 }
 
-void set_freedom(model::Model& model, model::FreedomClass cls, const Where& where, bool x, bool y) {
+void set_freedom(model::Model& model, model::FreedomRole cls, const Where& where, bool x, bool y) {
   model::FreedomAssignment freedom;
   freedom.cls = cls;
   freedom.dof = {x, y, false};

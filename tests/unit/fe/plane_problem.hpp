@@ -52,7 +52,7 @@ base::FaceSetId face_set(model::Model& model, const Where& where);
 base::ElementSetId all_elements(model::Model& model);
 
 /// Adds a freedom card: the nodes where `where` holds, x and/or y.
-void set_freedom(model::Model& model, model::FreedomClass cls, const Where& where, bool x, bool y);
+void set_freedom(model::Model& model, model::FreedomRole cls, const Where& where, bool x, bool y);
 
 /// Displacements [dim * node] for one load case, by Eigen's simplicial LDLT; external freedoms
 /// are solved for like local ones. `reaction`, when given, receives K u - f.

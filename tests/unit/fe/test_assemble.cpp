@@ -33,10 +33,10 @@ protected:
         mesh, ElementType::trim3, std::vector<base::NodeId>{a, b, c}, 900, base::NetId(0));
     mesh.property[e.index()] = base::PropertyId(0);
     test::set_freedom(
-        model, model::FreedomClass::suppressed, [](const Vec3& x) { return x.x() == 0.0; }, true,
+        model, model::FreedomRole::suppressed, [](const Vec3& x) { return x.x() == 0.0; }, true,
         true);
     test::set_freedom(
-        model, model::FreedomClass::external, [](const Vec3& x) { return x.y() == 0.0; }, true,
+        model, model::FreedomRole::external, [](const Vec3& x) { return x.y() == 0.0; }, true,
         true);
     cls = classify_freedoms(model, mesh);
     for (std::size_t n = 0; n < mesh.node_count(); ++n) {
@@ -75,7 +75,7 @@ protected:
   }
 
   model::Model model;
-  std::vector<model::FreedomClass> cls;
+  std::vector<model::FreedomRole> cls;
   std::vector<base::NodeId> nodes;
   std::vector<base::ElementId> elements;
   DofMap dofs;
@@ -152,7 +152,7 @@ TEST(assemble_stiffness, takes_elements_with_a_node_named_twice) {
   }
   std::vector<base::NodeId> twice = nodes;
   twice.push_back(nodes[2]);
-  const std::vector<model::FreedomClass> cls(6, model::FreedomClass::local);
+  const std::vector<model::FreedomRole> cls(6, model::FreedomRole::local);
   const DofMap dofs = number_freedoms(mesh, nodes, cls);
   const auto q = model::add_element(mesh, ElementType::quam4, twice, 1, base::NetId(0));
   const auto t = model::add_element(mesh, ElementType::trim3, nodes, 2, base::NetId(0));

@@ -14,7 +14,7 @@ namespace {
 
 using base::Matrix;
 using base::Vector;
-using Cls = model::FreedomClass;
+using Cls = model::FreedomRole;
 
 std::vector<Cls> all_local(std::size_t n) {
   return std::vector<Cls>(n, Cls::local);

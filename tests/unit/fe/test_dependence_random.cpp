@@ -15,7 +15,7 @@ namespace {
 
 using base::Matrix;
 using base::Vector;
-using Cls = model::FreedomClass;
+using Cls = model::FreedomRole;
 
 /// Ties that a hidden vector `u` satisfies, some of them combinations of others.
 struct System {

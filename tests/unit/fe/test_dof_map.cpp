@@ -12,7 +12,7 @@ namespace {
 using base::ElementType;
 using base::Vec2;
 using base::Vec3;
-using model::FreedomClass;
+using model::FreedomRole;
 
 constexpr auto everywhere = [](const Vec3&) { return true; };
 
@@ -34,21 +34,21 @@ TEST(classify_freedoms, suppressed_wins_over_prescribed_over_external) {
   model::Model model = square(1);
   const auto left = [](const Vec3& x) { return x.x() == 0.0; };
   const auto bottom = [](const Vec3& x) { return x.y() == 0.0; };
-  test::set_freedom(model, FreedomClass::suppressed, left, true, false);
-  test::set_freedom(model, FreedomClass::prescribed, bottom, true, true);
-  test::set_freedom(model, FreedomClass::external, everywhere, true, false);
-  using enum FreedomClass;
+  test::set_freedom(model, FreedomRole::suppressed, left, true, false);
+  test::set_freedom(model, FreedomRole::prescribed, bottom, true, true);
+  test::set_freedom(model, FreedomRole::external, everywhere, true, false);
+  using enum FreedomRole;
   // Nodes (0,0) (1,0) (0,1) (1,1).
-  const std::vector<FreedomClass> expected{suppressed, prescribed, prescribed, prescribed,
-                                           suppressed, local,      external,   local};
+  const std::vector<FreedomRole> expected{suppressed, prescribed, prescribed, prescribed,
+                                          suppressed, local,      external,   local};
   EXPECT_EQ(classify_freedoms(model, model.mesh), expected);
 }
 
 TEST(number_freedoms, counts_locals_first_then_externals) {
   model::Model model = square(1);
-  using enum FreedomClass;
-  const std::vector<FreedomClass> cls{external, local,      suppressed, local,
-                                      local,    prescribed, external,   local};
+  using enum FreedomRole;
+  const std::vector<FreedomRole> cls{external, local,      suppressed, local,
+                                     local,    prescribed, external,   local};
   const DofMap dofs = number_freedoms(model.mesh, all_nodes(model.mesh), cls);
   EXPECT_EQ(dofs.freedom, (std::vector<std::int32_t>{1, 3, 4, 7, 0, 6}));
   EXPECT_EQ(dofs.row, (std::vector<std::int32_t>{4, 0, -1, 1, 2, -1, 5, 3}));
@@ -58,7 +58,7 @@ TEST(number_freedoms, counts_locals_first_then_externals) {
 
 TEST(number_freedoms, leaves_out_nodes_not_given) {
   const model::Model model = square(1);
-  const std::vector<FreedomClass> cls(8, FreedomClass::local);
+  const std::vector<FreedomRole> cls(8, FreedomRole::local);
   const DofMap dofs = number_freedoms(model.mesh, {base::NodeId(2)}, cls);
   EXPECT_EQ(dofs.freedom, (std::vector<std::int32_t>{4, 5}));
   EXPECT_EQ(dofs.row[0], -1);
@@ -137,10 +137,10 @@ INSTANTIATE_TEST_SUITE_P(modes, FreeModes,
 TEST_P(FreeModes, span_the_motions_that_supports_leave) {
   const model::Model model = square(2);
   const std::vector<base::NodeId> nodes = all_nodes(model.mesh);
-  std::vector<FreedomClass> cls(18, FreedomClass::local);
-  cls[7] = FreedomClass::external;
+  std::vector<FreedomRole> cls(18, FreedomRole::local);
+  cls[7] = FreedomRole::external;
   for (const std::size_t f : GetParam().freedoms) {
-    cls[f] = f % 3 == 0 ? FreedomClass::prescribed : FreedomClass::suppressed;
+    cls[f] = f % 3 == 0 ? FreedomRole::prescribed : FreedomRole::suppressed;
   }
   const base::Matrix modes = rigid_modes(model, model.mesh, one_piece(nodes));
   const base::Matrix free =
@@ -163,13 +163,13 @@ TEST(free_rigid_modes, depends_on_no_unit_of_length) {
         test::make_mesh(ElementType::quam4, test::unit_grid(2, 2),
                         [&](const Vec2& p) { return Vec2(scale * p + Vec2(3 * scale, 0)); });
     const std::vector<base::NodeId> nodes = all_nodes(mesh);
-    std::vector<FreedomClass> cls(18, FreedomClass::local);
+    std::vector<FreedomRole> cls(18, FreedomRole::local);
     const ConstraintTransformation none({}, cls);
     const std::vector<Body> body = one_piece(nodes);
     const base::Matrix modes = rigid_modes({}, mesh, body);
-    cls[0] = cls[1] = FreedomClass::suppressed;
+    cls[0] = cls[1] = FreedomRole::suppressed;
     EXPECT_EQ(free_rigid_modes(mesh, modes, body, none, cls).cols(), 1);
-    cls[5] = FreedomClass::suppressed;
+    cls[5] = FreedomRole::suppressed;
     EXPECT_EQ(free_rigid_modes(mesh, modes, body, none, cls).cols(), 0);
   }
 }

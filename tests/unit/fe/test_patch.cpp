@@ -107,7 +107,7 @@ protected:
 INSTANTIATE_TEST_SUITE_P(K01, Patch, testing::ValuesIn(every_case()), case_name);
 
 TEST_P(Patch, prescribed_rim) {
-  test::set_freedom(model, model::FreedomClass::prescribed, on_rim, true, true);
+  test::set_freedom(model, model::FreedomRole::prescribed, on_rim, true, true);
   model::Load load;
   load.type = model::LoadType::displacement;
   load.nodes = test::node_set(model, on_rim);
@@ -130,8 +130,8 @@ TEST_P(Patch, tractions_on_the_rim) {
   const auto corner = [](double x, double y) {
     return [x, y](const Vec3& p) { return (p - Vec3(x, y, 0.0)).norm() < 1e-12; };
   };
-  test::set_freedom(model, model::FreedomClass::suppressed, corner(0.0, 0.0), true, true);
-  test::set_freedom(model, model::FreedomClass::suppressed, corner(1.0, 0.0), false, true);
+  test::set_freedom(model, model::FreedomRole::suppressed, corner(0.0, 0.0), true, true);
+  test::set_freedom(model, model::FreedomRole::suppressed, corner(1.0, 0.0), false, true);
   model::LoadCase load_case;
   for (const Vec2& n : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)}) {
     model::Load load;

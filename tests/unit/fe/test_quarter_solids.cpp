@@ -105,7 +105,7 @@ TEST_P(QuarterSolids, are_accepted) {
 TEST_P(QuarterSolids, pass_constant_strain) {
   model::Model model = quarter_cube(GetParam());
   model::FreedomAssignment held;
-  held.cls = model::FreedomClass::prescribed;
+  held.cls = model::FreedomRole::prescribed;
   held.dof = {true, true, true};
   held.nodes = base::NodeSetId(model.mesh.node_sets.size() - 1);
   model.freedoms.push_back(held);

@@ -102,7 +102,7 @@ double force_left(const Cracked& cracked, const std::function<Vec3(const Vec3&)>
   }
   const ConstraintTransformation ties(
       cracked.ties,
-      std::vector<model::FreedomClass>(3 * mesh.node_count(), model::FreedomClass::local));
+      std::vector<model::FreedomRole>(3 * mesh.node_count(), model::FreedomRole::local));
   ties.set_dependent_displacements(u, 1.0);
   base::Vector force = base::Vector::Zero(u.size());
   add_internal_force(cracked.model, mesh, test::every_element(mesh), u, force);

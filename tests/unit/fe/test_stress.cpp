@@ -135,7 +135,7 @@ TEST(stress, nodes_between_two_properties_have_a_value_of_each) {
   const Vector u = interpolate(model.mesh, [](const Vec3& x) { return Vec2(x.x(), -nu * x.y()); });
   const std::vector<Stress> s =
       nodal_stress(model, model.mesh, element_node_stress(model, model.mesh, u));
-  const model::PropertySplitPoints points = model::property_points(model.mesh);
+  const model::FieldPointsByProperty points = model::property_points(model.mesh);
   ASSERT_EQ(s.size(), model.mesh.node_count() + 2); // the border's two nodes once more
   ASSERT_EQ(points.node.size(), s.size());
   for (std::size_t k = 0; k < points.of.size(); ++k) {

@@ -317,8 +317,8 @@ TEST(RigidTie, LetsRigidMotionsThroughAndNothingElse) {
       const int dim = mesh.dim;
       const auto n = static_cast<Eigen::Index>(mesh.node_count());
       const ConstraintTransformation dependence(
-          ties, std::vector<model::FreedomClass>(static_cast<std::size_t>(dim * n),
-                                                 model::FreedomClass::local));
+          ties, std::vector<model::FreedomRole>(static_cast<std::size_t>(dim * n),
+                                                model::FreedomRole::local));
       EXPECT_EQ(dim * n - static_cast<Eigen::Index>(dependence.rows().size()), cloud.freedoms);
       EXPECT_TRUE(dependence.fully_given_ties().empty());
       Random random;
