@@ -18,9 +18,10 @@ public:
         law_(fe::constitutive_law(set.model, set.mesh, e)),
         T_(fe::CornerValues<2>::Zero(element_.corners)) {
     if (set.loads.temperature.size() > 0) {
-      T_ = fe::corner_temperature(element_, set.mesh, e, set.loads.temperature);
+      T_ = fe::gather_corner_temperatures(element_, set.mesh, e, set.loads.temperature);
     }
-    if ((T_.array() != 0.0).any() && fe::FreeExpansion::is_required(element_, X_, law_)) {
+    if ((T_.array() != 0.0).any() &&
+        fe::FreeExpansion::must_remove_beforehand(element_, X_, law_)) {
       free_ = fe::FreeExpansion(element_, X_, law_, T_);
       carried_ = true;
     }

@@ -67,10 +67,11 @@ double heated_energy(const Shift& shift, const ShiftedElement& moved) {
   const auto& [e, element, X, U, law] = moved;
   const TipContext& set = shift.set;
   const PlaneVectors before = fe::coordinates(element, set.mesh, e);
-  const fe::CornerValues<2> T = fe::corner_temperature(element, set.mesh, e, set.loads.temperature);
-  const double beta = law.expansion * (law.heated_directions() * law.lambda + 2.0 * law.mu);
+  const fe::CornerValues<2> T =
+      fe::gather_corner_temperatures(element, set.mesh, e, set.loads.temperature);
+  const double beta = law.expansion * (law.heated_direction_count() * law.lambda + 2.0 * law.mu);
   double thermal = 0.0;
-  if (fe::FreeExpansion::is_required(element, before, law)) {
+  if (fe::FreeExpansion::must_remove_beforehand(element, before, law)) {
     // The expansion of the element where it was, at the places that its nodes have now.
     const fe::FreeExpansion free(element, before, law, T);
     for (const auto& point : shape::quadrature<2>(element.domain, domain_degree)) {

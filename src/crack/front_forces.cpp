@@ -25,7 +25,7 @@ public:
     if (loads.temperature.size() > 0) {
       const auto& element = shape::reference_element<3>(set.mesh.type[e.index()]);
       X_ = fe::coordinates(element, set.mesh, e);
-      T_ = fe::corner_temperature(element, set.mesh, e, loads.temperature);
+      T_ = fe::gather_corner_temperatures(element, set.mesh, e, loads.temperature);
       beta_ = fe::thermal_modulus(fe::constitutive_law(set.model, set.mesh, e));
       if (!linear) {
         known_ = known_inside();

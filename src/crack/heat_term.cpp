@@ -57,8 +57,8 @@ public:
       : set_(set), e_(e), element_(plane_element(set.mesh, e)),
         X_(fe::coordinates(element_, set.mesh, e)), U_(fe::gather(element_, set.mesh, e, u)),
         law_(fe::constitutive_law(set.model, set.mesh, e)),
-        T_(fe::corner_temperature(element_, set.mesh, e, set.loads.temperature)),
-        carried_(fe::FreeExpansion::is_required(element_, X_, law_)),
+        T_(fe::gather_corner_temperatures(element_, set.mesh, e, set.loads.temperature)),
+        carried_(fe::FreeExpansion::must_remove_beforehand(element_, X_, law_)),
         moved_(extension_at_element_nodes(set.mesh, e, q)),
         strained_((moved_.array() != 1.0).any()) {
     if (carried_) {
@@ -147,7 +147,7 @@ public:
       });
     }
     for (const fe::ScaledTemperature& acting : set_.loads.heat) {
-      for (const fe::ResidualTemperaturePoint& p : acting.heat->element_points(e_)) {
+      for (const fe::ResidualTemperaturePoint& p : acting.heat->residual_points_in_element(e_)) {
         add_to_K(p.r, p.area, acting.factor * p.T, sum);
         sum[0] += wants_G ? of_G(p.r, p.area, acting.factor * p.T) : 0.0;
       }
@@ -273,7 +273,7 @@ private:
     const ElementId e = element.id();
     const bool takes_all =
         std::ranges::all_of(set_.loads.heat, [&](const fe::ScaledTemperature& acting) {
-          return acting.heat->element_points(e).empty();
+          return acting.heat->residual_points_in_element(e).empty();
         });
     return takes_all ? element.taken(r)
                      : temperature_at(set_.loads, e, beside(element.x(r), element.middle()));
@@ -291,8 +291,9 @@ private:
 // edges, and all that there is.
 bool is_taken(const TipContext& set, const std::vector<ElementId>& all) {
   for (const fe::ScaledTemperature& acting : set.loads.heat) {
-    if (std::ranges::any_of(all,
-                            [&](ElementId e) { return !acting.heat->element_points(e).empty(); })) {
+    if (std::ranges::any_of(all, [&](ElementId e) {
+          return !acting.heat->residual_points_in_element(e).empty();
+        })) {
       return false;
     }
   }

@@ -36,7 +36,7 @@ void visit_body_force_points(const model::Mesh& mesh, const std::vector<BodyForc
     if (!std::ranges::binary_search(acting.elements, e)) {
       continue;
     }
-    const fe::CutElementFraction* share = field.shares.find_cut_fraction(e);
+    const fe::CutElementShareFunction* share = field.shares.find_cut_share_function(e);
     for (const auto& point :
          fe::body_load_rule<dim>(element, X, *acting.load, field.scale).points) {
       base::Vec3 x = base::Vec3::Zero();

@@ -18,7 +18,7 @@ struct Roughness {
 
 Roughness roughness(const ActingLoad& acting, const fe::FieldMagnitude& scale,
                     const geometry::ElementSide& side) {
-  const fe::AdaptedRule<2> rule = fe::load_rule(side, *acting.load, scale);
+  const fe::FieldAdaptedRule<2> rule = fe::load_rule(side, *acting.load, scale);
   // by Legendre's polynomials of the arc length that a straight side has, twice over it -1 .. 1
   const base::Vec2 from = side.X.col(0).head<2>();
   const base::Vec2 chord = side.X.col(1).head<2>() - from;
@@ -92,7 +92,7 @@ double largest_jump(const TipContext& set, const VirtualExtensionField& field) {
       }
       for (const fe::ScaledTemperature& acting : set.loads.heat) {
         if (!acting.heat->discontinuous.empty() && acting.heat->discontinuous[e.index()]) {
-          for (const fe::ResidualTemperaturePoint& p : acting.heat->element_points(e)) {
+          for (const fe::ResidualTemperaturePoint& p : acting.heat->residual_points_in_element(e)) {
             // What an element does not take of a jump is about half of it on either side.
             most = std::max(most, 2.0 * std::abs(acting.factor * p.T));
           }

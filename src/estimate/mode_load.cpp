@@ -79,7 +79,7 @@ ModeNumbers taken_forces(const ModeElement& element, const fe::ConstitutiveLaw& 
   const fe::AnyNodeVectors<2>& X = element.X;
   const fe::ThermalStress<2> thermal(shape, X, law, T);
   // (fe.38): stress of the expansion at the nodes, int B_e^T D B u_T dV.
-  const bool carried = fe::FreeExpansion::is_required(shape, X, law);
+  const bool carried = fe::FreeExpansion::must_remove_beforehand(shape, X, law);
   fe::AnyNodeVectors<2> U;
   if (carried) {
     U = fe::FreeExpansion(shape, X, law, T).at_nodes(X);
@@ -112,9 +112,9 @@ void add_thermal(const CubicEnrichment& enrichment, const fe::CaseTemperature& h
   const model::Mesh& mesh = enrichment.mesh();
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
     const base::ElementId e(i);
-    const fe::CornerValues<2> T = fe::corner_temperature(shape::reference_element<2>(mesh.type[i]),
-                                                         mesh, e, heat.temperature);
-    const std::span<const fe::ResidualTemperaturePoint> points = heat.element_points(e);
+    const fe::CornerValues<2> T = fe::gather_corner_temperatures(
+        shape::reference_element<2>(mesh.type[i]), mesh, e, heat.temperature);
+    const std::span<const fe::ResidualTemperaturePoint> points = heat.residual_points_in_element(e);
     if ((T.array() == 0.0).all() && points.empty()) {
       continue;
     }

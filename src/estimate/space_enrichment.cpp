@@ -89,7 +89,7 @@ void SolidEnrichment::add_on_side(const model::Face& face, const base::Vec2& r, 
 void SolidEnrichment::add_thermal(base::ElementId e, const fe::CaseTemperature& heat,
                                   base::Vector& f) const {
   const fe::AnyElement<3>& element = shape::reference_element<3>(mesh_.type[e.index()]);
-  const fe::CornerValues<3> T = fe::corner_temperature(element, mesh_, e, heat.temperature);
+  const fe::CornerValues<3> T = fe::gather_corner_temperatures(element, mesh_, e, heat.temperature);
   const bool varies = heat.field.varies(e);
   if ((T.array() == 0.0).all() && !varies) {
     return;

@@ -61,7 +61,7 @@ inline constexpr std::array<AdaptiveRuleLimits, 3> adaptive_rule_limits_by_dim{
 template <int dim>
 inline constexpr AdaptiveRuleLimits adaptive_rule_limits = adaptive_rule_limits_by_dim[dim - 1];
 
-template <int dim> struct AdaptedRule {
+template <int dim> struct FieldAdaptedRule {
   std::vector<shape::QuadraturePoint<dim>> points;
   double missed = 0.0; ///< estimate of the integral's error, where that is beyond the tolerance,
                        ///< over the reference element
@@ -75,7 +75,7 @@ using UnitPoint = std::array<double, 3>;
 /// A point of the unit cube as a point of a reference domain, and the factor of the volumes:
 /// triangles and tetrahedra are collapsed (Stroud 1971).
 template <int dim>
-shape::QuadraturePoint<dim> unit_cube_point(shape::ReferenceDomain domain, const UnitPoint& t) {
+shape::QuadraturePoint<dim> map_from_unit_cube(shape::ReferenceDomain domain, const UnitPoint& t) {
   const auto simplex = static_cast<std::size_t>(shape::simplex_coordinate_count(domain));
   shape::QuadraturePoint<dim> p;
   p.weight = 1.0;
@@ -107,7 +107,7 @@ template <int dim> struct AdaptiveDomain {
 template <int dim>
 AdaptiveDomain<dim> whole_element_domain(shape::ReferenceDomain domain, int usual_degree) {
   constexpr int finer_degree = 15;
-  return {[domain](const UnitPoint& t) { return unit_cube_point<dim>(domain, t); },
+  return {[domain](const UnitPoint& t) { return map_from_unit_cube<dim>(domain, t); },
           shape::quadrature<dim>(domain, usual_degree),
           shape::quadrature<dim>(domain, finer_degree)};
 }

@@ -27,7 +27,7 @@ RuleSums<dim> sums_of(std::span<const shape::QuadraturePoint<dim>> rule,
   for (const auto& point : rule) {
     const Vec3 v = value(point.r);
     seen.add_value(v);
-    sums.moments += field_moments_at<dim>(point, v);
+    sums.moments += point_moment_contribution<dim>(point, v);
     sums.amount += point.weight * v.norm();
   }
   return sums;
@@ -74,9 +74,9 @@ FieldOutlier outlier_of(const AdaptiveDomain<dim>& domain, const ReferenceField<
 } // namespace
 
 template <int dim>
-AdaptedRule<dim> make_adapted_rule(const AdaptiveDomain<dim>& domain,
-                                   const ReferenceField<dim>& value,
-                                   const AdaptiveSettings& settings) {
+FieldAdaptedRule<dim> make_adapted_rule(const AdaptiveDomain<dim>& domain,
+                                        const ReferenceField<dim>& value,
+                                        const AdaptiveSettings& settings) {
   const int places =
       settings.smooth ? adaptive_rule_limits<1>.places : adaptive_rule_limits<dim>.places;
   const double between = 1.0 / places; // the part of an element that a place tells of
@@ -102,7 +102,7 @@ AdaptedRule<dim> make_adapted_rule(const AdaptiveDomain<dim>& domain,
     return {{domain.finer.begin(), domain.finer.end()}, 0.0, finer.amount, false};
   }
   PiecewiseRule<dim> pieces(domain, value, settings, amount, outlier);
-  AdaptedRule<dim> rule = pieces.build_rule();
+  FieldAdaptedRule<dim> rule = pieces.build_rule();
   // what no piece has found of all that was seen is told
   const double left = std::max(pieces.value_range().excess(seen.low, seen.largest),
                                pieces.value_range().excess(seen.high, seen.largest));
@@ -111,7 +111,7 @@ AdaptedRule<dim> make_adapted_rule(const AdaptiveDomain<dim>& domain,
 }
 
 #define ADAPTED_RULE(dim)                                                                          \
-  template AdaptedRule<dim> make_adapted_rule<dim>(                                                \
+  template FieldAdaptedRule<dim> make_adapted_rule<dim>(                                           \
       const AdaptiveDomain<dim>&, const ReferenceField<dim>&, const AdaptiveSettings&);
 ADAPTED_RULE(1)
 ADAPTED_RULE(2)

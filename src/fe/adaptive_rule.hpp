@@ -11,8 +11,8 @@ namespace spricka::fe {
 /// by pieces, with a bound on the number of evaluations. What lies between all places, as a spot of
 /// a twentieth of an element may, is not seen. Compiled in adaptive_rule.cpp for each dimension.
 template <int dim>
-AdaptedRule<dim> make_adapted_rule(const AdaptiveDomain<dim>& domain,
-                                   const ReferenceField<dim>& value,
-                                   const AdaptiveSettings& settings);
+FieldAdaptedRule<dim> make_adapted_rule(const AdaptiveDomain<dim>& domain,
+                                        const ReferenceField<dim>& value,
+                                        const AdaptiveSettings& settings);
 
 } // namespace spricka::fe

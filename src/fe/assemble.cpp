@@ -26,13 +26,14 @@ element_freedoms(const model::Mesh& mesh, base::ElementId e,
 }
 
 // What a block of coefficients acts on, with dependent freedoms replaced.
-std::optional<ConstraintTransformation::TransformedBlock>
+std::optional<ConstraintTransformation::BlockTransformation>
 reduced(const DofMap& dofs, std::span<const std::int32_t> freedoms) {
-  return dofs.ties ? dofs.ties->transform_block(freedoms) : std::nullopt;
+  return dofs.ties ? dofs.ties->find_block_transformation(freedoms) : std::nullopt;
 }
 
-void add_rows(std::span<const std::int32_t> freedoms, const DofMap& dofs, BlockRows& blocks) {
-  const std::optional<ConstraintTransformation::TransformedBlock> block = reduced(dofs, freedoms);
+void add_rows(std::span<const std::int32_t> freedoms, const DofMap& dofs, RowsByBlock& blocks) {
+  const std::optional<ConstraintTransformation::BlockTransformation> block =
+      reduced(dofs, freedoms);
   std::vector<std::int32_t> rows;
   rows.reserve(freedoms.size());
   for (const std::int32_t freedom :
@@ -45,8 +46,8 @@ void add_rows(std::span<const std::int32_t> freedoms, const DofMap& dofs, BlockR
 // Adds the coefficients `Ke` on some freedoms, given column-major.
 template <class Block>
 void add_coefficients(std::span<const std::int32_t> freedoms, const DofMap& dofs, const Block& Ke,
-                      std::span<const BlockRow> rows, base::SymmetricCsc& K) {
-  if (const std::optional<ConstraintTransformation::TransformedBlock> block =
+                      std::span<const SystemRowOfBlock> rows, base::SymmetricCsc& K) {
+  if (const std::optional<ConstraintTransformation::BlockTransformation> block =
           reduced(dofs, freedoms)) {
     // (fe.34).
     const base::Matrix half = Ke * block->T;
@@ -59,9 +60,9 @@ void add_coefficients(std::span<const std::int32_t> freedoms, const DofMap& dofs
 }
 
 // The rows of each element.
-BlockRows element_rows(const model::Mesh& mesh, std::span<const base::ElementId> elements,
-                       const DofMap& dofs) {
-  BlockRows blocks;
+RowsByBlock element_rows(const model::Mesh& mesh, std::span<const base::ElementId> elements,
+                         const DofMap& dofs) {
+  RowsByBlock blocks;
   std::array<std::int32_t, max_element_freedoms> freedoms{};
   for (const base::ElementId e : elements) {
     add_rows(element_freedoms(mesh, e, freedoms), dofs, blocks);
@@ -75,7 +76,7 @@ base::SymmetricCsc stiffness_pattern(const model::Mesh& mesh,
                                      std::span<const base::ElementId> elements,
                                      std::span<const std::vector<std::int32_t>> super_freedoms,
                                      const DofMap& dofs) {
-  BlockRows blocks = element_rows(mesh, elements, dofs);
+  RowsByBlock blocks = element_rows(mesh, elements, dofs);
   for (const std::vector<std::int32_t>& super : super_freedoms) {
     add_rows(super, dofs, blocks);
   }
@@ -85,7 +86,7 @@ base::SymmetricCsc stiffness_pattern(const model::Mesh& mesh,
 base::SymmetricCsc assemble_stiffness(const model::Model& model, const model::Mesh& mesh,
                                       std::span<const base::ElementId> elements,
                                       std::span<const Superelement> supers, const DofMap& dofs) {
-  BlockRows blocks = element_rows(mesh, elements, dofs);
+  RowsByBlock blocks = element_rows(mesh, elements, dofs);
   for (const Superelement& super : supers) {
     add_rows(super.freedom, dofs, blocks);
   }
@@ -100,12 +101,12 @@ base::SymmetricCsc assemble_stiffness(const model::Model& model, const model::Me
           const ElementMatrix<S> Ke =
               element_stiffness<S>(coordinates<S>(mesh, e), constitutive_law(model, mesh, e));
           add_coefficients(element_freedoms(mesh, e, freedoms), dofs, Ke,
-                           blocks.block_rows(block_number), K);
+                           blocks.rows_of_block(block_number), K);
           ++block_number;
         }
       });
   for (const Superelement& super : supers) {
-    add_coefficients(super.freedom, dofs, *super.stiffness, blocks.block_rows(block_number), K);
+    add_coefficients(super.freedom, dofs, *super.stiffness, blocks.rows_of_block(block_number), K);
     ++block_number;
   }
   return K;

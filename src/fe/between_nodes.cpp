@@ -10,13 +10,13 @@ namespace spricka::fe {
 namespace {
 
 void visit_side(const geometry::ElementSide& side, const model::Load& load,
-                InterpolationError& worst) {
+                DisplacementInterpolationError& worst) {
   geometry::SidePositions nodal(3, side.X.cols());
   for (Eigen::Index n = 0; n < nodal.cols(); ++n) {
     nodal.col(n) = load_value(load, side.X.col(n));
   }
   const auto look = [&](const UnitPoint& t) {
-    const geometry::SideValues N = side.N(unit_cube_point<2>(side.domain(), t).r);
+    const geometry::SideValues N = side.N(map_from_unit_cube<2>(side.domain(), t).r);
     const base::Vec3 x = side.X * N;
     const double off = (load_value(load, x) - nodal * N).cwiseAbs().maxCoeff();
     if (off > worst.off) {
@@ -35,8 +35,9 @@ void visit_side(const geometry::ElementSide& side, const model::Load& load,
 
 } // namespace
 
-InterpolationError interpolation_error(const model::Mesh& mesh, const model::Load& load) {
-  InterpolationError worst;
+DisplacementInterpolationError displacement_interpolation_error(const model::Mesh& mesh,
+                                                                const model::Load& load) {
+  DisplacementInterpolationError worst;
   if (is_constant(load)) {
     return worst;
   }

@@ -6,13 +6,14 @@
 namespace spricka::fe {
 
 /// Where a displacement given as an expression leaves what the nodes make of it.
-struct InterpolationError {
+struct DisplacementInterpolationError {
   double off = 0.0; ///< largest distance of a component from the interpolation of its nodal values
   base::Vec3 place = base::Vec3::Zero();
 };
 
 /// Over the sides of elements all of whose nodes the load is given at, by 32 points along an edge
 /// and 64 on a face.
-InterpolationError interpolation_error(const model::Mesh& mesh, const model::Load& load);
+DisplacementInterpolationError displacement_interpolation_error(const model::Mesh& mesh,
+                                                                const model::Load& load);
 
 } // namespace spricka::fe

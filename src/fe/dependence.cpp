@@ -223,12 +223,12 @@ void ConstraintTransformation::transfer_forces_to_masters(base::Matrix& f) const
   }
 }
 
-std::optional<ConstraintTransformation::TransformedBlock>
-ConstraintTransformation::transform_block(std::span<const std::int32_t> freedoms) const {
+std::optional<ConstraintTransformation::BlockTransformation>
+ConstraintTransformation::find_block_transformation(std::span<const std::int32_t> freedoms) const {
   if (std::ranges::none_of(freedoms, [&](std::int32_t f) { return find_row(f) != nullptr; })) {
     return std::nullopt;
   }
-  TransformedBlock block;
+  BlockTransformation block;
   std::map<std::int32_t, int> column;
   const auto column_of = [&](std::int32_t freedom) {
     const auto [at, fresh] = column.emplace(freedom, static_cast<int>(block.freedom.size()));

@@ -68,13 +68,13 @@ public:
   void transfer_forces_to_masters(base::Matrix& f) const;
 
   /// A block of coefficients on some freedoms once dependent ones are replaced: K <- T^T K T.
-  struct TransformedBlock {
+  struct BlockTransformation {
     std::vector<std::int32_t> freedom; ///< [r]
     Eigen::SparseMatrix<double> T;     ///< [freedoms given, r]
   };
   /// Empty when no freedom of the block is dependent.
-  [[nodiscard]] std::optional<TransformedBlock>
-  transform_block(std::span<const std::int32_t> freedoms) const;
+  [[nodiscard]] std::optional<BlockTransformation>
+  find_block_transformation(std::span<const std::int32_t> freedoms) const;
 
 private:
   struct Sum;

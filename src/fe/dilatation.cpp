@@ -34,7 +34,8 @@ ProjectedDilatation<S>::ProjectedDilatation(const S& element, const NodeVectors<
 }
 
 template <shape::Element S>
-auto ProjectedDilatation<S>::project_volume_change(const NodeVectors<S>& U) const -> Modes {
+auto ProjectedDilatation<S>::project_displacement_dilatation(const NodeVectors<S>& U) const
+    -> Modes {
   Modes integrals = Modes::Zero(C.rows());
   for (Eigen::Index m = 0; m < C.rows(); ++m) {
     for (Eigen::Index i = 0; i < U.cols(); ++i) {

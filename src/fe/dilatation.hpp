@@ -62,7 +62,7 @@ template <shape::Element S> struct ProjectedDilatation {
   /// Coefficients of the function whose integrals with phi these are.
   [[nodiscard]] Modes project(const Modes& integrals) const;
   /// Of the volume change of displacements U [dim, nodes].
-  [[nodiscard]] Modes project_volume_change(const NodeVectors<S>& U) const;
+  [[nodiscard]] Modes project_displacement_dilatation(const NodeVectors<S>& U) const;
 };
 
 } // namespace spricka::fe

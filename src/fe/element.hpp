@@ -68,17 +68,17 @@ template <shape::ElementShape S>
 ElementMatrix<S> element_stiffness(const NodeVectors<S>& X, const ConstitutiveLaw& law);
 
 /// Volume change at each point: div u with the hoop strain, or its projection.
-template <shape::Element S> struct VolumeChange {
+template <shape::Element S> struct VolumeChangeField {
   S element;
   const ConstitutiveLaw& law;
   typename ProjectedDilatation<S>::Modes projected;
 
-  VolumeChange(const S& element_, const NodeVectors<S>& X, const ConstitutiveLaw& law_,
-               const NodeVectors<S>& U)
+  VolumeChangeField(const S& element_, const NodeVectors<S>& X, const ConstitutiveLaw& law_,
+                    const NodeVectors<S>& U)
       : element(element_), law(law_) {
     projected.setZero();
     if (law.projected) {
-      projected = ProjectedDilatation<S>(element, X, law).project_volume_change(U);
+      projected = ProjectedDilatation<S>(element, X, law).project_displacement_dilatation(U);
     }
   }
   /// The volume change at a reference point: the projected one where the law asks for it, else

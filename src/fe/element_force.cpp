@@ -8,7 +8,7 @@ NodeVectors<S> element_force(const S& element, const NodeVectors<S>& X, const Co
                              const NodeVectors<S>& U) {
   using Square = Eigen::Matrix<double, S::dim, S::dim>;
   NodeVectors<S> F = NodeVectors<S>::Zero(S::dim, element.nodes);
-  const VolumeChange<S> change(element, X, law, U);
+  const VolumeChangeField<S> change(element, X, law, U);
   for (const auto& point : stiffness_rule(element, law)) {
     const Gradients<S> dN = element.dN(point.r);
     const Square J = X.lazyProduct(dN); // as in jacobian.cpp

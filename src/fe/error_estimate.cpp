@@ -110,7 +110,7 @@ public:
 
   // Elements round a point; where their samples do not determine the polynomial, as at the
   // boundary, the next rings of elements as well.
-  StressPatch patch(std::size_t point) {
+  FittedStressPolynomial patch(std::size_t point) {
     elements_.clear();
     samples_.clear();
     add(point, point);
@@ -120,7 +120,7 @@ public:
     }
     // Linear elements have one sample each, too few for terms of degree 2.
     const int degree = quadratic ? 2 : 1;
-    StressPatch fitted(samples_, r_.mesh.dim, degree);
+    FittedStressPolynomial fitted(samples_, r_.mesh.dim, degree);
     for (int ring = 1; ring < most_rings && !fitted.complete(); ++ring) {
       const std::size_t before = elements_.size();
       for (std::size_t i = 0; i < before; ++i) {
@@ -131,7 +131,7 @@ public:
       if (elements_.size() == before) {
         break;
       }
-      fitted = StressPatch(samples_, r_.mesh.dim, degree);
+      fitted = FittedStressPolynomial(samples_, r_.mesh.dim, degree);
     }
     return fitted;
   }
@@ -173,7 +173,7 @@ ErrorEstimate estimate_error(const model::Model& model, const model::Mesh& mesh,
                              const DisplacementTemperatureField& field) {
   StressRecovery recovery(mesh);
   sample(model, field, recovery);
-  std::vector<StressPatch> smooth;
+  std::vector<FittedStressPolynomial> smooth;
   std::vector<std::size_t> patch_of(recovery.points.node.size(), 0); // mid nodes have none
   Patches patches(recovery);
   for (std::size_t p = 0; p < patch_of.size(); ++p) {

@@ -37,7 +37,7 @@ template <int dim> using Moments = Eigen::Matrix<double, 3, dim + 1>;
 
 // The field times 1 and the reference coordinates.
 template <int dim>
-Moments<dim> field_moments_at(const shape::QuadraturePoint<dim>& p, const base::Vec3& v) {
+Moments<dim> point_moment_contribution(const shape::QuadraturePoint<dim>& p, const base::Vec3& v) {
   Moments<dim> m;
   m.col(0) = p.weight * v;
   for (int k = 0; k < dim; ++k) {
@@ -195,7 +195,7 @@ private:
       from_low += at_end[i] * s.p.weight * s.v;
       from_high += at_end[line_points - 1 - i] * s.p.weight * s.v;
       s.p.weight *= 0.5 * length * weight;
-      result.moments += field_moments_at<dim>(s.p, s.v);
+      result.moments += point_moment_contribution<dim>(s.p, s.v);
       ++i;
     }
     result.off_low = beyond * length * from_low.norm();

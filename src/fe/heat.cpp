@@ -36,7 +36,7 @@ void for_rest(const model::Model& model, const model::Mesh& mesh, const CaseTemp
               Use&& use) {
   for (std::size_t i = 0; i < mesh.element_count() && !heat.first.empty(); ++i) {
     const ElementId e(i);
-    const std::span<const ResidualTemperaturePoint> points = heat.element_points(e);
+    const std::span<const ResidualTemperaturePoint> points = heat.residual_points_in_element(e);
     if (points.empty()) {
       continue;
     }
@@ -67,7 +67,7 @@ void add_points(const model::Model& model, const PatchedMesh& patched, const Fie
         heat.discontinuous.resize(mesh.element_count(), false);
         heat.discontinuous[i] = true;
       }
-      std::vector<TemperatureSample<2>> samples;
+      std::vector<WeightedTemperature<2>> samples;
       for (const ResidualTemperaturePoint& p : points) {
         samples.push_back({p.r, p.area, p.T});
       }
@@ -78,7 +78,7 @@ void add_points(const model::Model& model, const PatchedMesh& patched, const Fie
         p.T -= projected_temperature(element, X, law, T, p.r);
         most = std::max(most, std::abs(p.T));
       }
-      // Elsewhere the element keeps what element_corner_temperatures found, and has no points.
+      // Elsewhere the element keeps what corner_temperatures_of_case found, and has no points.
       if (most > heat_round_off * scale.largest) {
         heat.temperature.segment(mesh.first[i], element.corners) = T;
         heat.points.insert(heat.points.end(), points.begin(), points.end());
@@ -96,7 +96,7 @@ void add_points(const model::Model& model, const PatchedMesh& patched, const Fie
 double projected_temperature(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
                              const ConstitutiveLaw& law, const CornerValues<2>& T,
                              const shape::Point<2>& r) {
-  if (FreeExpansion::is_required(element, X, law)) {
+  if (FreeExpansion::must_remove_beforehand(element, X, law)) {
     return FreeExpansion(element, X, law, T).temperature(X * element.N(r));
   }
   return T.dot(element.linear_element().N(r));
@@ -117,7 +117,7 @@ CaseTemperature make_case_temperature(const model::Model& model, const PatchedMe
   CaseTemperature heat;
   // In the plane points of their own tell whether a temperature jumps.
   const base::ByDimension<std::vector<bool>*> jumps{nullptr, &heat.discontinuous};
-  heat.temperature = element_corner_temperatures(model, patched.mesh, load_case, missed,
+  heat.temperature = corner_temperatures_of_case(model, patched.mesh, load_case, missed,
                                                  jumps.at(patched.mesh.dim));
   if (heat.temperature.size() == 0) {
     return heat;
@@ -163,14 +163,14 @@ void add_residual_temperature_energy(const model::Model& model, const model::Mes
     for_rest(model, mesh, *one.heat, [&](const RestElement& own) {
       const AnyNodeVectors<2> U = gather(own.shape, mesh, own.e, u);
       const double beta = one.factor * own.law.thickness * thermal_modulus(own.law);
-      const double square = 0.5 * own.law.expansion * own.law.heated_directions();
+      const double square = 0.5 * own.law.expansion * own.law.heated_direction_count();
       for (const ResidualTemperaturePoint& p : own.points) {
         const Vec2 x = own.X * own.shape.N(p.r);
         double all = 0.0;
         for (const ScaledTemperature& other : acting) {
-          if (!other.heat->element_points(own.e).empty()) {
+          if (!other.heat->residual_points_in_element(own.e).empty()) {
             const CornerValues<2> T =
-                corner_temperature(own.shape, mesh, own.e, other.heat->temperature);
+                gather_corner_temperatures(own.shape, mesh, own.e, other.heat->temperature);
             all += other.factor * (other.heat->field(own.e, x) -
                                    projected_temperature(own.shape, own.X, own.law, T, p.r));
           }

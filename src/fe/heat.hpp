@@ -15,7 +15,7 @@ namespace spricka::fe {
 
 /// The stress that a degree takes out, beta of manual fe.21.
 inline double thermal_modulus(const ConstitutiveLaw& law) {
-  return law.expansion * (law.heated_directions() * law.lambda + 2.0 * law.mu);
+  return law.expansion * (law.heated_direction_count() * law.lambda + 2.0 * law.mu);
 }
 
 /// Temperatures of one load case on a mesh.
@@ -33,7 +33,8 @@ struct CaseTemperature {
     return field.varies(e) && (discontinuous.empty() || !discontinuous[e.index()]);
   }
   /// Points of the residual temperature inside an element; empty where it leaves no rest.
-  [[nodiscard]] std::span<const ResidualTemperaturePoint> element_points(base::ElementId e) const {
+  [[nodiscard]] std::span<const ResidualTemperaturePoint>
+  residual_points_in_element(base::ElementId e) const {
     return first.empty() ? std::span<const ResidualTemperaturePoint>()
                          : std::span(points).subspan(first[e.index()],
                                                      first[e.index() + 1] - first[e.index()]);

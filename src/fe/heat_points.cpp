@@ -41,7 +41,7 @@ SampledTemperature sample_temperature(const AnyElement<2>& element, const AnyNod
     };
     const auto usual = chart_rule(chart, chart_degree);
     const auto finer = chart_rule(chart, finer_degree);
-    const AdaptedRule<2> rule = make_adapted_rule<2>(
+    const FieldAdaptedRule<2> rule = make_adapted_rule<2>(
         {map, usual, finer}, value, {adaptive_rule_limits<2>.load_tolerance, scale, false});
     double area = 0.0;
     double reference_area = 0.0;

@@ -35,7 +35,7 @@ template <int dim> using AnyNodeVectors = NodeVectors<AnyElement<dim>>;
 template <int dim>
 using SpaceNodes = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, shape::most_nodes<dim>>;
 /// Coordinates in the plane or in space with three components.
-template <int dim> SpaceNodes<dim> space_coordinates(const AnyNodeVectors<dim>& X) {
+template <int dim> SpaceNodes<dim> embed_nodes_in_space(const AnyNodeVectors<dim>& X) {
   SpaceNodes<dim> x = SpaceNodes<dim>::Zero(3, X.cols());
   x.template topRows<dim>() = X;
   return x;

@@ -28,7 +28,7 @@ struct ConstitutiveLaw {
   template <int dim> [[nodiscard]] bool is_axisymmetric() const { return dim == 2 && axisymmetric; }
 
   /// Strains that a temperature drives and that the state holds: two in plane stress.
-  [[nodiscard]] double heated_directions() const { return plane_stress ? 2.0 : 3.0; }
+  [[nodiscard]] double heated_direction_count() const { return plane_stress ? 2.0 : 3.0; }
 
   /// What stands behind a point of the mesh plane: thickness, circumference, or 1 in space.
   [[nodiscard]] double depth(double x) const {

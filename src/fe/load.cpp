@@ -84,7 +84,7 @@ Vector consistent_nodal_load(const model::Model& model, const model::Mesh& mesh,
   for (const model::Load& load : load_case.loads) {
     add_load(model, mesh, load, f);
   }
-  const Vector T = element_corner_temperatures(model, mesh, load_case);
+  const Vector T = corner_temperatures_of_case(model, mesh, load_case);
   if (T.size() > 0) {
     f += thermal_load(model, mesh, T);
   }

@@ -34,7 +34,7 @@ void for_face_points(const Spread& spread, const FaceDensity& density,
   for (const model::Face& face : mesh.set_with_id(load.faces).faces) {
     const geometry::ElementSide side = model::element_side(mesh, face);
     const ConstitutiveLaw law = constitutive_law(model, mesh, face.element);
-    const AdaptedRule<2> rule = load_rule(side, load, scale);
+    const FieldAdaptedRule<2> rule = load_rule(side, load, scale);
     points.clear();
     for (const auto& [r, weight] : rule.points) {
       const Vec3 x = side.position(r);
@@ -46,7 +46,7 @@ void for_face_points(const Spread& spread, const FaceDensity& density,
     visit(face, points);
     if (missed != nullptr) {
       // Rules count by the reference side: its area and depth at the centre stand for all of it.
-      const auto centre = unit_cube_point<2>(side.domain(), {0.5, 0.5, 0.5}).r;
+      const auto centre = map_from_unit_cube<2>(side.domain(), {0.5, 0.5, 0.5}).r;
       const double depth = law.depth(side.position(centre).x());
       missed->add(rule.missed, rule.amount, depth * side.area_vector(centre).norm());
     }
@@ -64,8 +64,8 @@ void for_body_points(const Spread& spread, const BodyDensity& density,
     with_any_element(mesh, e, [&]<int dim>(const AnyElement<dim>& element) {
       const AnyNodeVectors<dim> X = coordinates(element, mesh, e);
       const ConstitutiveLaw law = constitutive_law(spread.model, mesh, e);
-      const CutElementFraction* share = shares.find_cut_fraction(e);
-      const AdaptedRule<dim> rule = body_load_rule<dim>(element, X, spread.load, scale);
+      const CutElementShareFunction* share = shares.find_cut_share_function(e);
+      const FieldAdaptedRule<dim> rule = body_load_rule<dim>(element, X, spread.load, scale);
       points.clear();
       for (const auto& point : rule.points) {
         const Eigen::Matrix<double, dim, dim> J = X.lazyProduct(element.dN(point.r));
@@ -78,7 +78,7 @@ void for_body_points(const Spread& spread, const BodyDensity& density,
       }
       visit(e, points);
       if (spread.missed != nullptr) {
-        const auto centre = unit_cube_point<dim>(element.domain, {0.5, 0.5, 0.5}).r;
+        const auto centre = map_from_unit_cube<dim>(element.domain, {0.5, 0.5, 0.5}).r;
         const Eigen::Matrix<double, dim, dim> J = X.lazyProduct(element.dN(centre));
         const double depth = law.depth(X.row(0) * element.N(centre));
         spread.missed->add(rule.missed, rule.amount, depth * J.determinant());

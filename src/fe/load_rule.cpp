@@ -21,7 +21,7 @@ void with_part(const model::Mesh& mesh, const model::Load& load,
                              f);
   } else {
     with_any_element(mesh, elements[part], [&]<int dim>(const AnyElement<dim>& element) {
-      f(element, space_coordinates<dim>(coordinates(element, mesh, elements[part])));
+      f(element, embed_nodes_in_space<dim>(coordinates(element, mesh, elements[part])));
     });
   }
 }
@@ -55,8 +55,8 @@ FieldMagnitude load_scale(const model::Mesh& mesh, const model::Load& load,
 }
 
 template <int dim>
-AdaptedRule<dim> load_rule(const AnyElement<dim>& element, const SpaceNodes<dim>& X,
-                           const model::Load& load, const FieldMagnitude& scale) {
+FieldAdaptedRule<dim> load_rule(const AnyElement<dim>& element, const SpaceNodes<dim>& X,
+                                const model::Load& load, const FieldMagnitude& scale) {
   if (is_constant(load)) {
     const auto usual = shape::quadrature<dim>(element.domain, load_degree);
     return {{usual.begin(), usual.end()}, 0.0, 0.0, false};
@@ -67,12 +67,12 @@ AdaptedRule<dim> load_rule(const AnyElement<dim>& element, const SpaceNodes<dim>
       {adaptive_rule_limits<dim>.load_tolerance, scale, is_smooth(load)});
 }
 
-AdaptedRule<2> load_rule(const geometry::ElementSide& side, const model::Load& load,
-                         const FieldMagnitude& scale) {
-  AdaptedRule<2> rule;
+FieldAdaptedRule<2> load_rule(const geometry::ElementSide& side, const model::Load& load,
+                              const FieldMagnitude& scale) {
+  FieldAdaptedRule<2> rule;
   geometry::with_reference(side, [&]<int dim>(const shape::ReferenceElement<dim>& reference,
                                               const geometry::SidePositions& X) {
-    const AdaptedRule<dim> found = load_rule<dim>(reference, X, load, scale);
+    const FieldAdaptedRule<dim> found = load_rule<dim>(reference, X, load, scale);
     rule = {{}, found.missed, found.amount, found.jumps};
     for (const auto& [r, weight] : found.points) {
       base::Vec2 at = base::Vec2::Zero();
@@ -85,7 +85,7 @@ AdaptedRule<2> load_rule(const geometry::ElementSide& side, const model::Load& l
 
 template <int dim>
 void add_load_sample_points(const AnyElement<dim>& element, const SpaceNodes<dim>& X,
-                            const model::Load& load, std::vector<LoadSample>& places) {
+                            const model::Load& load, std::vector<LoadEvaluationPoint>& places) {
   for (const auto& point : load_rule<dim>(element, X, load, {}).points) {
     const Eigen::Matrix<double, 3, dim> J = X.lazyProduct(element.dN(point.r));
     const double size = std::sqrt((J.transpose() * J).determinant());
@@ -93,8 +93,9 @@ void add_load_sample_points(const AnyElement<dim>& element, const SpaceNodes<dim
   }
 }
 
-std::vector<LoadSample> load_sample_points(const model::Mesh& mesh, const model::Load& load) {
-  std::vector<LoadSample> places;
+std::vector<LoadEvaluationPoint> load_sample_points(const model::Mesh& mesh,
+                                                    const model::Load& load) {
+  std::vector<LoadEvaluationPoint> places;
   if (is_constant(load)) {
     return {{base::Vec3::Zero(), 1.0}};
   }
@@ -119,10 +120,11 @@ std::vector<LoadSample> load_sample_points(const model::Mesh& mesh, const model:
 }
 
 #define LOAD_RULE(dim)                                                                             \
-  template AdaptedRule<dim> load_rule<dim>(const AnyElement<dim>&, const SpaceNodes<dim>&,         \
-                                           const model::Load&, const FieldMagnitude&);             \
+  template FieldAdaptedRule<dim> load_rule<dim>(const AnyElement<dim>&, const SpaceNodes<dim>&,    \
+                                                const model::Load&, const FieldMagnitude&);        \
   template void add_load_sample_points<dim>(const AnyElement<dim>&, const SpaceNodes<dim>&,        \
-                                            const model::Load&, std::vector<LoadSample>&);
+                                            const model::Load&,                                    \
+                                            std::vector<LoadEvaluationPoint>&);
 LOAD_RULE(1)
 LOAD_RULE(2)
 LOAD_RULE(3)

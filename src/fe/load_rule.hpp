@@ -44,34 +44,35 @@ inline bool is_smooth(const model::Load& load) {
 /// The rule that a load wants over a side or an element; `scale` as load_scale gives it. Compiled
 /// in load_rule.cpp for each dimension.
 template <int dim>
-AdaptedRule<dim> load_rule(const AnyElement<dim>& element, const SpaceNodes<dim>& X,
-                           const model::Load& load, const FieldMagnitude& scale);
+FieldAdaptedRule<dim> load_rule(const AnyElement<dim>& element, const SpaceNodes<dim>& X,
+                                const model::Load& load, const FieldMagnitude& scale);
 
 /// The same over a side, by its two local coordinates.
-AdaptedRule<2> load_rule(const geometry::ElementSide& side, const model::Load& load,
-                         const FieldMagnitude& scale);
+FieldAdaptedRule<2> load_rule(const geometry::ElementSide& side, const model::Load& load,
+                              const FieldMagnitude& scale);
 
 /// The same with nodes in the plane or in space [dim, nodes].
 template <int dim>
-AdaptedRule<dim> body_load_rule(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
-                                const model::Load& load, const FieldMagnitude& scale) {
-  return load_rule<dim>(element, space_coordinates<dim>(X), load, scale);
+FieldAdaptedRule<dim> body_load_rule(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
+                                     const model::Load& load, const FieldMagnitude& scale) {
+  return load_rule<dim>(element, embed_nodes_in_space<dim>(X), load, scale);
 }
 
 /// A place that a load is integrated at, and the length, area or volume that it stands for.
-struct LoadSample {
+struct LoadEvaluationPoint {
   base::Vec3 x = base::Vec3::Zero();
   double size = 0.0;
 };
 
 /// The places of a load of a deck on its mesh: of nodes themselves, with a size of 1; of a constant
 /// load any one.
-std::vector<LoadSample> load_sample_points(const model::Mesh& mesh, const model::Load& load);
+std::vector<LoadEvaluationPoint> load_sample_points(const model::Mesh& mesh,
+                                                    const model::Load& load);
 
 /// Adds the places of one side or element. Compiled in load_rule.cpp for each dimension.
 template <int dim>
 void add_load_sample_points(const AnyElement<dim>& element, const SpaceNodes<dim>& X,
-                            const model::Load& load, std::vector<LoadSample>& places);
+                            const model::Load& load, std::vector<LoadEvaluationPoint>& places);
 
 /// Part of a load's total magnitude that no rule could follow, 1 at most; 0 where all agree to
 /// AdaptiveRuleLimits::load_tolerance.

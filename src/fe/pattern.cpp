@@ -7,15 +7,16 @@
 
 namespace spricka::fe {
 
-void BlockRows::add(std::span<const std::int32_t> system_rows) {
+void RowsByBlock::add(std::span<const std::int32_t> system_rows) {
   for (std::size_t k = 0; k < system_rows.size(); ++k) {
     if (system_rows[k] >= 0) {
       rows.push_back({system_rows[k], static_cast<std::int32_t>(k)});
     }
   }
-  std::sort(rows.begin() + start.back(), rows.end(), [](const BlockRow& a, const BlockRow& b) {
-    return a.row != b.row ? a.row < b.row : a.local < b.local;
-  });
+  std::sort(rows.begin() + start.back(), rows.end(),
+            [](const SystemRowOfBlock& a, const SystemRowOfBlock& b) {
+              return a.row != b.row ? a.row < b.row : a.local < b.local;
+            });
   start.push_back(static_cast<std::int64_t>(rows.size()));
 }
 
@@ -27,17 +28,17 @@ struct Incidence {
   std::vector<std::int32_t> block;
 };
 
-Incidence blocks_of_rows(std::size_t n, const BlockRows& blocks) {
+Incidence blocks_of_rows(std::size_t n, const RowsByBlock& blocks) {
   Incidence lists;
   lists.start.assign(n + 1, 0);
-  for (const BlockRow& r : blocks.rows) {
+  for (const SystemRowOfBlock& r : blocks.rows) {
     ++lists.start[static_cast<std::size_t>(r.row) + 1];
   }
   std::partial_sum(lists.start.begin(), lists.start.end(), lists.start.begin());
   lists.block.resize(blocks.rows.size());
   std::vector<std::int64_t> next(lists.start.begin(), lists.start.end() - 1);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
-    for (const BlockRow& r : blocks.block_rows(b)) {
+    for (const SystemRowOfBlock& r : blocks.rows_of_block(b)) {
       const std::int64_t slot = next[static_cast<std::size_t>(r.row)]++;
       lists.block[static_cast<std::size_t>(slot)] = static_cast<std::int32_t>(b);
     }
@@ -47,7 +48,7 @@ Incidence blocks_of_rows(std::size_t n, const BlockRows& blocks) {
 
 } // namespace
 
-base::SymmetricCsc make_matrix_pattern(std::int64_t n, const BlockRows& blocks) {
+base::SymmetricCsc make_matrix_pattern(std::int64_t n, const RowsByBlock& blocks) {
   const auto count = static_cast<std::size_t>(n);
   const Incidence lists = blocks_of_rows(count, blocks);
   base::SymmetricCsc matrix;
@@ -64,7 +65,7 @@ base::SymmetricCsc make_matrix_pattern(std::int64_t n, const BlockRows& blocks) 
     column.push_back(row);
     for (std::int64_t k = lists.start[i]; k < lists.start[i + 1]; ++k) {
       const auto b = static_cast<std::size_t>(lists.block[static_cast<std::size_t>(k)]);
-      for (const BlockRow& r : blocks.block_rows(b)) {
+      for (const SystemRowOfBlock& r : blocks.rows_of_block(b)) {
         if (r.row >= row) {
           break;
         }
@@ -94,8 +95,8 @@ base::SymmetricCsc make_matrix_pattern(std::int64_t n, const BlockRows& blocks) 
   return matrix;
 }
 
-void add_block(base::SymmetricCsc& matrix, std::span<const BlockRow> rows, const double* block,
-               std::int64_t stride) {
+void add_block(base::SymmetricCsc& matrix, std::span<const SystemRowOfBlock> rows,
+               const double* block, std::int64_t stride) {
   for (std::size_t a = 0; a < rows.size(); ++a) {
     const auto j = static_cast<std::size_t>(rows[a].row);
     const double* const column = block + stride * rows[a].local;

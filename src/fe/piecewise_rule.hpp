@@ -19,20 +19,20 @@ public:
   /// The points of the rule over the reference element: cells are halved until the estimate of the
   /// error is within the tolerance or the bound on evaluations is reached; then `missed` is what is
   /// left.
-  AdaptedRule<dim> build_rule() {
-    std::vector<SplitCell> heap{split(cell({}, {1.0, 1.0, 1.0}))};
+  FieldAdaptedRule<dim> build_rule() {
+    std::vector<HalvedCell> heap{split(cell({}, {1.0, 1.0, 1.0}))};
     double error = heap.front().error;
     while (heap.front().halved && error > tolerance_ * std::max(amount_of(heap), least_amount_) &&
            lines_.evaluations() < adaptive_rule_limits<dim>.evaluations && std::isfinite(error)) {
       std::ranges::pop_heap(heap, less);
-      SplitCell worst = std::move(heap.back());
+      HalvedCell worst = std::move(heap.back());
       heap.pop_back();
       for (QuadratureCell& half : worst.halves) {
         heap.push_back(split(std::move(half)));
         std::ranges::push_heap(heap, less);
       }
       error = 0.0;
-      for (const SplitCell& s : heap) {
+      for (const HalvedCell& s : heap) {
         error += s.error;
       }
     }
@@ -49,13 +49,13 @@ private:
     UnitPoint low{}, size{};
     LineIntegrals<dim> sums;
   };
-  struct SplitCell {
+  struct HalvedCell {
     QuadratureCell whole;
     bool halved = false; ///< a line alone has no halves
     std::array<QuadratureCell, 2> halves;
     double error = 0.0;
   };
-  static bool less(const SplitCell& a, const SplitCell& b) { return a.error < b.error; }
+  static bool less(const HalvedCell& a, const HalvedCell& b) { return a.error < b.error; }
 
   QuadratureCell cell(const UnitPoint& low, const UnitPoint& size) {
     QuadratureCell result;
@@ -80,8 +80,8 @@ private:
   }
 
   // Halved across the lines in the direction that changes the integrals most.
-  SplitCell split(QuadratureCell whole) {
-    SplitCell result;
+  HalvedCell split(QuadratureCell whole) {
+    HalvedCell result;
     result.error = -1.0;
     for (std::size_t k = 0; k < dim; ++k) {
       if (k == lines_.line_direction()) {
@@ -109,19 +109,19 @@ private:
     return result;
   }
 
-  static double amount_of(const std::vector<SplitCell>& heap) {
+  static double amount_of(const std::vector<HalvedCell>& heap) {
     double amount = 0.0;
-    for (const SplitCell& s : heap) {
+    for (const HalvedCell& s : heap) {
       amount += s.whole.sums.amount;
     }
     return amount;
   }
 
-  AdaptedRule<dim> gather(std::vector<SplitCell>& heap, double error) {
-    AdaptedRule<dim> rule;
+  FieldAdaptedRule<dim> gather(std::vector<HalvedCell>& heap, double error) {
+    FieldAdaptedRule<dim> rule;
     rule.amount = amount_of(heap);
     const double room = tolerance_ * std::max(rule.amount, least_amount_);
-    for (SplitCell& s : heap) {
+    for (HalvedCell& s : heap) {
       const bool agreed = !s.halved || !(s.error > 0.01 * room);
       for (QuadratureCell* cell :
            agreed ? std::vector<QuadratureCell*>{&s.whole}

@@ -122,7 +122,7 @@ class Overlap {
 public:
   Overlap(const model::Mesh& host, const std::vector<ElementId>& replaced, const model::Mesh& mesh,
           std::size_t first_fresh);
-  [[nodiscard]] std::vector<CutElementFraction> shares(const std::vector<bool>& member) const;
+  [[nodiscard]] std::vector<CutElementShareFunction> shares(const std::vector<bool>& member) const;
 
 private:
   struct HostOverlap {
@@ -170,12 +170,12 @@ Overlap::Overlap(const model::Mesh& host, const std::vector<ElementId>& replaced
 }
 
 // Of elements that lie within the set as a whole too, as [1, 0, 0].
-std::vector<CutElementFraction> Overlap::shares(const std::vector<bool>& member) const {
+std::vector<CutElementShareFunction> Overlap::shares(const std::vector<bool>& member) const {
   double wanted = 0.0; // what the cut elements have to take
   for (const ElementId e : replaced_) {
     wanted += member[e.index()] ? mass_of(host_, e, Vec2::Zero())(0, 0) : 0.0;
   }
-  std::vector<CutElementFraction> result;
+  std::vector<CutElementShareFunction> result;
   double found = 0.0;
   for (const Fresh& f : fresh_) {
     Vec3 in = Vec3::Zero();
@@ -205,7 +205,7 @@ std::vector<CutElementFraction> Overlap::shares(const std::vector<bool>& member)
     found += in[0];
   }
   if (found > 0.0 && std::abs(wanted / found - 1.0) < curve_room) {
-    for (CutElementFraction& share : result) {
+    for (CutElementShareFunction& share : result) {
       if (share.c == whole) {
         continue;
       }
@@ -240,8 +240,8 @@ Replaced replaced_elements(const model::Mesh& host, const model::Mesh& mesh) {
 
 } // namespace
 
-const CutElementFraction* ElementSetCoverage::find_cut_fraction(ElementId e) const {
-  const auto at = std::ranges::lower_bound(cut, e, {}, &CutElementFraction::element);
+const CutElementShareFunction* ElementSetCoverage::find_cut_share_function(ElementId e) const {
+  const auto at = std::ranges::lower_bound(cut, e, {}, &CutElementShareFunction::element);
   return at != cut.end() && at->element == e ? &*at : nullptr;
 }
 
@@ -265,7 +265,7 @@ ElementSetCoverage set_shares(const model::Model& model, const model::Mesh& mesh
   }
   const Overlap overlap(host, replaced.elements, mesh, replaced.first_fresh);
   std::erase_if(result.elements, [&](ElementId e) { return e.index() >= replaced.first_fresh; });
-  for (const CutElementFraction& share : overlap.shares(member)) {
+  for (const CutElementShareFunction& share : overlap.shares(member)) {
     result.elements.push_back(share.element);
     if (share.c != whole) {
       result.cut.push_back(share);

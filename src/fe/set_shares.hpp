@@ -13,7 +13,7 @@ namespace spricka::fe {
 
 /// How much of a region lies in an element that its rim cuts: the region's indicator, projected
 /// onto linear functions of the element, so that its integral and first moments are kept.
-struct CutElementFraction {
+struct CutElementShareFunction {
   base::ElementId element;
   std::array<double, 3> c{}; ///< c0 + c1 (x - at.x) + c2 (y - at.y)
   base::Vec2 at = base::Vec2::Zero();
@@ -25,11 +25,11 @@ struct CutElementFraction {
 
 /// The elements that a load per volume on a set acts on, and how.
 struct ElementSetCoverage {
-  std::vector<base::ElementId> elements; ///< each once: those of the set and those that it cuts
-  std::vector<CutElementFraction> cut;   ///< ascending; all others count as a whole
+  std::vector<base::ElementId> elements;    ///< each once: those of the set and those that it cuts
+  std::vector<CutElementShareFunction> cut; ///< ascending; all others count as a whole
 
   /// Of an element; null: as a whole.
-  [[nodiscard]] const CutElementFraction* find_cut_fraction(base::ElementId e) const;
+  [[nodiscard]] const CutElementShareFunction* find_cut_share_function(base::ElementId e) const;
 };
 
 /// The shares of a set of the deck on `mesh`, the deck's own or one with cracks in it: there new

@@ -28,7 +28,8 @@ std::vector<Stress> element_mean_stress(const model::Model& model, const model::
 /// the mean of the elements there that hang together and share a property. A point of the true
 /// boundary that lies off the mesh by less than 5 % of an element (the sagitta of an arc) belongs
 /// to the nearest element.
-std::optional<Stress> stress_at(const model::Model& model, const model::Mesh& mesh,
-                                const DisplacementTemperatureField& field, const base::Vec3& point);
+std::optional<Stress> stress_at_body_point(const model::Model& model, const model::Mesh& mesh,
+                                           const DisplacementTemperatureField& field,
+                                           const base::Vec3& point);
 
 } // namespace spricka::fe

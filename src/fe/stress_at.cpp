@@ -35,9 +35,9 @@ Stress mean_at(const model::Model& model, const model::Mesh& mesh,
 
 } // namespace
 
-std::optional<Stress> stress_at(const model::Model& model, const model::Mesh& mesh,
-                                const DisplacementTemperatureField& field,
-                                const base::Vec3& point) {
+std::optional<Stress> stress_at_body_point(const model::Model& model, const model::Mesh& mesh,
+                                           const DisplacementTemperatureField& field,
+                                           const base::Vec3& point) {
   std::vector<ElementHit> hits = elements_at_point(mesh, point);
   if (hits.empty()) {
     return std::nullopt;

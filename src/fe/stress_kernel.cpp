@@ -50,8 +50,8 @@ ElementStressEvaluator<S>::held_temperature(const model::Mesh& mesh, base::Eleme
   if (field.temperature == nullptr) {
     return none;
   }
-  const CornerValues<S::dim> T = corner_temperature(element, mesh, e, *field.temperature);
-  if (const auto free = free_expansion(element, X, law, T)) {
+  const CornerValues<S::dim> T = gather_corner_temperatures(element, mesh, e, *field.temperature);
+  if (const auto free = free_expansion_displacements(element, X, law, T)) {
     U -= *free;
     return none;
   }

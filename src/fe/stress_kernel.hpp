@@ -10,7 +10,7 @@ template <shape::ElementShape S> struct ElementStressEvaluator {
   NodeVectors<S> X;
   NodeVectors<S> U;
   ConstitutiveLaw law;
-  VolumeChange<S> change;
+  VolumeChangeField<S> change;
   ThermalStress<S::dim> thermal;
 
   ElementStressEvaluator(const model::Model& model, const model::Mesh& mesh, base::ElementId e,

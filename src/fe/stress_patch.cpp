@@ -38,7 +38,8 @@ constexpr base::ByDimension principal_directions{&principal_in_plane, &principal
 
 } // namespace
 
-StressPatch::StressPatch(std::span<const StressSample* const> samples, int dim, int degree)
+FittedStressPolynomial::FittedStressPolynomial(std::span<const StressSample* const> samples,
+                                               int dim, int degree)
     : dim_(dim), count_(term_count(dim, degree)) {
   // About their centre and in units of their spread samples leave well conditioned equations on
   // stretched elements as well.
@@ -46,7 +47,7 @@ StressPatch::StressPatch(std::span<const StressSample* const> samples, int dim, 
   base::with_dimension(dim, [&](auto known) { fit<term_count(known, 2)>(samples); });
 }
 
-void StressPatch::choose_axes(std::span<const StressSample* const> samples) {
+void FittedStressPolynomial::choose_axes(std::span<const StressSample* const> samples) {
   const double share = 1.0 / static_cast<double>(samples.size());
   for (const StressSample* s : samples) {
     centre_ += share * s->x;
@@ -73,7 +74,7 @@ void StressPatch::choose_axes(std::span<const StressSample* const> samples) {
   }
 }
 
-StressPatch::Terms StressPatch::terms(const base::Vec3& x) const {
+FittedStressPolynomial::Terms FittedStressPolynomial::terms(const base::Vec3& x) const {
   const base::Vec3 d = axes_ * (x - centre_);
   Terms t = Terms::Zero();
   int k = 0;
@@ -92,7 +93,7 @@ StressPatch::Terms StressPatch::terms(const base::Vec3& x) const {
 
 // Normal equations by Cholesky's method in the order of the terms, of which no degree has more than
 // `some` in this space.
-template <int some> void StressPatch::fit(std::span<const StressSample* const> samples) {
+template <int some> void FittedStressPolynomial::fit(std::span<const StressSample* const> samples) {
   Eigen::Matrix<double, some, some> A = Eigen::Matrix<double, some, some>::Zero();
   Eigen::Matrix<double, some, 6> b = Eigen::Matrix<double, some, 6>::Zero();
   for (const StressSample* s : samples) {
@@ -130,7 +131,7 @@ template <int some> void StressPatch::fit(std::span<const StressSample* const> s
   }
 }
 
-Stress StressPatch::at(const base::Vec3& x) const {
+Stress FittedStressPolynomial::at(const base::Vec3& x) const {
   const Terms t = terms(x); // coefficients are zero where no term is
   return base::with_dimension(dim_, [&](auto known) {
     constexpr int count = term_count(known, 2);

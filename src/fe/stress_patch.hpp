@@ -18,10 +18,10 @@ struct StressSample {
 /// Polynomials of degree 1 or 2 in x for the six stresses, fitted to samples by least squares along
 /// their principal axes. Terms that the samples do not determine are left out: those across a
 /// single layer of elements.
-class StressPatch {
+class FittedStressPolynomial {
 public:
   /// One sample or more; `dim` 2 or 3.
-  StressPatch(std::span<const StressSample* const> samples, int dim, int degree);
+  FittedStressPolynomial(std::span<const StressSample* const> samples, int dim, int degree);
 
   /// Whether no term of the degree asked for is left out.
   [[nodiscard]] bool complete() const { return complete_; }

@@ -14,11 +14,11 @@ namespace {
 template <int dim>
 double held_energy(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
                    const ConstitutiveLaw& law, const CornerValues<dim>& T) {
-  if (const auto U = free_expansion(element, X, law, T)) {
+  if (const auto U = free_expansion_displacements(element, X, law, T)) {
     return 0.5 * element_force(element, X, law, *U).cwiseProduct(*U).sum();
   }
   const ThermalStress<dim> stress(element, X, law, T);
-  const double directions = law.heated_directions();
+  const double directions = law.heated_direction_count();
   // (fe.27).
   double energy = 0.0;
   for (const auto& point : stiffness_rule(element, law)) {
@@ -44,7 +44,7 @@ CornerValues<dim> taken_by(const AnyElement<dim>& element, const AnyNodeVectors<
                            const ConstitutiveLaw& law, const model::Load& load,
                            const FieldMagnitude& scale, RuleNews& news) {
   const auto nearest_by = [&](std::span<const shape::QuadraturePoint<dim>> rule) {
-    std::vector<TemperatureSample<dim>> samples;
+    std::vector<WeightedTemperature<dim>> samples;
     for (const auto& point : rule) {
       base::Vec3 x = base::Vec3::Zero();
       x.template head<dim>() = X * element.N(point.r);
@@ -58,8 +58,8 @@ CornerValues<dim> taken_by(const AnyElement<dim>& element, const AnyNodeVectors<
   if (is_constant(load) || has_residual_temperature(law, dim, element.quadratic)) {
     return nearest_by(usual);
   }
-  const AdaptedRule<dim> rule = body_load_rule<dim>(element, X, load, scale);
-  const auto centre = unit_cube_point<dim>(element.domain, {0.5, 0.5, 0.5}).r;
+  const FieldAdaptedRule<dim> rule = body_load_rule<dim>(element, X, load, scale);
+  const auto centre = map_from_unit_cube<dim>(element.domain, {0.5, 0.5, 0.5}).r;
   news.missed.add(rule.missed, rule.amount,
                   law.depth(X.row(0) * element.N(centre)) * jacobian(element, X, centre).det);
   news.jumps = rule.jumps;
@@ -74,7 +74,7 @@ void for_heated(const model::Mesh& mesh, const base::Vector& temperature, Use&& 
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
     const base::ElementId e(i);
     with_any_element(mesh, e, [&]<int dim>(const AnyElement<dim>& element) {
-      const CornerValues<dim> T = corner_temperature(element, mesh, e, temperature);
+      const CornerValues<dim> T = gather_corner_temperatures(element, mesh, e, temperature);
       if ((T.array() != 0.0).any()) {
         use(element, e, T);
       }
@@ -88,7 +88,7 @@ bool has_residual_temperature(const ConstitutiveLaw& law, int dim, bool quadrati
   return dim == 2 && quadratic && !law.axisymmetric && !law.projected;
 }
 
-base::Vector element_corner_temperatures(const model::Model& model, const model::Mesh& mesh,
+base::Vector corner_temperatures_of_case(const model::Model& model, const model::Mesh& mesh,
                                          const model::LoadCase& load_case, UnresolvedLoad* missed,
                                          std::vector<bool>* jumps) {
   base::Vector temperature;

@@ -21,7 +21,7 @@ struct UnresolvedLoad;
 /// Mesh::nodes; mid nodes hold zero]; empty without thermal loads. Elements in several sets take
 /// the sum. What rules could not follow of it goes to `missed` and whether it jumps inside an
 /// element to `jumps` [element], but for elements with a rest.
-base::Vector element_corner_temperatures(const model::Model& model, const model::Mesh& mesh,
+base::Vector corner_temperatures_of_case(const model::Model& model, const model::Mesh& mesh,
                                          const model::LoadCase& load_case,
                                          UnresolvedLoad* missed = nullptr,
                                          std::vector<bool>* jumps = nullptr);

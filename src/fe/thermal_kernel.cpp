@@ -31,7 +31,7 @@ bool holds_quadratics(const AnyElement<2>& element, const AnyNodeVectors<2>& X) 
 FreeExpansion::FreeExpansion(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
                              const ConstitutiveLaw& law, const CornerValues<2>& T)
     : centre_(X.leftCols(element.corners).rowwise().mean()),
-      strain_(law.expansion * (law.heated_directions() * law.lambda + 2.0 * law.mu) /
+      strain_(law.expansion * (law.heated_direction_count() * law.lambda + 2.0 * law.mu) /
               (2.0 * (law.lambda + law.mu))) {
   Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 4, 3> A(element.corners, 3);
   A.col(0).setOnes();
@@ -42,8 +42,8 @@ FreeExpansion::FreeExpansion(const AnyElement<2>& element, const AnyNodeVectors<
   plane_ = normal.ldlt().solve(right);
 }
 
-bool FreeExpansion::is_required(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
-                                const ConstitutiveLaw& law) {
+bool FreeExpansion::must_remove_beforehand(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
+                                           const ConstitutiveLaw& law) {
   return element.quadratic && !law.axisymmetric && !law.projected && !holds_quadratics(element, X);
 }
 
@@ -75,11 +75,11 @@ AnyNodeVectors<2> FreeExpansion::at_nodes(const AnyNodeVectors<2>& X) const {
   return U;
 }
 
-std::optional<AnyNodeVectors<2>> free_expansion(const AnyElement<2>& element,
-                                                const AnyNodeVectors<2>& X,
-                                                const ConstitutiveLaw& law,
-                                                const CornerValues<2>& T) {
-  if (!FreeExpansion::is_required(element, X, law)) {
+std::optional<AnyNodeVectors<2>> free_expansion_displacements(const AnyElement<2>& element,
+                                                              const AnyNodeVectors<2>& X,
+                                                              const ConstitutiveLaw& law,
+                                                              const CornerValues<2>& T) {
+  if (!FreeExpansion::must_remove_beforehand(element, X, law)) {
     return std::nullopt;
   }
   return FreeExpansion(element, X, law, T).at_nodes(X);
@@ -145,7 +145,7 @@ ThermalStress<dim>::ThermalStress(const AnyElement<dim>& element, const AnyNodeV
 template <int dim>
 AnyNodeVectors<dim> thermal_forces(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
                                    const ConstitutiveLaw& law, const CornerValues<dim>& T) {
-  if (const auto U = free_expansion(element, X, law, T)) {
+  if (const auto U = free_expansion_displacements(element, X, law, T)) {
     return element_force(element, X, law, *U); // F = K_e u_T of (fe.38)
   }
   const ThermalStress<dim> stress(element, X, law, T);
@@ -164,11 +164,11 @@ AnyNodeVectors<dim> thermal_forces(const AnyElement<dim>& element, const AnyNode
 template <int dim>
 CornerValues<dim> project_temperature(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
                                       const ConstitutiveLaw& law,
-                                      std::span<const TemperatureSample<dim>> samples) {
+                                      std::span<const WeightedTemperature<dim>> samples) {
   using Place = shape::Point<dim>;
   const TemperatureFunctions<dim> heat(element, X);
   const Place centre = X.leftCols(element.corners).rowwise().mean();
-  const bool in_x = FreeExpansion::is_required(element, X, law);
+  const bool in_x = FreeExpansion::must_remove_beforehand(element, X, law);
   const auto functions = [&](const Place& x, const Place& r) -> base::Vector {
     if (!element.quadratic) {
       return base::Vector::Ones(1); // the mean (fe.23)
@@ -183,7 +183,7 @@ CornerValues<dim> project_temperature(const AnyElement<dim>& element, const AnyN
   const Eigen::Index terms = functions(centre, element.centre()).size();
   base::Matrix G = base::Matrix::Zero(terms, terms);
   base::Vector right = base::Vector::Zero(terms);
-  for (const TemperatureSample<dim>& s : samples) {
+  for (const WeightedTemperature<dim>& s : samples) {
     const base::Vector f = functions(X * element.N(s.r), s.r);
     G += (s.weight * f) * f.transpose();
     right += (s.weight * s.T) * f;
@@ -204,7 +204,7 @@ CornerValues<dim> project_temperature(const AnyElement<dim>& element, const AnyN
       const CornerValues<dim>&);                                                                   \
   template CornerValues<dim> project_temperature<dim>(                                             \
       const AnyElement<dim>&, const AnyNodeVectors<dim>&, const ConstitutiveLaw&,                  \
-      std::span<const TemperatureSample<dim>>);
+      std::span<const WeightedTemperature<dim>>);
 THERMAL(2)
 THERMAL(3)
 

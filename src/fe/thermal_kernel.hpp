@@ -19,8 +19,9 @@ using CornerGradients =
 
 /// Corner temperatures of an element out of a field by connectivity index.
 template <int dim>
-CornerValues<dim> corner_temperature(const AnyElement<dim>& element, const model::Mesh& mesh,
-                                     base::ElementId e, const base::Vector& temperature) {
+CornerValues<dim> gather_corner_temperatures(const AnyElement<dim>& element,
+                                             const model::Mesh& mesh, base::ElementId e,
+                                             const base::Vector& temperature) {
   return temperature.segment(mesh.first[e.index()], element.corners);
 }
 
@@ -35,12 +36,13 @@ public:
   FreeExpansion(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
                 const ConstitutiveLaw& law, const CornerValues<2>& T);
   /// Whether an element has to take it out beforehand.
-  [[nodiscard]] static bool is_required(const AnyElement<2>& element, const AnyNodeVectors<2>& X,
-                                        const ConstitutiveLaw& law);
+  [[nodiscard]] static bool must_remove_beforehand(const AnyElement<2>& element,
+                                                   const AnyNodeVectors<2>& X,
+                                                   const ConstitutiveLaw& law);
   /// No solid has to: in it TemperatureFunctions follow linear temperatures.
-  [[nodiscard]] static bool is_required(const AnyElement<3>& /*element*/,
-                                        const AnyNodeVectors<3>& /*X*/,
-                                        const ConstitutiveLaw& /*law*/) {
+  [[nodiscard]] static bool must_remove_beforehand(const AnyElement<3>& /*element*/,
+                                                   const AnyNodeVectors<3>& /*X*/,
+                                                   const ConstitutiveLaw& /*law*/) {
     return false;
   }
   /// Temperature of the plane at a place x.
@@ -64,15 +66,14 @@ private:
 
 /// Displacements [2, nodes] of the free expansion of an element that has to take it out beforehand;
 /// empty for others.
-std::optional<AnyNodeVectors<2>> free_expansion(const AnyElement<2>& element,
-                                                const AnyNodeVectors<2>& X,
-                                                const ConstitutiveLaw& law,
-                                                const CornerValues<2>& T);
+std::optional<AnyNodeVectors<2>> free_expansion_displacements(const AnyElement<2>& element,
+                                                              const AnyNodeVectors<2>& X,
+                                                              const ConstitutiveLaw& law,
+                                                              const CornerValues<2>& T);
 /// No solid has to: empty.
-inline std::optional<AnyNodeVectors<3>> free_expansion(const AnyElement<3>& /*element*/,
-                                                       const AnyNodeVectors<3>& /*X*/,
-                                                       const ConstitutiveLaw& /*law*/,
-                                                       const CornerValues<3>& /*T*/) {
+inline std::optional<AnyNodeVectors<3>>
+free_expansion_displacements(const AnyElement<3>& /*element*/, const AnyNodeVectors<3>& /*X*/,
+                             const ConstitutiveLaw& /*law*/, const CornerValues<3>& /*T*/) {
   return std::nullopt;
 }
 
@@ -120,7 +121,7 @@ public:
   [[nodiscard]] double at(const shape::Point<dim>& r) const {
     return cold_ ? 0.0
                  : law_->expansion *
-                       (law_->heated_directions() * law_->lambda * volumetric_temperature(r) +
+                       (law_->heated_direction_count() * law_->lambda * volumetric_temperature(r) +
                         2.0 * law_->mu * temperature(r));
   }
 
@@ -134,7 +135,7 @@ private:
 };
 
 /// A temperature at a point of an element.
-template <int dim> struct TemperatureSample {
+template <int dim> struct WeightedTemperature {
   shape::Point<dim> r = shape::Point<dim>::Zero();
   double weight = 0.0; ///< volume that it stands for, or a constant times that
   double T = 0.0;
@@ -146,7 +147,7 @@ template <int dim> struct TemperatureSample {
 template <int dim>
 CornerValues<dim> project_temperature(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
                                       const ConstitutiveLaw& law,
-                                      std::span<const TemperatureSample<dim>> samples);
+                                      std::span<const WeightedTemperature<dim>> samples);
 
 /// Consistent forces of an element's temperatures.
 template <int dim>

@@ -168,7 +168,7 @@ std::vector<Tie> make_ties(const model::Model& model, const model::Mesh& mesh,
         RigidBody(mesh, nodes, m).add_ties(ties);
       }
     } else if (const auto* transition = std::get_if<model::TransitionTie>(&model.mpcs[m])) {
-      add_transition_ties(mesh, *transition, m, ties, troubles);
+      tie_slaves_to_master_faces(mesh, *transition, m, ties, troubles);
     }
   }
   return ties;

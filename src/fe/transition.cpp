@@ -237,9 +237,9 @@ void warn_of_straddling(const model::Mesh& mesh, const model::TransitionTie& tra
 
 } // namespace
 
-void add_transition_ties(const model::Mesh& mesh, const model::TransitionTie& transition,
-                         std::size_t mpc, std::vector<Tie>& ties,
-                         std::vector<TieFailure>& troubles) {
+void tie_slaves_to_master_faces(const model::Mesh& mesh, const model::TransitionTie& transition,
+                                std::size_t mpc, std::vector<Tie>& ties,
+                                std::vector<TieFailure>& troubles) {
   const std::vector<model::Face>& faces = mesh.set_with_id(transition.master).faces;
   std::vector<FaceBall> balls;
   std::set<base::NodeId> master;

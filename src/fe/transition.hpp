@@ -7,8 +7,8 @@
 namespace spricka::fe {
 
 /// Ties of one $MPC TYPE=TRANSITION, see make_ties.
-void add_transition_ties(const model::Mesh& mesh, const model::TransitionTie& transition,
-                         std::size_t mpc, std::vector<Tie>& ties,
-                         std::vector<TieFailure>& troubles);
+void tie_slaves_to_master_faces(const model::Mesh& mesh, const model::TransitionTie& transition,
+                                std::size_t mpc, std::vector<Tie>& ties,
+                                std::vector<TieFailure>& troubles);
 
 } // namespace spricka::fe

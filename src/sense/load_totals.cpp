@@ -128,7 +128,8 @@ void warn_of_unresolved(const model::Model& model, const model::Mesh& mesh,
 void warn_of_missing_displacement(const model::Mesh& mesh, double largest,
                                   const model::LoadCase& load_case, const model::Load& load,
                                   base::Diagnostics& diagnostics) {
-  const fe::InterpolationError missing = fe::interpolation_error(mesh, load);
+  const fe::DisplacementInterpolationError missing =
+      fe::displacement_interpolation_error(mesh, load);
   constexpr double little = 0.01;
   if (!(missing.off > little * std::max(largest, missing.off))) {
     return;

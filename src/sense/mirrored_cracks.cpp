@@ -84,10 +84,10 @@ base::Vec3 normal_of(const model::Model& model, const model::CrackDefinition& cr
 }
 
 // Points of a load on a crack's faces: along its line, or over its ellipse.
-std::vector<fe::LoadSample> face_places(const model::Model& model,
-                                        const model::CrackDefinition& crack,
-                                        const model::Load& load) {
-  std::vector<fe::LoadSample> places;
+std::vector<fe::LoadEvaluationPoint> face_places(const model::Model& model,
+                                                 const model::CrackDefinition& crack,
+                                                 const model::Load& load) {
+  std::vector<fe::LoadEvaluationPoint> places;
   if (crack.kind == model::CrackDefinitionKind::ellipse) {
     constexpr int sectors = 8;
     const auto at = [&](double r, double sector) {

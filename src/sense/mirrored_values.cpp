@@ -8,7 +8,8 @@
 namespace spricka::sense {
 
 bool load_values_are_mirrored(const Reflection& mirror, const model::Load& one,
-                              const model::Load& other, const std::vector<fe::LoadSample>& places) {
+                              const model::Load& other,
+                              const std::vector<fe::LoadEvaluationPoint>& places) {
   constexpr double round_off = 1e-9;
   if (one.value.size() != other.value.size()) {
     return false;
@@ -18,7 +19,7 @@ bool load_values_are_mirrored(const Reflection& mirror, const model::Load& one,
       one.type == model::LoadType::pressure || one.type == model::LoadType::temperature;
   double size = 0.0;
   double off = 0.0;
-  for (const fe::LoadSample& place : places) {
+  for (const fe::LoadEvaluationPoint& place : places) {
     for (std::size_t c = 0; c < one.value.size(); ++c) {
       const double sign = !scalar && static_cast<int>(c) == mirror.axis ? -1.0 : 1.0;
       const double here = one.value[c](place.x);

@@ -14,7 +14,8 @@ namespace spricka::sense {
 /// quadrature rule that follows the load (fe::load_sample_points) see what the solution sees; those
 /// that stand at a jump to round-off weigh nothing. Both are of one type.
 bool load_values_are_mirrored(const Reflection& mirror, const model::Load& one,
-                              const model::Load& other, const std::vector<fe::LoadSample>& places);
+                              const model::Load& other,
+                              const std::vector<fe::LoadEvaluationPoint>& places);
 
 /// The first of `count` things that has no image among them: none is its own, or left to be its own
 /// alone. `answers(i, j)`: whether j can be the image of i, and i that of j.

@@ -143,11 +143,11 @@ private:
   }
 
   // A place inside each face or element of a load, off its middle, where loads like to jump.
-  [[nodiscard]] std::vector<fe::LoadSample> places_inside(const model::Load& load) const {
+  [[nodiscard]] std::vector<fe::LoadEvaluationPoint> places_inside(const model::Load& load) const {
     if (load.nodes.valid()) {
       return fe::load_sample_points(mesh_, load);
     }
-    std::vector<fe::LoadSample> places;
+    std::vector<fe::LoadEvaluationPoint> places;
     const auto add = [&](const auto& nodes) {
       base::Vec3 centre = base::Vec3::Zero();
       for (const base::NodeId n : nodes) {
@@ -168,7 +168,8 @@ private:
   }
 
   // What the rules of a load cost is paid once for all planes.
-  [[nodiscard]] const std::vector<fe::LoadSample>& integrated_at(const model::Load& load) const {
+  [[nodiscard]] const std::vector<fe::LoadEvaluationPoint>&
+  integrated_at(const model::Load& load) const {
     const auto [at, fresh] = integrated_.try_emplace(&load);
     if (fresh) {
       at->second = fe::load_sample_points(mesh_, load);
@@ -292,7 +293,7 @@ private:
 
   const model::Model& model_;
   const model::Mesh& mesh_;
-  mutable std::map<const model::Load*, std::vector<fe::LoadSample>> integrated_;
+  mutable std::map<const model::Load*, std::vector<fe::LoadEvaluationPoint>> integrated_;
   std::vector<BoundaryPart> bodies_; ///< by material, state and thickness
   std::vector<BoundaryPart> held_;   ///< [direction]
 };

@@ -100,8 +100,8 @@ TEST_P(Kirsch2, energy_converges_quadratically_on_the_curved_hole) {
 TEST_P(Kirsch2, stress_concentration_is_three) {
   model::Model model = quarter_plate(GetParam(), 32, plate(4.0, 4.0));
   const base::Vector u = solve_infinite(model);
-  const auto top = fe::stress_at(model, model.mesh, u, Vec3(0.0, 1.0, 0.0));
-  const auto side = fe::stress_at(model, model.mesh, u, Vec3(1.0, 0.0, 0.0));
+  const auto top = fe::stress_at_body_point(model, model.mesh, u, Vec3(0.0, 1.0, 0.0));
+  const auto side = fe::stress_at_body_point(model, model.mesh, u, Vec3(1.0, 0.0, 0.0));
   ASSERT_TRUE(top && side);
   EXPECT_NEAR((*top)[0], 3.0, 1e-3 * 3.0);
   EXPECT_NEAR((*side)[1], -1.0, 2e-3);
@@ -115,8 +115,8 @@ TEST_P(Kirsch2, strip) {
   end.faces = face_set(model, [](const Vec3& x) { return std::abs(x.x() - 15.0) < 1e-12; });
   end.value = {base::CompiledExpression::constant(1.0)};
   const base::Vector u = solve(model, {"", {end}});
-  const auto top = fe::stress_at(model, model.mesh, u, Vec3(0.0, 1.0, 0.0));
-  const auto side = fe::stress_at(model, model.mesh, u, Vec3(1.0, 0.0, 0.0));
+  const auto top = fe::stress_at_body_point(model, model.mesh, u, Vec3(0.0, 1.0, 0.0));
+  const auto side = fe::stress_at_body_point(model, model.mesh, u, Vec3(1.0, 0.0, 0.0));
   ASSERT_TRUE(top && side);
   EXPECT_NEAR((*top)[0], 3.152571, 1e-3 * 3.152571);
   EXPECT_NEAR((*side)[1], -1.118863, 2e-3 * 1.118863);

@@ -161,7 +161,7 @@ double evaluate_field_quantity(CheckLine& line) {
       return displacement_at(at.increment->mesh, at.step->u, x, axis_index(field.component));
     }
     const std::optional<fe::Stress> s =
-        fe::stress_at(model, at.increment->mesh, {at.step->u, at.step->temperature}, x);
+        fe::stress_at_body_point(model, at.increment->mesh, {at.step->u, at.step->temperature}, x);
     if (!s) {
       throw MissingQuantity("the point lies outside the body");
     }

@@ -172,9 +172,9 @@ TEST(Dependence, TinyFirstTermIsNotEliminated) {
 TEST(Dependence, BlocksWithoutDependentFreedomsStayAsTheyAre) {
   const ConstraintTransformation ties({{{{0, 1.0}, {1, -2.0}}, 0.0, 0}}, all_local(4));
   const std::vector<std::int32_t> apart{1, 2, 3};
-  EXPECT_FALSE(ties.transform_block(apart).has_value());
+  EXPECT_FALSE(ties.find_block_transformation(apart).has_value());
   const std::vector<std::int32_t> touched{0, 1, 3};
-  const auto block = ties.transform_block(touched);
+  const auto block = ties.find_block_transformation(touched);
   ASSERT_TRUE(block.has_value());
   EXPECT_EQ(block->freedom, (std::vector<std::int32_t>{1, 3}));
   Matrix T(3, 2);

@@ -201,7 +201,7 @@ TEST(RandomDependence, ReduceAndBlocksAreTheTransposeOfFollow) {
     }
     const bool touched = std::any_of(some.begin(), some.end(),
                                      [&](std::int32_t i) { return ties.find_row(i) != nullptr; });
-    const auto block = ties.transform_block(some);
+    const auto block = ties.find_block_transformation(some);
     ASSERT_EQ(block.has_value(), touched);
     if (!touched) {
       continue;

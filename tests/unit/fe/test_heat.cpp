@@ -157,8 +157,8 @@ TEST(Heat, TheRootOfTheDistanceFromATipIsSmooth) {
     const auto& element = shape::as_reference_element<shape::Trimc6>();
     const auto X = fe::coordinates(element, mesh, e);
     const fe::ConstitutiveLaw law = fe::constitutive_law(plate.model, mesh, e);
-    const auto T = fe::corner_temperature(element, mesh, e, heat.temperature);
-    for (const fe::ResidualTemperaturePoint& p : heat.element_points(e)) {
+    const auto T = fe::gather_corner_temperatures(element, mesh, e, heat.temperature);
+    for (const fe::ResidualTemperaturePoint& p : heat.residual_points_in_element(e)) {
       sum += p.area * (p.T + fe::projected_temperature(element, X, law, T, p.r));
     }
     EXPECT_NEAR(sum, exact, 2e-6 * exact);

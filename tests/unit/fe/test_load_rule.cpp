@@ -156,7 +156,8 @@ TEST_P(Sides, a_thin_hot_layer_is_integrated_whole) {
       for (std::size_t e = 0; e < model.mesh.element_count(); ++e) {
         sum += heat.temperature.segment(model.mesh.first[e], corners).mean() * 4.0 /
                static_cast<double>(model.mesh.element_count());
-        for (const ResidualTemperaturePoint& p : heat.element_points(base::ElementId(e))) {
+        for (const ResidualTemperaturePoint& p :
+             heat.residual_points_in_element(base::ElementId(e))) {
           sum += p.area * p.T;
         }
       }
@@ -177,7 +178,7 @@ TEST_P(Sides, a_displacement_is_known_to_leave_its_nodes) {
     card.nodes = test::node_set(model, [](const Vec3& x) {
       return std::abs(std::cos(angle) * x.y() - std::sin(angle) * x.x()) < 1e-9;
     });
-    return interpolation_error(model.mesh, card).off;
+    return displacement_interpolation_error(model.mesh, card).off;
   };
   EXPECT_LT(off(1.0 + 0.3 * along()), 1e-12);
   EXPECT_GT(off(along() > 2.3), 0.4);
@@ -213,7 +214,7 @@ TEST(LoadRule, StepsAskewEndAtTheirPlane) {
       ++evaluations;
       return Vec3(normal.dot(r) > at ? 1.0 : 0.0, 0.0, 0.0);
     };
-    const AdaptedRule<dim> rule = make_adapted_rule<dim>(
+    const FieldAdaptedRule<dim> rule = make_adapted_rule<dim>(
         whole_element_domain<dim>(domain, load_degree), step, {tolerance, {}, false});
     EXPECT_TRUE(rule.jumps);
     double sum = 0.0;

@@ -121,7 +121,7 @@ template <class S> void expect_free_expansion(model::StressState state) {
                  test::CardField(c.z()) * z + test::CardField(5.0))
                     .code};
   heat.loads.push_back(load);
-  const base::Vector T = element_corner_temperatures(model, model.mesh, heat);
+  const base::Vector T = corner_temperatures_of_case(model, model.mesh, heat);
   // eps = alpha T I: u_i = alpha (T x_i - c_i |x|^2 / 2) with T = 5 + c.x.
   base::Vector u(S::dim * S::nodes);
   for (int n = 0; n < S::nodes; ++n) {

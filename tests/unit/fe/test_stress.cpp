@@ -73,16 +73,16 @@ TEST_P(Quadratic, finds_stress_at_points_inside_on_sides_and_at_corners) {
   for (const Vec2& p : {Vec2(0.11, 0.2), Vec2(0.5, 0.5), Vec2(1.0, 0.0), Vec2(0.0, 1.0),
                         Vec2(0.0, 0.3), Vec2(1.0 / 3.0, 0.5), Vec2(0.25, 0.0), Vec2(1.0, 1.0)}) {
     const Vec3 x(2.0 * p.x() + 0.3 * p.y(), p.y() - 0.2 * p.x(), 0.0);
-    const std::optional<Stress> s = stress_at(model, model.mesh, u, x);
+    const std::optional<Stress> s = stress_at_body_point(model, model.mesh, u, x);
     ASSERT_TRUE(s.has_value()) << p.transpose();
     EXPECT_LT((*s - E * x.y() * Stress::Unit(0)).norm(), 1e-11 * E) << p.transpose();
   }
 }
 
 TEST_P(Quadratic, is_empty_outside_the_body) {
-  EXPECT_FALSE(stress_at(model, model.mesh, u, Vec3(-0.1, 0.0, 0.0)));
-  EXPECT_FALSE(stress_at(model, model.mesh, u, Vec3(1.0, 1.5, 0.0)));
-  EXPECT_FALSE(stress_at(model, model.mesh, u, Vec3(50.0, 50.0, 0.0)));
+  EXPECT_FALSE(stress_at_body_point(model, model.mesh, u, Vec3(-0.1, 0.0, 0.0)));
+  EXPECT_FALSE(stress_at_body_point(model, model.mesh, u, Vec3(1.0, 1.5, 0.0)));
+  EXPECT_FALSE(stress_at_body_point(model, model.mesh, u, Vec3(50.0, 50.0, 0.0)));
 }
 
 TEST(stress, plane_strain_has_the_stress_across) {
@@ -110,7 +110,7 @@ TEST(stress, is_finite_at_a_quarter_point_tip_and_elsewhere_exact) {
       EXPECT_TRUE(s.allFinite());
       EXPECT_LT(s.norm(), 20.0 * E);
     }
-    const std::optional<Stress> s = stress_at(model, model.mesh, u, x0);
+    const std::optional<Stress> s = stress_at_body_point(model, model.mesh, u, x0);
     ASSERT_TRUE(s.has_value());
     EXPECT_TRUE(s->allFinite());
     // Along the leg y = 0.5 the element holds sqrt(r) exactly: exx = 1 / (2 sqrt(r)).
@@ -118,7 +118,8 @@ TEST(stress, is_finite_at_a_quarter_point_tip_and_elsewhere_exact) {
       return Vec2(std::sqrt(std::max(x.x() - x0.x(), 0.0)), 0.0);
     });
     const double r = 0.2;
-    const std::optional<Stress> leg = stress_at(model, model.mesh, ux, x0 + Vec3(r, 0.0, 0.0));
+    const std::optional<Stress> leg =
+        stress_at_body_point(model, model.mesh, ux, x0 + Vec3(r, 0.0, 0.0));
     ASSERT_TRUE(leg.has_value());
     EXPECT_NEAR((*leg)[0], E / (1.0 - nu * nu) * 0.5 / std::sqrt(r), 0.2 * E);
   }
@@ -145,7 +146,7 @@ TEST(stress, nodes_between_two_properties_have_a_value_of_each) {
     EXPECT_EQ(points.node[point], model.mesh.nodes[k]);
   }
   // On the border the element found first decides; never a mixture.
-  const double border = (*stress_at(model, model.mesh, u, Vec3(0.5, 0.5, 0.0)))[0];
+  const double border = (*stress_at_body_point(model, model.mesh, u, Vec3(0.5, 0.5, 0.0)))[0];
   EXPECT_NEAR(border, E, 1e-10 * E);
 }
 
@@ -176,7 +177,7 @@ TEST(stress, is_never_mixed_from_two_bodies) {
   for (const Eigen::Index n : {5, 7}) {
     u[2 * n] = 1.0; // only the right body is stretched
   }
-  const auto s = stress_at(model, model.mesh, u, Vec3(1.0, 0.5, 0.0));
+  const auto s = stress_at_body_point(model, model.mesh, u, Vec3(1.0, 0.5, 0.0));
   ASSERT_TRUE(s.has_value());
   EXPECT_EQ(s->norm(), 0.0);
 }
@@ -190,7 +191,8 @@ TEST(stress, takes_points_of_an_arc_between_the_nodes) {
   const Vector u = interpolate(model.mesh, [](const Vec3& x) { return Vec2(x.x(), -nu * x.y()); });
   for (const double angle : {0.1, 0.25, 0.7, 1.3}) {
     for (const double r : {1.0, 2.0}) {
-      const auto s = stress_at(model, model.mesh, u, r * Vec3(std::cos(angle), std::sin(angle), 0));
+      const auto s =
+          stress_at_body_point(model, model.mesh, u, r * Vec3(std::cos(angle), std::sin(angle), 0));
       ASSERT_TRUE(s.has_value());
       EXPECT_NEAR((*s)[0], E, 1e-10 * E);
     }
