@@ -249,8 +249,8 @@ private:
     return list;
   }
 
-  [[nodiscard]] MaterialWedge wedge_of(const std::vector<Slice>& list, bool whole) const {
-    MaterialWedge wedge;
+  [[nodiscard]] MultiMaterialWedge wedge_of(const std::vector<Slice>& list, bool whole) const {
+    MultiMaterialWedge wedge;
     wedge.whole = whole;
     double at = list.front().from;
     for (const Slice& slice : list) {
@@ -271,7 +271,7 @@ private:
   }
 
   // Smooth sides and borders, and convex corners that nothing holds, need no eigenvalues.
-  [[nodiscard]] static bool surely_regular(const MaterialWedge& wedge) {
+  [[nodiscard]] static bool surely_regular(const MultiMaterialWedge& wedge) {
     const double angle = wedge.sectors.back().to - wedge.sectors.front().from;
     if (wedge.whole) {
       // round the start there may be one material in two parts
@@ -311,7 +311,7 @@ private:
 
   void add(base::NodeId node, const std::vector<Slice>& list, bool whole,
            std::vector<SingularCorner>& found) const {
-    const MaterialWedge wedge = wedge_of(list, whole);
+    const MultiMaterialWedge wedge = wedge_of(list, whole);
     if (surely_regular(wedge)) {
       return;
     }

@@ -70,7 +70,7 @@ ModeMatrixCache::CachedModeMatrix& ModeMatrixCache::at(base::ElementId host) {
 }
 
 CubicEnrichment::CubicEnrichment(const model::Model& model, const model::Mesh& mesh,
-                                 EdgeTable edges, std::vector<bool> framed, HostModeMatrices kept)
+                                 EdgeTable edges, std::vector<bool> framed, ModeMatrixLookup kept)
     : model_(model), mesh_(mesh), edges_(std::move(edges)), framed_(std::move(framed)) {
   auto next = static_cast<std::int32_t>(2 * edges_.edges.size());
   first_.reserve(mesh.element_count() + 1);
@@ -104,7 +104,7 @@ CubicEnrichment::CubicEnrichment(const model::Model& model, const model::Mesh& m
   sum_diagonal();
 }
 
-void CubicEnrichment::add_matrix(base::ElementId e, const HostModeMatrices& kept,
+void CubicEnrichment::add_matrix(base::ElementId e, const ModeMatrixLookup& kept,
                                  double*& next_own) {
   const base::ElementType type = mesh_.type[e.index()];
   const fe::ConstitutiveLaw law = fe::constitutive_law(model_, mesh_, e);
@@ -228,7 +228,7 @@ CubicEnrichment::mode_functional(const std::vector<crack::IntensityFunctionalPoi
       ModeNumbers value = G.transpose() * by_row;
       if (const double hoop = point.hoop[static_cast<std::size_t>(mode)]; hoop != 0.0) {
         const double x = X.row(0) * element.N(point.r);
-        value += hoop / x * mode_radial_values(modes, X, point.r, element_side_frames(e));
+        value += hoop / x * mode_x_displacements(modes, X, point.r, element_side_frames(e));
       }
       for (int i = 0; i < modes.freedoms(); ++i) {
         g(freedom[static_cast<std::size_t>(i)], mode) += value[i];

@@ -40,7 +40,7 @@ private:
 
 /// Where an enrichment finds and leaves matrices. `host` [element]: the host element that one is,
 /// invalid: none.
-struct HostModeMatrices {
+struct ModeMatrixLookup {
   ModeMatrixCache* memory = nullptr;
   const std::vector<base::ElementId>* host = nullptr;
 
@@ -57,7 +57,7 @@ public:
   /// framed [edge]: edges of one element only. Model, mesh and memory must outlive the enrichment;
   /// one enrichment at a time may look into a memory.
   CubicEnrichment(const model::Model& model, const model::Mesh& mesh, EdgeTable edges,
-                  std::vector<bool> framed, HostModeMatrices kept = {});
+                  std::vector<bool> framed, ModeMatrixLookup kept = {});
 
   [[nodiscard]] const model::Model& model() const { return model_; }
   [[nodiscard]] const model::Mesh& mesh() const { return mesh_; }
@@ -85,7 +85,7 @@ public:
 
 private:
   /// Of an element: from the memory, or made anew there or at next_own, which goes on.
-  void add_matrix(base::ElementId e, const HostModeMatrices& kept, double*& next_own);
+  void add_matrix(base::ElementId e, const ModeMatrixLookup& kept, double*& next_own);
   void sum_diagonal();
   template <shape::PlaneShape S, int columns>
   void take_columns(base::ElementId e, Eigen::Index first, const base::Matrix& u,

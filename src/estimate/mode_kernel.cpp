@@ -41,8 +41,8 @@ ModeGradients mode_gradients(const PlaneModes& modes, const fe::AnyNodeVectors<2
   return G;
 }
 
-ModeNumbers mode_radial_values(const PlaneModes& modes, const fe::AnyNodeVectors<2>& X,
-                               const shape::Point<2>& r, const SideModeFrames& sides) {
+ModeNumbers mode_x_displacements(const PlaneModes& modes, const fe::AnyNodeVectors<2>& X,
+                                 const shape::Point<2>& r, const SideModeFrames& sides) {
   const PlaneModes::Values psi = modes.psi(r);
   ModeNumbers along = ModeNumbers::Zero(modes.freedoms());
   for (int m = 0; m < modes.count; ++m) {
@@ -131,7 +131,7 @@ void EnrichedStiffness<S>::about_axis(const fe::NodeVectors<S>& X, const fe::Con
     Eigen::Matrix<double, 4, mode_freedoms<S>> B;
     B.template topRows<3>() =
         strains_of<mode_freedoms<S>>(mode_gradients(of, nodes, point.r, at.J, sides));
-    B.row(3) = mode_radial_values(of, nodes, point.r, sides).transpose() / hoop.x;
+    B.row(3) = mode_x_displacements(of, nodes, point.r, sides).transpose() / hoop.x;
     Eigen::Matrix<double, 4, 2 * S::nodes> P = Eigen::Matrix<double, 4, 2 * S::nodes>::Zero();
     P.template topRows<3>() = fe::strain_matrix<S>(at.dNdx);
     for (int n = 0; n < S::nodes; ++n) {

@@ -56,8 +56,8 @@ ModeGradients mode_gradients(const PlaneModes& modes, const fe::AnyNodeVectors<2
 
 /// Displacements along x of all mode freedoms at a point: about an axis the strain round it is
 /// these over x.
-ModeNumbers mode_radial_values(const PlaneModes& modes, const fe::AnyNodeVectors<2>& X,
-                               const shape::Point<2>& r, const SideModeFrames& sides);
+ModeNumbers mode_x_displacements(const PlaneModes& modes, const fe::AnyNodeVectors<2>& X,
+                                 const shape::Point<2>& r, const SideModeFrames& sides);
 
 /// Stiffness of the modes with themselves and with the nodes' displacements (manual, estimate.8).
 template <shape::PlaneShape S> struct EnrichedStiffness {

@@ -93,7 +93,7 @@ ModeNumbers taken_forces(const ModeElement& element, const fe::ConstitutiveLaw& 
       const double x = X.row(0) * shape.N(point.r);
       const double w = point.weight * at.det * law.depth(x);
       F += pressed(element, point.r, at.J, w * stress);
-      F += w * even / x * mode_radial_values(element.modes, X, point.r, element.sides);
+      F += w * even / x * mode_x_displacements(element.modes, X, point.r, element.sides);
       continue;
     }
     if (carried) {

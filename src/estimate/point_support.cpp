@@ -51,10 +51,11 @@ HeldNode hold(const CornerSearchInput& setting, const SingularCorner& corner,
 
 } // namespace
 
-PointSupportChange point_support_change(const CornerSearchInput& setting,
-                                        const std::vector<SingularCorner>& corners,
-                                        const base::Vector& reaction, const base::Matrix& z) {
-  PointSupportChange giving{base::Vector::Zero(z.cols()), {}};
+PointSupportRefinementChange
+point_support_refinement_change(const CornerSearchInput& setting,
+                                const std::vector<SingularCorner>& corners,
+                                const base::Vector& reaction, const base::Matrix& z) {
+  PointSupportRefinementChange giving{base::Vector::Zero(z.cols()), {}};
   double most = -1.0;
   for (const SingularCorner& corner : corners) {
     if (!corner.held_alone[0] && !corner.held_alone[1]) {

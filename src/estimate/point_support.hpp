@@ -8,15 +8,16 @@
 namespace spricka::estimate {
 
 /// A goal that hangs on supports of single nodes: a body gives way there by log h, without bound.
-struct PointSupportChange {
+struct PointSupportRefinementChange {
   base::Vector change; ///< [goals] sum of |dK| when elements at such nodes halve (estimate.18)
   base::NodeId node;   ///< that has the largest part; invalid: no support of a single node
 };
 
 /// reaction [2 * node] of the supports; z [2 * node, goals] the adjoints. Zero where supports are
 /// statically determinate: their reactions to the goals' loads, which balance, are none.
-PointSupportChange point_support_change(const CornerSearchInput& setting,
-                                        const std::vector<SingularCorner>& corners,
-                                        const base::Vector& reaction, const base::Matrix& z);
+PointSupportRefinementChange
+point_support_refinement_change(const CornerSearchInput& setting,
+                                const std::vector<SingularCorner>& corners,
+                                const base::Vector& reaction, const base::Matrix& z);
 
 } // namespace spricka::estimate

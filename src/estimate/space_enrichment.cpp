@@ -54,7 +54,8 @@ base::Vector SolidEnrichment::precondition(const base::Vector& r) const {
   return y.cwiseProduct(free_mode_mask());
 }
 
-base::Vector SolidEnrichment::forces_on_modes(const base::Vector* v, const base::Vector* x) const {
+base::Vector SolidEnrichment::stiffness_forces_on_modes(const base::Vector* v,
+                                                        const base::Vector* x) const {
   base::Vector f = base::Vector::Zero(freedoms());
   operator_.add_forces({v, x}, {nullptr, &f});
   return f.cwiseProduct(free_mode_mask());

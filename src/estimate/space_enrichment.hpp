@@ -45,7 +45,8 @@ public:
 
   /// What displacements of nodes v [3 * node] and modes x [freedoms] load the modes with,
   /// K_ep v + K_ee x, on free ones; null: zero.
-  [[nodiscard]] base::Vector forces_on_modes(const base::Vector* v, const base::Vector* x) const;
+  [[nodiscard]] base::Vector stiffness_forces_on_modes(const base::Vector* v,
+                                                       const base::Vector* x) const;
   /// Both: K_pe x on the nodes [3 * node] and K_ee x on the modes.
   void stiffness_product(const base::Vector& x, base::Vector& on_nodes,
                          base::Vector& on_modes) const;

@@ -157,7 +157,7 @@ public:
                const FunctionTable& table)
       : mesh_(mesh), numbers_(numbers), block_(block), table_(table) {}
 
-  void gather(const SolidModeStiffness::ModeDisplacements& motion, const FunctionRange& run,
+  void gather(const SolidModeStiffness::NodalAndModeDisplacements& motion, const FunctionRange& run,
               base::Matrix& Z) const {
     Z.setZero(3 * lanes, run.count);
     for_each(run, [&](Eigen::Index b, Eigen::Index column, const FunctionFreedom& at) {
@@ -169,7 +169,7 @@ public:
   }
 
   void scatter(const base::Matrix& F, const FunctionRange& run,
-               const SolidModeStiffness::ModeForces& forces) const {
+               const SolidModeStiffness::NodalAndModeForces& forces) const {
     for_each(run, [&](Eigen::Index b, Eigen::Index column, const FunctionFreedom& at) {
       base::Vector& to = at.mode ? *forces.modes : *forces.nodes;
       for (Eigen::Index c = 0; c < 3; ++c) {
@@ -236,8 +236,8 @@ SolidModeStiffness::SolidModeStiffness(const model::Model& model, const model::M
   }
 }
 
-void SolidModeStiffness::add_forces(const ModeDisplacements& motion,
-                                    const ModeForces& forces) const {
+void SolidModeStiffness::add_forces(const NodalAndModeDisplacements& motion,
+                                    const NodalAndModeForces& forces) const {
   base::Matrix Z;
   base::Matrix G;
   base::Matrix F;

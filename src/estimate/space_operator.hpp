@@ -34,18 +34,18 @@ public:
   [[nodiscard]] const SolidModeNumbers& mode_numbers() const { return numbers_; }
 
   /// Displacements of nodes [3 * node] and of modes [3 * mode]; null: zero.
-  struct ModeDisplacements {
+  struct NodalAndModeDisplacements {
     const base::Vector* nodes = nullptr;
     const base::Vector* modes = nullptr;
   };
   /// Where forces on them are added up; null: not asked for.
-  struct ModeForces {
+  struct NodalAndModeForces {
     base::Vector* nodes = nullptr;
     base::Vector* modes = nullptr;
   };
   /// Adds the elastic forces of nodal and mode displacements to the vectors asked for, which have
   /// their sizes already.
-  void add_forces(const ModeDisplacements& motion, const ModeForces& forces) const;
+  void add_forces(const NodalAndModeDisplacements& motion, const NodalAndModeForces& forces) const;
 
   /// The 3 by 3 blocks on the diagonal of K_ee. [mode]
   [[nodiscard]] std::vector<Eigen::Matrix3d> diagonal() const;

@@ -50,8 +50,8 @@ mesh::CrackedMesh move_tip_mesh(const mesh::CrackedMesh& cracked, const TipMeshM
   return out;
 }
 
-bool moves_fields_rigidly(const model::Mesh& mesh, const TipMeshMotion& motion,
-                          const std::vector<crack::VirtualExtensionField>& fields) {
+bool moves_domains_rigidly(const model::Mesh& mesh, const TipMeshMotion& motion,
+                           const std::vector<crack::VirtualExtensionField>& fields) {
   const std::map<base::NodeId, double> q = motion.field.extension_by_node();
   bool all = true;
   bool none = true;

@@ -25,7 +25,7 @@ mesh::CrackedMesh move_tip_mesh(const mesh::CrackedMesh& cracked, const TipMeshM
                                 double by);
 
 /// Whether the motion carries all nodes of these fields' elements along as one piece, or none.
-bool moves_fields_rigidly(const model::Mesh& mesh, const TipMeshMotion& motion,
-                          const std::vector<crack::VirtualExtensionField>& fields);
+bool moves_domains_rigidly(const model::Mesh& mesh, const TipMeshMotion& motion,
+                           const std::vector<crack::VirtualExtensionField>& fields);
 
 } // namespace spricka::estimate

@@ -97,7 +97,7 @@ struct WedgePiece {
   const fe::ConstitutiveLaw* law;
 };
 
-std::vector<WedgePiece> pieces_of(const MaterialWedge& wedge) {
+std::vector<WedgePiece> pieces_of(const MultiMaterialWedge& wedge) {
   std::vector<WedgePiece> pieces;
   for (const WedgeSector& sector : wedge.sectors) {
     const int count = std::max(1, static_cast<int>(std::ceil((sector.to - sector.from) / widest)));
@@ -111,7 +111,7 @@ std::vector<WedgePiece> pieces_of(const MaterialWedge& wedge) {
   return pieces;
 }
 
-Pencil pencil_of(const MaterialWedge& wedge) {
+Pencil pencil_of(const MultiMaterialWedge& wedge) {
   const std::vector<WedgePiece> pieces = pieces_of(wedge);
   const auto ends = static_cast<Eigen::Index>(degree * pieces.size());
   const Eigen::Index size = 2 * (wedge.whole ? ends : ends + 1);
@@ -135,7 +135,7 @@ base::Matrix part(const base::Matrix& A, const std::vector<Eigen::Index>& kept) 
 
 } // namespace
 
-double singularity_exponent(const MaterialWedge& wedge) {
+double singularity_exponent(const MultiMaterialWedge& wedge) {
   const Pencil all = pencil_of(wedge);
   std::vector<Eigen::Index> kept;
   for (Eigen::Index i = 0; i < all.M.rows(); ++i) {

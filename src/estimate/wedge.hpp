@@ -17,7 +17,7 @@ struct WedgeSector {
 };
 
 /// Materials about a point, the angles ascending, each sector beginning where the one before ends.
-struct MaterialWedge {
+struct MultiMaterialWedge {
   std::vector<WedgeSector> sectors;
   bool whole = false;                        ///< the last sector ends where the first begins
   std::array<std::array<bool, 2>, 2> held{}; ///< [first, last side][x, y], not of whole ones
@@ -26,6 +26,6 @@ struct MaterialWedge {
 /// The least real part of the exponents between 0 and 1 that the wedge has, 1 if there is none:
 /// stresses grow like r^(lambda - 1). By finite elements of degree 4 in the angle (Leguillon and
 /// Sanchez-Palencia 1987; manual, estimate.15).
-double singularity_exponent(const MaterialWedge& wedge);
+double singularity_exponent(const MultiMaterialWedge& wedge);
 
 } // namespace spricka::estimate

@@ -54,10 +54,9 @@ std::vector<bool> fixed_freedoms(const Discretisation& scene, const StepState& s
 }
 
 // What singular corners add to the errors; what supports of single nodes do to K.
-estimate::PointSupportChange add_corners(const model::Model& model, const Discretisation& scene,
-                                         const StepState& state,
-                                         const estimate::CornerErrorRequest& request,
-                                         std::vector<estimate::GoalError>& errors) {
+estimate::PointSupportRefinementChange
+add_corners(const model::Model& model, const Discretisation& scene, const StepState& state,
+            const estimate::CornerErrorRequest& request, std::vector<estimate::GoalError>& errors) {
   const std::vector<base::NodeId> front_nodes = scene.cracked.front_nodes();
   const std::vector<bool> tied = tied_nodes({model, scene, state});
   const estimate::CornerSearchInput setting{.model = model,
@@ -69,7 +68,8 @@ estimate::PointSupportChange add_corners(const model::Model& model, const Discre
                                             .tied = &tied};
   const std::vector<estimate::SingularCorner> corners = estimate::find_singular_corners(setting);
   estimate::correct_corner_errors(request, corners, errors);
-  return estimate::point_support_change(setting, corners, state.reaction, request.goal.z);
+  return estimate::point_support_refinement_change(setting, corners, state.reaction,
+                                                   request.goal.z);
 }
 
 // K that is 0 whatever the mesh has no bar: K1 where faces touch, both where nothing loads the
@@ -85,8 +85,9 @@ void clear_exact(std::size_t elements, results::FrontPointResult& tip) {
 }
 
 // Why an endlessly fine mesh has no K of tip t; empty: it has.
-std::string why_no_limit(const Discretisation& scene, const estimate::PointSupportChange& giving,
-                         std::size_t t, const results::FrontPointResult& tip) {
+std::string why_no_limit(const Discretisation& scene,
+                         const estimate::PointSupportRefinementChange& giving, std::size_t t,
+                         const results::FrontPointResult& tip) {
   for (std::size_t k = 0; k < 2 && giving.node.valid(); ++k) {
     const double bar = tip.bar[k].size();
     const double change = giving.change[scene.k_layout().at(t, static_cast<int>(k) + 1)];
@@ -129,7 +130,7 @@ void TipErrorBars::prepare() {
                   [&](const estimate::ContactModeWeight& w) { return !alone[w.freedom]; });
   }
   enrichment_.emplace(model_, mesh, std::move(edges), std::move(framed),
-                      estimate::HostModeMatrices{memory_, &scene_.cracked.host});
+                      estimate::ModeMatrixLookup{memory_, &scene_.cracked.host});
   supports_ = estimate::find_mode_supports(*enrichment_, scene_.cls, *scene_.ties);
   const crack::KLayout layout = scene_.k_layout();
   goals_.resize(enrichment_->freedoms(), layout.count());
@@ -230,7 +231,7 @@ void TipErrorBars::tell_of_cancelling(const results::FrontResult& front,
 struct TipErrorBars::StepErrors {
   std::vector<estimate::GoalError> goal; ///< by the layout
   ContactEdgeKChange set_change;
-  estimate::PointSupportChange giving;
+  estimate::PointSupportRefinementChange giving;
 };
 
 TipErrorBars::StepErrors TipErrorBars::step_errors(const StepState& state,

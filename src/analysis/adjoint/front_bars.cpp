@@ -125,7 +125,8 @@ base::Vector FrontErrorBars::load(const StepState& state) {
 
 std::optional<base::Vector> FrontErrorBars::changes(const FrozenContactStep& step,
                                                     const FrontKFunctionals& K) {
-  const base::Vector r = load(step.state) - enrichment_->forces_on_modes(&step.state.u, nullptr);
+  const base::Vector r =
+      load(step.state) - enrichment_->stiffness_forces_on_modes(&step.state.u, nullptr);
   for (const ReusableFrontEstimate& one : known_) {
     const double factor = r.dot(one.residual) / one.residual.squaredNorm();
     if (one.mounted == step.state.mounted && one.closed == step.contact.closed &&
@@ -162,7 +163,7 @@ std::optional<base::Vector> FrontErrorBars::solve(const FrozenContactStep& step,
       return std::nullopt;
     }
     const base::Vector v = change.u.col(0);
-    Sp += modes.forces_on_modes(&v, nullptr);
+    Sp += modes.stiffness_forces_on_modes(&v, nullptr);
     const double alpha = rs / p.dot(Sp);
     const base::Vector more = alpha * (goals_.transpose() * p + K.rows.transpose() * v +
                                        K.of_force * change.force.col(0));

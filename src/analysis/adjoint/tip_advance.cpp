@@ -61,8 +61,8 @@ VirtualTipExtension::VirtualTipExtension(const model::Model& model, const Discre
   for (std::size_t t = 0; t < scene.domains.size(); ++t) {
     // About an axis what moves as one comes to other radii.
     if (model::axisymmetric(model) ||
-        !estimate::moves_fields_rigidly(scene.cracked.mesh, motion_,
-                                        scene.domains[t].points.front())) {
+        !estimate::moves_domains_rigidly(scene.cracked.mesh, motion_,
+                                         scene.domains[t].points.front())) {
       row_rate_[t] = base::Matrix(front_K_functionals(model, *ahead_, t) -
                                   front_K_functionals(model, *behind_, t)) /
                      (2.0 * motion_.step);

@@ -9,7 +9,7 @@
 namespace spricka::test_wedge {
 namespace {
 
-using estimate::MaterialWedge;
+using estimate::MultiMaterialWedge;
 using estimate::singularity_exponent;
 
 constexpr double pi = std::numbers::pi;
@@ -21,14 +21,14 @@ fe::ConstitutiveLaw plane_strain(double E, double nu) {
   return law;
 }
 
-MaterialWedge wedge(double angle, double nu, bool clamped, double turned = 0.3) {
+MultiMaterialWedge wedge(double angle, double nu, bool clamped, double turned = 0.3) {
   return {{{turned, turned + angle, plane_strain(7.0, nu)}},
           false,
           {{{clamped, clamped}, {false, false}}}};
 }
 
 // sin(lambda alpha) = -+ lambda sin(alpha) between free sides (Williams 1952).
-TEST(MaterialWedge, FreeNotchesAreWilliams) {
+TEST(MultiMaterialWedge, FreeNotchesAreWilliams) {
   for (const double degrees : {200.0, 225.0, 270.0, 300.0, 330.0, 360.0}) {
     const double alpha = degrees * pi / 180.0;
     const double found = singularity_exponent(wedge(alpha, 0.3, false));
@@ -42,7 +42,7 @@ TEST(MaterialWedge, FreeNotchesAreWilliams) {
 
 // sin^2(lambda alpha) = ((kappa + 1)^2 / 4 - lambda^2 sin^2(alpha)) / kappa, one side held
 // (Williams 1952).
-TEST(MaterialWedge, ClampedSidesAreWilliams) {
+TEST(MultiMaterialWedge, ClampedSidesAreWilliams) {
   int real = 0;
   for (const double nu : {0.0, 0.3, 0.45, 0.49}) {
     for (const double degrees : {80.0, 90.0, 120.0, 150.0}) {
@@ -66,30 +66,31 @@ TEST(MaterialWedge, ClampedSidesAreWilliams) {
   EXPECT_NEAR(singularity_exponent(wedge(pi, 0.3, true)), 0.5, 1e-5);
 }
 
-TEST(MaterialWedge, RollersMirrorTheBody) {
+TEST(MultiMaterialWedge, RollersMirrorTheBody) {
   // a roller along x under a wedge is the wedge twice as wide, and free
   for (const double degrees : {100.0, 135.0, 180.0}) {
     const double alpha = degrees * pi / 180.0;
-    const MaterialWedge half{{{0.0, alpha, plane_strain(1.0, 0.3)}}, false, {{{false, true}, {}}}};
+    const MultiMaterialWedge half{
+        {{0.0, alpha, plane_strain(1.0, 0.3)}}, false, {{{false, true}, {}}}};
     const double found = singularity_exponent(half);
     const double mirrored = singularity_exponent(wedge(2.0 * alpha, 0.3, false));
     EXPECT_NEAR(found, mirrored, 1e-5) << degrees; // the symmetric field is the stronger
   }
 }
 
-TEST(MaterialWedge, MaterialsJoinWithoutATraceWhereTheyAreOne) {
+TEST(MultiMaterialWedge, MaterialsJoinWithoutATraceWhereTheyAreOne) {
   const fe::ConstitutiveLaw soft = plane_strain(1.0, 0.3);
   const fe::ConstitutiveLaw stiff = plane_strain(10.0, 0.3);
-  const MaterialWedge same{{{-0.5 * pi, 0.0, soft}, {0.0, 0.5 * pi, soft}}, false, {}};
+  const MultiMaterialWedge same{{{-0.5 * pi, 0.0, soft}, {0.0, 0.5 * pi, soft}}, false, {}};
   EXPECT_EQ(singularity_exponent(same), 1.0);
-  const MaterialWedge ends{{{-0.5 * pi, 0.0, soft}, {0.0, 0.5 * pi, stiff}}, false, {}};
-  const MaterialWedge swapped{{{-0.5 * pi, 0.0, stiff}, {0.0, 0.5 * pi, soft}}, false, {}};
+  const MultiMaterialWedge ends{{{-0.5 * pi, 0.0, soft}, {0.0, 0.5 * pi, stiff}}, false, {}};
+  const MultiMaterialWedge swapped{{{-0.5 * pi, 0.0, stiff}, {0.0, 0.5 * pi, soft}}, false, {}};
   EXPECT_LT(singularity_exponent(ends), 0.9);
   EXPECT_NEAR(singularity_exponent(ends), singularity_exponent(swapped), 1e-6);
   // a corner of an inclusion, the body going all round; a very stiff one is nearly a clamp
-  const MaterialWedge corner{{{0.0, 0.5 * pi, stiff}, {0.5 * pi, 2.0 * pi, soft}}, true, {}};
+  const MultiMaterialWedge corner{{{0.0, 0.5 * pi, stiff}, {0.5 * pi, 2.0 * pi, soft}}, true, {}};
   EXPECT_LT(singularity_exponent(corner), 0.9);
-  const MaterialWedge none{{{0.0, 0.5 * pi, soft}, {0.5 * pi, 2.0 * pi, soft}}, true, {}};
+  const MultiMaterialWedge none{{{0.0, 0.5 * pi, soft}, {0.5 * pi, 2.0 * pi, soft}}, true, {}};
   EXPECT_EQ(singularity_exponent(none), 1.0);
 }
 
