@@ -53,7 +53,8 @@ CondensedBody::CondensedBody(std::vector<std::int32_t> freedom, base::Matrix S,
                              const base::Matrix& modes)
     : freedom_(std::move(freedom)), Q_(orthonormal(modes)), factor_(held(std::move(S), Q_)) {}
 
-CondensedBody::CondensedBody(std::vector<std::int32_t> freedom, solve::FactoredExternals factor)
+CondensedBody::CondensedBody(std::vector<std::int32_t> freedom,
+                             solve::FactoredSchurComplement factor)
     : freedom_(std::move(freedom)), Q_(index(freedom_.size()), 0), factor_(base::Matrix()),
       layered_(std::move(factor)) {}
 

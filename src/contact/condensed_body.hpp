@@ -34,7 +34,7 @@ class CondensedBody {
 public:
   /// freedom [m] (dim * node + c), S [m, m], modes [m, r] any basis of the null space, r may be 0.
   CondensedBody(std::vector<std::int32_t> freedom, base::Matrix S, const base::Matrix& modes);
-  CondensedBody(std::vector<std::int32_t> freedom, solve::FactoredExternals factor);
+  CondensedBody(std::vector<std::int32_t> freedom, solve::FactoredSchurComplement factor);
   /// freedom and modes of all unknowns [m]. Modes are orthonormal on what rows weigh, so that S+ is
   /// that of a body condensed to it (solve.37).
   CondensedBody(std::vector<std::int32_t> freedom, UncondensedBody whole,
@@ -46,7 +46,7 @@ public:
     return layered_ ? layered_->L.is_positive_definite() : factor_.is_positive_definite();
   }
   /// The factor in the place of S, else null.
-  [[nodiscard]] const solve::FactoredExternals* external_block_factor() const {
+  [[nodiscard]] const solve::FactoredSchurComplement* external_block_factor() const {
     return layered_ ? &*layered_ : nullptr;
   }
   /// Whether it is a UncondensedBody; then compliance() stands in the place of compliance_root().
@@ -70,7 +70,7 @@ private:
   std::vector<std::int32_t> freedom_;
   base::Matrix Q_;
   solve::DenseCholesky factor_; ///< of a whole body that of the externals which hold it
-  std::optional<solve::FactoredExternals> layered_;
+  std::optional<solve::FactoredSchurComplement> layered_;
   UncondensedBody whole_;
   base::Matrix held_modes_; ///< [externals, r] of a whole body, orthonormal there
 };

@@ -73,7 +73,7 @@ private:
 // Of a layered factor only the early rows outlast a length; a body with S of its own is kept as a
 // whole or not at all.
 bool ComplianceAssembly::may_last(std::size_t body, std::size_t row) const {
-  const solve::FactoredExternals* factor = bodies_[body]->external_block_factor();
+  const solve::FactoredSchurComplement* factor = bodies_[body]->external_block_factor();
   return factor == nullptr || std::ranges::all_of(rows_[row], [&](const BodyRowEntry& e) {
            return e.body != body || factor->row[at(e.at)] < factor->L.first_block_size();
          });
@@ -112,7 +112,7 @@ void ComplianceAssembly::add_body(std::size_t body, const PersistentRowSet& last
       stay, {}, [&](std::size_t r) { return std::pair(rows[r]->node, rows[r]->tangential); });
   const std::vector<std::vector<RowCoefficient>> moving = shares_of(body, move, false);
   const CondensedBody& own = *bodies_[body];
-  const solve::FactoredExternals* factor = own.external_block_factor();
+  const solve::FactoredSchurComplement* factor = own.external_block_factor();
   if (own.is_uncondensed()) {
     const solve::RowCompliance found = own.compliance(moving);
     made_.flops += found.flops;
@@ -135,7 +135,7 @@ void ComplianceAssembly::add_body(std::size_t body, const PersistentRowSet& last
       const solve::FirstBlockFactor& early = *factor->L.first_block();
       kept.Y =
           early.forward_substitute(as_columns(staying, static_cast<std::size_t>(early.count())));
-      kept.late_load = early.second_block_load(kept.Y);
+      kept.late_load = early.second_block_load_reduction(kept.Y);
     } else {
       kept.Y = own.compliance_root(as_columns(staying, own.freedom().size()));
     }

@@ -37,7 +37,7 @@ public:
     std::vector<solve::FrictionRow> friction; ///< by places in `rows`; empty: nothing rubs
     std::vector<solve::SlipState> touch;      ///< [rows in force] with friction, instead of `start`
     base::Vector alpha; ///< with friction: where bodies that nothing holds stay; empty: at zero
-    solve::ExpectedForces expected; ///< with friction
+    solve::PredictedContactForces expected; ///< with friction
   };
   struct IncrementSolution {
     solve::ContactSolution contact;      ///< lambda, gap, closed by rows in force

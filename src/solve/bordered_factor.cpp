@@ -210,7 +210,7 @@ void BorderedFactor::solve(base::Matrix& top, base::Matrix& bottom) const {
   blas::solve_lower(a, k, blas::Transposition::transposed, blas::as_matrix_block(L_), x);
 }
 
-double BorderedFactor::remaining_pivot(int i) const {
+double BorderedFactor::row_pivot_after_closed_rows(int i) const {
   const int a = count(rows_);
   const double d = problem_.d(i);
   if (!(d > 0.0)) {

@@ -26,7 +26,7 @@ public:
 
   /// What is left of the scaled diagonal of row i when the rows of A are closed and the modes held
   /// by the weight tau: below `redundancy` when row i depends on them.
-  [[nodiscard]] double remaining_pivot(int i) const;
+  [[nodiscard]] double row_pivot_after_closed_rows(int i) const;
 
 private:
   void gather();

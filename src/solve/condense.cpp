@@ -8,7 +8,7 @@
 
 namespace spricka::solve {
 
-Condensation::Condensation(base::SymmetricCsc K, std::int64_t externals, Ordering ordering,
+Condensation::Condensation(base::SymmetricCsc K, std::int64_t externals, OrderingMethod ordering,
                            double besides) {
   sparse_.emplace(std::move(K), externals, ordering, besides);
   report_ = sparse_->report();
@@ -16,7 +16,7 @@ Condensation::Condensation(base::SymmetricCsc K, std::int64_t externals, Orderin
 }
 
 Condensation::Condensation(const base::SymmetricCsc& K, std::int64_t externals,
-                           std::span<const DenseBlock> blocks,
+                           std::span<const CondensedNetBlock> blocks,
                            std::shared_ptr<const FirstBlockFactor>* early) {
   blas::force_single_blas_thread();
   // The sparse factor reports a want of memory itself; the full matrices on top of it throw.
@@ -29,12 +29,12 @@ Condensation::Condensation(const base::SymmetricCsc& K, std::int64_t externals,
 }
 
 FactorReport Condensation::forecast(base::SymmetricCsc pattern, std::int64_t externals,
-                                    Ordering ordering, const SparseRightHandSides* rows) {
+                                    OrderingMethod ordering, const SparseRightHandSides* rows) {
   return SparseCondensation::forecast(std::move(pattern), externals, ordering, rows);
 }
 
 FactorReport Condensation::forecast(const base::SymmetricCsc& pattern, std::int64_t externals,
-                                    std::span<const DenseBlock> blocks,
+                                    std::span<const CondensedNetBlock> blocks,
                                     EarlyLateRowPartition* early) {
   return TwoLevelCondensation::forecast(pattern, externals, blocks, early);
 }
@@ -43,7 +43,7 @@ base::Matrix Condensation::take_schur() {
   return std::exchange(S_, base::Matrix());
 }
 
-std::optional<FactoredExternals> Condensation::take_external_factor() {
+std::optional<FactoredSchurComplement> Condensation::take_factored_schur() {
   return stacked_ ? std::exchange(stacked_->condensed_externals().factor, std::nullopt)
                   : std::nullopt;
 }

@@ -26,22 +26,22 @@ public:
   /// K is given up as soon as it is copied into the order of elimination: move it in.
   /// `besides` [bytes]: what others will need at the same time.
   Condensation(base::SymmetricCsc K, std::int64_t externals,
-               Ordering ordering = Ordering::automatic, double besides = 0.0);
+               OrderingMethod ordering = OrderingMethod::automatic, double besides = 0.0);
   /// The symbolic phase alone: flops, fill and memory of what the constructor would do with a
   /// matrix of this pattern (values are not looked at).
   /// With `rows` [n, k] it counts what their compliance takes as well.
   static FactorReport forecast(base::SymmetricCsc pattern, std::int64_t externals,
-                               Ordering ordering = Ordering::automatic,
+                               OrderingMethod ordering = OrderingMethod::automatic,
                                const SparseRightHandSides* rows = nullptr);
   /// With dense blocks on top of K, which has a row, if an empty one, for each of theirs. With
   /// `early` S may be given as a factor: what it needs of the one block is taken from there or left
   /// there for the next matrix with the same block.
   Condensation(const base::SymmetricCsc& K, std::int64_t externals,
-               std::span<const DenseBlock> blocks,
+               std::span<const CondensedNetBlock> blocks,
                std::shared_ptr<const FirstBlockFactor>* early = nullptr);
   /// `early`: rows of the block that would be there already; those of this matrix from then on.
   static FactorReport forecast(const base::SymmetricCsc& pattern, std::int64_t externals,
-                               std::span<const DenseBlock> blocks,
+                               std::span<const CondensedNetBlock> blocks,
                                EarlyLateRowPartition* early = nullptr);
 
   [[nodiscard]] const FactorReport& report() const { return report_; }
@@ -50,7 +50,7 @@ public:
   /// Hands S over to who needs it last; schur() is empty from then on.
   [[nodiscard]] base::Matrix take_schur();
   /// The factor that stands in its place, if one does.
-  [[nodiscard]] std::optional<FactoredExternals> take_external_factor();
+  [[nodiscard]] std::optional<FactoredSchurComplement> take_factored_schur();
   /// Loads f [n, k] -> condensed loads f_e - K_el K_ll^-1 f_l [externals, k].
   [[nodiscard]] base::Matrix condense_load(const base::Matrix& f) const;
   /// All unknowns [n, k] from external displacements [externals, k] and the loads f [n, k].

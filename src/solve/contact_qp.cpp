@@ -169,7 +169,8 @@ void take_solution(const ControllableProblem& problem, const ModeSplit& split,
   for (int i = 0; i < problem.rows(); ++i) {
     const double touching = 1e-10 * s.gap_scale(i);
     const bool closed = answer.closed[at(i)];
-    if (!closed && s.gap(i) <= touching && factor.remaining_pivot(i) < 10.0 * redundancy) {
+    if (!closed && s.gap(i) <= touching &&
+        factor.row_pivot_after_closed_rows(i) < 10.0 * redundancy) {
       ++answer.redundant;
     }
     if (!problem.equality[at(i)]) {

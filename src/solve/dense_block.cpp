@@ -8,12 +8,12 @@ namespace spricka::solve {
 
 using base::at;
 
-bool is_two_level_cheaper(std::span<const DenseBlock> blocks, std::int64_t rows,
+bool is_two_level_cheaper(std::span<const CondensedNetBlock> blocks, std::int64_t rows,
                           std::int64_t externals) {
   std::vector<bool> on_top(at(rows), false);
   std::fill(on_top.end() - externals, on_top.end(), true);
   double filled = 0.0;
-  for (const DenseBlock& b : blocks) {
+  for (const CondensedNetBlock& b : blocks) {
     for (const std::int64_t row : b.rows) {
       if (row >= 0) {
         on_top[at(row)] = true;

@@ -150,7 +150,7 @@ void solve_round_cones(const FrictionProblem& problem, const ControllableProblem
     c.status = ContactStatus::max_iterations;
     return;
   }
-  c.resting_modes += anchor_unheld_bodies(held, split, scaled, start.alpha, least, found);
+  c.resting_modes += move_unheld_bodies_to_anchor(held, split, scaled, start.alpha, least, found);
   base::Vector lambda = found.lambda;
   base::Vector gap = found.gap;
   const double least_slip = at_rest * found.gap.cwiseAbs().maxCoeff();

@@ -23,7 +23,7 @@ inline bool has_round_cones(const std::vector<FrictionRow>& friction) {
 }
 
 /// Near the answer of an increment, as those before it tell; empty: nothing is known.
-struct ExpectedForces {
+struct PredictedContactForces {
   base::Vector lambda; ///< [n]
   base::Vector alpha;  ///< [m]
 };
@@ -37,8 +37,8 @@ struct ExpectedForces {
 struct FrictionProblem {
   ContactProblem contact;
   std::vector<FrictionRow> friction;
-  base::Vector alpha_start;     ///< [m] where bodies that nothing holds or loads stay; empty: zero
-  ExpectedForces expected = {}; ///< round cones alone ask for them
+  base::Vector alpha_start; ///< [m] where bodies that nothing holds or loads stay; empty: zero
+  PredictedContactForces expected = {}; ///< round cones alone ask for them
 };
 
 /// What a row does: forward slip is positive, against a negative force; a vector slips forward.

@@ -19,7 +19,7 @@ constexpr double smallest = 1e-9; // below it helps no longer
 RoundFrictionState solve_by_proximal_points(const RoundFriction& problem, const base::Vector& alpha,
                                             const RoundFrictionState& found) {
   RoundFriction soft = problem;
-  ExpectedForces last{.lambda = base::Vector::Zero(problem.rows()), .alpha = alpha};
+  PredictedContactForces last{.lambda = base::Vector::Zero(problem.rows()), .alpha = alpha};
   RoundFrictionState best = found;
   int steps = found.newton_steps;
   double compliance = 1.0;

@@ -52,9 +52,9 @@ std::vector<AllowedGapChange> gap_changes(const ControllableProblem& held, const
 
 } // namespace
 
-int anchor_unheld_bodies(const ControllableProblem& held, const ModeSplit& split,
-                         const RoundFriction& scaled, const base::Vector& anchor, double least,
-                         RoundFrictionState& found) {
+int move_unheld_bodies_to_anchor(const ControllableProblem& held, const ModeSplit& split,
+                                 const RoundFriction& scaled, const base::Vector& anchor,
+                                 double least, RoundFrictionState& found) {
   const double root = std::sqrt(held.tau);
   const std::vector<AllowedGapChange> change = gap_changes(held, split, scaled, found, least);
   base::Vector alpha = found.alpha * root;

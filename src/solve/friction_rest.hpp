@@ -11,8 +11,8 @@ namespace spricka::solve {
 /// they are free to do. A point holds that is closed and whose pressure, or the shear that its
 /// friction can bear, loads some mode by more than `least`. Changes motions, gaps and states of
 /// points that do not hold; returns the number of free motions.
-int anchor_unheld_bodies(const ControllableProblem& held, const ModeSplit& split,
-                         const RoundFriction& scaled, const base::Vector& anchor, double least,
-                         RoundFrictionState& found);
+int move_unheld_bodies_to_anchor(const ControllableProblem& held, const ModeSplit& split,
+                                 const RoundFriction& scaled, const base::Vector& anchor,
+                                 double least, RoundFrictionState& found);
 
 } // namespace spricka::solve

@@ -22,7 +22,7 @@ base::Matrix FirstBlockFactor::forward_substitute(base::Matrix B) const {
   return L_.forward_substitute(std::move(B));
 }
 
-base::Matrix FirstBlockFactor::second_block_load(const base::Matrix& Y) const {
+base::Matrix FirstBlockFactor::second_block_load_reduction(const base::Matrix& Y) const {
   return transposed_product(X_, Y);
 }
 
@@ -48,7 +48,7 @@ base::Matrix TwoBlockCholesky::forward_substitute(const base::Matrix& B) const {
   base::Matrix Y(size(), B.cols());
   const base::Matrix first = early_->forward_substitute(B.topRows(first_block_size()));
   base::Matrix rest = B.bottomRows(late_.size());
-  const base::Matrix late_load = early_->second_block_load(first);
+  const base::Matrix late_load = early_->second_block_load_reduction(first);
   for (std::size_t i = 0; i < place_.size(); ++i) {
     // Only the late rows of the block feel the early ones; other rows of D do not.
     rest.row(place_[i]) -= late_load.row(index(i));

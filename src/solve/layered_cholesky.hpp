@@ -31,7 +31,7 @@ public:
   [[nodiscard]] base::Matrix forward_substitute(base::Matrix B) const;
   /// X^T Y [late, k]: what elimination of early loads, Y = L^-1 B [early, k], takes off the late
   /// rows.
-  [[nodiscard]] base::Matrix second_block_load(const base::Matrix& Y) const;
+  [[nodiscard]] base::Matrix second_block_load_reduction(const base::Matrix& Y) const;
   /// The solution on the early rows, L^-T (Y - X U) [early, k], from U [late, k] on the late ones.
   [[nodiscard]] base::Matrix solve_first_block(base::Matrix Y, const base::Matrix& U) const;
 
@@ -74,7 +74,7 @@ private:
 };
 
 /// A factor in the place of a condensed matrix.
-struct FactoredExternals {
+struct FactoredSchurComplement {
   TwoBlockCholesky L;
   std::vector<Eigen::Index> row; ///< [externals] row of L of each; its other rows bear no load
 };

@@ -180,7 +180,7 @@ Indices postordered(const LocalPattern& A, Indices order, CholmodSession& sessio
 } // namespace
 
 std::vector<std::int64_t> elimination_order(const base::SymmetricCsc& K, std::int64_t locals,
-                                            Ordering ordering) {
+                                            OrderingMethod ordering) {
   Indices order(at(K.n));
   std::iota(order.begin(), order.end(), std::int64_t{0});
   if (locals == 0) {
@@ -189,14 +189,14 @@ std::vector<std::int64_t> elimination_order(const base::SymmetricCsc& K, std::in
   CholmodSession session;
   const LocalPattern A = local_pattern(K, locals);
   const Indices group = groups_of(A);
-  if (ordering == Ordering::automatic) {
+  if (ordering == OrderingMethod::automatic) {
     // entries of a full row: about 23 in plane quadratic triangles, 80 and more in solids
     const double row_entries = 2.0 * static_cast<double>(A.row.size()) / static_cast<double>(A.n);
-    ordering = row_entries < 45.0 ? Ordering::amd : Ordering::metis;
+    ordering = row_entries < 45.0 ? OrderingMethod::amd : OrderingMethod::metis;
   }
   const LocalPattern C = compressed(A, group);
   const Indices vertices =
-      ordering == Ordering::amd
+      ordering == OrderingMethod::amd
           ? by_amd(C, session)
           : nested_dissection_order(whole_graph(C), beside_externals(K, locals, group), session);
   const Indices rows = postordered(A, expanded(vertices, group), session);

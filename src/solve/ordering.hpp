@@ -9,7 +9,7 @@ namespace spricka::solve {
 
 /// How the locals are ordered. Automatic: AMD for graphs as thin as those of plane problems (its
 /// analysis is four times cheaper), METIS nested dissection for the others (a third of the flops).
-enum class Ordering { automatic, amd, metis };
+enum class OrderingMethod { automatic, amd, metis };
 
 /// Elimination order [n] of K (row of K at each position): the locals by a fill-reducing order of
 /// their own graph, postordered, then the externals as they are. Externals must not be mixed into
@@ -17,6 +17,6 @@ enum class Ordering { automatic, amd, metis };
 /// Neighbouring rows with the same pattern (the freedoms of a node) are ordered as one vertex.
 /// Throws std::bad_alloc.
 std::vector<std::int64_t> elimination_order(const base::SymmetricCsc& K, std::int64_t locals,
-                                            Ordering ordering);
+                                            OrderingMethod ordering);
 
 } // namespace spricka::solve

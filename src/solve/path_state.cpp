@@ -48,25 +48,25 @@ bool PathState::factorise(const std::vector<bool>& closed) {
 int PathState::tied() const {
   int count = 0;
   for (int i = 0; i < rows(); ++i) {
-    count += free_to_change(i) && zero(i) && falls(i) ? 1 : 0;
+    count += is_inequality_row(i) && zero(i) && falls(i) ? 1 : 0;
   }
   return count;
 }
 
 // The least index, not the worst row: exchanges then come to an end where several tie (Murty 1974).
-int PathState::first_bad() const {
+int PathState::first_falling_row_at_zero() const {
   for (int i = 0; i < rows(); ++i) {
-    if (free_to_change(i) && zero(i) && falls(i)) {
+    if (is_inequality_row(i) && zero(i) && falls(i)) {
       return i;
     }
   }
   return -1;
 }
 
-double PathState::next_event() const {
+double PathState::parameter_of_next_event() const {
   double t = to_;
   for (int i = 0; i < rows(); ++i) {
-    if (free_to_change(i) && falls(i)) {
+    if (is_inequality_row(i) && falls(i)) {
       t = std::min(t, time_of(i));
     }
   }
@@ -78,7 +78,7 @@ double PathState::next_event() const {
 std::vector<int> PathState::likely() const {
   std::vector<std::pair<double, int>> order;
   for (int i = 0; i < rows(); ++i) {
-    if (free_to_change(i) && falls(i) && time_of(i) <= to_) {
+    if (is_inequality_row(i) && falls(i) && time_of(i) <= to_) {
       order.emplace_back(time_of(i), i);
     }
   }
@@ -101,7 +101,7 @@ int PathState::blocking(const base::Vector& x, int i) const {
   double least = std::numeric_limits<double>::infinity();
   int found = -1;
   for (int j = 0; j < rows(); ++j) {
-    if (j != i && free_to_change(j) && x(j) < -no_pivot) {
+    if (j != i && is_inequality_row(j) && x(j) < -no_pivot) {
       const double z = std::max(y(j), 0.0) / -x(j);
       if (z < least) {
         least = z;
@@ -122,9 +122,9 @@ void PathState::pivot(std::array<int, 2> rows, std::array<base::Vector, 2> colum
 
 // A thousand tolerances: the rows were found a little further on, not here, and what is off by less
 // is zero to the walk, and exchanged where it falls.
-bool PathState::reaches_back(const base::Vector& f) const {
+bool PathState::is_valid_with_same_functionals(const base::Vector& f) const {
   for (int i = 0; i < rows(); ++i) {
-    if (free_to_change(i) && y(i) < -1e3 * tolerance_(i)) {
+    if (is_inequality_row(i) && y(i) < -1e3 * tolerance_(i)) {
       return false;
     }
   }

@@ -34,7 +34,7 @@ public:
   void set_t(double t) { t_ = t; }
 
   [[nodiscard]] int rows() const { return held_.rows(); }
-  [[nodiscard]] bool free_to_change(int i) const { return !held_.equality[base::at(i)]; }
+  [[nodiscard]] bool is_inequality_row(int i) const { return !held_.equality[base::at(i)]; }
   [[nodiscard]] const std::vector<bool>& closed() const { return matrix_.closed(); } ///< [row]
   [[nodiscard]] bool closed(int i) const { return closed()[base::at(i)]; }
   [[nodiscard]] double y(int i) const { return v_(i) + t_ * d_(i); }
@@ -46,11 +46,11 @@ public:
   /// How many rows at zero want to move.
   [[nodiscard]] int tied() const;
   /// Least row at zero whose force or gap falls; -1: none.
-  [[nodiscard]] int first_bad() const;
+  [[nodiscard]] int first_falling_row_at_zero() const;
   /// The t at which the first row reaches zero, the end of the path at most (manual, solve.31).
-  [[nodiscard]] double next_event() const;
+  [[nodiscard]] double parameter_of_next_event() const;
   /// Whether the closed rows are right at t already, with the same functionals f.
-  [[nodiscard]] bool reaches_back(const base::Vector& f) const;
+  [[nodiscard]] bool is_valid_with_same_functionals(const base::Vector& f) const;
   /// Largest violation of the equations that forces and gaps came from, scaled: gaps
   /// b + W lambda + B alpha and the loads on the modes.
   [[nodiscard]] double residual() const;

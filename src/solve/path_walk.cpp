@@ -59,7 +59,7 @@ bool SolutionPathFollower::begin(const std::vector<bool>& closed) {
 void SolutionPathFollower::walk() {
   int here = 0; // pivots at this t
   for (;;) {
-    const int i = state_.first_bad();
+    const int i = state_.first_falling_row_at_zero();
     if (i >= 0 && here == 0 && state_.tied() > tied_rows) {
       here = 1;
       // Ties are judged with a fresh factorisation. It may find the equations broken and go back to
@@ -83,7 +83,7 @@ void SolutionPathFollower::walk() {
       continue;
     }
     here = 0;
-    emit(state_.next_event());
+    emit(state_.parameter_of_next_event());
     if (state_.t() >= to_) {
       if (!settled()) {
         continue;

@@ -24,14 +24,14 @@ ContactSolution solve_direction(const ParametricProblem& problem, const PathStat
                                 std::vector<int>& taking_part) {
   // An open row with a gap stays open for a while whatever the direction: it takes no part.
   for (int i = 0; i < state.rows(); ++i) {
-    if (state.closed(i) || !state.free_to_change(i) || state.zero(i)) {
+    if (state.closed(i) || !state.is_inequality_row(i) || state.zero(i)) {
       taking_part.push_back(i);
     }
   }
   std::vector<bool> pressing;
   std::vector<bool> start;
   for (const int i : taking_part) {
-    pressing.push_back(!state.free_to_change(i) || (state.closed(i) && !state.zero(i)));
+    pressing.push_back(!state.is_inequality_row(i) || (state.closed(i) && !state.zero(i)));
     start.push_back(state.closed(i));
   }
   const ContactProblem rate = path_direction_problem(problem, taking_part, pressing, length);
@@ -74,7 +74,7 @@ bool SolutionPathFollower::turn() {
     for (const int i : next.basis) {
       closed[at(i)] = true;
     }
-    if (take(closed) && state_.reaches_back(f)) {
+    if (take(closed) && state_.is_valid_with_same_functionals(f)) {
       path_.jumps.push_back(state_.t());
       return true;
     }

@@ -58,7 +58,7 @@ public:
     return solve_anew(steps);
   }
 
-  RoundFrictionState approach(const ExpectedForces& near, int most, double enough) {
+  RoundFrictionState approach(const PredictedContactForces& near, int most, double enough) {
     s_.lambda = near.lambda;
     s_.alpha = near.alpha;
     find_gaps();
@@ -393,7 +393,7 @@ RoundFrictionState solve_round_friction(const RoundFriction& problem,
 }
 
 RoundFrictionState iterate_round_friction_newton(const RoundFriction& problem,
-                                                 const ExpectedForces& near, int most,
+                                                 const PredictedContactForces& near, int most,
                                                  double enough) {
   return RoundSolver(problem).approach(near, most, enough);
 }

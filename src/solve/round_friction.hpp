@@ -68,7 +68,7 @@ RoundFrictionState solve_round_friction(const RoundFriction& problem,
 /// Newton's method of it alone, at most so many steps and until the residual is small enough; with
 /// none, the gaps, states and residual of these forces and motions.
 RoundFrictionState iterate_round_friction_newton(const RoundFriction& problem,
-                                                 const ExpectedForces& near, int most,
+                                                 const PredictedContactForces& near, int most,
                                                  double enough);
 
 } // namespace spricka::solve

@@ -134,7 +134,7 @@ void RowElimination::reach_up(const SparseRightHandSides& F) {
   std::vector<int> own;
   for (std::int64_t s = 0; s < fronts_; ++s) {
     own.clear();
-    for (const FrontEntry& entry : own_[at(s)]) {
+    for (const RightHandSideEntryInFront& entry : own_[at(s)]) {
       own.push_back(entry.column);
     }
     std::ranges::sort(own);
@@ -202,7 +202,7 @@ void RowElimination::eliminate(std::int64_t front, base::Matrix& W, base::Matrix
   const std::vector<int>& columns = columns_[at(front)];
   base::Matrix X = std::move(block_of(front));
   block_[at(front)] = base::Matrix();
-  for (const FrontEntry& entry : own_[at(front)]) {
+  for (const RightHandSideEntryInFront& entry : own_[at(front)]) {
     const auto place = std::ranges::lower_bound(columns, entry.column) - columns.begin();
     X(entry.row, place) += entry.value;
   }

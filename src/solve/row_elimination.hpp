@@ -40,7 +40,7 @@ public:
   base::Matrix compute_compliance(base::Matrix& condensed);
 
 private:
-  struct FrontEntry {
+  struct RightHandSideEntryInFront {
     int column;
     int row; ///< of its front
     double value;
@@ -53,10 +53,10 @@ private:
 
   const SupernodalFactor& L_;
   std::int64_t fronts_;
-  std::vector<std::int64_t> front_of_;       ///< [locals]
-  std::vector<std::vector<FrontEntry>> own_; ///< [front] entries of F
-  std::vector<std::vector<int>> columns_;    ///< [front] those that it meets, ascending
-  std::vector<base::Matrix> block_; ///< [front] its rows of these, while they are being made
+  std::vector<std::int64_t> front_of_;                      ///< [locals]
+  std::vector<std::vector<RightHandSideEntryInFront>> own_; ///< [front] entries of F
+  std::vector<std::vector<int>> columns_; ///< [front] those that it meets, ascending
+  std::vector<base::Matrix> block_;       ///< [front] its rows of these, while they are being made
   double flops_ = 0.0;
   double workspace_ = 0.0;
 };

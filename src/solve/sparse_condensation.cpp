@@ -117,8 +117,8 @@ struct SparseCondensation::Impl {
   Factor factor;
   base::Matrix S;
 
-  void build(base::SymmetricCsc K, Ordering ordering);
-  base::SymmetricCsc analyse_matrix(base::SymmetricCsc K, double shift, Ordering ordering,
+  void build(base::SymmetricCsc K, OrderingMethod ordering);
+  base::SymmetricCsc analyse_matrix(base::SymmetricCsc K, double shift, OrderingMethod ordering,
                                     CholmodSession& session);
   void factorise(const base::SymmetricCsc& A, CholmodSession& session);
   void check_pivots(const std::vector<double>& diagonal);
@@ -141,7 +141,7 @@ struct SparseCondensation::Impl {
 };
 
 base::SymmetricCsc SparseCondensation::Impl::analyse_matrix(base::SymmetricCsc K, double shift,
-                                                            Ordering ordering,
+                                                            OrderingMethod ordering,
                                                             CholmodSession& session) {
   const double started = thread_cpu_seconds();
   order = elimination_order(K, locals, ordering);
@@ -166,7 +166,7 @@ base::SymmetricCsc SparseCondensation::Impl::analyse_matrix(base::SymmetricCsc K
   return A;
 }
 
-void SparseCondensation::Impl::build(base::SymmetricCsc K, Ordering ordering) {
+void SparseCondensation::Impl::build(base::SymmetricCsc K, OrderingMethod ordering) {
   blas::force_single_blas_thread();
   // (solve.4): large enough to hold a floating body far from round-off, small enough to be taken
   // off again without loss.
@@ -274,7 +274,7 @@ void SparseCondensation::Impl::count_rows(SparseRightHandSides rows) {
 }
 
 SparseCondensation::SparseCondensation(base::SymmetricCsc K, std::int64_t externals,
-                                       Ordering ordering, double besides)
+                                       OrderingMethod ordering, double besides)
     : impl_(std::make_unique<Impl>()) {
   impl_->report.besides = besides;
   assert(externals >= 0 && externals <= K.n);
@@ -294,7 +294,8 @@ SparseCondensation::SparseCondensation(base::SymmetricCsc K, std::int64_t extern
 }
 
 FactorReport SparseCondensation::forecast(base::SymmetricCsc pattern, std::int64_t externals,
-                                          Ordering ordering, const SparseRightHandSides* rows) {
+                                          OrderingMethod ordering,
+                                          const SparseRightHandSides* rows) {
   assert(externals >= 0 && externals <= pattern.n);
   Impl impl;
   impl.n = pattern.n;
@@ -336,7 +337,7 @@ base::Matrix SparseCondensation::condense_load(const base::Matrix& f) const {
   for (std::int64_t k = 0; k < c.n; ++k) {
     X.row(k) = f.row(c.order[at(k)]);
   }
-  eliminate_locals(c.supernodes(), X);
+  forward_substitute_locals(c.supernodes(), X);
   return X.bottomRows(c.n - c.locals);
 }
 
@@ -359,7 +360,7 @@ base::Matrix SparseCondensation::solve(const base::Matrix& f,
   for (std::int64_t k = 0; k < c.n; ++k) {
     X.row(k) = f.row(c.order[at(k)]);
   }
-  eliminate_locals(c.supernodes(), X);
+  forward_substitute_locals(c.supernodes(), X);
   if (c.n > c.locals) {
     // (solve.6): the forward half has left y_l above.
     const base::Matrix u_external = displacement(X.bottomRows(c.n - c.locals));

@@ -23,12 +23,12 @@ public:
   /// K is given up as soon as it is copied into the order of elimination: move it in. `besides`
   /// [bytes]: what others will need at the same time.
   SparseCondensation(base::SymmetricCsc K, std::int64_t externals,
-                     Ordering ordering = Ordering::automatic, double besides = 0.0);
+                     OrderingMethod ordering = OrderingMethod::automatic, double besides = 0.0);
   /// The symbolic phase alone: flops, fill and memory of what the constructor would do with a
   /// matrix of this pattern (values are not looked at).
   /// With `rows` [n, k] it counts what their compliance takes as well.
   static FactorReport forecast(base::SymmetricCsc pattern, std::int64_t externals,
-                               Ordering ordering = Ordering::automatic,
+                               OrderingMethod ordering = OrderingMethod::automatic,
                                const SparseRightHandSides* rows = nullptr);
   ~SparseCondensation();
   SparseCondensation(SparseCondensation&&) noexcept;

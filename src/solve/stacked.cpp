@@ -35,14 +35,14 @@ Eigen::Index first_bad_pivot(base::Matrix A) {
 } // namespace
 
 FactorReport TwoLevelCondensation::forecast(const base::SymmetricCsc& K, std::int64_t externals,
-                                            std::span<const DenseBlock> blocks,
+                                            std::span<const CondensedNetBlock> blocks,
                                             EarlyLateRowPartition* early) {
   TwoLevelRows rows = divide_rows_by_level(K, externals, blocks);
   FactorReport report = SparseCondensation::forecast(
       lower_level_matrix(K, rows), static_cast<std::int64_t>(rows.touched.size()));
   bool kept = false;
   if (early != nullptr) {
-    find_first_block(K, blocks, rows);
+    find_externals_of_block_alone(K, blocks, rows);
     if (!rows.early.empty()) {
       EarlyLateRowPartition lists = partition_block(rows, blocks.front());
       // The factor of early rows is kept for the next length only if it has the same rows of the
@@ -56,7 +56,7 @@ FactorReport TwoLevelCondensation::forecast(const base::SymmetricCsc& K, std::in
 }
 
 TwoLevelCondensation::TwoLevelCondensation(const base::SymmetricCsc& K, std::int64_t externals,
-                                           std::span<const DenseBlock> blocks,
+                                           std::span<const CondensedNetBlock> blocks,
                                            std::shared_ptr<const FirstBlockFactor>* early,
                                            FactorReport& report)
     : rows_(divide_rows_by_level(K, externals, blocks)) {
@@ -64,7 +64,7 @@ TwoLevelCondensation::TwoLevelCondensation(const base::SymmetricCsc& K, std::int
   report = below_->report();
   EarlyLateRowPartition lists;
   if (early != nullptr) {
-    find_first_block(K, blocks, rows_);
+    find_externals_of_block_alone(K, blocks, rows_);
   }
   if (!rows_.early.empty()) {
     lists = partition_block(rows_, blocks.front());
@@ -91,7 +91,8 @@ TwoLevelCondensation::TwoLevelCondensation(const base::SymmetricCsc& K, std::int
 }
 
 TwoLevelCondensation::UpperLevelParts
-TwoLevelCondensation::assemble(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks,
+TwoLevelCondensation::assemble(const base::SymmetricCsc& K,
+                               std::span<const CondensedNetBlock> blocks,
                                const base::Matrix& touched) const {
   const Eigen::Index inner = rows_.inner_count();
   const bool layered = !rows_.early.empty();
@@ -139,13 +140,14 @@ TwoLevelCondensation::assemble(const base::SymmetricCsc& K, std::span<const Dens
       add({k}, base::Matrix::Constant(1, 1, K.value[at(K.start[at(rows_.top[i])])]), true);
     }
   }
-  for (const DenseBlock& b : blocks) {
+  for (const CondensedNetBlock& b : blocks) {
     add(upper_level_positions(b, rows_.top), *b.stiffness, !layered);
   }
   return parts;
 }
 
-bool TwoLevelCondensation::eliminate_early(const DenseBlock& dense, EarlyLateRowPartition lists,
+bool TwoLevelCondensation::eliminate_early(const CondensedNetBlock& dense,
+                                           EarlyLateRowPartition lists,
                                            std::shared_ptr<const FirstBlockFactor>& early,
                                            UpperLevelParts& parts) {
   const std::vector<Eigen::Index> top = upper_level_positions(dense, rows_.top);
@@ -175,7 +177,7 @@ bool TwoLevelCondensation::eliminate_early(const DenseBlock& dense, EarlyLateRow
     // Rows of the layered factor: early ones first, then the rest.
     externals.push_back(row[t] >= 0 ? row[t] : firsts + parts.place[t]);
   }
-  top_.factor.emplace(FactoredExternals{
+  top_.factor.emplace(FactoredSchurComplement{
       TwoBlockCholesky(early, std::move(place), std::move(parts.rest)), std::move(externals)});
   return true;
 }

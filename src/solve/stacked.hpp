@@ -27,18 +27,19 @@ class TwoLevelCondensation {
 public:
   /// The symbolic phase alone, as Condensation::forecast.
   static FactorReport forecast(const base::SymmetricCsc& K, std::int64_t externals,
-                               std::span<const DenseBlock> blocks, EarlyLateRowPartition* early);
+                               std::span<const CondensedNetBlock> blocks,
+                               EarlyLateRowPartition* early);
   /// What condensation leaves of the externals: S [externals, externals], or its factor.
-  struct CondensedExternals {
+  struct SchurMatrixOrFactor {
     base::Matrix S;
-    std::optional<FactoredExternals> factor;
+    std::optional<FactoredSchurComplement> factor;
   };
   /// K as Condensation takes it, without the blocks; the report is written. `early`: rows
   /// eliminated before, or none yet; null: S is wanted.
   TwoLevelCondensation(const base::SymmetricCsc& K, std::int64_t externals,
-                       std::span<const DenseBlock> blocks,
+                       std::span<const CondensedNetBlock> blocks,
                        std::shared_ptr<const FirstBlockFactor>* early, FactorReport& report);
-  [[nodiscard]] CondensedExternals& condensed_externals() { return top_; }
+  [[nodiscard]] SchurMatrixOrFactor& condensed_externals() { return top_; }
 
   /// Loads f [n, k] condensed to the externals [externals, k], the rows below eliminated first,
   /// then the inner ones on top.
@@ -55,11 +56,11 @@ private:
   };
   /// `touched`: Schur complement of the rows below on those that they touch.
   [[nodiscard]] UpperLevelParts assemble(const base::SymmetricCsc& K,
-                                         std::span<const DenseBlock> blocks,
+                                         std::span<const CondensedNetBlock> blocks,
                                          const base::Matrix& touched) const;
   /// Makes the factor of the externals on the early rows of `dense`, which are eliminated unless
   /// `early` has them already; false: the block alone is not positive definite there.
-  bool eliminate_early(const DenseBlock& dense, EarlyLateRowPartition lists,
+  bool eliminate_early(const CondensedNetBlock& dense, EarlyLateRowPartition lists,
                        std::shared_ptr<const FirstBlockFactor>& early, UpperLevelParts& parts);
   bool eliminate(UpperLevelParts parts, FactorReport& report);
   /// The inner rows of g [top, k] <- L^-1 or L^-T times them.
@@ -68,7 +69,7 @@ private:
   [[nodiscard]] base::Matrix on_top(const base::Matrix& f, const base::Matrix& f_below) const;
 
   TwoLevelRows rows_;
-  CondensedExternals top_;
+  SchurMatrixOrFactor top_;
   std::optional<SparseCondensation> below_;
   base::Matrix L_;        ///< [inner, inner] Cholesky factor of the rows eliminated on top
   base::Matrix coupling_; ///< [inner, externals] of them with the externals

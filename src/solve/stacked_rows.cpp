@@ -17,10 +17,10 @@ constexpr double least_early = 0.25;
 } // namespace
 
 TwoLevelRows divide_rows_by_level(const base::SymmetricCsc& K, std::int64_t externals,
-                                  std::span<const DenseBlock> blocks) {
+                                  std::span<const CondensedNetBlock> blocks) {
   std::vector<bool> in_block(at(K.n), false);
   std::vector<bool> coupled(at(K.n), false);
-  for (const DenseBlock& b : blocks) {
+  for (const CondensedNetBlock& b : blocks) {
     for (const std::int64_t row : b.rows) {
       if (row >= 0) {
         in_block[at(row)] = true;
@@ -49,7 +49,7 @@ TwoLevelRows divide_rows_by_level(const base::SymmetricCsc& K, std::int64_t exte
   return rows;
 }
 
-std::vector<Eigen::Index> upper_level_positions(const DenseBlock& b,
+std::vector<Eigen::Index> upper_level_positions(const CondensedNetBlock& b,
                                                 const std::vector<std::int64_t>& top) {
   std::vector<Eigen::Index> place;
   place.reserve(b.rows.size());
@@ -95,8 +95,8 @@ base::SymmetricCsc lower_level_matrix(const base::SymmetricCsc& K, const TwoLeve
   return A;
 }
 
-void find_first_block(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks,
-                      TwoLevelRows& rows) {
+void find_externals_of_block_alone(const base::SymmetricCsc& K,
+                                   std::span<const CondensedNetBlock> blocks, TwoLevelRows& rows) {
   // What is kept of early rows is one block's.
   if (blocks.size() != 1) {
     return;
@@ -123,7 +123,7 @@ void find_first_block(const base::SymmetricCsc& K, std::span<const DenseBlock> b
   }
 }
 
-EarlyLateRowPartition partition_block(const TwoLevelRows& rows, const DenseBlock& block) {
+EarlyLateRowPartition partition_block(const TwoLevelRows& rows, const CondensedNetBlock& block) {
   EarlyLateRowPartition lists;
   const std::vector<Eigen::Index> top = upper_level_positions(block, rows.top);
   for (std::size_t r = 0; r < top.size(); ++r) {

@@ -25,17 +25,17 @@ struct TwoLevelRows {
 
 /// `early` stays empty.
 TwoLevelRows divide_rows_by_level(const base::SymmetricCsc& K, std::int64_t externals,
-                                  std::span<const DenseBlock> blocks);
+                                  std::span<const CondensedNetBlock> blocks);
 
 /// Externals that only the one block has, if they are worth it.
-void find_first_block(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks,
-                      TwoLevelRows& rows);
+void find_externals_of_block_alone(const base::SymmetricCsc& K,
+                                   std::span<const CondensedNetBlock> blocks, TwoLevelRows& rows);
 
 /// Early and late rows of a block, as FirstBlockFactor has them.
-EarlyLateRowPartition partition_block(const TwoLevelRows& rows, const DenseBlock& block);
+EarlyLateRowPartition partition_block(const TwoLevelRows& rows, const CondensedNetBlock& block);
 
 /// The places on top, -1: none, of a block's rows.
-std::vector<Eigen::Index> upper_level_positions(const DenseBlock& block,
+std::vector<Eigen::Index> upper_level_positions(const CondensedNetBlock& block,
                                                 const std::vector<std::int64_t>& top);
 
 /// The sparse matrix of the rows below, then the touched ones.

@@ -38,7 +38,7 @@ std::int64_t local_fronts(const SupernodalFactor& L) {
 
 } // namespace
 
-void eliminate_locals(const SupernodalFactor& L, base::Matrix& X) {
+void forward_substitute_locals(const SupernodalFactor& L, base::Matrix& X) {
   const int k = static_cast<int>(X.cols());
   const int stride = static_cast<int>(X.rows());
   base::Matrix update;

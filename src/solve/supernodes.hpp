@@ -22,7 +22,7 @@ struct SupernodalFactor {
 };
 
 /// X [n, k]: X_l <- L11^-1 X_l, then X_e <- X_e - L21 X_l (the condensed load).
-void eliminate_locals(const SupernodalFactor& L, base::Matrix& X);
+void forward_substitute_locals(const SupernodalFactor& L, base::Matrix& X);
 
 /// X [n, k]: X_l <- L11^-T (X_l - L21^T X_e) (the recovered locals); X_e stays.
 void substitute_locals(const SupernodalFactor& L, base::Matrix& X);

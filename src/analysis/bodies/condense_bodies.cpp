@@ -60,7 +60,7 @@ void factorise(const CondensationRequest& request, std::vector<Task>& tasks,
     task.work.beside = std::this_thread::get_id() != main_thread;
     task.work.begin = watch.start_time();
     const fe::DofMap& map = task.net->map;
-    std::vector<solve::DenseBlock> blocks;
+    std::vector<solve::CondensedNetBlock> blocks;
     for (const fe::Superelement& super : task.supers) {
       blocks.push_back({equation_numbers(map, super.freedom), super.stiffness});
     }
@@ -75,7 +75,7 @@ void factorise(const CondensationRequest& request, std::vector<Task>& tasks,
         stacked ? std::make_shared<solve::Condensation>(K, map.externals(), blocks,
                                                         task.layered ? &task.early : nullptr)
                 : std::make_shared<solve::Condensation>(std::move(K), map.externals(),
-                                                        solve::Ordering::automatic,
+                                                        solve::OrderingMethod::automatic,
                                                         contact_solution_memory(request.rows));
     task.work.end = base::steady_clock_seconds();
   });
@@ -179,7 +179,8 @@ std::vector<std::int64_t> equation_numbers(const fe::DofMap& map,
   return rows;
 }
 
-bool keeps_parts_as_dense_blocks(const fe::DofMap& map, std::span<const solve::DenseBlock> blocks) {
+bool keeps_parts_as_dense_blocks(const fe::DofMap& map,
+                                 std::span<const solve::CondensedNetBlock> blocks) {
   return !map.ties && solve::is_two_level_cheaper(blocks, map.size(), map.externals());
 }
 
@@ -299,8 +300,8 @@ std::vector<SubstructuredBody> condense_bodies(const CondensationRequest& reques
       }
       const auto locals = static_cast<std::size_t>(body.region.map.locals);
       std::vector<std::int32_t> external(freedom.begin() + body.region.map.locals, freedom.end());
-      if (std::optional<solve::FactoredExternals> factor =
-              body.region.factor->take_external_factor()) {
+      if (std::optional<solve::FactoredSchurComplement> factor =
+              body.region.factor->take_factored_schur()) {
         body.condensed =
             std::make_shared<contact::CondensedBody>(std::move(external), std::move(*factor));
         return;

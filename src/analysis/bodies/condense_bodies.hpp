@@ -102,7 +102,8 @@ std::vector<SubstructuredBody> partition_bodies(const CondensationRequest& reque
 std::vector<std::int64_t> equation_numbers(const fe::DofMap& map,
                                            std::span<const std::int32_t> freedom);
 /// Whether the condensed parts of a net stay out of its sparse matrix. Ties need them in it.
-bool keeps_parts_as_dense_blocks(const fe::DofMap& map, std::span<const solve::DenseBlock> blocks);
+bool keeps_parts_as_dense_blocks(const fe::DofMap& map,
+                                 std::span<const solve::CondensedNetBlock> blocks);
 
 /// Whether the externals of a body may stay a factor, in which what its one part has for itself is
 /// eliminated first: not where rigid modes are free.

@@ -43,7 +43,7 @@ ContactMemory::find_persistent_rows(const Discretisation& scene,
     // A body with elements of the region is condensed anew for each length, but for early rows.
     const bool stays = std::ranges::all_of(
         bodies[b].body.elements, [&](base::ElementId e) { return scene.rest_element[e.index()]; });
-    const solve::FactoredExternals* factor = bodies[b].condensed->external_block_factor();
+    const solve::FactoredSchurComplement* factor = bodies[b].condensed->external_block_factor();
     if (!stays && factor == nullptr) {
       lasting.kept.push_back(nullptr);
       continue;

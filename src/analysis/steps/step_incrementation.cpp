@@ -35,7 +35,7 @@ std::optional<int> StepIncrementation::solve_increments(int increments) {
 }
 
 // In a straight line from the last two increments: most points go on as they did.
-solve::ExpectedForces StepIncrementation::expected_at(double part) const {
+solve::PredictedContactForces StepIncrementation::expected_at(double part) const {
   if (reached_.empty()) {
     return {};
   }

@@ -45,12 +45,12 @@ public:
 private:
   struct ReachedIncrement {
     double at = 0.0; ///< part of the step
-    solve::ExpectedForces forces;
+    solve::PredictedContactForces forces;
   };
   void solve();
   /// One increment between two parts of the step, halved where it does not converge.
   bool advance(std::pair<double, double> part, int halvings);
-  [[nodiscard]] solve::ExpectedForces expected_at(double part) const;
+  [[nodiscard]] solve::PredictedContactForces expected_at(double part) const;
 
   const contact::ContactSystem& system_;
   solve::ContactSettings settings_;

@@ -103,7 +103,7 @@ const solve::FactorReport& CostForecast::report_of(const analysis::CondensationR
     fe::assemble_stiffness(request.model, request.mesh, sample, {}, net.map);
     element_seconds_ = watch.cpu_time() / static_cast<double>(sample.size());
   }
-  std::vector<solve::DenseBlock> blocks;
+  std::vector<solve::CondensedNetBlock> blocks;
   blocks.reserve(supers.size());
   for (const std::vector<std::int32_t>& super : supers) {
     blocks.push_back({analysis::equation_numbers(net.map, super)});
@@ -120,7 +120,7 @@ const solve::FactorReport& CostForecast::report_of(const analysis::CondensationR
                   pattern, net.map.externals(), blocks,
                   analysis::can_stay_factorised(*body) ? &early_[*first_part] : nullptr)
             : solve::Condensation::forecast(std::move(pattern), net.map.externals(),
-                                            solve::Ordering::automatic,
+                                            solve::OrderingMethod::automatic,
                                             net.weighed.empty() ? nullptr : &rows);
   ++needs.condensed;
   needs.unknowns += net.map.freedom.size();

@@ -161,7 +161,7 @@ bool same_bits(const Matrix& a, const Matrix& b) {
 }
 
 TEST(Condensation, SchurComplementIsThatOfDenseElimination) {
-  for (const Ordering ordering : {Ordering::amd, Ordering::metis}) {
+  for (const OrderingMethod ordering : {OrderingMethod::amd, OrderingMethod::metis}) {
     SpringNet net(14, 0.8);
     const std::int64_t e =
         net.put_last([](int x, int y) { return x == 13 || (x == 6 && y % 3 == 0); });
@@ -243,7 +243,7 @@ TEST(Condensation, CompliancesOfRowsAreThoseOfTheirHalfSolves) {
     const SymmetricCsc K = net.matrix();
     const Matrix A = dense(K);
     const std::int64_t l = K.n - e;
-    const Condensation c(K, e, Ordering::metis);
+    const Condensation c(K, e, OrderingMethod::metis);
     const SparseRightHandSides sparse = random_rows(K.n, 300); // more than one panel
     Matrix F = Matrix::Zero(K.n, 300);
     for (int j = 0; j < 300; ++j) {
@@ -259,7 +259,7 @@ TEST(Condensation, CompliancesOfRowsAreThoseOfTheirHalfSolves) {
     const Matrix left = F.bottomRows(e) - A.bottomLeftCorner(e, l) * U;
     EXPECT_LE((found.condensed - left).norm(), 1e-12 * left.norm());
     EXPECT_TRUE(same_bits(found.W, c.compliance(sparse).W));
-    const FactorReport told = Condensation::forecast(K, e, Ordering::metis, &sparse);
+    const FactorReport told = Condensation::forecast(K, e, OrderingMethod::metis, &sparse);
     EXPECT_EQ(told.row_flops, found.flops);
     EXPECT_GT(told.row_memory, 0.0);
   }
@@ -315,7 +315,7 @@ TEST(Condensation, RepeatsToTheLastBit) {
   const std::int64_t e = net.put_last([](int x, int) { return x == 19; });
   const SymmetricCsc K = net.matrix();
   const Matrix f = random_columns(K.n, 3);
-  for (const Ordering ordering : {Ordering::amd, Ordering::metis}) {
+  for (const OrderingMethod ordering : {OrderingMethod::amd, OrderingMethod::metis}) {
     const Condensation a(K, e, ordering);
     const Condensation b(K, e, ordering);
     EXPECT_TRUE(same_bits(a.schur(), b.schur()));
@@ -333,10 +333,11 @@ TEST(Condensation, SideBySideGivesTheSameBits) {
   }
   std::vector<Matrix> together(K.size());
   base::parallel_for(K.size(), 4, [&](std::size_t i) {
-    together[i] = Condensation(K[i], externals[i], Ordering::metis).schur();
+    together[i] = Condensation(K[i], externals[i], OrderingMethod::metis).schur();
   });
   for (std::size_t i = 0; i < K.size(); ++i) {
-    EXPECT_TRUE(same_bits(together[i], Condensation(K[i], externals[i], Ordering::metis).schur()));
+    EXPECT_TRUE(
+        same_bits(together[i], Condensation(K[i], externals[i], OrderingMethod::metis).schur()));
   }
 }
 

@@ -64,7 +64,7 @@ Sum chain_and_block(double ground) {
 TEST(TwoLevelCondensation, IsTheDenseEliminationOfTheSum) {
   const Sum sum = chain_and_block(0.1);
   for (const std::int64_t e : {0, 4, 9}) {
-    const std::vector<DenseBlock> blocks{{sum.rows, &sum.block}};
+    const std::vector<CondensedNetBlock> blocks{{sum.rows, &sum.block}};
     const Condensation c(sum.K, e, blocks);
     ASSERT_EQ(c.report().status, FactorStatus::ok);
     const std::int64_t l = sum.K.n - e;
@@ -93,11 +93,11 @@ TEST(TwoLevelCondensation, EarlyRowsAreEliminatedOnceForAll) {
   EarlyLateRowPartition told_lists;
   for (const double ground : {0.1, 0.7}) {
     const Sum sum = chain_and_block(ground);
-    const std::vector<DenseBlock> blocks{{sum.rows, &sum.block}};
+    const std::vector<CondensedNetBlock> blocks{{sum.rows, &sum.block}};
     Condensation c(sum.K, e, blocks, &kept);
     ASSERT_EQ(c.report().status, FactorStatus::ok);
     EXPECT_EQ(c.schur().size(), 0);
-    const std::optional<FactoredExternals> own = c.take_external_factor();
+    const std::optional<FactoredSchurComplement> own = c.take_factored_schur();
     ASSERT_TRUE(own && own->L.is_positive_definite());
     EXPECT_EQ(own->L.first_block_size(), 6); // rows 30 to 35
     first = first == nullptr ? kept.get() : first;
@@ -121,8 +121,7 @@ TEST(TwoLevelCondensation, EarlyRowsAreEliminatedOnceForAll) {
     // made anew: the same bits
     std::shared_ptr<const FirstBlockFactor> none;
     Condensation anew(sum.K, e, blocks, &none);
-    EXPECT_EQ((anew.take_external_factor()->L.forward_substitute(g) - Y).cwiseAbs().maxCoeff(),
-              0.0);
+    EXPECT_EQ((anew.take_factored_schur()->L.forward_substitute(g) - Y).cwiseAbs().maxCoeff(), 0.0);
     const FactorReport told = Condensation::forecast(sum.K, e, blocks, &told_lists);
     EXPECT_EQ(told.flops, c.report().flops);
     EXPECT_EQ(told.memory, c.report().memory);
@@ -137,10 +136,10 @@ TEST(TwoLevelCondensation, ASpringOnARowOfTheBlockIsNotLost) {
   const auto start = static_cast<std::size_t>(sum.K.start[33]);
   sum.K.value[start] = 2.5;
   sum.whole(33, 33) += 2.5;
-  const std::vector<DenseBlock> blocks{{sum.rows, &sum.block}};
+  const std::vector<CondensedNetBlock> blocks{{sum.rows, &sum.block}};
   std::shared_ptr<const FirstBlockFactor> kept;
   Condensation c(sum.K, 9, blocks, &kept);
-  const std::optional<FactoredExternals> own = c.take_external_factor();
+  const std::optional<FactoredSchurComplement> own = c.take_factored_schur();
   ASSERT_TRUE(own && own->L.is_positive_definite());
   EXPECT_EQ(own->L.first_block_size(), 5);
   Matrix f = Matrix::Zero(sum.K.n, 9);
@@ -157,11 +156,11 @@ TEST(TwoLevelCondensation, ABlockThatDoesNotHoldItsRowsGivesS) {
   const auto weak = static_cast<Eigen::Index>(sum.rows.size()) - 1; // row 35 hangs on nothing
   sum.block.row(weak).setZero();
   sum.block.col(weak).setZero();
-  const std::vector<DenseBlock> blocks{{sum.rows, &sum.block}};
+  const std::vector<CondensedNetBlock> blocks{{sum.rows, &sum.block}};
   std::shared_ptr<const FirstBlockFactor> kept;
   Condensation c(sum.K, 9, blocks, &kept);
   ASSERT_EQ(c.report().status, FactorStatus::ok);
-  EXPECT_FALSE(c.take_external_factor());
+  EXPECT_FALSE(c.take_factored_schur());
   const Condensation plain(sum.K, 9, blocks);
   EXPECT_EQ((c.schur() - plain.schur()).cwiseAbs().maxCoeff(), 0.0);
 }
@@ -170,7 +169,7 @@ TEST(TwoLevelCondensation, ABlockThatHoldsNothingIsNamed) {
   Sum sum = chain_and_block(0.1);
   sum.block.row(4).setZero(); // row 31
   sum.block.col(4).setZero();
-  const std::vector<DenseBlock> blocks{{sum.rows, &sum.block}};
+  const std::vector<CondensedNetBlock> blocks{{sum.rows, &sum.block}};
   const Condensation c(sum.K, 2, blocks);
   EXPECT_EQ(c.report().status, FactorStatus::not_positive_definite);
   EXPECT_EQ(c.report().failed_row, 31);
@@ -178,8 +177,10 @@ TEST(TwoLevelCondensation, ABlockThatHoldsNothingIsNamed) {
 
 TEST(TwoLevelCondensation, PaysWhereTheBlockFillsTheTop) {
   const Sum sum = chain_and_block(0.1);
-  EXPECT_TRUE(is_two_level_cheaper(std::vector<DenseBlock>{{sum.rows, nullptr}}, sum.K.n, 4));
-  EXPECT_FALSE(is_two_level_cheaper(std::vector<DenseBlock>{{{30, 31}, nullptr}}, sum.K.n, 20));
+  EXPECT_TRUE(
+      is_two_level_cheaper(std::vector<CondensedNetBlock>{{sum.rows, nullptr}}, sum.K.n, 4));
+  EXPECT_FALSE(
+      is_two_level_cheaper(std::vector<CondensedNetBlock>{{{30, 31}, nullptr}}, sum.K.n, 20));
   EXPECT_FALSE(is_two_level_cheaper({}, sum.K.n, 4));
 }
 
