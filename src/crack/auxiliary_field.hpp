@@ -20,7 +20,7 @@ template <int dim> [[nodiscard]] constexpr std::size_t section_field_number(std:
 
 /// A displacement at a point: gradient and stress, and about an axis those round it (both 0 in
 /// other bodies, where nothing works on them).
-template <int dim> struct DeformationState {
+template <int dim> struct GradientStressState {
   Tensor<dim> H = Tensor<dim>::Zero(); ///< du_i/dx_j
   double hoop = 0.0;                   ///< u_x / x
   Tensor<dim> sigma = Tensor<dim>::Zero();
@@ -30,14 +30,14 @@ template <int dim> struct DeformationState {
   [[nodiscard]] double dilatation() const { return H.trace() + hoop; }
   /// Work density of this state's stress on the strain of another, the part round the axis included
   /// [stress].
-  [[nodiscard]] double work_density_on(const DeformationState& other) const {
+  [[nodiscard]] double work_density_on(const GradientStressState& other) const {
     return sigma.cwiseProduct(other.H).sum() + sigma_hoop * other.hoop;
   }
 };
 
 /// An auxiliary field at a point off the front. About an axis it is carried round with the section,
 /// in space along the front: a displacement of the body, but none of a body at rest.
-template <int dim> struct AuxiliaryField : DeformationState<dim> {
+template <int dim> struct AuxiliaryField : GradientStressState<dim> {
   /// Of its stress [stress/length] (crack.38, crack_space.5).
   shape::Point<dim> divergence = shape::Point<dim>::Zero();
 };

@@ -135,7 +135,8 @@ CrackFaceWeights crack_face_weights(const TipContext& tip, const VirtualExtensio
 }
 
 std::array<double, 3> crack_face_term(const TipContext& tip, const VirtualExtensionField& field,
-                                      const CrackFaceForces& crack_faces, const base::Vector& u) {
+                                      const ForcesBetweenCrackFaces& crack_faces,
+                                      const base::Vector& u) {
   const auto at = [](const base::Vector& nodal, base::NodeId n) -> base::Vec2 {
     return nodal.segment<2>(2 * static_cast<Eigen::Index>(n.index()));
   };

@@ -15,7 +15,8 @@ namespace spricka::crack {
 /// act where the faces do not part, and the tangential ones have no other component), and of the
 /// interaction with the near-tip fields of modes 1 and 2, - integral q t . v_m,1 ds.
 std::array<double, 3> crack_face_term(const TipContext& tip, const VirtualExtensionField& field,
-                                      const CrackFaceForces& crack_faces, const base::Vector& u);
+                                      const ForcesBetweenCrackFaces& crack_faces,
+                                      const base::Vector& u);
 
 /// The interaction terms as sums over nodal forces (crack.33), [mode - 1] by node: sum of weight .
 /// force.

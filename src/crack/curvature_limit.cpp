@@ -23,21 +23,21 @@ constexpr double more_turn = 0.35;
 
 } // namespace
 
-bool CurvatureLimit::is_exceeded(std::size_t point, const VirtualExtensionField& field) {
+bool DomainCurvatureLimit::is_exceeded(std::size_t point, const VirtualExtensionField& field) {
   const double least =
       std::cos(std::min(2.0 * turn_beside(point) + more_turn, 0.5 * std::numbers::pi));
   return std::ranges::any_of(field.elements, [&](ElementId e) {
     const std::span<const NodeId> nodes = mesh_.element_nodes(e);
     const Vec3 first = place_at(nodes.front()).m;
     return std::ranges::any_of(nodes, [&](NodeId n) {
-      const NearFront& place = place_at(n);
+      const NodeFrontPosition& place = place_at(n);
       return place.to_centre > largest_to_centre || place.m.dot(first) < least;
     });
   });
 }
 
 // How much the front turns from a point to its neighbours [rad].
-double CurvatureLimit::turn_beside(std::size_t point) const {
+double DomainCurvatureLimit::turn_beside(std::size_t point) const {
   const std::size_t count = front_.points.size();
   double turn = 0.0;
   for (const std::size_t next : {(point + 1) % count, (point + count - 1) % count}) {
@@ -50,7 +50,7 @@ double CurvatureLimit::turn_beside(std::size_t point) const {
   return turn;
 }
 
-const CurvatureLimit::NearFront& CurvatureLimit::place_at(NodeId n) {
+const DomainCurvatureLimit::NodeFrontPosition& DomainCurvatureLimit::place_at(NodeId n) {
   const auto [at, fresh] = near_front_.try_emplace(n);
   if (fresh) {
     // Beyond an open end axes turn as they do there.

@@ -14,7 +14,8 @@ namespace {
 class SectionHeat {
 public:
   SectionHeat(const TipContext& set, base::ElementId e)
-      : set_(set), element_(plane_element(set.mesh, e)), X_(fe::coordinates(element_, set.mesh, e)),
+      : set_(set), element_(plane_reference_element(set.mesh, e)),
+        X_(fe::coordinates(element_, set.mesh, e)),
         law_(fe::constitutive_law(set.model, set.mesh, e)),
         T_(fe::CornerValues<2>::Zero(element_.corners)) {
     if (set.loads.temperature.size() > 0) {
@@ -54,7 +55,7 @@ public:
   }
 
   // The auxiliary fields of K and T meet the same displacements under the affine temperature alone;
-  // what differs from it is heat_term's (crack.34).
+  // what differs from it is nonlinear_temperature_term's (crack.34).
   [[nodiscard]] ThermoelasticState<2> met(const ThermoelasticState<2>& own,
                                           const base::Vec2& x) const {
     ThermoelasticState<2> here = own;
@@ -85,11 +86,11 @@ private:
 
 // One vector per node serves all domains (crack.5): outside its own elements the q of a domain is
 // constant, and there the gradients of the shape functions of an element sum to zero.
-void add_domain_terms(const TipAuxiliaryFields& fields, const base::Vector& u,
-                      InteractionConfigurationalForces<2>& out) {
+void add_tip_element_terms(const TipAuxiliaryFields& fields, const base::Vector& u,
+                           InteractionConfigurationalForces<2>& out) {
   const TipContext& set = fields.set();
   const std::vector<BodyForceField> body =
-      body_force_fields(set.model, set.mesh, set.loads, ScaleElements::whole_set);
+      body_force_fields(set.model, set.mesh, set.loads, LoadScaleScope::whole_set);
   const auto add = [&](base::ElementId e, bool strained) {
     const SectionHeat heat(set, e);
     ElementConfigurationalForces<TipAuxiliaryFields, SectionHeat>(fields, heat, body, e, u)

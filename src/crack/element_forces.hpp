@@ -12,7 +12,7 @@
 namespace spricka::crack {
 
 /// The solution at a point of an element, its stress with what the temperature takes out.
-template <int dim> struct ThermoelasticState : DeformationState<dim> {
+template <int dim> struct ThermoelasticState : GradientStressState<dim> {
   Tensor<dim> nodal = Tensor<dim>::Zero();    ///< gradient of the nodes' displacement
   Tensor<dim> strained = Tensor<dim>::Zero(); ///< gradient that has this stress
   double beta_T = 0.0;                        ///< stress that the temperature takes out
@@ -98,7 +98,7 @@ private:
         c += met.nodal.transpose() * v.divergence;
       }
       // About an axis the way outwards (crack.37).
-      c += source_.set().hoop_force(M.hoop, x);
+      c += source_.set().hoop_body_force(M.hoop, x);
       for (int n = 0; n < element_.nodes; ++n) {
         Vector& P_n = P[static_cast<std::size_t>(n)][k];
         const Vector gradient = at.dNdx.row(n).transpose();
@@ -120,7 +120,7 @@ private:
     here.hoop = source_.set().hoop(U_ * N, x);
     here.heated_dilatation = here.dilatation();
     heat_.heat(at, r, x, here);
-    static_cast<DeformationState<dim>&>(here) = elasticity_.state(here.H, here.hoop);
+    static_cast<GradientStressState<dim>&>(here) = elasticity_.state(here.H, here.hoop);
     heat_.cool(here, here.beta_T);
     return here;
   }

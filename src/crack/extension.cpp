@@ -94,7 +94,7 @@ std::map<base::NodeId, double> VirtualExtensionField::extension_by_node() const 
 
 VirtualExtensionField TipNeighbourhood::field(const mesh::CrackFront& front, int rings) const {
   // The last layer keeps the elements that q strains (crack.2).
-  FrontElementLayers layers = find_front_element_layers(mesh_, elements_, front, {}, rings + 1);
+  ElementLayersRoundFront layers = find_layers_round_front(mesh_, elements_, front, {}, rings + 1);
   VirtualExtensionField result;
   result.rings = rings;
   result.elements = std::move(layers.elements.back());

@@ -34,12 +34,12 @@ struct VirtualExtensionField {
 
 /// Which face of the crack a point lies on: there theta is pi or -pi, whatever round-off makes of
 /// it.
-enum class CrackFaceSide { none, upper, lower };
+enum class UpperOrLowerFace { none, upper, lower };
 
 /// A free side of an element that a domain moves.
 struct MovedFreeSide {
   model::Face face;
-  CrackFaceSide on = CrackFaceSide::none; ///< which face of the crack, if it is one
+  UpperOrLowerFace on = UpperOrLowerFace::none; ///< which face of the crack, if it is one
 };
 
 /// What domains must keep clear of, beside what the mesh says; empty: nothing.

@@ -31,7 +31,7 @@ struct ShiftedElement {
   fe::ConstitutiveLaw law;
 
   ShiftedElement(const Shift& shift, base::ElementId e_)
-      : e(e_), element(plane_element(shift.set.mesh, e)),
+      : e(e_), element(plane_reference_element(shift.set.mesh, e)),
         X(fe::coordinates(element, shift.set.mesh, e)),
         U(fe::gather(element, shift.set.mesh, e, shift.u)),
         law(fe::constitutive_law(shift.set.model, shift.set.mesh, e)) {
@@ -158,7 +158,7 @@ double finite_shift_release_rate(const TipContext& set, const VirtualExtensionFi
                                  double s, const base::Vector& u) {
   const std::map<base::NodeId, double> q = field.extension_by_node();
   const std::vector<BodyForceField> fields =
-      body_force_fields(set.model, set.mesh, set.loads, ScaleElements::whole_set);
+      body_force_fields(set.model, set.mesh, set.loads, LoadScaleScope::whole_set);
   // (crack.15).
   const double back =
       potential_energy({.set = set, .q = q, .s = -s, .u = u, .fields = fields}, field);

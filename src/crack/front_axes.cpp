@@ -172,7 +172,7 @@ InterpolatedValue<Vec3> FrontAxes::point(std::size_t i, double part) const {
                        s_[i + 1] - s_[i], part);
 }
 
-FrontCoordinates FrontAxes::locate_point(const Vec3& x, CrackFaceSide side) const {
+FrontCoordinates FrontAxes::locate_point(const Vec3& x, UpperOrLowerFace side) const {
   const std::size_t last = s_.size() - 2; // of the intervals
   std::size_t i = std::min(nearest_station(x), last);
   double part = 0.0;
@@ -233,11 +233,11 @@ FrontCoordinates FrontAxes::locate_point(const Vec3& x, CrackFaceSide side) cons
   place.z = d.dot(frame.b);
   place.r = std::hypot(place.y, place.z);
   place.theta = std::atan2(place.z, place.y);
-  if (side != CrackFaceSide::none) {
+  if (side != UpperOrLowerFace::none) {
     // Edges on the front are parabolas: where its curvature changes they pass it by some
     // thousandths of a radius, and points of a face beside it may lie ahead of the curve, where the
     // auxiliary fields' stress has no bound.
-    place.theta = side == CrackFaceSide::upper ? std::numbers::pi : -std::numbers::pi;
+    place.theta = side == UpperOrLowerFace::upper ? std::numbers::pi : -std::numbers::pi;
   }
   return place;
 }

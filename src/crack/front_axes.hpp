@@ -33,7 +33,7 @@ public:
   /// Coordinates of x in the section across the front through the nearest place of it. `side`: the
   /// crack face on which x lies, for the sign of theta.
   [[nodiscard]] FrontCoordinates locate_point(const base::Vec3& x,
-                                              CrackFaceSide side = CrackFaceSide::none) const;
+                                              UpperOrLowerFace side = UpperOrLowerFace::none) const;
 
 private:
   using Axes = Eigen::Matrix<double, 3, 4>; ///< x, m, b, t

@@ -18,8 +18,8 @@ using PointMotion = std::map<base::NodeId, base::Vec3>;
 
 /// Motion by node of one point of a front, the mean of its domains' extensions over the length that
 /// belongs to the point; none without a domain.
-inline PointMotion node_motion_with_front_point(const mesh::FrontPoint& point,
-                                                const std::vector<VirtualExtensionField>& domains) {
+inline PointMotion domain_mean_node_motions(const mesh::FrontPoint& point,
+                                            const std::vector<VirtualExtensionField>& domains) {
   PointMotion motion;
   const double part = 1.0 / (static_cast<double>(domains.size()) * point.weight);
   for (const VirtualExtensionField& field : domains) {
@@ -33,26 +33,26 @@ inline PointMotion node_motion_with_front_point(const mesh::FrontPoint& point,
 
 /// What a displacement is contracted with at a point: its gradient, and about an axis the strain
 /// round it.
-template <int dim> struct ContractionTensor {
+template <int dim> struct GradientWeightTensor {
   Tensor<dim> M = Tensor<dim>::Zero();
   double hoop = 0.0;
 };
 
 /// The points of a front with how they move nodes, and which of them move an element. `Source` is
 /// TipAuxiliaryFields or FrontAuxiliaryFields.
-template <class Source> class FrontContractions {
+template <class Source> class KFunctionalIntegrand {
 public:
   static constexpr int dim = Source::dim;
 
   /// domains: [point][domain]. Of a half model the other modes than K1 are zero by symmetry.
-  FrontContractions(const Source& source, const mesh::CrackFront& front,
-                    const std::vector<std::vector<VirtualExtensionField>>& domains)
+  KFunctionalIntegrand(const Source& source, const mesh::CrackFront& front,
+                       const std::vector<std::vector<VirtualExtensionField>>& domains)
       : source_(source) {
     for (std::size_t mode = 1; mode <= (front.symmetric_half ? 1 : std::size_t{dim}); ++mode) {
       auxiliary_fields_.push_back(mode);
     }
     for (std::size_t i = 0; i < domains.size(); ++i) {
-      motion_.push_back(node_motion_with_front_point(front.points[i], domains[i]));
+      motion_.push_back(domain_mean_node_motions(front.points[i], domains[i]));
       for (const VirtualExtensionField& field : domains[i]) {
         for (const std::vector<base::ElementId>* elements : {&field.elements, &field.inside}) {
           for (const base::ElementId e : *elements) {
@@ -109,11 +109,11 @@ public:
     shape::Point<dim> x;
     /// [place among the points of the front that move the element, auxiliary field] with the weight
     /// of the point, but without the factor that makes K of it
-    std::vector<ContractionTensor<dim>> tensors;
+    std::vector<GradientWeightTensor<dim>> tensors;
   };
   /// The points of a front that move an element, and how they move its nodes.
   using MovingPoints = std::vector<std::pair<std::size_t, fe::AnyNodeVectors<dim>>>;
-  [[nodiscard]] MovingPoints moving_front_points(base::ElementId e) const {
+  [[nodiscard]] MovingPoints front_motions_of_element(base::ElementId e) const {
     MovingPoints moved;
     for (const std::size_t i : points_of_.at(e)) {
       fe::AnyNodeVectors<dim> q;
@@ -146,7 +146,7 @@ public:
         for (std::size_t j = 0; j < moved.size(); ++j) {
           const Tensor<dim> grad = moved[j].second.lazyProduct(at.map.dNdx);
           const Vector q = moved[j].second * at.N;
-          const ContractionTensor<dim> c =
+          const GradientWeightTensor<dim> c =
               contracted(elasticity, v, grad, q, source_.set().hoop(q, at.x));
           at.tensors[auxiliary_fields_.size() * j + k] = {weight * c.M, weight * c.hoop};
         }
@@ -165,11 +165,11 @@ private:
   // q)^T + div sigma_v (x) q, A = H_v grad q, with the components round an axis (crack.37);
   // `round`: of q, round the axis. D is symmetric, so s(u) : A = H_u : s(A).
   template <class Elasticity>
-  [[nodiscard]] static ContractionTensor<dim>
+  [[nodiscard]] static GradientWeightTensor<dim>
   contracted(const Elasticity& elasticity, const AuxiliaryField<dim>& v, const Tensor<dim>& grad,
              const Vector& q, double round) {
     const double div = grad.trace() + round;
-    const DeformationState<dim> A =
+    const GradientStressState<dim> A =
         elasticity.state(v.H * grad - div * v.H, (round - div) * v.hoop);
     return {A.sigma + v.sigma * grad.transpose() + v.divergence * q.transpose(),
             A.sigma_hoop + v.sigma_hoop * round};

@@ -24,7 +24,7 @@ using base::Vec3;
 
 // Where a node goes that moves with the front.
 struct Follower {
-  FrontHat hat;
+  FrontHatWeights hat;
   Vec3 along = Vec3::UnitX();
   bool stays = false; ///< no motion is possible
   const char* why = "";
@@ -36,7 +36,7 @@ public:
                          const IntegrationDomainConstraints& limits)
       : cracked_(cracked), mesh_(cracked.mesh), front_(front), limits_(limits),
         elements_(cracked.mesh), line_(front_mid_nodes(mesh_, elements_, front)),
-        layers_(find_front_element_layers(mesh_, elements_, front, line_, most + 1)),
+        layers_(find_layers_round_front(mesh_, elements_, front, line_, most + 1)),
         curve_(*front.curve), hats_(front, line_.closed), curvature_(mesh_, front, line_.closed),
         sides_(free_sides(mesh_, reached())), surface_(mesh_, sides_, off_own_front()) {
     out_.points.resize(front_.points.size());
@@ -93,9 +93,9 @@ public:
     for (const model::Face& face : sides_) {
       if (std::ranges::any_of(model::side_nodes(mesh_, face),
                               [&](NodeId n) { return moved.contains(n); })) {
-        out_.sides.push_back({face, upper.contains(face)   ? CrackFaceSide::upper
-                                    : lower.contains(face) ? CrackFaceSide::lower
-                                                           : CrackFaceSide::none});
+        out_.sides.push_back({face, upper.contains(face)   ? UpperOrLowerFace::upper
+                                    : lower.contains(face) ? UpperOrLowerFace::lower
+                                                           : UpperOrLowerFace::none});
       }
     }
     return std::move(out_);
@@ -153,7 +153,7 @@ private:
     }
     const Vec3& x = mesh_.x[n.index()];
     const mesh::FrontFrame frame = curve_.at(curve_.nearest_length(x));
-    f.hat = hats_.hat_at(frame.s);
+    f.hat = hats_.hat_weights_at(frame.s);
     f.along = frame.m;
     if (fixed_[n.index()]) {
       f.stays = true;
@@ -185,7 +185,7 @@ private:
     const auto corner = [&](NodeId n) -> const std::vector<std::pair<std::size_t, double>>& {
       const auto [at, fresh] = q.try_emplace(n);
       if (fresh && layers_.extension_factor(n, rings) > 0.0) {
-        const FrontHat hat = follow(n).hat;
+        const FrontHatWeights hat = follow(n).hat;
         add(at->second, hat.low, 1.0 - hat.part);
         add(at->second, hat.high, hat.part);
       }
@@ -292,10 +292,10 @@ private:
   const IntegrationDomainConstraints& limits_;
   mesh::NodeToElementsMap elements_;
   FrontMidNodes line_;
-  FrontElementLayers layers_;
+  ElementLayersRoundFront layers_;
   const mesh::FrontCurve& curve_;
   FrontHats hats_;
-  CurvatureLimit curvature_;
+  DomainCurvatureLimit curvature_;
   std::vector<model::Face> sides_;
   SurfaceNodeMotion surface_;
   std::vector<bool> fixed_; ///< [node]

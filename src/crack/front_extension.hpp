@@ -45,7 +45,7 @@ struct FrontIntegralDomains {
 };
 
 /// The domains of a tip in the plane.
-inline FrontIntegralDomains make_tip_domains(std::vector<VirtualExtensionField> fields) {
+inline FrontIntegralDomains wrap_tip_domains(std::vector<VirtualExtensionField> fields) {
   FrontIntegralDomains domains;
   domains.points.push_back(std::move(fields));
   return domains;

@@ -57,7 +57,7 @@ public:
   }
 
   /// Which face of the crack a side is that a domain moves; nothing: none moves it.
-  [[nodiscard]] std::optional<CrackFaceSide>
+  [[nodiscard]] std::optional<UpperOrLowerFace>
   crack_face_of_element_side(const model::Face& face) const {
     const auto known = moved_.find(face);
     return known == moved_.end() ? std::nullopt : std::optional(known->second);
@@ -68,7 +68,7 @@ public:
   }
   /// A point of a side; nothing on the front itself.
   [[nodiscard]] std::optional<Place> place(const geometry::ElementSide& side, const base::Vec2& r,
-                                           CrackFaceSide on) const {
+                                           UpperOrLowerFace on) const {
     const FrontCoordinates at = set_.axes.locate_point(side.position(r), on);
     return at.r > 0.0 ? std::optional(Place(at)) : std::nullopt;
   }
@@ -93,7 +93,7 @@ private:
   const FrontContext& set_;
   const FrontIntegralDomains& fields_;
   std::vector<base::ElementId> strained_;
-  std::map<model::Face, CrackFaceSide> moved_;
+  std::map<model::Face, UpperOrLowerFace> moved_;
   mutable std::shared_ptr<const AuxiliaryFieldTable> table_;
 };
 

@@ -109,7 +109,7 @@ void add_front_element_terms(const FrontAuxiliaryFields& fields, const FrontLoad
                              const base::Vector& u, InteractionConfigurationalForces<3>& out) {
   const FrontContext& set = fields.set();
   const std::vector<BodyForceField> body =
-      body_force_fields(set.model, set.mesh, loads, ScaleElements::near_front);
+      body_force_fields(set.model, set.mesh, loads, LoadScaleScope::near_front);
   const std::optional<LinearTemperature> linear =
       exact_linear_temperature(set.mesh, fields.strained(), loads.temperature);
   for (const base::ElementId e : fields.strained()) {

@@ -34,7 +34,7 @@ double FrontHats::along_front(double s) const {
   return curve_.closed() ? way - whole * std::floor(way / whole) : way;
 }
 
-FrontHat FrontHats::hat_at(double s) const {
+FrontHatWeights FrontHats::hat_weights_at(double s) const {
   const std::vector<double>& at = stations_;
   const std::size_t last = at.size() - 1;
   if (at.size() == 1) {

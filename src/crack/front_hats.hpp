@@ -8,7 +8,7 @@
 namespace spricka::crack {
 
 /// Which points a place of the front belongs to, and how much.
-struct FrontHat {
+struct FrontHatWeights {
   std::size_t low = 0, high = 0; ///< points on both sides of it
   double part = 0.0;             ///< of `high`; the rest is that of `low`
 };
@@ -23,7 +23,7 @@ public:
   [[nodiscard]] const std::vector<double>& stations() const { return stations_; }
   /// Between which points a place of the curve is [length]; round-off takes no node of one point's
   /// section to the next.
-  [[nodiscard]] FrontHat hat_at(double s) const;
+  [[nodiscard]] FrontHatWeights hat_weights_at(double s) const;
 
 private:
   [[nodiscard]] double along_front(double s) const;

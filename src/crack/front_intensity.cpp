@@ -41,7 +41,7 @@ public:
     at.across.assign(front_.points.size(), 0.0);
     at.thermal.assign(front_.points.size(), 0.0);
     for (const MovedFreeSide& side : fields_.sides) {
-      if (side.on == CrackFaceSide::none) {
+      if (side.on == UpperOrLowerFace::none) {
         continue;
       }
       const geometry::ElementSide own = model::element_side(set_.mesh, side.face);
@@ -75,7 +75,7 @@ private:
     }
   }
 
-  [[nodiscard]] std::ptrdiff_t faces_at(CrackFaceSide on, base::NodeId point) const {
+  [[nodiscard]] std::ptrdiff_t faces_at(UpperOrLowerFace on, base::NodeId point) const {
     return std::ranges::count_if(fields_.sides, [&](const MovedFreeSide& side) {
       const std::vector<base::NodeId> nodes = model::side_nodes(set_.mesh, side.face);
       return side.on == on && std::ranges::find(nodes, point) != nodes.end();
@@ -174,7 +174,7 @@ std::vector<StressIntensity> front_intensity(const model::Model& model,
                                              const mesh::CrackedMesh& cracked,
                                              const mesh::CrackFront& front,
                                              const FrontIntegralDomains& domains,
-                                             const FrontIntensityRequest& request,
+                                             const FrontIntensityOptions& request,
                                              const base::Vector& u, const FrontLoads& loads) {
   std::vector<StressIntensity> result(front.points.size());
   if (domains.empty()) {
@@ -192,7 +192,7 @@ std::vector<StressIntensity> front_intensity(const model::Model& model,
   for (std::size_t i = 0; i < result.size(); ++i) {
     StressIntensity& K = result[i];
     K.E_effective = set.E_effective();
-    K.front = FrontPointIntensity();
+    K.front = SmoothedFrontIntensity();
     double e_tt = 0.0;
     for (const NodeWeight& entry : strain[i]) {
       e_tt += entry.weight.dot(u.segment<3>(3 * static_cast<Eigen::Index>(entry.node.index())));

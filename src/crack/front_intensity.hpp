@@ -17,7 +17,7 @@ std::vector<StressIntensity> front_intensity(const model::Model& model,
                                              const mesh::CrackedMesh& cracked,
                                              const mesh::CrackFront& front,
                                              const FrontIntegralDomains& domains,
-                                             const FrontIntensityRequest& request,
+                                             const FrontIntensityOptions& request,
                                              const base::Vector& u, const FrontLoads& loads);
 
 /// Fills, in space, smooth values and those from inside (crack_space.15, crack_space.16) from K1,

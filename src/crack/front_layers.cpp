@@ -59,11 +59,11 @@ FrontMidNodes front_mid_nodes(const model::Mesh& mesh, const mesh::NodeToElement
   return line;
 }
 
-FrontElementLayers find_front_element_layers(const model::Mesh& mesh,
-                                             const mesh::NodeToElementsMap& elements,
-                                             const mesh::CrackFront& front,
-                                             const FrontMidNodes& line, int count) {
-  FrontElementLayers layers;
+ElementLayersRoundFront find_layers_round_front(const model::Mesh& mesh,
+                                                const mesh::NodeToElementsMap& elements,
+                                                const mesh::CrackFront& front,
+                                                const FrontMidNodes& line, int count) {
+  ElementLayersRoundFront layers;
   layers.of_node.assign(mesh.node_count(), -1);
   std::vector<NodeId> rim;
   const auto reach = [&](NodeId n, int layer) {

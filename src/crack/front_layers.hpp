@@ -21,7 +21,7 @@ FrontMidNodes front_mid_nodes(const model::Mesh& mesh, const mesh::NodeToElement
                               const mesh::CrackFront& front);
 
 /// Layers of elements by nodes in common, the first those that have a node of the front.
-struct FrontElementLayers {
+struct ElementLayersRoundFront {
   std::vector<std::vector<base::ElementId>> elements; ///< [layer - 1], ascending
   std::vector<int> of_node; ///< [node] the layer that it came with, 0 on the front; -1: none
 
@@ -33,10 +33,10 @@ struct FrontElementLayers {
 };
 /// The first `count` layers of elements round a front, found from its points and the mid nodes of
 /// `line` outward.
-FrontElementLayers find_front_element_layers(const model::Mesh& mesh,
-                                             const mesh::NodeToElementsMap& elements,
-                                             const mesh::CrackFront& front,
-                                             const FrontMidNodes& line, int count);
+ElementLayersRoundFront find_layers_round_front(const model::Mesh& mesh,
+                                                const mesh::NodeToElementsMap& elements,
+                                                const mesh::CrackFront& front,
+                                                const FrontMidNodes& line, int count);
 
 /// Sides of these elements that belong to the body's surface or to faces of cracks, ascending:
 /// those of one element only, but for quadrilaterals on which two triangles of other elements lie.

@@ -29,7 +29,7 @@ struct FacePointForces {
 };
 
 /// Forces between the faces of a crack in the plane, given at their nodes.
-struct CrackFaceForces {
+struct ForcesBetweenCrackFaces {
   std::vector<model::Face> faces; ///< element sides that make the faces, each with its body
   base::Vector force;             ///< [dim * node] on the faces; other nodes count as free
   double at_tip = 0.0;            ///< stress across the faces at a closed tip [stress]
@@ -40,7 +40,8 @@ struct FrontLoads {
   std::vector<ActingLoad> loads; ///< of the deck, in space its elements as a whole
   base::Vector temperature;      ///< of elements [connectivity index], see fe/thermal.hpp; or empty
   std::vector<fe::ScaledTemperature> heat = {}; ///< of the same; empty: elements take all of it
-  std::optional<CrackFaceForces> crack_faces = std::nullopt; ///< of a tip; empty: there are none
+  std::optional<ForcesBetweenCrackFaces> crack_faces =
+      std::nullopt; ///< of a tip; empty: there are none
   /// In space: on faces of the body that has the crack, of pressure and friction between surfaces
   /// in contact.
   std::vector<FacePointForces> contact = {};

@@ -29,7 +29,7 @@ struct FrontContext {
   /// What a tip in the plane has about an axis: nothing is there.
   [[nodiscard]] static double relative_depth(const base::Vec3& /*x*/) { return 1.0; }
   [[nodiscard]] static double hoop(const base::Vec3& /*v*/, const base::Vec3& /*x*/) { return 0.0; }
-  [[nodiscard]] static base::Vec3 hoop_force(double /*stress*/, const base::Vec3& /*x*/) {
+  [[nodiscard]] static base::Vec3 hoop_body_force(double /*stress*/, const base::Vec3& /*x*/) {
     return base::Vec3::Zero();
   }
 };

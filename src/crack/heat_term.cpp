@@ -54,7 +54,7 @@ class HeatTermElement {
 public:
   HeatTermElement(const TipContext& set, ElementId e, const std::map<base::NodeId, double>& q,
                   const base::Vector& u)
-      : set_(set), e_(e), element_(plane_element(set.mesh, e)),
+      : set_(set), e_(e), element_(plane_reference_element(set.mesh, e)),
         X_(fe::coordinates(element_, set.mesh, e)), U_(fe::gather(element_, set.mesh, e, u)),
         law_(fe::constitutive_law(set.model, set.mesh, e)),
         T_(fe::gather_corner_temperatures(element_, set.mesh, e, set.loads.temperature)),
@@ -350,7 +350,7 @@ fit_affine_temperature(const TipContext& set, const mesh::CrackFront& front,
   return affine;
 }
 
-bool has_temperature_jump(const TipContext& set, const VirtualExtensionField& field) {
+bool has_temperature_jump_in_element(const TipContext& set, const VirtualExtensionField& field) {
   return std::ranges::any_of(set.loads.heat, [&](const fe::ScaledTemperature& acting) {
     const std::vector<bool>& discontinuous = acting.heat->discontinuous;
     return !discontinuous.empty() && std::ranges::any_of(all_elements(field), [&](ElementId e) {
@@ -359,14 +359,13 @@ bool has_temperature_jump(const TipContext& set, const VirtualExtensionField& fi
   });
 }
 
-std::array<double, auxiliary_field_count<2>> heat_term(const TipContext& set,
-                                                       const mesh::CrackFront& front,
-                                                       const VirtualExtensionField& field,
-                                                       const base::Vector& u) {
+std::array<double, auxiliary_field_count<2>>
+nonlinear_temperature_term(const TipContext& set, const mesh::CrackFront& front,
+                           const VirtualExtensionField& field, const base::Vector& u) {
   std::array<double, auxiliary_field_count<2>> sum{};
   const std::map<base::NodeId, double> q = field.extension_by_node();
   const std::vector<ElementId> all = all_elements(field);
-  const bool wants_G = !has_temperature_jump(set, field) && (u.array() != 0.0).any();
+  const bool wants_G = !has_temperature_jump_in_element(set, field) && (u.array() != 0.0).any();
   for (const ElementId e : all) {
     HeatTermElement(set, e, q, u).add(front, wants_G, sum);
   }

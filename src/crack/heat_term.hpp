@@ -13,14 +13,13 @@ fit_affine_temperature(const TipContext& set, const mesh::CrackFront& front,
                        const std::vector<VirtualExtensionField>& fields);
 
 /// Whether a temperature jumps within elements of a domain.
-bool has_temperature_jump(const TipContext& set, const VirtualExtensionField& field);
+bool has_temperature_jump_in_element(const TipContext& set, const VirtualExtensionField& field);
 
 /// Of one domain, by auxiliary field: to K and T what the temperature less the affine one makes of
 /// them, by parts, so that it needs no gradient (manual, crack.34); to G what the temperature less
 /// that of the elements does, its jumps between elements included (crack.35).
-std::array<double, auxiliary_field_count<2>> heat_term(const TipContext& set,
-                                                       const mesh::CrackFront& front,
-                                                       const VirtualExtensionField& field,
-                                                       const base::Vector& u);
+std::array<double, auxiliary_field_count<2>>
+nonlinear_temperature_term(const TipContext& set, const mesh::CrackFront& front,
+                           const VirtualExtensionField& field, const base::Vector& u);
 
 } // namespace spricka::crack

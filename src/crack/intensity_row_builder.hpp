@@ -21,7 +21,7 @@ public:
   static constexpr int dim = Source::dim;
 
   /// Columns are by KLayout.
-  explicit IntensityFunctionalBuilder(FrontContractions<Source> front)
+  explicit IntensityFunctionalBuilder(KFunctionalIntegrand<Source> front)
       : front_(std::move(front)), source_(front_.source()), layout_(front_.point_count(), dim) {}
 
   /// Rows of the nodal displacements, from the domains and the free sides that move with them.
@@ -53,7 +53,7 @@ public:
   [[nodiscard]] SparseLinearFunctionals force_rows(const std::vector<FacePointForces>& places) {
     Eigen::Index first = 0;
     for (const FacePointForces& place : places) {
-      if (const std::optional<CrackFaceSide> known =
+      if (const std::optional<UpperOrLowerFace> known =
               source_.crack_face_of_element_side(place.face)) {
         add_places(place, *known, first);
       }
@@ -64,7 +64,7 @@ public:
 
 private:
   using Vector = shape::Point<dim>;
-  using Point = typename FrontContractions<Source>::ContractionPoint;
+  using Point = typename KFunctionalIntegrand<Source>::ContractionPoint;
   /// Coefficients of functions. [dim, function]
   using Coefficients = Eigen::Matrix<double, dim, Eigen::Dynamic>;
 
@@ -90,7 +90,7 @@ private:
   // column, sum).
   template <class Block, class Add, class Take>
   void contract(base::ElementId e, const Block& zero, const Add& add, const Take& take) const {
-    const auto moved = front_.moving_front_points(e);
+    const auto moved = front_.front_motions_of_element(e);
     const std::size_t width = front_.auxiliary_fields().size();
     std::vector<Block> sums(moved.size() * width, zero);
     front_.visit_contraction_points(e, moved, [&](const Point& at) { add(at, sums); });
@@ -236,7 +236,7 @@ private:
     return others.slopes(type, at).lazyProduct(inverse);
   }
 
-  void add_places(const FacePointForces& on, CrackFaceSide side, Eigen::Index first) {
+  void add_places(const FacePointForces& on, UpperOrLowerFace side, Eigen::Index first) {
     const geometry::ElementSide own = model::element_side(mesh(), on.face);
     for (const std::size_t i : front_.front_points_moving_element(on.face.element)) {
       SideVectors<dim> q;
@@ -260,7 +260,7 @@ private:
     }
   }
 
-  FrontContractions<Source> front_;
+  KFunctionalIntegrand<Source> front_;
   const Source& source_;
   KLayout layout_;
   std::vector<Eigen::Triplet<double>> entries_;

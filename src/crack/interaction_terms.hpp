@@ -38,9 +38,10 @@ SurfaceGradients<dim> surface_gradients(const geometry::ElementSide& side, const
 
 /// - N_n c of each node, to what an auxiliary field releases.
 template <int dim>
-void subtract_nodal_forces(const geometry::ElementSide& side, const geometry::SideValues& N,
-                           std::size_t auxiliary, const shape::Point<dim>& c,
-                           InteractionConfigurationalForces<dim>& out) {
+void subtract_configurational_forces(const geometry::ElementSide& side,
+                                     const geometry::SideValues& N, std::size_t auxiliary,
+                                     const shape::Point<dim>& c,
+                                     InteractionConfigurationalForces<dim>& out) {
   for (std::size_t n = 0; n < side.nodes.size(); ++n) {
     out[side.nodes[n]][auxiliary] -= N[static_cast<Eigen::Index>(n)] * c;
   }
@@ -56,7 +57,7 @@ void add_face_load_terms(const Source& source, const std::vector<FacePointForces
                          InteractionConfigurationalForces<Source::dim>& out) {
   constexpr int dim = Source::dim;
   for (const FacePointForces& on : forces) {
-    const std::optional<CrackFaceSide> known = source.crack_face_of_element_side(on.face);
+    const std::optional<UpperOrLowerFace> known = source.crack_face_of_element_side(on.face);
     if (!known) {
       continue;
     }
@@ -75,7 +76,7 @@ void add_face_load_terms(const Source& source, const std::vector<FacePointForces
       for (std::size_t k = 0; k < auxiliary_field_count<dim>; ++k) {
         const Tensor<dim> H = k == 0 ? Tensor<dim>(U.lazyProduct(surface_gradients<dim>(side, r)))
                                      : source.side_gradient(*place, k);
-        subtract_nodal_forces<dim>(side, N, k, H.transpose() * force, out);
+        subtract_configurational_forces<dim>(side, N, k, H.transpose() * force, out);
       }
     }
   }
@@ -102,8 +103,8 @@ void add_auxiliary_tractions(const Source& source, const base::Vector& u,
                                      side.area_vector(point.r).template head<dim>();
       const Tensor<dim> H = U.lazyProduct(surface_gradients<dim>(side, point.r));
       for (std::size_t k = 1; k < auxiliary_field_count<dim>; ++k) {
-        subtract_nodal_forces<dim>(side, N, k, H.transpose() * source.traction(*place, k, area),
-                                   out);
+        subtract_configurational_forces<dim>(side, N, k,
+                                             H.transpose() * source.traction(*place, k, area), out);
       }
     }
   }

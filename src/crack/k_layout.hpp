@@ -18,21 +18,21 @@ public:
   /// All K together.
   [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(points_) * modes_; }
   /// The first mode of a point; its others follow.
-  [[nodiscard]] Eigen::Index first_index(std::size_t point) const {
+  [[nodiscard]] Eigen::Index first_mode_index(std::size_t point) const {
     return static_cast<Eigen::Index>(point) * modes_;
   }
   /// Index of the K of a mode, 1, 2 or 3, at a point of the fronts.
   [[nodiscard]] Eigen::Index at(std::size_t point, int mode) const {
-    return first_index(point) + mode - 1;
+    return first_mode_index(point) + mode - 1;
   }
   /// The columns of a block [.., count()] that are K of a point.
   template <class Block> [[nodiscard]] auto columns(Block&& block, std::size_t point) const {
-    return block.middleCols(first_index(point), modes_);
+    return block.middleCols(first_mode_index(point), modes_);
   }
   /// The entries of a vector [count() ..] that are K of a point.
   template <class Vector>
-  [[nodiscard]] auto point_entries(Vector&& vector, std::size_t point) const {
-    return vector.segment(first_index(point), modes_);
+  [[nodiscard]] auto segment_of_point(Vector&& vector, std::size_t point) const {
+    return vector.segment(first_mode_index(point), modes_);
   }
 
 private:

@@ -8,7 +8,7 @@
 namespace spricka::crack {
 
 std::vector<BodyForceField> body_force_fields(const model::Model& model, const model::Mesh& mesh,
-                                              const FrontLoads& loads, ScaleElements scale) {
+                                              const FrontLoads& loads, LoadScaleScope scale) {
   std::vector<BodyForceField> fields;
   for (const ActingLoad& acting : loads.loads) {
     if (acting.elements.empty() || acting.load->type == model::LoadType::temperature) {
@@ -18,8 +18,8 @@ std::vector<BodyForceField> body_force_fields(const model::Model& model, const m
     if (acting.load->elements.valid()) {
       field.shares = fe::set_shares(model, mesh, acting.load->elements);
       field.scale = fe::load_scale(mesh, *acting.load,
-                                   scale == ScaleElements::whole_set ? field.shares.elements
-                                                                     : acting.elements);
+                                   scale == LoadScaleScope::whole_set ? field.shares.elements
+                                                                      : acting.elements);
     }
     fields.push_back(std::move(field));
   }

@@ -18,10 +18,10 @@ struct BodyForceField {
 };
 
 /// What the scale of a load is taken of: all elements of its set, or those near the front.
-enum class ScaleElements { whole_set, near_front };
+enum class LoadScaleScope { whole_set, near_front };
 /// The forces per volume round a front.
 std::vector<BodyForceField> body_force_fields(const model::Model& model, const model::Mesh& mesh,
-                                              const FrontLoads& loads, ScaleElements scale);
+                                              const FrontLoads& loads, LoadScaleScope scale);
 
 /// Visits the points of an element with nodes X: reference point, weight and the forces per volume
 /// b there [force/length^3].

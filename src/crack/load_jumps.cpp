@@ -118,7 +118,7 @@ constexpr double of_heat = 0.05;
 
 double heat_invalid_reason(const TipContext& set, const VirtualExtensionField& field) {
   const double E = fe::effective_modulus(set.material, set.state());
-  const double stress = E * set.thermal_strain() * largest_jump(set, field);
+  const double stress = E * set.section_expansion_coefficient() * largest_jump(set, field);
   return of_heat * stress * stress * size_of(set, field) / E;
 }
 

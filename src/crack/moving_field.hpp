@@ -17,7 +17,7 @@ struct FrontBody {
   /// Of the fields in the section: that of plane strain.
   [[nodiscard]] SectionBody section() const { return {mu, 3.0 - 4.0 * nu, unit}; }
   /// With the stress of a gradient; nothing is round an axis.
-  [[nodiscard]] DeformationState<3> state(const Tensor<3>& H, double hoop = 0.0) const;
+  [[nodiscard]] GradientStressState<3> state(const Tensor<3>& H, double hoop = 0.0) const;
 };
 
 /// Of auxiliary field 1 to 4 in the section across a front.
@@ -60,7 +60,7 @@ inline Tensor<3> isotropic_stress(const FrontBody& body, const Tensor<3>& A) {
   return sigma;
 }
 
-inline DeformationState<3> FrontBody::state(const Tensor<3>& H, double hoop) const {
+inline GradientStressState<3> FrontBody::state(const Tensor<3>& H, double hoop) const {
   return {.H = H, .hoop = hoop, .sigma = isotropic_stress(*this, H), .sigma_hoop = 0.0};
 }
 

@@ -161,7 +161,7 @@ base::Vector weights_at_zero(const std::vector<double>& d) {
 
 std::optional<base::Vector> extrapolate_front_value(const FrontStations& at,
                                                     const base::Matrix& values,
-                                                    const ExtrapolationPoint& beside) {
+                                                    const ExtrapolationRange& beside) {
   constexpr std::size_t fewest = 5;
   constexpr std::size_t most = 9;
   constexpr double counted = 1.5; // times an error of the values

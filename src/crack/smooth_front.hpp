@@ -24,7 +24,7 @@ struct FrontStations {
 base::Matrix smooth_values_along_front(const FrontStations& at, const base::Matrix& values);
 
 /// A place of a front, and how far values beside it are looked at [length].
-struct ExtrapolationPoint {
+struct ExtrapolationRange {
   double s = 0.0, far = 0.0;
 };
 /// The value at a place whose own says nothing, by a parabola through the values of the points next
@@ -33,6 +33,6 @@ struct ExtrapolationPoint {
 /// (crack_space.16). [quantity]
 std::optional<base::Vector> extrapolate_front_value(const FrontStations& at,
                                                     const base::Matrix& values,
-                                                    const ExtrapolationPoint& beside);
+                                                    const ExtrapolationRange& beside);
 
 } // namespace spricka::crack

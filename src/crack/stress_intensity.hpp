@@ -17,7 +17,7 @@ struct DomainIntensity {
 };
 
 /// What a point of a front in space has beside the values of a tip.
-struct FrontPointIntensity {
+struct SmoothedFrontIntensity {
   /// K1, K2, K3 by a smooth curve through the values of all points (manual, crack_space.15).
   std::array<double, 3> smooth{};
   /// Of a point at the surface: K1, K2, K3 as those farther inside go on to it (crack_space.16).
@@ -37,7 +37,7 @@ struct StressIntensity {
   std::vector<DomainIntensity> domains;
   std::optional<double> shift_error;            ///< G by finite shift over analytic G, minus 1
   std::optional<std::array<double, 3>> opening; ///< K1, K2, K3 by the opening of the crack faces
-  std::optional<FrontPointIntensity> front;     ///< in space
+  std::optional<SmoothedFrontIntensity> front;  ///< in space
 };
 
 /// G [energy/length^2] of stress intensity factors K1, K2, K3: K1^2 / E' + K2^2 / E' + K3^2 / 2 mu.

@@ -51,8 +51,8 @@ all_of_domains(const std::vector<VirtualExtensionField>& fields,
 
 } // namespace
 
-DeformationState<2> SectionElasticity::state(const Tensor<2>& H, double hoop) const {
-  DeformationState<2> state{
+GradientStressState<2> SectionElasticity::state(const Tensor<2>& H, double hoop) const {
+  GradientStressState<2> state{
       .H = H, .hoop = hoop, .sigma = stress_from_gradient<2>(D, H), .sigma_hoop = 0.0};
   if (law.axisymmetric) {
     const double pressed = law.lambda * hoop;
@@ -80,7 +80,7 @@ TipAuxiliaryFields::TipAuxiliaryFields(const TipContext& set,
         const std::vector<base::NodeId> nodes = model::element_side(set.mesh, face).nodes;
         if (left.has_side(nodes) || right.has_side(nodes)) {
           sides_.push_back(
-              {face, left.has_side(nodes) ? CrackFaceSide::upper : CrackFaceSide::lower});
+              {face, left.has_side(nodes) ? UpperOrLowerFace::upper : UpperOrLowerFace::lower});
         }
       }
     }
@@ -88,7 +88,7 @@ TipAuxiliaryFields::TipAuxiliaryFields(const TipContext& set,
 }
 
 std::vector<shape::QuadraturePoint<2>> TipAuxiliaryFields::rule(base::ElementId e) const {
-  const PlaneElement& element = plane_element(set_.mesh, e);
+  const PlaneElement& element = plane_reference_element(set_.mesh, e);
   const std::array<base::NodeId, 1> tips{set_.tip_node};
   const int corner = set_.is_axisymmetric() ? fe::find_tip_corner(set_.mesh, e, tips) : -1;
   if (corner < 0) {
@@ -139,7 +139,8 @@ std::vector<shape::QuadraturePoint<2>> tip_side_quadrature(const TipContext& set
 // Of points much nearer to the tip than sixteen digits of their coordinates tell, as a rule has
 // them where a load jumps at the tip, the distance is right even so: nodes are seen from the tip.
 std::optional<TipPlace> TipAuxiliaryFields::place(const geometry::ElementSide& side,
-                                                  const base::Vec2& r, CrackFaceSide /*on*/) const {
+                                                  const base::Vec2& r,
+                                                  UpperOrLowerFace /*on*/) const {
   const Eigen::Matrix2Xd R = side.X.topRows<2>().colwise() - set_.tip.x;
   const base::Vec2 from = R * side.N(r);
   const base::Vec2 along = R * side.dN(r).col(0); // the body on the left

@@ -19,7 +19,7 @@ struct SectionElasticity {
   SectionElasticity(const TipContext& set, base::ElementId e)
       : D(set.elasticity(e)), law(fe::constitutive_law(set.model, set.mesh, e)) {}
   /// With the stress of a gradient.
-  [[nodiscard]] DeformationState<2> state(const Tensor<2>& H, double hoop) const;
+  [[nodiscard]] GradientStressState<2> state(const Tensor<2>& H, double hoop) const;
 };
 
 /// A point as seen from the tip; on a face with the unit tangent of that.
@@ -72,9 +72,9 @@ public:
   }
 
   /// Which face of the crack a loaded side is, as far as fields need it: its normal tells.
-  [[nodiscard]] std::optional<CrackFaceSide>
+  [[nodiscard]] std::optional<UpperOrLowerFace>
   crack_face_of_element_side(const model::Face& /*face*/) const {
-    return CrackFaceSide::none;
+    return UpperOrLowerFace::none;
   }
   [[nodiscard]] std::vector<shape::QuadraturePoint<2>>
   side_rule(const geometry::ElementSide& side) const {
@@ -82,7 +82,7 @@ public:
   }
   /// A point of a side; nothing at the tip itself and where the side has no length.
   [[nodiscard]] std::optional<Place> place(const geometry::ElementSide& side, const base::Vec2& r,
-                                           CrackFaceSide on) const;
+                                           UpperOrLowerFace on) const;
   /// The part of the gradient that is along a side: faces are straight.
   [[nodiscard]] Tensor<2> side_gradient(const Place& at, std::size_t auxiliary) const {
     return gradient(at, auxiliary) * at.tangent * at.tangent.transpose();

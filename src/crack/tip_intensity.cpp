@@ -43,7 +43,7 @@ configurational_forces(const TipContext& set, const std::vector<VirtualExtension
                        const base::Vector& u) {
   InteractionConfigurationalForces<2> forces(set.mesh.node_count());
   const TipAuxiliaryFields fields(set, domains);
-  add_domain_terms(fields, u, forces);
+  add_tip_element_terms(fields, u, forces);
   add_face_load_terms(fields, load_forces_on_faces(set.mesh, set.loads), u, forces);
   add_auxiliary_tractions(fields, u, forces);
   return forces;
@@ -73,7 +73,7 @@ std::array<double, auxiliary_field_count<2>> added_terms(const TipContext& set,
                                                          const base::Vector& u) {
   std::array<double, auxiliary_field_count<2>> sum{};
   if (set.affine) {
-    sum = heat_term(set, front, field, u);
+    sum = nonlinear_temperature_term(set, front, field, u);
   }
   if (set.loads.crack_faces) {
     const std::array<double, 3> more = crack_face_term(set, field, *set.loads.crack_faces, u);
@@ -93,7 +93,7 @@ Eigen::Index freedoms(const mesh::CrackedMesh& cracked) {
 StressIntensity tip_intensity(const model::Model& model, const mesh::CrackedMesh& cracked,
                               const mesh::CrackFront& front,
                               const std::vector<VirtualExtensionField>& fields,
-                              const FrontIntensityRequest& request, const base::Vector& u,
+                              const FrontIntensityOptions& request, const base::Vector& u,
                               const FrontLoads& loads) {
   StressIntensity result;
   TipContext set = make_tip_context(model, cracked, front, fields, loads);
@@ -125,7 +125,7 @@ StressIntensity tip_intensity(const model::Model& model, const mesh::CrackedMesh
                           .K3 = 0.0,
                           .G = sum[0],
                           .T = sum[force_auxiliary<2>] + T_of_tip};
-    const bool jumps = set.affine && has_temperature_jump(set, field);
+    const bool jumps = set.affine && has_temperature_jump_in_element(set, field);
     if (request.shift && !jumps) {
       const double G =
           set.halves *
@@ -171,10 +171,10 @@ SparseLinearFunctionals tip_intensity_functionals(const model::Model& model,
          IntensityFunctionalBuilder<TipAuxiliaryFields>({source, front, {fields}}).rows();
 }
 
-std::vector<IntensityFunctionalPoint> intensity_functional_points(
+std::vector<KFunctionalQuadraturePoint> functional_quadrature_points(
     const model::Model& model, const mesh::CrackedMesh& cracked, const mesh::CrackFront& front,
     const std::vector<VirtualExtensionField>& fields, model::CrackTipPlaneState state) {
-  std::vector<IntensityFunctionalPoint> points;
+  std::vector<KFunctionalQuadraturePoint> points;
   const FrontLoads none;
   if (fields.empty()) {
     return points;
@@ -185,11 +185,11 @@ std::vector<IntensityFunctionalPoint> intensity_functional_points(
   }
   const double factor = restated(set, state) * set.intensity_conversion_factor(1);
   const TipAuxiliaryFields source(set, fields);
-  const FrontContractions<TipAuxiliaryFields> contractions(source, front, {fields});
+  const KFunctionalIntegrand<TipAuxiliaryFields> contractions(source, front, {fields});
   for (const base::ElementId e : contractions.contracted_elements()) {
     contractions.visit_contraction_points(
-        e, contractions.moving_front_points(e), [&](const auto& at) {
-          IntensityFunctionalPoint point{e, at.r, {Tensor<2>::Zero(), Tensor<2>::Zero()}, {}};
+        e, contractions.front_motions_of_element(e), [&](const auto& at) {
+          KFunctionalQuadraturePoint point{e, at.r, {Tensor<2>::Zero(), Tensor<2>::Zero()}, {}};
           for (std::size_t mode = 0; mode < at.tensors.size(); ++mode) {
             point.M[mode] = factor * at.tensors[mode].M;
             point.hoop[mode] = factor * at.tensors[mode].hoop;

@@ -15,7 +15,7 @@
 namespace spricka::crack {
 
 /// What is asked of a front: K by domains, and on request what else.
-struct FrontIntensityRequest {
+struct FrontIntensityOptions {
   std::optional<double> shift; ///< of a tip, finite shift in tip element sizes; empty: analytic
   model::CrackTipPlaneState state = model::CrackTipPlaneState::automatic; ///< of a tip
   bool opening = false; ///< K from the opening of the crack's faces as well
@@ -34,7 +34,7 @@ struct FrontIntensityRequest {
 StressIntensity tip_intensity(const model::Model& model, const mesh::CrackedMesh& cracked,
                               const mesh::CrackFront& front,
                               const std::vector<VirtualExtensionField>& fields,
-                              const FrontIntensityRequest& request, const base::Vector& u,
+                              const FrontIntensityOptions& request, const base::Vector& u,
                               const FrontLoads& loads);
 
 /// K1 and K2 of a tip with one domain at least as functions of u; zero between two materials.
@@ -48,7 +48,7 @@ SparseLinearFunctionals tip_intensity_functionals(const model::Model& model,
 /// The same functional of any displacement gradient, also of functions that are not the mesh's: K_m
 /// is the sum over the points of M_m : grad u (row i: gradient of u_i), about an axis with hoop_m
 /// u_x / x.
-struct IntensityFunctionalPoint {
+struct KFunctionalQuadraturePoint {
   base::ElementId element;
   shape::Point<2> r = shape::Point<2>::Zero(); ///< in the element's reference coordinates
   std::array<Eigen::Matrix2d, 2> M;            ///< by mode, integration weight included
@@ -56,7 +56,7 @@ struct IntensityFunctionalPoint {
 };
 /// The functional of K at the integration points of all domains. Empty without a domain and where
 /// the tip lies between two materials; on a symmetric half that of K2 is zero.
-std::vector<IntensityFunctionalPoint> intensity_functional_points(
+std::vector<KFunctionalQuadraturePoint> functional_quadrature_points(
     const model::Model& model, const mesh::CrackedMesh& cracked, const mesh::CrackFront& front,
     const std::vector<VirtualExtensionField>& fields, model::CrackTipPlaneState state);
 /// The same for forces between the faces: rows^T f is what FrontLoads::crack_faces add to K1

@@ -22,12 +22,13 @@ using PlaneElement = fe::AnyElement<2>;
 using PlaneVectors = fe::NodeVectors<PlaneElement>;
 using PlaneValues = fe::NodeValues<PlaneElement>;
 /// The reference element of a plane mesh's element, known when run.
-inline const PlaneElement& plane_element(const model::Mesh& mesh, base::ElementId e) {
+inline const PlaneElement& plane_reference_element(const model::Mesh& mesh, base::ElementId e) {
   return shape::reference_element<2>(mesh.type[e.index()]);
 }
 
 /// A temperature that is linear all over the domains, T = at_tip + slope . (x - tip). Where the
-/// temperature is another one, auxiliary fields take this and the rest goes into heat_term.
+/// temperature is another one, auxiliary fields take this and the rest goes into
+/// nonlinear_temperature_term.
 struct AffineTemperature {
   double at_tip = 0.0;
   base::Vec2 slope = base::Vec2::Zero();
@@ -63,11 +64,11 @@ struct TipContext {
     return is_axisymmetric() ? v.x() / x.x() : 0.0;
   }
   /// A stress round the axis at x as a force per volume: along the radius; 0 in the plane.
-  [[nodiscard]] base::Vec2 hoop_force(double stress, const base::Vec2& x) const {
+  [[nodiscard]] base::Vec2 hoop_body_force(double stress, const base::Vec2& x) const {
     return {is_axisymmetric() ? stress / x.x() : 0.0, 0.0};
   }
   /// Free strain along the crack by a unit of temperature, alpha' of (crack.26).
-  [[nodiscard]] double thermal_strain() const {
+  [[nodiscard]] double section_expansion_coefficient() const {
     return state() == model::StressState::plane_stress ? material.alpha
                                                        : (1.0 + material.nu) * material.alpha;
   }

@@ -48,8 +48,8 @@ double thermal_stress_at_tip(const TipContext& set, const mesh::CrackFront& fron
       ++count;
     }
   }
-  return fe::effective_modulus(set.material, set.state()) * set.thermal_strain() * sum /
-         std::max(count, 1);
+  return fe::effective_modulus(set.material, set.state()) * set.section_expansion_coefficient() *
+         sum / std::max(count, 1);
 }
 
 } // namespace spricka::crack

@@ -210,10 +210,10 @@ void CubicEnrichment::take_columns(base::ElementId e, Eigen::Index first, const 
   }
 }
 
-base::Matrix
-CubicEnrichment::mode_functional(const std::vector<crack::IntensityFunctionalPoint>& points) const {
+base::Matrix CubicEnrichment::mode_functional(
+    const std::vector<crack::KFunctionalQuadraturePoint>& points) const {
   base::Matrix g = base::Matrix::Zero(freedoms_, 2);
-  for (const crack::IntensityFunctionalPoint& point : points) {
+  for (const crack::KFunctionalQuadraturePoint& point : points) {
     const base::ElementId e = point.element;
     const std::span<const std::int32_t> freedom = element_freedoms(e);
     const fe::AnyElement<2>& element = shape::reference_element<2>(mesh_.type[e.index()]);

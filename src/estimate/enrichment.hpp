@@ -81,7 +81,7 @@ public:
   void subtract_nodal_coupling(const base::Matrix& u, base::Matrix& r) const;
   /// The functional of some points on the modes. [freedoms, 2]
   [[nodiscard]] base::Matrix
-  mode_functional(const std::vector<crack::IntensityFunctionalPoint>& points) const;
+  mode_functional(const std::vector<crack::KFunctionalQuadraturePoint>& points) const;
 
 private:
   /// Of an element: from the memory, or made anew there or at next_own, which goes on.

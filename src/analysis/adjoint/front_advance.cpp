@@ -38,7 +38,7 @@ constexpr double share_of_axis = 0.5;
 std::set<base::NodeId> skin_of(const model::Mesh& mesh, const crack::FrontIntegralDomains& fields) {
   std::set<base::NodeId> nodes;
   for (const crack::MovedFreeSide& side : fields.sides) {
-    if (side.on == crack::CrackFaceSide::none) {
+    if (side.on == crack::UpperOrLowerFace::none) {
       const std::vector<base::NodeId> own = model::side_nodes(mesh, side.face);
       nodes.insert(own.begin(), own.end());
     }

@@ -59,7 +59,7 @@ crack::SparseLinearFunctionals goal_rows(const model::Model& model, const Discre
         crack::supplementary_K_functionals(model, scene.cracked, front, scene.domains[f], others);
     for (Eigen::Index c = 0; c < own.cols(); ++c) {
       for (crack::SparseLinearFunctionals::InnerIterator it(own, c); it; ++it) {
-        entries.emplace_back(it.row(), layout.first_index(first) + c,
+        entries.emplace_back(it.row(), layout.first_mode_index(first) + c,
                              it.value() * enrichment.free_mode_mask()[it.row()]);
       }
     }
@@ -185,7 +185,7 @@ void FrontErrorBars::estimate_bars(const StepState& state, const base::Vector& e
                                    std::size_t first_point, results::FrontResult& front,
                                    results::StepResult& result) const {
   const crack::KLayout layout = scene_.k_layout();
-  const Eigen::Index first = layout.first_index(first_point);
+  const Eigen::Index first = layout.first_mode_index(first_point);
   if (hangs_on_an_edge(edges, first, front)) {
     front.no_bar = "it hangs on the pressure at the edge of a body that ends near the front";
     return;
@@ -193,7 +193,7 @@ void FrontErrorBars::estimate_bars(const StepState& state, const base::Vector& e
   base::Vector better = eta;
   for (std::size_t i = 0; i < front.points.size(); ++i) {
     const results::FrontPointResult& place = front.points[i];
-    const Eigen::Index at = layout.first_index(first_point + i);
+    const Eigen::Index at = layout.first_mode_index(first_point + i);
     better.segment<3>(at) += base::Vec3(place.K1, place.K2, place.K3);
     better[at] = place.closed ? 0.0 : better[at];
   }

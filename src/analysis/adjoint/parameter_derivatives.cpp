@@ -163,8 +163,8 @@ void add_modulus_derivatives(const KDependence& K, std::vector<ParameterDerivati
       const base::Vector constant = load_terms_by_modulus(K, m);
       for (std::size_t p = 0; p < material.size(); ++p) {
         if (material[p] == m) {
-          layout.point_entries(one.direct, p) =
-              (layout.point_entries(own, p) + layout.point_entries(constant, p)) / E;
+          layout.segment_of_point(one.direct, p) =
+              (layout.segment_of_point(own, p) + layout.segment_of_point(constant, p)) / E;
         }
       }
     }
@@ -214,7 +214,7 @@ void store_derivative(const crack::KLayout& layout, const base::Vector& dK, std:
   for (results::FrontResult& front : result.fronts) {
     std::vector<std::array<double, 3>>& values = front.sensitivities.of[cause].*side;
     for (std::size_t p = 0; p < front.points.size(); ++p) {
-      const Eigen::Index first = layout.first_index(point++);
+      const Eigen::Index first = layout.first_mode_index(point++);
       std::array<double, 3>& own = values.emplace_back();
       for (Eigen::Index k = 0; k < layout.modes(); ++k) {
         own[base::at(k)] = dK[first + k];

@@ -189,7 +189,7 @@ base::Vector VirtualTipExtension::explicit_derivative(const base::Vector& u,
   base::Vector out = base::Vector::Zero(layout.count());
   for (std::size_t t = 0; t < row_rate_.size(); ++t) {
     if (row_rate_[t].size() > 0) {
-      layout.point_entries(out, t) += row_rate_[t].transpose() * u;
+      layout.segment_of_point(out, t) += row_rate_[t].transpose() * u;
     }
   }
   if (load_rate_.size() > 0) {

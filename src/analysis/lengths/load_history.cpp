@@ -19,7 +19,8 @@ base::Vector intensities_of(const crack::KLayout& layout, const results::StepRes
   std::size_t point = 0;
   for (const results::FrontResult& front : result.fronts) {
     for (const results::FrontPointResult& place : front.points) {
-      layout.point_entries(K, point++) = base::Vec3::Map(place.smooth.data()).head(layout.modes());
+      layout.segment_of_point(K, point++) =
+          base::Vec3::Map(place.smooth.data()).head(layout.modes());
     }
   }
   return K;

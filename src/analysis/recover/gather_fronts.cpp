@@ -170,7 +170,7 @@ void place_points(const model::Model& model, const Discretisation& scene, std::s
 void gather_front(const model::Model& model, const Discretisation& scene, std::size_t f,
                   const StepState& state, results::StepResult& out) {
   const mesh::CrackFront& front = scene.cracked.fronts[f];
-  crack::FrontIntensityRequest request;
+  crack::FrontIntensityOptions request;
   request.state = model.cracks[front.crack.index()].state;
   if (const model::VirtualCrackExtensionSettings* vce = request_of(model, front.crack)) {
     request.shift = vce->shift;

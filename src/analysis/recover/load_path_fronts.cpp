@@ -203,7 +203,8 @@ void follow_fronts(const model::Model& model, const Discretisation& scene,
   for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {
     const results::FrontResult& is = from.result.fronts[f];
     const base::CrackId crack = scene.cracked.fronts[f].crack;
-    results::LoadPathFront front = follow_front(scene, f, layout.first_index(first), found, is);
+    results::LoadPathFront front =
+        follow_front(scene, f, layout.first_mode_index(first), found, is);
     first += front.points.size();
     if (is.is_tip()) { // before its faces touch
       const base::PiecewiseLinear& K1 = front.tip().K[0];
@@ -255,9 +256,9 @@ void smooth_fronts(const Discretisation& scene, base::Vector& value) {
     }
     const bool bear = scene.crack_face_pairs[front.crack.index()].has_value();
     const auto smooth =
-        smooth_K_along_front(front, scene.domains[f], value, layout.first_index(first));
+        smooth_K_along_front(front, scene.domains[f], value, layout.first_mode_index(first));
     for (const std::array<double, 3>& K : smooth) {
-      layout.point_entries(value, first++) << (bear ? std::max(0.0, K[0]) : K[0]), K[1], K[2];
+      layout.segment_of_point(value, first++) << (bear ? std::max(0.0, K[0]) : K[0]), K[1], K[2];
     }
   }
 }

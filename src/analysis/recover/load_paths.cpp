@@ -274,7 +274,7 @@ base::Vector LoadPathSolver::evaluate_K(const contact::ContactSystem::IncrementP
   const crack::KLayout layout = scene_.k_layout();
   for (std::size_t t = 0; t < layout.points() && free.size() > 0; ++t) {
     if (free[layout.at(t, 1)] < 0.0) {
-      layout.point_entries(value, t) = layout.point_entries(free, t);
+      layout.segment_of_point(value, t) = layout.segment_of_point(free, t);
     }
   }
   return value.head(layout.count());

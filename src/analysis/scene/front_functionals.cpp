@@ -64,7 +64,7 @@ void add_K_by_face_forces(const model::Model& model, const Discretisation& scene
        r < scene.table.first[crack_face->pair + 1]; ++r) {
     for (const contact::RowEntry& entry : scene.contact_row(r).entries) {
       const auto at = 2 * static_cast<Eigen::Index>(entry.node.index());
-      scene.k_layout().point_entries(of_row.col(static_cast<Eigen::Index>(r)), point) +=
+      scene.k_layout().segment_of_point(of_row.col(static_cast<Eigen::Index>(r)), point) +=
           weight.middleRows<2>(at).transpose() * entry.weight.head<2>();
     }
   }
@@ -83,7 +83,7 @@ void add_K_by_tractions(const model::Model& model, const Discretisation& scene, 
   crack::SparseLinearFunctionals by_row(rows.rows(), of_row.cols());
   by_row.setFromTriplets(places.by_row.begin(), places.by_row.end());
   const crack::SparseLinearFunctionals product = rows.transpose() * by_row;
-  of_row.middleRows(scene.k_layout().first_index(point), product.rows()) += product;
+  of_row.middleRows(scene.k_layout().first_mode_index(point), product.rows()) += product;
 }
 
 } // namespace
@@ -104,7 +104,7 @@ crack::SparseLinearFunctionals displacement_K_functionals(const model::Model& mo
     const crack::SparseLinearFunctionals own = front_K_functionals(model, scene, f);
     for (Eigen::Index c = 0; c < own.cols(); ++c) {
       for (crack::SparseLinearFunctionals::InnerIterator it(own, c); it; ++it) {
-        entries.emplace_back(it.row(), layout.first_index(first) + c, it.value());
+        entries.emplace_back(it.row(), layout.first_mode_index(first) + c, it.value());
       }
     }
     first += scene.cracked.fronts[f].points.size();
@@ -139,12 +139,12 @@ base::Vector evaluate_K_values(const model::Model& model, const Discretisation& 
   for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {
     const mesh::CrackFront& front = scene.cracked.fronts[f];
     const crack::FrontIntegralDomains& domains = scene.domains[f];
-    crack::FrontIntensityRequest request; // without SHIFT: linear in u
+    crack::FrontIntensityOptions request; // without SHIFT: linear in u
     request.state = model.cracks[front.crack.index()].state;
     for (const crack::StressIntensity& K :
          crack::front_intensity(model, scene.cracked, front, domains, request, u,
                                 collect_front_loads(model, scene, domains, case_factor))) {
-      layout.point_entries(values, first++) = base::Vec3(K.K1, K.K2, K.K3).head(layout.modes());
+      layout.segment_of_point(values, first++) = base::Vec3(K.K1, K.K2, K.K3).head(layout.modes());
     }
   }
   return values;
@@ -193,7 +193,7 @@ std::vector<std::array<double, 3>> smooth_K_along_front(const mesh::CrackFront& 
     points[i].K1 = K[k];
     points[i].K2 = K[k + 1];
     points[i].K3 = K[k + 2];
-    points[i].front = crack::FrontPointIntensity();
+    points[i].front = crack::SmoothedFrontIntensity();
     points[i].domains.resize(domains.points[i].size());
   }
   crack::smooth_intensity_along_front(front, domains, points);

@@ -129,7 +129,7 @@ crack::FrontIntegralDomains tip_domains(const model::Model& model, Discretisatio
                                         base::Diagnostics& diagnostics) {
   std::vector<int> left_out;
   const crack::IntegrationDomainConstraints limits = find_domain_limits(model, scene, front);
-  crack::FrontIntegralDomains domains = crack::make_tip_domains(around.extension_fields(
+  crack::FrontIntegralDomains domains = crack::wrap_tip_domains(around.extension_fields(
       scene.cracked, front, domain_ring_counts(model, front.crack), left_out, limits));
   const std::vector<crack::VirtualExtensionField>& fields = domains.points.front();
   if (!fields.empty()) {

@@ -213,14 +213,14 @@ std::vector<std::optional<std::size_t>> contact_rows_behind_front(const Discreti
   return rows;
 }
 
-std::optional<crack::CrackFaceForces> crack_face_forces(const Discretisation& scene,
-                                                        const mesh::CrackFront& front,
-                                                        const StepState& state) {
+std::optional<crack::ForcesBetweenCrackFaces> crack_face_forces(const Discretisation& scene,
+                                                                const mesh::CrackFront& front,
+                                                                const StepState& state) {
   const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
   if (!crack_face) {
     return std::nullopt;
   }
-  crack::CrackFaceForces forces{crack_face->sides, base::Vector::Zero(state.u.size()), 0.0};
+  crack::ForcesBetweenCrackFaces forces{crack_face->sides, base::Vector::Zero(state.u.size()), 0.0};
   const std::size_t first = scene.table.first[crack_face->pair];
   const std::size_t next = *contact_row_at_tip(scene, front) - first;
   // Tension is positive; a plain minus would make -0 of a pair that does not press.

@@ -44,8 +44,8 @@ std::vector<std::optional<std::size_t>> contact_rows_behind_front(const Discreti
                                                                   const mesh::CrackFront& front);
 
 /// Forces between the faces of the tip's crack; none without a pair.
-std::optional<crack::CrackFaceForces> crack_face_forces(const Discretisation& scene,
-                                                        const mesh::CrackFront& front,
-                                                        const StepState& state);
+std::optional<crack::ForcesBetweenCrackFaces> crack_face_forces(const Discretisation& scene,
+                                                                const mesh::CrackFront& front,
+                                                                const StepState& state);
 
 } // namespace spricka::analysis

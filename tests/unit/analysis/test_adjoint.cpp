@@ -110,9 +110,9 @@ void compare_intensities(SolvedScene& solved, const analysis::StepState& state, 
   const base::Vector K = adjoint.rows.transpose() * state.u;
   const base::Vector found = solved.intensity(adjoint);
   for (std::size_t t = 0; t < layout.points(); ++t) {
-    const base::Vec2 of_tip = layout.point_entries(K, t);
+    const base::Vec2 of_tip = layout.segment_of_point(K, t);
     EXPECT_GT(of_tip.norm(), 0.0);
-    EXPECT_LT((layout.point_entries(found, t) - of_tip).norm(), tolerance * of_tip.norm());
+    EXPECT_LT((layout.segment_of_point(found, t) - of_tip).norm(), tolerance * of_tip.norm());
   }
 }
 

@@ -110,7 +110,7 @@ TEST(FirstSolution, EdgeCrackInAStrip) {
   const std::vector<crack::VirtualExtensionField> q =
       crack::TipNeighbourhood(mesh).extension_fields(cracked, front, {2, 3, 4, 5}, left_out);
   const crack::StressIntensity at_tip =
-      crack::front_intensity(model, cracked, front, crack::make_tip_domains(q), {}, u, {}).front();
+      crack::front_intensity(model, cracked, front, crack::wrap_tip_domains(q), {}, u, {}).front();
 
   // Tada, Paris and Irwin 2000, half a per cent off at most; the mesh adds a tenth
   const double c = std::numbers::pi * a / (2.0 * W);

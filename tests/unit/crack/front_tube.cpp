@@ -168,12 +168,12 @@ Tube::Tube(const mesh::FrontCurve& curve, const TubeSpec& spec) {
 }
 
 base::Vector Tube::at_nodes(const CardField& u) const {
-  std::vector<crack::CrackFaceSide> side(mesh().node_count(), crack::CrackFaceSide::none);
+  std::vector<crack::UpperOrLowerFace> side(mesh().node_count(), crack::UpperOrLowerFace::none);
   for (const NodeId n : cracked.faces.front().left) {
-    side[n.index()] = crack::CrackFaceSide::upper;
+    side[n.index()] = crack::UpperOrLowerFace::upper;
   }
   for (const NodeId n : cracked.faces.front().right) {
-    side[n.index()] = crack::CrackFaceSide::lower;
+    side[n.index()] = crack::UpperOrLowerFace::lower;
   }
   base::Vector values(3 * static_cast<Eigen::Index>(mesh().node_count()));
   for (std::size_t n = 0; n < mesh().node_count(); ++n) {
@@ -196,7 +196,7 @@ crack::FrontIntegralDomains Tube::fields(const std::vector<int>& rings) const {
 
 std::vector<crack::StressIntensity> Tube::K(const base::Vector& u,
                                             const crack::FrontLoads& loads) const {
-  crack::FrontIntensityRequest request;
+  crack::FrontIntensityOptions request;
   request.opening = true;
   return crack::front_intensity(model, cracked, front(), fields(), request, u, loads);
 }
@@ -251,8 +251,9 @@ struct Penny {
   }
 };
 
-bool below(const Vec3& x, crack::CrackFaceSide side) {
-  return side == crack::CrackFaceSide::lower || (side == crack::CrackFaceSide::none && x.z() < 0.0);
+bool below(const Vec3& x, crack::UpperOrLowerFace side) {
+  return side == crack::UpperOrLowerFace::lower ||
+         (side == crack::UpperOrLowerFace::none && x.z() < 0.0);
 }
 
 // The edge of the disc itself: nothing moves by the singular part there.
@@ -268,7 +269,7 @@ Vec3 off_edge(const Vec3& x) {
 
 // Kassir and Sih (1975): 2 mu u = (1 - 2 nu) grad phi along the plane + z grad phi,z, and across it
 // -2 (1 - nu) phi,z + z phi,zz.
-Vec3 pressed_penny(const Vec3& at, crack::CrackFaceSide side, double mu, double nu) {
+Vec3 pressed_penny(const Vec3& at, crack::UpperOrLowerFace side, double mu, double nu) {
   const Vec3 x = off_edge(at);
   const double z = std::abs(x.z());
   const Penny p(x.x(), x.y(), z);
@@ -278,7 +279,7 @@ Vec3 pressed_penny(const Vec3& at, crack::CrackFaceSide side, double mu, double 
                       below(x, side) ? -up : up);
 }
 
-Vec3 sheared_penny(const Vec3& at, crack::CrackFaceSide side, double mu, double nu) {
+Vec3 sheared_penny(const Vec3& at, crack::UpperOrLowerFace side, double mu, double nu) {
   const Vec3 x = off_edge(at);
   const double z = std::abs(x.z());
   const Penny p(x.x(), x.y(), z);

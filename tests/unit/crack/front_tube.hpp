@@ -31,7 +31,7 @@ struct Tube {
 
   /// Nodal values [3 * node] of a displacement; `upper` and `lower` say which face of the crack a
   /// node lies on.
-  using CardField = std::function<base::Vec3(const base::Vec3& x, crack::CrackFaceSide side)>;
+  using CardField = std::function<base::Vec3(const base::Vec3& x, crack::UpperOrLowerFace side)>;
   [[nodiscard]] base::Vector at_nodes(const CardField& u) const;
   /// Values without a pattern, a reproducible part of one.
   [[nodiscard]] base::Vector rough() const;
@@ -48,8 +48,8 @@ mesh::FrontCurve penny_front(double a, double part = 1.0);
 mesh::FrontCurve ellipse_front(double p, double q, double part);
 
 /// Displacements of a penny of radius 1 in an infinite body: faces under a pressure of 1.
-base::Vec3 pressed_penny(const base::Vec3& at, crack::CrackFaceSide side, double mu, double nu);
+base::Vec3 pressed_penny(const base::Vec3& at, crack::UpperOrLowerFace side, double mu, double nu);
 /// Under a remote shear s_xz of 1, faces free.
-base::Vec3 sheared_penny(const base::Vec3& at, crack::CrackFaceSide side, double mu, double nu);
+base::Vec3 sheared_penny(const base::Vec3& at, crack::UpperOrLowerFace side, double mu, double nu);
 
 } // namespace spricka::test

@@ -138,11 +138,11 @@ TEST(CrackFaceTerm, RowsAreTheTerm) {
       base::Vector::Zero(2 * static_cast<Eigen::Index>(plate.cracked.mesh.node_count()));
   crack::FrontLoads loads;
   loads.crack_faces = {plate.faces, plate.forces(-0.7, 1.3)};
-  crack::FrontIntensityRequest request;
+  crack::FrontIntensityOptions request;
   request.state = model::CrackTipPlaneState::stress;
   const crack::StressIntensity K =
       crack::front_intensity(plate.model, plate.cracked, plate.cracked.fronts[1],
-                             crack::make_tip_domains(plate.fields), request, none, loads)
+                             crack::wrap_tip_domains(plate.fields), request, none, loads)
           .front();
   const base::Vector of_rows = crack::face_force_tip_functionals(
                                    plate.model, plate.cracked, plate.cracked.fronts[1],

@@ -31,10 +31,10 @@ crack::FrontBody body_of(const Tube& tube) {
 
 // The near-front fields along a straight front, with the stress along x of 1 that is T.
 base::Vector near_front(const Tube& tube) {
-  return tube.at_nodes([&](const Vec3& x, crack::CrackFaceSide side) -> Vec3 {
+  return tube.at_nodes([&](const Vec3& x, crack::UpperOrLowerFace side) -> Vec3 {
     const double r = std::hypot(x.x(), x.y());
     Vec3 u(0.91e-3 * x.x(), -0.39e-3 * x.y(), 0.0);
-    const double theta = side == crack::CrackFaceSide::lower ? -pi : std::atan2(x.y(), x.x());
+    const double theta = side == crack::UpperOrLowerFace::lower ? -pi : std::atan2(x.y(), x.x());
     for (std::size_t m = 1; m <= 3 && r > 1e-12; ++m) {
       u += K_given[m - 1] * crack::section_field(m, {r, theta}, body_of(tube)).w;
     }
@@ -123,15 +123,18 @@ class Penny : public testing::Test {
 protected:
   static constexpr int segments = 24;
   const Tube tube{test::penny_front(1.0), {.segments = segments, .radii = {0.07, 0.14, 0.2}}};
-  const base::Vector pressed = tube.at_nodes([](const Vec3& x, crack::CrackFaceSide side) -> Vec3 {
-    return test::pressed_penny(x, side, mu, 0.3);
-  });
-  const base::Vector pulled = tube.at_nodes([](const Vec3& x, crack::CrackFaceSide side) -> Vec3 {
+  const base::Vector pressed =
+      tube.at_nodes([](const Vec3& x, crack::UpperOrLowerFace side) -> Vec3 {
+        return test::pressed_penny(x, side, mu, 0.3);
+      });
+  const base::Vector pulled = tube.at_nodes([](const Vec3& x,
+                                               crack::UpperOrLowerFace side) -> Vec3 {
     return test::pressed_penny(x, side, mu, 0.3) + Vec3(-0.3 * x.x(), -0.3 * x.y(), x.z()) / 1000.0;
   });
-  const base::Vector sheared = tube.at_nodes([](const Vec3& x, crack::CrackFaceSide side) -> Vec3 {
-    return test::sheared_penny(x, side, mu, 0.3);
-  });
+  const base::Vector sheared =
+      tube.at_nodes([](const Vec3& x, crack::UpperOrLowerFace side) -> Vec3 {
+        return test::sheared_penny(x, side, mu, 0.3);
+      });
   static constexpr double K1 = 1.1283791670955126;       // 2 / sqrt(pi)
   static constexpr double K2 = 4.0 / 1.7 * 0.5641895835; // 4 / (pi (2 - nu)) sqrt(pi)
 };
@@ -278,12 +281,12 @@ TEST(FrontInvariance, OfRotationAndUnits) {
 // Seen in a mirror across the front the faces slide along it the other way.
 TEST(FrontInvariance, OfAMirror) {
   const Tube tube(test::straight_front(1.0), {.segments = 4});
-  const auto field = [](const Vec3& x, crack::CrackFaceSide) {
+  const auto field = [](const Vec3& x, crack::UpperOrLowerFace) {
     return Vec3(std::sin(3.0 * x.x() + x.z()), std::cos(2.0 * x.y() - x.z() * x.x()),
                 x.z() * x.z() + std::sin(5.0 * x.y()));
   };
   const auto one = tube.K(tube.at_nodes(field));
-  const auto other = tube.K(tube.at_nodes([&](const Vec3& x, crack::CrackFaceSide side) -> Vec3 {
+  const auto other = tube.K(tube.at_nodes([&](const Vec3& x, crack::UpperOrLowerFace side) -> Vec3 {
     const Vec3 u = field({x.x(), x.y(), 1.0 - x.z()}, side);
     return {u.x(), u.y(), -u.z()};
   }));

@@ -27,7 +27,7 @@ struct RuledPenny : testing::Test {
   }
   [[nodiscard]] std::vector<crack::StressIntensity>
   K(const crack::FrontIntegralDomains& fields) const {
-    const base::Vector u = tube.at_nodes([](const Vec3& x, crack::CrackFaceSide side) -> Vec3 {
+    const base::Vector u = tube.at_nodes([](const Vec3& x, crack::UpperOrLowerFace side) -> Vec3 {
       constexpr double mu = 1000.0 / 2.6;
       return test::pressed_penny(x, side, mu, 0.3) + test::sheared_penny(x, side, mu, 0.3);
     });
@@ -95,7 +95,7 @@ TEST_F(RuledBend, FinerRulesLeaveKAlone) {
   const fe::LameConstants k =
       fe::lame_constants(tube.model.materials[0], model::StressState::solid);
   const crack::FrontBody body{k.lambda, k.mu, tube.model.materials[0].nu, 1.0};
-  const base::Vector u = tube.at_nodes([&](const Vec3& x, crack::CrackFaceSide side) -> Vec3 {
+  const base::Vector u = tube.at_nodes([&](const Vec3& x, crack::UpperOrLowerFace side) -> Vec3 {
     const crack::FrontCoordinates at = axes.locate_point(x, side);
     Vec3 sum = Vec3::Zero();
     for (std::size_t m = 1; m <= 3 && at.r > 1e-12; ++m) {

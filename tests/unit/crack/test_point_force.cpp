@@ -117,7 +117,7 @@ TEST_P(PointForce, FindsTheTOfAKnownField) {
     field.elements.emplace_back(e);
   }
   const crack::StressIntensity found =
-      crack::front_intensity(model, cracked, front, crack::make_tip_domains({field}), {}, u, {})
+      crack::front_intensity(model, cracked, front, crack::wrap_tip_domains({field}), {}, u, {})
           .front();
   EXPECT_NEAR(found.T, T, 1e-3 * std::abs(T));
   EXPECT_NEAR(found.K1, K1, 1e-3 * K1);

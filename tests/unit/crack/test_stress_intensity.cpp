@@ -74,7 +74,7 @@ TEST_P(NearTipField, GivesItsOwnK) {
   const auto [state, type] = GetParam();
   const Annulus a(6, 48, state, type);
   const crack::StressIntensity K =
-      crack::front_intensity(a.model, a.cracked, a.front, crack::make_tip_domains(a.fields), {},
+      crack::front_intensity(a.model, a.cracked, a.front, crack::wrap_tip_domains(a.fields), {},
                              a.u, {})
           .front();
   EXPECT_NEAR(K.K1, K1, 1e-4 * K1);
@@ -91,7 +91,7 @@ TEST_P(NearTipField, ConvergesToItsOwnK) {
   for (int level = 0; level < 2; ++level) {
     const Annulus a(2 << level, 12 << level, state, type);
     const crack::StressIntensity K =
-        crack::front_intensity(a.model, a.cracked, a.front, crack::make_tip_domains(a.fields), {},
+        crack::front_intensity(a.model, a.cracked, a.front, crack::wrap_tip_domains(a.fields), {},
                                a.u, {})
             .front();
     error[level] = std::hypot(K.K1 - K1, K.K2 - K2);
@@ -105,10 +105,10 @@ TEST_P(NearTipField, FiniteShiftTendsToTheAnalyticDerivative) {
   const Annulus a(4, 32, state, type);
   double error[2];
   for (int i = 0; i < 2; ++i) {
-    crack::FrontIntensityRequest request;
+    crack::FrontIntensityOptions request;
     request.shift = i == 0 ? 1e-2 : 1e-3;
     const crack::StressIntensity K =
-        crack::front_intensity(a.model, a.cracked, a.front, crack::make_tip_domains(a.fields),
+        crack::front_intensity(a.model, a.cracked, a.front, crack::wrap_tip_domains(a.fields),
                                request, a.u, {})
             .front();
     ASSERT_TRUE(K.shift_error.has_value());
@@ -134,14 +134,14 @@ TEST(StressIntensity, RowsGiveTheSameKOfAnyDisplacement) {
     }
     a.fields.push_back(narrow);
     const base::Matrix rows = crack::front_intensity_functionals(
-        a.model, a.cracked, a.front, crack::make_tip_domains(a.fields), state);
+        a.model, a.cracked, a.front, crack::wrap_tip_domains(a.fields), state);
     for (Eigen::Index i = 0; i < a.u.size(); ++i) {
       a.u[i] += 1e-3 * std::sin(1.7 * static_cast<double>(i * i % 97)); // rough
     }
-    crack::FrontIntensityRequest request;
+    crack::FrontIntensityOptions request;
     request.state = state;
     const crack::StressIntensity K =
-        crack::front_intensity(a.model, a.cracked, a.front, crack::make_tip_domains(a.fields),
+        crack::front_intensity(a.model, a.cracked, a.front, crack::wrap_tip_domains(a.fields),
                                request, a.u, {})
             .front();
     const double size = rows.cwiseAbs().transpose().row(0).dot(a.u.cwiseAbs());
@@ -153,14 +153,14 @@ TEST(StressIntensity, RowsGiveTheSameKOfAnyDisplacement) {
 
 TEST(StressIntensity, StateOfTheCrackRescalesK) {
   const Annulus a(4, 32, model::StressState::plane_stress, base::ElementType::quamc8);
-  crack::FrontIntensityRequest strain;
+  crack::FrontIntensityOptions strain;
   strain.state = model::CrackTipPlaneState::strain;
   const double own = crack::front_intensity(a.model, a.cracked, a.front,
-                                            crack::make_tip_domains(a.fields), {}, a.u, {})
+                                            crack::wrap_tip_domains(a.fields), {}, a.u, {})
                          .front()
                          .K1;
   const double other = crack::front_intensity(a.model, a.cracked, a.front,
-                                              crack::make_tip_domains(a.fields), strain, a.u, {})
+                                              crack::wrap_tip_domains(a.fields), strain, a.u, {})
                            .front()
                            .K1;
   EXPECT_NEAR(other / own, 1.0 / std::sqrt(1.0 - 0.3 * 0.3), 1e-12);

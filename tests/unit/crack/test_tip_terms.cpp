@@ -156,11 +156,11 @@ TEST_P(TipTerm, IsTheDerivativeOfTheEnergy) {
   for (const crack::VirtualExtensionField& f : plate.fields) {
     const crack::StressIntensity K =
         crack::front_intensity(plate.model, plate.cracked, plate.front(),
-                               crack::make_tip_domains({f}), {}, plate.u, loads)
+                               crack::wrap_tip_domains({f}), {}, plate.u, loads)
             .front();
     const crack::StressIntensity bare =
         crack::front_intensity(plate.model, plate.cracked, plate.front(),
-                               crack::make_tip_domains({f}), {}, plate.u, {})
+                               crack::wrap_tip_domains({f}), {}, plate.u, {})
             .front();
     // The stiffness itself takes fewer points than G: what it misses is no matter of the loads, but
     // for elements that expand freely.
@@ -182,16 +182,16 @@ TEST_P(TipTerm, IsTheConstantOfK) {
   const auto& [model, cracked, crack_faces, fields, u] = plate;
   for (const model::CrackTipPlaneState wish :
        {model::CrackTipPlaneState::automatic, model::CrackTipPlaneState::stress}) {
-    crack::FrontIntensityRequest request;
+    crack::FrontIntensityOptions request;
     request.state = wish;
     const crack::StressIntensity K =
-        crack::front_intensity(model, cracked, plate.front(), crack::make_tip_domains(fields),
+        crack::front_intensity(model, cracked, plate.front(), crack::wrap_tip_domains(fields),
                                request, u, loads)
             .front();
     const base::Matrix rows = crack::front_intensity_functionals(
-        model, cracked, plate.front(), crack::make_tip_domains(fields), wish);
+        model, cracked, plate.front(), crack::wrap_tip_domains(fields), wish);
     const crack::StressIntensity c =
-        crack::front_intensity(model, cracked, plate.front(), crack::make_tip_domains(fields),
+        crack::front_intensity(model, cracked, plate.front(), crack::wrap_tip_domains(fields),
                                request, base::Vector::Zero(u.size()), loads)
             .front();
     const double size = rows.cwiseAbs().transpose().row(0).dot(u.cwiseAbs());

@@ -156,9 +156,9 @@ Found estimate_of(const StripTriangle& s, const model::LoadCase& load) {
       estimate::map_mode_freedoms(modes, estimate::find_mode_supports(modes, s.cls, s.ties), {});
   const mesh::CrackFront& front = s.cracked.fronts[0];
   const base::Matrix g = crack::front_intensity_functionals(s.model, s.cracked, front,
-                                                            crack::make_tip_domains(s.fields),
+                                                            crack::wrap_tip_domains(s.fields),
                                                             model::CrackTipPlaneState::automatic);
-  const base::Matrix g_e = modes.mode_functional(crack::intensity_functional_points(
+  const base::Matrix g_e = modes.mode_functional(crack::functional_quadrature_points(
       s.model, s.cracked, front, s.fields, model::CrackTipPlaneState::automatic));
   const base::Vector f = fe::consistent_nodal_load(s.model, s.cracked.mesh, load);
   const base::Vector f_e = estimate::mode_load(
