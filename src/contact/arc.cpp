@@ -126,7 +126,7 @@ ContactArc find_longest_closed_arc(const ContactSurface& surface,
     closed.push_back(node.closed);
   }
   std::optional<ClosedContactInterval> longest;
-  for (const std::vector<std::size_t>& places : contiguous_ranges(links, closed)) {
+  for (const std::vector<std::size_t>& places : contiguous_marked_ranges(links, closed)) {
     const ClosedContactInterval s = measure(surface, nodes, multipliers, links, places);
     if (!longest || std::abs(s.run) > std::abs(longest->run)) {
       longest = s;

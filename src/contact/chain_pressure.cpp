@@ -212,7 +212,7 @@ void rim_pressure(const PairConstraints& pair, const Numbering& number,
 // pressure is right to second order even where edges of different length meet; the second moment
 // meets the turn of the normal, which the facing areas count.
 NodalPressure recover(const PairConstraints& pair, const ContactRowValues& row,
-                      const ContactSideForce& force, const std::vector<RecoveryNode>& places,
+                      const ContactSideNodalForces& force, const std::vector<RecoveryNode>& places,
                       const Numbering& number) {
   const auto n = index(number.size());
   base::Vector R = base::Vector::Zero(n);
@@ -292,7 +292,7 @@ void close_tips(std::vector<NodePressure>& nodes) {
 } // namespace
 
 double recover_chain_pressure(const PairConstraints& pair, const ContactRowValues& rows,
-                              const ContactSideForce& force, PairPressure& result) {
+                              const ContactSideNodalForces& force, PairPressure& result) {
   std::vector<RecoveryNode> places = ordered_places(pair.contact);
   mark_crack_faces(pair.contact, places);
   string_chains(pair.contact, places);

@@ -8,6 +8,6 @@ namespace spricka::contact {
 /// NODE pairs from the forces on nodes with the surface mass, C p = R, those of SEGMENT pairs from
 /// their multipliers. The area of the part in contact.
 double recover_chain_pressure(const PairConstraints& pair, const ContactRowValues& rows,
-                              const ContactSideForce& force, PairPressure& result);
+                              const ContactSideNodalForces& force, PairPressure& result);
 
 } // namespace spricka::contact

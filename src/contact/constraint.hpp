@@ -82,6 +82,6 @@ struct PairConstraints {
 
 /// Maps each contact node to its place in `pair.normal`; where a node has several normal rows, to
 /// the first of them.
-std::map<base::NodeId, std::size_t> normal_rows(const PairConstraints& pair);
+std::map<base::NodeId, std::size_t> map_nodes_to_normal_rows(const PairConstraints& pair);
 
 } // namespace spricka::contact

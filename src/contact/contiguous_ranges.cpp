@@ -14,8 +14,9 @@ SequenceLinks SequenceLinks::in_order(std::size_t count, bool ring) {
   return links;
 }
 
-std::vector<std::vector<std::size_t>>
-contiguous_ranges(const SequenceLinks& links, const std::vector<bool>& marked, std::size_t from) {
+std::vector<std::vector<std::size_t>> contiguous_marked_ranges(const SequenceLinks& links,
+                                                               const std::vector<bool>& marked,
+                                                               std::size_t from) {
   const std::size_t n = marked.size();
   const auto is_marked = [&](const std::optional<std::size_t>& i) { return i && marked[*i]; };
   std::vector<std::vector<std::size_t>> all;

@@ -23,8 +23,8 @@ struct SequenceLinks {
 /// Marked places one behind the other, as long as they go, each by its places. They come in the
 /// order in which they begin, places counted from `from` on, round to it. A ring marked all round
 /// begins nowhere and is none.
-std::vector<std::vector<std::size_t>> contiguous_ranges(const SequenceLinks& links,
-                                                        const std::vector<bool>& marked,
-                                                        std::size_t from = 0);
+std::vector<std::vector<std::size_t>> contiguous_marked_ranges(const SequenceLinks& links,
+                                                               const std::vector<bool>& marked,
+                                                               std::size_t from = 0);
 
 } // namespace spricka::contact

@@ -44,8 +44,8 @@ FixedActiveSet::solve_response(const base::Matrix& gap, const base::Matrix& on_m
     out.force.row(index(rows_[i])) = found.lambda.row(index(i));
   }
   // Of all rows of the system: those that are away open or overlap as they like.
-  out.gap =
-      gap + system_.row_compliance() * out.force + system_.openings_by_rigid_modes() * out.mode;
+  out.gap = gap + system_.row_compliance_matrix() * out.force +
+            system_.openings_by_rigid_modes() * out.mode;
   return out;
 }
 
@@ -66,7 +66,7 @@ std::vector<base::Matrix> FixedActiveSet::displacement(const std::vector<base::M
 
 base::Vector FixedActiveSet::pivots(const std::vector<std::size_t>& candidates) const {
   const auto count = index(candidates.size());
-  const base::Matrix& W = system_.row_compliance();
+  const base::Matrix& W = system_.row_compliance_matrix();
   const base::Matrix& B = system_.openings_by_rigid_modes();
   // A column for each candidate: the gap of a held row, or the force on another one, is one, and
   // the held rows answer.

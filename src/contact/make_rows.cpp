@@ -58,7 +58,7 @@ public:
   void make(const ElementProjector& project) {
     number_functions();
     for (const HatElement& element : own_.elements) {
-      const ElementPairPoints projection = project(element);
+      const OppositePointsOfElement projection = project(element);
       pair_.unprojected_area += projection.unprojected_area;
       pair_.trouble = projection.trouble;
       if (projection.flat_seen > (1.0 + twice) * projection.flat_area) {
@@ -89,7 +89,7 @@ private:
   }
 
   [[nodiscard]] HatIntegrals integrate(const HatElement& element,
-                                       const ElementPairPoints& projection) const {
+                                       const OppositePointsOfElement& projection) const {
     HatIntegrals sum;
     const geometry::ElementSide& facet = own_.facets[element.facet];
     for (std::size_t k = 0; k < directions_; ++k) {
@@ -125,7 +125,7 @@ private:
     return sum;
   }
 
-  void add(const HatElement& element, const ElementPairPoints& projection) {
+  void add(const HatElement& element, const OppositePointsOfElement& projection) {
     const std::vector<std::size_t> at = functions_of(element);
     for (std::size_t a = 0; a < at.size(); ++a) {
       functions_[at[a]].whole += projection.whole[index(a)];

@@ -92,11 +92,11 @@ public:
   SegmentProjection(const PairConstraints& pair, int degree)
       : pair_(pair), degree_(degree), segments_(find_mortar_segments(pair)) {}
 
-  [[nodiscard]] ElementPairPoints project(const HatElement& element) const {
+  [[nodiscard]] OppositePointsOfElement project(const HatElement& element) const {
     const geometry::ElementSide& edge = pair_.contact.facets[element.facet];
     const double from = edge.node_local_coordinates(element.node[0])[0];
     const double to = edge.node_local_coordinates(element.node[1])[0];
-    ElementPairPoints found;
+    OppositePointsOfElement found;
     found.whole = whole_hats(element);
     const auto own =
         std::ranges::equal_range(segments_, element.facet, {}, &MortarSegment::contact_edge);
@@ -144,10 +144,10 @@ private:
 };
 
 // What the points of one rule on a whole triangle meet.
-ElementPairPoints sample_triangle(const ContactSurface& own, const SurfaceProjection& target,
-                                  const HatElement& triangle) {
+OppositePointsOfElement sample_triangle(const ContactSurface& own, const SurfaceProjection& target,
+                                        const HatElement& triangle) {
   const geometry::ElementSide& face = own.facets[triangle.facet];
-  ElementPairPoints found;
+  OppositePointsOfElement found;
   for_hat_quadrature_points(face, triangle.node, triangle_sampling_degree,
                             [&](const Vec3& hat, const Vec2& r, double weight) {
                               const geometry::SidePoint here = face.point(r);
@@ -163,27 +163,28 @@ ElementPairPoints sample_triangle(const ContactSurface& own, const SurfaceProjec
   return found;
 }
 
-ElementProjector edge_projector(const PairConstraints& pair, ProjectionRule rule) {
-  const int degree = rule == ProjectionRule::sampling ? segment_sampling_degree : segment_degree;
+ElementProjector edge_projector(const PairConstraints& pair, ProjectionPointDensity rule) {
+  const int degree =
+      rule == ProjectionPointDensity::sampling ? segment_sampling_degree : segment_degree;
   return [edges = SegmentProjection(pair, degree)](const HatElement& element) {
     return edges.project(element);
   };
 }
 
-ElementProjector face_projector(const PairConstraints& pair, ProjectionRule rule) {
+ElementProjector face_projector(const PairConstraints& pair, ProjectionPointDensity rule) {
   const ContactSurface& own = pair.contact;
-  const bool sampled = rule == ProjectionRule::sampling;
+  const bool sampled = rule == ProjectionPointDensity::sampling;
   if (pair.faces) {
     const std::optional<std::vector<CoincidentFace>> twins =
         match_coincident_faces(own, pair.target);
     assert(twins);
     return [&own, twins = *twins](const HatElement& triangle) {
-      return project_onto_coincident_face(own, twins[triangle.facet], triangle);
+      return project_triangle_on_matching_face(own, twins[triangle.facet], triangle);
     };
   }
   if (pair.rigid_shape) {
     return [&own, shape = *pair.rigid_shape](const HatElement& triangle) {
-      return project_onto_rigid(own, shape, triangle);
+      return project_triangle_onto_rigid(own, shape, triangle);
     };
   }
   // A std::function can be copied, the tree of a SurfaceProjection can't.
@@ -208,7 +209,7 @@ std::optional<double> gap_to_rigid_target(const PairConstraints& pair, const Vec
   return foot && !foot->beyond ? std::optional(foot->gap) : std::nullopt;
 }
 
-ElementProjector make_target_projector(const PairConstraints& pair, ProjectionRule rule) {
+ElementProjector make_target_projector(const PairConstraints& pair, ProjectionPointDensity rule) {
   constexpr base::ByDimension projectors{edge_projector, face_projector};
   return projectors.at(pair.contact.dim)(pair, rule);
 }

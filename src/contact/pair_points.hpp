@@ -19,7 +19,7 @@ std::vector<MortarSegment> find_mortar_segments(const PairConstraints& pair);
 std::optional<double> gap_to_rigid_target(const PairConstraints& pair, const Vec3& x);
 
 /// With how many points an element is looked at.
-enum class ProjectionRule {
+enum class ProjectionPointDensity {
   integration, ///< all that is opposite, so that rows are integrated exactly
   sampling     ///< a few points, to tell largest ways; those that miss are left out
 };
@@ -28,7 +28,8 @@ enum class ProjectionRule {
 /// those of a rigid one. In the plane Gauss points of degree 9 on the stretches of segment.hpp, for
 /// samples of degree 3; in space degree 5 on clipped triangles (surface_projection.hpp), or on
 /// whole ones of crack faces, before rigid targets and for samples. The pair must outlive it.
-ElementProjector make_target_projector(const PairConstraints& pair,
-                                       ProjectionRule rule = ProjectionRule::integration);
+ElementProjector
+make_target_projector(const PairConstraints& pair,
+                      ProjectionPointDensity rule = ProjectionPointDensity::integration);
 
 } // namespace spricka::contact

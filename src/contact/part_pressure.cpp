@@ -86,7 +86,7 @@ NodePressure place_of(const PairConstraints& pair, const MultiplierFunction& fun
 
 // Shear tractions on the deck's slave [normal row]: of a row's functions, along their mean tangent.
 std::vector<base::Vec3> shear_on_slave(const PairConstraints& pair, const base::Vector& lambda,
-                                       const ContactSideForce& side) {
+                                       const ContactSideNodalForces& side) {
   std::vector<base::Vec3> shear(pair.normal.size(), base::Vec3::Zero());
   for (std::size_t i = 0; i < pair.tangent.size(); ++i) {
     const ConstraintRow& row = pair.tangent[i];
@@ -121,7 +121,7 @@ void add_surface(const PairConstraints& pair, PairPressure& result) {
 } // namespace
 
 double recover_solid_pair_pressure(const PairConstraints& pair, const ContactRowValues& rows,
-                                   const ContactSideForce& force, PairPressure& result) {
+                                   const ContactSideNodalForces& force, PairPressure& result) {
   if (pair.functions.empty()) { // a pair in trouble
     return 0.0;
   }
@@ -159,7 +159,7 @@ double recover_solid_pair_pressure(const PairConstraints& pair, const ContactRow
     result.nodes.push_back(at);
   }
   result.unrest = unrest_of(pair, p, smooth);
-  result.across_peak = elements_across_peak(pair, rows.lambda, rows.closed);
+  result.across_peak = count_elements_across_peak(pair, rows.lambda, rows.closed);
   add_surface(pair, result);
   for (std::size_t r = 0; r < pair.normal.size(); ++r) {
     result.area += rows.closed[r] ? pair.normal[r].area : 0.0;

@@ -10,6 +10,6 @@ namespace spricka::contact {
 /// go up and down by a few per mille about it. Elsewhere, as where contact ends, it is the
 /// multiplier. The area of the part in contact.
 double recover_solid_pair_pressure(const PairConstraints& pair, const ContactRowValues& rows,
-                                   const ContactSideForce& force, PairPressure& result);
+                                   const ContactSideNodalForces& force, PairPressure& result);
 
 } // namespace spricka::contact

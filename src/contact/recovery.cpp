@@ -16,8 +16,8 @@ using base::index;
 
 namespace {
 
-ContactSideForce side_force(const PairConstraints& pair, const base::Vector& lambda) {
-  ContactSideForce force;
+ContactSideNodalForces side_force(const PairConstraints& pair, const base::Vector& lambda) {
+  ContactSideNodalForces force;
   for (const geometry::ElementSide& facet : pair.contact.facets) {
     for (std::size_t i = 0; i < facet.nodes.size(); ++i) {
       force.x[facet.nodes[i]] = facet.X.col(index(i));
@@ -61,7 +61,7 @@ PairPressure recover_pressure(const PairConstraints& pair, const base::Vector& l
                               const base::Vector& gap, const std::vector<bool>& closed,
                               bool may_pull) {
   const ContactRowValues rows{lambda, gap, closed, may_pull};
-  const ContactSideForce force = side_force(pair, lambda);
+  const ContactSideNodalForces force = side_force(pair, lambda);
   PairPressure result;
   const double thrust = add_totals(pair, rows, result);
   const double sign = pair.swapped ? -1.0 : 1.0;

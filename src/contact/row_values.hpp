@@ -26,7 +26,7 @@ struct ContactRowValues {
 };
 
 /// What the multipliers put on the contact side of a pair.
-struct ContactSideForce {
+struct ContactSideNodalForces {
   std::map<base::NodeId, base::Vec3> x;    ///< all nodes of the contact side
   std::map<base::NodeId, base::Vec3> node; ///< on nodes that rows weigh [force]
   base::Vec3 total = base::Vec3::Zero();

@@ -107,7 +107,7 @@ public:
       return {};
     }
     const double least = least_looked_at * largest;
-    const ElementProjector drawn = make_target_projector(pair_, ProjectionRule::sampling);
+    const ElementProjector drawn = make_target_projector(pair_, ProjectionPointDensity::sampling);
     for (const HatElement& element : pair_.contact.elements) {
       const Eigen::Vector3d p = pressures(element);
       if (p.maxCoeff() <= least) {

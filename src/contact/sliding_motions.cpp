@@ -215,9 +215,9 @@ std::vector<SurfaceNodeNormal> surface_node_normals(const ContactSurface& surfac
   return points;
 }
 
-void remove_self_sliding(const std::vector<ContactRowSurfaces>& contacts,
-                         const std::vector<Eigen::Index>& first_mode,
-                         const RigidModesLookup& modes_at, base::Matrix& B) {
+void remove_self_sliding_openings(const std::vector<ContactRowSurfaces>& contacts,
+                                  const std::vector<Eigen::Index>& first_mode,
+                                  const RigidModesLookup& modes_at, base::Matrix& B) {
   std::map<std::size_t, std::vector<SurfaceMotionSums>> bodies;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     auto own = motions_on(c, contacts[c].surface[0], modes_at);

@@ -40,8 +40,8 @@ using RigidModesLookup = std::function<std::optional<RigidModesAtNode>(base::Nod
 /// Takes from B [row, mode], what a unit of each rigid mode opens, all that motions open by which
 /// the surface of a body slides on itself within 1e-4 (root mean square of what its points move
 /// along their normals over that of what they move). `first_mode` [body + 1].
-void remove_self_sliding(const std::vector<ContactRowSurfaces>& contacts,
-                         const std::vector<Eigen::Index>& first_mode,
-                         const RigidModesLookup& modes_at, base::Matrix& B);
+void remove_self_sliding_openings(const std::vector<ContactRowSurfaces>& contacts,
+                                  const std::vector<Eigen::Index>& first_mode,
+                                  const RigidModesLookup& modes_at, base::Matrix& B);
 
 } // namespace spricka::contact

@@ -43,7 +43,7 @@ std::vector<base::Vec3> centres_of(const PairConstraints& pair,
   base::Vector area = base::Vector::Zero(index(pair.functions.size()));
   for (const HatElement& t : surface.elements) {
     const geometry::ElementSide& face = surface.facets[t.facet];
-    const std::array<Vec2, 3> r = corner_coordinates(face, t.node);
+    const std::array<Vec2, 3> r = hat_node_local_coordinates(face, t.node);
     for (const auto& [q, weight] : shape::triangle_rule(hat_degree)) {
       const std::array<double, 3> hat{1.0 - q[0] - q[1], q[0], q[1]};
       const geometry::SidePoint at = face.point(hat[0] * r[0] + hat[1] * r[1] + hat[2] * r[2]);

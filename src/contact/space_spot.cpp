@@ -96,8 +96,8 @@ std::vector<std::set<std::size_t>> neighbouring_normal_rows(const PairConstraint
   return next;
 }
 
-double elements_across_peak(const PairConstraints& pair, const base::Vector& lambda,
-                            const std::vector<bool>& closed) {
+double count_elements_across_peak(const PairConstraints& pair, const base::Vector& lambda,
+                                  const std::vector<bool>& closed) {
   if (!pair.segments || pair.normal.empty()) {
     return no_edge;
   }

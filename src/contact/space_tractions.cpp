@@ -63,7 +63,7 @@ public:
 
 private:
   // Row a of `dual` is the function dual to hat a; its multipliers push with it.
-  void add(const HatElement& triangle, const ElementPairPoints& projection) {
+  void add(const HatElement& triangle, const OppositePointsOfElement& projection) {
     Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
     for (const PairPoint& p : projection.points) {
       moment += p.weight * p.hat * p.hat.transpose();
@@ -78,7 +78,7 @@ private:
     for (const PairPoint& p : projection.points) {
       const Eigen::Vector3d weight = dual * (p.weight * p.hat);
       const std::array<Vec3, 3> along = frames_.at(own_.part[triangle.facet], p.normal);
-      std::vector<UnitTractionPoint::RowForce> forces;
+      std::vector<FacePointRowForces::RowForce> forces;
       for (std::size_t a = 0; a < 3; ++a) {
         for (std::size_t k = 0; k < 3; ++k) {
           if (rows[a][k] >= 0) {
@@ -88,10 +88,10 @@ private:
         }
       }
       if (own_wanted_[triangle.facet]) {
-        UnitTractionPoint& point =
+        FacePointRowForces& point =
             points_[model::face_of_side(own_.facets[triangle.facet])].emplace_back(
-                UnitTractionPoint{p.r, forces});
-        for (UnitTractionPoint::RowForce& one : point.rows) {
+                FacePointRowForces{p.r, forces});
+        for (FacePointRowForces::RowForce& one : point.rows) {
           one.force = -one.force;
         }
       }
@@ -108,7 +108,7 @@ private:
   std::vector<RowsAlong> rows_; ///< [normal row]
   std::vector<std::vector<std::size_t>> functions_;
   std::vector<bool> own_wanted_, other_wanted_;
-  std::map<model::Face, std::vector<UnitTractionPoint>> points_;
+  std::map<model::Face, std::vector<FacePointRowForces>> points_;
 };
 
 } // namespace
@@ -129,9 +129,9 @@ solid_pair_tractions(const PairConstraints& pair, const base::Vector& lambda,
   for (const UnitFaceTraction& unit : solid_pair_unit_tractions(pair, wanted)) {
     FaceTraction& on_face = all.emplace_back();
     on_face.face = unit.face;
-    for (const UnitTractionPoint& point : unit.points) {
+    for (const FacePointRowForces& point : unit.points) {
       Vec3 force = Vec3::Zero();
-      for (const UnitTractionPoint::RowForce& one : point.rows) {
+      for (const FacePointRowForces::RowForce& one : point.rows) {
         force += lambda[static_cast<Eigen::Index>(one.row)] * one.force;
       }
       on_face.points.push_back({point.r, force});

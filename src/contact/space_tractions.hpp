@@ -8,7 +8,7 @@
 namespace spricka::contact {
 
 /// A force at a point of a face.
-struct TractionPoint {
+struct FacePointForce {
   base::Vec2 r = base::Vec2::Zero(); ///< on the face
   base::Vec3 force = base::Vec3::Zero();
 };
@@ -16,7 +16,7 @@ struct TractionPoint {
 /// Forces at points of a face that a contact presses on.
 struct FaceTraction {
   model::Face face;
-  std::vector<TractionPoint> points;
+  std::vector<FacePointForce> points;
 };
 
 /// What the multipliers of a pair of solid surfaces [normal rows, then tangential ones; stress]
@@ -28,7 +28,7 @@ solid_pair_tractions(const PairConstraints& pair, const base::Vector& lambda,
                      const std::function<bool(const model::Face&)>& wanted);
 
 /// What a unit of each row's multiplier presses at a point of a face.
-struct UnitTractionPoint {
+struct FacePointRowForces {
   base::Vec2 r = base::Vec2::Zero(); ///< on the face
   struct RowForce {
     std::size_t row = 0; ///< of the pair: normal ones, then tangential ones
@@ -38,7 +38,7 @@ struct UnitTractionPoint {
 };
 struct UnitFaceTraction {
   model::Face face;
-  std::vector<UnitTractionPoint> points;
+  std::vector<FacePointRowForces> points;
 };
 
 /// The same by row: solid_pair_tractions() is their sum times the multipliers.

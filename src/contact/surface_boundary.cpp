@@ -37,7 +37,7 @@ std::vector<Vec3> points_along(std::span<const Edge> edges, bool closed, const b
 geometry::BodyBoundary boundary_of_edges(const model::Model& model, const model::Mesh& mesh,
                                          const std::vector<model::Face>& faces,
                                          const base::Vector& u) {
-  return make_plane_boundary(make_contact_surface(model, mesh, faces), u);
+  return make_displaced_plane_boundary(make_contact_surface(model, mesh, faces), u);
 }
 
 geometry::BodyBoundary boundary_of_faces(const model::Model& /*model*/, const model::Mesh& mesh,
@@ -63,7 +63,8 @@ geometry::BodyBoundary boundary_of_faces(const model::Model& /*model*/, const mo
 
 } // namespace
 
-geometry::BodyBoundary make_plane_boundary(const ContactSurface& surface, const base::Vector& u) {
+geometry::BodyBoundary make_displaced_plane_boundary(const ContactSurface& surface,
+                                                     const base::Vector& u) {
   std::vector<geometry::FlatBoundaryFacet> facets;
   std::size_t first = 0; // vertex of a chain: chains that touch do not hang together
   for (const EdgeChain& chain : surface.plane.chains) {
@@ -78,9 +79,10 @@ geometry::BodyBoundary make_plane_boundary(const ContactSurface& surface, const 
   return {2, facets};
 }
 
-geometry::BodyBoundary make_body_boundary(const model::Model& model, const model::Mesh& mesh,
-                                          const std::vector<model::Face>& faces,
-                                          const base::Vector& u) {
+geometry::BodyBoundary make_displaced_body_boundary(const model::Model& model,
+                                                    const model::Mesh& mesh,
+                                                    const std::vector<model::Face>& faces,
+                                                    const base::Vector& u) {
   constexpr base::ByDimension make{boundary_of_edges, boundary_of_faces};
   return make.at(mesh.dim)(model, mesh, faces, u);
 }

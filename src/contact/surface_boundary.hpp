@@ -11,11 +11,13 @@ namespace spricka::contact {
 /// The boundary of a body of these sides, moved by u [dim * node] [length]; empty: as drawn. In the
 /// plane quadratic edges become four straight ones; in space each face is cut into the triangles
 /// between its nodes.
-geometry::BodyBoundary make_body_boundary(const model::Model& model, const model::Mesh& mesh,
-                                          const std::vector<model::Face>& faces,
-                                          const base::Vector& u);
+geometry::BodyBoundary make_displaced_body_boundary(const model::Model& model,
+                                                    const model::Mesh& mesh,
+                                                    const std::vector<model::Face>& faces,
+                                                    const base::Vector& u);
 
 /// The same of a surface in the plane.
-geometry::BodyBoundary make_plane_boundary(const ContactSurface& surface, const base::Vector& u);
+geometry::BodyBoundary make_displaced_plane_boundary(const ContactSurface& surface,
+                                                     const base::Vector& u);
 
 } // namespace spricka::contact

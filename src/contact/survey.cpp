@@ -90,7 +90,7 @@ ElementProjector triangle_projector(const ContactSurface& from, const ContactSur
 
 ElementProjector triangle_projector(const ContactSurface& from, const model::RigidTarget& to) {
   return [&from, shape = rigid_target_shape(to).value()](const HatElement& triangle) {
-    return project_onto_rigid(from, shape, triangle);
+    return project_triangle_onto_rigid(from, shape, triangle);
   };
 }
 
@@ -119,7 +119,7 @@ template <class Target> GapSurvey survey_faces(const ContactSurface& from, const
   double area = 0.0;
   std::vector<SurveyedPoint> points;
   for (const HatElement& element : from.elements) {
-    const ElementPairPoints projection = project(element);
+    const OppositePointsOfElement projection = project(element);
     area += projection.whole.sum();
     for (const PairPoint& p : projection.points) {
       points.push_back({p.facet, p.weight, p.gap, std::acos(std::min(1.0, p.turn))});

@@ -66,7 +66,7 @@ void ContactSystem::let_slide(const std::vector<ContactRowSurfaces>& sliding, in
     return found;
   };
   slid_ = compliances_.B;
-  remove_self_sliding(sliding, mode_start_, modes_at, compliances_.B);
+  remove_self_sliding_openings(sliding, mode_start_, modes_at, compliances_.B);
   slid_ -= compliances_.B;
 }
 

@@ -63,7 +63,7 @@ public:
   [[nodiscard]] double opening(std::size_t row, const std::vector<base::Vector>& u) const;
   /// The same of all rows for several displacements [body][m, k]: [row, k].
   [[nodiscard]] base::Matrix openings(const std::vector<base::Matrix>& u) const;
-  [[nodiscard]] const base::Matrix& row_compliance() const {
+  [[nodiscard]] const base::Matrix& row_compliance_matrix() const {
     return compliances_.W;
   } ///< [row, row] compliance
   [[nodiscard]] const base::Matrix& openings_by_rigid_modes() const {

@@ -52,7 +52,7 @@ std::optional<std::size_t> find_edge(const EdgeIndex& index, const contact::Edge
 std::vector<ContactEdge> contact_edges_of_pair(const EdgeTable& table,
                                                const contact::PairConstraints& pair) {
   const EdgeIndex index = index_boundary_edges(table);
-  const std::map<base::NodeId, std::size_t> row_of = contact::normal_rows(pair);
+  const std::map<base::NodeId, std::size_t> row_of = contact::map_nodes_to_normal_rows(pair);
   const std::vector<contact::Edge>& own = pair.contact.plane.edges;
   const std::vector<contact::Edge>& others = pair.target.plane.edges;
   std::vector<ContactEdge> result(own.size() + others.size());

@@ -14,7 +14,7 @@ std::vector<ContactModeWeight> target_mode_weights(const EdgeTable& table,
     return {};
   }
   const EdgeIndex index = index_boundary_edges(table);
-  const std::map<base::NodeId, std::size_t> row_of = contact::normal_rows(pair);
+  const std::map<base::NodeId, std::size_t> row_of = contact::map_nodes_to_normal_rows(pair);
   std::map<std::pair<std::size_t, std::size_t>, double> sums; // by freedom and row
   const contact::ElementProjector project = contact::make_target_projector(pair);
   for (const contact::HatElement& element : pair.contact.elements) {

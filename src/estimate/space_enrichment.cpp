@@ -147,7 +147,7 @@ void SolidEnrichment::add_tractions(const std::vector<contact::FaceTraction>& tr
                                     base::Vector& f) const {
   base::Vector own = base::Vector::Zero(freedoms());
   for (const contact::FaceTraction& traction : tractions) {
-    for (const contact::TractionPoint& p : traction.points) {
+    for (const contact::FacePointForce& p : traction.points) {
       add_on_side(traction.face, p.r, p.force, own);
     }
   }

@@ -251,7 +251,7 @@ private:
     std::vector<geometry::BodyBoundary> outlines;
     outlines.reserve(faces.size());
     for (const std::vector<model::Face>& own : faces) {
-      outlines.push_back(contact::make_body_boundary(model_, mesh_, own, base::Vector()));
+      outlines.push_back(contact::make_displaced_body_boundary(model_, mesh_, own, base::Vector()));
     }
     for (std::size_t a = 0; a < bodies_.size(); ++a) {
       for (std::size_t b = 0; b < bodies_.size(); ++b) {

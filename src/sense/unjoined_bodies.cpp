@@ -192,7 +192,7 @@ private:
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       const contact::ContactSurface surface =
           contact::make_contact_surface(model_, mesh_, faces[b]);
-      outlines_.push_back(contact::make_plane_boundary(surface, base::Vector()));
+      outlines_.push_back(contact::make_displaced_plane_boundary(surface, base::Vector()));
       for (const contact::Edge& edge : surface.plane.edges) {
         sides_[b].push_back(edge);
         length_[b] += edge.length;

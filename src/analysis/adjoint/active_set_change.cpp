@@ -80,7 +80,7 @@ std::vector<bool> beside_sharp_ends(const contact::PairConstraints& pair,
 void add_candidates(const Discretisation& scene, const StepState& state, std::size_t c,
                     std::vector<ActiveSetCandidate>& found) {
   const contact::PairConstraints& pair = scene.pairs[c];
-  const std::map<base::NodeId, std::size_t> row_of = contact::normal_rows(pair);
+  const std::map<base::NodeId, std::size_t> row_of = contact::map_nodes_to_normal_rows(pair);
   std::vector<bool> ends(pair.normal.size(), false);
   const std::vector<bool>& closed = state.pair_closed[c];
   for (const contact::Edge& edge : pair.contact.plane.edges) {

@@ -49,7 +49,7 @@ public:
     }
     for (const std::vector<model::Face>& own : faces) {
       DeformedBodyBoundary rim{own, mesh::nodes_of_faces(mesh_, own),
-                               contact::make_body_boundary(model, mesh_, own, state.u),
+                               contact::make_displaced_body_boundary(model, mesh_, own, state.u),
                                std::nullopt, 0.0};
       for (const base::NodeId n : rim.nodes) {
         rim.displacement = std::max(rim.displacement, shift(n).norm());
@@ -83,7 +83,7 @@ private:
   const geometry::BodyBoundary& drawn(std::size_t b) const {
     DeformedBodyBoundary& rim = rims_[b];
     if (!rim.drawn) {
-      rim.drawn = contact::make_body_boundary(model_, mesh_, rim.faces, base::Vector());
+      rim.drawn = contact::make_displaced_body_boundary(model_, mesh_, rim.faces, base::Vector());
     }
     return *rim.drawn;
   }

@@ -38,8 +38,8 @@ std::pair<double, double> LongestClosedRange::find(const std::vector<bool>& clos
   }
   std::size_t best = 0;
   std::size_t length = 0;
-  for (const std::vector<std::size_t>& places :
-       contact::contiguous_ranges(contact::SequenceLinks::in_order(n, round_), in_order, first)) {
+  for (const std::vector<std::size_t>& places : contact::contiguous_marked_ranges(
+           contact::SequenceLinks::in_order(n, round_), in_order, first)) {
     if (places.size() > length) {
       length = places.size();
       best = places.front() < first ? places.front() + n : places.front();

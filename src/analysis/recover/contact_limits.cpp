@@ -93,7 +93,7 @@ std::optional<geometry::BodyBoundary> moved_body(const model::Model& model,
   const std::set<base::ElementId> own(body->body.elements.begin(), body->body.elements.end());
   std::vector<model::Face> faces = mesh::boundary_faces(scene.cracked.mesh);
   std::erase_if(faces, [&](const model::Face& face) { return !own.contains(face.element); });
-  return contact::make_body_boundary(model, scene.cracked.mesh, faces, state.u);
+  return contact::make_displaced_body_boundary(model, scene.cracked.mesh, faces, state.u);
 }
 
 // The part of the thrust that acts on places of the target which the contact side's body has left.

@@ -45,7 +45,7 @@ std::vector<crack::FacePointForces> contact_forces(const Discretisation& scene,
              [&](const model::Face& face) { return moved.contains(face); })) {
       crack::FacePointForces& on_face = forces.emplace_back();
       on_face.face = traction.face;
-      for (const contact::TractionPoint& point : traction.points) {
+      for (const contact::FacePointForce& point : traction.points) {
         on_face.points.push_back({{point.r.x(), point.r.y(), 0.0}, point.force});
       }
     }

@@ -32,9 +32,9 @@ ForcePlaces force_places(const Discretisation& scene, const crack::FrontIntegral
              scene.pairs[c], [&](const model::Face& face) { return moved.contains(face); })) {
       crack::FacePointForces& on_face = places.faces.emplace_back();
       on_face.face = traction.face;
-      for (const contact::UnitTractionPoint& point : traction.points) {
+      for (const contact::FacePointRowForces& point : traction.points) {
         on_face.points.push_back({{point.r.x(), point.r.y(), 0.0}, base::Vec3::Zero()});
-        for (const contact::UnitTractionPoint::RowForce& one : point.rows) {
+        for (const contact::FacePointRowForces::RowForce& one : point.rows) {
           for (Eigen::Index k = 0; k < 3; ++k) {
             places.by_row.emplace_back(
                 at + k, static_cast<Eigen::Index>(scene.table.first[c] + one.row), one.force[k]);

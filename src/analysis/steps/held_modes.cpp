@@ -108,7 +108,7 @@ private:
         }
       }
     }
-    contact::remove_self_sliding(
+    contact::remove_self_sliding_openings(
         pressing_contact_surfaces(scene_), first_, [&](base::NodeId node) { return at(node); }, B_);
   }
 

@@ -35,7 +35,7 @@ BodyBoundaryOutline rim_of(const model::Model& model, const model::Mesh& mesh,
       faces.push_back(face);
     }
   }
-  geometry::BodyBoundary outline = contact::make_body_boundary(model, mesh, faces, {});
+  geometry::BodyBoundary outline = contact::make_displaced_body_boundary(model, mesh, faces, {});
   return {std::move(faces), std::move(outline)};
 }
 

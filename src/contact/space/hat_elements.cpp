@@ -41,7 +41,8 @@ std::span<const HatNodes> corner_hat_elements(const geometry::ElementSide& face)
   return corners_of_quadrilateral;
 }
 
-std::array<Vec2, 3> corner_coordinates(const geometry::ElementSide& face, const HatNodes& nodes) {
+std::array<Vec2, 3> hat_node_local_coordinates(const geometry::ElementSide& face,
+                                               const HatNodes& nodes) {
   return {face.node_local_coordinates(nodes[0]), face.node_local_coordinates(nodes[1]),
           face.node_local_coordinates(nodes[2])};
 }

@@ -45,6 +45,7 @@ void for_hat_quadrature_points(const geometry::ElementSide& facet, const HatNode
 }
 
 /// Local coordinates of three nodes of a face.
-std::array<Vec2, 3> corner_coordinates(const geometry::ElementSide& face, const HatNodes& nodes);
+std::array<Vec2, 3> hat_node_local_coordinates(const geometry::ElementSide& face,
+                                               const HatNodes& nodes);
 
 } // namespace spricka::contact

@@ -30,7 +30,7 @@ struct PairPoint {
 };
 
 /// What an element of a contact surface has opposite.
-struct ElementPairPoints {
+struct OppositePointsOfElement {
   std::vector<PairPoint> points; ///< facet by facet of the target
   /// Integrals of the hats over all of the element, whether something lies opposite or not.
   Eigen::Vector3d whole = Eigen::Vector3d::Zero();
@@ -39,6 +39,6 @@ struct ElementPairPoints {
   double unprojected_area = 0.0; ///< area of points whose normal met no target though it should
   std::string trouble;           ///< why there are no points though something lies opposite
 };
-using ElementProjector = std::function<ElementPairPoints(const HatElement&)>;
+using ElementProjector = std::function<OppositePointsOfElement(const HatElement&)>;
 
 } // namespace spricka::contact

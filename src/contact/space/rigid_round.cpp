@@ -44,11 +44,12 @@ std::optional<AnalyticShape> rigid_target_shape(const model::RigidTarget& rigid)
   return round;
 }
 
-ElementPairPoints project_onto_rigid(const FacetSurface& contact, const AnalyticShape& target,
-                                     const HatElement& triangle) {
+OppositePointsOfElement project_triangle_onto_rigid(const FacetSurface& contact,
+                                                    const AnalyticShape& target,
+                                                    const HatElement& triangle) {
   const geometry::ElementSide& face = contact.facets[triangle.facet];
   const double reach = farthest_opposite * contact.extent;
-  ElementPairPoints projection;
+  OppositePointsOfElement projection;
   for_hat_quadrature_points(
       face, triangle.node, triangle_degree, [&](const Vec3& hat, const Vec2& r, double weight) {
         PairPoint p;

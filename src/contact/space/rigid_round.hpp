@@ -16,7 +16,8 @@ std::optional<AnalyticShape> rigid_target_shape(const model::RigidTarget& rigid)
 /// What a triangle of the contact surface sees of a rigid target: all of it that looks at the
 /// target from no farther than a fifth of the surface's extent, point by point. Normals are the
 /// target's.
-ElementPairPoints project_onto_rigid(const FacetSurface& contact, const AnalyticShape& target,
-                                     const HatElement& triangle);
+OppositePointsOfElement project_triangle_onto_rigid(const FacetSurface& contact,
+                                                    const AnalyticShape& target,
+                                                    const HatElement& triangle);
 
 } // namespace spricka::contact

@@ -27,7 +27,7 @@ std::array<Vec3, 3> corners_of(const FacetSurface& surface, const HatElement& t)
 }
 
 std::array<Vec2, 3> places_of(const FacetSurface& surface, const HatElement& t) {
-  return corner_coordinates(surface.facets[t.facet], t.node);
+  return hat_node_local_coordinates(surface.facets[t.facet], t.node);
 }
 
 Vec2 mixed(const std::array<Vec2, 3>& at, const Eigen::Vector3d& share) {
@@ -115,7 +115,7 @@ bool SurfaceProjection::meet(std::size_t face, PairPoint& point) const {
 }
 
 void SurfaceProjection::see_target(const Frame& frame, std::size_t target,
-                                   ElementPairPoints& projection) const {
+                                   OppositePointsOfElement& projection) const {
   const std::array<Vec3, 3>& y = corner_[target];
   const std::array<double, 3> height{frame.height(y[0]), frame.height(y[1]), frame.height(y[2])};
   const auto [low, high] = std::ranges::minmax(height);
@@ -205,9 +205,9 @@ std::optional<PairPoint> SurfaceProjection::look_as_far(const Vec3& x, const Vec
   return found;
 }
 
-ElementPairPoints SurfaceProjection::project_triangle(const HatElement& triangle) const {
+OppositePointsOfElement SurfaceProjection::project_triangle(const HatElement& triangle) const {
   const Frame frame(contact_, triangle);
-  ElementPairPoints projection;
+  OppositePointsOfElement projection;
   projection.flat_area = 0.5 * frame.area2;
   for_hat_quadrature_points(frame.face, triangle.node, piece_degree,
                             [&](const Vec3& hat, const Vec2& r, double weight) {

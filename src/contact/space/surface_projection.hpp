@@ -22,14 +22,15 @@ public:
   /// What a triangle between nodes of a face of the contact surface sees: triangles of the target
   /// that look the other way, projected onto its plane and clipped; a degree 5 rule on each piece,
   /// its points on the curved faces; the target is met along the contact surface's normal.
-  [[nodiscard]] ElementPairPoints project_triangle(const HatElement& triangle) const;
+  [[nodiscard]] OppositePointsOfElement project_triangle(const HatElement& triangle) const;
   /// The target's nearest point on the line through x along the unit vector n, which leaves the
   /// contact surface; only target, s, gap, turn, x and normal are given.
   [[nodiscard]] std::optional<PairPoint> project_along_normal(const Vec3& x, const Vec3& n) const;
 
 private:
   struct Frame;
-  void see_target(const Frame& frame, std::size_t target, ElementPairPoints& projection) const;
+  void see_target(const Frame& frame, std::size_t target,
+                  OppositePointsOfElement& projection) const;
   [[nodiscard]] bool meet(std::size_t face, PairPoint& point) const;
   /// look(), no farther than `far` either way.
   [[nodiscard]] std::optional<PairPoint> look_as_far(const Vec3& x, const Vec3& n,

@@ -84,11 +84,12 @@ std::optional<std::vector<CoincidentFace>> match_coincident_faces(const FacetSur
   return twins;
 }
 
-ElementPairPoints project_onto_coincident_face(const FacetSurface& own, const CoincidentFace& twin,
-                                               const HatElement& triangle) {
+OppositePointsOfElement project_triangle_on_matching_face(const FacetSurface& own,
+                                                          const CoincidentFace& twin,
+                                                          const HatElement& triangle) {
   const geometry::ElementSide& face = own.facets[triangle.facet];
   const std::size_t corners = corner_count(face);
-  ElementPairPoints projection;
+  OppositePointsOfElement projection;
   for_hat_quadrature_points(face, triangle.node, twin_degree,
                             [&](const Vec3& hat, const Vec2& r, double weight) {
                               PairPoint point;

@@ -23,7 +23,8 @@ std::optional<std::vector<CoincidentFace>> match_coincident_faces(const FacetSur
                                                                   const FacetSurface& other);
 
 /// What a triangle sees of the twin of its face: all of it, without a gap, by a rule of degree 5.
-ElementPairPoints project_onto_coincident_face(const FacetSurface& own, const CoincidentFace& twin,
-                                               const HatElement& triangle);
+OppositePointsOfElement project_triangle_on_matching_face(const FacetSurface& own,
+                                                          const CoincidentFace& twin,
+                                                          const HatElement& triangle);
 
 } // namespace spricka::contact

@@ -52,7 +52,7 @@ TEST_P(BoundaryOfABox, TellsDistancesInAndOut) {
     u.segment<3>(n) = shift;
   }
   const geometry::BodyBoundary boundary =
-      make_body_boundary(model::Model(), mesh, mesh::boundary_faces(mesh), u);
+      make_displaced_body_boundary(model::Model(), mesh, mesh::boundary_faces(mesh), u);
   std::mt19937 engine(5);
   std::uniform_real_distribution<double> any(-2.6, 2.6);
   for (int i = 0; i < 400; ++i) {
@@ -82,7 +82,7 @@ TEST(SpaceBoundary, KnowsHowFarItsTrianglesLeaveACurve) {
     x = r > 0.0 ? Vec3(10.0 * r * x.normalized()) : x;
   }
   const geometry::BodyBoundary boundary =
-      make_body_boundary(model::Model(), mesh, mesh::boundary_faces(mesh), {});
+      make_displaced_body_boundary(model::Model(), mesh, mesh::boundary_faces(mesh), {});
   std::mt19937 engine(6);
   std::normal_distribution<double> any;
   for (int i = 0; i < 300; ++i) {

@@ -10,18 +10,19 @@ using Places = std::vector<std::vector<std::size_t>>;
 
 TEST(Stretch, ALineEndsWhatGoesRoundARing) {
   const std::vector<bool> marked{true, false, true, true, false, true};
-  EXPECT_EQ(contact::contiguous_ranges(contact::SequenceLinks::in_order(6, false), marked),
+  EXPECT_EQ(contact::contiguous_marked_ranges(contact::SequenceLinks::in_order(6, false), marked),
             (Places{{0}, {2, 3}, {5}}));
-  EXPECT_EQ(contact::contiguous_ranges(contact::SequenceLinks::in_order(6, true), marked),
+  EXPECT_EQ(contact::contiguous_marked_ranges(contact::SequenceLinks::in_order(6, true), marked),
             (Places{{2, 3}, {5, 0}}));
-  EXPECT_EQ(contact::contiguous_ranges(contact::SequenceLinks::in_order(6, true), marked, 4),
+  EXPECT_EQ(contact::contiguous_marked_ranges(contact::SequenceLinks::in_order(6, true), marked, 4),
             (Places{{5, 0}, {2, 3}}));
 }
 
 TEST(Stretch, ARingMarkedAllRoundBeginsNowhere) {
   const std::vector<bool> all(4, true);
-  EXPECT_TRUE(contact::contiguous_ranges(contact::SequenceLinks::in_order(4, true), all).empty());
-  EXPECT_EQ(contact::contiguous_ranges(contact::SequenceLinks::in_order(4, false), all),
+  EXPECT_TRUE(
+      contact::contiguous_marked_ranges(contact::SequenceLinks::in_order(4, true), all).empty());
+  EXPECT_EQ(contact::contiguous_marked_ranges(contact::SequenceLinks::in_order(4, false), all),
             (Places{{0, 1, 2, 3}}));
 }
 
@@ -32,7 +33,7 @@ TEST(Stretch, LinksGoWhereNumbersDoNot) {
     links.join(i, i + 1);
   }
   links.join(5, 0);
-  EXPECT_EQ(contact::contiguous_ranges(links, {true, true, false, false, true, true}),
+  EXPECT_EQ(contact::contiguous_marked_ranges(links, {true, true, false, false, true, true}),
             (Places{{4, 5, 0, 1}}));
 }
 

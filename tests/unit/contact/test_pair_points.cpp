@@ -37,11 +37,11 @@ Overlap overlap(ElementType type, bool swapped) {
 }
 
 // What all elements of the contact surface meet together.
-contact::ElementPairPoints projected(const contact::PairConstraints& pair) {
-  contact::ElementPairPoints all;
+contact::OppositePointsOfElement projected(const contact::PairConstraints& pair) {
+  contact::OppositePointsOfElement all;
   const contact::ElementProjector project = contact::make_target_projector(pair);
   for (const contact::HatElement& element : pair.contact.elements) {
-    const contact::ElementPairPoints one = project(element);
+    const contact::OppositePointsOfElement one = project(element);
     EXPECT_TRUE(one.trouble.empty()) << one.trouble;
     all.points.insert(all.points.end(), one.points.begin(), one.points.end());
     all.whole += one.whole;
@@ -55,7 +55,7 @@ class PairPoints : public testing::TestWithParam<ElementType> {};
 TEST_P(PairPoints, WeightsSumToTheAreaOfTheOverlap) {
   for (const bool swapped : {false, true}) {
     const Overlap blocks = overlap(GetParam(), swapped);
-    const contact::ElementPairPoints all = projected(blocks.pair);
+    const contact::OppositePointsOfElement all = projected(blocks.pair);
     ASSERT_FALSE(all.points.empty());
     double paired = 0.0;
     for (const contact::PairPoint& p : all.points) {
@@ -172,7 +172,7 @@ TEST(MakeRows, APointPushesBothSidesAtItsPlace) {
   p.gap = -0.1;
   contact::fill_mortar_rows(pair,
                             [&](const contact::HatElement& element) {
-                              contact::ElementPairPoints met;
+                              contact::OppositePointsOfElement met;
                               if (element.node[0] == 2) { // the half behind the mid node
                                 met.points = {p};
                                 met.whole = p.weight * p.hat;
@@ -215,7 +215,7 @@ TEST(MakeRows, SliversJoinTheirNeighbours) {
   contact::fill_mortar_rows(
       pair,
       [&](const contact::HatElement& element) {
-        contact::ElementPairPoints met;
+        contact::OppositePointsOfElement met;
         met.whole = {1.0, 1.0, 0.0};
         const bool first = element.facet == 0;
         for (const double r : first ? std::vector{-0.5, 0.5} : std::vector{-0.9}) {

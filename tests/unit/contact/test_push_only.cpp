@@ -168,7 +168,8 @@ TEST(PlaneBoundary, TellsInsideFromOutsideByTheNearestPlace) {
       ring.push_back(face);
     }
   }
-  const geometry::BodyBoundary outline = contact::make_body_boundary(model, model.mesh, ring, {});
+  const geometry::BodyBoundary outline =
+      contact::make_displaced_body_boundary(model, model.mesh, ring, {});
   for (double theta = 0.05; theta < 6.2; theta += 0.37) {
     for (const double r : {0.7, 0.95, 1.05, 1.4, 1.6, 1.95, 2.05, 2.4}) {
       const double wanted = std::max(1.0 - r, r - 2.0); // negative between the circles

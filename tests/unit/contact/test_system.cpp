@@ -93,18 +93,19 @@ TEST(ContactSystem, LastingRowsChangeNoBit) {
   const contact::PersistentRowSet lasting{{true, false, true, true}, {&kept}};
   const contact::ContactSystem made({&body}, all, 2, 8, {}, lasting);
   EXPECT_EQ(kept.rows.size(), 3U);
-  EXPECT_LT((made.row_compliance() - plain.row_compliance()).norm(),
-            1e-13 * plain.row_compliance().norm());
+  EXPECT_LT((made.row_compliance_matrix() - plain.row_compliance_matrix()).norm(),
+            1e-13 * plain.row_compliance_matrix().norm());
   rows[1].entries[0].weight.x() = 0.5; // what does not last may change
   const contact::ContactSystem taken({&body}, all, 2, 8, {}, lasting);
   contact::PersistentRowCompliance none;
   const contact::ContactSystem anew({&body}, all, 2, 8, {}, {{true, false, true, true}, {&none}});
-  EXPECT_EQ((taken.row_compliance() - anew.row_compliance()).cwiseAbs().maxCoeff(), 0.0);
+  EXPECT_EQ((taken.row_compliance_matrix() - anew.row_compliance_matrix()).cwiseAbs().maxCoeff(),
+            0.0);
   rows[0].entries[0].weight.x() = 0.25; // a row that was to last did not
   const contact::ContactSystem other({&body}, all, 2, 8, {}, lasting);
   const contact::ContactSystem other_plain({&body}, all, 2, 8);
-  EXPECT_LT((other.row_compliance() - other_plain.row_compliance()).norm(),
-            1e-13 * other_plain.row_compliance().norm());
+  EXPECT_LT((other.row_compliance_matrix() - other_plain.row_compliance_matrix()).norm(),
+            1e-13 * other_plain.row_compliance_matrix().norm());
 }
 
 // A body that comes as a factor: rows on its early rows last although the body does not.
@@ -145,11 +146,13 @@ TEST(ContactSystem, RowsOnEarlyRowsLastFromBodyToBody) {
     const contact::ContactSystem kept_rows({&body}, all, 2, 8, {},
                                            {{true, true, true, false}, {&kept}});
     EXPECT_EQ(kept.rows.size(), 2U); // row 2 would last, but its freedoms are not early
-    EXPECT_LT((kept_rows.row_compliance() - plain.row_compliance()).norm(),
-              1e-11 * plain.row_compliance().norm());
+    EXPECT_LT((kept_rows.row_compliance_matrix() - plain.row_compliance_matrix()).norm(),
+              1e-11 * plain.row_compliance_matrix().norm());
     contact::PersistentRowCompliance none;
     const contact::ContactSystem anew({&body}, all, 2, 8, {}, {{true, true, true, false}, {&none}});
-    EXPECT_EQ((kept_rows.row_compliance() - anew.row_compliance()).cwiseAbs().maxCoeff(), 0.0);
+    EXPECT_EQ(
+        (kept_rows.row_compliance_matrix() - anew.row_compliance_matrix()).cwiseAbs().maxCoeff(),
+        0.0);
     const base::Matrix F = base::Matrix::NullaryExpr(8, 2, [&] { return value(random); });
     const base::Matrix u = plain_body.displacements_under_forces(F);
     EXPECT_LT((body.displacements_under_forces(F) - u).norm(), 1e-11 * u.norm());
