@@ -52,7 +52,7 @@ MeasuredGrowthRates secants(std::span<const CrackReading> readings) {
   MeasuredGrowthRates found;
   found.scatter = scatter_of(readings);
   // So many degrees of freedom that the quantile is that of the normal distribution (life.15).
-  const double both_ends = std::sqrt(2.0) * found.scatter * student_quantile(1e9);
+  const double both_ends = std::sqrt(2.0) * found.scatter * two_sided_student_quantile_95(1e9);
   for (std::size_t i = 1; i < readings.size(); ++i) {
     const CrackReading& before = readings[i - 1];
     const CrackReading& now = readings[i];
@@ -103,7 +103,7 @@ MeasuredGrowthRates polynomials(std::span<const CrackReading> readings, std::siz
                                 bool logarithmic) {
   MeasuredGrowthRates found;
   const double freedoms = static_cast<double>(window) - 3.0;
-  const double quantile = student_quantile(freedoms);
+  const double quantile = two_sided_student_quantile_95(freedoms);
   double square = 0.0;
   for (std::size_t i = 0; i + window <= readings.size(); ++i) {
     const std::span<const CrackReading> part = readings.subspan(i, window);
@@ -134,7 +134,8 @@ MeasuredGrowthRates splines(std::span<const CrackReading> readings) {
   MeasuredGrowthRates found;
   found.scatter = curve.deviation;
   found.freedoms = curve.freedoms;
-  const double quantile = student_quantile(static_cast<double>(x.size()) - curve.freedoms);
+  const double quantile =
+      two_sided_student_quantile_95(static_cast<double>(x.size()) - curve.freedoms);
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double a = std::exp(curve.value[i]);
     found.points.push_back({.cycles = x[i],

@@ -151,7 +151,7 @@ SmoothedCurve smoothing_spline(const std::vector<double>& x, const std::vector<d
   return curve;
 }
 
-double student_quantile(double freedoms) {
+double two_sided_student_quantile_95(double freedoms) {
   return gsl_cdf_tdist_Pinv(0.975, freedoms);
 }
 

@@ -20,6 +20,6 @@ SmoothedCurve smoothing_spline(const std::vector<double>& x, const std::vector<d
                                const std::vector<double>& weight);
 
 /// What 95 % of Student's t lie within, for that many degrees of freedom > 0.
-double student_quantile(double freedoms);
+double two_sided_student_quantile_95(double freedoms);
 
 } // namespace spricka::life

@@ -105,7 +105,7 @@ CountedSpectrum::CountedSpectrum(const std::vector<LoadCycle>& counted) {
     cycles_.push_back({.low = level[2 * i], .high = level[2 * i + 1], .count = counted[i].count});
   }
   // By count as well: the sums of equal cycles then have the same bits in whatever order they came.
-  std::sort(cycles_.begin(), cycles_.end(), [](const IndexedCycle& a, const IndexedCycle& b) {
+  std::sort(cycles_.begin(), cycles_.end(), [](const LoadLevelCycle& a, const LoadLevelCycle& b) {
     return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.count < b.count;
   });
   std::size_t kept = 0;
@@ -147,7 +147,7 @@ CountedSpectrum CountedSpectrum::from_sequence(std::vector<double> history, bool
 
 double CountedSpectrum::count() const {
   double sum = 0.0;
-  for (const IndexedCycle& cycle : cycles_) {
+  for (const LoadLevelCycle& cycle : cycles_) {
     sum += cycle.count;
   }
   return sum;
@@ -156,7 +156,7 @@ double CountedSpectrum::count() const {
 std::vector<LoadCycle> CountedSpectrum::cycles() const {
   std::vector<LoadCycle> all;
   all.reserve(cycles_.size());
-  for (const IndexedCycle& cycle : cycles_) {
+  for (const LoadLevelCycle& cycle : cycles_) {
     all.push_back({.low = levels_[cycle.low], .high = levels_[cycle.high], .count = cycle.count});
   }
   return all;
@@ -196,7 +196,7 @@ std::vector<LoadCycle> CountedSpectrum::cycles_of_K(const base::PiecewiseLinear&
     return rainflow(way(history_), repeated_);
   }
   std::vector<LoadCycle> all;
-  for (const IndexedCycle& cycle : cycles_) {
+  for (const LoadLevelCycle& cycle : cycles_) {
     const double low = levels_[cycle.low];
     const double high = levels_[cycle.high];
     // A block cycle is a closed way: up through the turns of K and down again.
@@ -221,7 +221,7 @@ double CountedSpectrum::growth_per_pass(const GrowthRateLaw& law,
     return sum;
   }
   const std::vector<double> K = values_at(K1, levels_);
-  for (const IndexedCycle& cycle : cycles_) {
+  for (const LoadLevelCycle& cycle : cycles_) {
     // K may fall while the load rises.
     const auto [low, high] = std::minmax(K[cycle.low], K[cycle.high]);
     sum += cycle.count * law.growth_rate(high, low);

@@ -38,7 +38,7 @@ public:
   [[nodiscard]] std::vector<LoadCycle> cycles() const;
 
 private:
-  struct IndexedCycle {
+  struct LoadLevelCycle {
     std::uint32_t low, high; ///< levels
     double count;
   };
@@ -47,7 +47,7 @@ private:
   [[nodiscard]] std::vector<LoadCycle> cycles_of_K(const base::PiecewiseLinear& K1) const;
 
   std::vector<double> levels_; ///< different loads, ascending
-  std::vector<IndexedCycle> cycles_;
+  std::vector<LoadLevelCycle> cycles_;
   std::vector<double> history_; ///< of a sequence: its turning points
   bool repeated_ = true;
 };

@@ -184,9 +184,9 @@ TEST(Smoothing, KeepsAStraightLine) {
 }
 
 TEST(Smoothing, StudentsQuantiles) { // tables of the t distribution, two-sided 95 %
-  EXPECT_NEAR(student_quantile(4.0), 2.7764451, 1e-6);
-  EXPECT_NEAR(student_quantile(30.0), 2.0422725, 1e-6);
-  EXPECT_NEAR(student_quantile(1e9), 1.9599640, 1e-6);
+  EXPECT_NEAR(two_sided_student_quantile_95(4.0), 2.7764451, 1e-6);
+  EXPECT_NEAR(two_sided_student_quantile_95(30.0), 2.0422725, 1e-6);
+  EXPECT_NEAR(two_sided_student_quantile_95(1e9), 1.9599640, 1e-6);
 }
 
 } // namespace
