@@ -31,7 +31,8 @@ double interval_cycle_error(const std::vector<SolvedStation>& all, const GrowthR
   return std::abs(fine - coarse) / std::max(fine, small_part * before);
 }
 
-double turn_error(const std::vector<SolvedStation>& all, const std::vector<double>& advance) {
+double excess_turn_angle(const std::vector<SolvedStation>& all,
+                         const std::vector<double>& advance) {
   double most = 0.0;
   for (std::size_t tip = 0; all.size() > 1 && tip < advance.size(); ++tip) {
     if (advance[tip] <= 0.0) {
@@ -56,8 +57,8 @@ double deferred_cycle_error(const SolvedStation& here) {
   return most;
 }
 
-void defer_advance(const CrackKinematics& kinematics, const std::vector<double>& advance,
-                   std::vector<SolvedStation>& all) {
+void defer_advance_correction(const CrackKinematics& kinematics, const std::vector<double>& advance,
+                              std::vector<SolvedStation>& all) {
   const std::size_t n = all.size();
   if (n < 2 || advance.size() < 2 || !(all.back().growth_rate() > 0.0) ||
       !std::isfinite(all.back().growth_rate())) {
@@ -86,8 +87,8 @@ void defer_advance(const CrackKinematics& kinematics, const std::vector<double>&
   }
 }
 
-double growth_cycle_error(const std::vector<SolvedStation>& all, const GrowthRateFunction& law,
-                          const std::optional<GrowthEvent>& end) {
+double total_cycle_error(const std::vector<SolvedStation>& all, const GrowthRateFunction& law,
+                         const std::optional<GrowthEvent>& end) {
   const std::size_t points = std::min<std::size_t>(all.size(), 4);
   if (points < 3) {
     return all.size() == 1 ? 0.0 : std::numeric_limits<double>::quiet_NaN();

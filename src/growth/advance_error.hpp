@@ -16,7 +16,7 @@ namespace spricka::growth {
 double interval_cycle_error(const std::vector<SolvedStation>& all, const GrowthRateFunction& law);
 
 /// What the heading turned more than the advance [tip] was bent for [rad]; 0 at the first station.
-double turn_error(const std::vector<SolvedStation>& all, const std::vector<double>& advance);
+double excess_turn_angle(const std::vector<SolvedStation>& all, const std::vector<double>& advance);
 
 /// The deferred advance of a station, as a part of the cycles.
 double deferred_cycle_error(const SolvedStation& here);
@@ -24,12 +24,12 @@ double deferred_cycle_error(const SolvedStation& here);
 /// What the rates, the new ones too, make of the last advance [tip]: the integral of the shares by
 /// the parabola through three stations, or by the trapezoidal rule. What that differs by is
 /// deferred: the next advance makes up for it.
-void defer_advance(const CrackKinematics& kinematics, const std::vector<double>& advance,
-                   std::vector<SolvedStation>& all);
+void defer_advance_correction(const CrackKinematics& kinematics, const std::vector<double>& advance,
+                              std::vector<SolvedStation>& all);
 
 /// Estimated error of the cycles up to the end, or to the last station without one, as a part of
 /// them; not a number with two stations.
-double growth_cycle_error(const std::vector<SolvedStation>& all, const GrowthRateFunction& law,
-                          const std::optional<GrowthEvent>& end);
+double total_cycle_error(const std::vector<SolvedStation>& all, const GrowthRateFunction& law,
+                         const std::optional<GrowthEvent>& end);
 
 } // namespace spricka::growth

@@ -51,7 +51,7 @@ public:
   /// Whether the way on follows from K.
   [[nodiscard]] virtual bool can_kink() const = 0;
   /// What headings scatter by from mesh to mesh [rad]: no advance is too long for that.
-  [[nodiscard]] virtual double heading_scatter() const { return 0.0; }
+  [[nodiscard]] virtual double heading_mesh_scatter() const { return 0.0; }
   /// Goes on from the last station of an earlier run. Throws base::CorruptStoredField where its
   /// cracks are not those of the deck.
   virtual void resume_from(const GrowthState& state) = 0;
@@ -60,8 +60,8 @@ public:
   /// The arm of a tip before anything has grown [length].
   [[nodiscard]] virtual double initial_tip_extent(std::size_t tip) const = 0;
   /// What a tip can grow from the last station on, at most [length].
-  [[nodiscard]] virtual double remaining_ligament(const GrowthState& state,
-                                                  std::size_t tip) const = 0;
+  [[nodiscard]] virtual double remaining_growth_length(const GrowthState& state,
+                                                       std::size_t tip) const = 0;
   /// How far all may go (`ds` at most) for the sake of a tip that takes `share` of it.
   [[nodiscard]] virtual AdvanceLimit advance_limit(const GrowthState& state, std::size_t tip,
                                                    double share, double ds) const = 0;
@@ -77,7 +77,7 @@ public:
   /// The cracks after an advance [tip] from the last station, then the state on trial; empty, with
   /// errors: there are none.
   virtual std::optional<CrackGeometry> advance_cracks(const GrowthState& state,
-                                                      const TrialAdvance& advance,
+                                                      const AdvanceToNextStation& advance,
                                                       base::Diagnostics& diagnostics) = 0;
   /// What K at its places means for the tips of the state on trial: where they stand and head to
   /// (in the plane), how their arms grow with the rates found (TipStation::extent_rate_ratio).
@@ -86,8 +86,8 @@ public:
   virtual void accept_trial(GrowthState& state) = 0;
   /// The advance asked for last, a `passage` or not, cannot be made, however short (a passage:
   /// however long); `why`. Empty: to be asked again, there is another way.
-  [[nodiscard]] virtual std::optional<GrowthEvent> reject_advance(bool passage,
-                                                                  const std::string& why) = 0;
+  [[nodiscard]] virtual std::optional<GrowthEvent>
+  handle_unmeshable_advance(bool passage, const std::string& why) = 0;
   /// Cracks straight on from the last station by so much at each tip, for a look ahead; in space
   /// none, as nothing looks ahead there.
   [[nodiscard]] virtual CrackGeometry extend_cracks_straight(const GrowthState& /*state*/,

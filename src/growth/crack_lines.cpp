@@ -118,7 +118,7 @@ struct CrackLineBuilder {
   }
 
   std::optional<mesh::CrackLine> free_line(const model::CrackDefinition& crack,
-                                           mesh::CrackLine line, const TipLengths& arms) {
+                                           mesh::CrackLine line, const CrackLengthsByTip& arms) {
     const double a = arms.last;
     line.net = crack.net;
     line.points = crack.points;
@@ -179,7 +179,7 @@ struct CrackLineBuilder {
                                  : 0.0);
   }
 
-  std::optional<mesh::CrackLine> line(std::size_t number, TipLengths arms) {
+  std::optional<mesh::CrackLine> line(std::size_t number, CrackLengthsByTip arms) {
     const model::CrackDefinition& crack = model.cracks[number];
     // A crack that does not grow, and one without a length of its own here, has its first length.
     if (!is_growing_crack(model, number) || arms.last <= 0.0) {
@@ -218,14 +218,14 @@ struct CrackLineBuilder {
 
 } // namespace
 
-std::vector<double> growth_loop_lengths(const model::Model& model) {
+std::vector<double> growth_loop_crack_lengths(const model::Model& model) {
   if (model.growth && !model.growth->lengths.empty() && !model.cracks.empty()) {
     return model.growth->lengths;
   }
   return {0.0};
 }
 
-std::vector<model::CrackDefinition> scale_solid_cracks(const model::Model& model, double a) {
+std::vector<model::CrackDefinition> resize_solid_cracks(const model::Model& model, double a) {
   std::vector<model::CrackDefinition> cracks = model.cracks;
   for (std::size_t i = 0; i < cracks.size(); ++i) {
     model::PlanarCrack& plane = cracks[i].plane;
@@ -248,12 +248,13 @@ bool is_growing_crack(const model::Model& model, std::size_t crack) {
 
 std::optional<std::vector<mesh::CrackLine>> crack_lines(const model::Model& model, double a,
                                                         base::Diagnostics& diagnostics) {
-  return crack_lines(model, std::vector<TipLengths>(model.cracks.size(), TipLengths{a, a, true}),
-                     diagnostics);
+  return crack_lines(
+      model, std::vector<CrackLengthsByTip>(model.cracks.size(), CrackLengthsByTip{a, a, true}),
+      diagnostics);
 }
 
 std::optional<std::vector<mesh::CrackLine>> crack_lines(const model::Model& model,
-                                                        const std::vector<TipLengths>& arms,
+                                                        const std::vector<CrackLengthsByTip>& arms,
                                                         base::Diagnostics& diagnostics) {
   std::vector<mesh::CrackLine> lines;
   if (std::ranges::none_of(model.cracks, &model::CrackDefinition::is_line)) {

@@ -29,7 +29,7 @@ struct EllipseSpan {
 
 /// An arm of the ellipse that two have become, and the tip that moves it.
 struct JointArm {
-  GrownTip arm;
+  PartMovedByTip arm;
   std::size_t mover = 0;
 };
 
@@ -38,11 +38,12 @@ std::size_t side(double sign) {
 }
 
 // The arm as one of an ellipse with parallel axes.
-GrownTip seen_from(const PlanarCrack& plane, const GrownTip& arm, const PlanarCrack& own) {
+PartMovedByTip seen_from(const PlanarCrack& plane, const PartMovedByTip& arm,
+                         const PlanarCrack& own) {
   const Vec3 way = arm.sign * (arm.on_a ? own.transverse_axis() : own.along);
   const double along = way.dot(plane.along);
   const double across = way.dot(plane.transverse_axis());
-  GrownTip seen = arm;
+  PartMovedByTip seen = arm;
   seen.on_a = std::abs(across) > std::abs(along);
   seen.sign = (seen.on_a ? across : along) > 0.0 ? 1.0 : -1.0;
   return seen;
@@ -73,9 +74,9 @@ public:
   }
 
   // Arms of both become those of the first; where two tips stand for one the farther moves it.
-  [[nodiscard]] std::vector<GrownTip> arms() const {
+  [[nodiscard]] std::vector<PartMovedByTip> arms() const {
     const std::vector<JointArm> joint = joint_arms();
-    std::vector<GrownTip> arms = all_.arms;
+    std::vector<PartMovedByTip> arms = all_.arms;
     for (std::size_t tip = 0; tip < arms.size(); ++tip) {
       if (is_ours(arms[tip])) {
         const JointArm& stands_for = nearest(joint, seen(tip));
@@ -87,13 +88,13 @@ public:
   }
 
 private:
-  [[nodiscard]] bool is_ours(const GrownTip& arm) const {
+  [[nodiscard]] bool is_ours(const PartMovedByTip& arm) const {
     return arm.crack == one_ || arm.crack == other_;
   }
-  [[nodiscard]] const PlanarCrack& plane_of(const GrownTip& arm) const {
+  [[nodiscard]] const PlanarCrack& plane_of(const PartMovedByTip& arm) const {
     return all_.cracks[arm.crack].plane;
   }
-  [[nodiscard]] GrownTip seen(std::size_t tip) const {
+  [[nodiscard]] PartMovedByTip seen(std::size_t tip) const {
     return seen_from(first_, all_.arms[tip], plane_of(all_.arms[tip]));
   }
   [[nodiscard]] Vec3 axis(bool on_a) const {
@@ -139,7 +140,7 @@ private:
   // How far a tip lies out along its arm, from the first one's centre.
   [[nodiscard]] double reach(std::size_t tip) const {
     const PlanarCrack& own = plane_of(all_.arms[tip]);
-    const GrownTip arm = seen(tip);
+    const PartMovedByTip arm = seen(tip);
     return arm.sign * (own.place - first_.place).dot(axis(arm.on_a)) +
            (all_.arms[tip].on_a ? own.a : own.c);
   }
@@ -150,11 +151,11 @@ private:
       const std::optional<EllipseSpan> span = span_of_both(on_a);
       for (const double sign : {1.0, -1.0}) {
         if (span && span->arms.at(side(sign))) {
-          joint.push_back({GrownTip{.crack = one_,
-                                    .on_a = on_a,
-                                    .sign = sign,
-                                    .paired = span->paired(),
-                                    .shared = false},
+          joint.push_back({PartMovedByTip{.crack = one_,
+                                          .on_a = on_a,
+                                          .sign = sign,
+                                          .paired = span->paired(),
+                                          .shared = false},
                            farthest(on_a, sign)});
         }
       }
@@ -175,7 +176,7 @@ private:
 
   // The same end, or the other end of the axis, or another axis: an end that was between the two is
   // none any more.
-  static const JointArm& nearest(const std::vector<JointArm>& joint, const GrownTip& arm) {
+  static const JointArm& nearest(const std::vector<JointArm>& joint, const PartMovedByTip& arm) {
     const auto agreement = [&](const JointArm& with) {
       return (with.arm.on_a == arm.on_a ? 2 : 0) + (with.arm.sign == arm.sign ? 1 : 0);
     };
@@ -190,8 +191,8 @@ private:
 
 } // namespace
 
-std::size_t EllipticalFront::mover_of(const std::vector<GrownTip>& arms, std::size_t tip) {
-  const auto found = std::ranges::find_if(arms, [&](const GrownTip& arm) {
+std::size_t EllipticalFront::mover_of(const std::vector<PartMovedByTip>& arms, std::size_t tip) {
+  const auto found = std::ranges::find_if(arms, [&](const PartMovedByTip& arm) {
     return !arm.shared && arm.crack == arms[tip].crack && arm.on_a == arms[tip].on_a &&
            arm.sign == arms[tip].sign;
   });
@@ -201,7 +202,7 @@ std::size_t EllipticalFront::mover_of(const std::vector<GrownTip>& arms, std::si
 std::optional<EllipticalFront::Ellipses> EllipticalFront::joined(Ellipses from, std::size_t one,
                                                                  std::size_t other) const {
   const bool both_grow =
-      std::ranges::any_of(from.arms, [&](const GrownTip& arm) { return arm.crack == other; });
+      std::ranges::any_of(from.arms, [&](const PartMovedByTip& arm) { return arm.crack == other; });
   if (!both_grow || !may_join(from.cracks[one], from.cracks[other]) ||
       !are_parallel(from.cracks[one].plane, from.cracks[other].plane)) {
     return std::nullopt;
@@ -211,7 +212,7 @@ std::optional<EllipticalFront::Ellipses> EllipticalFront::joined(Ellipses from, 
   if (!plane) {
     return std::nullopt;
   }
-  std::vector<GrownTip> arms = meeting.arms();
+  std::vector<PartMovedByTip> arms = meeting.arms();
   from.arms = std::move(arms);
   from.cracks[one].plane = *plane;
   mark_merged(from.cracks[other]);
@@ -232,7 +233,7 @@ void EllipticalFront::resume_from(const GrowthState& state) {
   restore_cracks(state, now_.cracks);
   now_.arms = state.tips;
   for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
-    const GrownTip& arm = now_.arms[tip];
+    const PartMovedByTip& arm = now_.arms[tip];
     const PlanarCrack& plane = now_.cracks[arm.crack].plane;
     if (!(plane.a > 0.0 && plane.c > 0.0)) {
       throw base::CorruptStoredField("crack.a", "an ellipse without axes");

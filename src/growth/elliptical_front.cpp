@@ -77,9 +77,9 @@ double angle_inside(const SolidBodyQuery& around, const model::CrackDefinition& 
 // The parametric angle at which K of an arm is taken. An end whose other axis has one arm lies on
 // the surface that the centre lies on.
 double aim_of(const SolidBodyQuery& around, const EllipticalFront::Ellipses& ellipses,
-              const GrownTip& arm) {
+              const PartMovedByTip& arm) {
   const double end = end_angle(arm.on_a, arm.sign);
-  for (const GrownTip& other : ellipses.arms) {
+  for (const PartMovedByTip& other : ellipses.arms) {
     if (other.crack == arm.crack && other.on_a != arm.on_a && !other.paired) {
       const double turn = std::sin(end_angle(other.on_a, other.sign) - end);
       const double sign = std::copysign(1.0, turn);
@@ -93,7 +93,7 @@ double aim_of(const SolidBodyQuery& around, const EllipticalFront::Ellipses& ell
 CrackGeometry geometry_of(const SolidBodyQuery& around, const EllipticalFront::Ellipses& ellipses) {
   const std::vector<model::CrackDefinition>& cracks = ellipses.cracks;
   CrackGeometry state{.lines = {}, .solids = cracks};
-  for (const GrownTip& arm : ellipses.arms) {
+  for (const PartMovedByTip& arm : ellipses.arms) {
     state.aims.push_back(cracks[arm.crack].plane.ellipse_point(aim_of(around, ellipses, arm)));
     state.fronts.push_back(arm.crack);
   }
@@ -101,7 +101,7 @@ CrackGeometry geometry_of(const SolidBodyQuery& around, const EllipticalFront::E
 }
 
 // How far the front moves outwards at x for a unit of an arm.
-double moved_by(const GrownTip& arm, const model::CrackDefinition& crack, const Vec3& x) {
+double moved_by(const PartMovedByTip& arm, const model::CrackDefinition& crack, const Vec3& x) {
   const double phi = angle_at(crack, x);
   const Vec3 along = arm.on_a ? crack.plane.transverse_axis() : crack.plane.along;
   const double by_axis = arm.on_a ? std::sin(phi) : std::cos(phi);
@@ -170,8 +170,8 @@ double EllipticalFront::longest_advance(std::size_t /*tip*/) const {
   return std::numeric_limits<double>::infinity();
 }
 
-std::optional<SurfaceLigament> EllipticalFront::ligament(std::size_t tip) const {
-  const GrownTip& arm = now_.arms[tip];
+std::optional<LigamentDepths> EllipticalFront::ligament(std::size_t tip) const {
+  const PartMovedByTip& arm = now_.arms[tip];
   const model::CrackDefinition& crack = now_.cracks[arm.crack];
   const double end = end_angle(arm.on_a, arm.sign);
   const auto in_body = [&](double phi) {
@@ -193,7 +193,7 @@ std::optional<SurfaceLigament> EllipticalFront::ligament(std::size_t tip) const 
   if (!left) {
     return std::nullopt;
   }
-  return SurfaceLigament{.behind = behind(tip), .left = left->distance};
+  return LigamentDepths{.behind = behind(tip), .left = left->distance};
 }
 
 namespace {
@@ -226,7 +226,7 @@ std::vector<bool> places_reached(const model::CrackDefinition& crack, const Soli
 
 } // namespace
 
-std::optional<SurfaceLigament> EllipticalFront::left_in_corner(std::size_t tip) const {
+std::optional<LigamentDepths> EllipticalFront::left_in_corner(std::size_t tip) const {
   constexpr int places = 3600; // what is left may be small
   const std::size_t number = now_.arms[tip].crack;
   for (std::size_t other = 0; other < now_.arms.size(); ++other) {
@@ -236,7 +236,7 @@ std::optional<SurfaceLigament> EllipticalFront::left_in_corner(std::size_t tip) 
   }
   const model::CrackDefinition& crack = now_.cracks[number];
   const std::vector<bool> reached = places_reached(crack, around_, places);
-  SurfaceLigament longest{.behind = behind(tip), .left = 0.0};
+  LigamentDepths longest{.behind = behind(tip), .left = 0.0};
   for (int k = 0; k < places; ++k) {
     const double phi = 2.0 * std::numbers::pi * k / places;
     const Vec3 x = crack.plane.ellipse_point(phi);
@@ -244,14 +244,14 @@ std::optional<SurfaceLigament> EllipticalFront::left_in_corner(std::size_t tip) 
                           ? around_.surface_ahead(x, outwards(crack, phi), crack.net)
                           : std::nullopt;
     if (left && left->distance > longest.left) {
-      longest = SurfaceLigament{.behind = (x - crack.plane.place).norm(), .left = left->distance};
+      longest = LigamentDepths{.behind = (x - crack.plane.place).norm(), .left = left->distance};
     }
   }
   return longest;
 }
 
-bool EllipticalFront::goes_on_behind(std::size_t tip, const SurfaceLigament& before) const {
-  const GrownTip& arm = now_.arms[tip];
+bool EllipticalFront::goes_on_behind(std::size_t tip, const LigamentDepths& before) const {
+  const PartMovedByTip& arm = now_.arms[tip];
   model::CrackDefinition crack = now_.cracks[arm.crack];
   (arm.on_a ? crack.plane.a : crack.plane.c) =
       passage_policy.axis_behind * (before.behind + before.left);
@@ -260,7 +260,7 @@ bool EllipticalFront::goes_on_behind(std::size_t tip, const SurfaceLigament& bef
 }
 
 std::optional<FrontKinematics::NeighbourCrack> EllipticalFront::neighbour(std::size_t tip) const {
-  const GrownTip& arm = now_.arms[tip];
+  const PartMovedByTip& arm = now_.arms[tip];
   const model::CrackDefinition& own = now_.cracks[arm.crack];
   const Vec3 end = own.plane.ellipse_point(end_angle(arm.on_a, arm.sign));
   double nearest = std::numeric_limits<double>::infinity();
@@ -291,18 +291,18 @@ std::optional<FrontKinematics::NeighbourCrack> EllipticalFront::neighbour(std::s
 }
 
 std::optional<CrackGeometry> EllipticalFront::advance_cracks(const GrowthState& /*state*/,
-                                                             const TrialAdvance& advance,
+                                                             const AdvanceToNextStation& advance,
                                                              base::Diagnostics& diagnostics) {
   trial_ = now_;
   for (std::size_t tip = 0; tip < now_.arms.size(); ++tip) {
-    const GrownTip& arm = now_.arms[tip];
+    const PartMovedByTip& arm = now_.arms[tip];
     if (arm.shared) {
       continue;
     }
     model::PlanarCrack& plane = trial_.cracks[arm.crack].plane;
     double by = advance.by[tip];
     if (advance.passage) {
-      const std::optional<SurfaceLigament> before = ligament(tip);
+      const std::optional<LigamentDepths> before = ligament(tip);
       if (before && by >= before->left * (1.0 - 1e-9)) {
         by = passage_policy.axis_behind * advance.lengthening * (before->behind + before->left) -
              before->behind;
@@ -332,7 +332,7 @@ std::optional<CrackGeometry> EllipticalFront::advance_cracks(const GrowthState& 
 }
 
 void EllipticalFront::evaluate_trial_tips(std::vector<TipStation>& found) const {
-  const std::vector<GrownTip>& arms = trial_.arms;
+  const std::vector<PartMovedByTip>& arms = trial_.arms;
   for (std::size_t c = 0; c < trial_.cracks.size(); ++c) {
     std::vector<std::size_t> own;
     for (std::size_t tip = 0; tip < arms.size(); ++tip) {

@@ -22,7 +22,8 @@ public:
   [[nodiscard]] CrackGeometry current_cracks() override;
   /// The ellipses with longer axes: an arm whose opposite end lies in the body too shifts the
   /// centre by half. Empty, with an error, where no ellipse is about two that meet.
-  std::optional<CrackGeometry> advance_cracks(const GrowthState& state, const TrialAdvance& advance,
+  std::optional<CrackGeometry> advance_cracks(const GrowthState& state,
+                                              const AdvanceToNextStation& advance,
                                               base::Diagnostics& diagnostics) override;
   /// Turns the rates at the places of K into rates of the axes' ends, by how each end moves each
   /// place.
@@ -32,13 +33,13 @@ public:
 
   struct Ellipses {
     std::vector<model::CrackDefinition> cracks;
-    std::vector<GrownTip> arms; ///< [tip]
+    std::vector<PartMovedByTip> arms; ///< [tip]
   };
 
 private:
-  [[nodiscard]] std::optional<SurfaceLigament> ligament(std::size_t tip) const override;
-  [[nodiscard]] std::optional<SurfaceLigament> left_in_corner(std::size_t tip) const override;
-  [[nodiscard]] bool goes_on_behind(std::size_t tip, const SurfaceLigament& before) const override;
+  [[nodiscard]] std::optional<LigamentDepths> ligament(std::size_t tip) const override;
+  [[nodiscard]] std::optional<LigamentDepths> left_in_corner(std::size_t tip) const override;
+  [[nodiscard]] bool goes_on_behind(std::size_t tip, const LigamentDepths& before) const override;
   [[nodiscard]] std::optional<NeighbourCrack> neighbour(std::size_t tip) const override;
   [[nodiscard]] bool joins(std::size_t tip, const NeighbourCrack& other) const override;
   [[nodiscard]] double behind(std::size_t tip) const override;
@@ -47,7 +48,7 @@ private:
   void find_tips();
   /// The tip that moves the arm of another one: its own, or behind a meeting that of the crack
   /// which the two have become.
-  static std::size_t mover_of(const std::vector<GrownTip>& arms, std::size_t tip);
+  static std::size_t mover_of(const std::vector<PartMovedByTip>& arms, std::size_t tip);
   /// One ellipse in the place of two, under the name of the first; empty: there is none.
   [[nodiscard]] std::optional<Ellipses> joined(Ellipses from, std::size_t one,
                                                std::size_t other) const;

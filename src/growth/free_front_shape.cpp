@@ -26,7 +26,7 @@ constexpr double scatter_of_K = 0.015;
 constexpr double scatter_of_K2 = 0.04;
 
 // [front][point] The tips of a crack's fronts in the order along them.
-std::vector<std::vector<std::size_t>> tips_along(const std::vector<GrownTip>& tips,
+std::vector<std::vector<std::size_t>> tips_along(const std::vector<PartMovedByTip>& tips,
                                                  std::size_t crack) {
   std::vector<std::vector<std::size_t>> fronts;
   for (std::size_t tip = 0; tip < tips.size(); ++tip) {
@@ -47,8 +47,8 @@ std::vector<std::vector<std::size_t>> tips_along(const std::vector<GrownTip>& ti
 }
 
 // [tip] The same the other way: on which front of its crack each of so many tips is.
-std::vector<GrownTip> places_of_tips(const MovingFronts& now, std::size_t count) {
-  std::vector<GrownTip> places(count);
+std::vector<PartMovedByTip> places_of_tips(const MovingFronts& now, std::size_t count) {
+  std::vector<PartMovedByTip> places(count);
   std::vector<std::size_t> fronts(now.cracks.size(), 0);
   for (const GrowingFront& of : now.growing) {
     for (std::size_t i = 0; i < of.tips.size(); ++i) {
@@ -107,16 +107,16 @@ FrontGrowthRates rates_of(const GrowingFront& of, const GrowthState& state, doub
 }
 
 // The longest way to a surface from the points of a front.
-std::optional<SurfaceLigament> longest_ligament(const GrowingFront& of,
-                                                const model::CrackDefinition& crack,
-                                                const SolidBodyQuery& around) {
-  std::optional<SurfaceLigament> longest;
+std::optional<LigamentDepths> longest_ligament(const GrowingFront& of,
+                                               const model::CrackDefinition& crack,
+                                               const SolidBodyQuery& around) {
+  std::optional<LigamentDepths> longest;
   for (std::size_t i = 0; i < of.tips.size(); ++i) {
     const mesh::FrontFrame at = of.frame_at(i);
     const auto ahead = around.surface_ahead(at.x, at.m, crack.net);
     if (ahead && (!longest || ahead->distance > longest->left)) {
       longest =
-          SurfaceLigament{.behind = (at.x - crack.plane.place).norm(), .left = ahead->distance};
+          LigamentDepths{.behind = (at.x - crack.plane.place).norm(), .left = ahead->distance};
     }
   }
   return longest;
@@ -189,7 +189,7 @@ double FreeFrontShape::longest_advance(std::size_t tip) const {
   return longest_part * behind(tip);
 }
 
-bool FreeFrontShape::goes_on_behind(std::size_t tip, const SurfaceLigament& /*before*/) const {
+bool FreeFrontShape::goes_on_behind(std::size_t tip, const LigamentDepths& /*before*/) const {
   const TipOnFront at = now_.place_of(tip);
   const double gap = passage_policy.left_out * surface_policy.passed;
   const std::size_t fronts = ligaments_.staying(at.of, at.growing, gap, {}).size();
@@ -249,17 +249,18 @@ void FreeFrontShape::damp_deferred_advance(std::vector<double>& deferred_advance
 }
 
 std::optional<CrackGeometry> FreeFrontShape::advance_cracks(const GrowthState& /*state*/,
-                                                            const TrialAdvance& advance,
+                                                            const AdvanceToNextStation& advance,
                                                             base::Diagnostics& diagnostics) {
   trial_ = now_;
-  kinks_.set_trial(advance.by);
+  kinks_.set_trial_advances(advance.by);
   trial_.growing.clear();
   FrontDrawing drawing(around_, kinks_, ligaments_, now_, trial_);
   for (std::size_t g = 0; g < now_.growing.size(); ++g) {
     const bool last =
         g + 1 == now_.growing.size() || now_.growing[g + 1].crack != now_.growing[g].crack;
     const std::size_t crack = now_.growing[g].crack;
-    if (!drawing.draw_all(g, advance) || (last && !drawing.draw_together(crack))) {
+    if (!drawing.draw_successors(g, advance) ||
+        (last && !drawing.draw_crack_fronts_as_one(crack))) {
       diagnostics.error(now_.cracks[crack].span, "E425",
                         fmt::format("crack {}: its front would fall into several parts",
                                     now_.cracks[crack].name));
@@ -314,7 +315,7 @@ void FreeFrontShape::accept_trial(GrowthState& state) {
   state.tips = places_of_tips(now_, tips_.size());
 }
 
-double FreeFrontShape::heading_scatter() const {
+double FreeFrontShape::heading_mesh_scatter() const {
   return scatter_of_K2;
 }
 
@@ -333,7 +334,7 @@ AdvanceLimit FreeFrontShape::advance_limit(const GrowthState& state, std::size_t
   return FrontKinematics::advance_limit(state, tip, share, ds);
 }
 
-std::optional<SurfaceLigament> FreeFrontShape::left_in_corner(std::size_t tip) const {
+std::optional<LigamentDepths> FreeFrontShape::left_in_corner(std::size_t tip) const {
   const GrowingFront& of = now_.place_of(tip).of;
   if (of.arc.is_closed() || std::ranges::any_of(of.tips, [&](std::size_t other) {
         return ligaments_.at_tip(other).has_value();

@@ -26,7 +26,7 @@ public:
   /// Takes the fronts and their history out of the state and finds their arcs in the body anew.
   void resume_from(const GrowthState& state) override;
   [[nodiscard]] bool can_kink() const override { return kinks_.allowed(); }
-  [[nodiscard]] double heading_scatter() const override;
+  [[nodiscard]] double heading_mesh_scatter() const override;
   /// As of all fronts in space; it also ends a front that has turned too far out of its first
   /// plane.
   [[nodiscard]] AdvanceLimit advance_limit(const GrowthState& state, std::size_t tip, double share,
@@ -40,7 +40,8 @@ public:
                              const std::vector<double>& by) const override;
   /// The fronts drawn anew through their advanced points. Empty, with an error, where a front would
   /// fall into several parts or two that meet would have no common one.
-  std::optional<CrackGeometry> advance_cracks(const GrowthState& state, const TrialAdvance& advance,
+  std::optional<CrackGeometry> advance_cracks(const GrowthState& state,
+                                              const AdvanceToNextStation& advance,
                                               base::Diagnostics& diagnostics) override;
   /// Places the turning of each tip and smooths the rates along each front whose rates are finite.
   void evaluate_trial_tips(std::vector<TipStation>& found) const override;
@@ -49,11 +50,11 @@ public:
   void accept_trial(GrowthState& state) override;
 
 private:
-  [[nodiscard]] std::optional<SurfaceLigament> ligament(std::size_t tip) const override {
+  [[nodiscard]] std::optional<LigamentDepths> ligament(std::size_t tip) const override {
     return ligaments_.at_tip(tip);
   }
-  [[nodiscard]] std::optional<SurfaceLigament> left_in_corner(std::size_t tip) const override;
-  [[nodiscard]] bool goes_on_behind(std::size_t tip, const SurfaceLigament& before) const override;
+  [[nodiscard]] std::optional<LigamentDepths> left_in_corner(std::size_t tip) const override;
+  [[nodiscard]] bool goes_on_behind(std::size_t tip, const LigamentDepths& before) const override;
   [[nodiscard]] std::optional<NeighbourCrack> neighbour(std::size_t tip) const override;
   [[nodiscard]] bool joins(std::size_t tip, const NeighbourCrack& other) const override;
   [[nodiscard]] double behind(std::size_t tip) const override;
@@ -61,8 +62,8 @@ private:
 
   /// The front of both where a tip meets another crack; empty: there is none.
   [[nodiscard]] std::optional<CoalescedFront> joined(std::size_t tip, const NeighbourCrack& other,
-                                                     const TrialAdvance& advance) const;
-  bool join(const TrialAdvance& advance, FrontDrawing& drawing);
+                                                     const AdvanceToNextStation& advance) const;
+  bool join(const AdvanceToNextStation& advance, FrontDrawing& drawing);
 
   FrontKinks kinks_;
   FrontLigaments ligaments_;

@@ -25,7 +25,7 @@ CoalescingFront coalescing_front(const GrowingFront& of, const GrowingFront& oth
 } // namespace
 
 std::optional<CoalescedFront> FreeFrontShape::joined(std::size_t tip, const NeighbourCrack& other,
-                                                     const TrialAdvance& advance) const {
+                                                     const AdvanceToNextStation& advance) const {
   const GrowingFront& one = now_.place_of(tip).of;
   const auto two = std::ranges::find(now_.growing, other.crack, &GrowingFront::crack);
   const model::CrackDefinition& crack = now_.cracks[one.crack];
@@ -50,7 +50,7 @@ bool FreeFrontShape::joins(std::size_t tip, const NeighbourCrack& other) const {
 }
 
 // The crack of the tip goes on with the front of both, the other one is gone.
-bool FreeFrontShape::join(const TrialAdvance& advance, FrontDrawing& drawing) {
+bool FreeFrontShape::join(const AdvanceToNextStation& advance, FrontDrawing& drawing) {
   const std::optional<NeighbourCrack> other = neighbour(advance.passage->tip);
   if (!other || other->crack != advance.passage->crack) {
     return false;

@@ -45,8 +45,8 @@ std::vector<std::vector<std::size_t>> shared_out(const std::vector<std::size_t>&
 
 } // namespace
 
-std::vector<FrontDrawing::NextFront> FrontDrawing::next_fronts(std::size_t growing,
-                                                               const TrialAdvance& advance) const {
+std::vector<FrontDrawing::NextFront>
+FrontDrawing::next_fronts(std::size_t growing, const AdvanceToNextStation& advance) const {
   const GrowingFront& of = from_.growing[growing];
   const bool through = advance.is(GrowthEventKind::breakthrough);
   const double gap =
@@ -79,7 +79,7 @@ std::vector<FrontDrawing::NextFront> FrontDrawing::next_fronts(std::size_t growi
   return fronts;
 }
 
-bool FrontDrawing::draw(const FrontPoints& next, GrowingFront& of) {
+bool FrontDrawing::draw(const NextFrontPoints& next, GrowingFront& of) {
   model::CrackDefinition& crack = to_.cracks[of.crack];
   std::optional<model::CrackDefinition> drawn;
   if (next.points.size() >= fewest_front_points) {
@@ -103,7 +103,7 @@ bool FrontDrawing::draw(const FrontPoints& next, GrowingFront& of) {
   return true;
 }
 
-bool FrontDrawing::draw_all(std::size_t growing, const TrialAdvance& advance) {
+bool FrontDrawing::draw_successors(std::size_t growing, const AdvanceToNextStation& advance) {
   const GrowingFront& before = from_.growing[growing];
   const std::vector<NextFront> fronts = next_fronts(growing, advance);
   for (const NextFront& front : fronts) {
@@ -119,7 +119,7 @@ bool FrontDrawing::draw_all(std::size_t growing, const TrialAdvance& advance) {
   return !fronts.empty();
 }
 
-bool FrontDrawing::draw_together(std::size_t crack) {
+bool FrontDrawing::draw_crack_fronts_as_one(std::size_t crack) {
   std::vector<GrowingFront*> parts;
   for (GrowingFront& of : to_.growing) {
     if (of.crack == crack) {
@@ -171,7 +171,7 @@ void FrontDrawing::go_round(const GrowingFront& from, const std::vector<double>&
     return;
   }
   for (int round = 0; round < rounds; ++round) {
-    FrontPoints next{.points = {}, .closed = of.arc.is_closed()};
+    NextFrontPoints next{.points = {}, .closed = of.arc.is_closed()};
     for (std::size_t i = 0; i < of.tips.size(); ++i) {
       const mesh::FrontFrame before = from.frame_at(i);
       const mesh::FrontFrame behind = of.frame_at(i);

@@ -12,7 +12,7 @@
 namespace spricka::growth {
 
 /// Points of the next front, those in front of which next to nothing is left out.
-struct FrontPoints {
+struct NextFrontPoints {
   std::vector<base::Vec3> points;
   bool closed = false;
 };
@@ -26,23 +26,23 @@ public:
       : around_(around), kinks_(kinks), ligaments_(ligaments), from_(from), to_(to) {}
 
   /// The fronts that the front of this number goes on as; false: none, or one that cannot be drawn.
-  bool draw_all(std::size_t growing, const TrialAdvance& advance);
+  bool draw_successors(std::size_t growing, const AdvanceToNextStation& advance);
   /// Draws the fronts of a crack that has several as one line, out of the body between them; false:
   /// that is not outside.
-  bool draw_together(std::size_t crack);
+  bool draw_crack_fronts_as_one(std::size_t crack);
   /// One front; false: it would be none, or several.
-  bool draw(const FrontPoints& next, GrowingFront& of);
+  bool draw(const NextFrontPoints& next, GrowingFront& of);
 
 private:
   /// A front that goes on, and the tips that it has.
   struct NextFront {
-    FrontPoints next;
+    NextFrontPoints next;
     std::vector<std::size_t> tips;
   };
   /// What a front goes on as: one, or where it goes through a surface between its ends, one on each
   /// side of that. Empty: nothing.
   [[nodiscard]] std::vector<NextFront> next_fronts(std::size_t growing,
-                                                   const TrialAdvance& advance) const;
+                                                   const AdvanceToNextStation& advance) const;
   /// Moves a front to where its points have advanced by `by` [tip] on their way.
   void go_round(const GrowingFront& from, const std::vector<double>& by, GrowingFront& of);
 

@@ -25,15 +25,15 @@ constexpr double one_plane = 1e-6;
 
 FrontKinematics::FrontKinematics(const model::Model& model) : model_(model), around_(model.mesh) {}
 
-double FrontKinematics::remaining_ligament(const GrowthState& state, std::size_t tip) const {
+double FrontKinematics::remaining_growth_length(const GrowthState& state, std::size_t tip) const {
   return model_.growth->last_length.value_or(std::numeric_limits<double>::infinity()) -
          state.stations.back().tips[tip].a;
 }
 
 AdvanceLimit FrontKinematics::advance_limit(const GrowthState& state, std::size_t tip, double share,
                                             double ds) const {
-  AdvanceLimit limit{
-      .ds = std::min({ds, remaining_ligament(state, tip) / share, longest_advance(tip) / share})};
+  AdvanceLimit limit{.ds = std::min({ds, remaining_growth_length(state, tip) / share,
+                                     longest_advance(tip) / share})};
   if (const std::optional<NeighbourCrack> other = neighbour(tip)) {
     limit_advance_by_obstacle(
         front_policy,
@@ -45,12 +45,12 @@ AdvanceLimit FrontKinematics::advance_limit(const GrowthState& state, std::size_
          .goes_on = [&] { return joins(tip, *other); }},
         share, must_break_through_early_, limit);
   }
-  const std::optional<SurfaceLigament> before = ligament(tip);
+  const std::optional<LigamentDepths> before = ligament(tip);
   if (before && !limit.event) {
     limit_advance_by_obstacle(
         surface_policy,
         {.distance = before->left,
-         .part = before->remaining_fraction(),
+         .part = before->ligament_to_depth_ratio(),
          .reason = fmt::format("{} reaches the surface: {:.3g} is left of the ligament, "
                                "in which K grows without bound",
                                tips_[tip].name, before->left),
@@ -81,7 +81,7 @@ void FrontKinematics::restore_cracks(const GrowthState& state,
     cracks[c].plane = grown.plane;
     cracks[c].front_history = grown.history;
   }
-  for (const GrownTip& tip : state.tips) {
+  for (const PartMovedByTip& tip : state.tips) {
     if (is_merged(cracks[tip.crack])) {
       throw base::CorruptStoredField("tip.crack", "a tip of a crack that has no front");
     }
@@ -108,15 +108,17 @@ bool FrontKinematics::may_join(const model::CrackDefinition& one,
          one.faces_in_contact == other.faces_in_contact;
 }
 
-std::optional<GrowthEvent> FrontKinematics::reject_advance(bool passage, const std::string& why) {
-  std::optional<SurfaceLigament> least;
+std::optional<GrowthEvent> FrontKinematics::handle_unmeshable_advance(bool passage,
+                                                                      const std::string& why) {
+  std::optional<LigamentDepths> least;
   std::size_t at = 0;
   const bool may_pass_early = !passage && !must_break_through_early_;
   bool meets = false;
   for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
-    std::optional<SurfaceLigament> before = ligament(tip);
+    std::optional<LigamentDepths> before = ligament(tip);
     before = before ? before : left_in_corner(tip);
-    if (before && (!least || before->remaining_fraction() < least->remaining_fraction())) {
+    if (before &&
+        (!least || before->ligament_to_depth_ratio() < least->ligament_to_depth_ratio())) {
       least = before;
       at = tip;
     }
@@ -125,12 +127,12 @@ std::optional<GrowthEvent> FrontKinematics::reject_advance(bool passage, const s
             (other && other->gap < front_policy.passed_early * behind(tip) && joins(tip, *other));
   }
   if (may_pass_early &&
-      (meets || (least && least->remaining_fraction() < surface_policy.passed_early &&
+      (meets || (least && least->ligament_to_depth_ratio() < surface_policy.passed_early &&
                  goes_on_behind(at, *least)))) {
     must_break_through_early_ = true;
     return std::nullopt;
   }
-  if (least && least->remaining_fraction() < surface_left_unmeshed) {
+  if (least && least->ligament_to_depth_ratio() < surface_left_unmeshed) {
     return GrowthEvent{.kind = GrowthEventKind::surface_reached,
                        .reason = fmt::format("{} is {:.3g} from the surface, and no front can be "
                                              "meshed in what is left: {}",

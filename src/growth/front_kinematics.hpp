@@ -34,14 +34,15 @@ public:
     return first_arm_[tip];
   }
   /// What is left to the largest length that $GROW allows, unbounded without one [length].
-  [[nodiscard]] double remaining_ligament(const GrowthState& state, std::size_t tip) const override;
+  [[nodiscard]] double remaining_growth_length(const GrowthState& state,
+                                               std::size_t tip) const override;
   /// Limits the advance by surfaces ahead, by other fronts and by the front's own size.
   [[nodiscard]] AdvanceLimit advance_limit(const GrowthState& state, std::size_t tip, double share,
                                            double ds) const override;
   /// Ends the growth at a surface that is next to reached, else because no mesh could be made.
   /// Empty the first time where a breakthrough, earlier than usual, is another way.
-  [[nodiscard]] std::optional<GrowthEvent> reject_advance(bool passage,
-                                                          const std::string& why) override;
+  [[nodiscard]] std::optional<GrowthEvent>
+  handle_unmeshable_advance(bool passage, const std::string& why) override;
 
 protected:
   explicit FrontKinematics(const model::Model& model);
@@ -52,13 +53,13 @@ protected:
     std::size_t crack = 0;
   };
   /// Empty: no surface is ahead.
-  [[nodiscard]] virtual std::optional<SurfaceLigament> ligament(std::size_t tip) const = 0;
+  [[nodiscard]] virtual std::optional<LigamentDepths> ligament(std::size_t tip) const = 0;
   /// The longest way to any surface from places of a tip's front that has gone round a corner of
   /// the body, so that none of its tips has one ahead. Empty: it has not.
-  [[nodiscard]] virtual std::optional<SurfaceLigament> left_in_corner(std::size_t tip) const = 0;
+  [[nodiscard]] virtual std::optional<LigamentDepths> left_in_corner(std::size_t tip) const = 0;
   /// Whether something of the front is left in the body once a tip has gone through the surface.
   [[nodiscard]] virtual bool goes_on_behind(std::size_t tip,
-                                            const SurfaceLigament& before) const = 0;
+                                            const LigamentDepths& before) const = 0;
   /// Empty: there is no other crack.
   [[nodiscard]] virtual std::optional<NeighbourCrack> neighbour(std::size_t tip) const = 0;
   /// Whether the two go on as one crack where a tip meets another one.

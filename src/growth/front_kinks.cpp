@@ -37,7 +37,7 @@ void FrontKinks::reset_trial() {
   std::ranges::fill(part_, 0.0);
 }
 
-void FrontKinks::set_trial(const std::vector<double>& by) {
+void FrontKinks::set_trial_advances(const std::vector<double>& by) {
   for (std::size_t tip = 0; allowed() && tip < turning_.size(); ++tip) {
     part_[tip] = turning_[tip].heading - turning_[tip].turn + turn_on(tip, by[tip]);
   }

@@ -24,7 +24,7 @@ public:
   /// The cracks on trial are those of the last station, or have advanced from there by so much
   /// [tip] [length].
   void reset_trial();
-  void set_trial(const std::vector<double>& by);
+  void set_trial_advances(const std::vector<double>& by);
   /// The way on of a tip, unit, of a part of an advance that ends so far ahead [length].
   [[nodiscard]] base::Vec3 tip_growth_direction(const mesh::FrontFrame& at, std::size_t tip,
                                                 double by) const;

@@ -70,9 +70,9 @@ FrontLigaments::Ligaments FrontLigaments::look_ahead(const model::CrackDefinitio
   const std::size_t count = of.tips.size();
   bool near = false;
   for (std::size_t i = 0; i < count; ++i) {
-    std::optional<SurfaceLigament>& before = at_tip_[of.tips[i]];
+    std::optional<LigamentDepths>& before = at_tip_[of.tips[i]];
     before = ligament_at(crack, of, static_cast<double>(i), own);
-    near = near || (before && before->remaining_fraction() < near_surface);
+    near = near || (before && before->ligament_to_depth_ratio() < near_surface);
   }
   Ligaments between;
   const std::size_t places =
@@ -83,7 +83,7 @@ FrontLigaments::Ligaments FrontLigaments::look_ahead(const model::CrackDefinitio
   return between;
 }
 
-std::optional<SurfaceLigament>
+std::optional<LigamentDepths>
 FrontLigaments::ligament_at(const model::CrackDefinition& crack, const GrowingFront& of,
                             double number, const std::vector<std::size_t>& own) const {
   const BodyFrontArc& arc = of.arc;
@@ -97,7 +97,7 @@ FrontLigaments::ligament_at(const model::CrackDefinition& crack, const GrowingFr
   if (!ahead || std::ranges::find(own, ahead->piece) != own.end()) {
     return std::nullopt;
   }
-  return SurfaceLigament{.behind = reach_back(crack, of, at.x, way), .left = ahead->distance};
+  return LigamentDepths{.behind = reach_back(crack, of, at.x, way), .left = ahead->distance};
 }
 
 // Towards a far face a wide crack reaches back by its depth, not by the way from its place.
@@ -116,8 +116,8 @@ double FrontLigaments::reach_back(const model::CrackDefinition& crack, const Gro
 std::vector<FrontPointRun> FrontLigaments::staying(const GrowingFront& of, std::size_t number,
                                                    double gap,
                                                    const std::vector<double>& by) const {
-  const auto stays = [&](const std::optional<SurfaceLigament>& before, double at) {
-    return !before || (before->remaining_fraction() > gap &&
+  const auto stays = [&](const std::optional<LigamentDepths>& before, double at) {
+    return !before || (before->ligament_to_depth_ratio() > gap &&
                        (by.empty() || before->left > of.advance_between(at, by)));
   };
   std::vector<bool> points;

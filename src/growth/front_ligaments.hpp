@@ -24,7 +24,7 @@ public:
   /// them, too.
   void measure(const MovingFronts& fronts, std::size_t tips);
   /// Before a tip; empty: no surface is ahead.
-  [[nodiscard]] const std::optional<SurfaceLigament>& at_tip(std::size_t tip) const {
+  [[nodiscard]] const std::optional<LigamentDepths>& at_tip(std::size_t tip) const {
     return at_tip_[tip];
   }
   /// The runs of points of the front of this number, four at least, before which more than the part
@@ -35,10 +35,10 @@ public:
                                                    double gap, const std::vector<double>& by) const;
 
 private:
-  using Ligaments = std::vector<std::optional<SurfaceLigament>>;
+  using Ligaments = std::vector<std::optional<LigamentDepths>>;
   [[nodiscard]] Ligaments look_ahead(const model::CrackDefinition& crack, const GrowingFront& of);
   /// Before a point of a front or a place between two; `own`: pieces of surface that it ends on.
-  [[nodiscard]] std::optional<SurfaceLigament>
+  [[nodiscard]] std::optional<LigamentDepths>
   ligament_at(const model::CrackDefinition& crack, const GrowingFront& of, double number,
               const std::vector<std::size_t>& own) const;
   /// How far the crack reaches back from a place of a front against its way on [length].

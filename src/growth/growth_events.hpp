@@ -116,7 +116,7 @@ inline constexpr ObstaclePolicy front_policy{.passage = GrowthEventKind::coalesc
 inline constexpr double surface_left_unmeshed = 0.2;
 
 /// What a passage makes.
-struct PassagePolicy {
+struct PassageParameters {
   /// One that cannot be meshed gets longer by this factor, up to so many times what it needs.
   double longer = 1.15, longest = 3.0;
   /// Logarithm of an arm's ratio of the first step behind it: rates before and behind it have
@@ -137,7 +137,7 @@ struct PassagePolicy {
   /// narrow one has no smooth curve that could go on.
   double notch = 0.4;
 };
-inline constexpr PassagePolicy passage_policy{};
+inline constexpr PassageParameters passage_policy{};
 
 /// When a growth that goes on leads nowhere.
 struct FutilityPolicy {
@@ -165,7 +165,7 @@ void limit_advance_by_obstacle(const ObstaclePolicy& policy, const ObstacleAhead
                                double share, bool early, AdvanceLimit& limit);
 
 /// From the last station to the next.
-struct TrialAdvance {
+struct AdvanceToNextStation {
   std::vector<double> by;               ///< [tip] [length]
   std::optional<GrowthEvent> passage{}; ///< that it leads through
   double lengthening = 1.0;             ///< how much farther than needed a passage leads

@@ -95,7 +95,7 @@ bool GrowthIntegrator::plan() {
   bool to_last_length = false;
   for (std::size_t tip = 0; tip < tips().size(); ++tip) {
     const double by = share[tip] * *ds;
-    const double left = kinematics_->remaining_ligament(state_, tip);
+    const double left = kinematics_->remaining_growth_length(state_, tip);
     // The last length is met exactly, and no advance is left over that is only round-off.
     const bool to_the_end = by >= left * (1.0 - 1e-9);
     to_last_length = to_last_length || to_the_end;
@@ -118,13 +118,13 @@ void GrowthIntegrator::stop_at_last_length(bool planned) {
   std::size_t first = 0;
   double most = 0.0;
   for (std::size_t tip = 0; tip < tips().size(); ++tip) {
-    const double part = advance_[tip] / kinematics_->remaining_ligament(state_, tip);
+    const double part = advance_[tip] / kinematics_->remaining_growth_length(state_, tip);
     if (part > most) {
       most = part;
       first = tip;
     }
   }
-  const double left = kinematics_->remaining_ligament(state_, first);
+  const double left = kinematics_->remaining_growth_length(state_, first);
   const bool the_last = planned && left < little_left * state_.stations.back().tips[first].a;
   if (most <= 0.0 || (most < nearly_there && !the_last)) {
     return;
@@ -175,7 +175,7 @@ void GrowthIntegrator::end_at_station(GrowthEvent end) {
   end_ = std::move(end);
 }
 
-bool GrowthIntegrator::accept_station(std::vector<TipStation> found) {
+bool GrowthIntegrator::accept_or_reject_station(std::vector<TipStation> found) {
   SolvedStation station;
   station.breakthroughs = passage_ ? passage_->tip + 1 : 0;
   station.met =
@@ -191,7 +191,7 @@ bool GrowthIntegrator::accept_station(std::vector<TipStation> found) {
   station.tips = std::move(found);
   state_.stations.push_back(std::move(station));
   // First, as the judgement counts what the advance is found to have missed.
-  defer_advance(*kinematics_, advance_, state_.stations);
+  defer_advance_correction(*kinematics_, advance_, state_.stations);
   if (!good_enough()) {
     state_.stations.pop_back();
     ++state_.rejected;
@@ -205,7 +205,7 @@ bool GrowthIntegrator::accept_station(std::vector<TipStation> found) {
 }
 
 double GrowthIntegrator::cycle_error() const {
-  return growth_cycle_error(state_.stations, law_, end_);
+  return total_cycle_error(state_.stations, law_, end_);
 }
 
 } // namespace spricka::growth

@@ -29,7 +29,7 @@ public:
   std::optional<CrackGeometry> propose_next_cracks(base::Diagnostics& diagnostics);
   /// Takes what was found there: K, rates, turns and plastic parts by tip. False: the advance was
   /// too long for the tolerance and does not count.
-  bool accept_station(std::vector<TipStation> found);
+  bool accept_or_reject_station(std::vector<TipStation> found);
   /// The cracks of `next` could not be meshed: a shorter advance, or the end.
   void shorten_step(const std::string& why);
 

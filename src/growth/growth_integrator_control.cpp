@@ -67,9 +67,9 @@ bool GrowthIntegrator::good_enough() {
   judge(deferred_cycle_error(here), aimed_part * tolerance, still_good * tolerance,
         n > 2 ? 3.0 : 2.0);
   // Behind the first kink of a front headings miss by the root of the advance, however short.
-  const double scatter = kinematics_->heading_scatter();
+  const double scatter = kinematics_->heading_mesh_scatter();
   if (kinematics_->can_kink() && (scatter == 0.0 || n > 2)) {
-    judge(turn_error(state_.stations, advance_), aimed_turn_miss + scatter,
+    judge(excess_turn_angle(state_.stations, advance_), aimed_turn_miss + scatter,
           largest_turn_miss + scatter, n > 2 ? 2.0 : 1.0);
   }
   const std::optional<GrowthEvent> end = ends().find_crossing(trajectory(), last.s, here.s);
@@ -100,7 +100,8 @@ void GrowthIntegrator::shorten_step(const std::string& why) {
   if (!passage_ && state_.step >= 0.5 * shortest_step && !state_.stations.empty()) {
     return;
   }
-  if (std::optional<GrowthEvent> end = kinematics_->reject_advance(passage_.has_value(), why)) {
+  if (std::optional<GrowthEvent> end =
+          kinematics_->handle_unmeshable_advance(passage_.has_value(), why)) {
     end_at_station(std::move(*end));
   } else {
     state_.step = shortest_step;

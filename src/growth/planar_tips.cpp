@@ -105,7 +105,7 @@ TipGrowthDirection PlanarTips::heading_of(const GrowthState& state, std::size_t 
 }
 
 // To AMAX and to the last node of a path.
-double PlanarTips::remaining_ligament(const GrowthState& state, std::size_t tip) const {
+double PlanarTips::remaining_growth_length(const GrowthState& state, std::size_t tip) const {
   const mesh::CrackLine& line = lines_[tips_[tip].line];
   double longest = model_.growth->last_length.value_or(std::numeric_limits<double>::infinity());
   if (!line.path.empty() && !can_kink()) {
@@ -123,7 +123,7 @@ AdvanceLimit PlanarTips::advance_limit(const GrowthState& state, std::size_t tip
   const TrackedTip& t = tips_[tip];
   const TipStation& here = state.stations.back().tips[tip];
   AdvanceLimit limit{.ds = ds};
-  const double left = remaining_ligament(state, tip);
+  const double left = remaining_growth_length(state, tip);
   if (left <= 1e-9 * here.a) { // AMAX has ended it before
     limit.event =
         GrowthEvent{.kind = GrowthEventKind::path_end,
@@ -170,7 +170,7 @@ void PlanarTips::limit_by_obstacles(const GrowthState& state, std::size_t tip, d
 }
 
 std::optional<CrackGeometry> PlanarTips::advance_cracks(const GrowthState& state,
-                                                        const TrialAdvance& advance,
+                                                        const AdvanceToNextStation& advance,
                                                         base::Diagnostics& diagnostics) {
   if (can_kink()) {
     std::vector<mesh::CrackLine> lines = lines_;
@@ -181,9 +181,9 @@ std::optional<CrackGeometry> PlanarTips::advance_cracks(const GrowthState& state
     return CrackGeometry{.lines = trial_};
   }
   // On ways that the deck draws, lines are cut anew to the arms; zero stands for the first length.
-  std::vector<TipLengths> arms(model_.cracks.size());
+  std::vector<CrackLengthsByTip> arms(model_.cracks.size());
   for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
-    TipLengths& of = arms[lines_[tips_[tip].line].crack.index()];
+    CrackLengthsByTip& of = arms[lines_[tips_[tip].line].crack.index()];
     (tips_[tip].at_first ? of.first : of.last) =
         state.stations.back().tips[tip].a + advance.by[tip];
   }
@@ -251,7 +251,8 @@ void PlanarTips::accept_trial(GrowthState& state) {
   }
 }
 
-std::optional<GrowthEvent> PlanarTips::reject_advance(bool /*passage*/, const std::string& why) {
+std::optional<GrowthEvent> PlanarTips::handle_unmeshable_advance(bool /*passage*/,
+                                                                 const std::string& why) {
   return GrowthEvent{.reason = fmt::format("the next advance could not be meshed: {}", why)};
 }
 

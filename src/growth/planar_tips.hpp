@@ -21,14 +21,16 @@ public:
   /// Length of a tip's crack along its line, of an embedded crack half of it [length].
   [[nodiscard]] double initial_tip_extent(std::size_t tip) const override;
   /// What is left to the largest length that $GROW allows and, on a path, to its end [length].
-  [[nodiscard]] double remaining_ligament(const GrowthState& state, std::size_t tip) const override;
+  [[nodiscard]] double remaining_growth_length(const GrowthState& state,
+                                               std::size_t tip) const override;
   /// Limits the advance by the end of the path, by the curvature of the last advance where K turns
   /// the crack, and by what lies ahead.
   [[nodiscard]] AdvanceLimit advance_limit(const GrowthState& state, std::size_t tip, double share,
                                            double ds) const override;
   /// The lines extended along their headings, or cut anew from the paths of the deck. Empty, with
   /// errors, where a path gives no such line.
-  std::optional<CrackGeometry> advance_cracks(const GrowthState& state, const TrialAdvance& advance,
+  std::optional<CrackGeometry> advance_cracks(const GrowthState& state,
+                                              const AdvanceToNextStation& advance,
                                               base::Diagnostics& diagnostics) override;
   /// Sets the place of each tip and its heading: that of its last segment and the turn that K asks
   /// for.
@@ -36,8 +38,8 @@ public:
   /// Keeps the lines on trial, their points in `state` as well.
   void accept_trial(GrowthState& state) override;
   /// The end of the growth: there is no other way in the plane than the advance that failed.
-  [[nodiscard]] std::optional<GrowthEvent> reject_advance(bool passage,
-                                                          const std::string& why) override;
+  [[nodiscard]] std::optional<GrowthEvent>
+  handle_unmeshable_advance(bool passage, const std::string& why) override;
   /// The lines with a straight end along each heading, by `advance` or less, so that none leaves
   /// the body.
   [[nodiscard]] CrackGeometry extend_cracks_straight(const GrowthState& state,

@@ -8,10 +8,10 @@
 namespace spricka::growth {
 
 /// The way to a surface before a place of a front.
-struct SurfaceLigament {
+struct LigamentDepths {
   double behind = 0.0; ///< how far the crack reaches back from there [length]
   double left = 0.0;   ///< from there to the surface [length]
-  [[nodiscard]] double remaining_fraction() const { return left / (behind + left); }
+  [[nodiscard]] double ligament_to_depth_ratio() const { return left / (behind + left); }
 };
 
 /// The body that a crack in space grows in: which places are inside of it, and how far it is to its

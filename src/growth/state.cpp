@@ -227,7 +227,7 @@ void check_names(const GrowthState& state) {
       }
     }
   }
-  for (const GrownTip& tip : state.tips) {
+  for (const PartMovedByTip& tip : state.tips) {
     if (tip.crack >= state.cracks.size()) {
       throw base::CorruptStoredField("tip.crack", fmt::format("there is no crack {}", tip.crack));
     }

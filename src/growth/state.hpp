@@ -20,7 +20,7 @@ struct GrownCrack {
 };
 
 /// What a tip in space moves: a point of a front, or an end of an axis of an ellipse.
-struct GrownTip {
+struct PartMovedByTip {
   std::size_t crack = 0;  ///< not its own where that has become a part of another
   std::size_t front = 0;  ///< of a crack with several
   std::size_t number = 0; ///< of the point, along the front
@@ -35,7 +35,7 @@ struct GrownTip {
 struct GrowthState {
   std::vector<SolvedStation> stations; ///< so far
   std::vector<GrownCrack> cracks;      ///< [crack] at the last station
-  std::vector<GrownTip> tips;          ///< [tip] there; in the plane none
+  std::vector<PartMovedByTip> tips;    ///< [tip] there; in the plane none
   double step = 0.0;                   ///< of the next advance: logarithm of an arm's ratio
   int rejected = 0;                    ///< solutions that lay too far ahead
 };

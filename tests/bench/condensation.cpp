@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
                base::format_messages(sources, diagnostics));
     return 2;
   }
-  const std::vector<double> lengths = growth::growth_loop_lengths(*model);
+  const std::vector<double> lengths = growth::growth_loop_crack_lengths(*model);
   const analysis::CrackRegionPlan plan = analysis::plan_crack_region(*model, lengths, diagnostics);
   const auto scene = analysis::discretise(*model, lengths.front(), plan, diagnostics);
   if (!scene) {

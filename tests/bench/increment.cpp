@@ -43,7 +43,7 @@ Costs solve_all(const model::Model& model) {
   base::OptionalFailure trouble;
   std::vector<results::LogLine> lines;
   const analysis::SolveOptions options{.threads = 1, .progress = {}};
-  const std::vector<double> lengths = growth::growth_loop_lengths(model);
+  const std::vector<double> lengths = growth::growth_loop_crack_lengths(model);
   Costs costs;
   base::Stopwatch watch;
   const analysis::CrackRegionPlan plan = analysis::plan_crack_region(model, lengths, diagnostics);

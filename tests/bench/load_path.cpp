@@ -83,7 +83,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "no deck with a $LOADPATH\n");
     return 2;
   }
-  const std::vector<double> lengths = growth::growth_loop_lengths(*model);
+  const std::vector<double> lengths = growth::growth_loop_crack_lengths(*model);
   const analysis::CrackRegionPlan plan = analysis::plan_crack_region(*model, lengths, diagnostics);
   analysis::CondensationCache cache;
   analysis::CondensationStatistics log;

@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
                base::format_messages(sources, diagnostics));
     return 2;
   }
-  const std::vector<double> lengths = growth::growth_loop_lengths(*model);
+  const std::vector<double> lengths = growth::growth_loop_crack_lengths(*model);
   const auto scene = analysis::discretise(*model, lengths[lengths.size() / 2], {}, diagnostics);
   if (!scene) {
     fmt::print(stderr, "{}", base::format_messages(sources, diagnostics));

@@ -68,10 +68,10 @@ int main(int argc, char** argv) {
   }
   analysis::CondensationCache cache;
   const analysis::CrackRegionPlan plan =
-      analysis::plan_crack_region(*model, growth::growth_loop_lengths(*model), diagnostics);
+      analysis::plan_crack_region(*model, growth::growth_loop_crack_lengths(*model), diagnostics);
   const double before = base::cpu_seconds();
   const auto length = analysis::CrackLengthAnalysis::create(
-      {.model = *model, .cache = cache}, growth::growth_loop_lengths(*model).front(), plan,
+      {.model = *model, .cache = cache}, growth::growth_loop_crack_lengths(*model).front(), plan,
       diagnostics);
   if (!length) {
     fmt::print(stderr, "{}", base::format_messages(sources, diagnostics));

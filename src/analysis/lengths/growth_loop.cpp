@@ -182,7 +182,7 @@ private:
       return false;
     }
     // True all the same: the integrator has noted that it went too far and asks for a nearer state.
-    if (!integrator.accept_station(std::move(*found))) {
+    if (!integrator.accept_or_reject_station(std::move(*found))) {
       const std::string where =
           cracks.solids.empty() ? fmt::format("a = {:.6g}", increment->a) : "this front";
       log.add_line("GROW", where + " lies too far ahead for the tolerance: solved again nearer");

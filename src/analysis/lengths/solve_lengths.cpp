@@ -58,7 +58,7 @@ std::optional<growth::CrackGeometry> cracks_of(const model::Model& model, double
   }
   growth::CrackGeometry cracks{.lines = std::move(*lines)};
   if (cracks.lines.empty() && a > 0.0) {
-    cracks.solids = growth::scale_solid_cracks(model, a);
+    cracks.solids = growth::resize_solid_cracks(model, a);
   }
   return cracks;
 }
@@ -74,7 +74,7 @@ CrackRegionPlan one_region(const model::Model& model, const SolveOptions& option
 bool solve_lengths(const model::Model& model, const SolveOptions& options,
                    base::Diagnostics& diagnostics, base::OptionalFailure& trouble,
                    results::RunResult& run) {
-  const std::vector<double> lengths = growth::growth_loop_lengths(model);
+  const std::vector<double> lengths = growth::growth_loop_crack_lengths(model);
   const CrackRegionPlan plan = one_region(model, options, lengths, diagnostics);
   if (diagnostics.has_errors()) {
     return false;

@@ -85,7 +85,7 @@ public:
         return;
       }
     }
-    const std::vector<double> lengths = growth::growth_loop_lengths(model_);
+    const std::vector<double> lengths = growth::growth_loop_crack_lengths(model_);
     const analysis::CrackRegionPlan plan =
         analysis::plan_crack_region(model_, lengths, diagnostics);
     if (diagnostics.has_errors()) {
@@ -99,7 +99,7 @@ public:
     for (std::size_t i = 0; i < lengths.size(); ++i) {
       const base::Stopwatch watch;
       model::Model sized = model_;
-      sized.cracks = growth::scale_solid_cracks(model_, lengths[i]);
+      sized.cracks = growth::resize_solid_cracks(model_, lengths[i]);
       const std::unique_ptr<analysis::CrackLengthAnalysis> length =
           analysis::CrackLengthAnalysis::create(
               {.model = sized, .cache = cache, .threads = threads_}, lengths[i], plan, diagnostics);

@@ -28,8 +28,9 @@ constexpr int most_times = 20;
 
 std::optional<analysis::Discretisation> first_scene(const model::Model& given) {
   model::Model model = given;
-  const double a = analysis::grows_by_law(model) ? 0.0 : growth::growth_loop_lengths(model).front();
-  model.cracks = growth::scale_solid_cracks(model, a);
+  const double a =
+      analysis::grows_by_law(model) ? 0.0 : growth::growth_loop_crack_lengths(model).front();
+  model.cracks = growth::resize_solid_cracks(model, a);
   base::Diagnostics reported_before;
   return analysis::discretise(model, a, {}, reported_before);
 }

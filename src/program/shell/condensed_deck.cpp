@@ -24,7 +24,7 @@ void begin_growth(model::Model& model) {
     return;
   }
   const double a = model.growth->lengths.front();
-  model.cracks = growth::scale_solid_cracks(model, a);
+  model.cracks = growth::resize_solid_cracks(model, a);
   for (std::size_t c = 0; c < model.cracks.size(); ++c) {
     if (model.cracks[c].is_line() && growth::is_growing_crack(model, c)) {
       model.cracks[c].a0 = a;
@@ -86,7 +86,8 @@ base::OptionalFailure CondensedDeck::open(const SessionDeckChanges& changes) {
   begin_growth(model);
   if (plan_.region.empty()) {
     base::Diagnostics diagnostics;
-    plan_ = analysis::plan_crack_region(model, growth::growth_loop_lengths(model), diagnostics);
+    plan_ =
+        analysis::plan_crack_region(model, growth::growth_loop_crack_lengths(model), diagnostics);
     if (diagnostics.has_errors()) {
       return located_failure(base::Outcome::deck_error, deck_.sources, diagnostics);
     }

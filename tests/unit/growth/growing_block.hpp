@@ -99,7 +99,7 @@ inline void run(growth::GrowthIntegrator& march, const KAt& K_at,
       found[tip].K_max = K_at(*cracks, x);
       found[tip].rate = law(found[tip].K_max, 0.0);
     }
-    march.accept_station(std::move(found));
+    march.accept_or_reject_station(std::move(found));
   }
   ASSERT_TRUE(march.end()) << "no end after 300 stations";
 }

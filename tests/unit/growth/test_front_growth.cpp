@@ -343,7 +343,7 @@ template <class Ways> void goes_on_alike() {
       found[tip].K_max = 1.0 + 0.1 * x.y();
       found[tip].rate = paris(found[tip].K_max, 0.0);
     }
-    whole.accept_station(std::move(found));
+    whole.accept_or_reject_station(std::move(found));
   }
 }
 TEST(EllipticalFront, GoesOnAlike) {
@@ -381,7 +381,7 @@ TEST(FreeFrontShape, GoesOnAlikeAsOne) {
       found[tip].K_max = 1.0 + 0.01 * cracks->aims[tip].y();
       found[tip].rate = paris(found[tip].K_max, 0.0);
     }
-    whole.accept_station(std::move(found));
+    whole.accept_or_reject_station(std::move(found));
     behind += behind > 0 || whole.growth_state().stations.back().met > 0 ? 1 : 0;
   }
   EXPECT_EQ(behind, 3U);

@@ -88,7 +88,7 @@ void run(growth::GrowthIntegrator& march, const Measure& measure) {
     }
     std::vector<TipStation> found(march.tips().size());
     measure(march, lines->lines, found);
-    march.accept_station(std::move(found));
+    march.accept_or_reject_station(std::move(found));
   }
   EXPECT_FALSE(diagnostics.has_errors());
   ASSERT_TRUE(march.end()) << "no end after 200 stations";
@@ -376,7 +376,7 @@ TEST(GrowthIntegrator, GoesOnFromItsState) {
   for (int k = 0; k < 4; ++k) {
     std::vector<TipStation> found(1);
     measure(first, first.propose_next_cracks(diagnostics)->lines, found);
-    first.accept_station(std::move(found));
+    first.accept_or_reject_station(std::move(found));
   }
   const growth::GrowthState read =
       growth::growth_state_from_arrays(growth::growth_state_to_arrays(first.growth_state()));

@@ -29,29 +29,29 @@ public:
   [[nodiscard]] double initial_tip_extent(std::size_t /*tip*/) const override {
     return initial_arm;
   }
-  [[nodiscard]] double remaining_ligament(const growth::GrowthState& state,
-                                          std::size_t tip) const override {
+  [[nodiscard]] double remaining_growth_length(const growth::GrowthState& state,
+                                               std::size_t tip) const override {
     return last_arm - state.stations.back().tips[tip].a;
   }
   [[nodiscard]] growth::AdvanceLimit advance_limit(const growth::GrowthState& state,
                                                    std::size_t tip, double share,
                                                    double ds) const override {
-    return {.ds = std::min(ds, remaining_ligament(state, tip) / share)};
+    return {.ds = std::min(ds, remaining_growth_length(state, tip) / share)};
   }
   bool smooth_front(const growth::GrowthState& state, std::vector<double>& by) const override {
-    by[0] = std::max(
-        by[0], std::min(least_ * state.stations.back().tips[0].a, remaining_ligament(state, 0)));
+    by[0] = std::max(by[0], std::min(least_ * state.stations.back().tips[0].a,
+                                     remaining_growth_length(state, 0)));
     return true;
   }
   std::optional<growth::CrackGeometry> advance_cracks(const growth::GrowthState& state,
-                                                      const growth::TrialAdvance& advance,
+                                                      const growth::AdvanceToNextStation& advance,
                                                       base::Diagnostics& /*diagnostics*/) override {
     return at(state.stations.back().tips[0].a + advance.by[0]);
   }
   void evaluate_trial_tips(std::vector<TipStation>& /*found*/) const override {}
   void accept_trial(growth::GrowthState& /*state*/) override {}
-  [[nodiscard]] std::optional<growth::GrowthEvent> reject_advance(bool /*passage*/,
-                                                                  const std::string& why) override {
+  [[nodiscard]] std::optional<growth::GrowthEvent>
+  handle_unmeshable_advance(bool /*passage*/, const std::string& why) override {
     return growth::GrowthEvent{.reason = why};
   }
 
@@ -93,7 +93,7 @@ Marched march_to_the_end(double least) {
     std::vector<TipStation> found(1);
     found[0].K_max = 1.0 + 0.5 * std::sin(20.0 * a);
     found[0].rate = paris(found[0].K_max, 0.0);
-    march.accept_station(std::move(found));
+    march.accept_or_reject_station(std::move(found));
     ++marched.solved;
   }
   marched.ended = march.end().has_value();

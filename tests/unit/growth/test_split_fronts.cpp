@@ -56,8 +56,8 @@ Grown grow(Block& block, double bend) {
         found[tip].K_max = 1.0 + bend * cracks->aims[tip].y();
         found[tip].rate = paris(found[tip].K_max, 0.0);
       }
-      again.accept_station(found);
-      if (march.accept_station(std::move(found))) {
+      again.accept_or_reject_station(found);
+      if (march.accept_or_reject_station(std::move(found))) {
         grown.aims.push_back(cracks->aims);
         break;
       }

@@ -48,7 +48,7 @@ TEST(TurningFronts, APennyBecomesACone) {
     const auto cracks = march.propose_next_cracks(diagnostics);
     ASSERT_TRUE(cracks);
     last = *cracks;
-    march.accept_station(found_at(*cracks, first));
+    march.accept_or_reject_station(found_at(*cracks, first));
   }
   EXPECT_EQ(march.end()->word(), "AMAX");
   for (const Vec3& x : last.aims) {
@@ -79,7 +79,7 @@ TEST(TurningFronts, GoOnAsTheyWere) {
   for (int k = 0; k < 3; ++k) {
     const auto cracks = march.propose_next_cracks(diagnostics);
     ASSERT_TRUE(cracks);
-    march.accept_station(found_at(*cracks, k == 0));
+    march.accept_or_reject_station(found_at(*cracks, k == 0));
   }
   const growth::GrowthState kept =
       growth::growth_state_from_arrays(growth::growth_state_to_arrays(march.growth_state()));
@@ -101,7 +101,7 @@ TEST(TurningFronts, EndWhereTheyStandOnTheirPlane) {
     base::Diagnostics diagnostics;
     const auto cracks = march.propose_next_cracks(diagnostics);
     if (cracks) {
-      march.accept_station(found_at(*cracks, true)); // further at each front
+      march.accept_or_reject_station(found_at(*cracks, true)); // further at each front
     }
   }
   ASSERT_TRUE(march.end());
