@@ -46,9 +46,10 @@ ContactSurface face_surface(const model::Model& model, const model::Mesh& mesh,
 } // namespace
 
 PairConstraints build_crack_face_constraints(const model::Model& model, const model::Mesh& mesh,
-                                             const mesh::CrackFaces& crack_faces, bool friction) {
+                                             const mesh::CrackFaceNodes& crack_faces,
+                                             bool friction) {
   const bool half = crack_faces.has_one_face();
-  const std::vector<base::NodeId>& own = crack_faces.meshed_face();
+  const std::vector<base::NodeId>& own = crack_faces.meshed_face_nodes();
   PairConstraints pair;
   pair.faces = true;
   pair.found = true;

@@ -13,6 +13,7 @@ namespace spricka::contact {
 /// meets its mirror image on the symmetry line: rows on its own nodes, none along the line. The
 /// surface runs with its body on the left: from the mouth to the tip on a left face.
 PairConstraints build_crack_face_constraints(const model::Model& model, const model::Mesh& mesh,
-                                             const mesh::CrackFaces& crack_faces, bool friction);
+                                             const mesh::CrackFaceNodes& crack_faces,
+                                             bool friction);
 
 } // namespace spricka::contact

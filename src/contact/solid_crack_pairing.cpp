@@ -36,7 +36,8 @@ void find_behind(const geometry::ElementSide& face, const std::set<base::NodeId>
 } // namespace
 
 PairConstraints build_solid_crack_constraints(const model::Model& model, const model::Mesh& mesh,
-                                              const mesh::CrackFaces& crack_faces, bool friction) {
+                                              const mesh::CrackFaceNodes& crack_faces,
+                                              bool friction) {
   PairConstraints pair;
   pair.faces = true;
   pair.choice = "upper face: twins";

@@ -12,6 +12,7 @@ namespace spricka::contact {
 /// elements; with friction there are two rows along the faces for each normal one. `trouble` where
 /// the faces are no twins.
 PairConstraints build_solid_crack_constraints(const model::Model& model, const model::Mesh& mesh,
-                                              const mesh::CrackFaces& crack_faces, bool friction);
+                                              const mesh::CrackFaceNodes& crack_faces,
+                                              bool friction);
 
 } // namespace spricka::contact

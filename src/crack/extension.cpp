@@ -21,7 +21,7 @@ class Movable {
 public:
   Movable(const mesh::CrackedMesh& cracked, const mesh::CrackFront& front)
       : mesh_(cracked.mesh), front_(front) {
-    const mesh::CrackFaces& own = cracked.faces[front.crack.index()];
+    const mesh::CrackFaceNodes& own = cracked.faces[front.crack.index()];
     const bool embedded = !own.left.empty() && !own.right.empty() &&
                           own.left.front() == own.right.front(); // no mouth, a tip
     for (const std::vector<base::NodeId>* crack_face : {&own.left, &own.right}) {

@@ -87,7 +87,7 @@ public:
         }
       }
     }
-    const mesh::CrackFaces& own = cracked_.faces[front_.crack.index()];
+    const mesh::CrackFaceNodes& own = cracked_.faces[front_.crack.index()];
     const std::set<model::Face> upper(own.left_sides.begin(), own.left_sides.end());
     const std::set<model::Face> lower(own.right_sides.begin(), own.right_sides.end());
     for (const model::Face& face : sides_) {
@@ -105,7 +105,7 @@ private:
   // The crack's own faces begin at its front: they are not in the way of that, however it bends
   // between the corners of elements.
   [[nodiscard]] SurfaceNodeMotion::ObstructionTest off_own_front() const {
-    const mesh::CrackFaces& own = cracked_.faces[front_.crack.index()];
+    const mesh::CrackFaceNodes& own = cracked_.faces[front_.crack.index()];
     std::set<model::Face> faces(own.left_sides.begin(), own.left_sides.end());
     faces.insert(own.right_sides.begin(), own.right_sides.end());
     return [this, faces = std::move(faces)](NodeId n, const model::Face& face) {

@@ -48,7 +48,7 @@ std::optional<NodeId> first_behind(const model::Mesh& mesh, const std::vector<mo
 } // namespace
 
 std::optional<std::array<double, 3>> front_K_from_face_opening(const FrontContext& set,
-                                                               const mesh::CrackFaces& faces,
+                                                               const mesh::CrackFaceNodes& faces,
                                                                const mesh::FrontPoint& point,
                                                                double G, const base::Vector& u) {
   const FrontCoordinates at = set.axes.locate_point(point.x);

@@ -11,7 +11,7 @@ namespace spricka::crack {
 /// other at the first node behind it, scaled so that they release G (crack_space.17). Nothing where
 /// an edge of the crack's faces does not lead from the point to such a node, or G is not positive.
 std::optional<std::array<double, 3>> front_K_from_face_opening(const FrontContext& set,
-                                                               const mesh::CrackFaces& faces,
+                                                               const mesh::CrackFaceNodes& faces,
                                                                const mesh::FrontPoint& point,
                                                                double G, const base::Vector& u);
 

@@ -29,9 +29,9 @@ std::optional<std::array<double, 3>> tip_K_from_face_opening(const TipContext& s
   if (front.crack.index() >= cracked.faces.size()) {
     return std::nullopt;
   }
-  const mesh::CrackFaces& crack_faces = cracked.faces[front.crack.index()];
+  const mesh::CrackFaceNodes& crack_faces = cracked.faces[front.crack.index()];
   const bool half = front.symmetric_half;
-  const CrackFace& one = crack_faces.meshed_face();
+  const CrackFace& one = crack_faces.meshed_face_nodes();
   if (one.size() < 3 || (!half && crack_faces.right.size() != one.size())) {
     return std::nullopt;
   }

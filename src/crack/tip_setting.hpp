@@ -47,7 +47,7 @@ struct TipContext {
   const model::ElementProperty& property;
   TipFrame tip;
   base::NodeId tip_node;
-  const mesh::CrackFaces* crack_faces; ///< of the tip's crack; null: unknown
+  const mesh::CrackFaceNodes* crack_faces; ///< of the tip's crack; null: unknown
   const FrontLoads& loads;
   std::optional<AffineTemperature> affine = std::nullopt;
   double halves = 1.0; ///< 2: one half of the body is in the mesh

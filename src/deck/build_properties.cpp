@@ -123,8 +123,8 @@ void symmetry(DeckContext& c, const CheckedCard& card) {
 void build_properties(DeckContext& context) {
   context.for_each_sound_card("MATERIAL",
                               [&](const CheckedCard& card) { material(context, card); });
-  for (const mesh::ImportedPhysics& physics : context.imported) {
-    mesh::append_imported_physics(context.model, physics);
+  for (const mesh::ImportedMaterialsAndEquations& physics : context.imported) {
+    mesh::append_materials_and_equations(context.model, physics);
   }
   for (const CheckedCard& card : context.cards) {
     if (card.spec->name == "PROPERTY" && !card.bad) {

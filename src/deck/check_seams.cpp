@@ -23,7 +23,7 @@ namespace {
 using base::NodeId;
 
 void doubled(DeckContext& c) {
-  auto pairs = mesh::find_duplicate_elements(c.model.mesh);
+  auto pairs = mesh::find_coincident_elements(c.model.mesh);
   std::erase_if(pairs, [&](const auto& pair) { // bodies of their own may be drawn on each other
     return c.model.mesh.element_net[pair.first.index()] !=
            c.model.mesh.element_net[pair.second.index()];

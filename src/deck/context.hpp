@@ -38,8 +38,9 @@ struct DeckContext {
   std::vector<CheckedCard> cards{};
   model::Model model{};
 
-  std::vector<ImportedScript> scripts{};         ///< of $IMPORT FORMAT=GEO, in their order
-  std::vector<mesh::ImportedPhysics> imported{}; ///< by $IMPORT FORMAT=INP, in their order
+  std::vector<ImportedScript> scripts{}; ///< of $IMPORT FORMAT=GEO, in their order
+  std::vector<mesh::ImportedMaterialsAndEquations>
+      imported{}; ///< by $IMPORT FORMAT=INP, in their order
 
   std::vector<LabelMap> node_labels{};                          ///< [net]
   std::vector<LabelMap> element_labels{};                       ///< [net]

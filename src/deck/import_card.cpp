@@ -16,11 +16,12 @@ namespace spricka::deck {
 namespace {
 
 // Materials of a file stand behind those of the cards and are known by their names.
-void adopt_physics(DeckContext& c, const CheckedCard& card, mesh::ImportedPhysics physics) {
+void adopt_physics(DeckContext& c, const CheckedCard& card,
+                   mesh::ImportedMaterialsAndEquations physics) {
   auto next = static_cast<std::size_t>(std::ranges::count_if(c.cards, [](const CheckedCard& other) {
     return other.spec->name == "MATERIAL" && !other.bad;
   }));
-  for (const mesh::ImportedPhysics& before : c.imported) {
+  for (const mesh::ImportedMaterialsAndEquations& before : c.imported) {
     next += before.materials.size();
   }
   for (const model::ElasticMaterial& material : physics.materials) {
@@ -94,7 +95,7 @@ void import_mesh_file(DeckContext& c, const CheckedCard& card) {
     return; // one file has taken all the time there is: the others wait until it is mended
   } else if (!card.has_word("FORMAT", "INP")) {
     std::vector<mesh::GeometryScriptConstant> constants =
-        mesh::import_gmsh_mesh(c.model.mesh, request, c.diagnostics);
+        mesh::import_gmsh_mesh_or_script(c.model.mesh, request, c.diagnostics);
     if (request.format == mesh::ImportFormat::geo) {
       c.scripts.push_back({request.file.string(), card.net, card.span, std::move(constants)});
     }

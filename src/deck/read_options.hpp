@@ -15,7 +15,7 @@ namespace spricka::deck {
 /// How much finer than its cards say a net is meshed, in the plane.
 struct NetRefinement {
   /// Size of elements wanted at a point [length], for $IMPORT FORMAT=GEO; empty: as its script has.
-  mesh::ScriptSizeRequest size = {};
+  mesh::ScriptSizeMap size = {};
   int counts = 1; ///< numbers of elements of $MESH times this
   int splits = 0; ///< how often all other elements are divided into four
 };

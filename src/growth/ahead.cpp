@@ -52,7 +52,7 @@ PlaneBoundaryAhead::PlaneBoundaryAhead(const model::Mesh& host) : host_(host) {
     if (!shape::is_edge(host.type[face.element.index()], face.side)) {
       continue; // no tip of a line runs into a face
     }
-    const mesh::ElementEdge edge = mesh::element_edge(host, face);
+    const mesh::EdgeEndAndMidNodes edge = mesh::element_edge_nodes(host, face);
     const base::NetId net = host.element_net[face.element.index()];
     const int parts = edge.mid.valid() ? pieces_of_edge : 1;
     for (int k = 0; k < parts; ++k) {
@@ -71,7 +71,7 @@ std::string PlaneBoundaryAhead::name_of(const HostBoundaryEdge& piece, const Vec
     }
   }
   for (const model::NodeSet& set : host_.node_sets) {
-    const mesh::ElementEdge edge = mesh::element_edge(host_, piece.face);
+    const mesh::EdgeEndAndMidNodes edge = mesh::element_edge_nodes(host_, piece.face);
     const auto holds = [&](base::NodeId n) {
       return !n.valid() || std::ranges::find(set.nodes, n) != set.nodes.end();
     };

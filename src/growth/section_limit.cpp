@@ -148,7 +148,7 @@ private:
 
   void mark_crack_faces() {
     on_face_.assign(mesh_.node_count(), false);
-    for (const mesh::CrackFaces& faces : in_.cracked.faces) {
+    for (const mesh::CrackFaceNodes& faces : in_.cracked.faces) {
       for (const std::vector<NodeId>* side : {&faces.left, &faces.right}) {
         for (const NodeId n : *side) {
           on_face_[n.index()] = true;

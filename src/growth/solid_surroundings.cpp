@@ -15,7 +15,7 @@ SolidBodyQuery::surface_ahead(const base::Vec3& x, const base::Vec3& way, base::
     return std::nullopt;
   }
   const mesh::SurfaceGeometry& surface =
-      host_.body_surface(*at).geometry(mesh::KeptSetBorders::none);
+      host_.body_surface(*at).geometry(mesh::SetBorderPreservation::none);
   for (const mesh::SurfaceHit& hit :
        mesh::intersect_line_with_surface(surface, x, way, surface.diagonal())) {
     if (hit.along > on_it * host_.extent(*at).edge) {
@@ -35,7 +35,7 @@ std::optional<std::size_t> SolidBodyQuery::surface_piece(const base::Vec3& x,
     return std::nullopt;
   }
   const mesh::SurfaceGeometry& surface =
-      host_.body_surface(*at).geometry(mesh::KeptSetBorders::none);
+      host_.body_surface(*at).geometry(mesh::SetBorderPreservation::none);
   return surface.smooth_piece_index(surface.nearest_place(x).face);
 }
 
@@ -47,7 +47,7 @@ bool SolidBodyQuery::is_line_inside(const base::Vec3& one, const base::Vec3& oth
   at = at ? at : host_.find_element_at(other, net);
   for (int i = 1; i < looks && at; ++i) {
     const base::Vec3 x = one + (other - one) * i / looks;
-    const auto& surface = host_.body_surface(*at).geometry(mesh::KeptSetBorders::none);
+    const auto& surface = host_.body_surface(*at).geometry(mesh::SetBorderPreservation::none);
     if (!inside(x, net) && (surface.nearest_place(x).x - x).norm() > off * (other - one).norm()) {
       return false;
     }

@@ -9,7 +9,7 @@ namespace spricka::mesh {
 /// Element sizes wanted in a geometry script, in its own coordinates: those of a map that counts in
 /// lengths of the deck, one unit of the script being `scale` of them. Where the script asks for
 /// less, its request stands. False without a map: as the script has it.
-struct ScriptSizeRequest {
+struct ScriptSizeMap {
   std::shared_ptr<const SizeMap> map = nullptr;
   double scale = 1.0;
 

@@ -170,7 +170,7 @@ private:
     double near = 0.0;
     const mesh::NearestMouth mouth = mesh::find_crack_mouth(host, start, crack.net);
     for (const model::Face& face : host.boundary()) {
-      const mesh::ElementEdge edge = mesh::element_edge(mesh_, face);
+      const mesh::EdgeEndAndMidNodes edge = mesh::element_edge_nodes(mesh_, face);
       const double length = (mesh_.x[edge.b.index()] - mesh_.x[edge.a.index()]).norm();
       // The given mouth may lie a little off the side that it is moved onto.
       const bool here =
@@ -213,7 +213,7 @@ std::vector<SideAt> sides_at(const mesh::HostMesh& host, base::NodeId node) {
   const std::vector<base::Vec3>& x = host.mesh().x;
   for (const base::ElementId e : host.elements_around(node)) {
     for (int s = 0; s < base::element_info(host.mesh().type[e.index()]).sides; ++s) {
-      const mesh::ElementEdge edge = mesh::element_edge(host.mesh(), {e, s});
+      const mesh::EdgeEndAndMidNodes edge = mesh::element_edge_nodes(host.mesh(), {e, s});
       if ((edge.a == node || edge.b == node) && !host.neighbour({e, s})) {
         const base::NodeId other = edge.a == node ? edge.b : edge.a;
         sides.push_back({other, (x[other.index()] - x[node.index()]).normalized()});

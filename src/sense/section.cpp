@@ -354,10 +354,10 @@ std::optional<Vec3> find_net_exit_point(const model::Mesh& section, base::NetId 
   const base::Vec2 way = (through - from).head<2>();
   double nearest = std::numeric_limits<double>::infinity();
   for (const model::Face& face : host.boundary()) {
-    if (!mesh::face_belongs_to_net(section, face, net)) {
+    if (!mesh::is_face_element_in_net(section, face, net)) {
       continue;
     }
-    const mesh::ElementEdge edge = mesh::element_edge(section, face);
+    const mesh::EdgeEndAndMidNodes edge = mesh::element_edge_nodes(section, face);
     constexpr int pieces = 8; // of a curved edge
     for (int k = 0; k < pieces; ++k) {
       const auto at = [&](int i) -> base::Vec2 {

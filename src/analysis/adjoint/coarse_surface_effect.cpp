@@ -114,7 +114,7 @@ JoinedSurfaces joined_surfaces(const SolvedMeshState& set, const model::Transiti
 // The node where a tip's crack starts on a surface; invalid: inside its body, or elsewhere.
 base::NodeId mouth_on(const JoinedSurfaces& joined, const mesh::CrackedMesh& cracked,
                       const mesh::CrackFront& front) {
-  const mesh::CrackFaces& crack_faces = cracked.faces[front.crack.index()];
+  const mesh::CrackFaceNodes& crack_faces = cracked.faces[front.crack.index()];
   for (const std::vector<base::NodeId>* crack_face : {&crack_faces.left, &crack_faces.right}) {
     for (const AdjacentSurfacePiece& side : joined.sides) {
       if (!crack_face->empty() &&

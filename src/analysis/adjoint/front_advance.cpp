@@ -132,7 +132,7 @@ std::vector<bool> VirtualAxisExtension::resting() const {
       own = mesh.property[e].value;
     }
   }
-  const mesh::CrackFaces& faces = scene_.cracked.faces[crack_.index()];
+  const mesh::CrackFaceNodes& faces = scene_.cracked.faces[crack_.index()];
   std::set<model::Face> own(faces.left_sides.begin(), faces.left_sides.end());
   own.insert(faces.right_sides.begin(), faces.right_sides.end());
   for (const model::Face& face : mesh::boundary_faces(mesh)) {
@@ -234,7 +234,7 @@ void VirtualAxisExtension::move() {
     mesh::CrackFront& moved = moved_.cracked.fronts[f];
     moved.curve =
         std::make_shared<const mesh::FrontCurve>(std::move(points), normals, front.curve->closed());
-    mesh::update_front_points(moved_.cracked.mesh, moved);
+    mesh::recompute_front_point_geometry(moved_.cracked.mesh, moved);
     moved_.domains[f] =
         crack::build_front_domains(moved_.cracked, moved, domain_ring_counts(model_, crack_),
                                    find_domain_limits(model_, scene_, front));

@@ -88,7 +88,7 @@ std::vector<bool> at_sharp_edges(const contact::PairConstraints& pair,
 // elements away says nothing of an error.
 bool presses_on_a_crack(const Discretisation& scene, const model::Contact& contact) {
   std::set<std::pair<base::ElementId, int>> sides;
-  for (const mesh::CrackFaces& faces : scene.cracked.faces) {
+  for (const mesh::CrackFaceNodes& faces : scene.cracked.faces) {
     for (const auto* some : {&faces.left_sides, &faces.right_sides}) {
       for (const model::Face& face : *some) {
         sides.emplace(face.element, face.side);

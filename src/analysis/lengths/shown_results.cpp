@@ -26,7 +26,7 @@ std::vector<results::Stress> as_results(const std::vector<fe::Stress>& stress) {
 
 std::vector<results::OuterSurfaceFace> outer_faces_by_nodes(const model::Mesh& mesh) {
   std::vector<results::OuterSurfaceFace> surface;
-  for (const model::Face& face : mesh::outer_surface_faces(mesh)) {
+  for (const model::Face& face : mesh::boundary_faces_except_interfaces(mesh)) {
     const base::ElementType type = mesh.type[face.element.index()];
     if (shape::is_edge(type, face.side)) {
       continue; // of a plane element, which shows its own face

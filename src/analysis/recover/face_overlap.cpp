@@ -17,7 +17,7 @@ constexpr double least_crack_overlap = 1e-3;
 
 std::string describe_face_overlap(const Discretisation& scene, const mesh::CrackFront& front,
                                   const StepState& state) {
-  const mesh::CrackFaces& faces = scene.cracked.faces[front.crack.index()];
+  const mesh::CrackFaceNodes& faces = scene.cracked.faces[front.crack.index()];
   double deepest = 0.0;
   double largest = 0.0;
   std::size_t count = 0;

@@ -28,7 +28,7 @@ bool opens_into_contact(const model::Model& model, const mesh::CrackLine& line) 
   const auto has = [&](base::FaceSetId set) {
     return set.valid() &&
            std::ranges::any_of(model.mesh.set_with_id(set).faces, [&](const model::Face& f) {
-             const mesh::ElementEdge edge = mesh::element_edge(model.mesh, f);
+             const mesh::EdgeEndAndMidNodes edge = mesh::element_edge_nodes(model.mesh, f);
              const double length =
                  (model.mesh.x[edge.b.index()] - model.mesh.x[edge.a.index()]).norm();
              return mesh::nearest_on(model.mesh, edge, line.points.front()).distance <
@@ -118,7 +118,7 @@ std::optional<mesh::CrackedMesh> cracked_solid(const model::Model& model,
   if (!cracked) {
     return cracked;
   }
-  std::vector<mesh::CrackFaces> faces(model.cracks.size());
+  std::vector<mesh::CrackFaceNodes> faces(model.cracks.size());
   for (std::size_t i = 0; i < cut.size(); ++i) {
     faces[cut[i].crack.index()] = std::move(cracked->faces[i]);
   }
@@ -178,7 +178,7 @@ void add_to_crack_region(const model::Model& model, const std::vector<mesh::Crac
   plan.split = true;
   const mesh::HostMesh host(model.mesh);
   for (const base::ElementId e :
-       mesh::crack_region_elements(host, lines, tip_meshes(model, host, lines))) {
+       mesh::possible_cavity_elements(host, lines, tip_meshes(model, host, lines))) {
     plan.region[e.index()] = true;
   }
 }

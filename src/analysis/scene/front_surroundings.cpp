@@ -296,7 +296,7 @@ bool reject_total_loads_on_crack_faces(const model::Model& model, const Discreti
                                        base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = scene.cracked.mesh;
   std::set<model::Face> crack_faces;
-  for (const mesh::CrackFaces& crack_face : scene.cracked.faces) {
+  for (const mesh::CrackFaceNodes& crack_face : scene.cracked.faces) {
     const mesh::CrackFaceSides faces = mesh::crack_face_sides(mesh, crack_face);
     crack_faces.insert(faces.left.begin(), faces.left.end());
     crack_faces.insert(faces.right.begin(), faces.right.end());

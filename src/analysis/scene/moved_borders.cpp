@@ -27,7 +27,7 @@ struct Border {
 std::vector<Border> borders_of(const model::Mesh& mesh, const model::FaceSet& set) {
   std::map<base::NodeId, std::pair<int, double>> met; // how often, and the edge's length
   for (const model::Face& face : set.faces) {
-    const mesh::ElementEdge edge = mesh::element_edge(mesh, face);
+    const mesh::EdgeEndAndMidNodes edge = mesh::element_edge_nodes(mesh, face);
     const double length = (mesh.x[edge.b.index()] - mesh.x[edge.a.index()]).norm();
     for (const base::NodeId n : {edge.a, edge.b}) {
       ++met[n].first;

@@ -25,7 +25,7 @@ public:
 
   void set(base::NodeSetId id, const base::SourceSpan& span, const char* what) {
     for (const auto& choice :
-         membership_.choose_face_nodes(scene_.cracked.mesh.set_with_id(id).nodes)) {
+         membership_.choose_nodes_belonging_to_set(scene_.cracked.mesh.set_with_id(id).nodes)) {
       if (choice.alone) {
         report(choice.nodes, span, what);
         return;
@@ -66,7 +66,7 @@ private:
   const model::Model& model_;
   const Discretisation& scene_;
   base::Diagnostics& diagnostics_;
-  mesh::CrackFaceMembership membership_;
+  mesh::NodeSetsOnCrackFaces membership_;
   bool good_ = true;
 };
 
@@ -79,9 +79,9 @@ std::vector<bool> marked(const model::Mesh& mesh, const std::vector<base::NodeId
 }
 
 /// Sides at the nodes of a crack face that lead away from its line.
-std::vector<mesh::ElementEdge> sides_off(const model::Mesh& mesh,
-                                         const std::vector<base::NodeId>& crack_face,
-                                         std::size_t across) {
+std::vector<mesh::EdgeEndAndMidNodes> sides_off(const model::Mesh& mesh,
+                                                const std::vector<base::NodeId>& crack_face,
+                                                std::size_t across) {
   const std::vector<bool> on_crack_face = marked(mesh, crack_face);
   const auto a = static_cast<Eigen::Index>(across);
   const base::Vec3& start = mesh.x[crack_face.front().index()];
@@ -90,7 +90,7 @@ std::vector<mesh::ElementEdge> sides_off(const model::Mesh& mesh,
   const auto on_line = [&](base::NodeId n) {
     return std::abs(mesh.x[n.index()][a] - start[a]) <= near;
   };
-  std::vector<mesh::ElementEdge> sides;
+  std::vector<mesh::EdgeEndAndMidNodes> sides;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const base::ElementId element(e);
     if (std::ranges::none_of(mesh.element_nodes(element),
@@ -98,7 +98,7 @@ std::vector<mesh::ElementEdge> sides_off(const model::Mesh& mesh,
       continue;
     }
     for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
-      const mesh::ElementEdge edge = mesh::element_edge(mesh, {element, s});
+      const mesh::EdgeEndAndMidNodes edge = mesh::element_edge_nodes(mesh, {element, s});
       // One end on the face, the other off the line: a side that a support may hold for reasons of
       // its own.
       if (on_crack_face[edge.a.index()] != on_crack_face[edge.b.index()] &&
@@ -114,13 +114,13 @@ std::vector<mesh::ElementEdge> sides_off(const model::Mesh& mesh,
 std::vector<bool> held_beside(const model::Model& model, const model::Mesh& mesh,
                               const std::vector<base::NodeId>& crack_face, std::size_t across) {
   std::vector<bool> held(mesh.node_count(), false);
-  const std::vector<mesh::ElementEdge> sides = sides_off(mesh, crack_face, across);
+  const std::vector<mesh::EdgeEndAndMidNodes> sides = sides_off(mesh, crack_face, across);
   for (const model::FreedomAssignment& freedom : model.freedoms) {
     if (freedom.cls != FreedomRole::suppressed || !freedom.dof[across]) {
       continue;
     }
     const std::vector<bool> in = marked(mesh, mesh.set_with_id(freedom.nodes).nodes);
-    for (const mesh::ElementEdge& side : sides) {
+    for (const mesh::EdgeEndAndMidNodes& side : sides) {
       if (in[side.a.index()] && in[side.b.index()]) {
         held[side.a.index()] = held[side.b.index()] = true;
       }
@@ -170,8 +170,8 @@ void release_crack_faces(const model::Model& model, const std::vector<mesh::Crac
     }
     const base::Vec3 along = (lines[i].points.back() - lines[i].points.front()).normalized();
     const std::size_t across = std::abs(along.x()) > std::abs(along.y()) ? 1 : 0;
-    const mesh::CrackFaces& crack_faces = scene.cracked.faces[i];
-    const std::vector<base::NodeId>& crack_face = crack_faces.meshed_face();
+    const mesh::CrackFaceNodes& crack_faces = scene.cracked.faces[i];
+    const std::vector<base::NodeId>& crack_face = crack_faces.meshed_face_nodes();
     const std::vector<bool> held = held_beside(model, mesh, crack_face, across);
     // All but the tip, which stays on the line.
     for (std::size_t k = 0; k + 1 < crack_face.size(); ++k) {

@@ -33,7 +33,7 @@ std::vector<base::NodeId> sorted(std::vector<base::NodeId> nodes) {
 std::string changed(const model::Model& model, const Discretisation& scene,
                     const model::Load& load) {
   const model::Mesh& mesh = scene.cracked.mesh;
-  const mesh::CrackFaceMembership crack_faces(mesh, scene.cracked.faces);
+  const mesh::NodeSetsOnCrackFaces crack_faces(mesh, scene.cracked.faces);
   const std::vector<base::NodeId> before = sorted(model.mesh.set_with_id(load.nodes).nodes);
   const std::vector<base::NodeId> now = sorted(mesh.set_with_id(load.nodes).nodes);
   for (const base::NodeId n : before) {

@@ -22,7 +22,8 @@ namespace {
 constexpr double slip_of_round_off = 1e-9;
 
 // The sides that make up both faces: those that are known, or all that lie within their nodes.
-std::vector<model::Face> sides_of(const model::Mesh& mesh, const mesh::CrackFaces& crack_faces) {
+std::vector<model::Face> sides_of(const model::Mesh& mesh,
+                                  const mesh::CrackFaceNodes& crack_faces) {
   std::vector<model::Face> sides = crack_faces.left_sides;
   sides.insert(sides.end(), crack_faces.right_sides.begin(), crack_faces.right_sides.end());
   if (!sides.empty()) {
@@ -38,12 +39,12 @@ std::vector<model::Face> sides_of(const model::Mesh& mesh, const mesh::CrackFace
   return sides;
 }
 
-const std::vector<base::NodeId>& own_crack_face(const mesh::CrackFaces& crack_faces) {
-  return crack_faces.meshed_face();
+const std::vector<base::NodeId>& own_crack_face(const mesh::CrackFaceNodes& crack_faces) {
+  return crack_faces.meshed_face_nodes();
 }
 
 // Nodes of the crack face that carries the rows, from a tip on.
-std::vector<base::NodeId> from_tip(const mesh::CrackFaces& crack_faces, base::NodeId tip) {
+std::vector<base::NodeId> from_tip(const mesh::CrackFaceNodes& crack_faces, base::NodeId tip) {
   std::vector<base::NodeId> nodes = own_crack_face(crack_faces);
   if (nodes.back() == tip) {
     std::ranges::reverse(nodes);
@@ -68,7 +69,7 @@ struct CrackFaceRules {
   contact::PairConstraints (*pair)(const model::Model&, const Discretisation&, std::size_t line,
                                    bool friction);
   /// Whose freedoms become external.
-  std::vector<base::NodeId> (*nodes)(const mesh::CrackFaces&, const contact::PairConstraints&);
+  std::vector<base::NodeId> (*nodes)(const mesh::CrackFaceNodes&, const contact::PairConstraints&);
 };
 
 constexpr base::ByDimension<CrackFaceRules> crack_face_rules{
@@ -119,7 +120,7 @@ void add_crack_face_pairs(const model::Model& model, const std::vector<std::size
   const auto dim = static_cast<std::size_t>(mesh.dim);
   const CrackFaceRules& rules = crack_face_rules.at(mesh.dim);
   for (const std::size_t i : lines) {
-    const mesh::CrackFaces& crack_faces = scene.cracked.faces[i];
+    const mesh::CrackFaceNodes& crack_faces = scene.cracked.faces[i];
     const model::CrackDefinition& crack = model.cracks[i];
     model::Contact contact;
     contact.name = crack.name + ".FACES";

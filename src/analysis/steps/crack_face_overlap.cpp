@@ -16,9 +16,9 @@ struct Jump {
 };
 
 Jump look(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector& u) {
-  const mesh::CrackFaces& crack_faces = cracked.faces[line];
+  const mesh::CrackFaceNodes& crack_faces = cracked.faces[line];
   const bool half = crack_faces.has_one_face();
-  const std::vector<base::NodeId>& path = crack_faces.meshed_face();
+  const std::vector<base::NodeId>& path = crack_faces.meshed_face_nodes();
   const auto displacement = [&](const std::vector<base::NodeId>& crack_face,
                                 std::size_t i) -> base::Vec2 {
     // the other face of a half model mirrors this one: what moves off the line opens
@@ -69,7 +69,7 @@ CrackFaceOverlap crack_face_overlap(const mesh::CrackedMesh& cracked, std::size_
 
 double largest_crack_face_jump(const mesh::CrackedMesh& cracked, std::size_t line,
                                const base::Vector& u) {
-  const mesh::CrackFaces& crack_faces = cracked.faces[line];
+  const mesh::CrackFaceNodes& crack_faces = cracked.faces[line];
   const bool half = crack_faces.has_one_face();
   // The mirrored face of a half model moves as far the other way.
   return (half ? 2.0 : 1.0) * look(cracked, line, u).largest;

@@ -89,7 +89,7 @@ public:
       more = false;
       for (const model::Face& face : outline()) {
         const auto next = host_.neighbour(face);
-        if (next && allowed(*next) && is_long(element_edge(mesh_, face))) {
+        if (next && allowed(*next) && is_long(element_edge_nodes(mesh_, face))) {
           const bool taken = take(*next);
           other = taken ? other : owner_[next->index()];
           more = more || taken;
@@ -105,7 +105,7 @@ public:
     for (bool more = true; more;) {
       std::map<NodeId, int> leaving;
       for (const model::Face& face : outline()) {
-        ++leaving[element_edge(mesh_, face).a];
+        ++leaving[element_edge_nodes(mesh_, face).a];
       }
       more = false;
       for (const auto& [node, count] : leaving) {
@@ -127,7 +127,7 @@ public:
     for (const FaceChain& chain : build_face_chains(mesh_, outline())) {
       std::vector<CavityOutlineEdge> loop;
       for (const model::Face& face : chain.faces) {
-        loop.push_back({face, element_edge(mesh_, face), !host_.neighbour(face).has_value()});
+        loop.push_back({face, element_edge_nodes(mesh_, face), !host_.neighbour(face).has_value()});
       }
       result.loops.push_back(std::move(loop));
     }
@@ -161,9 +161,9 @@ private:
              });
     });
   }
-  [[nodiscard]] bool is_long(const ElementEdge& edge) const {
+  [[nodiscard]] bool is_long(const EdgeEndAndMidNodes& edge) const {
     return std::ranges::any_of(places_, [&](const CrackPlacement* place) {
-      return mesh::edge_exceeds_clearance(mesh_, *place, edge, 1.0 / edge_room);
+      return mesh::is_edge_longer_than_clearance(mesh_, *place, edge, 1.0 / edge_room);
     });
   }
   [[nodiscard]] std::vector<ElementId> elements() const {
@@ -226,8 +226,8 @@ std::optional<std::pair<std::size_t, std::size_t>> take_all(std::vector<CavityFi
 
 } // namespace
 
-bool edge_exceeds_clearance(const model::Mesh& mesh, const CrackPlacement& placement,
-                            const ElementEdge& edge, double part) {
+bool is_edge_longer_than_clearance(const model::Mesh& mesh, const CrackPlacement& placement,
+                                   const EdgeEndAndMidNodes& edge, double part) {
   const Vec2 a = placement.frame.rounded_local_coordinates(mesh.x[edge.a.index()]).head<2>();
   const Vec2 b = placement.frame.rounded_local_coordinates(mesh.x[edge.b.index()]).head<2>();
   // The edge's chord as a polygon without area.

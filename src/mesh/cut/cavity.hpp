@@ -12,7 +12,7 @@ namespace spricka::mesh {
 /// An edge of a cavity, cavity on the left.
 struct CavityOutlineEdge {
   model::Face face; ///< of the host element inside the cavity
-  ElementEdge edge;
+  EdgeEndAndMidNodes edge;
   bool free = false; ///< on the host's boundary; else elements that stay lie beyond
 };
 
@@ -33,7 +33,7 @@ Cavities find_cavities(const HostMesh& host, std::span<const CrackPlacement> pla
 
 /// Whether an edge is longer than its room, times `part`: its distance from the crack and from the
 /// rosettes.
-bool edge_exceeds_clearance(const model::Mesh& mesh, const CrackPlacement& placement,
-                            const ElementEdge& edge, double part);
+bool is_edge_longer_than_clearance(const model::Mesh& mesh, const CrackPlacement& placement,
+                                   const EdgeEndAndMidNodes& edge, double part);
 
 } // namespace spricka::mesh

@@ -37,7 +37,7 @@ std::vector<Vec2> without_mouth(const std::vector<Vec2>& line) {
 }
 
 /// An edge as a polyline whose points lie the denser the nearer to the mouth, if that is on it.
-std::vector<Vec2> fine_curve(const model::Mesh& mesh, const ElementEdge& edge,
+std::vector<Vec2> fine_curve(const model::Mesh& mesh, const EdgeEndAndMidNodes& edge,
                              const CrackPlacement& placement) {
   std::vector<double> xi{-1.0, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75, 1.0};
   const NearestEdgePoint mouth = nearest_on(mesh, edge, placement.frame.origin);
@@ -145,8 +145,9 @@ std::optional<ElementId> foreign_element(const HostMesh& host, const CrackPlacem
 
 } // namespace
 
-bool check_cavity(const HostMesh& host, const CrackPlacement& placement, const Cavity& cavity,
-                  base::SourceSpan span, base::Diagnostics& diagnostics) {
+bool check_crack_inside_cavity(const HostMesh& host, const CrackPlacement& placement,
+                               const Cavity& cavity, base::SourceSpan span,
+                               base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = host.mesh();
   if (const auto e = foreign_element(host, placement, cavity)) {
     diagnostics.error(span, "E424",
@@ -159,7 +160,7 @@ bool check_cavity(const HostMesh& host, const CrackPlacement& placement, const C
   }
   for (const std::vector<CavityOutlineEdge>& loop : cavity.loops) {
     for (const CavityOutlineEdge& edge : loop) {
-      if (!edge.free && edge_exceeds_clearance(mesh, placement, edge.edge, longest_border)) {
+      if (!edge.free && is_edge_longer_than_clearance(mesh, placement, edge.edge, longest_border)) {
         const base::Vec3& at = mesh.x[edge.edge.a.index()];
         diagnostics.error(
             span, "E424",

@@ -6,7 +6,8 @@
 namespace spricka::mesh {
 
 /// Whether the crack stays inside its cavity, in one material; errors at `span`.
-bool check_cavity(const HostMesh& host, const CrackPlacement& placement, const Cavity& cavity,
-                  base::SourceSpan span, base::Diagnostics& diagnostics);
+bool check_crack_inside_cavity(const HostMesh& host, const CrackPlacement& placement,
+                               const Cavity& cavity, base::SourceSpan span,
+                               base::Diagnostics& diagnostics);
 
 } // namespace spricka::mesh

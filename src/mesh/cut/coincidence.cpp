@@ -34,7 +34,7 @@ double shortest_side(const model::Mesh& mesh, const std::vector<model::Face>& fa
 
 } // namespace
 
-std::size_t CoincidentPoints::CellHash::operator()(const Cell& cell) const {
+std::size_t CoincidentPoints::GridCellHasher::operator()(const Cell& cell) const {
   std::size_t h = 0;
   for (const std::int64_t i : cell) {
     h = h * 1000003U + static_cast<std::size_t>(i);
@@ -104,7 +104,7 @@ std::vector<CoincidentFacePair> find_coincident_faces(const model::Mesh& mesh,
 }
 
 std::vector<std::pair<base::ElementId, base::ElementId>>
-find_duplicate_elements(const model::Mesh& mesh) {
+find_coincident_elements(const model::Mesh& mesh) {
   double shortest = std::numeric_limits<double>::max();
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const std::span<const NodeId> nodes = mesh.element_nodes(base::ElementId(e));

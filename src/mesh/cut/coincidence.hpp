@@ -25,7 +25,7 @@ public:
 
 private:
   using Cell = std::array<std::int64_t, 3>;
-  struct CellHash {
+  struct GridCellHasher {
     std::size_t operator()(const Cell& cell) const;
   };
   [[nodiscard]] Cell cell_of(const base::Vec3& x) const;
@@ -34,7 +34,7 @@ private:
   double reach_;
   double width_;
   std::vector<base::Vec3> points_;
-  std::unordered_map<Cell, std::vector<std::size_t>, CellHash> cells_;
+  std::unordered_map<Cell, std::vector<std::size_t>, GridCellHasher> cells_;
 };
 
 /// Two sides of elements with corners at the same places but nodes of their own.
@@ -50,6 +50,6 @@ std::vector<CoincidentFacePair> find_coincident_faces(const model::Mesh& mesh,
 
 /// Elements whose corners all stand where those of an earlier element do, each with that element.
 std::vector<std::pair<base::ElementId, base::ElementId>>
-find_duplicate_elements(const model::Mesh& mesh);
+find_coincident_elements(const model::Mesh& mesh);
 
 } // namespace spricka::mesh

@@ -13,7 +13,7 @@ using base::NodeId;
 using Ends = std::pair<NodeId, NodeId>;
 
 // Whether both faces are meshed; a half has one and doubles no node.
-bool is_open(const CrackFaces& crack_faces) {
+bool is_open(const CrackFaceNodes& crack_faces) {
   return !crack_faces.left.empty() && crack_faces.left.size() == crack_faces.right.size();
 }
 
@@ -30,20 +30,20 @@ std::vector<bool> corners_of(const model::Mesh& mesh) {
 
 } // namespace
 
-CrackFaceMembership::CrackFaceMembership(const model::Mesh& mesh,
-                                         std::span<const CrackFaces> crack_faces)
+NodeSetsOnCrackFaces::NodeSetsOnCrackFaces(const model::Mesh& mesh,
+                                           std::span<const CrackFaceNodes> crack_faces)
     : group_of_(mesh.node_count(), -1) {
-  for (const CrackFaces& crack_face : crack_faces) {
+  for (const CrackFaceNodes& crack_face : crack_faces) {
     for (const auto& [left, right] : crack_face.coincident_node_pairs()) {
       add_group(left, right);
     }
   }
   // Where the cut has told sides, in space, it knows which face a set means.
-  if (groups_.empty() || std::ranges::any_of(crack_faces, &CrackFaces::has_sides)) {
+  if (groups_.empty() || std::ranges::any_of(crack_faces, &CrackFaceNodes::has_sides)) {
     return;
   }
   corner_ = corners_of(mesh);
-  for (const CrackFaces& crack_face : crack_faces) {
+  for (const CrackFaceNodes& crack_face : crack_faces) {
     if (is_open(crack_face)) {
       add_neighbours(crack_face.left);
       add_neighbours(crack_face.right);
@@ -52,7 +52,7 @@ CrackFaceMembership::CrackFaceMembership(const model::Mesh& mesh,
   find_sides(mesh, crack_faces);
 }
 
-void CrackFaceMembership::add_group(NodeId left, NodeId right) {
+void NodeSetsOnCrackFaces::add_group(NodeId left, NodeId right) {
   std::int32_t& group = group_of_[left.index()];
   if (group < 0) {
     group = static_cast<std::int32_t>(groups_.size());
@@ -63,7 +63,7 @@ void CrackFaceMembership::add_group(NodeId left, NodeId right) {
   group_of_[right.index()] = group;
 }
 
-void CrackFaceMembership::add_neighbours(const std::vector<NodeId>& crack_face) {
+void NodeSetsOnCrackFaces::add_neighbours(const std::vector<NodeId>& crack_face) {
   for (std::size_t i = 1; i + 1 < crack_face.size(); ++i) {
     // A side is told by its corners: middle nodes go with the corners before and behind them.
     if (!corner_[crack_face[i].index()]) {
@@ -73,10 +73,10 @@ void CrackFaceMembership::add_neighbours(const std::vector<NodeId>& crack_face) 
   }
 }
 
-void CrackFaceMembership::find_sides(const model::Mesh& mesh,
-                                     std::span<const CrackFaces> crack_faces) {
+void NodeSetsOnCrackFaces::find_sides(const model::Mesh& mesh,
+                                      std::span<const CrackFaceNodes> crack_faces) {
   std::set<Ends> along;
-  for (const CrackFaces& crack_face : crack_faces) {
+  for (const CrackFaceNodes& crack_face : crack_faces) {
     for (const std::vector<NodeId>* face : {&crack_face.left, &crack_face.right}) {
       NodeId last;
       for (const NodeId n : *face) {
@@ -96,7 +96,7 @@ void CrackFaceMembership::find_sides(const model::Mesh& mesh,
       continue;
     }
     for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
-      const ElementEdge edge = element_edge(mesh, {element, s});
+      const EdgeEndAndMidNodes edge = element_edge_nodes(mesh, {element, s});
       if (group_of_[edge.a.index()] >= 0 || group_of_[edge.b.index()] >= 0) {
         sides_.push_back({edge.a, edge.b, along.contains(std::minmax(edge.a, edge.b))});
       }
@@ -104,8 +104,8 @@ void CrackFaceMembership::find_sides(const model::Mesh& mesh,
   }
 }
 
-std::vector<CrackFaceMembership::CrackFaceChoice>
-CrackFaceMembership::choose_face_nodes(const std::vector<NodeId>& members) const {
+std::vector<NodeSetsOnCrackFaces::ChosenCoincidentNodes>
+NodeSetsOnCrackFaces::choose_nodes_belonging_to_set(const std::vector<NodeId>& members) const {
   std::vector<bool> touched(groups_.size(), false);
   bool any = false;
   for (const NodeId n : members) {
@@ -114,7 +114,7 @@ CrackFaceMembership::choose_face_nodes(const std::vector<NodeId>& members) const
       any = true;
     }
   }
-  std::vector<CrackFaceChoice> result;
+  std::vector<ChosenCoincidentNodes> result;
   if (!any) {
     return result;
   }
@@ -128,7 +128,7 @@ CrackFaceMembership::choose_face_nodes(const std::vector<NodeId>& members) const
   }
   std::vector<bool> beside(group_of_.size(), false); // a side of the set leads away from the crack
   std::vector<bool> line(group_of_.size(), false);   // one goes along it
-  for (const CrackNeighbourSide& side : sides_) {
+  for (const SideTouchingCrack& side : sides_) {
     if (in[side.a.index()] && in[side.b.index()]) {
       std::vector<bool>& mark = side.along ? line : beside;
       mark[side.a.index()] = mark[side.b.index()] = true;
@@ -142,7 +142,7 @@ CrackFaceMembership::choose_face_nodes(const std::vector<NodeId>& members) const
     if (!touched[g]) {
       continue;
     }
-    CrackFaceChoice choice{groups_[g], {}, false};
+    ChosenCoincidentNodes choice{groups_[g], {}, false};
     std::ranges::copy_if(groups_[g], std::back_inserter(choice.chosen),
                          [&](NodeId n) { return beside[n.index()]; });
     if (choice.chosen.empty()) {
@@ -154,19 +154,19 @@ CrackFaceMembership::choose_face_nodes(const std::vector<NodeId>& members) const
   return result;
 }
 
-std::span<const NodeId> CrackFaceMembership::coincident_nodes(NodeId node) const {
+std::span<const NodeId> NodeSetsOnCrackFaces::coincident_nodes(NodeId node) const {
   const bool doubled = node.index() < group_of_.size() && group_of_[node.index()] >= 0;
   return doubled
              ? std::span<const NodeId>(groups_[static_cast<std::size_t>(group_of_[node.index()])])
              : std::span<const NodeId>();
 }
 
-void add_crack_face_nodes(model::Mesh& mesh, std::span<const CrackFaces> crack_faces) {
-  const CrackFaceMembership membership(mesh, crack_faces);
+void add_crack_face_nodes(model::Mesh& mesh, std::span<const CrackFaceNodes> crack_faces) {
+  const NodeSetsOnCrackFaces membership(mesh, crack_faces);
   for (model::NodeSet& set : mesh.node_sets) {
     std::vector<NodeId> late;
-    for (const CrackFaceMembership::CrackFaceChoice& choice :
-         membership.choose_face_nodes(set.nodes)) {
+    for (const NodeSetsOnCrackFaces::ChosenCoincidentNodes& choice :
+         membership.choose_nodes_belonging_to_set(set.nodes)) {
       // the set keeps its order: the first that is chosen stands where the host's node stood
       std::ranges::replace(set.nodes, choice.nodes.front(), choice.chosen.front());
       late.insert(late.end(), choice.chosen.begin() + 1, choice.chosen.end());

@@ -9,8 +9,9 @@ namespace spricka::mesh {
 using base::ElementId;
 using base::NodeId;
 
-std::vector<ElementId> crack_region_elements(const HostMesh& host, std::span<const CrackLine> lines,
-                                             std::span<const TipMeshParameters> tips) {
+std::vector<ElementId> possible_cavity_elements(const HostMesh& host,
+                                                std::span<const CrackLine> lines,
+                                                std::span<const TipMeshParameters> tips) {
   const model::Mesh& mesh = host.mesh();
   std::vector<bool> in(mesh.element_count(), false);
   base::Diagnostics ignored; // insert_cracks reports

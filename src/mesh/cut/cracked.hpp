@@ -107,7 +107,7 @@ struct CrackFront {
 /// symmetric half the one that is meshed. In the plane their order is that along the crack, from
 /// the mouth to the tip, which both have. In space the upper face, towards which b points, is the
 /// left one; the nodes are in no order, those of the front on both.
-struct CrackFaces {
+struct CrackFaceNodes {
   std::vector<base::NodeId> left;
   std::vector<base::NodeId> right;                      ///< as many as left, where both are meshed
   std::vector<model::Face> left_sides{}, right_sides{}; ///< in space: element sides that make them
@@ -117,7 +117,7 @@ struct CrackFaces {
   /// Whether one is the mirror image of the other and not meshed.
   [[nodiscard]] bool has_one_face() const { return left.empty() || right.empty(); }
   /// The face that is meshed, the left one of two.
-  [[nodiscard]] const std::vector<base::NodeId>& meshed_face() const {
+  [[nodiscard]] const std::vector<base::NodeId>& meshed_face_nodes() const {
     return left.empty() ? right : left;
   }
   /// Nodes of both faces that lie on one another, left and right; not those that are one node.
@@ -140,7 +140,7 @@ struct CrackedMesh {
   model::Mesh mesh;
   std::vector<CrackFront> fronts;
   std::vector<base::ElementId> host; ///< [element] the host element it is, or invalid if new
-  std::vector<CrackFaces> faces;     ///< [crack line]
+  std::vector<CrackFaceNodes> faces; ///< [crack line]
   std::vector<HangingNodeTie> ties;  ///< of patches with a transition
   /// [node set] members that a cavity took and nothing stands in for: single nodes, as the new
   /// nodes of whole sides and of cavities take their place. Empty where no patch was cut.

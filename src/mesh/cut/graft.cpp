@@ -234,7 +234,7 @@ private:
     }
 
     void replace_held_edges(std::size_t g) {
-      for (const HeldEdgeReplacement& edge : grafter.grafts_[g].patch.edges) {
+      for (const HeldSetEdgeReplacement& edge : grafter.grafts_[g].patch.edges) {
         if (!std::ranges::all_of(edge.host,
                                  [&](NodeId n) { return !n.valid() || old_member[n.index()]; })) {
           continue;
@@ -360,7 +360,7 @@ std::vector<model::Face> along(const model::Mesh& mesh, const std::vector<NodeId
       continue;
     }
     for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
-      const ElementEdge edge = element_edge(mesh, {element, s});
+      const EdgeEndAndMidNodes edge = element_edge_nodes(mesh, {element, s});
       const auto from = place.find(left ? edge.a : edge.b);
       const auto to = place.find(left ? edge.b : edge.a);
       if (from == place.end() || to == place.end()) {
@@ -385,7 +385,7 @@ std::vector<model::Face> along(const model::Mesh& mesh, const std::vector<NodeId
 
 } // namespace
 
-CrackFaceSides crack_face_sides(const model::Mesh& mesh, const CrackFaces& crack_faces) {
+CrackFaceSides crack_face_sides(const model::Mesh& mesh, const CrackFaceNodes& crack_faces) {
   if (crack_faces.has_sides()) {
     return {crack_faces.left_sides, crack_faces.right_sides};
   }

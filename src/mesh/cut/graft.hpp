@@ -43,6 +43,6 @@ void add_ties(const Patch& patch, const GraftedPatch& placed, base::CrackId crac
 struct CrackFaceSides {
   std::vector<model::Face> left, right;
 };
-CrackFaceSides crack_face_sides(const model::Mesh& mesh, const CrackFaces& crack_faces);
+CrackFaceSides crack_face_sides(const model::Mesh& mesh, const CrackFaceNodes& crack_faces);
 
 } // namespace spricka::mesh

@@ -12,14 +12,14 @@
 
 namespace spricka::mesh {
 
-ElementEdge element_edge(const model::Mesh& mesh, const model::Face& face) {
+EdgeEndAndMidNodes element_edge_nodes(const model::Mesh& mesh, const model::Face& face) {
   const auto nodes = mesh.element_nodes(face.element);
   const auto local = shape::side_nodes(mesh.type[face.element.index()], face.side);
   return {nodes[static_cast<std::size_t>(local[0])], nodes[static_cast<std::size_t>(local[1])],
           local.size() == 3 ? nodes[static_cast<std::size_t>(local[2])] : base::NodeId()};
 }
 
-base::Vec3 point_on_edge(const model::Mesh& mesh, const ElementEdge& edge, double xi) {
+base::Vec3 point_on_edge(const model::Mesh& mesh, const EdgeEndAndMidNodes& edge, double xi) {
   const base::Vec3& a = mesh.x[edge.a.index()];
   const base::Vec3& b = mesh.x[edge.b.index()];
   if (!edge.mid.valid()) {
@@ -30,8 +30,8 @@ base::Vec3 point_on_edge(const model::Mesh& mesh, const ElementEdge& edge, doubl
   return N[0] * a + N[1] * b + N[2] * mesh.x[edge.mid.index()];
 }
 
-base::Vec2 point_on_edge(const model::Mesh& mesh, const CrackFrame& frame, const ElementEdge& edge,
-                         double xi) {
+base::Vec2 point_on_edge(const model::Mesh& mesh, const CrackFrame& frame,
+                         const EdgeEndAndMidNodes& edge, double xi) {
   const base::Vec2 a = frame.rounded_local_coordinates(mesh.x[edge.a.index()]).head<2>();
   const base::Vec2 b = frame.rounded_local_coordinates(mesh.x[edge.b.index()]).head<2>();
   const base::Vec2 m = frame.rounded_local_coordinates(mesh.x[edge.mid.index()]).head<2>();
@@ -39,7 +39,8 @@ base::Vec2 point_on_edge(const model::Mesh& mesh, const CrackFrame& frame, const
   return N[0] * a + N[1] * b + N[2] * m;
 }
 
-NearestEdgePoint nearest_on(const model::Mesh& mesh, const ElementEdge& edge, const base::Vec3& p) {
+NearestEdgePoint nearest_on(const model::Mesh& mesh, const EdgeEndAndMidNodes& edge,
+                            const base::Vec3& p) {
   NearestEdgePoint best{0.0, std::numeric_limits<double>::max()};
   const auto meet = [&](double xi) {
     const double d = (point_on_edge(mesh, edge, xi) - p).norm();
@@ -65,8 +66,8 @@ NearestEdgePoint nearest_on(const model::Mesh& mesh, const ElementEdge& edge, co
   return best;
 }
 
-bool is_edge_beyond_distance(const model::Mesh& mesh, const ElementEdge& edge, const base::Vec3& p,
-                             double distance) {
+bool is_edge_beyond_distance_of_point(const model::Mesh& mesh, const EdgeEndAndMidNodes& edge,
+                                      const base::Vec3& p, double distance) {
   const base::Vec3& a = mesh.x[edge.a.index()];
   // No point of the edge is taken to be farther from its first end than twice the chord.
   return (a - p).norm() - 2.0 * (mesh.x[edge.b.index()] - a).norm() > distance;
@@ -76,7 +77,7 @@ std::vector<base::Vec2> polygon(const model::Mesh& mesh, base::ElementId e,
                                 const CrackFrame& frame) {
   std::vector<base::Vec2> result;
   for (int s = 0; s < base::element_info(mesh.type[e.index()]).sides; ++s) {
-    const ElementEdge edge = element_edge(mesh, {e, s});
+    const EdgeEndAndMidNodes edge = element_edge_nodes(mesh, {e, s});
     result.push_back(frame.rounded_local_coordinates(mesh.x[edge.a.index()]).head<2>());
     if (edge.mid.valid()) {
       result.push_back(frame.rounded_local_coordinates(mesh.x[edge.mid.index()]).head<2>());
@@ -103,7 +104,7 @@ std::size_t ElementOutlines::nearest(const base::Vec2& p) const {
       .value_or(0);
 }
 
-bool face_belongs_to_net(const model::Mesh& mesh, const model::Face& face, base::NetId net) {
+bool is_face_element_in_net(const model::Mesh& mesh, const model::Face& face, base::NetId net) {
   return !net.valid() || mesh.element_net[face.element.index()] == net;
 }
 

@@ -16,28 +16,29 @@ namespace spricka::mesh {
 
 /// An edge of a 2D element: the nodes at its ends, body on the left, and in the middle (invalid for
 /// linear elements).
-struct ElementEdge {
+struct EdgeEndAndMidNodes {
   base::NodeId a, b, mid;
 };
-ElementEdge element_edge(const model::Mesh& mesh, const model::Face& face);
+EdgeEndAndMidNodes element_edge_nodes(const model::Mesh& mesh, const model::Face& face);
 
 /// Point of an edge at xi in [-1, 1] on its own, straight or quadratic, curve.
-base::Vec3 point_on_edge(const model::Mesh& mesh, const ElementEdge& edge, double xi);
+base::Vec3 point_on_edge(const model::Mesh& mesh, const EdgeEndAndMidNodes& edge, double xi);
 
 /// The same, of an edge with a middle node, in a crack's frame: from rounded coordinates.
-base::Vec2 point_on_edge(const model::Mesh& mesh, const CrackFrame& frame, const ElementEdge& edge,
-                         double xi);
+base::Vec2 point_on_edge(const model::Mesh& mesh, const CrackFrame& frame,
+                         const EdgeEndAndMidNodes& edge, double xi);
 
 /// The point of an edge nearest to p.
 struct NearestEdgePoint {
   double xi = 0.0;
   double distance = 0.0;
 };
-NearestEdgePoint nearest_on(const model::Mesh& mesh, const ElementEdge& edge, const base::Vec3& p);
+NearestEdgePoint nearest_on(const model::Mesh& mesh, const EdgeEndAndMidNodes& edge,
+                            const base::Vec3& p);
 
 /// Whether an edge is for certain farther from p than `distance`: a quick test.
-bool is_edge_beyond_distance(const model::Mesh& mesh, const ElementEdge& edge, const base::Vec3& p,
-                             double distance);
+bool is_edge_beyond_distance_of_point(const model::Mesh& mesh, const EdgeEndAndMidNodes& edge,
+                                      const base::Vec3& p, double distance);
 
 /// Corner and mid nodes of an element in the crack's frame, in order round it.
 std::vector<base::Vec2> polygon(const model::Mesh& mesh, base::ElementId e,
@@ -58,7 +59,7 @@ private:
 };
 
 /// Whether the element of a face belongs to a net (any net: invalid).
-bool face_belongs_to_net(const model::Mesh& mesh, const model::Face& face, base::NetId net);
+bool is_face_element_in_net(const model::Mesh& mesh, const model::Face& face, base::NetId net);
 
 /// A mesh, plane or solid, with its neighbourhoods. Functions that want one take a mesh as well;
 /// who calls several makes it once.

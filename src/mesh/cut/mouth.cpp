@@ -16,12 +16,12 @@ NearestMouth find_crack_mouth(const HostMesh& host, const Vec3& start, base::Net
   const model::Mesh& mesh = host.mesh();
   NearestMouth found;
   for (const model::Face& face : host.boundary()) {
-    if (!face_belongs_to_net(mesh, face, net)) {
+    if (!is_face_element_in_net(mesh, face, net)) {
       continue;
     }
-    const ElementEdge edge = element_edge(mesh, face);
+    const EdgeEndAndMidNodes edge = element_edge_nodes(mesh, face);
     const double chord = (mesh.x[edge.b.index()] - mesh.x[edge.a.index()]).norm();
-    if (is_edge_beyond_distance(mesh, edge, start, found.distance)) {
+    if (is_edge_beyond_distance_of_point(mesh, edge, start, found.distance)) {
       continue;
     }
     const NearestEdgePoint p = nearest_on(mesh, edge, start);
@@ -31,7 +31,7 @@ NearestMouth find_crack_mouth(const HostMesh& host, const Vec3& start, base::Net
     }
   }
   if (found.on_boundary()) {
-    const ElementEdge edge = element_edge(mesh, found.mouth.face);
+    const EdgeEndAndMidNodes edge = element_edge_nodes(mesh, found.mouth.face);
     for (const NodeId n : {edge.a, edge.b, edge.mid}) {
       if (n.valid() && (mesh.x[n.index()] - found.at).norm() <= at_node * found.chord) {
         found.mouth.node = n;

@@ -134,8 +134,8 @@ private:
         work.cavity = c;
         work.member = m;
         good = (members.size() == 1 || can_share(*with_patch[members.front()], work)) && good;
-        good = check_cavity(host_, placements_[work.place], cavities.each[c], work.span,
-                            diagnostics_) &&
+        good = check_crack_inside_cavity(host_, placements_[work.place], cavities.each[c],
+                                         work.span, diagnostics_) &&
                good;
       }
       cavities_.push_back({std::move(cavities.each[c]), placements_[members.front()].frame});
@@ -251,7 +251,7 @@ private:
   }
 
   void add_half_crack_face(const Work& work) {
-    CrackFaces crack_faces;
+    CrackFaceNodes crack_faces;
     const bool left = work.tip->patch
                           ? placements_[work.place].half > 0
                           : is_body_on_left(host_, work.path[0], work.path[path_step(work)]);

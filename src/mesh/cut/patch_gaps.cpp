@@ -61,7 +61,7 @@ private:
 
 } // namespace
 
-double placed_crack_length(const CrackPlacement& placement) {
+double crack_length_in_frame(const CrackPlacement& placement) {
   const double length = geometry::polyline_length(placement.line);
   return placement.mouth ? length : 0.5 * length;
 }

@@ -9,7 +9,7 @@
 namespace spricka::mesh {
 
 /// Length of a crack in the frame its placement is given in; half of it where both ends are tips.
-double placed_crack_length(const CrackPlacement& placement);
+double crack_length_in_frame(const CrackPlacement& placement);
 
 /// Asks along cracks for elements that are no longer than the gap to what runs beside them is wide:
 /// other cracks, a crack's own folds, the boundary (ends and middles of its edges) but near the

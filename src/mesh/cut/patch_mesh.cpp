@@ -21,7 +21,7 @@ public:
   PlanePatchBuilder(const HostMesh& host, std::vector<PatchCrack> cracks, const Cavity& cavity)
       : host_(host), cracks_(std::move(cracks)), frame_(cracks_.front().place.frame),
         half_(cracks_.front().place.half), cavity_(cavity), net_(host.mesh(), frame_),
-        fill_size_(patch_grading(cracks_)), symmetry_line_(host.mesh(), frame_) {
+        fill_size_(patch_grading_without_sources(cracks_)), symmetry_line_(host.mesh(), frame_) {
     for (const PatchCrack& crack : cracks_) {
       transition_ = transition_ || crack.tip->transition;
     }
@@ -49,7 +49,7 @@ public:
   }
 
 private:
-  [[nodiscard]] Vec2 local(const ElementEdge& edge, double xi) const {
+  [[nodiscard]] Vec2 local(const EdgeEndAndMidNodes& edge, double xi) const {
     return point_on_edge(host_.mesh(), frame_, edge, xi);
   }
 
@@ -117,7 +117,7 @@ private:
     return inner;
   }
 
-  void tie(int node, const ElementEdge& edge, double xi) {
+  void tie(int node, const EdgeEndAndMidNodes& edge, double xi) {
     const Eigen::Vector3d N = shape::Line3::N(shape::Point<1>(xi));
     net_.ties.push_back({node,
                          {net_.find_or_add_host_node(edge.a), net_.find_or_add_host_node(edge.b),
@@ -126,7 +126,7 @@ private:
   }
 
   std::vector<int> add_parts(const CavityOutlineEdge& edge, const std::vector<double>& xi) {
-    const ElementEdge& e = edge.edge;
+    const EdgeEndAndMidNodes& e = edge.edge;
     const auto mouths =
         edge.free ? mouths_on_edge(edge, cracks_) : decltype(mouths_on_edge(edge, cracks_))();
     std::vector<int> inner;

@@ -45,7 +45,7 @@ using HostFaceReplacement = std::pair<model::Face, std::vector<std::vector<int>>
 
 /// What takes the place of an edge of a host of solids that a held set has: nodes of the patch,
 /// both of a mouth that it ends at.
-struct HeldEdgeReplacement {
+struct HeldSetEdgeReplacement {
   std::array<base::NodeId, 3> host; ///< ends and middle, invalid in linear elements
   std::vector<int> ends;
   int mid = -1; ///< none: what lies there belongs to another piece
@@ -56,9 +56,9 @@ struct Patch {
   std::vector<PatchNode> nodes;
   std::vector<PatchElement> elements;
   std::vector<PatchTie> ties;
-  std::vector<HostFaceReplacement> faces; ///< of the cavity that belonged to its elements
-  std::vector<HeldEdgeReplacement> edges; ///< of the cavity that held sets have
-  std::string trouble;                    ///< why there is no patch
+  std::vector<HostFaceReplacement> faces;    ///< of the cavity that belonged to its elements
+  std::vector<HeldSetEdgeReplacement> edges; ///< of the cavity that held sets have
+  std::string trouble;                       ///< why there is no patch
 };
 
 /// Collects nodes, elements and ties of a patch; an edge has one node in its middle.

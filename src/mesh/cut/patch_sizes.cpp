@@ -31,7 +31,7 @@ public:
              double fineness)
       : mesh_(host.mesh()), cracks_(cracks), cavity_(cavity), fineness_(fineness),
         frame_(cracks.front().place.frame), half_(cracks.front().place.half),
-        size_(patch_grading(cracks)) {}
+        size_(patch_grading_without_sources(cracks)) {}
 
   Grading take(const PatchMeshBuilder& net) {
     for (const PatchCrack& crack : cracks_) {
@@ -50,7 +50,7 @@ public:
   }
 
 private:
-  [[nodiscard]] Vec2 local(const ElementEdge& edge, double xi) const {
+  [[nodiscard]] Vec2 local(const EdgeEndAndMidNodes& edge, double xi) const {
     return point_on_edge(mesh_, frame_, edge, xi);
   }
 
@@ -70,7 +70,7 @@ private:
       const double part =
           crack.tip->pressed ? pressed_mouth_size / std::max(finer, 1.0) : mouth_size / finer;
       size_.add_size_source(crack.place.line.front(),
-                            part * placed_crack_length(crack.place) / fineness_);
+                            part * crack_length_in_frame(crack.place) / fineness_);
     }
   }
 
@@ -121,7 +121,7 @@ private:
 
 } // namespace
 
-Grading patch_grading(const std::vector<PatchCrack>& cracks) {
+Grading patch_grading_without_sources(const std::vector<PatchCrack>& cracks) {
   return Grading(Grading::usual_growth / finest(cracks));
 }
 

@@ -10,7 +10,7 @@
 namespace spricka::mesh {
 
 /// Growth of sizes in a patch with the distance from its curves: that of its finest crack.
-Grading patch_grading(const std::vector<PatchCrack>& cracks);
+Grading patch_grading_without_sources(const std::vector<PatchCrack>& cracks);
 
 /// Sizes wanted along the curves of a patch before they are divided: those of the rosettes' rims,
 /// of mouths, of the cavity's edges, of gaps beside cracks. `fineness` divides those along the

@@ -28,10 +28,10 @@ bool is_corner(const HostMesh& host, NodeId n) {
 
 /// The first edge of the elements round a node that fits.
 template <class Fits>
-std::optional<ElementEdge> find_edge(const HostMesh& host, NodeId node, Fits&& fits) {
+std::optional<EdgeEndAndMidNodes> find_edge(const HostMesh& host, NodeId node, Fits&& fits) {
   for (const ElementId e : host.elements_around(node)) {
     for (int s = 0; s < base::element_info(host.mesh().type[e.index()]).sides; ++s) {
-      const ElementEdge edge = element_edge(host.mesh(), {e, s});
+      const EdgeEndAndMidNodes edge = element_edge_nodes(host.mesh(), {e, s});
       if (fits(edge)) {
         return edge;
       }
@@ -40,8 +40,8 @@ std::optional<ElementEdge> find_edge(const HostMesh& host, NodeId node, Fits&& f
   return std::nullopt;
 }
 
-std::optional<ElementEdge> edge_between(const HostMesh& host, NodeId from, NodeId to) {
-  return find_edge(host, from, [&](const ElementEdge& edge) {
+std::optional<EdgeEndAndMidNodes> edge_between(const HostMesh& host, NodeId from, NodeId to) {
+  return find_edge(host, from, [&](const EdgeEndAndMidNodes& edge) {
     return (edge.a == from && edge.b == to) || (edge.a == to && edge.b == from);
   });
 }
@@ -50,7 +50,7 @@ std::optional<ElementEdge> edge_between(const HostMesh& host, NodeId from, NodeI
 
 bool is_body_on_left(const HostMesh& host, NodeId from, NodeId to) {
   return find_edge(host, from,
-                   [&](const ElementEdge& edge) { return edge.a == from && edge.b == to; })
+                   [&](const EdgeEndAndMidNodes& edge) { return edge.a == from && edge.b == to; })
       .has_value();
 }
 

@@ -32,7 +32,7 @@ bool on_axis(const Vec2& p) {
 /// Which side of a crack along the boundary the body lies on.
 int side_of_body(const HostMesh& host, const CrackFrame& frame) {
   for (const model::Face& face : host.boundary()) {
-    const ElementEdge edge = element_edge(host.mesh(), face);
+    const EdgeEndAndMidNodes edge = element_edge_nodes(host.mesh(), face);
     const Vec2 a = frame.rounded_local_coordinates(host.mesh().x[edge.a.index()]).head<2>();
     const Vec2 b = frame.rounded_local_coordinates(host.mesh().x[edge.b.index()]).head<2>();
     if (on_axis(a) && on_axis(b) && std::max(a.x(), b.x()) > same &&
@@ -56,15 +56,15 @@ double tip_clearance(const HostMesh& host, const CrackFrame& frame, const std::v
     const Vec2 x = frame.exact_local_coordinates(mesh.x[n.index()]).head<2>();
     return std::abs(cross(along, x - line.back())) < same;
   };
-  const auto on_line = [&](const ElementEdge& edge) {
+  const auto on_line = [&](const EdgeEndAndMidNodes& edge) {
     return is_ahead(edge.a) && is_ahead(edge.b);
   };
   double least = std::numeric_limits<double>::max();
   for (const model::Face& face : faces) {
-    const ElementEdge edge = element_edge(mesh, face);
+    const EdgeEndAndMidNodes edge = element_edge_nodes(mesh, face);
     // The quick test first: the nearest point of a curved edge takes some steps.
-    if (face_belongs_to_net(mesh, face, net) && !is_edge_beyond_distance(mesh, edge, tip, least) &&
-        !(half && on_line(edge))) {
+    if (is_face_element_in_net(mesh, face, net) &&
+        !is_edge_beyond_distance_of_point(mesh, edge, tip, least) && !(half && on_line(edge))) {
       least = std::min(least, nearest_on(mesh, edge, tip).distance);
     }
   }

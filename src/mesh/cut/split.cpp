@@ -24,27 +24,27 @@ right_of_path(const model::Mesh& mesh, NodeId node, const std::vector<ElementId>
   std::map<std::pair<NodeId, NodeId>, std::size_t> first; // edge -> element that has it
   for (std::size_t i = 0; i < elements.size(); ++i) {
     for (int s = 0; s < base::element_info(mesh.type[elements[i].index()]).sides; ++s) {
-      const ElementEdge edge = element_edge(mesh, {elements[i], s});
+      const EdgeEndAndMidNodes edge = element_edge_nodes(mesh, {elements[i], s});
       if (edge.a != node && edge.b != node && edge.mid != node) {
         continue;
       }
       // An edge has its element on the left: one that runs with the path belongs to the left face.
       if (cut.contains({edge.a, edge.b})) {
-        fan.mark(i, CrackSide::left);
+        fan.mark(i, CrackFaceOfElement::left);
       } else if (cut.contains({edge.b, edge.a})) {
-        fan.mark(i, CrackSide::right);
+        fan.mark(i, CrackFaceOfElement::right);
       } else {
         fan.join(i, first.try_emplace(std::minmax(edge.a, edge.b), i).first->second);
       }
     }
   }
-  const std::vector<CrackSide> sides = fan.sides();
+  const std::vector<CrackFaceOfElement> sides = fan.sides();
   std::vector<ElementId> right;
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    if (sides[i] == CrackSide::both) {
+    if (sides[i] == CrackFaceOfElement::both) {
       return std::nullopt;
     }
-    if (sides[i] == CrackSide::right) {
+    if (sides[i] == CrackFaceOfElement::right) {
       right.push_back(elements[i]);
     }
   }
@@ -53,8 +53,8 @@ right_of_path(const model::Mesh& mesh, NodeId node, const std::vector<ElementId>
 
 } // namespace
 
-std::optional<CrackFaces> open_crack_along_path(model::Mesh& mesh, const std::vector<NodeId>& path,
-                                                bool embedded) {
+std::optional<CrackFaceNodes>
+open_crack_along_path(model::Mesh& mesh, const std::vector<NodeId>& path, bool embedded) {
   std::map<NodeId, std::vector<ElementId>> around;
   for (const NodeId n : path) {
     around[n];
@@ -94,7 +94,7 @@ std::optional<CrackFaces> open_crack_along_path(model::Mesh& mesh, const std::ve
     }
     right.push_back(std::move(*elements));
   }
-  CrackFaces crack_faces{path, {}};
+  CrackFaceNodes crack_faces{path, {}};
   // Tips are nodes of both faces.
   if (embedded) {
     crack_faces.right.push_back(path.front());
@@ -124,7 +124,7 @@ template <class F> void for_edges_at(const model::Mesh& mesh, NodeId tip, F&& f)
       continue;
     }
     for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
-      const ElementEdge edge = element_edge(mesh, {ElementId(e), s});
+      const EdgeEndAndMidNodes edge = element_edge_nodes(mesh, {ElementId(e), s});
       if (edge.mid.valid() && (edge.a == tip || edge.b == tip)) {
         f(edge.a == tip ? edge.b : edge.a, edge.mid);
       }

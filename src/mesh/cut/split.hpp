@@ -11,7 +11,7 @@ namespace spricka::mesh {
 /// the first one, too), are doubled, and the elements on the right of the path get the new ones.
 /// `path` holds mid nodes too. Empty if the elements on both sides
 /// hang together round a node of the path, as they do when it does not start on the boundary.
-std::optional<CrackFaces>
+std::optional<CrackFaceNodes>
 open_crack_along_path(model::Mesh& mesh, const std::vector<base::NodeId>& path, bool embedded);
 
 /// Moves the mid nodes of all edges that leave a tip to their quarter points. Returns how many.

@@ -15,7 +15,7 @@ namespace {
 using base::NodeId;
 using base::Vec3;
 using Key = Lattice::Key;
-using Point = Lattice::LatticePoint;
+using Point = Lattice::KeyedPoint;
 
 using std::numbers::pi;
 

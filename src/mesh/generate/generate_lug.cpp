@@ -11,7 +11,7 @@ namespace spricka::mesh {
 namespace {
 
 using base::Vec3;
-using Point = Lattice::LatticePoint;
+using Point = Lattice::KeyedPoint;
 
 using std::numbers::pi;
 constexpr int key_eye = 0, key_shank = 1;

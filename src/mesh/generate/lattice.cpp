@@ -19,7 +19,7 @@ Lattice::Lattice(model::Mesh& mesh, base::NetId net, ElementType type)
   assert(base::element_info(type).dim == 2);
 }
 
-NodeId Lattice::node_at(const LatticePoint& point) {
+NodeId Lattice::node_at(const KeyedPoint& point) {
   const auto [at, fresh] = known_.try_emplace(point.key);
   if (fresh) {
     at->second = model::add_node(mesh_, point.x, next_node_++, net_);
@@ -32,7 +32,7 @@ base::ElementId Lattice::add(ElementType type, std::span<const NodeId> nodes) {
 }
 
 base::ElementId Lattice::add_triangle(const std::array<NodeId, 3>& corner,
-                                      const std::array<LatticePoint, 3>& mid) {
+                                      const std::array<KeyedPoint, 3>& mid) {
   if (!base::element_info(type_).quadratic) {
     return add(ElementType::trim3, corner);
   }
@@ -44,7 +44,7 @@ base::ElementId Lattice::add_triangle(const std::array<NodeId, 3>& corner,
 std::array<model::Face, 4> Lattice::add_cell(int i, int j, const Map& map) {
   static constexpr std::array<std::pair<int, int>, 9> place{
       {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {2, 1}, {1, 2}, {0, 1}, {1, 1}}};
-  std::array<LatticePoint, 9> p;
+  std::array<KeyedPoint, 9> p;
   for (std::size_t k = 0; k < 9; ++k) {
     p[k] = map(2 * i + place[k].first, 2 * j + place[k].second);
   }

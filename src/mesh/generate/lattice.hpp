@@ -17,11 +17,11 @@ namespace spricka::mesh {
 class Lattice {
 public:
   using Key = std::array<int, 4>;
-  struct LatticePoint {
+  struct KeyedPoint {
     Key key{};
     base::Vec3 x = base::Vec3::Zero();
   };
-  using Map = std::function<LatticePoint(int, int)>;
+  using Map = std::function<KeyedPoint(int, int)>;
 
   Lattice(model::Mesh& mesh, base::NetId net, base::ElementType type);
 
@@ -30,11 +30,11 @@ public:
   std::array<model::Face, 4> add_cell(int i, int j, const Map& map);
 
   /// The node of a point, made when first asked for.
-  base::NodeId node_at(const LatticePoint& point);
+  base::NodeId node_at(const KeyedPoint& point);
 
   /// A triangle of the lattice's order; `mid` are the points opposite corners 2, 0, 1.
   base::ElementId add_triangle(const std::array<base::NodeId, 3>& corner,
-                               const std::array<LatticePoint, 3>& mid);
+                               const std::array<KeyedPoint, 3>& mid);
 
   /// Appends the element set `prefix` + BODY of all elements made here.
   void add_body_set(const std::string& prefix);

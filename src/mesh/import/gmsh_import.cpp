@@ -244,8 +244,9 @@ private:
 
 } // namespace
 
-std::vector<GeometryScriptConstant>
-import_gmsh_mesh(model::Mesh& mesh, const ImportRequest& request, base::Diagnostics& diagnostics) {
+std::vector<GeometryScriptConstant> import_gmsh_mesh_or_script(model::Mesh& mesh,
+                                                               const ImportRequest& request,
+                                                               base::Diagnostics& diagnostics) {
   return GmshImport(mesh, request, diagnostics).run();
 }
 

@@ -18,7 +18,8 @@ namespace spricka::mesh {
 /// file, statements that reach outside of the script, script errors with gmsh's own words, crashes,
 /// limits of time and memory, empty mesh) go to `diagnostics` at the card. Returns the constants of
 /// a script in its order, and the names it sets itself that are those of parameters.
-std::vector<GeometryScriptConstant>
-import_gmsh_mesh(model::Mesh& mesh, const ImportRequest& request, base::Diagnostics& diagnostics);
+std::vector<GeometryScriptConstant> import_gmsh_mesh_or_script(model::Mesh& mesh,
+                                                               const ImportRequest& request,
+                                                               base::Diagnostics& diagnostics);
 
 } // namespace spricka::mesh

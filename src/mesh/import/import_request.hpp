@@ -23,8 +23,8 @@ struct ImportRequest {
   base::NetId net;
   std::vector<std::pair<std::string, std::string>> renames; ///< physical group -> set name
   std::vector<std::pair<std::string, double>> parameters;   ///< for DefineConstant of a .geo
-  ScriptSizeRequest size = {}; ///< for a .geo, in its own coordinates; empty: as the script has it
-  base::SourceSpan span;       ///< the $IMPORT card
+  ScriptSizeMap size = {}; ///< for a .geo, in its own coordinates; empty: as the script has it
+  base::SourceSpan span;   ///< the $IMPORT card
   bool skip_loads = false; ///< of an .inp: supports, loads and steps are passed over, not refused
 };
 

@@ -5,7 +5,8 @@
 
 namespace spricka::mesh {
 
-void append_imported_physics(model::Model& model, const ImportedPhysics& physics) {
+void append_materials_and_equations(model::Model& model,
+                                    const ImportedMaterialsAndEquations& physics) {
   const std::size_t first = model.materials.size();
   model.materials.insert(model.materials.end(), physics.materials.begin(), physics.materials.end());
   for (model::ElementProperty property : physics.properties) {

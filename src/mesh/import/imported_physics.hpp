@@ -11,7 +11,7 @@
 namespace spricka::mesh {
 
 /// What an Abaqus or CalculiX input file says besides its mesh.
-struct ImportedPhysics {
+struct ImportedMaterialsAndEquations {
   std::vector<model::ElasticMaterial> materials; ///< named as sets are, "NET.STEEL"
   std::vector<model::ElementProperty>
       properties; ///< from *SOLID SECTION; material counts from 0 here
@@ -21,6 +21,7 @@ struct ImportedPhysics {
 
 /// Puts imported materials, properties and equations behind those of a model and gives the elements
 /// their properties.
-void append_imported_physics(model::Model& model, const ImportedPhysics& physics);
+void append_materials_and_equations(model::Model& model,
+                                    const ImportedMaterialsAndEquations& physics);
 
 } // namespace spricka::mesh

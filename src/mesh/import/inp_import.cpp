@@ -38,7 +38,7 @@ public:
       : mesh_(mesh), request_(request), diagnostics_(diagnostics),
         errors_(diagnostics.error_count()), words_(request, data_, diagnostics) {}
 
-  ImportedPhysics run() {
+  ImportedMaterialsAndEquations run() {
     std::vector<InpIssue> complaints;
     data_ = read_inp_data(request_.file, complaints, request_.skip_loads);
     std::stable_sort(
@@ -58,7 +58,7 @@ public:
     const MeshCounts before{mesh_.node_sets.size(), mesh_.element_sets.size(),
                             mesh_.face_sets.size()};
     add_sets();
-    ImportedPhysics physics = read_inp_physics(
+    ImportedMaterialsAndEquations physics = read_inp_materials_and_equations(
         data_, request_, mesh_, {*node_index_, node_, set_of_name_, first_element_, dim_}, words_);
     if (!sound()) {
       mesh_.node_sets.resize(before.nodes);
@@ -328,8 +328,8 @@ private:
 
 } // namespace
 
-ImportedPhysics import_inp(model::Mesh& mesh, const ImportRequest& request,
-                           base::Diagnostics& diagnostics) {
+ImportedMaterialsAndEquations import_inp(model::Mesh& mesh, const ImportRequest& request,
+                                         base::Diagnostics& diagnostics) {
   return InpImport(mesh, request, diagnostics).run();
 }
 

@@ -13,7 +13,7 @@ namespace spricka::mesh {
 /// SCALE holds for coordinates and thicknesses. Element types with reduced integration or other
 /// special forms are taken with a warning. After an error the mesh is unchanged. See
 /// manual/meshes.md.
-ImportedPhysics import_inp(model::Mesh& mesh, const ImportRequest& request,
-                           base::Diagnostics& diagnostics);
+ImportedMaterialsAndEquations import_inp(model::Mesh& mesh, const ImportRequest& request,
+                                         base::Diagnostics& diagnostics);
 
 } // namespace spricka::mesh

@@ -18,7 +18,7 @@ public:
           const InpMeshNumbering& places, InpMessages& words)
       : data_(data), request_(request), mesh_(mesh), places_(places), words_(words) {}
 
-  ImportedPhysics run() {
+  ImportedMaterialsAndEquations run() {
     std::map<std::string, std::size_t> index;
     for (const InpData::InpMaterial& m : data_.materials) {
       if (!m.elastic) {
@@ -134,14 +134,16 @@ private:
   const model::Mesh& mesh_;
   const InpMeshNumbering& places_;
   InpMessages& words_;
-  ImportedPhysics physics_;
+  ImportedMaterialsAndEquations physics_;
 };
 
 } // namespace
 
-ImportedPhysics read_inp_physics(const InpData& data, const ImportRequest& request,
-                                 const model::Mesh& mesh, const InpMeshNumbering& places,
-                                 InpMessages& words) {
+ImportedMaterialsAndEquations read_inp_materials_and_equations(const InpData& data,
+                                                               const ImportRequest& request,
+                                                               const model::Mesh& mesh,
+                                                               const InpMeshNumbering& places,
+                                                               InpMessages& words) {
   return Physics(data, request, mesh, places, words).run();
 }
 

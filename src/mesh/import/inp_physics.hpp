@@ -23,8 +23,10 @@ struct InpMeshNumbering {
 
 /// Materials, properties and equations of a file whose sets are in the mesh already. What is wrong
 /// goes to `words`.
-ImportedPhysics read_inp_physics(const InpData& data, const ImportRequest& request,
-                                 const model::Mesh& mesh, const InpMeshNumbering& places,
-                                 InpMessages& words);
+ImportedMaterialsAndEquations read_inp_materials_and_equations(const InpData& data,
+                                                               const ImportRequest& request,
+                                                               const model::Mesh& mesh,
+                                                               const InpMeshNumbering& places,
+                                                               InpMessages& words);
 
 } // namespace spricka::mesh

@@ -134,7 +134,7 @@ private:
     if (passed_over(key)) {
       return nullptr;
     }
-    for (const auto make : {inp_mesh_reader, inp_set_reader, inp_physics_reader}) {
+    for (const auto make : {inp_mesh_reader, inp_set_reader, inp_material_and_equation_reader}) {
       if (auto lines = make(shared_, key)) {
         return lines;
       }

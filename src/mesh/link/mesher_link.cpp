@@ -120,7 +120,7 @@ public:
       // from a processor for any time.
       const double now = process_.processor_time();
       waited +=
-          process_.is_waiting() ? std::max(0.0, since_look.wall_time() - (now - worked)) : 0.0;
+          process_.is_sleeping() ? std::max(0.0, since_look.wall_time() - (now - worked)) : 0.0;
       since_look = {};
       worked = now;
       if (std::optional<MesherAnswer> late = too_late(now - used, waited)) {

@@ -249,7 +249,7 @@ double MesherProcess::processor_time() const {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-bool MesherProcess::is_waiting() const {
+bool MesherProcess::is_sleeping() const {
   std::ifstream file(fmt::format("/proc/{}/stat", pid_));
   std::string line;
   std::getline(file, line);

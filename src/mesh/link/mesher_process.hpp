@@ -34,7 +34,7 @@ public:
   [[nodiscard]] double processor_time() const;
   /// Whether it waits for something now instead of working: false of one that a busy machine keeps
   /// from a processor, or that is stopped, and where the system does not tell.
-  [[nodiscard]] bool is_waiting() const;
+  [[nodiscard]] bool is_sleeping() const;
   /// Its largest resident set so far [bytes]; empty: the system does not tell.
   [[nodiscard]] std::optional<std::size_t> peak_memory() const;
   /// The last of what it printed since the last call.

@@ -35,7 +35,7 @@ struct MesherImportRequest {
   std::string text;
   bool script = false;
   bool quadratic = false;
-  ScriptSizeRequest size;             ///< of a script
+  ScriptSizeMap size;                 ///< of a script
   std::vector<std::string> constants; ///< of a script, whose values at its end are asked for
 };
 

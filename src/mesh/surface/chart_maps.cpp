@@ -252,7 +252,7 @@ bool has_no_inverted_facets(const FacetTriangulation& net,
   });
 }
 
-std::optional<ChartPlaneFrame> fit_plane_frame(const ChartPatch& patch) {
+std::optional<ChartPlaneFrame> frame_of_plane_patch(const ChartPatch& patch) {
   const ChartPlaneFrame frame = mean_plane_frame(patch);
   const Vec3 normal = frame.e1.cross(frame.e2);
   const Vec3& first = patch.net.vertices().front();

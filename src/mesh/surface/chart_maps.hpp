@@ -29,7 +29,7 @@ struct ChartPlaneFrame {
   }
 };
 /// Of a plane patch; none of others.
-std::optional<ChartPlaneFrame> fit_plane_frame(const ChartPatch& patch);
+std::optional<ChartPlaneFrame> frame_of_plane_patch(const ChartPatch& patch);
 /// Straight onto a plane across the mean normal.
 ChartPlaneFrame mean_plane_frame(const ChartPatch& patch);
 

@@ -28,7 +28,8 @@ void begin_at(const Vec3& x, std::vector<Vec3>& line) {
 
 } // namespace
 
-NonPlanarCrackSurface::NonPlanarCrackSurface(SuccessiveFronts fronts) : fronts_(std::move(fronts)) {
+NonPlanarCrackSurface::NonPlanarCrackSurface(PastAndPresentFronts fronts)
+    : fronts_(std::move(fronts)) {
   const std::vector<std::vector<Vec3>>& lines = fronts_.points;
   assert(lines.size() >= 2 && fronts_.normals.size() == lines.back().size());
   for (const std::vector<Vec3>& line : lines) {
@@ -194,7 +195,7 @@ std::size_t NonPlanarCrackSurface::strip_number(const Vec3& x) const {
 
 NonPlanarCrackSurface NonPlanarCrackSurface::transformed(const Map& place,
                                                          const Map& direction) const {
-  SuccessiveFronts made;
+  PastAndPresentFronts made;
   made.normal = direction(fronts_.normal);
   for (const std::vector<Vec3>& line : fronts_.points) {
     std::vector<Vec3>& there = made.points.emplace_back();

@@ -15,12 +15,12 @@ class NonPlanarCrackSurface {
 public:
   /// The fronts it has had, the first of them in the plane, the last its present one. Closed ones
   /// end with their first point; all run the same way round, t = m x b.
-  struct SuccessiveFronts {
+  struct PastAndPresentFronts {
     base::Vec3 normal = base::Vec3::UnitZ();       ///< of the plane, unit
     std::vector<std::vector<base::Vec3>> points{}; ///< [front][point], two or more fronts
     std::vector<base::Vec3> normals{};             ///< [point of the last] of the crack there, unit
   };
-  explicit NonPlanarCrackSurface(SuccessiveFronts fronts);
+  explicit NonPlanarCrackSurface(PastAndPresentFronts fronts);
 
   /// How far the crack lies above a place, along the normal of its plane.
   [[nodiscard]] double crack_height_over_plane(const base::Vec3& x) const;
@@ -36,7 +36,7 @@ public:
   /// Behind how many of the fronts a place over the plane lies not: 0 behind the first.
   [[nodiscard]] std::size_t strip_number(const base::Vec3& x) const;
 
-  [[nodiscard]] const SuccessiveFronts& fronts() const { return fronts_; }
+  [[nodiscard]] const PastAndPresentFronts& fronts() const { return fronts_; }
   /// The same crack elsewhere: points by `place`, directions by `direction`.
   using Map = std::function<base::Vec3(const base::Vec3&)>;
   /// The same crack surface elsewhere: points mapped by `place`, normals by `direction`.
@@ -61,7 +61,7 @@ private:
   void go_on_before();
   void find_bends();
 
-  SuccessiveFronts fronts_;
+  PastAndPresentFronts fronts_;
   std::vector<StripTriangle> strips_;        ///< [triangle]
   std::vector<geometry::CornerPlaces> flat_; ///< [triangle] in the plane
   std::size_t number_ = 1;                   ///< of the strip that is made

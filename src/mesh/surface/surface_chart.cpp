@@ -36,7 +36,7 @@ void SurfaceChart::flatten_onto_plane(const CrackReferencePlane& plane) {
     }
     return places;
   };
-  flat_ = fit_plane_frame(patch);
+  flat_ = frame_of_plane_patch(patch);
   if (flat_) {
     u_ = straight(*flat_);
     return;

@@ -21,7 +21,7 @@ using base::Vec3;
 Vec2 onto_plane(const geometry::ElementSide& face, const CrackReferencePlane& plane, Vec2 r) {
   for (int i = 0; i < 8; ++i) {
     const geometry::SidePoint p = face.point(r);
-    const Vec2 g = p.tangents.transpose() * plane.height_gradient(p.x);
+    const Vec2 g = p.tangents.transpose() * plane.gradient_of_height_over_crack(p.x);
     const double height = plane.height(p.x);
     if (!(g.squaredNorm() > 0.0) || std::abs(height) <= 1e-15 * plane.length) {
       break;

@@ -42,7 +42,7 @@ struct CrackReferencePlane {
     return relief ? -relief->crack_height_over_plane(x) : signed_plane_distance(x);
   }
   /// How that height changes in space.
-  [[nodiscard]] base::Vec3 height_gradient(const base::Vec3& x) const {
+  [[nodiscard]] base::Vec3 gradient_of_height_over_crack(const base::Vec3& x) const {
     return relief ? base::Vec3(normal - relief->crack_height_gradient(x)) : normal;
   }
 };

@@ -64,9 +64,9 @@ private:
     std::string name;
     std::size_t least = nowhere;
     for (const std::size_t set : surface_.face_sets(face)) {
-      if (members_[set] < least && !body_.face_set_name(set).empty()) {
+      if (members_[set] < least && !body_.name_of_surface_face_set(set).empty()) {
         least = members_[set];
-        name = body_.face_set_name(set);
+        name = body_.name_of_surface_face_set(set);
       }
     }
     return name;

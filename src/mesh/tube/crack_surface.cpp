@@ -55,7 +55,7 @@ private:
   [[nodiscard]] bool free(const Vec3& x) const {
     const base::Vec2 q = reach_.plane().project(x);
     const double away = least_of_size * size_of(x);
-    const CrackDistanceField::CrackDistances d = reach_.distance(x);
+    const CrackDistanceField::DistancesFromCrack d = reach_.distance(x);
     return reach_.polygons().contains(q) && reach_.polygons().distance_to_outlines(q) > away &&
            d.front > d.radius + away;
   }
@@ -164,7 +164,7 @@ CrackTriangulation triangulate_crack_area(const CrackDistanceField& reach,
       loop.push_back(static_cast<int>(region.points.size()));
       region.points.emplace_back(rounded(q.x()), rounded(q.y()));
       surface.nodes.push_back(n);
-      const CrackDistanceField::CrackDistances d = reach.distance(net.local_position(n));
+      const CrackDistanceField::DistancesFromCrack d = reach.distance(net.local_position(n));
       const double wanted =
           size_at_front_distance(d, CrackDistanceField::usual_growth / finer) / finer;
       size.add_size_source(region.points.back(), rounded(wanted));
@@ -266,7 +266,7 @@ public:
            const std::unordered_map<int, int>& lower, std::vector<Tetrahedron>& tetrahedra)
       : net_(net), crack_(crack), lower_(lower), tetrahedra_(tetrahedra) {}
 
-  OpenedFill split() {
+  CrackSidesInFill split() {
     find_sides();
     find_faces();
     // All nodes are told before any is replaced: sides are known by the nodes they have.
@@ -282,7 +282,7 @@ public:
 
 private:
   struct Sheet {
-    std::vector<FillTetrahedronSide> sides;
+    std::vector<TetrahedronFace> sides;
     bool crack = false;
   };
 
@@ -306,10 +306,10 @@ private:
     for (const PatchTriangle& triangle : crack_) {
       Sheet& sheet = sheets_[in_order(triangle)];
       sheet.crack = true;
-      FillTetrahedronSide upper;
-      FillTetrahedronSide lower;
+      TetrahedronFace upper;
+      TetrahedronFace lower;
       bool both = sheet.sides.size() == 2;
-      for (const FillTetrahedronSide& side : sheet.sides) {
+      for (const TetrahedronFace& side : sheet.sides) {
         const Tetrahedron& t = tetrahedra_[side.tetrahedron];
         const int apex = t[opposite[static_cast<std::size_t>(side.side)]];
         (net_.six_times_volume(triangle[0], triangle[1], triangle[2], apex) > 0.0 ? upper : lower) =
@@ -323,8 +323,8 @@ private:
         continue;
       }
       for (const int n : triangle) {
-        level_[{n, upper.tetrahedron}] = CrackSide::left;
-        level_[{n, lower.tetrahedron}] = CrackSide::right;
+        level_[{n, upper.tetrahedron}] = CrackFaceOfElement::left;
+        level_[{n, lower.tetrahedron}] = CrackFaceOfElement::right;
       }
     }
   }
@@ -346,22 +346,22 @@ private:
           continue;
         }
         const Sheet& sheet = sheets_.at(in_order(corners));
-        for (const FillTetrahedronSide& side :
-             sheet.crack ? std::vector<FillTetrahedronSide>() : sheet.sides) {
+        for (const TetrahedronFace& side :
+             sheet.crack ? std::vector<TetrahedronFace>() : sheet.sides) {
           fan.join(i, number(side.tetrahedron));
         }
       }
     }
-    const std::vector<CrackSide> sides = fan.sides();
-    const auto any = [&](CrackSide side) { return std::ranges::count(sides, side) > 0; };
-    if (any(CrackSide::both)) {
+    const std::vector<CrackFaceOfElement> sides = fan.sides();
+    const auto any = [&](CrackFaceOfElement side) { return std::ranges::count(sides, side) > 0; };
+    if (any(CrackFaceOfElement::both)) {
       result_.trouble = "the two sides of a crack hang together";
     }
-    if (any(CrackSide::unknown)) {
+    if (any(CrackFaceOfElement::unknown)) {
       result_.trouble = "an element at a crack lies on neither side of it";
     }
     for (std::size_t i = 0; i < around.size(); ++i) {
-      if (sides[i] == CrackSide::right) {
+      if (sides[i] == CrackFaceOfElement::right) {
         below.emplace_back(around[i], node);
       }
     }
@@ -374,15 +374,16 @@ private:
   std::map<int, std::vector<std::size_t>> around_; ///< [crack node] tetrahedra
   std::map<PatchTriangle, Sheet> sheets_;          ///< sides that have a crack node
   /// Of a node's tetrahedra those with sides on the crack; left is above.
-  std::map<std::pair<int, std::size_t>, CrackSide> level_;
-  OpenedFill result_;
+  std::map<std::pair<int, std::size_t>, CrackFaceOfElement> level_;
+  CrackSidesInFill result_;
 };
 
 } // namespace
 
-OpenedFill open_crack_in_fill(const PatchMeshBuilder& net, const std::vector<PatchTriangle>& crack,
-                              const std::unordered_map<int, int>& lower,
-                              std::vector<Tetrahedron>& tetrahedra) {
+CrackSidesInFill open_crack_in_fill(const PatchMeshBuilder& net,
+                                    const std::vector<PatchTriangle>& crack,
+                                    const std::unordered_map<int, int>& lower,
+                                    std::vector<Tetrahedron>& tetrahedra) {
   return Splitter(net, crack, lower, tetrahedra).split();
 }
 

@@ -150,7 +150,7 @@ private:
       point.size = size_at(line[k], {line.begin(), line.end()});
       point.radius = rings_of_front * point.size;
     }
-    update_front_points(mesh_, front);
+    recompute_front_point_geometry(mesh_, front);
     front.size = std::ranges::min(front.points, {}, &FrontPoint::size).size;
     front.radius = rings_of_front * front.size;
     front.kind = closed ? CrackConfiguration::embedded : CrackConfiguration::surface;
@@ -343,7 +343,7 @@ private:
 
   std::string take_faces() {
     std::ranges::sort(found_.upper);
-    CrackFaces& faces = cracked_.faces[crack_.crack.index()];
+    CrackFaceNodes& faces = cracked_.faces[crack_.crack.index()];
     std::map<NodeId, NodeId> pairs;
     for (const std::size_t s : found_.upper) {
       const PlacedSide& own = found_.sides[s];

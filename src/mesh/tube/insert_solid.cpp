@@ -44,12 +44,12 @@ CrackedMesh graft_groups(const SolidHostMesh& host, const std::vector<LocatedSol
 
 void add_faces(const CavityCrackGroup& group, std::size_t c, CrackedMesh& result) {
   const SolidPatch::OpenedPatchCrack& crack = group.patch.cracks[c];
-  CrackFaces& faces = result.faces.emplace_back();
+  CrackFaceNodes& faces = result.faces.emplace_back();
   for (const auto& [upper, lower] : crack.twins) {
     faces.left.push_back(group.placed.node_of(upper));
     faces.right.push_back(group.placed.node_of(lower));
   }
-  const auto side = [&](const SolidPatch::SolidPatchSide& s) {
+  const auto side = [&](const SolidPatch::PatchElementSide& s) {
     return model::Face{group.placed.element[s.element], s.side};
   };
   std::ranges::transform(crack.upper, std::back_inserter(faces.left_sides), side);
@@ -80,7 +80,7 @@ void add_fronts(const LocatedSolidCrack& request, const CavityCrackGroup& group,
       point.at_surface = !tube.closed && (k == 0 || k + 1 == n);
     }
     front.curve = fit_front_curve(front, crack);
-    update_front_points(result.mesh, front);
+    recompute_front_point_geometry(result.mesh, front);
     result.notes.push_back(front_mesh_note(request, group, {c, t}, front));
     result.fronts.push_back(std::move(front));
   }
@@ -183,11 +183,11 @@ private:
   std::optional<PatchSolidCrack> place(const CrackFrame& frame, std::size_t i) {
     base::Diagnostics found;
     std::optional<PatchSolidCrack> crack =
-        place_crack(host_, frame, requests_[i], requests_, found);
+        place_tubes_and_mouths(host_, frame, requests_[i], requests_, found);
     if (!crack && may_be_free(i)) {
       base::Diagnostics without;
       tubes_[i].tube = false;
-      crack = place_crack(host_, frame, requests_[i], requests_, without);
+      crack = place_tubes_and_mouths(host_, frame, requests_[i], requests_, without);
       tubes_[i].tube = !crack;
       if (crack) {
         const std::string title = requests_[i].crack->display_name() + ": ";
@@ -272,14 +272,16 @@ private:
     constexpr double finer = 1.3;
     constexpr int most_finer = 2;
     SolidPatch& patch = group.patch;
-    SurfaceTreatment request;
+    BodySurfaceTreatment request;
     bool renewed = false;
     bool widened = false;
     for (int refined = 0; refined <= most_finer;) {
       patch = mesh_solid_cavity(host_, group.frame, group.cracks, group.cavity, request);
-      if (!patch.trouble.empty() && patch.at_border && request.borders != KeptSetBorders::none) {
-        request.borders =
-            request.borders == KeptSetBorders::all ? KeptSetBorders::used : KeptSetBorders::none;
+      if (!patch.trouble.empty() && patch.at_border &&
+          request.borders != SetBorderPreservation::none) {
+        request.borders = request.borders == SetBorderPreservation::all
+                              ? SetBorderPreservation::used
+                              : SetBorderPreservation::none;
         continue;
       }
       if (!patch.folded && !(request.renew && !patch.trouble.empty())) {

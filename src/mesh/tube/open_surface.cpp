@@ -67,7 +67,7 @@ private:
       if (!body_.is_face_set_used(set)) {
         continue;
       }
-      const std::string& name = body_.face_set_name(set);
+      const std::string& name = body_.name_of_surface_face_set(set);
       const auto known = std::ranges::find(shifts_, name, &SetBorderShift::set);
       if (known == shifts_.end()) {
         shifts_.push_back({name, by, at});
@@ -122,7 +122,7 @@ public:
     take_points();
     take_edges();
     take_triangles();
-    if (borders_ == KeptSetBorders::none) { // else kept by their lines
+    if (borders_ == SetBorderPreservation::none) { // else kept by their lines
       shifts_.emplace(body_, geometry_, region_.faces, 1e-6 * frame_.a);
     }
     take_ends();
@@ -297,7 +297,7 @@ private:
   void take_ends() {
     for (const auto& [c, t, e] : caps_) {
       const Tube& tube = cracks_[c].tubes[t];
-      for (const Tube::TubeSide& side : tube.ends[e].sides) {
+      for (const Tube::TubeElementSide& side : tube.ends[e].sides) {
         const PatchElement& element = net_.elements[tubes_[c][t].element + side.element];
         std::vector<int> corners;
         Vec3 middle = Vec3::Zero();
@@ -343,11 +343,11 @@ private:
   }
 
   const BodySurface& body_;
-  KeptSetBorders borders_;
+  SetBorderPreservation borders_;
   const SurfaceGeometry& geometry_;
   const CrackFrame& frame_;
   std::span<const PatchSolidCrack> cracks_;
-  const std::vector<std::vector<PlacedTube>>& tubes_;
+  const std::vector<std::vector<TubeNodesInPatch>>& tubes_;
   PatchMeshBuilder& net_;
   std::unordered_map<int, int>& lower_;
   std::vector<HostFaceReplacement>& pieces_;
@@ -367,10 +367,10 @@ RemeshedMouthSurface mesh_mouth_surface(const MouthSurfaceRequest& request, Patc
   return SurfaceOpener(request, net, lower, pieces).open(request.faces);
 }
 
-void choose_held_edge_ends(std::span<const PatchElement> elements,
-                           std::vector<HeldEdgeReplacement>& edges) {
+void choose_edge_ends_by_crack_side(std::span<const PatchElement> elements,
+                                    std::vector<HeldSetEdgeReplacement>& edges) {
   std::unordered_map<int, std::set<int>> beside; // nodes of the elements at the middle of an edge
-  for (const HeldEdgeReplacement& edge : edges) {
+  for (const HeldSetEdgeReplacement& edge : edges) {
     if (edge.mid >= 0) {
       beside[edge.mid];
     }
@@ -383,7 +383,7 @@ void choose_held_edge_ends(std::span<const PatchElement> elements,
       }
     }
   }
-  for (HeldEdgeReplacement& edge : edges) {
+  for (HeldSetEdgeReplacement& edge : edges) {
     std::erase_if(edge.ends, [&](int n) { return !beside.at(edge.mid).contains(n); });
   }
 }

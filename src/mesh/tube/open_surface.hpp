@@ -24,13 +24,13 @@ struct RemeshedMouthSurface {
   std::vector<std::vector<std::vector<int>>> mouths;
   std::vector<std::vector<std::vector<int>>> holes; ///< [crack][hole] nodes all round
   std::vector<SetBorderShift> shifts; ///< of the borders of used sets that are not kept
-  std::vector<HeldEdgeReplacement> edges;
+  std::vector<HeldSetEdgeReplacement> edges;
   std::string trouble;
   bool at_border = false; ///< borders of sets may be the trouble
 };
 
 /// Where the tubes of a patch have gone.
-struct PlacedTube {
+struct TubeNodesInPatch {
   std::vector<int> node;   ///< [node of the tube]
   std::size_t element = 0; ///< of the patch, its first
 };
@@ -40,9 +40,9 @@ struct MouthSurfaceRequest {
   const BodySurface& body;
   const CrackFrame& frame;
   std::span<const PatchSolidCrack> cracks;
-  const std::vector<std::vector<PlacedTube>>& tubes; ///< [crack][tube]
-  std::vector<CavityFace> faces;                     ///< of the cavity, free ones
-  KeptSetBorders borders = KeptSetBorders::all;      ///< of sets that are kept
+  const std::vector<std::vector<TubeNodesInPatch>>& tubes;    ///< [crack][tube]
+  std::vector<CavityFace> faces;                              ///< of the cavity, free ones
+  SetBorderPreservation borders = SetBorderPreservation::all; ///< of sets that are kept
 };
 
 /// What takes the place of the faces is added to `pieces`. Nodes of mouths get a second node in
@@ -53,7 +53,7 @@ RemeshedMouthSurface mesh_mouth_surface(const MouthSurfaceRequest& request, Patc
 
 /// Of two nodes at a mouth an edge keeps that of its side: the one that an element at the edge's
 /// middle has.
-void choose_held_edge_ends(std::span<const PatchElement> elements,
-                           std::vector<HeldEdgeReplacement>& edges);
+void choose_edge_ends_by_crack_side(std::span<const PatchElement> elements,
+                                    std::vector<HeldSetEdgeReplacement>& edges);
 
 } // namespace spricka::mesh

@@ -99,7 +99,7 @@ public:
     const Eigen::Matrix3d axes = frame_.axes.transpose() * make_crack_frame(*request_.crack).axes;
     const PlaneBasis plane{frame_.exact_local_coordinates(make_crack_frame(*request_.crack).origin),
                            axes.col(0), axes.col(1), axes.col(2),
-                           crack_surface_in_frame(frame_, *request_.crack)};
+                           nonplanar_crack_surface_in_frame(frame_, *request_.crack)};
     std::vector<std::vector<Vec3>> outlines;
     for (const std::vector<Vec3>& outline : request_.outlines) {
       outlines.push_back(local(outline));
@@ -213,7 +213,7 @@ private:
 
   /// What leaves so little room at a place.
   [[nodiscard]] const char* what_is_near(const Vec3& x) const {
-    const std::size_t part = host_.part_index(request_.seed);
+    const std::size_t part = host_.property_part_index(request_.seed);
     const Vec3 at = frame_.global(x);
     // The skin has the border, too.
     const bool is_border = host_.interface_tree(part).nearest(at).distance <=
@@ -323,10 +323,11 @@ bool divide_crack_mouths(const SolidHostMesh& host, const CrackFrame& frame,
 
 } // namespace
 
-std::optional<PatchSolidCrack> place_crack(const SolidHostMesh& host, const CrackFrame& frame,
-                                           const LocatedSolidCrack& request,
-                                           std::span<const LocatedSolidCrack> all,
-                                           base::Diagnostics& diagnostics) {
+std::optional<PatchSolidCrack> place_tubes_and_mouths(const SolidHostMesh& host,
+                                                      const CrackFrame& frame,
+                                                      const LocatedSolidCrack& request,
+                                                      std::span<const LocatedSolidCrack> all,
+                                                      base::Diagnostics& diagnostics) {
   auto crack = TubePlacement(host, frame, request, diagnostics).place(all);
   return crack && divide_crack_mouths(host, frame, request, *crack, diagnostics) ? std::move(crack)
                                                                                  : std::nullopt;

@@ -30,9 +30,10 @@ struct PatchSolidCrack {
 
 /// Places the tubes of a crack, in a frame, and divides its mouths between their ends; empty,
 /// with an error, where a tube does not fit or a mouth cannot be followed.
-std::optional<PatchSolidCrack> place_crack(const SolidHostMesh& host, const CrackFrame& frame,
-                                           const LocatedSolidCrack& request,
-                                           std::span<const LocatedSolidCrack> all,
-                                           base::Diagnostics& diagnostics);
+std::optional<PatchSolidCrack> place_tubes_and_mouths(const SolidHostMesh& host,
+                                                      const CrackFrame& frame,
+                                                      const LocatedSolidCrack& request,
+                                                      std::span<const LocatedSolidCrack> all,
+                                                      base::Diagnostics& diagnostics);
 
 } // namespace spricka::mesh

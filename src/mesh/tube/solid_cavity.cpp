@@ -30,7 +30,7 @@ public:
         in_(mesh_.element_count(), false) {}
 
   SolidCavity build_cavities(std::span<const ElementId> seeds) {
-    part_ = host_.part_index(seeds.front());
+    part_ = host_.property_part_index(seeds.front());
     take_wanted(seeds);
     constexpr int passes = 60;
     for (int pass = 0; pass < passes; ++pass) {
@@ -53,7 +53,7 @@ private:
   using EdgeKey = std::pair<NodeId, NodeId>;
 
   [[nodiscard]] bool wanted(ElementId e) const {
-    const SolidHostMesh::ElementExtent& extent = host_.extent(e);
+    const SolidHostMesh::ElementBoundingBall& extent = host_.extent(e);
     const Vec3 middle = frame_.rounded_local_coordinates(extent.middle);
     const double radius = extent.radius / frame_.a;
     const double edge = extent.edge / frame_.a;
@@ -63,7 +63,7 @@ private:
       if (away > std::max(edge, crack.radius())) {
         return false;
       }
-      const CrackDistanceField::CrackDistances d = crack.distance(middle);
+      const CrackDistanceField::DistancesFromCrack d = crack.distance(middle);
       if (d.front < radius + clear_of_tube * d.radius + same ||
           d.surface < radius + clear_of_faces * size_at_front_distance(d) + same) {
         return true;
@@ -84,7 +84,7 @@ private:
     while (!open.empty()) {
       const ElementId e = open.back();
       open.pop_back();
-      if (met[e.index()] || host_.part_index(e) != part_) {
+      if (met[e.index()] || host_.property_part_index(e) != part_) {
         continue;
       }
       met[e.index()] = true;
@@ -102,7 +102,7 @@ private:
 
   [[nodiscard]] std::vector<ElementId> taken() const {
     std::vector<ElementId> result;
-    for (const ElementId e : host_.part_elements(part_)) {
+    for (const ElementId e : host_.property_part_elements(part_)) {
       if (in_[e.index()]) {
         result.push_back(e);
       }
@@ -161,7 +161,7 @@ private:
   }
 
   bool take(ElementId e) {
-    const bool fresh = !in_[e.index()] && host_.part_index(e) == part_;
+    const bool fresh = !in_[e.index()] && host_.property_part_index(e) == part_;
     in_[e.index()] = in_[e.index()] || fresh;
     return fresh;
   }

@@ -33,8 +33,8 @@ std::string SolidCrack::display_name() const {
   return "crack " + (name.empty() ? std::to_string(crack.index() + 1) : name);
 }
 
-std::shared_ptr<const NonPlanarCrackSurface> crack_surface_in_frame(const CrackFrame& frame,
-                                                                    const SolidCrack& crack) {
+std::shared_ptr<const NonPlanarCrackSurface>
+nonplanar_crack_surface_in_frame(const CrackFrame& frame, const SolidCrack& crack) {
   if (!crack.relief) {
     return nullptr;
   }
@@ -134,7 +134,7 @@ std::shared_ptr<const FrontCurve> fit_front_curve(const CrackFront& front,
                                             is_closed(front));
 }
 
-void update_front_points(const model::Mesh& mesh, CrackFront& front) {
+void recompute_front_point_geometry(const model::Mesh& mesh, CrackFront& front) {
   const bool closed = is_closed(front);
   double first = 0.0;
   for (std::size_t k = 0; k < front.points.size(); ++k) {
@@ -207,7 +207,7 @@ std::vector<SolidCrack> make_solid_cracks(const model::Model& model) {
     cut.name = crack.name;
     if (!crack.front_history.fronts.empty()) {
       cut.relief =
-          std::make_shared<const NonPlanarCrackSurface>(NonPlanarCrackSurface::SuccessiveFronts{
+          std::make_shared<const NonPlanarCrackSurface>(NonPlanarCrackSurface::PastAndPresentFronts{
               crack.plane.normal, crack.front_history.fronts, crack.front_history.normals});
     }
     cracks.push_back(std::move(cut));
@@ -288,7 +288,8 @@ double PlanePolygons::distance(const Vec3& x) const {
   return std::hypot(plane_.height(x), contains(q) ? 0.0 : distance_to_outlines(q));
 }
 
-std::vector<Vec3> PlanePolygons::intersect_triangle(const geometry::CornerPlaces& triangle) const {
+std::vector<Vec3>
+PlanePolygons::intersect_plane_with_triangle(const geometry::CornerPlaces& triangle) const {
   std::vector<Vec2> ends;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3& a = triangle[i];
@@ -308,7 +309,8 @@ std::vector<Vec3> PlanePolygons::intersect_triangle(const geometry::CornerPlaces
   return places;
 }
 
-std::optional<double> PlanePolygons::exit_distance(const Vec2& q, const Vec2& d) const {
+std::optional<double> PlanePolygons::exit_multiple_of_direction(const Vec2& q,
+                                                                const Vec2& d) const {
   std::optional<double> least;
   for_edges(outlines_, [&](const Vec2& a, const Vec2& b) {
     const Vec2 side = b - a;

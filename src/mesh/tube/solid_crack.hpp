@@ -66,8 +66,8 @@ struct TubeMeshParameters {
 CrackFrame make_crack_frame(const SolidCrack& crack);
 
 /// What a crack has made of its plane, in a frame; empty: it has not turned.
-std::shared_ptr<const NonPlanarCrackSurface> crack_surface_in_frame(const CrackFrame& frame,
-                                                                    const SolidCrack& crack);
+std::shared_ptr<const NonPlanarCrackSurface>
+nonplanar_crack_surface_in_frame(const CrackFrame& frame, const SolidCrack& crack);
 
 /// A plane in space with coordinates, (u, v) of places on it, and what a crack has made of it.
 struct PlaneBasis {
@@ -112,10 +112,11 @@ public:
   }
   /// Places along the line in which a triangle cuts the plane; empty: it does not.
   [[nodiscard]] std::vector<base::Vec3>
-  intersect_triangle(const geometry::CornerPlaces& triangle) const;
+  intersect_plane_with_triangle(const geometry::CornerPlaces& triangle) const;
   /// Where the line from q along d leaves the areas, as a multiple of d; of the first that is not
   /// at q. Empty: it does not.
-  [[nodiscard]] std::optional<double> exit_distance(const base::Vec2& q, const base::Vec2& d) const;
+  [[nodiscard]] std::optional<double> exit_multiple_of_direction(const base::Vec2& q,
+                                                                 const base::Vec2& d) const;
 
 private:
   PlaneBasis plane_;
@@ -129,6 +130,6 @@ private:
 std::shared_ptr<const FrontCurve> fit_front_curve(const CrackFront& front, const SolidCrack& crack);
 
 /// Places, growth directions, s and weights of points whose nodes or curve have been moved.
-void update_front_points(const model::Mesh& mesh, CrackFront& front);
+void recompute_front_point_geometry(const model::Mesh& mesh, CrackFront& front);
 
 } // namespace spricka::mesh

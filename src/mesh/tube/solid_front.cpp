@@ -301,7 +301,7 @@ private:
       for (int i = 0; i < front_samples; ++i) {
         const Vec3 x = front.curve->at((i + 0.5) / front_samples * front.curve->length()).x;
         const auto e = host_.find_element_at(x, crack_.net);
-        if (e && host_.part_index(*e) != host_.part_index(request_.seed)) {
+        if (e && host_.property_part_index(*e) != host_.property_part_index(request_.seed)) {
           diagnostics_.error(
               request_.span, "E424",
               fmt::format("{}: its front goes from elements of one $PROPERTY to those "
@@ -319,7 +319,7 @@ private:
 
   /// Where the surface of the body, or another material, crosses the crack.
   [[nodiscard]] std::optional<Vec3> crossing(const PlanePolygons& area) const {
-    const std::size_t part = host_.part_index(request_.seed);
+    const std::size_t part = host_.property_part_index(request_.seed);
     const SurfaceGeometry& surface = host_.body_surface(request_.seed).geometry();
     const double rim = 1e-2 * make_crack_frame(crack_).a; // a mouth lies on the surface
     const auto in_area = [&](const Vec3& x) {
@@ -335,7 +335,7 @@ private:
         if (found) {
           return;
         }
-        const std::vector<Vec3> places = area.intersect_triangle(triangle);
+        const std::vector<Vec3> places = area.intersect_plane_with_triangle(triangle);
         const auto at = std::ranges::find_if(places, counts);
         found = at != places.end() ? std::optional(*at) : std::nullopt;
       }

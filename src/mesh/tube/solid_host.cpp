@@ -86,14 +86,14 @@ void BodySurface::add_node_sets(const model::Mesh& mesh, const SetUsage& use) {
   }
 }
 
-const SurfaceGeometry& BodySurface::geometry(KeptSetBorders borders) const {
+const SurfaceGeometry& BodySurface::geometry(SetBorderPreservation borders) const {
   std::optional<SurfaceGeometry>& made = geometry_[static_cast<std::size_t>(borders)];
   if (!made) {
     std::vector<base::FaceSetId> kept = kept_;
-    if (borders == KeptSetBorders::used) {
+    if (borders == SetBorderPreservation::used) {
       std::erase_if(kept, [&](base::FaceSetId set) { return !used_[set.index()]; });
     }
-    made.emplace(body_, kept, borders != KeptSetBorders::none, lines_);
+    made.emplace(body_, kept, borders != SetBorderPreservation::none, lines_);
   }
   return *made;
 }
@@ -177,7 +177,7 @@ void SolidHostMesh::find_skins() {
     std::vector<geometry::CornerPlaces> triangles;
     std::vector<geometry::CornerPlaces> between;
     for (const model::Face& face :
-         outline(members_[p], [&](ElementId e) { return part_index(e) == p; })) {
+         outline(members_[p], [&](ElementId e) { return property_part_index(e) == p; })) {
       add_triangles(mesh(), face, triangles);
       if (neighbour(face)) {
         add_triangles(mesh(), face, between);
@@ -189,20 +189,20 @@ void SolidHostMesh::find_skins() {
 }
 
 const BodySurface& SolidHostMesh::body_surface(ElementId e) const {
-  if (!surface_[part_index(e)]) {
+  if (!surface_[property_part_index(e)]) {
     // All parts of the body.
     std::vector<bool> has(members_.size(), false);
-    std::vector<std::size_t> parts{part_index(e)};
-    has[part_index(e)] = true;
+    std::vector<std::size_t> parts{property_part_index(e)};
+    has[property_part_index(e)] = true;
     std::vector<ElementId> elements;
     for (std::size_t k = 0; k < parts.size(); ++k) {
       for (const ElementId member : members_[parts[k]]) {
         elements.push_back(member);
         for (int s = 0; s < base::element_info(mesh().type[member.index()]).sides; ++s) {
           const auto other = neighbour({member, s});
-          if (other && !has[part_index(*other)]) {
-            has[part_index(*other)] = true;
-            parts.push_back(part_index(*other));
+          if (other && !has[property_part_index(*other)]) {
+            has[property_part_index(*other)] = true;
+            parts.push_back(property_part_index(*other));
           }
         }
       }
@@ -213,14 +213,14 @@ const BodySurface& SolidHostMesh::body_surface(ElementId e) const {
       surface_[p] = made;
     }
   }
-  return *surface_[part_index(e)];
+  return *surface_[property_part_index(e)];
 }
 
 void SolidHostMesh::find_extents() {
   extent_.resize(mesh().element_count());
   for (std::size_t e = 0; e < mesh().element_count(); ++e) {
     const auto nodes = mesh().element_nodes(ElementId(e));
-    ElementExtent& extent = extent_[e];
+    ElementBoundingBall& extent = extent_[e];
     extent.middle = model::element_corner_mean(mesh(), ElementId(e));
     for (const NodeId n : nodes) {
       extent.radius = std::max(extent.radius, (mesh().x[n.index()] - extent.middle).norm());
@@ -283,7 +283,7 @@ ElementId SolidHostMesh::nearest_element(std::span<const ElementId> elements, co
   ElementId best = elements.front();
   double least = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < elements.size() && least > 0.0; ++i) {
-    const ElementExtent& own = extent(elements[i]);
+    const ElementBoundingBall& own = extent(elements[i]);
     if ((x - own.middle).norm() > beyond * own.radius) {
       continue;
     }

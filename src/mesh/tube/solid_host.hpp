@@ -17,7 +17,7 @@
 namespace spricka::mesh {
 
 /// Borders of which sets are edges of a surface.
-enum class KeptSetBorders {
+enum class SetBorderPreservation {
   all,
   used, ///< sets that something asks for
   none, ///< sharp edges only
@@ -33,9 +33,10 @@ public:
 
   /// With fewer borders where a crack leaves no room for all. Made when first asked for, by one
   /// thread at a time. Faces have the same numbers in all of them, sets in `all` and `none`.
-  [[nodiscard]] const SurfaceGeometry& geometry(KeptSetBorders borders = KeptSetBorders::all) const;
+  [[nodiscard]] const SurfaceGeometry&
+  geometry(SetBorderPreservation borders = SetBorderPreservation::all) const;
   /// Names of the sets of the geometries; empty for those of single cards.
-  [[nodiscard]] const std::string& face_set_name(std::size_t set) const {
+  [[nodiscard]] const std::string& name_of_surface_face_set(std::size_t set) const {
     return body_.face_sets[set].name;
   }
   [[nodiscard]] bool is_face_set_used(std::size_t set) const { return used_[set]; }
@@ -65,9 +66,11 @@ public:
   SolidHostMesh(const model::Mesh& mesh, SetUsage use = {});
 
   [[nodiscard]] const SetUsage& set_usage() const { return use_; }
-  [[nodiscard]] std::size_t part_index(base::ElementId e) const { return part_[e.index()]; }
+  [[nodiscard]] std::size_t property_part_index(base::ElementId e) const {
+    return part_[e.index()];
+  }
   /// Elements of a part, ascending.
-  [[nodiscard]] const std::vector<base::ElementId>& part_elements(std::size_t part) const {
+  [[nodiscard]] const std::vector<base::ElementId>& property_part_elements(std::size_t part) const {
     return members_[part];
   }
   [[nodiscard]] const geometry::TriangleTree& skin_tree(std::size_t part) const {
@@ -82,12 +85,14 @@ public:
   [[nodiscard]] const BodySurface& body_surface(base::ElementId e) const;
 
   /// A ball that holds the nodes of an element, and its longest edge.
-  struct ElementExtent {
+  struct ElementBoundingBall {
     base::Vec3 middle = base::Vec3::Zero();
     double radius = 0.0;
     double edge = 0.0;
   };
-  [[nodiscard]] const ElementExtent& extent(base::ElementId e) const { return extent_[e.index()]; }
+  [[nodiscard]] const ElementBoundingBall& extent(base::ElementId e) const {
+    return extent_[e.index()];
+  }
 
   /// The element of a net (any: invalid) that a place lies in; empty outside of all.
   [[nodiscard]] std::optional<base::ElementId> find_element_at(const base::Vec3& x,
@@ -110,7 +115,7 @@ private:
   std::vector<geometry::TriangleTree> border_; ///< [part]
   /// [part] that of its body
   mutable std::vector<std::shared_ptr<const BodySurface>> surface_;
-  std::vector<ElementExtent> extent_; ///< [element]
+  std::vector<ElementBoundingBall> extent_; ///< [element]
 };
 
 /// How far a place lies outside of an element, in its own coordinates; at most 0 inside.

@@ -70,7 +70,7 @@ std::vector<std::vector<int>> with_holes(const std::vector<int>& loop,
 
 /// Nodes along the tubes and mouths of a crack, round and round; `mouths`: nodes between tubes.
 std::vector<std::vector<int>> loops_of(const PatchSolidCrack& crack,
-                                       const std::vector<PlacedTube>& tubes,
+                                       const std::vector<TubeNodesInPatch>& tubes,
                                        const std::vector<std::vector<int>>& mouths) {
   std::vector<std::vector<int>> loops;
   std::vector<bool> done(crack.tubes.size(), false);
@@ -119,7 +119,7 @@ class PatchBuilder {
 public:
   PatchBuilder(const SolidHostMesh& host, const CrackFrame& frame,
                std::span<const PatchSolidCrack> cracks, const SolidCavity& cavity,
-               SurfaceTreatment request)
+               BodySurfaceTreatment request)
       : host_(host), frame_(frame), cracks_(cracks), cavity_(cavity), request_(request),
         net_(host.mesh(), frame) {}
 
@@ -138,7 +138,7 @@ public:
     if (patch_.trouble.empty()) {
       promote();
       move_quarters();
-      choose_held_edge_ends(net_.elements, patch_.edges);
+      choose_edge_ends_by_crack_side(net_.elements, patch_.edges);
       look_at_elements(net_, patch_);
     }
     net_.move_into_patch(patch_);
@@ -199,7 +199,7 @@ private:
   /// Open tubes are part of the shell that they join, closed ones have shells of their own.
   void place_tubes_of(std::size_t c, std::vector<PatchTriangle>& joined) {
     SolidPatch::OpenedPatchCrack& made = patch_.cracks[c];
-    std::vector<PlacedTube>& laid = tubes_.emplace_back();
+    std::vector<TubeNodesInPatch>& laid = tubes_.emplace_back();
     for (const Tube& tube : cracks_[c].tubes) {
       const std::size_t first = net_.elements.size();
       std::vector<PatchTriangle> shell;
@@ -213,10 +213,10 @@ private:
       for (const auto& [upper, lower] : tube.twins) {
         made.twins.emplace_back(at(upper), at(lower));
       }
-      for (const Tube::TubeSide& side : tube.upper_sides) {
+      for (const Tube::TubeElementSide& side : tube.upper_sides) {
         made.upper.push_back({first + side.element, side.side});
       }
-      for (const Tube::TubeSide& side : tube.lower_sides) {
+      for (const Tube::TubeElementSide& side : tube.lower_sides) {
         made.lower.push_back({first + side.element, side.side});
       }
       std::vector<int>& front = made.fronts.emplace_back();
@@ -315,7 +315,7 @@ private:
     for (const auto& faces : faces_) {
       all.insert(all.end(), faces.begin(), faces.end());
     }
-    const OpenedFill split = open_crack_in_fill(net_, all, lower_, tetrahedra_);
+    const CrackSidesInFill split = open_crack_in_fill(net_, all, lower_, tetrahedra_);
     patch_.trouble = split.trouble;
     const std::size_t first = net_.elements.size();
     std::size_t k = 0;
@@ -365,12 +365,12 @@ private:
   const CrackFrame& frame_;
   std::span<const PatchSolidCrack> cracks_;
   const SolidCavity& cavity_;
-  SurfaceTreatment request_;
+  BodySurfaceTreatment request_;
   PatchMeshBuilder net_;
   SolidPatch patch_;
   std::vector<std::vector<PatchTriangle>> shells_;    ///< closed, the outermost first
   std::vector<std::vector<PatchTriangle>> rims_;      ///< of them, what the host gives
-  std::vector<std::vector<PlacedTube>> tubes_;        ///< [crack]
+  std::vector<std::vector<TubeNodesInPatch>> tubes_;  ///< [crack]
   std::vector<std::vector<std::vector<int>>> mouths_; ///< [crack][mouth] nodes between tubes
   std::vector<std::vector<std::vector<int>>> holes_;  ///< [crack][hole] nodes all round
   std::vector<std::vector<PatchTriangle>> faces_;     ///< [crack] between its tubes
@@ -384,7 +384,7 @@ private:
 
 SolidPatch mesh_solid_cavity(const SolidHostMesh& host, const CrackFrame& frame,
                              std::span<const PatchSolidCrack> cracks, const SolidCavity& cavity,
-                             SurfaceTreatment request) {
+                             BodySurfaceTreatment request) {
   return PatchBuilder(host, frame, cracks, cavity, request).build();
 }
 

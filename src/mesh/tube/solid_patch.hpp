@@ -15,14 +15,14 @@ namespace spricka::mesh {
 
 /// What fills a cavity in a solid, its cracks open.
 struct SolidPatch : Patch {
-  struct SolidPatchSide {
+  struct PatchElementSide {
     std::size_t element = 0;
     int side = 0;
   };
   struct OpenedPatchCrack {
-    std::vector<std::pair<int, int>> twins;   ///< nodes of the upper and the lower face
-    std::vector<SolidPatchSide> upper, lower; ///< sides of elements that make them
-    std::vector<std::vector<int>> fronts;     ///< [tube][station] node
+    std::vector<std::pair<int, int>> twins;     ///< nodes of the upper and the lower face
+    std::vector<PatchElementSide> upper, lower; ///< sides of elements that make them
+    std::vector<std::vector<int>> fronts;       ///< [tube][station] node
   };
   std::vector<OpenedPatchCrack> cracks;
   QuarterPointCounts quarters; ///< of free fronts
@@ -35,15 +35,15 @@ struct SolidPatch : Patch {
 };
 
 /// How the surface of the body is treated.
-struct SurfaceTreatment {
-  KeptSetBorders borders =
-      KeptSetBorders::all; ///< of which sets are kept; others go where triangles end
-  bool renew = false;      ///< the cavity's part of it is meshed anew where no tube ends, too
+struct BodySurfaceTreatment {
+  SetBorderPreservation borders =
+      SetBorderPreservation::all; ///< of which sets are kept; others go where triangles end
+  bool renew = false; ///< the cavity's part of it is meshed anew where no tube ends, too
 };
 
 /// Meshes a cavity round its cracks: tubes along their fronts, graded tetrahedra in the rest.
 SolidPatch mesh_solid_cavity(const SolidHostMesh& host, const CrackFrame& frame,
                              std::span<const PatchSolidCrack> cracks, const SolidCavity& cavity,
-                             SurfaceTreatment request);
+                             BodySurfaceTreatment request);
 
 } // namespace spricka::mesh

@@ -122,7 +122,7 @@ std::vector<double> TubeSizes::stations(bool closed) const {
   return result;
 }
 
-TubeSizes tube_sizes(const FrontCurve& curve, const TubeSizeLimits& room,
+TubeSizes tube_sizes(const FrontCurve& curve, const TubeClearanceAlongFront& room,
                      const TubeMeshParameters& given) {
   TubeSizes sizes;
   const double step = curve.length() / static_cast<double>(samples);

@@ -33,7 +33,7 @@ struct TubeSizes {
 /// What limits a tube at a length along the front: distance from the surface of the body and from
 /// other cracks, and how far the crack reaches backwards. And how far the ends of an open front
 /// lean from the surface's normal (tangent of the angle).
-struct TubeSizeLimits {
+struct TubeClearanceAlongFront {
   std::function<double(double)> free;
   std::function<double(double)> width;
   std::array<double, 2> lean{};
@@ -46,7 +46,7 @@ struct TubeSizeLimits {
 /// the first two, and 0.5 to 3 radii, shorter towards the ends of an open front. Near leaning ends
 /// the radius leaves room for the shear onto the surface where the front turns. Given sizes
 /// (`given`, in the lengths of the curve) stand as they are, all divided by `finer`.
-TubeSizes tube_sizes(const FrontCurve& curve, const TubeSizeLimits& room,
+TubeSizes tube_sizes(const FrontCurve& curve, const TubeClearanceAlongFront& room,
                      const TubeMeshParameters& given);
 
 /// A quadrilateral with middle nodes, as a side of an element in space: corners in order, then the
@@ -64,7 +64,7 @@ struct Tube {
     base::ElementType type = base::ElementType::pentac15;
     std::vector<int> nodes;
   };
-  struct TubeSide {
+  struct TubeElementSide {
     std::size_t element = 0;
     int side = 0;
   };
@@ -85,11 +85,11 @@ struct Tube {
   /// The lines of the crack along the outside of the tube: corner nodes. [station]
   std::vector<int> upper, lower;
   std::vector<std::pair<int, int>> twins; ///< nodes of the faces, upper and lower; of the front one
-  std::vector<TubeSide> upper_sides, lower_sides;
+  std::vector<TubeElementSide> upper_sides, lower_sides;
   /// Of an open front, for each end: sides on the surface, the corners of the outline from the
   /// crack on (lower nodes).
   struct TubeEnd {
-    std::vector<TubeSide> sides;
+    std::vector<TubeElementSide> sides;
     std::vector<int> corner;
   };
   std::array<TubeEnd, 2> ends;

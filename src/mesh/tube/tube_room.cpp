@@ -41,8 +41,8 @@ void CrackDistanceField::add_tube(const Tube& tube) {
   radius_ = 0.5 * box.diagonal() + most;
 }
 
-CrackDistanceField::CrackDistances CrackDistanceField::distance(const Vec3& p) const {
-  CrackDistances result;
+CrackDistanceField::DistancesFromCrack CrackDistanceField::distance(const Vec3& p) const {
+  DistancesFromCrack result;
   double least = std::numeric_limits<double>::max();
   for (const FrontSegment& piece : pieces_) {
     const Vec3 along = piece.to - piece.from;
@@ -95,7 +95,7 @@ double TubeClearance::clearance(double s) const {
 }
 
 double TubeClearance::free_at(const FrontFrame& at) const {
-  const std::size_t part = host_.part_index(request_.seed);
+  const std::size_t part = host_.property_part_index(request_.seed);
   double least =
       front_.curve->closed()
           ? host_.skin_tree(part).nearest(at.x).distance
@@ -144,7 +144,7 @@ double TubeClearance::crack_width(double s) const {
   const PlaneBasis& plane = area_.plane();
   const Vec2 q = plane.project(at.x);
   const Vec2 back = plane.project(at.x - at.m) - q;
-  const auto along = area_.exit_distance(q, back);
+  const auto along = area_.exit_multiple_of_direction(q, back);
   if (!along) {
     return std::numeric_limits<double>::max();
   }

@@ -21,13 +21,13 @@ public:
   explicit CrackDistanceField(PlanePolygons area) : area_(std::move(area)) {}
   void add_tube(const Tube& tube);
 
-  struct CrackDistances {
+  struct DistancesFromCrack {
     double front = 0.0;   ///< from the nearest front
     double radius = 0.0;  ///< of the tube there
     double size = 0.0;    ///< of elements up to that radius
     double surface = 0.0; ///< from the crack's faces
   };
-  [[nodiscard]] CrackDistances distance(const base::Vec3& p) const;
+  [[nodiscard]] DistancesFromCrack distance(const base::Vec3& p) const;
   [[nodiscard]] const PlaneBasis& plane() const { return area_.plane(); }
   [[nodiscard]] const PlanePolygons& polygons() const { return area_; }
   /// Whether it has a front without a tube.
@@ -50,7 +50,7 @@ private:
 };
 
 /// Size of the elements wanted at a distance from a front.
-inline double size_at_front_distance(const CrackDistanceField::CrackDistances& d,
+inline double size_at_front_distance(const CrackDistanceField::DistancesFromCrack& d,
                                      double growth = CrackDistanceField::usual_growth) {
   return d.size + growth * std::max(0.0, d.front - d.radius);
 }

@@ -51,14 +51,15 @@ model::Model read_mesh(const std::filesystem::path& file, base::Diagnostics& dia
   request.file = file;
   request.net = base::NetId(std::size_t{0});
   if (extension(file) == ".inp") {
-    const mesh::ImportedPhysics physics = mesh::import_inp(model.mesh, request, diagnostics);
-    mesh::append_imported_physics(model, physics);
+    const mesh::ImportedMaterialsAndEquations physics =
+        mesh::import_inp(model.mesh, request, diagnostics);
+    mesh::append_materials_and_equations(model, physics);
     if (!physics.equations.empty()) {
       model.unavailable.push_back({"*EQUATION", request.span});
     }
   } else {
     request.format = extension(file) == ".msh" ? mesh::ImportFormat::msh : mesh::ImportFormat::geo;
-    mesh::import_gmsh_mesh(model.mesh, request, diagnostics);
+    mesh::import_gmsh_mesh_or_script(model.mesh, request, diagnostics);
   }
   return model;
 }

@@ -167,7 +167,7 @@ results::CrackLengthPreview preview_mesh_at_crack_length(const model::Model& mod
     preview.size = front.size;
     if (front.is_tip()) {
       const std::vector<base::NodeId>& crack_face =
-          cracked.faces[front.crack.index()].meshed_face();
+          cracked.faces[front.crack.index()].meshed_face_nodes();
       if (!crack_face.empty()) {
         preview.mouth = cracked.mesh.x[crack_face.front().index()];
       }

@@ -109,9 +109,9 @@ TEST(Fit, RoundOffOfThePointsLeavesTheSameNumbers) {
   EXPECT_LT(std::abs(one->radius - two->radius), 4e-12);
 }
 
-class CrackDistances : public testing::TestWithParam<AnalyticShapeKind> {};
+class DistancesFromCrack : public testing::TestWithParam<AnalyticShapeKind> {};
 
-TEST_P(CrackDistances, GradientIsItsSlope) {
+TEST_P(DistancesFromCrack, GradientIsItsSlope) {
   const AnalyticShape shape = shape_of(GetParam(), 1.0);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> at(-4.0, 4.0);
@@ -126,7 +126,7 @@ TEST_P(CrackDistances, GradientIsItsSlope) {
   }
 }
 
-TEST_P(CrackDistances, AlongARayItEndsOnTheShape) {
+TEST_P(DistancesFromCrack, AlongARayItEndsOnTheShape) {
   const AnalyticShape shape = shape_of(GetParam(), 1.0);
   const Samples samples = sampled(shape, 2.0, 4.0);
   for (const PointNormal& at : samples.normals) {
@@ -137,7 +137,7 @@ TEST_P(CrackDistances, AlongARayItEndsOnTheShape) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, CrackDistances,
+INSTANTIATE_TEST_SUITE_P(Shapes, DistancesFromCrack,
                          testing::Values(AnalyticShapeKind::plane, AnalyticShapeKind::cylinder,
                                          AnalyticShapeKind::cone, AnalyticShapeKind::sphere));
 

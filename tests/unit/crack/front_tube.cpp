@@ -152,7 +152,7 @@ Tube::Tube(const mesh::FrontCurve& curve, const TubeSpec& spec) {
   }
   mesh.property.assign(mesh.element_count(), base::PropertyId(std::size_t{0}));
   cracked.fronts = {make_front(curve, spec, lattice)};
-  mesh::CrackFaces faces;
+  mesh::CrackFaceNodes faces;
   for (const auto& [key, node] : lattice.nodes()) {
     if (key[1] == 0 || key[2] == 2 * spec.sectors) {
       faces.left.push_back(node);

@@ -40,7 +40,7 @@ struct Block {
     front.crack = base::CrackId(cracked.faces.size());
     front.a = count;
     front.tip_point() = {.node = path.back(), .x = from + count * along, .growth = along};
-    const std::optional<mesh::CrackFaces> faces =
+    const std::optional<mesh::CrackFaceNodes> faces =
         mesh::open_crack_along_path(cracked.mesh, path, false);
     ASSERT_TRUE(faces);
     cracked.faces.push_back(*faces);

@@ -174,7 +174,7 @@ protected:
   // Pressure on both faces, at points.
   [[nodiscard]] std::vector<crack::FacePointForces> pressure() const {
     std::vector<crack::FacePointForces> forces;
-    const mesh::CrackFaces& faces = tube.cracked.faces.front();
+    const mesh::CrackFaceNodes& faces = tube.cracked.faces.front();
     for (const auto* sides : {&faces.left_sides, &faces.right_sides}) {
       for (const model::Face& face : *sides) {
         const geometry::ElementSide side = model::element_side(tube.mesh(), face);

@@ -33,7 +33,7 @@ struct Faces {
                       {-0.25, 0.0, 0.0},
                       {-1.0, 0.0, 0.0}};
     const auto node = [](std::size_t n) { return base::NodeId(n); };
-    mesh::CrackFaces faces;
+    mesh::CrackFaceNodes faces;
     faces.left = {node(2), node(1), node(0)};
     faces.right = {node(4), node(3), node(0)};
     if (tip_first) { // seen from the other end left is right

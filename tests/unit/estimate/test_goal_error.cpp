@@ -345,7 +345,7 @@ TEST_P(GoalError, DoesNotDependOnTheNumbersOfNodes) {
   for (mesh::CrackFront& front : other.cracked.fronts) {
     front.tip_point().node = turned(front.tip_point().node);
   }
-  for (mesh::CrackFaces& crack_faces : other.cracked.faces) {
+  for (mesh::CrackFaceNodes& crack_faces : other.cracked.faces) {
     for (auto* crack_face : {&crack_faces.left, &crack_faces.right}) {
       for (base::NodeId& id : *crack_face) {
         id = turned(id);

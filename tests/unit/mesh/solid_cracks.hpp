@@ -157,7 +157,7 @@ inline void expect_sound_solid(const model::Mesh& host, const mesh::CrackedMesh&
 inline void expect_closed(const model::Mesh& host, const mesh::CrackedMesh& cracked) {
   const model::Mesh& mesh = cracked.mesh;
   std::set<model::Face> faces;
-  for (const mesh::CrackFaces& crack : cracked.faces) {
+  for (const mesh::CrackFaceNodes& crack : cracked.faces) {
     faces.insert(crack.left_sides.begin(), crack.left_sides.end());
     faces.insert(crack.right_sides.begin(), crack.right_sides.end());
   }
@@ -179,7 +179,7 @@ inline void expect_closed(const model::Mesh& host, const mesh::CrackedMesh& crac
   }
   EXPECT_NEAR(all.norm(), 0.0, 1e-9);
   std::size_t surface = 0;
-  for (const model::Face& side : mesh::outer_surface_faces(mesh)) {
+  for (const model::Face& side : mesh::boundary_faces_except_interfaces(mesh)) {
     surface += faces.contains(side) ? 0 : triangles_of(mesh, side);
   }
   std::size_t before = 0;
@@ -191,7 +191,7 @@ inline void expect_closed(const model::Mesh& host, const mesh::CrackedMesh& crac
 
 inline void expect_crack(const mesh::SolidCrack& crack, const mesh::CrackedMesh& cracked,
                          std::size_t number, double area) {
-  const mesh::CrackFaces& faces = cracked.faces[number];
+  const mesh::CrackFaceNodes& faces = cracked.faces[number];
   const model::Mesh& mesh = cracked.mesh;
   ASSERT_EQ(faces.left.size(), faces.right.size());
   ASSERT_EQ(faces.left_sides.size(), faces.right_sides.size());

@@ -51,7 +51,7 @@ TEST(Coincidence, TwoBlocksSideBySideHaveASeamOfTheirCommonSides) {
     add_block(mesh, 0.0, 3, 5, angle);
     add_block(mesh, 3.0, 2, 5, angle);
     EXPECT_EQ(find_coincident_faces(mesh, boundary_faces(mesh)).size(), 5U) << angle;
-    EXPECT_TRUE(find_duplicate_elements(mesh).empty());
+    EXPECT_TRUE(find_coincident_elements(mesh).empty());
   }
 }
 
@@ -60,7 +60,7 @@ TEST(Coincidence, OneBlockAndBlocksApartHaveNone) {
   add_block(mesh, 0.0, 4, 4);
   add_block(mesh, 4.01, 4, 4);
   EXPECT_TRUE(find_coincident_faces(mesh, boundary_faces(mesh)).empty());
-  EXPECT_TRUE(find_duplicate_elements(mesh).empty());
+  EXPECT_TRUE(find_coincident_elements(mesh).empty());
 }
 
 TEST(Coincidence, BlocksThatMeetInACornerAreNoSeam) {
@@ -78,7 +78,7 @@ TEST(Coincidence, AMeshReadTwiceIsFoundElementByElement) {
   model::Mesh mesh = empty_mesh();
   add_block(mesh, 0.0, 3, 2, 0.3);
   add_block(mesh, 0.0, 3, 2, 0.3);
-  const auto pairs = find_duplicate_elements(mesh);
+  const auto pairs = find_coincident_elements(mesh);
   ASSERT_EQ(pairs.size(), 6U);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     EXPECT_EQ(pairs[i].first.index(), i);

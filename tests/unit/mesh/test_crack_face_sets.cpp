@@ -54,11 +54,12 @@ void expect_sides(const mesh::CrackedMesh& cracked) {
     EXPECT_EQ(found.left, left) << name;
     EXPECT_EQ(found.right, right) << name;
   }
-  const mesh::CrackFaceMembership membership(cracked.mesh, cracked.faces);
+  const mesh::NodeSetsOnCrackFaces membership(cracked.mesh, cracked.faces);
   for (const model::NodeSet& set : cracked.mesh.node_sets) {
     const bool line = set.name == "LINE"; // a patch has taken the rest of it
-    for (const auto& choice : line ? std::vector<mesh::CrackFaceMembership::CrackFaceChoice>()
-                                   : membership.choose_face_nodes(set.nodes)) {
+    for (const auto& choice : line
+                                  ? std::vector<mesh::NodeSetsOnCrackFaces::ChosenCoincidentNodes>()
+                                  : membership.choose_nodes_belonging_to_set(set.nodes)) {
       EXPECT_EQ(choice.alone, set.name == "POINT") << set.name;
     }
   }

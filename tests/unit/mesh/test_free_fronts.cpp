@@ -107,7 +107,7 @@ void expect_whole(const model::Mesh& host, const mesh::CrackedMesh& cracked, dou
   EXPECT_TRUE(mesh::find_mesh_faults(mesh).bad.empty());
   EXPECT_NEAR(test::area(mesh), test::area(host), 1e-9 * test::area(host));
   ASSERT_EQ(cracked.faces.size(), 1U);
-  const mesh::CrackFaces& faces = cracked.faces[0];
+  const mesh::CrackFaceNodes& faces = cracked.faces[0];
   for (const auto* sides : {&faces.left_sides, &faces.right_sides}) {
     double sum = 0.0;
     for (const model::Face& side : *sides) {

@@ -49,7 +49,7 @@ protected:
     return request;
   }
   bool import(const mesh::ImportRequest& request) {
-    mesh::import_gmsh_mesh(mesh_, request, diagnostics_);
+    mesh::import_gmsh_mesh_or_script(mesh_, request, diagnostics_);
     return !diagnostics_.has_errors();
   }
 
@@ -278,7 +278,7 @@ TEST_F(GmshImport, ScriptErrorsInGmshsWords) {
   EXPECT_EQ(mesh_.node_count(), 0U);
   // and the library works on afterwards
   base::Diagnostics fresh;
-  mesh::import_gmsh_mesh(mesh_, write("a.geo", quarter_disc), fresh);
+  mesh::import_gmsh_mesh_or_script(mesh_, write("a.geo", quarter_disc), fresh);
   EXPECT_FALSE(fresh.has_errors());
 }
 

@@ -39,7 +39,7 @@ protected:
     model_ = {};
     diagnostics_ = {};
     physics_ = mesh::import_inp(model_.mesh, request, diagnostics_);
-    mesh::append_imported_physics(model_, physics_);
+    mesh::append_materials_and_equations(model_, physics_);
     return !diagnostics_.has_errors();
   }
   /// All messages, one a line.
@@ -70,7 +70,7 @@ protected:
   double scale_ = 1.0;
   std::vector<std::pair<std::string, std::string>> renames_;
   model::Model model_;
-  mesh::ImportedPhysics physics_;
+  mesh::ImportedMaterialsAndEquations physics_;
   base::Diagnostics diagnostics_;
 };
 

@@ -148,9 +148,9 @@ TEST_F(Mesher, TimeWithoutAProcessorIsNotItsOwn) {
 TEST_F(Mesher, ItIsSeenToWait) {
   mesh::end_mesher_process();
   const auto process = mesh::MesherProcess::start(std::size_t{2} << 30U);
-  EXPECT_TRUE(becomes([&] { return process->is_waiting(); })); // for its first request
+  EXPECT_TRUE(becomes([&] { return process->is_sleeping(); })); // for its first request
   kill(child(), SIGSTOP);
-  EXPECT_TRUE(becomes([&] { return !process->is_waiting(); }));
+  EXPECT_TRUE(becomes([&] { return !process->is_sleeping(); }));
 }
 
 TEST_F(Mesher, MemoryIsLimited) {

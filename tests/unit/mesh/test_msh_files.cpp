@@ -66,7 +66,7 @@ protected:
   void expect_same(const std::string& name, double tolerance) {
     model::Mesh found;
     base::Diagnostics diagnostics;
-    mesh::import_gmsh_mesh(found, request(name), diagnostics);
+    mesh::import_gmsh_mesh_or_script(found, request(name), diagnostics);
     ASSERT_TRUE(diagnostics.messages().empty()) << diagnostics.messages()[0].text;
     ASSERT_EQ(found.element_count(), mesh_.element_count());
     ASSERT_EQ(found.node_count(), mesh_.node_count());
@@ -165,7 +165,7 @@ TEST_P(MshFiles, RaisedToQuadratic) {
   quadratic.scale = 2.0;
   model::Mesh found;
   base::Diagnostics diagnostics;
-  mesh::import_gmsh_mesh(found, quadratic, diagnostics);
+  mesh::import_gmsh_mesh_or_script(found, quadratic, diagnostics);
   ASSERT_FALSE(diagnostics.has_errors());
   EXPECT_TRUE(std::all_of(found.type.begin(), found.type.end(),
                           [](base::ElementType t) { return base::element_info(t).quadratic; }));
@@ -180,7 +180,7 @@ TEST_P(MshFiles, DamagedFilesAreRefusedInWords) {
     std::ofstream(folder_ / "bad.msh", std::ios::binary) << text;
     model::Mesh found;
     base::Diagnostics diagnostics;
-    mesh::import_gmsh_mesh(found, request("bad.msh"), diagnostics);
+    mesh::import_gmsh_mesh_or_script(found, request("bad.msh"), diagnostics);
     ASSERT_TRUE(diagnostics.has_errors()) << words;
     EXPECT_NE(diagnostics.messages()[0].text.find(words), std::string::npos)
         << diagnostics.messages()[0].text;
@@ -224,7 +224,7 @@ TEST_P(MshFiles, ChangedBytesDoNoHarm) {
         std::ofstream(folder_ / "changed.msh", std::ios::binary) << text;
         model::Mesh found;
         base::Diagnostics diagnostics;
-        mesh::import_gmsh_mesh(found, request("changed.msh"), diagnostics);
+        mesh::import_gmsh_mesh_or_script(found, request("changed.msh"), diagnostics);
         EXPECT_TRUE(diagnostics.has_errors() || found.element_count() > 0);
         EXPECT_EQ(found.first.empty() ? 0 : found.first.size() - 1, found.element_count());
       }

@@ -279,7 +279,7 @@ TEST(Patch, RegionHoldsEveryCavityAndALayer) {
     lines.push_back(test::crack({{0, 36, 0}, {0, 36 + a, 0}}));
     tips.push_back(mesh::choose_tip_mesh(host, lines.back(), nullptr));
   }
-  const auto region = mesh::crack_region_elements(host, lines, tips);
+  const auto region = mesh::possible_cavity_elements(host, lines, tips);
   EXPECT_TRUE(std::is_sorted(region.begin(), region.end()));
   const std::set<base::ElementId> in(region.begin(), region.end());
   for (const mesh::CrackLine& line : lines) {

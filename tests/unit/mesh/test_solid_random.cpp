@@ -280,7 +280,7 @@ void expect_sound(const HostMesh& host, const mesh::CrackedMesh& cracked, bool s
                : host.curved ? 1e-2
                              : 1e-9) *
                   held);
-  for (const mesh::CrackFaces& faces : cracked.faces) {
+  for (const mesh::CrackFaceNodes& faces : cracked.faces) {
     const double upper = crack_area(mesh, faces.left_sides);
     EXPECT_GT(upper, 0.0);
     EXPECT_NEAR(crack_area(mesh, faces.right_sides), upper, 1e-9 * upper);

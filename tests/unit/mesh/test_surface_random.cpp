@@ -32,7 +32,7 @@ model::Mesh body_of(const std::string& script, double size) {
                               << ";\nPhysical Volume(\"BODY\") = Volume{:};\n";
   model::Mesh mesh;
   base::Diagnostics diagnostics;
-  import_gmsh_mesh(mesh, request, diagnostics);
+  import_gmsh_mesh_or_script(mesh, request, diagnostics);
   std::filesystem::remove_all(folder);
   EXPECT_FALSE(diagnostics.has_errors());
   return mesh;

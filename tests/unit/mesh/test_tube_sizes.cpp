@@ -15,8 +15,8 @@ using base::Vec3;
 struct Penny {
   static constexpr double radius = 2.0;
   mesh::FrontCurve front = circle();
-  mesh::TubeSizeLimits room{.free = [](double) { return 100.0 * radius; },
-                            .width = [](double) { return 2.0 * radius; }};
+  mesh::TubeClearanceAlongFront room{.free = [](double) { return 100.0 * radius; },
+                                     .width = [](double) { return 2.0 * radius; }};
 
   static mesh::FrontCurve circle() {
     constexpr int count = 64;

@@ -37,7 +37,7 @@ mesh::SolidCrack bent_edge_crack(double step, const std::vector<double>& turns) 
   crack.net = base::NetId(0);
   crack.crack = base::CrackId(std::size_t{0});
   crack.closed = false;
-  mesh::NonPlanarCrackSurface::SuccessiveFronts fronts;
+  mesh::NonPlanarCrackSurface::PastAndPresentFronts fronts;
   double angle = 0.0;
   Vec3 tip = Vec3::Zero();
   const auto line = [&] {
@@ -66,7 +66,7 @@ mesh::SolidCrack bent_penny(double step, double angle, double slow = 1.0) {
   mesh::SolidCrack crack;
   crack.net = base::NetId(0);
   crack.crack = base::CrackId(std::size_t{0});
-  mesh::NonPlanarCrackSurface::SuccessiveFronts fronts;
+  mesh::NonPlanarCrackSurface::PastAndPresentFronts fronts;
   fronts.points.resize(2);
   for (int i = 0; i < pieces; ++i) {
     const double phi = -2.0 * pi * i / pieces;
@@ -114,7 +114,7 @@ void expect_crack(const model::Mesh& host, const mesh::SolidCrack& crack, double
                   const mesh::CrackedMesh& cracked) {
   EXPECT_TRUE(mesh::find_mesh_faults(cracked.mesh).bad.empty());
   EXPECT_NEAR(test::area(cracked.mesh), test::area(host), 1e-7 * test::area(host));
-  const mesh::CrackFaces& faces = cracked.faces[0];
+  const mesh::CrackFaceNodes& faces = cracked.faces[0];
   EXPECT_NEAR(area_of(cracked.mesh, faces.left_sides), area, 0.01 * area);
   EXPECT_NEAR(area_of(cracked.mesh, faces.right_sides), area, 0.01 * area);
   for (const base::NodeId n : faces.left) {
@@ -200,7 +200,7 @@ TEST(TurnedCracks, AtAFace) {
   crack.net = base::NetId(0);
   crack.crack = base::CrackId(std::size_t{0});
   crack.closed = false;
-  mesh::NonPlanarCrackSurface::SuccessiveFronts fronts;
+  mesh::NonPlanarCrackSurface::PastAndPresentFronts fronts;
   fronts.points.resize(2);
   for (int i = -12; i <= pieces + 12; ++i) {
     const double phi = pi - pi * i / pieces; // t = m x b runs clockwise
