@@ -145,7 +145,7 @@ void move_nodes(int curve, const Stations& stations) {
 
 } // namespace
 
-void request_gmsh_sizes(const mesh::ScriptSizeMap& size) {
+void apply_sizes_and_mesh_curves(const mesh::ScriptSizeMap& size) {
   double order = 1.0;
   gmsh::option::getNumber("Mesh.ElementOrder", order);
   gmsh::option::setNumber("Mesh.ElementOrder", 1.0);

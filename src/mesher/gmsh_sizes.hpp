@@ -7,6 +7,6 @@ namespace spricka::mesher {
 /// Asks gmsh for sizes beyond those of the script that is open and not yet meshed, and meshes its
 /// curves. Curves that are too coarse somewhere get the wanted spacing, also those with a fixed
 /// number of elements (Transfinite Curve); where the spacing they had is fine enough, they keep it.
-void request_gmsh_sizes(const mesh::ScriptSizeMap& size);
+void apply_sizes_and_mesh_curves(const mesh::ScriptSizeMap& size);
 
 } // namespace spricka::mesher

@@ -56,7 +56,7 @@ int make_mesh(const mesh::MesherImportRequest& import) {
   int dim = find_dim(types);
   if (dim == 0 && import.script) {
     if (import.size) {
-      request_gmsh_sizes(import.size);
+      apply_sizes_and_mesh_curves(import.size);
     }
     gmsh::model::mesh::generate(std::max(2, gmsh::model::getDimension()));
     dim = find_dim(types);
