@@ -336,8 +336,8 @@ void declare_names(DeckContext& c) {
 
 } // namespace
 
-const NameDefinition* resolve_definition(DeckContext& context, EntityKind kind,
-                                         const NameReference& reference) {
+const NameDefinition* find_referenced_definition(DeckContext& context, EntityKind kind,
+                                                 const NameReference& reference) {
   const std::vector<EntityKind> kinds = accepted_kinds(kind);
   const NameDefinition* found = context.names.find(kinds, reference.name, reference.net);
   if (found != nullptr) {
@@ -353,17 +353,17 @@ const NameDefinition* resolve_definition(DeckContext& context, EntityKind kind,
   return nullptr;
 }
 
-bool check_contact_reference(DeckContext& context, const NameReference& reference) {
+bool check_contact_or_crack_faces(DeckContext& context, const NameReference& reference) {
   constexpr std::string_view faces = ".FACES";
   if (!reference.name.ends_with(faces)) {
-    return resolve_definition(context, EntityKind::contact, reference) != nullptr;
+    return find_referenced_definition(context, EntityKind::contact, reference) != nullptr;
   }
   NameReference crack = reference;
   crack.name.resize(crack.name.size() - faces.size());
-  return resolve_definition(context, EntityKind::crack, crack) != nullptr;
+  return find_referenced_definition(context, EntityKind::crack, crack) != nullptr;
 }
 
-void check_references(DeckContext& context) {
+void check_references_of_bad_cards(DeckContext& context) {
   for (const CheckedCard& card : context.cards) {
     for (const CheckedValue& value : card.values) {
       const bool refers =
@@ -372,14 +372,14 @@ void check_references(DeckContext& context) {
         continue;
       }
       for (const NameReference& name : value.names) {
-        resolve_definition(context, value.key->kind, name);
+        find_referenced_definition(context, value.key->kind, name);
       }
     }
   }
 }
 
-void resolve_all_cards(DeckContext& context, const std::vector<grammar::Card>& cards,
-                       const DeckReadOptions& options) {
+void check_cards_and_define_names(DeckContext& context, const std::vector<grammar::Card>& cards,
+                                  const DeckReadOptions& options) {
   context.scope.sources = &context.sources;
   context.model.nets.push_back({}); // what stands outside every $NET
   DeckBinder binder(context);

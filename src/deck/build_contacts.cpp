@@ -82,7 +82,7 @@ void rigid(DeckContext& c, const CheckedCard& card) {
 // The surface or rigid target that MASTER means.
 void master_of(DeckContext& c, const CheckedCard& card, model::Contact& contact) {
   const NameReference master = card.name_reference("MASTER");
-  const NameDefinition* meant = resolve_definition(c, EntityKind::surface, master);
+  const NameDefinition* meant = find_referenced_definition(c, EntityKind::surface, master);
   if (meant == nullptr) {
     return;
   }

@@ -51,7 +51,7 @@ void crack_path(DeckContext& c, const CheckedCard& card, model::CrackDefinition&
 void crack_net(DeckContext& c, const CheckedCard& card, model::CrackDefinition& crack) {
   if (card.has_key("NET")) {
     const NameReference reference = card.name_reference("NET");
-    if (resolve_definition(c, EntityKind::net, reference) != nullptr) {
+    if (find_referenced_definition(c, EntityKind::net, reference) != nullptr) {
       crack.net = c.find_net(reference.name);
     }
   } else if (c.model.nets.size() == 1) {
@@ -140,7 +140,7 @@ void crack(DeckContext& c, const CheckedCard& card) {
 // The crack a $TIPNET or $VCE belongs to; each crack has at most one of each.
 base::CrackId crack_of(DeckContext& c, const CheckedCard& card, std::set<std::size_t>& seen) {
   const NameDefinition* found =
-      resolve_definition(c, EntityKind::crack, card.name_reference("CRACK"));
+      find_referenced_definition(c, EntityKind::crack, card.name_reference("CRACK"));
   if (found == nullptr) {
     return {};
   }

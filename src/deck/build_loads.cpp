@@ -136,9 +136,10 @@ void load_row(DeckContext& c, const CheckedCard& card, const grammar::DataRow& r
   load.shape = card.has_word("SHAPE", "UNIFORM") ? model::BearingShape::uniform
                                                  : model::BearingShape::cosine;
   load.span = row.span;
-  const auto reference = read_set_reference(c, card, row.fields.front());
-  const NameDefinition* crack =
-      reference && form.of_crack ? resolve_definition(c, EntityKind::crack, *reference) : nullptr;
+  const auto reference = read_set_name_field(c, card, row.fields.front());
+  const NameDefinition* crack = reference && form.of_crack
+                                    ? find_referenced_definition(c, EntityKind::crack, *reference)
+                                    : nullptr;
   bool ok = reference && (form.of_crack ? crack != nullptr : load_set(c, *reference, load));
   const std::size_t given = row.fields.size() - 1;
   const auto most = static_cast<std::size_t>(form.per_direction ? c.model.mesh.dim : 1);

@@ -91,7 +91,7 @@ private:
       return std::nullopt;
     }
     const std::string net = field.text.substr(0, dot);
-    if (resolve_definition(c_, EntityKind::net, {net, field.span, {}}) == nullptr) {
+    if (find_referenced_definition(c_, EntityKind::net, {net, field.span, {}}) == nullptr) {
       return std::nullopt;
     }
     return find(field, c_.find_net(net), label);

@@ -41,7 +41,7 @@ void property(DeckContext& c, const CheckedCard& card) {
   model::Mesh& mesh = c.model.mesh;
   const auto elements = resolve_element_set(c, card.name_reference("ESET"));
   const NameDefinition* material_name =
-      resolve_definition(c, EntityKind::material, card.name_reference("MATERIAL"));
+      find_referenced_definition(c, EntityKind::material, card.name_reference("MATERIAL"));
   if (!elements || material_name == nullptr) {
     c.property_sound = false;
     return;

@@ -102,9 +102,10 @@ void output(DeckContext& c, const CheckedCard& card) {
     }
     const bool set = it->kind == EntityKind::any_set;
     const NameReference reference{row.fields[1].text, row.fields[1].span, card.net};
-    if (set                               ? resolve_set_kind(c, it->kind, reference).has_value()
-        : it->kind == EntityKind::contact ? check_contact_reference(c, reference)
-                                          : resolve_definition(c, it->kind, reference) != nullptr) {
+    if (set ? resolve_set_kind(c, it->kind, reference).has_value()
+        : it->kind == EntityKind::contact
+            ? check_contact_or_crack_faces(c, reference)
+            : find_referenced_definition(c, it->kind, reference) != nullptr) {
       const std::string own = qualified_name(card.net, reference.name);
       const bool inside = set && c.names.find(accepted_kinds(it->kind), own, {}) != nullptr;
       output.requests.push_back({std::string(it->word), inside ? own : reference.name, row.span});

@@ -25,7 +25,7 @@ public:
     spectrum_.sequence = card_.has_word("TYPE", "SEQUENCE");
     spectrum_.span = card_.span;
     const NameDefinition* path =
-        resolve_definition(c_, EntityKind::path, card_.name_reference("PATH"));
+        find_referenced_definition(c_, EntityKind::path, card_.name_reference("PATH"));
     if (path != nullptr && path->index < c_.model.load_paths.size()) {
       spectrum_.path = path->index;
       last_ = c_.model.load_paths[path->index].beyond;

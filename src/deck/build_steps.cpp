@@ -53,7 +53,7 @@ void action(DeckContext& c, const grammar::DataRow& row, model::Step& step) {
   }
   const NameReference reference{row.fields[1].text, row.fields[1].span, {}};
   const NameDefinition* found =
-      resolve_definition(c, loads ? EntityKind::load_case : EntityKind::contact, reference);
+      find_referenced_definition(c, loads ? EntityKind::load_case : EntityKind::contact, reference);
   const auto factor = factored ? c.read_number(row.fields[2], grammar::Quantity::number, "a factor")
                                : std::optional(1.0);
   if (found == nullptr || !factor) {
@@ -101,7 +101,8 @@ base::StepId step_id(DeckContext& c, const CheckedCard& card, std::string_view k
   if (!card.has_key(key)) {
     return {};
   }
-  const NameDefinition* found = resolve_definition(c, EntityKind::step, card.name_reference(key));
+  const NameDefinition* found =
+      find_referenced_definition(c, EntityKind::step, card.name_reference(key));
   return found == nullptr ? base::StepId() : base::StepId(found->index);
 }
 
@@ -209,7 +210,7 @@ void cycles_of(DeckContext& c, const CheckedCard& card, model::CrackGrowthSettin
   }
   if (card.has_key("SPECTRUM")) {
     if (const NameDefinition* found =
-            resolve_definition(c, EntityKind::spectrum, card.name_reference("SPECTRUM"))) {
+            find_referenced_definition(c, EntityKind::spectrum, card.name_reference("SPECTRUM"))) {
       growth.spectrum = found->index;
     }
   } else if (growth.law != model::CrackGrowthLaw::increment &&
@@ -228,7 +229,7 @@ void grow(DeckContext& c, const CheckedCard& card) {
                                                             : model::GrowthDirection::path;
   if (card.has_key("CRACKS")) {
     for (const NameReference& name : card.find("CRACKS")->names) {
-      if (const NameDefinition* found = resolve_definition(c, EntityKind::crack, name)) {
+      if (const NameDefinition* found = find_referenced_definition(c, EntityKind::crack, name)) {
         growth.cracks.emplace_back(found->index);
       }
     }
@@ -345,7 +346,7 @@ void build_steps(DeckContext& context) {
                               [&](const CheckedCard& card) { load_path(context, card); });
   build_spectra(context);
   paths_with_friction(context);
-  build_tests(context);
+  build_growth_tests(context);
 }
 
 } // namespace spricka::deck

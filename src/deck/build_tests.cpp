@@ -38,7 +38,7 @@ public:
     test_.on_c = card_.has_word("AXIS", "C");
     test_.span = card_.span;
     if (const NameDefinition* crack =
-            resolve_definition(c_, EntityKind::crack, card_.name_reference("CRACK"));
+            find_referenced_definition(c_, EntityKind::crack, card_.name_reference("CRACK"));
         crack != nullptr && crack->index < c_.model.cracks.size()) { // else its card is wrong
       test_.crack = base::CrackId(crack->index);
     }
@@ -215,7 +215,7 @@ private:
 
 } // namespace
 
-void build_tests(DeckContext& context) {
+void build_growth_tests(DeckContext& context) {
   context.for_each_sound_card("TEST",
                               [&](const CheckedCard& card) { TestReader(context, card).read(); });
 }

@@ -113,7 +113,7 @@ void one_space(DeckContext& c) {
 
 } // namespace
 
-void check_mesh(DeckContext& context) {
+void check_elements(DeckContext& context) {
   if (!context.mesh_sound) {
     return;
   }

@@ -127,7 +127,7 @@ void idle_sweeps(DeckContext& c, const std::map<std::string, NameOccurrences>& w
 
 } // namespace
 
-void check_script_parameters(DeckContext& c) {
+void warn_of_unused_script_parameters(DeckContext& c) {
   const bool swept = c.find_first_card("SWEEP") != nullptr;
   if ((c.scripts.empty() && !swept) || c.scope.incomplete || c.diagnostics.has_errors()) {
     return;

@@ -186,7 +186,7 @@ void hanging_nodes(DeckContext& c) {
 
 } // namespace
 
-void check_doubles_and_unjoined_sides(DeckContext& context) {
+void check_double_and_unjoined_elements(DeckContext& context) {
   if (!context.mesh_sound || context.diagnostics.has_errors() ||
       context.model.mesh.element_count() == 0) {
     return;

@@ -146,7 +146,7 @@ void cut_sets(DeckContext& c) {
       if (border == c.set_borders.end()) {
         continue;
       }
-      const FaceSetCoverage& area = border->second;
+      const FaceSetConditionAreas& area = border->second;
       const std::string unit =
           unit_name(c.model.units, dimension_rules.at(c.model.mesh.dim).side_measure);
       c.warning(

@@ -22,7 +22,7 @@ std::string count_of(std::size_t faces) {
   return fmt::format("{} face{}", faces, faces == 1 ? "" : "s");
 }
 
-SurfaceFacePair pair_of(const model::Mesh& mesh, const model::Contact& contact) {
+FacingSurfaces pair_of(const model::Mesh& mesh, const model::Contact& contact) {
   return {sorted_set_faces(mesh, contact.slave),
           contact.master.valid() ? sorted_set_faces(mesh, contact.master) : Faces()};
 }
@@ -84,7 +84,7 @@ private:
     if (first.rigid.valid() || second.rigid.valid()) {
       faces = first.rigid == second.rigid ? common_faces(pairs_[a].one, pairs_[b].one).size() : 0;
     } else {
-      const SurfaceFacePair swapped{pairs_[b].two, pairs_[b].one};
+      const FacingSurfaces swapped{pairs_[b].two, pairs_[b].one};
       faces = std::max(doubly_paired_face_count(mesh_, pairs_[a], pairs_[b]),
                        doubly_paired_face_count(mesh_, pairs_[a], swapped));
     }
@@ -124,9 +124,9 @@ private:
     const std::set<base::NodeId> nodes(list.begin(), list.end());
     const Faces master = sorted_set_faces(mesh_, tie.master);
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      const SurfaceFacePair& pair = pairs_[i];
-      const SurfaceFacePair here{faces_with_all_corners_in(mesh_, pair.one, nodes), master};
-      const SurfaceFacePair turned{faces_with_all_corners_in(mesh_, pair.two, nodes), master};
+      const FacingSurfaces& pair = pairs_[i];
+      const FacingSurfaces here{faces_with_all_corners_in(mesh_, pair.one, nodes), master};
+      const FacingSurfaces turned{faces_with_all_corners_in(mesh_, pair.two, nodes), master};
       const std::size_t faces =
           std::max(doubly_paired_face_count(mesh_, pair, here),
                    doubly_paired_face_count(mesh_, {pair.two, pair.one}, turned));
@@ -144,7 +144,7 @@ private:
     const std::vector<base::NodeId>& list = mesh_.set_with_id(tie.slave).nodes;
     const std::set<base::NodeId> nodes(list.begin(), list.end());
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      const SurfaceFacePair& pair = pairs_[i];
+      const FacingSurfaces& pair = pairs_[i];
       const bool both = !pair.two.empty() &&
                         faces_with_all_corners_in(mesh_, pair.one, nodes) == pair.one &&
                         faces_with_all_corners_in(mesh_, pair.two, nodes) == pair.two;
@@ -208,7 +208,7 @@ private:
       const bool acts = std::ranges::any_of(ends_, [&](const StepEndState& end) {
         return end.load[load_case] != 0.0 && end.mounted[i];
       });
-      const SurfaceFacePair& pair = pairs_[i];
+      const FacingSurfaces& pair = pairs_[i];
       const std::size_t shared = facing_face_count(mesh_, common_faces(faces, pair.one), pair.two) +
                                  facing_face_count(mesh_, common_faces(faces, pair.two), pair.one);
       if (acts && shared > 0) {
@@ -228,7 +228,7 @@ private:
   DeckContext& c_;
   const model::Model& model_;
   const model::Mesh& mesh_;
-  std::vector<SurfaceFacePair> pairs_; ///< [contact]
+  std::vector<FacingSurfaces> pairs_; ///< [contact]
   std::vector<StepEndState> ends_;
 };
 

@@ -295,12 +295,14 @@ private:
         c_.error(span, "E315", "the tips of a crack are NAME.1 and NAME.2");
         return false;
       }
-      return resolve_definition(c_, EntityKind::crack, {name.substr(0, dot), span, {}}) != nullptr;
+      return find_referenced_definition(c_, EntityKind::crack, {name.substr(0, dot), span, {}}) !=
+             nullptr;
     }
     case 'p':
-      return check_contact_reference(c_, reference);
+      return check_contact_or_crack_faces(c_, reference);
     case 'e':
-      return name == "*" || resolve_definition(c_, EntityKind::net, {name, span, {}}) != nullptr;
+      return name == "*" ||
+             find_referenced_definition(c_, EntityKind::net, {name, span, {}}) != nullptr;
     case 'n': {
       const std::string own = qualified_name(card_.net, name);
       const bool ok = resolve_set_kind(c_, EntityKind::any_set, reference).has_value();
@@ -314,8 +316,8 @@ private:
       c_.error(span, "E315", fmt::format("expected X, Y or Z, not '{}'", name));
       return false;
     default: // steps, cases, materials, paths and tests
-      return resolve_definition(c_, grammar::find_result_argument(letter)->kind, reference) !=
-             nullptr;
+      return find_referenced_definition(c_, grammar::find_result_argument(letter)->kind,
+                                        reference) != nullptr;
     }
   }
 

@@ -55,7 +55,8 @@ struct DeckContext {
   bool freedom_sound = true;                 ///< no mistake in $FREEDOM
   std::optional<std::vector<model::Face>> boundary{}; ///< of the finished mesh, found once
   std::vector<std::size_t> building{}; ///< cards of sets being built, outermost first
-  std::map<std::size_t, FaceSetCoverage> set_borders{};    ///< of face sets whose WHERE cuts faces
+  std::map<std::size_t, FaceSetConditionAreas>
+      set_borders{};                                       ///< of face sets whose WHERE cuts faces
   std::map<std::size_t, base::NodeSetId> nodes_of_faces{}; ///< face sets that stood for node sets
   std::map<std::size_t, base::FaceSetId> faces_of_nodes{}; ///< and the reverse
 
@@ -116,23 +117,23 @@ struct DeckContext {
 
 /// The definition a reference means. Empty after an error, which is reported unless the name is
 /// poisoned.
-const NameDefinition* resolve_definition(DeckContext& context, EntityKind kind,
-                                         const NameReference& reference);
+const NameDefinition* find_referenced_definition(DeckContext& context, EntityKind kind,
+                                                 const NameReference& reference);
 
 /// Whether a reference means a contact, or with CRACK.FACES the faces of a crack; else an error is
-/// reported as by resolve_definition.
-bool check_contact_reference(DeckContext& context, const NameReference& reference);
+/// reported as by find_referenced_definition.
+bool check_contact_or_crack_faces(DeckContext& context, const NameReference& reference);
 
 // The stages, in their order. Each takes its cards from the context and leaves its part of the
 // model there; mistakes go to the diagnostics.
 
 /// Passes 2 and 3: parameters, headers and rows of all cards; nets; names defined.
-void resolve_all_cards(DeckContext& context, const std::vector<grammar::Card>& cards,
-                       const DeckReadOptions& options);
+void check_cards_and_define_names(DeckContext& context, const std::vector<grammar::Card>& cards,
+                                  const DeckReadOptions& options);
 /// $COOR, $ELEMENT, $MESH, $IMPORT.
 void build_mesh(DeckContext& context);
 /// Parameters that reach no script, though they seem to be meant to.
-void check_script_parameters(DeckContext& context);
+void warn_of_unused_script_parameters(DeckContext& context);
 /// $NSET, $ESET, $FSET.
 void build_sets(DeckContext& context);
 /// $MATERIAL, $PROPERTY, $FREEDOM.
@@ -152,15 +153,15 @@ void read_step_row(DeckContext& context, const grammar::DataRow& row, model::Ste
 /// $SPECTRUM, once its load paths are there.
 void build_spectra(DeckContext& context);
 /// $TEST, once $GROW is there.
-void build_tests(DeckContext& context);
+void build_growth_tests(DeckContext& context);
 /// $OUTPUT, $CHECK, $CONTROL, $RESTART, $SWEEP, $TASK.
 void build_requests(DeckContext& context);
 /// Names that cards with bad headers use: the stages above leave these cards out.
-void check_references(DeckContext& context);
+void check_references_of_bad_cards(DeckContext& context);
 /// Elements without a property, bad elements, mixed dimensions.
-void check_mesh(DeckContext& context);
+void check_elements(DeckContext& context);
 /// Elements that stand twice; sides that touch and nothing joins.
-void check_doubles_and_unjoined_sides(DeckContext& context);
+void check_double_and_unjoined_elements(DeckContext& context);
 /// What no card can say alone: symmetry, cracks and loads that reach the mesh, heat without
 /// expansion, thickness. Nothing where the deck has errors.
 void check_model_consistency(DeckContext& context);

@@ -69,8 +69,8 @@ template <class Text> auto cards_named(Text& text, std::string_view name) {
 /// The first card of a name whose key has the value `word` as word_value() gives it, null without
 /// one; the card may be changed where the text may.
 template <class Text>
-auto find_named_card(Text& text, std::string_view name, std::string_view key,
-                     const std::string& word) -> decltype(text.data()) {
+auto find_card_with_key_value(Text& text, std::string_view name, std::string_view key,
+                              const std::string& word) -> decltype(text.data()) {
   for (auto& card : text) {
     if (card.name == name && card.word_value(key) == word) {
       return &card;

@@ -114,8 +114,8 @@ std::set<base::NodeId> corners_of(const model::Mesh& mesh, const Faces& faces) {
   return nodes;
 }
 
-std::size_t doubly_paired_face_count(const model::Mesh& mesh, const SurfaceFacePair& a,
-                                     const SurfaceFacePair& b) {
+std::size_t doubly_paired_face_count(const model::Mesh& mesh, const FacingSurfaces& a,
+                                     const FacingSurfaces& b) {
   const Faces shared = common_faces(a.one, b.one);
   const Faces opposite_faces = common_faces(a.two, b.two);
   if (shared.empty() || opposite_faces.empty()) {

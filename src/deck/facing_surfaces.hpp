@@ -12,7 +12,7 @@ namespace spricka::deck {
 using Faces = std::vector<model::Face>;
 
 /// Two surfaces that are to meet, faces ascending; of a rigid one there are none.
-struct SurfaceFacePair {
+struct FacingSurfaces {
   Faces one, two;
 };
 
@@ -28,8 +28,8 @@ std::set<base::NodeId> corners_of(const model::Mesh& mesh, const Faces& faces);
 
 /// How many faces of one pair lie opposite the same faces in another as well: of the faces that
 /// both have, those whose nearest partner of either pair belongs to both.
-std::size_t doubly_paired_face_count(const model::Mesh& mesh, const SurfaceFacePair& a,
-                                     const SurfaceFacePair& b);
+std::size_t doubly_paired_face_count(const model::Mesh& mesh, const FacingSurfaces& a,
+                                     const FacingSurfaces& b);
 
 /// How many of some faces lie opposite those of another surface, not beyond its ends; all where it
 /// has no faces.

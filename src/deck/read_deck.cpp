@@ -46,9 +46,9 @@ std::optional<model::Model> read_deck(const std::filesystem::path& deck,
     context.mesh_sound = false;
     context.property_sound = false;
   }
-  resolve_all_cards(context, loaded.cards, options);
+  check_cards_and_define_names(context, loaded.cards, options);
   build_mesh(context);
-  check_script_parameters(context);
+  warn_of_unused_script_parameters(context);
   build_sets(context);
   build_properties(context);
   build_mpcs(context);
@@ -57,9 +57,9 @@ std::optional<model::Model> read_deck(const std::filesystem::path& deck,
   build_loads(context);
   build_steps(context);
   build_requests(context);
-  check_references(context);
-  check_mesh(context);
-  check_doubles_and_unjoined_sides(context);
+  check_references_of_bad_cards(context);
+  check_elements(context);
+  check_double_and_unjoined_elements(context);
   check_model_consistency(context);
   check_plausibility(context);
   check_conflicting_surfaces(context);

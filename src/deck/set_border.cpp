@@ -41,11 +41,12 @@ Vec3 normal_of(const model::Mesh& mesh, const model::Face& face) {
 
 } // namespace
 
-FaceSetCoverage face_set_coverage(const model::Mesh& mesh, const std::vector<model::Face>& kept,
-                                  const std::vector<model::Face>& others,
-                                  const std::function<bool(const base::Vec3&)>& holds) {
+FaceSetConditionAreas
+face_set_condition_areas(const model::Mesh& mesh, const std::vector<model::Face>& kept,
+                         const std::vector<model::Face>& others,
+                         const std::function<bool(const base::Vec3&)>& holds) {
   constexpr double goes_on = 0.7; // cosine
-  FaceSetCoverage border;
+  FaceSetConditionAreas border;
   std::map<base::NodeId, std::vector<Vec3>> normals;
   for (const model::Face& face : kept) {
     const Vec3 normal = normal_of(mesh, face);

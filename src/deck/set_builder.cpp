@@ -214,7 +214,7 @@ std::optional<std::vector<model::Face>> faces_of_card(DeckContext& c, const Chec
         });
     const std::vector<model::Face> left_out(others, faces.end());
     faces.erase(others, faces.end());
-    const FaceSetCoverage border = face_set_coverage(
+    const FaceSetConditionAreas border = face_set_condition_areas(
         mesh, faces, left_out, [&](const base::Vec3& x) { return holds(card, x); });
     constexpr double little = 0.01;
     if (border.meant > (1.0 + little) * border.taken) {

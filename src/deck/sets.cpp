@@ -23,7 +23,7 @@ SetFinder finder(DeckContext& c) {
 
 // The definition of a set, its card built if it has not been yet.
 const NameDefinition* find_set(DeckContext& c, EntityKind kind, const NameReference& reference) {
-  const NameDefinition* found = resolve_definition(c, kind, reference);
+  const NameDefinition* found = find_referenced_definition(c, kind, reference);
   if (found == nullptr || !found->card) {
     return found;
   }
@@ -110,8 +110,8 @@ std::optional<std::vector<base::NodeId>> collect_listed_nodes(DeckContext& conte
   return std::vector<base::NodeId>(indices.begin(), indices.end());
 }
 
-std::optional<NameReference> read_set_reference(DeckContext& context, const CheckedCard& card,
-                                                const grammar::CardField& field) {
+std::optional<NameReference> read_set_name_field(DeckContext& context, const CheckedCard& card,
+                                                 const grammar::CardField& field) {
   if (field.is_name()) {
     return NameReference{field.text, field.span, card.net};
   }

@@ -30,7 +30,7 @@ std::optional<std::vector<base::NodeId>> collect_listed_nodes(DeckContext& conte
                                                               const CheckedCard& card);
 
 /// A field that names a set, as a reference; empty after an error.
-std::optional<NameReference> read_set_reference(DeckContext& context, const CheckedCard& card,
-                                                const grammar::CardField& field);
+std::optional<NameReference> read_set_name_field(DeckContext& context, const CheckedCard& card,
+                                                 const grammar::CardField& field);
 
 } // namespace spricka::deck

@@ -169,7 +169,7 @@ double read_to_mesh(const std::filesystem::path& path, std::size_t& arrays) {
   base::Diagnostics diagnostics;
   const deck::DeckFileCards loaded = deck::read_deck_and_includes(path, sources, diagnostics);
   deck::DeckContext context{sources, diagnostics};
-  deck::resolve_all_cards(context, loaded.cards, {});
+  deck::check_cards_and_define_names(context, loaded.cards, {});
   deck::build_mesh(context);
   const double spent = watch.cpu_time();
   const model::Mesh& mesh = context.model.mesh;

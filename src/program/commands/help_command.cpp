@@ -29,13 +29,13 @@ std::string overview(std::size_t width) {
 }
 
 // What a warning says of the results.
-std::string kind_of(const ErrorCode& code) {
+std::string kind_of(const CodeMeaning& code) {
   return code.code.starts_with('W')
              ? std::string(base::display_word(base::concern_of_warning_code(code.code)))
              : std::string();
 }
 
-std::string code_help(const ErrorCode& code, std::size_t width) {
+std::string code_help(const CodeMeaning& code, std::size_t width) {
   const std::string_view advice = message_code_advice(code.code);
   const std::string kind = kind_of(code);
   return fmt::format("{}: {}{}\n", code.code, code.meaning,
@@ -45,7 +45,7 @@ std::string code_help(const ErrorCode& code, std::size_t width) {
 
 std::string codes_help(std::size_t width) {
   grammar::TextColumns table{{}, {6, 0}};
-  for (const ErrorCode& code : all_message_codes()) {
+  for (const CodeMeaning& code : all_message_codes()) {
     table.rows.push_back({std::string(code.code), std::string(code.meaning)});
   }
   return "Errors E and warnings W; spricka help E108 says more about one:\n" +
@@ -55,7 +55,7 @@ std::string codes_help(std::size_t width) {
 // Codes whose meaning has a word, given in capitals.
 std::string codes_with(const std::string& topic, std::size_t width) {
   grammar::TextColumns table{{}, {6, 0}};
-  for (const ErrorCode& code : all_message_codes()) {
+  for (const CodeMeaning& code : all_message_codes()) {
     if (topic.size() > 2 && grammar::to_upper(code.meaning).find(topic) != std::string::npos) {
       table.rows.push_back({std::string(code.code), std::string(code.meaning)});
     }
@@ -72,7 +72,7 @@ std::string codes_markdown() {
       "that is off by more than others of its kind;\n*odd*, the number that the deck asks for, "
       "which may not be the one that is meant.\n\n"
       "| code | kind | meaning | what to do |\n|---|---|---|---|\n";
-  for (const ErrorCode& code : all_message_codes()) {
+  for (const CodeMeaning& code : all_message_codes()) {
     out += fmt::format("| {} | {} | {} | {} |\n", code.code, kind_of(code), code.meaning,
                        message_code_advice(code.code));
   }
@@ -119,7 +119,7 @@ std::optional<std::string> help_on(const std::string& topic, const ProgramText& 
   if (auto list = list_help(topic, width)) {
     return list;
   }
-  for (const ErrorCode& code : all_message_codes()) {
+  for (const CodeMeaning& code : all_message_codes()) {
     if (code.code == topic) {
       return code_help(code, width);
     }

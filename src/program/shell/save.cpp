@@ -18,7 +18,7 @@ namespace {
 // The lengths of $GROW are gone with its card.
 void set_grown_lengths(const model::Model& model, deck::DeckCardList& text) {
   for (const model::CrackDefinition& crack : model.cracks) {
-    deck::DeckCard* const card = find_named_card(text, "CRACK", "NAME", crack.name);
+    deck::DeckCard* const card = find_card_with_key_value(text, "CRACK", "NAME", crack.name);
     if (crack.kind == model::CrackDefinitionKind::ellipse) {
       card->set("A", fmt::format("{}", crack.plane.a));
       card->set("C", fmt::format("{}", crack.plane.c));

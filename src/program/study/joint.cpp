@@ -272,7 +272,7 @@ private:
       }
     }
     for (const std::string& name : made) {
-      DeckCard card = *find_named_card(text, "MATERIAL", "NAME", name);
+      DeckCard card = *find_card_with_key_value(text, "MATERIAL", "NAME", name);
       card.set("NAME", name + "_RIGID");
       card.set("E", fmt::format("({}*{})", times, *card.find("E")));
       append_card(text, std::move(card));
@@ -302,7 +302,7 @@ private:
                            slave ? contact.slave_net : contact.master_net);
       return false;
     }
-    const DeckCard* const card = find_named_card(text, "CONTACT", "NAME", contact.name);
+    const DeckCard* const card = find_card_with_key_value(text, "CONTACT", "NAME", contact.name);
     if (card == nullptr) {
       return false;
     }
@@ -325,7 +325,7 @@ private:
       return action == "FIT" && name == contact;
     });
     for (DeckCard& card : cards_named(text, "STEP")) {
-      card.data += find_named_card(fits, "STEP", "NAME", card.word_value("NAME"))->data;
+      card.data += find_card_with_key_value(fits, "STEP", "NAME", card.word_value("NAME"))->data;
     }
   }
 

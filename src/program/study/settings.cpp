@@ -40,10 +40,10 @@ std::vector<std::string> cut_cracks(const DeckCardList& text) {
 /// Every crack's $TIPNET gets a key.
 template <class Set> void set_tip_nets(DeckCardList& text, const Set& set) {
   for (const std::string& crack : cut_cracks(text)) {
-    if (find_named_card(text, "TIPNET", "CRACK", crack) == nullptr) {
+    if (find_card_with_key_value(text, "TIPNET", "CRACK", crack) == nullptr) {
       append_card(text, deck::make_card("TIPNET", {{"CRACK", crack}}));
     }
-    set(*find_named_card(text, "TIPNET", "CRACK", crack));
+    set(*find_card_with_key_value(text, "TIPNET", "CRACK", crack));
   }
 }
 

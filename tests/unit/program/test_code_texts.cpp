@@ -40,7 +40,7 @@ std::map<std::string, fs::path> codes_in_sources() {
 
 TEST(ErrorCodes, EveryCodeOfTheSourcesIsDocumentedOnce) {
   std::set<std::string> documented;
-  for (const ErrorCode& code : all_message_codes()) {
+  for (const CodeMeaning& code : all_message_codes()) {
     EXPECT_TRUE(documented.insert(std::string(code.code)).second) << code.code << " twice";
     EXPECT_FALSE(code.meaning.empty()) << code.code;
   }
@@ -56,7 +56,7 @@ TEST(ErrorCodes, EveryCodeOfTheSourcesIsDocumentedOnce) {
 
 TEST(ErrorCodes, AdviceIsOnCodesThatExist) {
   std::size_t advised = 0;
-  for (const ErrorCode& code : all_message_codes()) {
+  for (const CodeMeaning& code : all_message_codes()) {
     advised += message_code_advice(code.code).empty() ? 0U : 1U;
   }
   EXPECT_GE(advised, 50U);
