@@ -73,7 +73,7 @@ struct HeaderParameter {
 };
 
 /// A header and the place of its data lines, which are read once the header is understood.
-struct Card {
+struct CardHeader {
   std::string name; ///< without the $
   base::SourceSpan name_span;
   std::vector<HeaderParameter> parameters;

@@ -12,7 +12,8 @@ namespace {
 constexpr int k_deepest = 100; ///< nested brackets; keeps the recursive rules off the stack's end
 
 // [unit]; none is fine.
-bool read_unit(const char*& p, const char* last, base::SourceSpan& found, SyntaxErrors& errors) {
+bool read_unit(const char*& p, const char* last, base::SourceSpan& found,
+               FirstSyntaxError& errors) {
   if (p >= last || *p != '[') {
     return true;
   }
@@ -30,7 +31,7 @@ bool read_unit(const char*& p, const char* last, base::SourceSpan& found, Syntax
 }
 
 bool read_signed_number(const char*& p, const char* last, ExpressionTerm& term,
-                        SyntaxErrors& errors) {
+                        FirstSyntaxError& errors) {
   const char* begin = p;
   const bool negative = *p == '-';
   const char* digits = *p == '-' || *p == '+' ? p + 1 : p;
@@ -47,7 +48,8 @@ bool read_signed_number(const char*& p, const char* last, ExpressionTerm& term,
   return read_unit(p, last, term.unit, errors);
 }
 
-bool read_whole_number(const char*& p, const char* last, base::Label& value, SyntaxErrors& errors) {
+bool read_whole_number(const char*& p, const char* last, base::Label& value,
+                       FirstSyntaxError& errors) {
   p = skip_blanks_and_comments(p, last);
   const auto [end, failed] = std::from_chars(p, last, value);
   if (failed != std::errc{} || (end < last && (is_name_char(*end) || *end == '.'))) {

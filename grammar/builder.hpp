@@ -15,8 +15,8 @@ class SyntaxBuilder {
 public:
   SyntaxBuilder(std::int32_t file, const char* origin) : errors(file, origin) {}
 
-  SyntaxErrors errors;
-  Card card;             ///< the header being read
+  FirstSyntaxError errors;
+  CardHeader card;       ///< the header being read
   Assignment assignment; ///< the assignment being read
 
   // Expressions.

@@ -25,7 +25,7 @@ constexpr std::array<bool, 256> field_end_bytes = [] {
   std::array<bool, 256> ends{};
   for (std::size_t c = 0; c < ends.size(); ++c) {
     const char byte = static_cast<char>(c);
-    ends[c] = is_blank(byte) || byte == ',' || can_end_line(byte);
+    ends[c] = is_blank(byte) || byte == ',' || is_line_end_or_comment(byte);
   }
   return ends;
 }();
@@ -46,7 +46,7 @@ const char* skip_separator(const char* p, const char* last) {
     }
   }
   // comments and continued lines are rare: leave the short way only for them
-  return p < last && can_end_line(*p) ? skip_blanks_and_comments(p, last) : p;
+  return p < last && is_line_end_or_comment(*p) ? skip_blanks_and_comments(p, last) : p;
 }
 
 // Rows that are handed over together: a block of them stays in the processor's cache.
@@ -54,7 +54,7 @@ constexpr std::size_t k_block = 2048;
 
 template <class Value> class TableReader {
 public:
-  TableReader(const BulkTableForm& form, base::SourceSpan data, const ExpressionScope& scope,
+  TableReader(const BulkRowDescription& form, base::SourceSpan data, const ExpressionScope& scope,
               base::Diagnostics& diagnostics)
       : form_(form), scope_(scope), diagnostics_(diagnostics), file_(data.file),
         origin_(scope.sources->text(data.file).data()), p_(origin_ + data.begin),
@@ -222,7 +222,7 @@ private:
   }
 
   bool no_number(std::string_view what) {
-    if (p_ >= last_ || can_end_line(*p_)) {
+    if (p_ >= last_ || is_line_end_or_comment(*p_)) {
       const char* end = p_;
       while (end > origin_ && (is_blank(end[-1]) || end[-1] == '\r')) {
         --end;
@@ -234,7 +234,7 @@ private:
     return fail(p_, stop, "E120",
                 fmt::format("expected {}, not '{}'", what, std::string_view(p_, stop)),
                 is_letter(*p_) ? "an expression stands in parentheses"
-                               : std::string(foreign_character_hint(origin_, p_, last_)));
+                               : std::string(foreign_syntax_hint(origin_, p_, last_)));
   }
 
   bool bad_number(const char* digits) {
@@ -274,25 +274,25 @@ private:
     return false;
   }
 
-  const BulkTableForm& form_;
+  const BulkRowDescription& form_;
   const ExpressionScope& scope_;
   base::Diagnostics& diagnostics_;
   std::int32_t file_;
   const char* origin_;
   const char* p_;
   const char* last_;
-  BulkTable<Value> table_;
+  BulkTableBlock<Value> table_;
 };
 
 } // namespace
 
-void parse_coordinates(const BulkTableForm& form, base::SourceSpan data,
+void parse_coordinates(const BulkRowDescription& form, base::SourceSpan data,
                        const ExpressionScope& scope, base::Diagnostics& diagnostics,
                        const RowBlockCallback<double>& take) {
   TableReader<double>(form, data, scope, diagnostics).run(take);
 }
 
-void parse_connectivity(const BulkTableForm& form, base::SourceSpan data,
+void parse_connectivity(const BulkRowDescription& form, base::SourceSpan data,
                         const ExpressionScope& scope, base::Diagnostics& diagnostics,
                         const RowBlockCallback<base::Label>& take) {
   TableReader<base::Label>(form, data, scope, diagnostics).run(take);

@@ -14,7 +14,7 @@
 namespace spricka::grammar {
 
 /// A stretch of rows.
-template <class Value> struct BulkTable {
+template <class Value> struct BulkTableBlock {
   std::size_t columns = 0;           ///< values in a row, the label not counted
   std::vector<base::Label> label;    ///< [row]
   std::vector<Value> value;          ///< [row * columns]
@@ -22,7 +22,7 @@ template <class Value> struct BulkTable {
 };
 
 /// What a row holds, in words for messages.
-struct BulkTableForm {
+struct BulkRowDescription {
   std::size_t columns = 3;
   std::string row = "node number"; ///< what the label is
   std::string missing;             ///< hint when a line ends early
@@ -31,14 +31,14 @@ struct BulkTableForm {
 
 /// Takes rows in the order of the deck, some thousands at a time, so that a big table never stands
 /// in memory twice. The block is valid during the call only.
-template <class Value> using RowBlockCallback = std::function<void(const BulkTable<Value>&)>;
+template <class Value> using RowBlockCallback = std::function<void(const BulkTableBlock<Value>&)>;
 
 /// Reads `label v1 .. vn` lines of a data block. Bad lines are reported and left out.
-void parse_coordinates(const BulkTableForm& form, base::SourceSpan data,
+void parse_coordinates(const BulkRowDescription& form, base::SourceSpan data,
                        const ExpressionScope& scope, base::Diagnostics& diagnostics,
                        const RowBlockCallback<double>& take);
 /// Reads lines `label label1 .. labeln` of elements, as parse_coordinates those of nodes.
-void parse_connectivity(const BulkTableForm& form, base::SourceSpan data,
+void parse_connectivity(const BulkRowDescription& form, base::SourceSpan data,
                         const ExpressionScope& scope, base::Diagnostics& diagnostics,
                         const RowBlockCallback<base::Label>& take);
 

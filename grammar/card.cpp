@@ -167,21 +167,21 @@ const char* after_byte_order_mark(std::string_view all) {
 
 } // namespace
 
-std::vector<Card> parse_cards(const base::SourceTexts& sources, std::int32_t file,
-                              base::Diagnostics& diagnostics) {
-  std::vector<Card> cards;
+std::vector<CardHeader> parse_cards(const base::SourceTexts& sources, std::int32_t file,
+                                    base::Diagnostics& diagnostics) {
+  std::vector<CardHeader> cards;
   const std::string_view all = sources.text(file);
   const char* const origin = all.data();
   const char* const last = origin + all.size();
   const char* const start = after_byte_order_mark(all);
   const char* p = next_card(start, start, last);
-  const SyntaxErrors place(file, origin);
+  const FirstSyntaxError place(file, origin);
   for (const char* line = start; line < p; line = line_end(line, p) + 1) {
     const char* q = line;
     while (q < p && is_blank(*q)) {
       ++q;
     }
-    if (q < p && !can_end_line(*q)) { // also an & that continues nothing
+    if (q < p && !is_line_end_or_comment(*q)) { // also an & that continues nothing
       diagnostics.error(place.span(q, scan_token(q, p)), "E102", "text before the first card",
                         "a comment starts with !");
       break;
@@ -193,7 +193,7 @@ std::vector<Card> parse_cards(const base::SourceTexts& sources, std::int32_t fil
     const char* const end = logical_line_end(p, last);
     builder.card.bad = !parse_rule(header, p, end, builder);
     builder.errors.report(diagnostics);
-    Card card = std::move(builder.card);
+    CardHeader card = std::move(builder.card);
     card.header = builder.errors.span(begin, end);
     if (!card.name_span.valid()) { // a $ without a name still has a place
       card.name_span = builder.errors.span(begin, begin + 1);

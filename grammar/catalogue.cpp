@@ -246,7 +246,7 @@ const CardSpec* find_card(std::string_view name) {
   return it == all.end() ? nullptr : &*it;
 }
 
-const ResultArgument* find_result_argument(char letter) {
+const ResultArgument* find_argument_by_letter(char letter) {
   const auto* const it = std::ranges::find(result_arguments, letter, &ResultArgument::letter);
   return it == result_arguments.end() ? nullptr : it;
 }

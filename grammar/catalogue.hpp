@@ -17,7 +17,7 @@ std::span<const CardSpec> card_catalogue();
 const CardSpec* find_card(std::string_view name);
 
 /// A result that $CHECK and the prompt can name, and what its arguments are: letters of
-/// find_result_argument, and a for a number, z for one that solids need; a letter after ? may be
+/// find_argument_by_letter, and a for a number, z for one that solids need; a letter after ? may be
 /// left out.
 struct ResultQuantity {
   std::string_view name = {};
@@ -32,7 +32,7 @@ struct ResultArgument {
   std::string_view form = {};         ///< as the help writes it: "crack[.tip]"
 };
 /// The argument of a letter; null for numbers.
-const ResultArgument* find_result_argument(char letter);
+const ResultArgument* find_argument_by_letter(char letter);
 
 /// All quantities, those of fronts in space behind the last one of tips.
 std::span<const ResultQuantity> result_quantities();

@@ -65,7 +65,8 @@ std::size_t comment_start(std::string_view line) {
 /// Lays out the lines of one file, whose cards are known.
 class Formatter {
 public:
-  Formatter(std::string_view text, const std::vector<Card>& cards) : text_(text), cards_(cards) {}
+  Formatter(std::string_view text, const std::vector<CardHeader>& cards)
+      : text_(text), cards_(cards) {}
 
   std::string run() {
     std::size_t at = text_.starts_with("\xEF\xBB\xBF") ? 3 : 0;
@@ -107,7 +108,7 @@ private:
       return false;
     }
     card_ = next;
-    const Card& card = cards_[card_ - 1];
+    const CardHeader& card = cards_[card_ - 1];
     spec_ = find_card(card.name);
     if (card.name == "ENDNET") {
       in_net_ = false;
@@ -147,7 +148,7 @@ private:
     line.indent = indent_ + k_step;
     const bool continues = code.starts_with('&');
     if (!continues) {
-      row_ = DataRowFormatter(*spec_);
+      row_ = DataLineCapitaliser(*spec_);
     }
     line.code = continues ? "& " + row_.format_data_line(trimmed(code.substr(1)))
                           : row_.format_data_line(code);
@@ -188,14 +189,14 @@ private:
   }
 
   std::string_view text_;
-  const std::vector<Card>& cards_;
+  const std::vector<CardHeader>& cards_;
   std::vector<FormattedLine> lines_;
   std::size_t card_ = 0; ///< cards entered so far; the last of them is open
   const CardSpec* spec_ = nullptr;
   std::size_t indent_ = 0;
   bool in_net_ = false;
   HeaderFormatter header_{nullptr};
-  DataRowFormatter row_{{}};
+  DataLineCapitaliser row_{{}};
 };
 
 } // namespace
@@ -203,8 +204,8 @@ private:
 std::optional<std::string> format_deck(const base::SourceTexts& sources, std::int32_t file,
                                        base::Diagnostics& diagnostics) {
   const std::size_t before = diagnostics.error_count();
-  const std::vector<Card> cards = parse_cards(sources, file, diagnostics);
-  for (const Card& card : cards) {
+  const std::vector<CardHeader> cards = parse_cards(sources, file, diagnostics);
+  for (const CardHeader& card : cards) {
     const CardSpec* spec = find_card(card.name);
     if (spec != nullptr && spec->data == DataLineForm::rows) {
       parse_data_rows(sources, card.data, diagnostics);

@@ -76,7 +76,7 @@ std::string HeaderFormatter::word(std::string_view text) {
   return is_word && is_letter(text.front()) ? to_upper(text) : std::string(text);
 }
 
-DataRowFormatter::DataRowFormatter(const CardSpec& spec)
+DataLineCapitaliser::DataLineCapitaliser(const CardSpec& spec)
     : check_(spec.name == "CHECK"), everywhere_(check_ || spec.name == "TASK") {
   const std::string_view form =
       spec.data == DataLineForm::rows ? spec.data_form : std::string_view();
@@ -92,14 +92,14 @@ DataRowFormatter::DataRowFormatter(const CardSpec& spec)
   }
 }
 
-bool DataRowFormatter::is_word(const std::string& upper, bool called) const {
+bool DataLineCapitaliser::is_word(const std::string& upper, bool called) const {
   if (check_ && called) {
     return find_result_quantity(upper) != nullptr;
   }
   return (first_ || everywhere_) && std::find(words_.begin(), words_.end(), upper) != words_.end();
 }
 
-std::string DataRowFormatter::format_data_line(std::string_view code) {
+std::string DataLineCapitaliser::format_data_line(std::string_view code) {
   std::string out;
   const char* p = code.data();
   const char* const last = p + code.size();

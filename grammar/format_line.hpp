@@ -29,9 +29,9 @@ private:
 };
 
 /// A data line that is no table's: spacing stays, words of the language become capitals.
-class DataRowFormatter {
+class DataLineCapitaliser {
 public:
-  explicit DataRowFormatter(const CardSpec& spec);
+  explicit DataLineCapitaliser(const CardSpec& spec);
 
   /// `code` without its & and comment.
   std::string format_data_line(std::string_view code);

@@ -116,7 +116,7 @@ ScannedNumber scan_number(const char* p, const char* last) {
 }
 
 const char* scan_token(const char* p, const char* last) {
-  if (p >= last || can_end_line(*p)) {
+  if (p >= last || is_line_end_or_comment(*p)) {
     return p;
   }
   if (*p == '\'') {
@@ -127,8 +127,8 @@ const char* scan_token(const char* p, const char* last) {
     return q < last && *q == '\'' ? q + 1 : q;
   }
   const auto separates = [](char c) {
-    return is_blank(c) || can_end_line(c) || c == ',' || c == '=' || c == '(' || c == ')' ||
-           c == '\'' || c == ':';
+    return is_blank(c) || is_line_end_or_comment(c) || c == ',' || c == '=' || c == '(' ||
+           c == ')' || c == '\'' || c == ':';
   };
   const char* q = p + 1;
   if (!separates(*p)) {

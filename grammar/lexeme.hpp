@@ -25,7 +25,7 @@ constexpr bool is_blank(char c) {
 }
 
 /// Blanks, carriage return, comment: what may stand between the last field and the line feed.
-constexpr bool can_end_line(char c) {
+constexpr bool is_line_end_or_comment(char c) {
   return c == '\n' || c == '\r' || c == '!';
 }
 

@@ -12,8 +12,8 @@ namespace spricka::grammar {
 
 /// The cards of one file, in order, with their headers read and their data lines found. Text before
 /// the first card is an error.
-std::vector<Card> parse_cards(const base::SourceTexts& sources, std::int32_t file,
-                              base::Diagnostics& diagnostics);
+std::vector<CardHeader> parse_cards(const base::SourceTexts& sources, std::int32_t file,
+                                    base::Diagnostics& diagnostics);
 
 /// The data lines of a card as fields; lines without a field are left out, as are bad ones.
 std::vector<DataRow> parse_data_rows(const base::SourceTexts& sources, base::SourceSpan data,

@@ -95,7 +95,7 @@ std::string number_name(const ResultQuantity& quantity, std::size_t before, bool
 
 std::string argument_name(const ResultQuantity& quantity, char letter, std::size_t before,
                           bool optional) {
-  if (const ResultArgument* argument = find_result_argument(letter)) {
+  if (const ResultArgument* argument = find_argument_by_letter(letter)) {
     return std::string(argument->form);
   }
   return letter == 'z' ? "z" : number_name(quantity, before, optional);

@@ -45,7 +45,7 @@ constexpr std::array slips{
 
 } // namespace
 
-std::string_view foreign_character_hint(const char* begin, const char* p, const char* last) {
+std::string_view foreign_syntax_hint(const char* begin, const char* p, const char* last) {
   if (p > begin && p < last && p[-1] == '*' && *p == '*') {
     return "a power is written ^: 5^2";
   }

@@ -39,20 +39,20 @@ std::string hint_for(char found, std::string_view wanted) {
 
 } // namespace
 
-base::SourceSpan SyntaxErrors::span(const char* begin, const char* end) const {
+base::SourceSpan FirstSyntaxError::span(const char* begin, const char* end) const {
   return {file_, static_cast<std::uint32_t>(begin - origin_),
           static_cast<std::uint32_t>(end - origin_)};
 }
 
-bool SyntaxErrors::fail(base::SourceSpan place, std::string code, std::string text,
-                        std::string hint) {
+bool FirstSyntaxError::fail(base::SourceSpan place, std::string code, std::string text,
+                            std::string hint) {
   if (!failure_) {
-    failure_ = SyntaxFailure{place, std::move(code), std::move(text), std::move(hint)};
+    failure_ = SyntaxErrorRecord{place, std::move(code), std::move(text), std::move(hint)};
   }
   return false;
 }
 
-void SyntaxErrors::fail_expected(const char* at, const char* last, std::string_view what) {
+void FirstSyntaxError::fail_expected(const char* at, const char* last, std::string_view what) {
   const char* const before = at;
   at = skip_blanks_and_comments(at, last);
   if (at >= last || *at == '\n') {
@@ -70,19 +70,19 @@ void SyntaxErrors::fail_expected(const char* at, const char* last, std::string_v
   if (end == at) {
     ++end;
   }
-  const std::string slip(foreign_character_hint(origin_, at, last));
+  const std::string slip(foreign_syntax_hint(origin_, at, last));
   fail(span(at, end), "E101", fmt::format("expected {}, not '{}'", what, std::string_view(at, end)),
        slip.empty() ? hint_for(*at, what) : slip);
 }
 
-void SyntaxErrors::report(base::Diagnostics& diagnostics) const {
+void FirstSyntaxError::report(base::Diagnostics& diagnostics) const {
   if (failure_) {
     diagnostics.error(failure_->span, failure_->code, failure_->text, failure_->hint);
   }
 }
 
-bool SyntaxErrors::fail_number(const char* begin, const char* end, const char* last,
-                               NumberError error) {
+bool FirstSyntaxError::fail_number(const char* begin, const char* end, const char* last,
+                                   NumberError error) {
   const std::string_view token(begin, end);
   switch (error) {
   case NumberError::fortran_exponent:
@@ -94,15 +94,15 @@ bool SyntaxErrors::fail_number(const char* begin, const char* end, const char* l
   default:
     break;
   }
-  const std::string slip(foreign_character_hint(origin_, end, last));
+  const std::string slip(foreign_syntax_hint(origin_, end, last));
   return fail(span(begin, end), "E103", fmt::format("'{}' is not a number", token),
               !slip.empty() ? slip
                             : "a number is digits with a point and an exponent; a name starts with "
                               "a letter");
 }
 
-bool SyntaxErrors::check_field_end(const char* p, const char* last, const CardField& field) {
-  if (p >= last || is_blank(*p) || can_end_line(*p) || *p == ',' || *p == '=') {
+bool FirstSyntaxError::check_field_end(const char* p, const char* last, const CardField& field) {
+  if (p >= last || is_blank(*p) || is_line_end_or_comment(*p) || *p == ',' || *p == '=') {
     return true;
   }
   const char* end = scan_token(p, last);
@@ -117,7 +117,7 @@ bool SyntaxErrors::check_field_end(const char* p, const char* last, const CardFi
                             std::string_view(begin, end)),
                 "write 1.5e-3, or 1.5 -3, or (1.5-3)");
   }
-  const std::string slip(foreign_character_hint(origin_, p, last));
+  const std::string slip(foreign_syntax_hint(origin_, p, last));
   return fail(span(p, p + rest.size()), "E102", fmt::format("unexpected '{}'", rest),
               arithmetic ? "an expression stands in parentheses" : slip);
 }

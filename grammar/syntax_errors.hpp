@@ -13,10 +13,10 @@ namespace spricka::grammar {
 
 /// The first mistake of syntax in a piece of a source, its place and what was probably meant.
 /// Functions that find one return false, so that a terminal can return it.
-class SyntaxErrors {
+class FirstSyntaxError {
 public:
   /// `origin`: the first byte of the source.
-  SyntaxErrors(std::int32_t file, const char* origin) : file_(file), origin_(origin) {}
+  FirstSyntaxError(std::int32_t file, const char* origin) : file_(file), origin_(origin) {}
 
   /// The place in the source of the bytes from `begin` to `end`.
   [[nodiscard]] base::SourceSpan span(const char* begin, const char* end) const;
@@ -34,7 +34,7 @@ public:
   void report(base::Diagnostics& diagnostics) const;
 
 private:
-  struct SyntaxFailure {
+  struct SyntaxErrorRecord {
     base::SourceSpan span;
     std::string code;
     std::string text;
@@ -42,7 +42,7 @@ private:
   };
   std::int32_t file_;
   const char* origin_;
-  std::optional<SyntaxFailure> failure_;
+  std::optional<SyntaxErrorRecord> failure_;
 };
 
 } // namespace spricka::grammar

@@ -87,7 +87,7 @@ std::string uses(std::string_view text, const Parameters& parameters) {
 }
 
 // What a card's FILE holds, for those that bring something in.
-std::string named_file(const grammar::Card& card, const base::SourceTexts& sources) {
+std::string named_file(const grammar::CardHeader& card, const base::SourceTexts& sources) {
   for (const grammar::HeaderParameter& p : card.parameters) {
     if (p.key == "FILE" && !p.values.empty()) {
       const std::filesystem::path from = sources.file_name(card.name_span.file);
@@ -122,7 +122,7 @@ std::vector<CardFingerprint> card_fingerprints(const std::filesystem::path& deck
     parameters[key] = {name, value};
   }
   std::vector<CardFingerprint> marks;
-  for (const grammar::Card& card : loaded.cards) {
+  for (const grammar::CardHeader& card : loaded.cards) {
     if (std::ranges::find(no_matter, card.name) != no_matter.end()) {
       continue;
     }

@@ -183,7 +183,7 @@ private:
 /// Binds the keys of one card; what was seen and what failed is known to the later checks.
 class CardBinder {
 public:
-  CardBinder(const grammar::Card& card, const grammar::CardSpec& spec,
+  CardBinder(const grammar::CardHeader& card, const grammar::CardSpec& spec,
              const grammar::ExpressionScope& scope, base::Diagnostics& diagnostics)
       : card_(card), spec_(spec), scope_(scope), diagnostics_(diagnostics) {
     bound_.spec = &spec;
@@ -321,7 +321,7 @@ private:
     diagnostics_.error(span, std::move(code), std::move(text), std::move(hint));
   }
 
-  const grammar::Card& card_;
+  const grammar::CardHeader& card_;
   const grammar::CardSpec& spec_;
   const grammar::ExpressionScope& scope_;
   base::Diagnostics& diagnostics_;
@@ -347,7 +347,7 @@ NameReference CheckedCard::name_reference(std::string_view key) const {
                           : NameReference{value->text, value->span, net};
 }
 
-CheckedCard check_card_header(const grammar::Card& card, const grammar::CardSpec& spec,
+CheckedCard check_card_header(const grammar::CardHeader& card, const grammar::CardSpec& spec,
                               const grammar::ExpressionScope& scope,
                               base::Diagnostics& diagnostics) {
   return CardBinder(card, spec, scope, diagnostics).run();

@@ -84,7 +84,7 @@ struct CheckedCard {
 
 /// Checks a header against its catalogue entry: unknown, missing, double and clashing keys, kinds
 /// of values, words, ranges, units. Defaults are filled in. Errors leave the card `bad`.
-CheckedCard check_card_header(const grammar::Card& card, const grammar::CardSpec& spec,
+CheckedCard check_card_header(const grammar::CardHeader& card, const grammar::CardSpec& spec,
                               const grammar::ExpressionScope& scope,
                               base::Diagnostics& diagnostics);
 

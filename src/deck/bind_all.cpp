@@ -28,7 +28,7 @@ public:
 
   void defines(const DeckReadOptions& options) { overrides_.read(c_, options); }
 
-  void card(const grammar::Card& card) {
+  void card(const grammar::CardHeader& card) {
     const grammar::CardSpec* spec = grammar::find_card(card.name);
     if (spec == nullptr) {
       unknown(card);
@@ -47,7 +47,7 @@ public:
   }
 
 private:
-  void bind(const grammar::Card& card, const grammar::CardSpec& known) {
+  void bind(const grammar::CardHeader& card, const grammar::CardSpec& known) {
     const grammar::CardSpec* const spec = &known;
     CheckedCard bound = check_card_header(card, *spec, c_.scope, c_.diagnostics);
     if (spec->once && !seen_.insert(spec->name).second) {
@@ -78,7 +78,7 @@ private:
     }
   }
 
-  void unknown(const grammar::Card& card) {
+  void unknown(const grammar::CardHeader& card) {
     std::vector<std::string> valid;
     for (const grammar::CardSpec& spec : grammar::card_catalogue()) {
       valid.push_back(fmt::format("${}", spec.name));
@@ -102,8 +102,8 @@ private:
   }
 
   // What the misspelt card would have defined is poisoned, and a net opened or closed.
-  void misspelt(const grammar::Card& card, const grammar::CardSpec& spec) {
-    grammar::Card meant = card;
+  void misspelt(const grammar::CardHeader& card, const grammar::CardSpec& spec) {
+    grammar::CardHeader meant = card;
     meant.name = spec.name;
     base::Diagnostics silent;
     CheckedCard bound = check_card_header(meant, spec, c_.scope, silent);
@@ -118,7 +118,7 @@ private:
   }
 
   // $DECK sets the units, $NET and $ENDNET the scope.
-  void frame(const grammar::Card& card, const CheckedCard& bound) {
+  void frame(const grammar::CardHeader& card, const CheckedCard& bound) {
     if (card.name == "DECK") {
       if (const auto units =
               base::make_unit_system(bound.word_value("LENGTH"), bound.word_value("FORCE"))) {
@@ -156,7 +156,7 @@ private:
     c_.model.nets.push_back({net_, bound.span});
   }
 
-  void data(const grammar::Card& card, CheckedCard& bound) {
+  void data(const grammar::CardHeader& card, CheckedCard& bound) {
     const std::size_t before = c_.diagnostics.error_count();
     switch (bound.spec->data) {
     case DataLineForm::assignments:
@@ -181,7 +181,7 @@ private:
   }
 
   // The first token behind the header; invalid if there is none.
-  [[nodiscard]] base::SourceSpan first_token(const grammar::Card& card) const {
+  [[nodiscard]] base::SourceSpan first_token(const grammar::CardHeader& card) const {
     const std::string_view text = c_.sources.text(card.data);
     const char* p = text.data();
     const char* const last = p + text.size();
@@ -196,7 +196,7 @@ private:
     return {card.data.file, begin, begin + static_cast<std::uint32_t>(end - p)};
   }
 
-  void no_data(const grammar::Card& card) {
+  void no_data(const grammar::CardHeader& card) {
     if (const base::SourceSpan token = first_token(card); token.valid()) {
       const bool continues = c_.sources.text(token).starts_with('&');
       c_.error(token, "E115", fmt::format("${} takes no data lines", card.name),
@@ -205,7 +205,7 @@ private:
     }
   }
 
-  void parameters(const grammar::Card& card) {
+  void parameters(const grammar::CardHeader& card) {
     const std::size_t before = c_.diagnostics.error_count();
     for (const grammar::Assignment& a :
          grammar::parse_assignments(c_.sources, card.data, c_.diagnostics)) {
@@ -378,14 +378,15 @@ void check_references_of_bad_cards(DeckContext& context) {
   }
 }
 
-void check_cards_and_define_names(DeckContext& context, const std::vector<grammar::Card>& cards,
+void check_cards_and_define_names(DeckContext& context,
+                                  const std::vector<grammar::CardHeader>& cards,
                                   const DeckReadOptions& options) {
   context.scope.sources = &context.sources;
   context.model.nets.push_back({}); // what stands outside every $NET
   DeckBinder binder(context);
   // $DECK comes first, so that units of definitions on the command line are known
   bool defined = false;
-  for (const grammar::Card& card : cards) {
+  for (const grammar::CardHeader& card : cards) {
     binder.card(card);
     if (!defined) {
       binder.defines(options);

@@ -48,9 +48,9 @@ Set* table_set(DeckContext& c, const CheckedCard& card, std::string_view key,
   return before->poisoned ? nullptr : &sets[before->index];
 }
 
-grammar::BulkTableForm coordinate_form(const CheckedCard& card) {
+grammar::BulkRowDescription coordinate_form(const CheckedCard& card) {
   const std::string columns = card.has_word("SYSTEM", "CYL") ? "r theta" : "x y";
-  grammar::BulkTableForm form;
+  grammar::BulkRowDescription form;
   form.columns = static_cast<std::size_t>(card.integer_value("DIM"));
   form.missing = form.columns == 3 ? fmt::format("a line is id {} z; DIM=2 has no z", columns)
                                    : fmt::format("a line is id {}", columns);
@@ -61,14 +61,14 @@ grammar::BulkTableForm coordinate_form(const CheckedCard& card) {
 
 void coordinates(DeckContext& c, const CheckedCard& card) {
   const bool polar = card.has_word("SYSTEM", "CYL");
-  const grammar::BulkTableForm form = coordinate_form(card);
+  const grammar::BulkRowDescription form = coordinate_form(card);
   LabelMap& labels = c.node_labels[card.net_id.index()];
   model::Mesh& mesh = c.model.mesh;
   model::NodeSet* const set = table_set(c, card, "NSET", mesh.node_sets);
   const std::size_t errors = c.diagnostics.error_count();
   std::size_t twice = 0;
   bool turned = false;
-  const auto take = [&](const grammar::BulkTable<double>& table) {
+  const auto take = [&](const grammar::BulkTableBlock<double>& table) {
     for (std::size_t i = 0; i < table.label.size(); ++i) {
       const double* v = &table.value[i * form.columns];
       if (polar && !turned && std::abs(v[1]) > more_than_a_turn) {
@@ -114,7 +114,7 @@ bool resolve(const LabelMap& labels, std::span<const base::Label> row,
 
 // Says what is wrong with a row that could not be resolved.
 void report_row(DeckContext& c, const CheckedCard& card,
-                const grammar::BulkTable<base::Label>& table, std::size_t row) {
+                const grammar::BulkTableBlock<base::Label>& table, std::size_t row) {
   const LabelMap& labels = c.node_labels[card.net_id.index()];
   const base::Label* of_row = &table.value[row * table.columns];
   for (std::size_t k = 0; k < table.columns; ++k) {
@@ -131,7 +131,7 @@ void report_row(DeckContext& c, const CheckedCard& card,
 void elements(DeckContext& c, const CheckedCard& card) {
   const base::ElementType type = type_of(card);
   const base::ElementInfo& info = base::element_info(type);
-  grammar::BulkTableForm form;
+  grammar::BulkRowDescription form;
   form.columns = static_cast<std::size_t>(info.nodes);
   form.row = "element number";
   form.missing =
@@ -143,7 +143,7 @@ void elements(DeckContext& c, const CheckedCard& card) {
   LabelMap& labels = c.element_labels[card.net_id.index()];
   ElementOrigin origin{mesh.element_count(), 0, card.span, card.data};
   std::vector<base::NodeId> nodes(form.columns);
-  const auto take = [&](const grammar::BulkTable<base::Label>& table) {
+  const auto take = [&](const grammar::BulkTableBlock<base::Label>& table) {
     for (std::size_t i = 0; i < table.label.size(); ++i) {
       if (!resolve(node_labels, {&table.value[i * form.columns], form.columns}, nodes)) {
         report_row(c, card, table, i);

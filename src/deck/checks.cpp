@@ -52,7 +52,7 @@ std::string argument_pattern(const DeckContext& c, std::string_view letters,
 }
 
 std::string argument_word(char letter) {
-  const grammar::ResultArgument* argument = grammar::find_result_argument(letter);
+  const grammar::ResultArgument* argument = grammar::find_argument_by_letter(letter);
   return argument == nullptr ? "number"
          : letter == 'd'     ? "X|Y|Z"
          : letter == 'e'     ? "net or *"
@@ -316,7 +316,7 @@ private:
       c_.error(span, "E315", fmt::format("expected X, Y or Z, not '{}'", name));
       return false;
     default: // steps, cases, materials, paths and tests
-      return find_referenced_definition(c_, grammar::find_result_argument(letter)->kind,
+      return find_referenced_definition(c_, grammar::find_argument_by_letter(letter)->kind,
                                         reference) != nullptr;
     }
   }

@@ -128,7 +128,8 @@ bool check_contact_or_crack_faces(DeckContext& context, const NameReference& ref
 // model there; mistakes go to the diagnostics.
 
 /// Passes 2 and 3: parameters, headers and rows of all cards; nets; names defined.
-void check_cards_and_define_names(DeckContext& context, const std::vector<grammar::Card>& cards,
+void check_cards_and_define_names(DeckContext& context,
+                                  const std::vector<grammar::CardHeader>& cards,
                                   const DeckReadOptions& options);
 /// $COOR, $ELEMENT, $MESH, $IMPORT.
 void build_mesh(DeckContext& context);

@@ -61,7 +61,7 @@ void make_relative(DeckCard& card, const fs::path& folder) {
   });
 }
 
-DeckCard text_of(const grammar::Card& card, const base::SourceTexts& sources) {
+DeckCard text_of(const grammar::CardHeader& card, const base::SourceTexts& sources) {
   DeckCard text;
   text.name = card.name;
   text.card = card;
@@ -128,7 +128,7 @@ std::optional<DeckCardList> read_deck_card_list(const fs::path& deck, base::Sour
   }
   DeckCardList text;
   std::string net;
-  for (const grammar::Card& card : loaded.cards) {
+  for (const grammar::CardHeader& card : loaded.cards) {
     if (card.name == "INCLUDE") {
       continue;
     }

@@ -21,8 +21,8 @@ struct DeckCard {
   std::string name;                                      ///< upper case, without the $
   std::string net;                                       ///< the open net, upper case; or empty
   std::vector<std::pair<std::string, std::string>> keys; ///< key in upper case, value as written
-  std::string data;   ///< data lines with their comments; empty or ended by a newline
-  grammar::Card card; ///< as it was read; empty for a new one
+  std::string data;         ///< data lines with their comments; empty or ended by a newline
+  grammar::CardHeader card; ///< as it was read; empty for a new one
 
   /// The value of a key as the deck writes it; null without the key, which is in upper case.
   [[nodiscard]] const std::string* find(std::string_view key) const;

@@ -26,8 +26,8 @@ std::string card_name_hint(std::string_view word) {
   const std::string upper = grammar::to_upper(word);
   return grammar::find_card(upper) != nullptr
              ? fmt::format("did you mean ${}?", upper)
-             : std::string(grammar::foreign_character_hint(word.data(), word.data(),
-                                                           word.data() + word.size()));
+             : std::string(grammar::foreign_syntax_hint(word.data(), word.data(),
+                                                        word.data() + word.size()));
 }
 
 void drop_header_without_dollar(DeckContext& context, CheckedCard& card) {

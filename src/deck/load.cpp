@@ -49,7 +49,7 @@ std::size_t first_odd_byte(std::string_view text) {
   return text.size();
 }
 
-const grammar::CardField* value_of(const grammar::Card& card, std::string_view key) {
+const grammar::CardField* value_of(const grammar::CardHeader& card, std::string_view key) {
   for (const grammar::HeaderParameter& p : card.parameters) {
     if (p.key == key) {
       return &p.values.front();
@@ -73,7 +73,7 @@ public:
       return;
     }
     open_.push_back(fs::weakly_canonical(path));
-    for (grammar::Card& card : grammar::parse_cards(sources_, number, diagnostics_)) {
+    for (grammar::CardHeader& card : grammar::parse_cards(sources_, number, diagnostics_)) {
       if (card.name == "INCLUDE") {
         include(path, card);
       }
@@ -112,7 +112,7 @@ private:
     }
   }
 
-  void include(const fs::path& from, const grammar::Card& card) {
+  void include(const fs::path& from, const grammar::CardHeader& card) {
     const grammar::CardField* name = value_of(card, "FILE");
     if (name == nullptr || name->kind != grammar::CardField::CardFieldKind::text) {
       deck.incomplete = true; // the missing key is reported with the card's others
@@ -164,7 +164,7 @@ base::SourceSpan end_of_text(const base::SourceTexts& sources, std::int32_t file
 }
 
 // $DECK is the first card and $END the last one of the deck's own file.
-void check_frame(std::vector<grammar::Card>& cards, std::int32_t file,
+void check_frame(std::vector<grammar::CardHeader>& cards, std::int32_t file,
                  const base::SourceTexts& sources, base::Diagnostics& diagnostics) {
   if (cards.empty() || cards.front().name != "DECK") {
     const base::SourceSpan at =
@@ -172,7 +172,7 @@ void check_frame(std::vector<grammar::Card>& cards, std::int32_t file,
     diagnostics.error(at, "E111", "the first card is $DECK", "$DECK VERSION=1 LENGTH=mm FORCE=N");
   }
   const auto end =
-      std::ranges::find_if(cards, [](const grammar::Card& c) { return c.name == "END"; });
+      std::ranges::find_if(cards, [](const grammar::CardHeader& c) { return c.name == "END"; });
   if (end == cards.end() || end->name_span.file != file) {
     diagnostics.error(end == cards.end() ? end_of_text(sources, file) : end->name_span, "E112",
                       end == cards.end() ? "the deck does not end with $END: is it truncated?"

@@ -14,7 +14,7 @@ namespace spricka::deck {
 /// The cards of a deck with those of its includes in their places. The $INCLUDE cards follow
 /// what they bring.
 struct DeckFileCards {
-  std::vector<grammar::Card> cards;
+  std::vector<grammar::CardHeader> cards;
   bool incomplete = false; ///< an include could not be read
 };
 

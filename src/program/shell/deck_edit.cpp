@@ -111,7 +111,7 @@ base::OptionalFailure set_card_keys(const std::string& header, DeckCardList& tex
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
   const std::int32_t file = sources.add_text("line", header + "\n");
-  const std::vector<grammar::Card> cards = grammar::parse_cards(sources, file, diagnostics);
+  const std::vector<grammar::CardHeader> cards = grammar::parse_cards(sources, file, diagnostics);
   if (diagnostics.has_errors()) {
     return located_failure(base::Outcome::usage, sources, diagnostics);
   }

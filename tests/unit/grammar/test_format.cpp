@@ -32,7 +32,7 @@ public:
   explicit Meaning(const std::string& text) {
     base::Diagnostics diagnostics;
     const std::int32_t file = sources_.add_text("test.deck", text);
-    for (const Card& card : parse_cards(sources_, file, diagnostics)) {
+    for (const CardHeader& card : parse_cards(sources_, file, diagnostics)) {
       out_ << '$' << card.name;
       for (const HeaderParameter& p : card.parameters) {
         out_ << ' ' << p.key << '=';
@@ -45,7 +45,7 @@ public:
   [[nodiscard]] std::string text() const { return out_.str(); }
 
 private:
-  void data(const Card& card, base::Diagnostics& diagnostics) {
+  void data(const CardHeader& card, base::Diagnostics& diagnostics) {
     const CardSpec* spec = find_card(card.name);
     if (spec == nullptr || spec->data == DataLineForm::table || spec->data == DataLineForm::none) {
       words(card.data);

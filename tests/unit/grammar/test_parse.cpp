@@ -13,7 +13,7 @@ struct Reader {
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
 
-  std::vector<Card> cards(const std::string& text) {
+  std::vector<CardHeader> cards(const std::string& text) {
     return parse_cards(sources, sources.add_text("deck", text), diagnostics);
   }
   std::vector<DataRow> rows(const std::string& text) {

@@ -18,7 +18,7 @@ struct Reader {
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
   ExpressionScope scope;
-  BulkTableForm form;
+  BulkRowDescription form;
   base::SourceSpan data;
 
   explicit Reader(const std::string& text, std::size_t columns) {
@@ -28,18 +28,18 @@ struct Reader {
     form.columns = columns;
     data = {sources.add_text("table", text), 0, static_cast<std::uint32_t>(text.size())};
   }
-  BulkTable<double> coordinates() {
-    BulkTable<double> all;
+  BulkTableBlock<double> coordinates() {
+    BulkTableBlock<double> all;
     parse_coordinates(form, data, scope, diagnostics, gather(all));
     return all;
   }
-  BulkTable<base::Label> nodes() {
-    BulkTable<base::Label> all;
+  BulkTableBlock<base::Label> nodes() {
+    BulkTableBlock<base::Label> all;
     parse_connectivity(form, data, scope, diagnostics, gather(all));
     return all;
   }
-  template <class Value> static RowBlockCallback<Value> gather(BulkTable<Value>& all) {
-    return [&all](const BulkTable<Value>& block) {
+  template <class Value> static RowBlockCallback<Value> gather(BulkTableBlock<Value>& all) {
+    return [&all](const BulkTableBlock<Value>& block) {
       all.columns = block.columns;
       all.label.insert(all.label.end(), block.label.begin(), block.label.end());
       all.value.insert(all.value.end(), block.value.begin(), block.value.end());
@@ -75,7 +75,7 @@ TEST(Table, DoublesSurviveTheRoundTripBitwise) {
     text += written.size() % 3 == 0 ? "\n" : "";
   }
   Reader r(text, 3);
-  const BulkTable<double> table = r.coordinates();
+  const BulkTableBlock<double> table = r.coordinates();
   EXPECT_FALSE(r.diagnostics.has_errors()) << base::format_messages(r.sources, r.diagnostics, 3);
   ASSERT_EQ(table.value.size(), written.size());
   for (std::size_t i = 0; i < written.size(); ++i) {
@@ -87,7 +87,7 @@ TEST(Table, DoublesSurviveTheRoundTripBitwise) {
 TEST(Table, SeparatorsCommentsAndContinuations) {
   Reader r(
       "1, 0.5,+1.5 ! a comment\r\n\r\n! one more\n\t2\t-0.\t.5e1\n 3  7 !\n  ! between\n & 8\n", 2);
-  const BulkTable<double> table = r.coordinates();
+  const BulkTableBlock<double> table = r.coordinates();
   EXPECT_FALSE(r.diagnostics.has_errors()) << base::format_messages(r.sources, r.diagnostics);
   EXPECT_EQ(table.label, (std::vector<base::Label>{1, 2, 3}));
   EXPECT_EQ(table.value, (std::vector<double>{0.5, 1.5, 0.0, 5.0, 7.0, 8.0}));
@@ -97,7 +97,7 @@ TEST(Table, SeparatorsCommentsAndContinuations) {
 
 TEST(Table, ParenthesesAndUnitsTakeTheSlowWay) {
   Reader r("1 (R/2) 1[in]\n2 (2 * (R - 1))[mm] 1e-3[m]", 2);
-  const BulkTable<double> table = r.coordinates();
+  const BulkTableBlock<double> table = r.coordinates();
   EXPECT_FALSE(r.diagnostics.has_errors()) << base::format_messages(r.sources, r.diagnostics);
   EXPECT_EQ(table.value, (std::vector<double>{18.0, 25.4, 70.0, 1.0}));
   EXPECT_EQ(r.sources.text(table_field_span(r.sources, r.data, table.offset[1], 1)),
