@@ -121,16 +121,16 @@ private:
     look_at_clearance(contact, std::max(drawn, slack), surface);
     // A drawn overlap counts only beyond what facets make of surfaces that touch.
     const double overlap = contact.gap ? -*contact.gap : -seen.gap_low - slack;
-    if (overlap > most_fit * surface_size(surface)) {
-      list_.warning(contact.span, "W444",
-                    fmt::format("contact {}: {} {:.4g} {}, {:.2g} % of {} of {:.4g} {}: strains of "
-                                "that size are not small",
-                                contact.name,
-                                contact.gap ? "an interference of" : "the surfaces overlap by",
-                                overlap, unit, 100.0 * overlap / surface_size(surface),
-                                round_surface_radius(surface) ? "a radius" : "half an extent",
-                                surface_size(surface), unit),
-                    "a fit is declared in units of length; look at the unit and at the drawing");
+    if (overlap > most_fit * surface_radius_or_half_extent(surface)) {
+      list_.warning(
+          contact.span, "W444",
+          fmt::format("contact {}: {} {:.4g} {}, {:.2g} % of {} of {:.4g} {}: strains of "
+                      "that size are not small",
+                      contact.name, contact.gap ? "an interference of" : "the surfaces overlap by",
+                      overlap, unit, 100.0 * overlap / surface_radius_or_half_extent(surface),
+                      round_surface_radius(surface) ? "a radius" : "half an extent",
+                      surface_radius_or_half_extent(surface), unit),
+          "a fit is declared in units of length; look at the unit and at the drawing");
     }
   }
 
@@ -139,7 +139,7 @@ private:
   void look_at_clearance(const model::Contact& contact, double drawn,
                          const contact::ContactSurface& surface) {
     const double gap = contact.gap.value_or(0.0);
-    const double size = surface_size(surface);
+    const double size = surface_radius_or_half_extent(surface);
     const std::string& unit = model_.units.length_name;
     if (gap > most_gap * size && gap > 2.0 * drawn) {
       list_.warning(contact.span, "W444",
@@ -180,18 +180,18 @@ private:
       return;
     }
     const contact::ContactSurface left = contact::make_contact_surface(model_, mesh_, rest);
-    const std::vector<double> measure = facet_measures(surface);
+    const std::vector<double> measure = facet_lengths_or_areas(surface);
     std::vector<double> seen(measure.size(), 0.0);
     std::vector<double> missed(measure.size(), 0.0);
     double low = 0.0;
     double high = 0.0;
-    for (const FacingPart& part : facing_parts(surface, auxiliary, measure)) {
+    for (const FacingFacetPart& part : find_facing_facet_parts(surface, auxiliary, measure)) {
       seen[part.facet] += part.share;
       low = std::min(low, part.gap);
       high = std::max(high, part.gap);
     }
     const double near = near_share * std::min(surface.extent, left.extent);
-    for (const FacingPart& part : facing_parts(surface, left, measure)) {
+    for (const FacingFacetPart& part : find_facing_facet_parts(surface, left, measure)) {
       if (part.gap > low - near && part.gap < high + near) {
         missed[part.facet] += part.share;
       }

@@ -36,7 +36,8 @@ Turns turns_of(const std::vector<Vec3>& x, bool closed) {
 
 } // namespace
 
-std::optional<FrontOutlier> find_front_outlier(const std::vector<Vec3>& points, bool closed) {
+std::optional<MisplacedFrontPoint> find_misplaced_front_point(const std::vector<Vec3>& points,
+                                                              bool closed) {
   // A half circle drawn by four points turns by half a radian less without one of them, finer lines
   // by less than that. Ends may lie anywhere beyond the body.
   constexpr double most_gained = 1.0;
@@ -45,7 +46,7 @@ std::optional<FrontOutlier> find_front_outlier(const std::vector<Vec3>& points, 
     return std::nullopt;
   }
   const Turns whole = turns_of(points, closed);
-  FrontOutlier kink{whole.at, whole.sum, whole.sum};
+  MisplacedFrontPoint kink{whole.at, whole.sum, whole.sum};
   for (std::size_t i = closed ? 0 : 1; i + (closed ? 0 : 1) < points.size(); ++i) {
     std::vector<Vec3> others = points;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
@@ -59,7 +60,7 @@ std::optional<FrontOutlier> find_front_outlier(const std::vector<Vec3>& points, 
   if (whole.sharpest > turned_back) {
     std::vector<Vec3> others = points;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(whole.at));
-    return FrontOutlier{whole.at, whole.sum, turns_of(others, closed).sum};
+    return MisplacedFrontPoint{whole.at, whole.sum, turns_of(others, closed).sum};
   }
   return std::nullopt;
 }

@@ -236,8 +236,8 @@ private:
     if (crack.kind != model::CrackDefinitionKind::drawn) {
       return;
     }
-    if (const std::optional<FrontOutlier> kink =
-            find_front_outlier(crack.points, crack.plane.closed)) {
+    if (const std::optional<MisplacedFrontPoint> kink =
+            find_misplaced_front_point(crack.points, crack.plane.closed)) {
       list_.warning(
           crack.span, "W463",
           fmt::format("crack {}: point {} of its front, {}, lies off the others: the "

@@ -168,8 +168,8 @@ std::vector<results::LoadTotal> compute_load_totals(const model::Model& model) {
   return totals;
 }
 
-bool check_load_totals(const model::Model& model, const model::Mesh& cracked,
-                       base::Diagnostics& diagnostics) {
+bool check_loads_on_cracked_mesh(const model::Model& model, const model::Mesh& cracked,
+                                 base::Diagnostics& diagnostics) {
   bool sound = true;
   for (const model::LoadCase& load_case : model.cases) {
     for (const model::Load& load : load_case.loads) {

@@ -15,7 +15,7 @@ std::vector<results::LoadTotal> compute_load_totals(const model::Model& model);
 /// Whether the loads on a mesh with cracks are numbers (E434), and those that the deck's own mesh
 /// carries come to the same total there (E435). A load whose integral no rule could follow is
 /// warned of (W435).
-bool check_load_totals(const model::Model& model, const model::Mesh& cracked,
-                       base::Diagnostics& diagnostics);
+bool check_loads_on_cracked_mesh(const model::Model& model, const model::Mesh& cracked,
+                                 base::Diagnostics& diagnostics);
 
 } // namespace spricka::sense

@@ -140,8 +140,8 @@ const model::CrackDefinition* find_loaded_crack(const model::Model& model,
   return found == model.cracks.end() ? nullptr : &*found;
 }
 
-bool is_mirrored_face_load(const model::Model& model, const Reflection& mirror,
-                           const model::Load& one, const model::Load& other) {
+bool is_mirrored_crack_face_load(const model::Model& model, const Reflection& mirror,
+                                 const model::Load& one, const model::Load& other) {
   const model::CrackDefinition* const crack = find_loaded_crack(model, one);
   const model::CrackDefinition* const image = find_loaded_crack(model, other);
   if (crack == nullptr || image == nullptr || one.type != model::LoadType::pressure ||

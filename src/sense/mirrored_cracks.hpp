@@ -17,8 +17,8 @@ std::vector<base::Vec3> crack_line_points(const model::Model& model,
 
 /// Whether a load on the faces of a crack has the other as its image: pressures of cracks that are
 /// images, alike at points of the crack and their images. Of tractions it is not asked.
-bool is_mirrored_face_load(const model::Model& model, const Reflection& mirror,
-                           const model::Load& one, const model::Load& other);
+bool is_mirrored_crack_face_load(const model::Model& model, const Reflection& mirror,
+                                 const model::Load& one, const model::Load& other);
 
 /// The crack that a load acts on the faces of; null: none.
 const model::CrackDefinition* find_loaded_crack(const model::Model& model, const model::Load& load);

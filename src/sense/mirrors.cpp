@@ -132,7 +132,7 @@ private:
   [[nodiscard]] bool answers(const Reflection& mirror, const model::Load& one,
                              const model::Load& other) const {
     if (find_loaded_crack(model_, one) != nullptr) {
-      return is_mirrored_face_load(model_, mirror, one, other);
+      return is_mirrored_crack_face_load(model_, mirror, one, other);
     }
     return one.type == other.type && one.shape == other.shape &&
            mirrored_places(mirror, places_of(one), places_of(other)) &&

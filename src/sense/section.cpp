@@ -43,7 +43,7 @@ class SectionCutter {
 public:
   SectionCutter(const model::Mesh& mesh, const SectionPlane& plane) : mesh_(mesh), plane_(plane) {}
 
-  std::optional<PlaneSection> run() {
+  std::optional<PlaneSectionMesh> run() {
     if (!sort_faces()) {
       return std::nullopt;
     }
@@ -53,7 +53,8 @@ public:
     }
     make_mesh();
     take_sets();
-    return PlaneSection{plane_, std::move(made_), std::move(whole_), std::move(whole_elements_)};
+    return PlaneSectionMesh{plane_, std::move(made_), std::move(whole_),
+                            std::move(whole_elements_)};
   }
 
 private:
@@ -261,9 +262,9 @@ private:
 
 } // namespace
 
-std::vector<PlaneSection> extruded_sections(const model::Mesh& mesh) {
+std::vector<PlaneSectionMesh> extruded_sections(const model::Mesh& mesh) {
   const std::vector<bool> used = model::mark_nodes_in_use(mesh);
-  std::vector<PlaneSection> found;
+  std::vector<PlaneSectionMesh> found;
   for (const int axis : {2, 1, 0}) {
     SectionPlane plane{false, axis};
     plane.first = std::numeric_limits<double>::max();
@@ -274,16 +275,16 @@ std::vector<PlaneSection> extruded_sections(const model::Mesh& mesh) {
         plane.last = std::max(plane.last, mesh.x[n][axis]);
       }
     }
-    if (std::optional<PlaneSection> section = SectionCutter(mesh, plane).run()) {
+    if (std::optional<PlaneSectionMesh> section = SectionCutter(mesh, plane).run()) {
       found.push_back(std::move(*section));
     }
   }
   return found;
 }
 
-std::vector<PlaneSection> revolved_sections(const model::Mesh& mesh) {
+std::vector<PlaneSectionMesh> revolved_sections(const model::Mesh& mesh) {
   const std::vector<bool> used = model::mark_nodes_in_use(mesh);
-  std::vector<PlaneSection> found;
+  std::vector<PlaneSectionMesh> found;
   for (const int axis : {2, 1, 0}) {
     SectionPlane plane{true, axis};
     double size = 0.0;
@@ -313,14 +314,14 @@ std::vector<PlaneSection> revolved_sections(const model::Mesh& mesh) {
     if (!(widest > 0.25 * turn)) {
       continue; // a whole turn, or nearly
     }
-    if (std::optional<PlaneSection> section = SectionCutter(mesh, plane).run()) {
+    if (std::optional<PlaneSectionMesh> section = SectionCutter(mesh, plane).run()) {
       found.push_back(std::move(*section));
     }
   }
   return found;
 }
 
-std::vector<base::NodeId> project_nodes_onto_section(const PlaneSection& section,
+std::vector<base::NodeId> project_nodes_onto_section(const PlaneSectionMesh& section,
                                                      const model::Mesh& space,
                                                      const std::vector<base::NodeId>& nodes) {
   const std::vector<Vec3>& x = section.mesh.x;

@@ -12,7 +12,7 @@
 /// Plane meshes that stand for solids: bodies that are the same all along an axis, or round it.
 namespace spricka::sense {
 
-struct PlaneSection {
+struct PlaneSectionMesh {
   SectionPlane plane;
   /// Of the plane: nodes, elements, labels, nets and properties of the solid's faces there; sets
   /// under their old numbers, those that do not reach the section are empty.
@@ -24,13 +24,13 @@ struct PlaneSection {
 
 /// Sections of bodies that are the same along z, y or x from one flat face to another, all with the
 /// same thickness: of a block three, mostly one or none.
-std::vector<PlaneSection> extruded_sections(const model::Mesh& mesh);
+std::vector<PlaneSectionMesh> extruded_sections(const model::Mesh& mesh);
 
 /// Sections of bodies that are sectors of one angle about z, y or x through the origin.
-std::vector<PlaneSection> revolved_sections(const model::Mesh& mesh);
+std::vector<PlaneSectionMesh> revolved_sections(const model::Mesh& mesh);
 
 /// The nodes of the section behind which (along the axis, or round it) nodes of space lie.
-std::vector<base::NodeId> project_nodes_onto_section(const PlaneSection& section,
+std::vector<base::NodeId> project_nodes_onto_section(const PlaneSectionMesh& section,
                                                      const model::Mesh& space,
                                                      const std::vector<base::NodeId>& nodes);
 

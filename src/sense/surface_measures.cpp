@@ -85,10 +85,10 @@ double gap_at(const contact::ContactSurface& surface, const contact::Edge& edge,
   return eta ? (contact::point_on_edge(other, *eta) - x).dot(n) : 0.0;
 }
 
-std::vector<FacingPart> parts_of_edges(const contact::ContactSurface& surface,
-                                       const contact::ContactSurface& target,
-                                       const std::vector<double>& /*measure*/) {
-  std::vector<FacingPart> parts;
+std::vector<FacingFacetPart> parts_of_edges(const contact::ContactSurface& surface,
+                                            const contact::ContactSurface& target,
+                                            const std::vector<double>& /*measure*/) {
+  std::vector<FacingFacetPart> parts;
   for (const contact::MortarSegment& s : contact::find_mortar_segments(surface, target)) {
     // Coordinates of an edge run from -1 to 1: half the stretch is its part of the edge.
     parts.push_back({s.contact_edge, 0.5 * (s.to - s.from),
@@ -97,10 +97,10 @@ std::vector<FacingPart> parts_of_edges(const contact::ContactSurface& surface,
   return parts;
 }
 
-std::vector<FacingPart> parts_of_faces(const contact::ContactSurface& surface,
-                                       const contact::ContactSurface& target,
-                                       const std::vector<double>& measure) {
-  std::vector<FacingPart> parts;
+std::vector<FacingFacetPart> parts_of_faces(const contact::ContactSurface& surface,
+                                            const contact::ContactSurface& target,
+                                            const std::vector<double>& measure) {
+  std::vector<FacingFacetPart> parts;
   const contact::SurfaceProjection projection(surface, target);
   for (const contact::HatElement& t : surface.elements) {
     for (const contact::PairPoint& p : projection.project_triangle(t).points) {
@@ -126,18 +126,18 @@ std::optional<double> round_surface_radius(const contact::ContactSurface& surfac
              : std::nullopt;
 }
 
-double surface_size(const contact::ContactSurface& surface) {
+double surface_radius_or_half_extent(const contact::ContactSurface& surface) {
   return round_surface_radius(surface).value_or(0.5 * surface.extent);
 }
 
-std::vector<FacingPart> facing_parts(const contact::ContactSurface& surface,
-                                     const contact::ContactSurface& target,
-                                     const std::vector<double>& measure) {
+std::vector<FacingFacetPart> find_facing_facet_parts(const contact::ContactSurface& surface,
+                                                     const contact::ContactSurface& target,
+                                                     const std::vector<double>& measure) {
   constexpr base::ByDimension parts{parts_of_edges, parts_of_faces};
   return parts.at(surface.dim)(surface, target, measure);
 }
 
-std::vector<double> facet_measures(const contact::ContactSurface& surface) {
+std::vector<double> facet_lengths_or_areas(const contact::ContactSurface& surface) {
   std::vector<double> all;
   for (const geometry::ElementSide& facet : surface.facets) {
     all.push_back(contact::facet_length_or_area(facet));

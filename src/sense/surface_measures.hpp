@@ -16,22 +16,22 @@ double faceting_error(const contact::ContactSurface& surface);
 /// The radius of a surface that is one circle, cylinder, cone or sphere [length].
 std::optional<double> round_surface_radius(const contact::ContactSurface& surface);
 /// That radius, of others half of the extent [length].
-double surface_size(const contact::ContactSurface& surface);
+double surface_radius_or_half_extent(const contact::ContactSurface& surface);
 
 /// Lengths of edges, areas of faces, by facet.
-std::vector<double> facet_measures(const contact::ContactSurface& surface);
+std::vector<double> facet_lengths_or_areas(const contact::ContactSurface& surface);
 /// The place at the middle of a facet's local coordinates, of an edge in the plane at xi = 0.
 base::Vec3 facet_centroid(const contact::ContactSurface& surface, std::size_t facet);
 
 /// A part of a facet that sees another surface, as a share of it.
-struct FacingPart {
+struct FacingFacetPart {
   std::size_t facet = 0;
   double share = 0.0;
   double gap = 0.0;
 };
 /// What of `surface` sees `target`; `measure` are the measures of its facets.
-std::vector<FacingPart> facing_parts(const contact::ContactSurface& surface,
-                                     const contact::ContactSurface& target,
-                                     const std::vector<double>& measure);
+std::vector<FacingFacetPart> find_facing_facet_parts(const contact::ContactSurface& surface,
+                                                     const contact::ContactSurface& target,
+                                                     const std::vector<double>& measure);
 
 } // namespace spricka::sense

@@ -88,7 +88,7 @@ bool make_case_loads(const model::Model& model, Discretisation& scene,
     }
   }
   return check_force_nodes(model, scene, diagnostics) && good &&
-         sense::check_load_totals(model, mesh, diagnostics) &&
+         sense::check_loads_on_cracked_mesh(model, mesh, diagnostics) &&
          prescribe_dependent_freedoms(model, scene, diagnostics);
 }
 

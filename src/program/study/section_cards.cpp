@@ -55,7 +55,7 @@ Vec3 in_frame(const model::Load& load, const sense::SectionPlane& plane, const V
 
 // Whether it is the same all along the axis, or round it as well at angle 0, and acts in the
 // section alone.
-bool is_uniform(const model::Load& load, const sense::PlaneSection& section) {
+bool is_uniform(const model::Load& load, const sense::PlaneSectionMesh& section) {
   const sense::SectionPlane& plane = section.plane;
   constexpr std::array shares{0.0, 0.37, 1.0}; // of the depth
   constexpr double same = 1e-9;
@@ -73,7 +73,7 @@ bool is_uniform(const model::Load& load, const sense::PlaneSection& section) {
   return uneven <= same * largest;
 }
 
-std::string against(const model::Load& load, const sense::PlaneSection& section) {
+std::string against(const model::Load& load, const sense::PlaneSectionMesh& section) {
   if (load.type == model::LoadType::force) {
     return "forces on single nodes";
   }
@@ -118,7 +118,8 @@ bool is_crack_face(const std::string& set) {
 
 } // namespace
 
-std::string describe_varying_load(const model::Model& model, const sense::PlaneSection& section) {
+std::string describe_varying_load(const model::Model& model,
+                                  const sense::PlaneSectionMesh& section) {
   for (const model::LoadCase& load_case : model.cases) {
     for (const model::Load& load : load_case.loads) {
       if (const std::string reason = against(load, section); !reason.empty()) {
@@ -165,7 +166,7 @@ void project_load_onto_section(DeckCard& card, const sense::SectionPlane& plane,
   });
 }
 
-bool support_holds_radius(const model::Model& model, const sense::PlaneSection& section,
+bool support_holds_radius(const model::Model& model, const sense::PlaneSectionMesh& section,
                           const model::FreedomAssignment& freedom) {
   const sense::SectionPlane& plane = section.plane;
   const auto one = static_cast<std::size_t>((plane.axis + 1) % 3);
@@ -185,7 +186,7 @@ bool support_holds_radius(const model::Model& model, const sense::PlaneSection& 
   });
 }
 
-bool ends_are_held(const model::Model& model, const sense::PlaneSection& section) {
+bool ends_are_held(const model::Model& model, const sense::PlaneSectionMesh& section) {
   const sense::SectionPlane& plane = section.plane;
   std::vector<std::array<bool, 3>> held(model.mesh.node_count(), {false, false, false});
   for (const model::FreedomAssignment& freedom : model.freedoms) {

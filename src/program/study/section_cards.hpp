@@ -13,18 +13,19 @@ namespace spricka::program {
 
 /// What of the loads differs along the axis, or round it, or acts across the section; empty:
 /// nothing.
-std::string describe_varying_load(const model::Model& model, const sense::PlaneSection& section);
+std::string describe_varying_load(const model::Model& model,
+                                  const sense::PlaneSectionMesh& section);
 
 /// Gives a $LOAD card the values of the section; what it cannot say goes to an empty `reason`.
 void project_load_onto_section(deck::DeckCard& card, const sense::SectionPlane& plane,
                                std::string& reason);
 
 /// Whether supports hold the radius of a round section in the section.
-bool support_holds_radius(const model::Model& model, const sense::PlaneSection& section,
+bool support_holds_radius(const model::Model& model, const sense::PlaneSectionMesh& section,
                           const model::FreedomAssignment& freedom);
 
 /// Whether all nodes of both flat faces, or at both ends of a sector, are held across them.
-bool ends_are_held(const model::Model& model, const sense::PlaneSection& section);
+bool ends_are_held(const model::Model& model, const sense::PlaneSectionMesh& section);
 
 /// A name that no set of the mesh has in any net: `wanted`, or with underscores behind it.
 std::string unused_set_name(const model::Mesh& mesh, std::string wanted);

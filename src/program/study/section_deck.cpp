@@ -40,7 +40,7 @@ const Named* find_by_name(const std::vector<Named>& all, const std::string& name
 
 class SectionMaker {
 public:
-  SectionMaker(const model::Model& model, sense::PlaneSection section, const std::string& state)
+  SectionMaker(const model::Model& model, sense::PlaneSectionMesh section, const std::string& state)
       : model_(model), section_(std::move(section)), state_(state) {
     made_.section = {section_.plane, {}};
   }
@@ -233,7 +233,7 @@ private:
   }
 
   const model::Model& model_;
-  sense::PlaneSection section_;
+  sense::PlaneSectionMesh section_;
   std::string state_;
   DeckVariant made_;
 };
@@ -247,16 +247,16 @@ DeckVariant make_section_deck(const model::Model& model, const DeckCardList& tex
   }
   DeckVariant none;
   const bool round = state == "AXI";
-  std::vector<sense::PlaneSection> sections =
+  std::vector<sense::PlaneSectionMesh> sections =
       round ? sense::revolved_sections(model.mesh) : sense::extruded_sections(model.mesh);
   // Where flat faces are held it is plane strain; the thinner a body, the plainer its stress.
   std::ranges::stable_sort(sections,
-                           [&](const sense::PlaneSection& a, const sense::PlaneSection& b) {
+                           [&](const sense::PlaneSectionMesh& a, const sense::PlaneSectionMesh& b) {
                              const bool fits_a = ends_are_held(model, a) == (state != "STRESS");
                              const bool fits_b = ends_are_held(model, b) == (state != "STRESS");
                              return fits_a != fits_b ? fits_a : a.plane.depth() < b.plane.depth();
                            });
-  for (sense::PlaneSection& section : sections) {
+  for (sense::PlaneSectionMesh& section : sections) {
     DeckVariant made = SectionMaker(model, std::move(section), state).run(text);
     if (made.text) {
       return made;

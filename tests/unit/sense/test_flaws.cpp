@@ -140,21 +140,21 @@ std::vector<Vec3> arc(int points, double angle) {
 
 TEST(FrontKinks, SmoothFrontsHaveNoneHoweverFewPointsDrawThem) {
   for (int n = 4; n < 30; ++n) {
-    EXPECT_FALSE(sense::find_front_outlier(arc(n, std::numbers::pi), false)) << n;
-    EXPECT_FALSE(sense::find_front_outlier(arc(n, 0.5 * std::numbers::pi), false)) << n;
+    EXPECT_FALSE(sense::find_misplaced_front_point(arc(n, std::numbers::pi), false)) << n;
+    EXPECT_FALSE(sense::find_misplaced_front_point(arc(n, 0.5 * std::numbers::pi), false)) << n;
     std::vector<Vec3> circle = arc(n + 1, 2.0 * std::numbers::pi);
     circle.pop_back();
-    EXPECT_FALSE(sense::find_front_outlier(circle, true)) << n;
+    EXPECT_FALSE(sense::find_misplaced_front_point(circle, true)) << n;
     std::vector<Vec3> wave;
     for (int i = 0; i < 4 * n; ++i) {
       const double s = i / (4.0 * n - 1.0);
       wave.emplace_back(s, 0.1 * std::cos(4.0 * std::numbers::pi * s), 0.0);
     }
-    EXPECT_FALSE(sense::find_front_outlier(wave, false)) << n;
+    EXPECT_FALSE(sense::find_misplaced_front_point(wave, false)) << n;
   }
   // Real corners, with points beside them.
-  EXPECT_FALSE(
-      sense::find_front_outlier({{0, 0, 0}, {0, 1, 0}, {0, 2, 0}, {1, 2, 0}, {2, 2, 0}}, false));
+  EXPECT_FALSE(sense::find_misplaced_front_point(
+      {{0, 0, 0}, {0, 1, 0}, {0, 2, 0}, {1, 2, 0}, {2, 2, 0}}, false));
 }
 
 TEST(FrontKinks, AMistypedPointIsFound) {
@@ -164,7 +164,7 @@ TEST(FrontKinks, AMistypedPointIsFound) {
     for (int i = 1; i + 1 < n; ++i) {
       std::vector<Vec3> bad = good;
       bad[static_cast<std::size_t>(i)] *= 1.0 + apart; // off by as much as points are apart
-      const auto kink = sense::find_front_outlier(bad, false);
+      const auto kink = sense::find_misplaced_front_point(bad, false);
       ASSERT_TRUE(kink) << n << ' ' << i;
       EXPECT_EQ(kink->point, static_cast<std::size_t>(i)) << n;
       EXPECT_LT(kink->without, 0.51 * std::numbers::pi);

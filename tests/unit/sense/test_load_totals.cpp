@@ -52,7 +52,7 @@ std::vector<base::Diagnostic> messages(const std::string& p, std::size_t lost) {
     }
   }
   base::Diagnostics diagnostics;
-  const bool sound = sense::check_load_totals(*deck.model, cracked, diagnostics);
+  const bool sound = sense::check_loads_on_cracked_mesh(*deck.model, cracked, diagnostics);
   EXPECT_EQ(sound, !diagnostics.has_errors());
   return {diagnostics.messages().begin(), diagnostics.messages().end()};
 }
