@@ -17,18 +17,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string increment_bytes(const results::Increment& increment,
+std::string increment_bytes(const results::CrackLengthResult& increment,
                             const results::NamedArrays& state) {
   results::Store store = results::Store::in_memory();
-  results::write_increment(store.root(), increment);
-  results::write_named_arrays(store.root().group("state"), state);
+  results::write_crack_length_result(store.root(), increment);
+  results::write_restart_arrays(store.root().group("state"), state);
   return std::string(store.finish_bytes());
 }
 
-// What an increment names of the deck that the deck does not have; or what find_increment_flaw()
-// finds. Hashes tell files that were changed by chance, not those that were made.
-std::string flaw_in_deck(const results::Increment& increment, const model::Model& model) {
-  if (std::string flaw = results::find_increment_flaw(increment); !flaw.empty()) {
+// What an increment names of the deck that the deck does not have; or what
+// describe_increment_corruption() finds. Hashes tell files that were changed by chance, not those
+// that were made.
+std::string flaw_in_deck(const results::CrackLengthResult& increment, const model::Model& model) {
+  if (std::string flaw = results::describe_increment_corruption(increment); !flaw.empty()) {
     return flaw;
   }
   const auto beyond = [](const auto& ids, std::size_t count) {
@@ -43,7 +44,7 @@ std::string flaw_in_deck(const results::Increment& increment, const model::Model
       beyond(mesh.property, model.properties.size())) {
     return "nets or properties that the deck does not have";
   }
-  if (!std::ranges::equal(increment.steps, model.steps, {}, &results::StepResult::step,
+  if (!std::ranges::equal(increment.steps, model.steps, {}, &results::LoadStepResult::step,
                           &model::Step::name)) {
     return "other steps than the deck's";
   }
@@ -132,8 +133,8 @@ StoredIncrement Checkpoint::read_stored_increment(int number) const {
   StoredIncrement kept;
   try {
     const results::Store store = results::Store::from_bytes(bytes);
-    kept.increment = results::read_increment(store.root());
-    kept.state = results::read_named_arrays(store.root().group("state"));
+    kept.increment = results::read_crack_length_result(store.root());
+    kept.state = results::read_restart_arrays(store.root().group("state"));
   } catch (const results::StoreError& trouble) {
     throw FileFailure("E560", fmt::format("{}: {}", file.string(), trouble.what()));
   }

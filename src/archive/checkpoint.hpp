@@ -23,7 +23,7 @@ namespace spricka::archive {
 
 /// An increment with what the loop carried behind it.
 struct StoredIncrement {
-  results::Increment increment;
+  results::CrackLengthResult increment;
   results::NamedArrays state;
   std::vector<results::LogLine> log;
   double cpu = 0.0, wall = 0.0; ///< [s] that it took
@@ -31,7 +31,7 @@ struct StoredIncrement {
 
 /// The same of one that was solved just now.
 struct SolvedIncrement {
-  const results::Increment& increment;
+  const results::CrackLengthResult& increment;
   results::NamedArrays state;
   std::vector<results::LogLine> log;
   double cpu = 0.0, wall = 0.0; ///< [s]

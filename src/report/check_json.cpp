@@ -68,7 +68,7 @@ json of(const results::ContactPairPreview& c) {
   return out;
 }
 
-json of(const results::BodyPreview& b) {
+json of(const results::BodyRestraintPreview& b) {
   return {{"body", b.name},
           {"nodes", b.nodes},
           {"elements", b.elements},

@@ -102,7 +102,7 @@ ReportTable pairs(const DeckPreview& p) {
 }
 
 ReportTable bodies(const DeckPreview& p) {
-  using Body = results::BodyPreview;
+  using Body = results::BodyRestraintPreview;
   Columns<Body> columns;
   columns.words("body", &Body::name)
       .number("nodes", "", &Body::nodes)

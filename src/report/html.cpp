@@ -82,10 +82,11 @@ void add_warnings(HtmlPage& page, const results::RunResult& run) {
 
 /// The tables of all increments as one, with a column for the crack length in front; without
 /// cracks the only one.
-ReportTable over_lengths(const model::Model& model, const results::RunResult& run,
-                         const std::function<ReportTable(const results::Increment&)>& table_of) {
+ReportTable
+over_lengths(const model::Model& model, const results::RunResult& run,
+             const std::function<ReportTable(const results::CrackLengthResult&)>& table_of) {
   ReportTable all;
-  for (const results::Increment& increment : run.increments) {
+  for (const results::CrackLengthResult& increment : run.increments) {
     ReportTable table = table_of(increment);
     if (model.cracks.empty()) {
       return table;
@@ -155,24 +156,32 @@ void add_paths(HtmlPage& page, const model::Model& model, const results::RunResu
   }
   page.add_heading("Load paths");
   add_figures(page, load_path_figures(model, run));
-  const auto paths = [&](const results::Increment& i) { return load_path_table(model, i); };
+  const auto paths = [&](const results::CrackLengthResult& i) { return load_path_table(model, i); };
   page.add_table(over_lengths(model, run, paths));
   page.add_table(over_lengths(model, run, contact_opening_onset_table));
 }
 
 void add_contacts(HtmlPage& page, const model::Model& model, const results::RunResult& run) {
-  const bool any = std::ranges::any_of(run.increments, [](const results::Increment& increment) {
-    return std::ranges::any_of(
-        increment.steps, [](const results::StepResult& step) { return !step.contacts.empty(); });
-  });
+  const bool any =
+      std::ranges::any_of(run.increments, [](const results::CrackLengthResult& increment) {
+        return std::ranges::any_of(increment.steps, [](const results::LoadStepResult& step) {
+          return !step.contacts.empty();
+        });
+      });
   if (!any) {
     return;
   }
   page.add_heading("Contact");
   add_figures(page, pressure_figures(model, run));
-  const auto contacts = [&](const results::Increment& i) { return contact_result_table(model, i); };
-  const auto friction = [&](const results::Increment& i) { return friction_table(model, i); };
-  const auto moments = [&](const results::Increment& i) { return contact_moment_table(model, i); };
+  const auto contacts = [&](const results::CrackLengthResult& i) {
+    return contact_result_table(model, i);
+  };
+  const auto friction = [&](const results::CrackLengthResult& i) {
+    return friction_table(model, i);
+  };
+  const auto moments = [&](const results::CrackLengthResult& i) {
+    return contact_moment_table(model, i);
+  };
   page.add_table(over_lengths(model, run, contacts));
   page.add_table(over_lengths(model, run, moments));
   page.add_table(over_lengths(model, run, friction));
@@ -195,7 +204,7 @@ void add_notes(HtmlPage& page, const results::RunResult& run) {
 }
 
 /// "a = 3.6 mm", of cracks of different lengths each.
-std::string lengths_of(const model::Model& model, const results::Increment& increment) {
+std::string lengths_of(const model::Model& model, const results::CrackLengthResult& increment) {
   std::string each;
   bool same = true;
   for (const results::FrontResult& front : increment.steps.empty()
@@ -248,7 +257,7 @@ std::string html_report(const base::SourceTexts& sources, const model::Model& mo
   add_contacts(page, model, run);
   if (!run.increments.empty()) {
     page.add_heading("Force balance");
-    if (const results::Increment& last = run.increments.back(); last.a > 0.0) {
+    if (const results::CrackLengthResult& last = run.increments.back(); last.a > 0.0) {
       page.add_paragraph(fmt::format("At {}{}.",
                                      run.increments.size() > 1 ? "the last length, " : "",
                                      lengths_of(model, last)));

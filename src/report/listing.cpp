@@ -75,7 +75,7 @@ std::string log_text(const results::RunResult& run) {
                      run.cpu, run.wall, static_cast<double>(run.peak_memory) / 1e6);
 }
 
-std::string increment_text(const model::Model& model, const results::Increment& increment) {
+std::string increment_text(const model::Model& model, const results::CrackLengthResult& increment) {
   std::string out = model.cracks.empty()
                         ? heading("Results")
                         : heading(fmt::format("Increment {}: a = {:.6g} {}", increment.number,
@@ -89,7 +89,7 @@ std::string increment_text(const model::Model& model, const results::Increment& 
   for (const results::Note& note : increment.notes) {
     out += "note: " + results::text_with_code(note) + "\n";
   }
-  for (const results::StepResult& step : increment.steps) {
+  for (const results::LoadStepResult& step : increment.steps) {
     for (const results::Note& note : step.notes) {
       out += fmt::format("note: step {}: {}\n", step.step, results::text_with_code(note));
     }
@@ -158,7 +158,7 @@ std::string listing(const base::SourceTexts& sources, const model::Model& model,
   if (const ReportTable rounds = tolerance_rounds_table(run, true); !rounds.rows.empty()) {
     out += heading("K to a tolerance") + table_to_text(without_title(rounds));
   }
-  for (const results::Increment& increment : run.increments) {
+  for (const results::CrackLengthResult& increment : run.increments) {
     out += increment_text(model, increment);
   }
   if (run.increments.size() > 1) {

@@ -34,17 +34,17 @@ void write_requested_csv(const std::filesystem::path& file, const model::Model& 
 /// components, principal, von Mises; nodal and mean of each element), net number. A node where
 /// properties meet is one point for each, so that stresses may jump. Appended binary, zlib.
 void write_vtu(const std::filesystem::path& file, const model::Model& model,
-               const results::Increment& increment, const results::StepResult& step);
+               const results::CrackLengthResult& increment, const results::LoadStepResult& step);
 
 /// The surfaces of the contacts between solids that are mounted at the end of a step: triangles
 /// between nodes with pressures, gap and whether they touch; `contact` numbers the deck's contacts.
 void write_contact_vtu(const std::filesystem::path& file, const model::Model& model,
-                       const results::StepResult& step);
+                       const results::LoadStepResult& step);
 
 /// The fronts of cracks in space at the end of a step: lines between their points with K1, K2, K3,
 /// G, T and the direction of growth; `crack` numbers the deck's cracks.
 void write_front_vtu(const std::filesystem::path& file, const model::Model& model,
-                     const results::StepResult& step);
+                     const results::LoadStepResult& step);
 
 /// A mesh alone: element sets as cell arrays, node and face sets as point arrays, 1 for members.
 /// Face sets must be given as node sets by the caller.

@@ -21,8 +21,8 @@ namespace {
 
 /// A row: one number of a request at the end of a step.
 struct RequestedRow {
-  const results::Increment& increment;
-  const results::StepResult& step;
+  const results::CrackLengthResult& increment;
+  const results::LoadStepResult& step;
   const model::RequestedQuantity& request;
   RequestedValue of;
 };
@@ -59,7 +59,7 @@ ColumnUnits column_units(std::string_view axes) {
   for (const results::KQuantity& q : results::k_quantities) {
     // those of tips; K and its bars all begin with K
     if (q.appears_in(results::in_output, 2) && q.kind != stress_intensity) {
-      units.add_column(q.kind, results::output_column_name(q.name));
+      units.add_column(q.kind, results::uppercase_column_name(q.name));
     }
   }
   return units;
@@ -70,11 +70,11 @@ ColumnUnits column_units(std::string_view axes) {
 void write_requested_csv(const std::filesystem::path& file, const model::Model& model,
                          const model::OutputFileRequest& output, const results::RunResult& run) {
   std::vector<RequestedRow> rows;
-  for (const results::Increment& increment : run.increments) {
+  for (const results::CrackLengthResult& increment : run.increments) {
     const bool last = &increment == &run.increments.back();
     for (const std::size_t s : model::output_step_indices(model, output, last)) {
       for (const model::RequestedQuantity& request : output.requests) {
-        const results::StepResult& step = increment.steps[s];
+        const results::LoadStepResult& step = increment.steps[s];
         for (RequestedValue& value : collect_requested_values(increment, step, request)) {
           rows.push_back({increment, step, request, std::move(value)});
         }

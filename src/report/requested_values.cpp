@@ -76,7 +76,7 @@ std::vector<StressPoint> stress_points(const model::Mesh& mesh, std::string_view
 /// Collects the numbers of one request.
 class RequestCollector {
 public:
-  RequestCollector(const results::Increment& increment, const results::StepResult& step,
+  RequestCollector(const results::CrackLengthResult& increment, const results::LoadStepResult& step,
                    const model::RequestedQuantity& request)
       : mesh_(increment.mesh), step_(step), request_(request) {}
 
@@ -142,7 +142,8 @@ private:
               q.is_number(front, point)) {
             const Where where(std::pair<base::Label, base::Vec3>(point.number, point.x));
             values_.push_back({front.is_tip() ? Where() : where,
-                               results::output_column_name(q.name), q.extract_value(front, point)});
+                               results::uppercase_column_name(q.name),
+                               q.extract_value(front, point)});
           }
         }
       }
@@ -160,7 +161,7 @@ private:
           if (q.appears_in(results::in_pressure_output) && q.friction == friction &&
               (contact->rubs || !friction)) {
             values_.push_back(
-                {place(p.node), results::output_column_name(q.name), q.extract_value(p)});
+                {place(p.node), results::uppercase_column_name(q.name), q.extract_value(p)});
           }
         }
       }
@@ -168,15 +169,15 @@ private:
   }
 
   const model::Mesh& mesh_;
-  const results::StepResult& step_;
+  const results::LoadStepResult& step_;
   const model::RequestedQuantity& request_;
   std::vector<RequestedValue> values_;
 };
 
 } // namespace
 
-std::vector<RequestedValue> collect_requested_values(const results::Increment& increment,
-                                                     const results::StepResult& step,
+std::vector<RequestedValue> collect_requested_values(const results::CrackLengthResult& increment,
+                                                     const results::LoadStepResult& step,
                                                      const model::RequestedQuantity& request) {
   return RequestCollector(increment, step, request).collect();
 }

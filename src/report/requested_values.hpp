@@ -20,8 +20,8 @@ struct RequestedValue {
 
 /// The numbers of one request: K point by point, CPRESS, U and S node by node, REACTION as the sum
 /// over the set. Empty where the step has nothing of the kind.
-std::vector<RequestedValue> collect_requested_values(const results::Increment& increment,
-                                                     const results::StepResult& step,
+std::vector<RequestedValue> collect_requested_values(const results::CrackLengthResult& increment,
+                                                     const results::LoadStepResult& step,
                                                      const model::RequestedQuantity& request);
 
 /// Whether a request for K means a front: by its name or that of its crack.

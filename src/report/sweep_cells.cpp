@@ -14,9 +14,9 @@ namespace spricka::report {
 
 namespace {
 
-using results::SweepValue;
+using results::SweepResultValue;
 
-void add_contact(std::vector<SweepValue>& cells, const results::ContactResult& contact,
+void add_contact(std::vector<SweepResultValue>& cells, const results::ContactResult& contact,
                  const std::string& step, int increment) {
   if (!contact.mounted) {
     return;
@@ -28,8 +28,8 @@ void add_contact(std::vector<SweepValue>& cells, const results::ContactResult& c
   }
 }
 
-void add_front(std::vector<SweepValue>& cells, const results::FrontResult& front,
-               const std::string& step, const results::Increment& increment) {
+void add_front(std::vector<SweepResultValue>& cells, const results::FrontResult& front,
+               const std::string& step, const results::CrackLengthResult& increment) {
   for (const results::KQuantity& q : results::k_quantities) {
     if (q.appears_in(results::in_sweep, increment.mesh.dim) && q.is_number(front)) {
       cells.push_back({q.name, front.name, step, increment.number, q.extract_value(front)});
@@ -38,7 +38,7 @@ void add_front(std::vector<SweepValue>& cells, const results::FrontResult& front
 }
 
 /// Sums as they are, of values at nodes the smallest and the largest of each component.
-void add_values(std::vector<SweepValue>& cells, const model::RequestedQuantity& request,
+void add_values(std::vector<SweepResultValue>& cells, const model::RequestedQuantity& request,
                 std::vector<RequestedValue> values, const std::string& step, int increment) {
   std::ranges::stable_partition(values, [](const auto& v) { return v.component != "MISES"; });
   std::vector<std::string> components;
@@ -63,8 +63,9 @@ void add_values(std::vector<SweepValue>& cells, const model::RequestedQuantity& 
 }
 
 /// The cells of one request at the end of one step.
-void add_requested(std::vector<SweepValue>& cells, const results::Increment& increment,
-                   const results::StepResult& step, const model::RequestedQuantity& request) {
+void add_requested(std::vector<SweepResultValue>& cells,
+                   const results::CrackLengthResult& increment, const results::LoadStepResult& step,
+                   const model::RequestedQuantity& request) {
   if (request.quantity == "K") {
     for (const results::FrontResult& front : step.fronts) {
       if (request_names_front(request, front) && front.is_tip()) {
@@ -84,16 +85,16 @@ void add_requested(std::vector<SweepValue>& cells, const results::Increment& inc
 
 } // namespace
 
-std::vector<SweepValue> collect_sweep_values_of_run(const results::RunResult& run) {
-  std::vector<SweepValue> cells;
+std::vector<SweepResultValue> collect_sweep_values_of_run(const results::RunResult& run) {
+  std::vector<SweepResultValue> cells;
   if (run.growth) {
     cells.push_back({"N", "", "", 0, run.growth->final_cycles()});
   }
-  for (const results::Increment& increment : run.increments) {
+  for (const results::CrackLengthResult& increment : run.increments) {
     if (increment.a > 0.0) {
       cells.push_back({"a", "", "", increment.number, increment.a});
     }
-    for (const results::StepResult& step : increment.steps) {
+    for (const results::LoadStepResult& step : increment.steps) {
       for (const results::FrontResult& front : step.fronts) {
         add_front(cells, front, step.step, increment);
       }
@@ -105,14 +106,14 @@ std::vector<SweepValue> collect_sweep_values_of_run(const results::RunResult& ru
   return cells;
 }
 
-std::vector<SweepValue> requested_sweep_values(const model::Model& model,
-                                               const model::OutputFileRequest& output,
-                                               const results::RunResult& run) {
-  std::vector<SweepValue> cells;
+std::vector<SweepResultValue> requested_sweep_values(const model::Model& model,
+                                                     const model::OutputFileRequest& output,
+                                                     const results::RunResult& run) {
+  std::vector<SweepResultValue> cells;
   if (run.increments.empty()) {
     return cells;
   }
-  const results::Increment& last = run.increments.back();
+  const results::CrackLengthResult& last = run.increments.back();
   for (const std::size_t s : model::output_step_indices(model, output, true)) {
     for (const model::RequestedQuantity& request : output.requests) {
       add_requested(cells, last, last.steps[s], request);

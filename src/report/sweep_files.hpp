@@ -16,14 +16,14 @@ namespace spricka::report {
 /// crack length of each increment; at each step's end the quantities of each tip and of each
 /// contact that are for sweeps (results/k_quantities.hpp, results/contact_result.hpp), of those
 /// that have a value.
-std::vector<results::SweepValue> collect_sweep_values_of_run(const results::RunResult& run);
+std::vector<results::SweepResultValue> collect_sweep_values_of_run(const results::RunResult& run);
 
 /// What a card $OUTPUT EVERY=END asks for as single numbers, at the end of KMAX or of the last step
 /// of the last increment: K and CPRESS give what sweeps have of a tip, with a, and of a contact;
 /// REACTION the sum; U and S the smallest and largest value of each component over the set.
-std::vector<results::SweepValue> requested_sweep_values(const model::Model& model,
-                                                        const model::OutputFileRequest& output,
-                                                        const results::RunResult& run);
+std::vector<results::SweepResultValue>
+requested_sweep_values(const model::Model& model, const model::OutputFileRequest& output,
+                       const results::RunResult& run);
 
 /// sweep.csv: `# units` line, then the parameters, point, status, exit_code, error, checks, passed
 /// and the columns of all points' cells; one row for each point tried. Cells of failed points are

@@ -23,18 +23,18 @@ namespace {
 
 using results::SweepPoint;
 using results::SweepResult;
-using results::SweepValue;
+using results::SweepResultValue;
 using Units = std::vector<std::string>; // [parameter]
 
-const SweepValue* find_cell(const SweepPoint& point, const std::string& column) {
-  const auto found = std::ranges::find(point.cells, column, &SweepValue::column_name);
+const SweepResultValue* find_cell(const SweepPoint& point, const std::string& column) {
+  const auto found = std::ranges::find(point.cells, column, &SweepResultValue::column_name);
   return found == point.cells.end() ? nullptr : &*found;
 }
 
 /// The error bar of a point's K1.
-double bar_of(const SweepPoint& point, SweepValue cell) {
+double bar_of(const SweepPoint& point, SweepResultValue cell) {
   cell.quantity += "_bar";
-  const SweepValue* const bar = find_cell(point, cell.column_name());
+  const SweepResultValue* const bar = find_cell(point, cell.column_name());
   return bar == nullptr ? no_bar : bar->value;
 }
 
@@ -87,7 +87,7 @@ std::vector<PlotSeries> curves_of(const model::Model& model, const SweepResult& 
   const std::size_t axis = axis_of(sweep);
   std::vector<PlotSeries> curves;
   for (const SweepPoint& point : sweep.points) {
-    for (const SweepValue& cell : point.cells) {
+    for (const SweepResultValue& cell : point.cells) {
       std::string name = name_of(cell);
       if (name.empty()) {
         continue;
@@ -109,7 +109,7 @@ std::vector<PlotSeries> curves_of(const model::Model& model, const SweepResult& 
 /// Lives, each divided by `unit`, ordered by name.
 std::vector<PlotSeries> lives_of(const model::Model& model, const SweepResult& sweep, double unit) {
   std::vector<PlotSeries> curves = curves_of(
-      model, sweep, [](const SweepValue& cell) { return cell.quantity == "N" ? "N" : ""; });
+      model, sweep, [](const SweepResultValue& cell) { return cell.quantity == "N" ? "N" : ""; });
   std::ranges::sort(curves, {}, &PlotSeries::name);
   for (PlotSeries& curve : curves) {
     std::ranges::for_each(curve.points, [&](DrawingPoint& p) { p.y /= unit; });
@@ -120,7 +120,7 @@ std::vector<PlotSeries> lives_of(const model::Model& model, const SweepResult& s
 // Curves of K1; those within a thousandth of the largest value are one, under both names.
 std::vector<PlotSeries> merged_k_curves(const model::Model& model, const SweepResult& sweep,
                                         int increment) {
-  std::vector<PlotSeries> curves = curves_of(model, sweep, [&](const SweepValue& cell) {
+  std::vector<PlotSeries> curves = curves_of(model, sweep, [&](const SweepResultValue& cell) {
     return cell.quantity == "K1" && cell.increment == increment
                ? fmt::format("{}: {}", cell.step, cell.name)
                : std::string();
@@ -173,7 +173,7 @@ std::string life_unit(const model::Model& model) {
 double life_scale(const SweepResult& sweep) {
   double largest = 0.0;
   for (const SweepPoint& point : sweep.points) {
-    const SweepValue* const life = find_cell(point, "N");
+    const SweepResultValue* const life = find_cell(point, "N");
     largest = std::max(largest, life == nullptr ? 0.0 : life->value);
   }
   return largest < 1e4 ? 1.0 : std::pow(1000.0, std::floor(std::log10(largest / 10.0) / 3.0));
@@ -185,7 +185,7 @@ std::map<int, double> lengths_of(const SweepResult& sweep) {
   std::map<int, double> lengths;
   const int last = has_lives(sweep) ? 1 : std::numeric_limits<int>::max();
   for (const SweepPoint& point : sweep.points) {
-    for (const SweepValue& cell : point.cells) {
+    for (const SweepResultValue& cell : point.cells) {
       if (cell.quantity == "a" && cell.name.empty() && cell.increment <= last) {
         lengths.emplace(cell.increment, cell.value);
       }
@@ -196,16 +196,16 @@ std::map<int, double> lengths_of(const SweepResult& sweep) {
 
 /// The cells that the table shows: the life; K1 of each tip and the largest pressure of each
 /// contact at the end of that step.
-std::vector<SweepValue> shown_cells(const SweepResult& sweep, const std::string& step) {
-  std::vector<SweepValue> shown;
+std::vector<SweepResultValue> shown_cells(const SweepResult& sweep, const std::string& step) {
+  std::vector<SweepResultValue> shown;
   const std::string nowhere;
   const int last = has_lives(sweep) ? 1 : std::numeric_limits<int>::max();
   for (const char* const quantity : {"N", "K1", "PMAX"}) {
     const std::string& at = std::string_view(quantity) == "N" ? nowhere : step;
     for (const SweepPoint& point : sweep.points) {
-      for (const SweepValue& cell : point.cells) {
-        const bool known =
-            std::ranges::find(shown, cell.column_name(), &SweepValue::column_name) != shown.end();
+      for (const SweepResultValue& cell : point.cells) {
+        const bool known = std::ranges::find(shown, cell.column_name(),
+                                             &SweepResultValue::column_name) != shown.end();
         if (cell.quantity == quantity && cell.step == at && cell.increment <= last && !known) {
           shown.push_back(cell);
         }
@@ -215,7 +215,7 @@ std::vector<SweepValue> shown_cells(const SweepResult& sweep, const std::string&
   return shown;
 }
 
-bool any_bar(const SweepResult& sweep, const SweepValue& cell) {
+bool any_bar(const SweepResult& sweep, const SweepResultValue& cell) {
   return cell.quantity == "K1" && std::ranges::any_of(sweep.points, [&](const SweepPoint& point) {
            return std::isfinite(bar_of(point, cell));
          });
@@ -226,11 +226,11 @@ std::string checks_of(const SweepPoint& point) {
 }
 
 void add_cell_columns(Columns<SweepPoint>& columns, const model::Model& model,
-                      const SweepResult& sweep, const SweepValue& cell, bool several) {
+                      const SweepResult& sweep, const SweepResultValue& cell, bool several) {
   const bool crack = cell.quantity == "K1";
   const std::string unit = crack ? model.units.stress_intensity_name() : model.units.stress_name();
   const auto text = [cell](const SweepPoint& point) {
-    const SweepValue* const found = find_cell(point, cell.column_name());
+    const SweepResultValue* const found = find_cell(point, cell.column_name());
     return found == nullptr ? "-" : fmt::format("{:.5g}", found->value);
   };
   if (cell.quantity == "N") {
@@ -250,7 +250,7 @@ void add_cell_columns(Columns<SweepPoint>& columns, const model::Model& model,
 
 ReportTable points_table(const model::Model& model, const SweepResult& sweep, const Units& units) {
   const std::string step = leading_step_name(model);
-  const std::vector<SweepValue> shown = shown_cells(sweep, step);
+  const std::vector<SweepResultValue> shown = shown_cells(sweep, step);
   Columns<SweepPoint> columns;
   for (std::size_t p = 0; p < sweep.parameters.size(); ++p) {
     columns.number(sweep.parameters[p], units[p],
@@ -263,8 +263,8 @@ ReportTable points_table(const model::Model& model, const SweepResult& sweep, co
         return point.warnings > 0 ? std::to_string(point.warnings) : "";
       });
   const bool several =
-      std::ranges::any_of(shown, [](const SweepValue& c) { return c.increment > 1; });
-  for (const SweepValue& cell : shown) {
+      std::ranges::any_of(shown, [](const SweepResultValue& c) { return c.increment > 1; });
+  for (const SweepResultValue& cell : shown) {
     add_cell_columns(columns, model, sweep, cell, several);
   }
   columns.words("", &SweepPoint::error);

@@ -22,7 +22,7 @@ namespace spricka::report {
 namespace {
 
 using results::SweepPoint;
-using results::SweepValue;
+using results::SweepResultValue;
 
 // A field with commas, quotes or line ends stands in quotes (RFC 4180); line ends become blanks.
 std::string quoted(std::string text) {
@@ -54,7 +54,7 @@ public:
   /// Adds the cells that `cells_of` gives of a point, or null.
   template <class CellsOf> void add(const CellsOf& cells_of) {
     for (SweepRow& row : rows) {
-      const std::vector<SweepValue>* const cells = cells_of(row.point);
+      const std::vector<SweepResultValue>* const cells = cells_of(row.point);
       for (std::size_t i = 0; cells != nullptr && i < cells->size(); ++i) {
         const std::string name = (*cells)[i].column_name();
         row.values.emplace(name, (*cells)[i].value);
@@ -76,7 +76,7 @@ std::string unit_line(const model::Model& model, const results::SweepResult& swe
   using enum base::Quantity;
   ColumnUnits units;
   const bool life = std::ranges::any_of(sweep.points, [](const SweepPoint& point) {
-    return std::ranges::find(point.cells, "N", &SweepValue::quantity) != point.cells.end();
+    return std::ranges::find(point.cells, "N", &SweepResultValue::quantity) != point.cells.end();
   });
   if (life) {
     units.add_column(number, "N");

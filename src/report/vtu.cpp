@@ -66,7 +66,7 @@ std::vector<std::int64_t> labels(const model::Mesh& mesh, const VtuGridPoints& p
 }
 
 void add_point_data(VtuDocument& document, const model::Mesh& mesh, const VtuGridPoints& points,
-                    const results::StepResult& step) {
+                    const results::LoadStepResult& step) {
   const auto freedoms = static_cast<Eigen::Index>(mesh.node_count()) * mesh.dim;
   document.add_line("      <PointData>");
   if (step.u.size() == freedoms) {
@@ -89,7 +89,7 @@ void add_point_data(VtuDocument& document, const model::Mesh& mesh, const VtuGri
 } // namespace
 
 void write_vtu(const std::filesystem::path& file, const model::Model& /*model*/,
-               const results::Increment& increment, const results::StepResult& step) {
+               const results::CrackLengthResult& increment, const results::LoadStepResult& step) {
   const model::Mesh& mesh = increment.mesh;
   const VtuGridPoints points = make_vtu_grid_points(mesh, step.stress.size() > mesh.node_count());
   VtuDocument document = vtu_grid(mesh, points);
@@ -157,7 +157,7 @@ void write_mesh_vtu(const std::filesystem::path& file, const model::Mesh& mesh) 
 }
 
 void write_contact_vtu(const std::filesystem::path& file, const model::Model& model,
-                       const results::StepResult& step) {
+                       const results::LoadStepResult& step) {
   std::vector<double> x;
   std::vector<std::int64_t> corners;
   std::vector<std::int64_t> number; // of the contact, by point
@@ -196,7 +196,7 @@ void write_contact_vtu(const std::filesystem::path& file, const model::Model& mo
 }
 
 void write_front_vtu(const std::filesystem::path& file, const model::Model& model,
-                     const results::StepResult& step) {
+                     const results::LoadStepResult& step) {
   std::vector<double> x;
   std::vector<double> growth;
   std::vector<std::int64_t> ends;

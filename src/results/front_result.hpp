@@ -47,7 +47,7 @@ struct FrontResult {
   std::string no_bar = "not estimated"; ///< why there is no error bar; empty: there is one
   std::string invalid_reason;           ///< why K is not an answer; empty: it is one
   bool two_materials = false;           ///< on both sides of the crack: G only, K and T are 0
-  SensitivityResults sensitivities;
+  FrontKSensitivities sensitivities;
 
   /// In the plane: one point and no length.
   [[nodiscard]] bool is_tip() const { return points.size() == 1; }

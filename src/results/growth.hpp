@@ -42,7 +42,7 @@ struct LifeCurvePoint {
 };
 
 /// The same growth with K taken from a line instead of from every load.
-struct ScaledLife {
+struct ScaledKLife {
   std::string name;   ///< what the line goes through
   double ratio = 0.0; ///< its cycles over those of the growth, from the first to the last a
   std::vector<LifeCurvePoint> curve; ///< of one tip
@@ -64,8 +64,8 @@ struct GrowthResult {
   /// Of a spectrum's pass: ranges of the load path's t, falling, and how many of its cycles,
   /// counted by rainflow on the loads, are as large or larger; of very many the ones that tell.
   std::vector<std::array<double, 2>> ranges;
-  bool followed = false;          ///< friction makes K a history, which was followed
-  std::vector<ScaledLife> scaled; ///< empty: K is proportional to the load, or several tips grow
+  bool followed = false;           ///< friction makes K a history, which was followed
+  std::vector<ScaledKLife> scaled; ///< empty: K is proportional to the load, or several tips grow
 
   [[nodiscard]] double final_cycles() const { return curve.empty() ? 0.0 : curve.back().cycles; }
 };

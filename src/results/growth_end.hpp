@@ -5,7 +5,7 @@
 namespace spricka::results {
 
 /// Whether a growth ended because the program could not go on: its cycles are not the life.
-inline bool growth_ended_early(const GrowthResult& growth) {
+inline bool growth_could_not_continue(const GrowthResult& growth) {
   return growth.ended == "MESH" || growth.ended == "STATIONS";
 }
 

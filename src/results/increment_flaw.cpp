@@ -163,7 +163,8 @@ std::string flaw_of_front(const FrontResult& front) {
 }
 
 /// Arrays that a step has either for all of its mesh or not at all.
-std::string flaw_of_lengths(const StepResult& step, const model::Mesh& mesh, std::size_t points) {
+std::string flaw_of_lengths(const LoadStepResult& step, const model::Mesh& mesh,
+                            std::size_t points) {
   const auto is = [](std::size_t size, std::size_t wanted) { return size == 0 || size == wanted; };
   const std::size_t vector = mesh.node_count() * static_cast<std::size_t>(mesh.dim);
   if (!is(static_cast<std::size_t>(step.u.size()), vector) ||
@@ -187,7 +188,7 @@ std::string flaw_of_lengths(const StepResult& step, const model::Mesh& mesh, std
 
 } // namespace
 
-std::string find_increment_flaw(const Increment& increment) {
+std::string describe_increment_corruption(const CrackLengthResult& increment) {
   const model::Mesh& mesh = increment.mesh;
   if (std::string flaw = flaw_of_mesh(mesh); !flaw.empty()) {
     return flaw;
@@ -204,7 +205,7 @@ std::string find_increment_flaw(const Increment& increment) {
     }
   }
   const std::size_t points = model::property_points(mesh).node.size();
-  for (const StepResult& step : increment.steps) {
+  for (const LoadStepResult& step : increment.steps) {
     reader.look("front", step.fronts);
     reader.look("contact", step.contacts);
     reader.look("error", step.errors);

@@ -105,7 +105,7 @@ bool KQuantity::is_given(const FrontResult& front) const {
 }
 
 std::string KQuantity::check_word() const {
-  std::string word = output_column_name(name);
+  std::string word = uppercase_column_name(name);
   std::ranges::replace(word, '_', '.');
   return word;
 }

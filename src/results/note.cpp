@@ -39,7 +39,7 @@ std::string_view warning_code(base::ResultConcern kind) {
   return "W502";
 }
 
-std::vector<Note> make_notes(const std::vector<std::string>& texts) {
+std::vector<Note> make_plain_notes(const std::vector<std::string>& texts) {
   std::vector<Note> notes;
   std::ranges::transform(texts, std::back_inserter(notes), note);
   return notes;

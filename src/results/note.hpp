@@ -25,7 +25,7 @@ inline Note note(std::string text) {
   return {std::nullopt, std::move(text)};
 }
 /// As the deck asks for it: is it what is meant?
-inline Note questionable_note(std::string text) {
+inline Note questionable_input_note(std::string text) {
   return {base::ResultConcern::odd, std::move(text)};
 }
 /// The text says by how much.
@@ -46,7 +46,7 @@ inline bool is_warning(const Note& note) {
 std::string_view warning_code(base::ResultConcern kind);
 
 /// Texts of which none is a warning.
-std::vector<Note> make_notes(const std::vector<std::string>& texts);
+std::vector<Note> make_plain_notes(const std::vector<std::string>& texts);
 
 /// "warning W508: text", of a note the text alone: as listings show it and files keep it.
 std::string text_with_code(const Note& note);

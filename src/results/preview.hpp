@@ -56,7 +56,7 @@ struct ContactPairPreview {
 };
 
 /// Rigid modes of a body: how many, and what holds them.
-struct BodyPreview {
+struct BodyRestraintPreview {
   std::string name;
   std::size_t nodes = 0;
   std::size_t elements = 0;
@@ -118,7 +118,7 @@ struct DeckPreview {
   std::vector<MeshQualityPreview> quality;
   std::size_t inside_out = 0; ///< elements
   std::vector<ContactPairPreview> pairs;
-  std::vector<BodyPreview> bodies;
+  std::vector<BodyRestraintPreview> bodies;
   std::vector<LoadTotal> loads; ///< of each case that has forces
   std::vector<SymmetryPlanePreview> mirrors;
   std::vector<CrackLengthPreview> lengths;

@@ -47,7 +47,7 @@ struct OuterSurfaceFace {
   std::vector<base::NodeId> outline; ///< the outer normal by the right-hand rule
 };
 
-struct StepResult {
+struct LoadStepResult {
   std::string step;
   base::Vector u;           ///< nodal vector [dim * node] of the increment's mesh
   base::Vector reaction;    ///< nodal vector of support forces [dim * node]
@@ -78,21 +78,21 @@ struct StepResult {
 };
 
 /// One crack length: the mesh with the crack in it, and its steps.
-struct Increment {
+struct CrackLengthResult {
   int number = 0;
   double a = 0.0;           ///< of the first growing crack; 0 without cracks
   std::size_t unknowns = 0; ///< free displacements of the mesh with the crack in it
   model::Mesh mesh;
   std::size_t kept = 0;                  ///< elements of the host, before those of patches
   std::vector<OuterSurfaceFace> surface; ///< of solids; empty in the plane
-  std::vector<StepResult> steps;
+  std::vector<LoadStepResult> steps;
   std::vector<LoadPathResult> paths; ///< in deck order
   std::vector<Note> notes;
 };
 
 /// Hands the record of each front of an increment to `use`: of all steps, then of all load paths.
-template <class Use> void for_each_front(Increment& increment, Use use) {
-  for (StepResult& step : increment.steps) {
+template <class Use> void for_each_front(CrackLengthResult& increment, Use use) {
+  for (LoadStepResult& step : increment.steps) {
     std::ranges::for_each(step.fronts, use);
   }
   for (LoadPathResult& path : increment.paths) {
@@ -123,7 +123,7 @@ struct CheckResult {
 };
 
 struct RunResult {
-  std::vector<Increment> increments;
+  std::vector<CrackLengthResult> increments;
   std::vector<LogLine> log;
   std::vector<CheckResult> checks;
   std::vector<Warning> warnings;       ///< when the run has ended, the worst first
@@ -136,13 +136,13 @@ struct RunResult {
 };
 
 /// The entry of that name, or null; names as the deck's, upper case.
-const StepResult* find_step(const Increment& increment, std::string_view step);
+const LoadStepResult* find_step(const CrackLengthResult& increment, std::string_view step);
 /// The crack front or tip of that name in a step, or null.
-const FrontResult* find_front(const StepResult& step, std::string_view front);
+const FrontResult* find_front(const LoadStepResult& step, std::string_view front);
 /// The contact of that name in a step, or null.
-const ContactResult* find_contact(const StepResult& step, std::string_view contact);
+const ContactResult* find_contact(const LoadStepResult& step, std::string_view contact);
 /// The load path of that name in an increment, or null.
-const LoadPathResult* find_path(const Increment& increment, std::string_view path);
+const LoadPathResult* find_path(const CrackLengthResult& increment, std::string_view path);
 
 /// The front of that name at the end of that step where its crack has the length nearest to `a`
 /// [length]; null if no increment has both.

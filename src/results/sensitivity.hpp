@@ -33,7 +33,7 @@ struct Sensitivity {
 };
 
 /// Of one front at the end of one step.
-struct SensitivityResults {
+struct FrontKSensitivities {
   std::vector<Sensitivity> of;
   std::vector<std::string> notes; ///< why some or all are not given
 };

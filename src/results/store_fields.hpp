@@ -39,7 +39,7 @@ template <class V, Of<KErrorBar> T> void fields(V& v, T& r) {
 }
 
 SPRICKA_STORED_RECORD(Sensitivity, cause, name, value, below, above, range)
-SPRICKA_STORED_RECORD(SensitivityResults, of, notes)
+SPRICKA_STORED_RECORD(FrontKSensitivities, of, notes)
 
 /// Numbers of a front point: those of the table of quantities first, the ones that judge others
 /// last.
@@ -132,7 +132,7 @@ template <class V, Of<GrowthStation> T> void fields(V& v, T& r) {
 }
 
 SPRICKA_STORED_RECORD(LifeCurvePoint, cycles, a)
-SPRICKA_STORED_RECORD(ScaledLife, name, ratio, curve)
+SPRICKA_STORED_RECORD(ScaledKLife, name, ratio, curve)
 
 template <class V, Of<GrowthResult> T> void fields(V& v, T& r) {
   v("unit", r.unit);

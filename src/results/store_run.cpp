@@ -122,7 +122,7 @@ model::Mesh read_mesh(const StoreGroup& group) {
   return mesh;
 }
 
-void write_step(StoreGroup group, const StepResult& step, std::size_t dim) {
+void write_step(StoreGroup group, const LoadStepResult& step, std::size_t dim) {
   put(group, "u", span_of(step.u), dim);
   put(group, "reaction", span_of(step.reaction), dim);
   put(group, "temperature", span_of(step.temperature));
@@ -143,8 +143,8 @@ void write_step(StoreGroup group, const StepResult& step, std::size_t dim) {
   group.set_attribute("pivots", std::int64_t{step.pivots});
 }
 
-StepResult read_step(const StoreGroup& group, const std::string& name) {
-  StepResult step;
+LoadStepResult read_step(const StoreGroup& group, const std::string& name) {
+  LoadStepResult step;
   step.step = name;
   step.u = vector(group, "u");
   step.reaction = vector(group, "reaction");
@@ -169,7 +169,7 @@ StepResult read_step(const StoreGroup& group, const std::string& name) {
 
 } // namespace
 
-void write_increment(const StoreGroup& given, const Increment& increment) {
+void write_crack_length_result(const StoreGroup& given, const CrackLengthResult& increment) {
   StoreGroup group = given;
   group.set_attribute("number", std::int64_t{increment.number});
   group.set_attribute("a", increment.a);
@@ -181,15 +181,15 @@ void write_increment(const StoreGroup& given, const Increment& increment) {
   put(group, "notes", text_with_code(increment.notes));
   const StoreGroup steps = group.group("steps");
   std::vector<std::string> names;
-  for (const StepResult& step : increment.steps) {
+  for (const LoadStepResult& step : increment.steps) {
     names.push_back(step.step);
     write_step(steps.group(step.step), step, static_cast<std::size_t>(increment.mesh.dim));
   }
   put(group, "order", names);
 }
 
-Increment read_increment(const StoreGroup& group) {
-  Increment increment;
+CrackLengthResult read_crack_length_result(const StoreGroup& group) {
+  CrackLengthResult increment;
   increment.number = static_cast<int>(group.integer_attribute("number"));
   increment.a = group.real_attribute("a");
   increment.unknowns = static_cast<std::size_t>(group.integer_attribute("unknowns"));
@@ -205,7 +205,7 @@ Increment read_increment(const StoreGroup& group) {
   return increment;
 }
 
-void write_named_arrays(const StoreGroup& group, const NamedArrays& arrays) {
+void write_restart_arrays(const StoreGroup& group, const NamedArrays& arrays) {
   StoreGroup reals = group.group("reals");
   for (const auto& [name, values] : arrays.reals) {
     reals.write(name, values);
@@ -220,7 +220,7 @@ void write_named_arrays(const StoreGroup& group, const NamedArrays& arrays) {
   }
 }
 
-NamedArrays read_named_arrays(const StoreGroup& group) {
+NamedArrays read_restart_arrays(const StoreGroup& group) {
   NamedArrays arrays;
   const StoreGroup reals = group.group("reals");
   for (const std::string& name : reals.names()) {
@@ -240,8 +240,8 @@ NamedArrays read_named_arrays(const StoreGroup& group) {
 namespace {
 
 // Tables of fronts, contacts and balances stay.
-Increment without_fields(const Increment& whole) {
-  Increment thin;
+CrackLengthResult without_fields(const CrackLengthResult& whole) {
+  CrackLengthResult thin;
   thin.number = whole.number;
   thin.a = whole.a;
   thin.unknowns = whole.unknowns;
@@ -249,8 +249,8 @@ Increment without_fields(const Increment& whole) {
   thin.mesh.dim = whole.mesh.dim;
   thin.paths = whole.paths;
   thin.notes = whole.notes;
-  for (const StepResult& step : whole.steps) {
-    StepResult& copy = thin.steps.emplace_back(step);
+  for (const LoadStepResult& step : whole.steps) {
+    LoadStepResult& copy = thin.steps.emplace_back(step);
     for (base::Vector* field : {&copy.u, &copy.reaction, &copy.temperature}) {
       field->resize(0);
     }
@@ -274,12 +274,12 @@ void write_run(const StoreGroup& given, const RunResult& run, TimeRecording time
   StoreGroup group = given;
   const StoreGroup all = group.group("increments");
   for (std::size_t i = 0; i < run.increments.size(); ++i) {
-    const Increment& whole = run.increments[i];
+    const CrackLengthResult& whole = run.increments[i];
     const StoreGroup place = all.group(fmt::format("{:04}", i + 1));
     if (fields.empty() || fields[i]) {
-      write_increment(place, whole);
+      write_crack_length_result(place, whole);
     } else {
-      write_increment(place, without_fields(whole));
+      write_crack_length_result(place, without_fields(whole));
     }
   }
   write_record_list(group, "checks", run.checks);
@@ -310,7 +310,7 @@ RunResult read_run(const StoreGroup& group) {
   RunResult run;
   const StoreGroup all = group.group("increments");
   for (std::size_t i = 0; all.has_member(fmt::format("{:04}", i + 1)); ++i) {
-    run.increments.push_back(read_increment(all.group(fmt::format("{:04}", i + 1))));
+    run.increments.push_back(read_crack_length_result(all.group(fmt::format("{:04}", i + 1))));
   }
   run.checks = read_checks(group);
   run.warnings = parse_warnings(texts(group, "warnings"));

@@ -14,9 +14,9 @@ namespace spricka::results {
 enum class TimeRecording { kept, left_out };
 
 /// One crack length into a folder: mesh, surface, load paths and steps.
-void write_increment(const StoreGroup& given, const Increment& increment);
-/// Reads back what write_increment has written. Throws StoreError.
-Increment read_increment(const StoreGroup& group);
+void write_crack_length_result(const StoreGroup& given, const CrackLengthResult& increment);
+/// Reads back what write_crack_length_result has written. Throws StoreError.
+CrackLengthResult read_crack_length_result(const StoreGroup& group);
 
 /// A run: increments/0001, ..., checks, warnings, rounds, growth; with times also the log, CPU
 /// time, wall time and memory. Increments whose `fields` are false are written without mesh, nodal
@@ -30,9 +30,9 @@ RunResult read_run(const StoreGroup& group);
 std::vector<CheckResult> read_checks(const StoreGroup& group);
 
 /// Writes arrays for a restart into the folders reals, integers and texts.
-void write_named_arrays(const StoreGroup& group, const NamedArrays& arrays);
-/// Reads back what write_named_arrays has written. Throws StoreError.
-NamedArrays read_named_arrays(const StoreGroup& group);
+void write_restart_arrays(const StoreGroup& group, const NamedArrays& arrays);
+/// Reads back what write_restart_arrays has written. Throws StoreError.
+NamedArrays read_restart_arrays(const StoreGroup& group);
 
 /// The tables that people ask for first, of all increments and steps in one piece: k, pressure,
 /// load_path.

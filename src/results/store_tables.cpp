@@ -45,8 +45,8 @@ private:
 };
 
 template <class Visit> void for_each_step(const RunResult& run, const Visit& visit) {
-  for (const Increment& increment : run.increments) {
-    for (const StepResult& step : increment.steps) {
+  for (const CrackLengthResult& increment : run.increments) {
+    for (const LoadStepResult& step : increment.steps) {
       visit(increment, step);
     }
   }
@@ -61,7 +61,7 @@ double kept(const KQuantity& q, const FrontResult& front, const FrontPointResult
 
 SummaryTableRows k_rows(const RunResult& run) {
   SummaryTableRows rows;
-  for_each_step(run, [&](const Increment& increment, const StepResult& step) {
+  for_each_step(run, [&](const CrackLengthResult& increment, const LoadStepResult& step) {
     for (const FrontResult& front : step.fronts) {
       for (const FrontPointResult& point : front.points) {
         rows("increment", increment.number)("step", step.step)("crack", front.name);
@@ -80,7 +80,7 @@ SummaryTableRows k_rows(const RunResult& run) {
 
 SummaryTableRows pressure_rows(const RunResult& run) {
   SummaryTableRows rows;
-  for_each_step(run, [&](const Increment& increment, const StepResult& step) {
+  for_each_step(run, [&](const CrackLengthResult& increment, const LoadStepResult& step) {
     for (const ContactResult& contact : step.contacts) {
       for (const ContactPoint& point : contact.points) {
         if (!contact.mounted) {
@@ -108,7 +108,7 @@ SummaryTableRows pressure_rows(const RunResult& run) {
 
 SummaryTableRows path_rows(const RunResult& run) {
   SummaryTableRows rows;
-  for (const Increment& increment : run.increments) {
+  for (const CrackLengthResult& increment : run.increments) {
     for (const LoadPathResult& path : increment.paths) {
       for (const LoadPathFront& front : path.fronts) {
         for (const LoadPathFrontPoint& point : front.points) {

@@ -11,7 +11,7 @@ namespace spricka::results {
 
 /// One number of a point: K1 of tip TOP at the end of step LOAD in increment 1. What does not
 /// apply is empty, or 0 for the increment.
-struct SweepValue {
+struct SweepResultValue {
   std::string quantity;
   std::string name;
   std::string step;
@@ -39,9 +39,9 @@ struct SweepPoint {
   int passed = 0;
   int warnings = 0;
   bool reused = false; ///< taken over from an earlier run of the sweep
-  std::vector<SweepValue> cells;
+  std::vector<SweepResultValue> cells;
   /// [file of a card $OUTPUT EVERY=END] what the card asks for
-  std::map<std::string, std::vector<SweepValue>> requested;
+  std::map<std::string, std::vector<SweepResultValue>> requested;
 };
 
 struct SweepResult {

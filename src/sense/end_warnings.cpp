@@ -25,12 +25,12 @@ struct Doings {
 Doings doings_of(const results::RunResult& run, const std::string& name, double no_load) {
   Doings found;
   bool first = true;
-  for (const results::Increment& increment : run.increments) {
+  for (const results::CrackLengthResult& increment : run.increments) {
     // between its steps a path may close what they leave open
     const bool turns = std::ranges::any_of(
         increment.paths, [](const results::LoadPathResult& path) { return path.t.size() > 2; });
     found.pressed = found.pressed || turns;
-    for (const results::StepResult& step : increment.steps) {
+    for (const results::LoadStepResult& step : increment.steps) {
       const results::ContactResult* contact = results::find_contact(step, name);
       if (contact == nullptr || !contact->mounted) {
         continue;
@@ -122,8 +122,8 @@ bool never_opens(const results::RunResult& run, const std::string& crack) {
     return name == crack || name == crack + ".1" || name == crack + ".2";
   };
   bool any = false;
-  for (const results::Increment& increment : run.increments) {
-    for (const results::StepResult& step : increment.steps) {
+  for (const results::CrackLengthResult& increment : run.increments) {
+    for (const results::LoadStepResult& step : increment.steps) {
       for (const results::FrontResult& front : step.fronts) {
         if (is_of_it(front.name) && !std::ranges::all_of(front.points, [](const auto& point) {
               return point.closed || point.at_surface;

@@ -60,7 +60,7 @@ std::string apart_text(double apart, double bar) {
 // Faces that touch at the tip leave G what the mesh makes of the K1 that they have not, which the
 // bar of K2 knows nothing of: as much as judge_faces.cpp lets pass without a warning.
 constexpr double of_closed = 0.05;
-double left_of_K1(const results::StepResult& step, const results::FrontResult& front) {
+double left_of_K1(const results::LoadStepResult& step, const results::FrontResult& front) {
   const results::FrontPointResult& tip = front.tip();
   double most = 0.0;
   for (const double K1 : tip.K1_domain) {
@@ -76,7 +76,8 @@ double left_of_K1(const results::StepResult& step, const results::FrontResult& f
 
 // G counts as the K that it would have, which does not grow without bound where K is next to
 // nothing.
-KComparison energy(const results::StepResult& step, const results::FrontResult& front, double K) {
+KComparison energy(const results::LoadStepResult& step, const results::FrontResult& front,
+                   double K) {
   const results::FrontPointResult& tip = front.tip();
   if (!(tip.G_from_K > 0.0)) {
     return {};
@@ -120,7 +121,7 @@ KComparison opening(const results::FrontResult& front, double K) {
               tip.K2, other[0], other[1], apart_text(apart, bar))};
 }
 
-KComparison worst_of_tip(const results::StepResult& step, const results::FrontResult& front) {
+KComparison worst_of_tip(const results::LoadStepResult& step, const results::FrontResult& front) {
   const double K = std::hypot(front.tip().K1, front.tip().K2);
   KComparison worst;
   for (KComparison& one :
@@ -198,7 +199,7 @@ double size_of(const results::FrontResult& front) {
 
 // K that round-off leaves of displacements that do not open a crack of size `a` [length], or of
 // pressure that keeps its faces closed where nothing else moves; E' as `E` [stress].
-double round_off_level(const results::StepResult& step, double E, double a) {
+double round_off_level(const results::LoadStepResult& step, double E, double a) {
   double pressure = 0.0;
   for (const results::ContactResult& contact : step.contacts) {
     pressure = std::max(pressure, std::abs(contact.max_pressure));
@@ -208,7 +209,7 @@ double round_off_level(const results::StepResult& step, double E, double a) {
 }
 
 // Whether K of a front is what round-off leaves of a step that does not load it.
-bool is_round_off(const results::StepResult& step, const results::FrontResult& front) {
+bool is_round_off(const results::LoadStepResult& step, const results::FrontResult& front) {
   const results::FrontPointResult* strongest = strongest_point(front);
   if (strongest == nullptr) {
     return true;
@@ -223,7 +224,7 @@ bool is_round_off(const results::StepResult& step, const results::FrontResult& f
 }
 
 // The two ways that part most; `what` is empty: none do, or K is no answer.
-KComparison worst_of(const results::StepResult& step, const results::FrontResult& front) {
+KComparison worst_of(const results::LoadStepResult& step, const results::FrontResult& front) {
   const double size = size_of(front);
   if (front.two_materials || !front.invalid_reason.empty() || !(size > 0.0) ||
       is_round_off(step, front)) {
@@ -235,7 +236,7 @@ KComparison worst_of(const results::StepResult& step, const results::FrontResult
 /// The results of one front of which two ways part.
 struct PartedFront {
   KComparison worst;
-  const results::StepResult* step = nullptr;
+  const results::LoadStepResult* step = nullptr;
   const results::FrontResult* front = nullptr;
   int others = -1; ///< beside the worst
 };
@@ -258,22 +259,23 @@ std::string parted_text(const PartedFront& parted) {
 
 } // namespace
 
-std::string describe_k_mismatch(const results::StepResult& step, const results::FrontResult& tip) {
+std::string describe_k_mismatch(const results::LoadStepResult& step,
+                                const results::FrontResult& tip) {
   return worst_of(step, tip).what;
 }
 
 std::vector<std::string> k_consistency_warnings(const results::RunResult& run) {
   double largest = 0.0;
-  for (const results::Increment& increment : run.increments) {
-    for (const results::StepResult& step : increment.steps) {
+  for (const results::CrackLengthResult& increment : run.increments) {
+    for (const results::LoadStepResult& step : increment.steps) {
       for (const results::FrontResult& front : step.fronts) {
         largest = std::max(largest, size_of(front));
       }
     }
   }
   std::map<std::string, PartedFront> parted;
-  for (const results::Increment& increment : run.increments) {
-    for (const results::StepResult& step : increment.steps) {
+  for (const results::CrackLengthResult& increment : run.increments) {
+    for (const results::LoadStepResult& step : increment.steps) {
       for (const results::FrontResult& front : step.fronts) {
         KComparison one = worst_of(step, front);
         if (one.what.empty() || !(size_of(front) > no_K * largest)) {

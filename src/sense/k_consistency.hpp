@@ -10,7 +10,8 @@
 namespace spricka::sense {
 
 /// The ways that part at one tip of a step; empty: they agree, there is but one, or K is round-off.
-std::string describe_k_mismatch(const results::StepResult& step, const results::FrontResult& tip);
+std::string describe_k_mismatch(const results::LoadStepResult& step,
+                                const results::FrontResult& tip);
 
 /// One line for each front along which two ways to K part by more than K's error bar, and by more
 /// than on sound meshes: the worst place of its steps and lengths. Fronts that nothing loads do not

@@ -54,7 +54,7 @@ int main(int argc, char** argv) {
   const life::GrowthRateLaw law(model::CrackGrowthLaw::paris, constants);
   const base::Stopwatch growing;
   double sum = 0.0;
-  for (const results::Increment& increment : run->increments) {
+  for (const results::CrackLengthResult& increment : run->increments) {
     sum += spectrum.growth_per_pass(law, increment.paths.front().fronts.front().tip().K[0]);
   }
   const double grown = growing.cpu_time();

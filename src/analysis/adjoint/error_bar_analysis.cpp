@@ -14,7 +14,7 @@ ErrorBarAnalysis::ErrorBarAnalysis(const model::Model& model, const Discretisati
     : model_(model), scene_(scene), case_load_(model.cases.size()) {}
 
 void ErrorBarAnalysis::assign_error_bars(
-    const std::string& why_not, results::StepResult& step,
+    const std::string& why_not, results::LoadStepResult& step,
     const std::function<void(std::size_t, std::size_t, results::FrontResult&)>& estimate) {
   std::size_t first = 0;
   for (std::size_t f = 0; f < step.fronts.size(); ++f) {
@@ -50,7 +50,7 @@ ErrorBarAnalysis::sum_case_loads(const base::Vector& case_factor, Eigen::Index f
   return f;
 }
 
-void ErrorBarAnalysis::add_note_once(results::Note note, results::StepResult& step) {
+void ErrorBarAnalysis::add_note_once(results::Note note, results::LoadStepResult& step) {
   if (std::ranges::find(reported_, note) == reported_.end()) {
     reported_.push_back(note);
     step.notes.push_back(std::move(note));

@@ -21,13 +21,13 @@ protected:
   /// empty, or what `estimate` writes into the front. That has the front's place among those of the
   /// step and its first point among those of all.
   void assign_error_bars(
-      const std::string& why_not, results::StepResult& step,
+      const std::string& why_not, results::LoadStepResult& step,
       const std::function<void(std::size_t, std::size_t, results::FrontResult&)>& estimate);
   /// Loads of the cases with these factors on modes [freedoms], from those of one case.
   base::Vector sum_case_loads(const base::Vector& case_factor, Eigen::Index freedoms,
                               const std::function<base::Vector(std::size_t)>& of_case);
   /// A note, unless a step before had it.
-  void add_note_once(results::Note note, results::StepResult& step);
+  void add_note_once(results::Note note, results::LoadStepResult& step);
 
   const model::Model& model_;
   const Discretisation& scene_;

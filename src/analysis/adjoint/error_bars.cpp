@@ -195,7 +195,7 @@ bool TipErrorBars::coarse_contact(const StepState& state, const mesh::CrackFront
 
 // Where many edges have none opposite (a crack's mouth makes a few) what the mesh misses of the
 // normal displacement is not seen.
-void TipErrorBars::tell_of_meshes(const StepState& state, results::StepResult& step) {
+void TipErrorBars::tell_of_meshes(const StepState& state, results::LoadStepResult& step) {
   for (std::size_t c = 0; c < contact_edges_.size() && c < model_.contacts.size(); ++c) {
     std::size_t paired = 0;
     std::size_t apart = 0;
@@ -214,7 +214,7 @@ void TipErrorBars::tell_of_meshes(const StepState& state, results::StepResult& s
 }
 
 void TipErrorBars::tell_of_cancelling(const results::FrontResult& front,
-                                      results::StepResult& step) {
+                                      results::LoadStepResult& step) {
   for (std::size_t k = 0; k < 2; ++k) {
     const results::KErrorBar& bar = front.tip().bar[k];
     if (bar.cancels && bar.mesh > counts * bar.floor) {
@@ -254,7 +254,7 @@ TipErrorBars::StepErrors TipErrorBars::step_errors(const StepState& state,
 }
 
 void TipErrorBars::estimate_bars(const StepState& state, const StepErrors& errors, std::size_t t,
-                                 results::FrontResult& front, results::StepResult& step) {
+                                 results::FrontResult& front, results::LoadStepResult& step) {
   if (scene_.domains[t].empty()) {
     front.no_bar = "there is no domain that K could be taken from";
     return;
@@ -300,7 +300,7 @@ void TipErrorBars::estimate_bars(const StepState& state, const StepErrors& error
 }
 
 void TipErrorBars::add_to_tips(const StepState& state, const IntensityAdjoint& adjoint,
-                               const contact::FixedActiveSet* held, results::StepResult& step) {
+                               const contact::FixedActiveSet* held, results::LoadStepResult& step) {
   if (!prepared_) {
     prepare();
   }

@@ -25,7 +25,7 @@ public:
   /// Gives the fronts of a step, each a tip, which was solved last, their bars, or says why they
   /// have none. `held`: the contact that the adjoints keep, null where there is none.
   void add_to_tips(const StepState& state, const IntensityAdjoint& adjoint,
-                   const contact::FixedActiveSet* held, results::StepResult& step);
+                   const contact::FixedActiveSet* held, results::LoadStepResult& step);
 
 private:
   void prepare();
@@ -37,9 +37,9 @@ private:
   [[nodiscard]] StepErrors step_errors(const StepState& state, const IntensityAdjoint& adjoint,
                                        const contact::FixedActiveSet* held);
   void estimate_bars(const StepState& state, const StepErrors& errors, std::size_t t,
-                     results::FrontResult& front, results::StepResult& step);
-  void tell_of_cancelling(const results::FrontResult& front, results::StepResult& step);
-  void tell_of_meshes(const StepState& state, results::StepResult& step);
+                     results::FrontResult& front, results::LoadStepResult& step);
+  void tell_of_cancelling(const results::FrontResult& front, results::LoadStepResult& step);
+  void tell_of_meshes(const StepState& state, results::LoadStepResult& step);
 
   estimate::ModeMatrixCache* memory_;
   std::optional<estimate::CubicEnrichment> enrichment_;

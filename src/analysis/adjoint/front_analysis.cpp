@@ -12,7 +12,7 @@ FrontErrorsAndSensitivities::FrontErrorsAndSensitivities(
       sensitivities_(model, scene) {}
 
 void FrontErrorsAndSensitivities::add_to_fronts(const StepSolver& solver, const StepState& state,
-                                                results::StepResult& result) {
+                                                results::LoadStepResult& result) {
   if (!functionals_) {
     functionals_.emplace(FrontKFunctionals{displacement_K_functionals(model_, scene_),
                                            contact_force_K_functionals(model_, scene_)});

@@ -15,7 +15,8 @@ public:
                               const std::vector<SubstructuredBody>& bodies);
 
   /// Of a step that `solver` solved last.
-  void add_to_fronts(const StepSolver& solver, const StepState& state, results::StepResult& result);
+  void add_to_fronts(const StepSolver& solver, const StepState& state,
+                     results::LoadStepResult& result);
 
 private:
   const model::Model& model_;

@@ -183,7 +183,7 @@ std::optional<base::Vector> FrontErrorBars::solve(const FrozenContactStep& step,
 void FrontErrorBars::estimate_bars(const StepState& state, const base::Vector& eta,
                                    const ContactEdgeKChange& edges, std::size_t f,
                                    std::size_t first_point, results::FrontResult& front,
-                                   results::StepResult& result) const {
+                                   results::LoadStepResult& result) const {
   const crack::KLayout layout = scene_.k_layout();
   const Eigen::Index first = layout.first_mode_index(first_point);
   if (hangs_on_an_edge(edges, first, front)) {
@@ -208,7 +208,7 @@ void FrontErrorBars::estimate_bars(const StepState& state, const base::Vector& e
 }
 
 void FrontErrorBars::add_to_fronts(const FrozenContactStep& step, const FrontKFunctionals& K,
-                                   results::StepResult& result) {
+                                   results::LoadStepResult& result) {
   if (!prepared_) {
     prepare();
   }

@@ -21,7 +21,7 @@ public:
 
   /// Gives the fronts of a step, which was solved last, their bars, or says why they have none.
   void add_to_fronts(const FrozenContactStep& step, const FrontKFunctionals& K,
-                     results::StepResult& result);
+                     results::LoadStepResult& result);
 
 private:
   void prepare();
@@ -35,7 +35,7 @@ private:
                                                   const FrontKFunctionals& K, base::Vector r) const;
   void estimate_bars(const StepState& state, const base::Vector& eta,
                      const ContactEdgeKChange& edges, std::size_t f, std::size_t first_point,
-                     results::FrontResult& front, results::StepResult& result) const;
+                     results::FrontResult& front, results::LoadStepResult& result) const;
 
   std::optional<estimate::SolidEnrichment> enrichment_;
   crack::SparseLinearFunctionals goals_; ///< [freedoms of modes, K]

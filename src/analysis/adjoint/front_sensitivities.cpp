@@ -17,7 +17,7 @@ namespace spricka::analysis {
 namespace {
 
 // Faces that touch hold K1 at 0.
-void hold_closed_points(const crack::KLayout& layout, const results::StepResult& result,
+void hold_closed_points(const crack::KLayout& layout, const results::LoadStepResult& result,
                         base::Matrix& dK) {
   std::size_t point = 0;
   for (const results::FrontResult& front : result.fronts) {
@@ -58,7 +58,7 @@ void FrontSensitivityAnalysis::prepare() {
 void FrontSensitivityAnalysis::add_lengths(const FrozenContactStep& step,
                                            const FrontKFunctionals& K,
                                            std::vector<ParameterDerivative>& causes,
-                                           results::StepResult& result) const {
+                                           results::LoadStepResult& result) const {
   for (const std::unique_ptr<VirtualAxisExtension>& advance : advances_) {
     if (const std::string why = advance->why_no_derivative(step); !why.empty()) {
       add_sensitivity_note(
@@ -71,7 +71,7 @@ void FrontSensitivityAnalysis::add_lengths(const FrozenContactStep& step,
 
 void FrontSensitivityAnalysis::solve(const FrozenContactStep& step, const FrontKFunctionals& K,
                                      const std::vector<ParameterDerivative>& causes,
-                                     results::StepResult& result) const {
+                                     results::LoadStepResult& result) const {
   LoadAndGapRates rates;
   rates.gap = collect_derivative_columns(causes, &ParameterDerivative::gap,
                                          static_cast<Eigen::Index>(scene_.table.size()));
@@ -104,7 +104,7 @@ void FrontSensitivityAnalysis::solve(const FrozenContactStep& step, const FrontK
 
 void FrontSensitivityAnalysis::add_to_fronts(const FrozenContactStep& step,
                                              const FrontKFunctionals& K,
-                                             results::StepResult& result) {
+                                             results::LoadStepResult& result) {
   if (step.contact.rubs) {
     add_sensitivity_note(depends_on_history, result);
     return;

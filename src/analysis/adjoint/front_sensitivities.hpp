@@ -21,14 +21,14 @@ public:
 
   /// Adds to the fronts of `result` what the end of a step, which was solved last, gives.
   void add_to_fronts(const FrozenContactStep& step, const FrontKFunctionals& K,
-                     results::StepResult& result);
+                     results::LoadStepResult& result);
 
 private:
   void prepare();
   void add_lengths(const FrozenContactStep& step, const FrontKFunctionals& K,
-                   std::vector<ParameterDerivative>& causes, results::StepResult& result) const;
+                   std::vector<ParameterDerivative>& causes, results::LoadStepResult& result) const;
   void solve(const FrozenContactStep& step, const FrontKFunctionals& K,
-             const std::vector<ParameterDerivative>& causes, results::StepResult& result) const;
+             const std::vector<ParameterDerivative>& causes, results::LoadStepResult& result) const;
 
   const model::Model& model_;
   const Discretisation& scene_;

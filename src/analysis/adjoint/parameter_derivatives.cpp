@@ -184,7 +184,7 @@ base::Matrix collect_derivative_columns(std::span<const ParameterDerivative> cau
   return columns;
 }
 
-void add_sensitivity_note(const std::string& text, results::StepResult& result) {
+void add_sensitivity_note(const std::string& text, results::LoadStepResult& result) {
   for (results::FrontResult& front : result.fronts) {
     std::vector<std::string>& notes = front.sensitivities.notes;
     if (std::ranges::find(notes, text) == notes.end()) {
@@ -199,7 +199,7 @@ LinearRanges unbounded_ranges(std::size_t causes) {
 }
 
 void add_sensitivity_parameters(const std::vector<ParameterDerivative>& causes,
-                                results::StepResult& result) {
+                                results::LoadStepResult& result) {
   for (results::FrontResult& front : result.fronts) {
     for (const ParameterDerivative& one : causes) {
       front.sensitivities.of.push_back(one.is);
@@ -209,7 +209,7 @@ void add_sensitivity_parameters(const std::vector<ParameterDerivative>& causes,
 
 void store_derivative(const crack::KLayout& layout, const base::Vector& dK, std::size_t cause,
                       std::vector<std::array<double, 3>> results::Sensitivity::*side,
-                      results::StepResult& result) {
+                      results::LoadStepResult& result) {
   std::size_t point = 0;
   for (results::FrontResult& front : result.fronts) {
     std::vector<std::array<double, 3>>& values = front.sensitivities.of[cause].*side;
@@ -224,7 +224,7 @@ void store_derivative(const crack::KLayout& layout, const base::Vector& dK, std:
 }
 
 void store_derivatives(const crack::KLayout& layout, const base::Matrix& dK,
-                       const LinearRanges& reach, results::StepResult& result) {
+                       const LinearRanges& reach, results::LoadStepResult& result) {
   for (std::size_t i = 0; i < reach.size(); ++i) {
     store_derivative(layout, dK.col(index(i)), i, &results::Sensitivity::below, result);
     for (results::FrontResult& front : result.fronts) {

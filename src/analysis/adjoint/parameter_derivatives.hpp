@@ -47,7 +47,7 @@ base::Matrix collect_derivative_columns(std::span<const ParameterDerivative> cau
                                         base::Vector ParameterDerivative::*part, Eigen::Index size);
 
 /// A note on derivatives for all fronts, once.
-void add_sensitivity_note(const std::string& text, results::StepResult& result);
+void add_sensitivity_note(const std::string& text, results::LoadStepResult& result);
 
 /// [cause] how far down and up its value goes until the contact changes; empty: not known.
 using LinearRanges = std::vector<std::optional<std::array<double, 2>>>;
@@ -56,14 +56,14 @@ LinearRanges unbounded_ranges(std::size_t causes);
 
 /// Gives the fronts all causes, without their derivatives.
 void add_sensitivity_parameters(const std::vector<ParameterDerivative>& causes,
-                                results::StepResult& result);
+                                results::LoadStepResult& result);
 /// Gives the points of the fronts dK [K] of a listed cause on one side of its value, `below` or
 /// `above`.
 void store_derivative(const crack::KLayout& layout, const base::Vector& dK, std::size_t cause,
                       std::vector<std::array<double, 3>> results::Sensitivity::*side,
-                      results::StepResult& result);
+                      results::LoadStepResult& result);
 /// The same on both sides alike, dK [K, cause], and the ranges.
 void store_derivatives(const crack::KLayout& layout, const base::Matrix& dK,
-                       const LinearRanges& reach, results::StepResult& result);
+                       const LinearRanges& reach, results::LoadStepResult& result);
 
 } // namespace spricka::analysis

@@ -82,7 +82,7 @@ void TipSensitivityAnalysis::prepare() {
 
 void TipSensitivityAnalysis::add_lengths(const StepState& state, const std::vector<bool>& closed,
                                          std::vector<ParameterDerivative>& causes,
-                                         results::StepResult& result) const {
+                                         results::LoadStepResult& result) const {
   for (const std::unique_ptr<VirtualTipExtension>& advance : advances_) {
     if (const std::string why = advance->why_no_derivative(closed); !why.empty()) {
       add_sensitivity_note(
@@ -147,7 +147,7 @@ LoadAndGapRates TipSensitivityAnalysis::all_rates(const StepSolver& solver,
 void TipSensitivityAnalysis::one_sided(const StepSolver& solver, const FrozenContact& contact,
                                        IntensityAdjointSolver& adjoints,
                                        const std::vector<ParameterDerivative>& causes,
-                                       results::StepResult& result) {
+                                       results::LoadStepResult& result) {
   const LoadAndGapRates all = all_rates(solver, causes);
   struct Side {
     std::optional<FrozenContactSystem> system;
@@ -187,7 +187,7 @@ void TipSensitivityAnalysis::one_sided(const StepSolver& solver, const FrozenCon
 
 void TipSensitivityAnalysis::add_to_tips(const StepSolver& solver, const StepState& state,
                                          IntensityAdjointSolver& adjoints,
-                                         results::StepResult& result) {
+                                         results::LoadStepResult& result) {
   const IntensityAdjoint& adjoint = adjoints.solve_adjoint_of_last_step(solver);
   if (!adjoint.is_available()) {
     add_sensitivity_note(adjoint.why_not, result);

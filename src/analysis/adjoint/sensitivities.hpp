@@ -22,12 +22,12 @@ public:
   /// Adds to the fronts of `result`, each a tip, what the end of the step that `solver` solved last
   /// gives.
   void add_to_tips(const StepSolver& solver, const StepState& state,
-                   IntensityAdjointSolver& adjoints, results::StepResult& result);
+                   IntensityAdjointSolver& adjoints, results::LoadStepResult& result);
 
 private:
   void prepare();
   void add_lengths(const StepState& state, const std::vector<bool>& closed,
-                   std::vector<ParameterDerivative>& causes, results::StepResult& result) const;
+                   std::vector<ParameterDerivative>& causes, results::LoadStepResult& result) const;
   /// Of the first causes, loads and fits only.
   LoadAndGapRates rates(const StepSolver& solver, const std::vector<ParameterDerivative>& causes,
                         std::size_t count);
@@ -35,7 +35,7 @@ private:
                             const std::vector<ParameterDerivative>& causes);
   void one_sided(const StepSolver& solver, const FrozenContact& contact,
                  IntensityAdjointSolver& adjoints, const std::vector<ParameterDerivative>& causes,
-                 results::StepResult& result);
+                 results::LoadStepResult& result);
 
   const model::Model& model_;
   const Discretisation& scene_;

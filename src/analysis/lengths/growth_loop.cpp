@@ -152,7 +152,7 @@ private:
                growth::GrowthIntegrator& integrator) {
     const bool first = integrator.growth_state().stations.empty();
     ScopedProfileCrackLength length(options_.recorder);
-    std::optional<results::Increment> increment =
+    std::optional<results::CrackLengthResult> increment =
         solver_.solve({cracks, 0.0, first ? steps_with_stress_recovery(model_, false) : on_the_way_,
                        first || wants_bars(model_)},
                       region.crack_region_plan());
@@ -243,7 +243,7 @@ private:
 
   void finish(const growth::GrowthIntegrator& integrator) {
     const ScopedProfileInterval span(options_.recorder, "GROW", "lives");
-    results::Increment& last = run_.increments.back();
+    results::CrackLengthResult& last = run_.increments.back();
     const std::vector<bool> pictured = steps_with_stress_recovery(model_, true);
     for (std::size_t s = 0; s < last.steps.size(); ++s) {
       // Which station is the last is known only now.
@@ -261,7 +261,7 @@ private:
     for (std::string& text : cycle_count_concerns(*run_.growth, measure_.law())) {
       run_.warnings.push_back({"W456", std::move(text)});
     }
-    if (results::growth_ended_early(*run_.growth)) {
+    if (results::growth_could_not_continue(*run_.growth)) {
       run_.warnings.push_back({"W456", "the growth ended early: " + run_.growth->reason});
     }
   }

@@ -101,8 +101,8 @@ std::size_t largest_load_step(const model::Model& model) {
                   : model.growth->kmax.index();
 }
 
-std::optional<results::LoadPathResult> growth_load_path(const model::Model& model,
-                                                        const results::Increment& increment) {
+std::optional<results::LoadPathResult>
+growth_load_path(const model::Model& model, const results::CrackLengthResult& increment) {
   if (!model.growth->spectrum || increment.paths.empty()) {
     return std::nullopt;
   }
@@ -235,7 +235,7 @@ bool GrowthRateEvaluator::by_steps(const SolvedCrackState& at, const GrowingPlac
                                    const PlaceOnFront& place, growth::TipStation& found) {
   const results::FrontResult& high =
       at.increment.steps[model_.growth->kmax.index()].fronts[place.front];
-  const results::StepResult& smallest = at.increment.steps[model_.growth->kmin.index()];
+  const results::LoadStepResult& smallest = at.increment.steps[model_.growth->kmin.index()];
   const PlaceOnFront there = nearest_place(smallest.fronts, to.front, to.aim);
   if (!there.found()) {
     return no_rate(fmt::format("crack {} has no front to grow from", to.front));

@@ -25,7 +25,7 @@ life::GrowthRateLaw growth_law(const model::CrackGrowthSettings& growth);
 
 /// A solved state of the cracks.
 struct SolvedCrackState {
-  const results::Increment& increment;
+  const results::CrackLengthResult& increment;
   const std::vector<mesh::CrackFront>& fronts;
   const std::vector<double>& plastic; ///< [front] in space, of the section before it, or empty
   const growth::CrackGeometry& cracks;
@@ -47,8 +47,8 @@ std::size_t largest_load_step(const model::Model& model);
 
 /// The load path of the growth's spectrum as the law is to have it: with the errors of K taken out
 /// where CORRECT asks for that. Empty: no spectrum, or there is no map of K.
-std::optional<results::LoadPathResult> growth_load_path(const model::Model& model,
-                                                        const results::Increment& increment);
+std::optional<results::LoadPathResult>
+growth_load_path(const model::Model& model, const results::CrackLengthResult& increment);
 
 /// Where K1 on a path is largest between two places: at one of them or at a breakpoint.
 double locate_K1_maximum(const base::PiecewiseLinear& K1, double low, double high);

@@ -140,7 +140,7 @@ results::GrowthResult growth_records(const model::Model& model,
 
 void set_front_sizes(const model::Model& model, const growth::CrackGeometry& cracks,
                      const std::vector<growth::TrackedTip>& tips, const growth::SolvedStation& here,
-                     results::Increment& increment) {
+                     results::CrackLengthResult& increment) {
   if (cracks.solids.empty() || model.growth->shape != model::FrontShapeRule::free) {
     return;
   }

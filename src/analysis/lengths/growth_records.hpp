@@ -25,6 +25,6 @@ results::GrowthResult growth_records(const model::Model& model,
 /// Others keep theirs.
 void set_front_sizes(const model::Model& model, const growth::CrackGeometry& cracks,
                      const std::vector<growth::TrackedTip>& tips, const growth::SolvedStation& here,
-                     results::Increment& increment);
+                     results::CrackLengthResult& increment);
 
 } // namespace spricka::analysis

@@ -92,8 +92,8 @@ CrackLengthAnalysis::cracks_with_overlapping_faces(const base::Vector& u) const 
   return find_cracks_with_face_overlap(parts_.model, scene_, u);
 }
 
-results::StepResult CrackLengthAnalysis::recover_step(const model::Step& step,
-                                                      const StepState& state) const {
+results::LoadStepResult CrackLengthAnalysis::recover_step(const model::Step& step,
+                                                          const StepState& state) const {
   return collect_step_results(parts_.model, scene_, bodies_, step, state);
 }
 
@@ -102,7 +102,7 @@ const IntensityAdjoint& CrackLengthAnalysis::solve_adjoints(const StepSolver& so
 }
 
 bool CrackLengthAnalysis::add_K_estimates(const StepSolver& solver, const StepState& state,
-                                          results::StepResult& result,
+                                          results::LoadStepResult& result,
                                           const ProcessorEndCallback& ended) {
   if (scene_.cracked.fronts.empty()) {
     return true;
@@ -124,7 +124,7 @@ bool CrackLengthAnalysis::add_K_estimates(const StepSolver& solver, const StepSt
 }
 
 void CrackLengthAnalysis::add_net_errors(const StepState& state,
-                                         results::StepResult& result) const {
+                                         results::LoadStepResult& result) const {
   add_energy_errors(parts_.model, scene_, state.energy, result);
 }
 

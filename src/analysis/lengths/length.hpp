@@ -72,8 +72,8 @@ public:
   /// Crack lines whose faces overlap in u [dim * node] and have no pair yet.
   [[nodiscard]] std::vector<std::size_t> cracks_with_overlapping_faces(const base::Vector& u) const;
   /// VCE and RECOVER: K, pressures, reactions at the end of a step.
-  [[nodiscard]] results::StepResult recover_step(const model::Step& step,
-                                                 const StepState& state) const;
+  [[nodiscard]] results::LoadStepResult recover_step(const model::Step& step,
+                                                     const StepState& state) const;
   /// LOADPATH.
   [[nodiscard]] LoadPathSolver& load_paths() { return processors_->paths; }
 
@@ -86,9 +86,9 @@ public:
   /// `solver` solved last, in the plane by adjoints, in space by direct solutions; nothing without
   /// a crack. False: `ended` went no further.
   bool add_K_estimates(const StepSolver& solver, const StepState& state,
-                       results::StepResult& result, const ProcessorEndCallback& ended);
+                       results::LoadStepResult& result, const ProcessorEndCallback& ended);
   /// ESTIMATE: errors of the nets in the energy norm.
-  void add_net_errors(const StepState& state, results::StepResult& result) const;
+  void add_net_errors(const StepState& state, results::LoadStepResult& result) const;
 
   /// The scene of a length that is done with.
   [[nodiscard]] static Discretisation

@@ -62,7 +62,7 @@ void log_paths(const std::vector<results::LoadPathResult>& paths, LogWriter& log
 // By front in space, with SFLOW: force and moments of the section before it at the growth's largest
 // load, over their plastic limit.
 std::vector<double> section_load_ratios(const model::Model& model, const Discretisation& scene,
-                                        const results::Increment& increment) {
+                                        const results::CrackLengthResult& increment) {
   std::vector<double> ratios;
   if (!model.growth || !model.growth->flow_stress) {
     return ratios;
@@ -86,14 +86,15 @@ void report_stage(const SolveOptions& options, std::string stage, std::size_t st
 }
 
 // Tells that the last step of an increment under way has its K, or the bars of it.
-void show_increment(const SolveOptions& options, const results::Increment& increment) {
+void show_increment(const SolveOptions& options, const results::CrackLengthResult& increment) {
   if (options.found) {
     options.found(increment);
   }
 }
 
 // Which results of a step are no numbers; empty: none.
-base::OptionalFailure unsound_numbers(const results::StepResult& result, const model::Step& step) {
+base::OptionalFailure unsound_numbers(const results::LoadStepResult& result,
+                                      const model::Step& step) {
   const std::string what = find_nonfinite_result(result);
   if (what.empty()) {
     return std::nullopt;
@@ -116,7 +117,7 @@ struct SolvedStep {
 // no numbers.
 base::OptionalFailure add_estimates(const model::Model& model, const SolvedStep& solved,
                                     CrackLengthAnalysis& length, LogWriter& log,
-                                    results::StepResult& result) {
+                                    results::LoadStepResult& result) {
   const model::Step& step = solved.step;
   if (solved.bars) {
     length.add_K_estimates(solved.solver, solved.state, result,
@@ -142,13 +143,13 @@ base::OptionalFailure add_estimates(const model::Model& model, const SolvedStep&
 // Takes K of faces that may overlap from the first solution of a state whose faces meet, where the
 // law wants it.
 std::optional<OverlappingFaceResults> take_overlap_results(const model::Model& model,
-                                                           results::Increment& increment) {
+                                                           results::CrackLengthResult& increment) {
   const bool whole = increment.steps.size() == model.steps.size();
   if (!whole || !continues_K_below_closing(model)) {
     return std::nullopt;
   }
   OverlappingFaceResults free;
-  for (results::StepResult& step : increment.steps) {
+  for (results::LoadStepResult& step : increment.steps) {
     free.steps.push_back(std::move(step.fronts));
   }
   free.paths = std::move(increment.paths);
@@ -187,8 +188,8 @@ CrackLengthContext CrackStateSolver::parts() {
           .condensing = options_.condensing};
 }
 
-std::optional<results::Increment> CrackStateSolver::solve(const CrackStateRequest& request,
-                                                          const CrackRegionPlan& plan) {
+std::optional<results::CrackLengthResult> CrackStateSolver::solve(const CrackStateRequest& request,
+                                                                  const CrackRegionPlan& plan) {
   LogWriter log(log_, options_.recorder);
   const double a = request.a;
   if (!request.cracks.solids.empty()) {
@@ -213,7 +214,7 @@ std::optional<results::Increment> CrackStateSolver::solve(const CrackStateReques
                            cut.cracked.mesh.node_count(), cut.cracked.mesh.element_count(),
                            cut.table.size(), fronts_in_words(cut)));
   report_stage(options_, "meshed");
-  results::Increment increment;
+  results::CrackLengthResult increment;
   std::vector<std::size_t> touching;
   free_.reset();
   // Each round but the last makes a pair of one crack at least: there are no more rounds than
@@ -225,7 +226,7 @@ std::optional<results::Increment> CrackStateSolver::solve(const CrackStateReques
     report_stage(options_, "condensed");
     increment = {};
     increment.a = a > 0.0 ? a : base::restore_short_decimal(first);
-    increment.notes = results::make_notes(cut.notes);
+    increment.notes = results::make_plain_notes(cut.notes);
     touching.clear();
     if (!walk_steps(*length, request, log, increment, touching)) {
       return std::nullopt;
@@ -248,7 +249,7 @@ std::optional<results::Increment> CrackStateSolver::solve(const CrackStateReques
   increment.surface = outer_faces_by_nodes(increment.mesh);
   // Nodes that the patch has cut out have results at their places all the same.
   const std::vector<RemovedNodePlace> gone = removed_nodes(model_.mesh, increment.mesh);
-  for (results::StepResult& step : increment.steps) {
+  for (results::LoadStepResult& step : increment.steps) {
     fill_removed_node_displacements(increment.mesh, gone, step.u);
   }
   keep_removed_set_members(model_.mesh, increment.mesh);
@@ -312,7 +313,7 @@ bool CrackStateSolver::follow(LoadHistorySolver& history, StepSolver& solver, Lo
 // Stops at the first step with faces that would overlap: `touching` says which. Only where K of
 // such faces is wanted the first solution goes on with them, without bars and pictures.
 bool CrackStateSolver::walk_steps(CrackLengthAnalysis& length, const CrackStateRequest& request,
-                                  LogWriter& log, results::Increment& increment,
+                                  LogWriter& log, results::CrackLengthResult& increment,
                                   std::vector<std::size_t>& touching) {
   const Discretisation& scene = length.discretisation();
   const std::unique_ptr<StepSolver> first = length.make_solver();

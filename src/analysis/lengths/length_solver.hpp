@@ -41,8 +41,8 @@ public:
       : model_(model), options_(options), log_(log), diagnostics_(diagnostics), trouble_(trouble) {}
 
   /// Empty: a mistake of the deck (in the diagnostics) or a model that cannot be solved (trouble).
-  std::optional<results::Increment> solve(const CrackStateRequest& request,
-                                          const CrackRegionPlan& plan);
+  std::optional<results::CrackLengthResult> solve(const CrackStateRequest& request,
+                                                  const CrackRegionPlan& plan);
 
   /// Of the state that was solved last.
   [[nodiscard]] const std::vector<mesh::CrackFront>& crack_fronts() const { return fronts_; }
@@ -83,7 +83,7 @@ private:
   /// Follows the loads of the growth behind the steps; false: no answer.
   bool follow(LoadHistorySolver& history, StepSolver& solver, LogWriter& log);
   bool walk_steps(CrackLengthAnalysis& length, const CrackStateRequest& request, LogWriter& log,
-                  results::Increment& increment, std::vector<std::size_t>& touching);
+                  results::CrackLengthResult& increment, std::vector<std::size_t>& touching);
 
   const model::Model& model_;
   std::optional<model::Model> grown_; ///< in space: with the cracks of the state that is solved

@@ -14,7 +14,7 @@ namespace spricka::analysis {
 namespace {
 
 // Of all points, as smooth functions along their fronts.
-base::Vector intensities_of(const crack::KLayout& layout, const results::StepResult& result) {
+base::Vector intensities_of(const crack::KLayout& layout, const results::LoadStepResult& result) {
   base::Vector K(layout.count());
   std::size_t point = 0;
   for (const results::FrontResult& front : result.fronts) {
@@ -29,7 +29,7 @@ base::Vector intensities_of(const crack::KLayout& layout, const results::StepRes
 // The largest difference of K to that of a step, but for points where faces touch: there steps set
 // more of K to 0 than the law asks for (judge_faces).
 double apart_from_step(const crack::KLayout& layout, const base::Vector& K,
-                       const results::StepResult& own) {
+                       const results::LoadStepResult& own) {
   const base::Vector other = intensities_of(layout, own);
   double apart = 0.0;
   std::size_t point = 0;
@@ -52,7 +52,7 @@ double apart_from_step(const crack::KLayout& layout, const base::Vector& K,
 } // namespace
 
 void LoadHistorySolver::record_step(std::size_t step, const StepSolver& solver,
-                                    const results::StepResult& result) {
+                                    const results::LoadStepResult& result) {
   of_step_.resize(step);
   of_step_.push_back(solver.factors());
   places_.resize(step);
@@ -174,7 +174,7 @@ bool LoadHistorySolver::compare_with_recovered(LoadHistoryResult& out,
     trouble->span = model_.growth->span;
     return false;
   }
-  const results::StepResult own =
+  const results::LoadStepResult own =
       collect_step_results(model_, scene_, bodies_, model_.steps.front(), *state);
   if (!shifted && largest_ > 0.0) {
     out.mismatch = apart_from_step(layout, K, own) / largest_;

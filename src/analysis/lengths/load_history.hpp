@@ -44,7 +44,8 @@ public:
       : model_(model), scene_(scene), bodies_(bodies), paths_(paths) {}
 
   /// Keeps what the history needs of this step; called behind each.
-  void record_step(std::size_t step, const StepSolver& solver, const results::StepResult& result);
+  void record_step(std::size_t step, const StepSolver& solver,
+                   const results::LoadStepResult& result);
 
   /// Follows the loads from their first step on, or from what `carried` holds; where the crack
   /// grows is in `carried` after it. The solver is left as it was. False: an increment has no

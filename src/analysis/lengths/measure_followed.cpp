@@ -89,7 +89,7 @@ void measure_loads(const life::GrowthRateLaw& law, bool spectrum, const LoadHist
 bool GrowthRateEvaluator::by_history(const SolvedCrackState& at, const GrowingPlace& to,
                                      const PlaceOnFront& place, growth::TipStation& found) {
   const LoadHistoryResult& loads = *at.followed;
-  const results::StepResult& step = at.increment.steps[largest_load_step(model_)];
+  const results::LoadStepResult& step = at.increment.steps[largest_load_step(model_)];
   const results::FrontResult& front = step.fronts[place.front];
   const auto K_of = [K1 = K_at(step, place, 1), K2 = K_at(step, place, 2)](
                         const base::Vector& all) { return base::Vec2(K1(all), K2(all)); };

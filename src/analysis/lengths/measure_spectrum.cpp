@@ -14,7 +14,7 @@ namespace spricka::analysis {
 namespace {
 
 // Of a front at the ends of the path that has none.
-void warn_of_bars_on_path(const model::Model& model, const results::Increment& increment,
+void warn_of_bars_on_path(const model::Model& model, const results::CrackLengthResult& increment,
                           const std::string& name, GrowthWarnings& warnings) {
   const model::SpectrumDefinition& card = model.spectra[*model.growth->spectrum];
   const model::LoadPathDefinition& path = model.load_paths[card.path];

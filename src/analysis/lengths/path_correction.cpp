@@ -66,8 +66,8 @@ double estimated_error(const results::FrontResult& front, std::size_t i, std::si
 }
 
 results::LoadPathResult correct_path_K(results::LoadPathResult path,
-                                       const results::StepResult& from,
-                                       const results::StepResult& to) {
+                                       const results::LoadStepResult& from,
+                                       const results::LoadStepResult& to) {
   for (std::size_t f = 0; f < path.fronts.size(); ++f) {
     const std::size_t modes = from.fronts.at(f).is_tip() ? 2 : 1;
     for (std::size_t i = 0; i < path.fronts[f].points.size(); ++i) {

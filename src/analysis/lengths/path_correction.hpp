@@ -18,8 +18,8 @@ bool faces_touch_on_path(const base::PiecewiseLinear& K1);
 /// A path with the errors of K1, and of K2 at tips, taken out that the bars of its first and its
 /// last step estimate; where they have none K is as computed.
 results::LoadPathResult correct_path_K(results::LoadPathResult path,
-                                       const results::StepResult& from,
-                                       const results::StepResult& to);
+                                       const results::LoadStepResult& from,
+                                       const results::LoadStepResult& to);
 
 /// The estimated error of K1 (mode 0), K2 or K3 at point i of a front, at the surface that of the
 /// next point; 0 where there is no bar, or where faces touch. [K]

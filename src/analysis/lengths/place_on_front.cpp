@@ -154,7 +154,7 @@ base::PiecewiseLinear K_on_path(const results::LoadPathFront& front, const Place
   return {from.knots(), std::move(value), std::move(slope)};
 }
 
-std::function<double(const base::Vector&)> K_at(const results::StepResult& step,
+std::function<double(const base::Vector&)> K_at(const results::LoadStepResult& step,
                                                 const PlaceOnFront& place, int mode) {
   std::size_t first = 0; // of the front's points
   std::size_t points = 0;

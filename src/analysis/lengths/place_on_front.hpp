@@ -46,7 +46,7 @@ base::PiecewiseLinear K_on_path(const results::LoadPathFront& front, const Place
 
 /// K1 (mode 1) or K2 at a place of a step's fronts out of the K of all points of all its fronts
 /// [crack::KLayout].
-std::function<double(const base::Vector&)> K_at(const results::StepResult& step,
+std::function<double(const base::Vector&)> K_at(const results::LoadStepResult& step,
                                                 const PlaceOnFront& place, int mode);
 
 /// K1 on a load path at the place of all fronts that is nearest to x; empty: there is none.

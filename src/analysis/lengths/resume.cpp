@@ -13,10 +13,10 @@ namespace {
 
 // Outputs may have changed since: stresses that nobody asks for any more go; false: some are
 // missing.
-bool fit_pictures(const std::vector<bool>& pictured, results::Increment& increment) {
+bool fit_pictures(const std::vector<bool>& pictured, results::CrackLengthResult& increment) {
   bool complete = true;
   for (std::size_t s = 0; s < increment.steps.size(); ++s) {
-    results::StepResult& step = increment.steps[s];
+    results::LoadStepResult& step = increment.steps[s];
     complete = complete && (!pictured[s] || !step.stress.empty());
     if (!pictured[s]) {
       step.stress.clear();
@@ -81,7 +81,7 @@ bool is_time_up(const archive::Checkpoint* checkpoint, base::OptionalFailure& tr
 }
 
 void IncrementRecorder::store_increment(archive::Checkpoint* checkpoint, double asked,
-                                        const results::Increment& increment,
+                                        const results::CrackLengthResult& increment,
                                         results::NamedArrays state) const {
   if (checkpoint == nullptr) {
     return;

@@ -50,7 +50,8 @@ public:
       : log_(log), lines_(log.size()) {}
   /// Keeps the increment that was solved since, with the log's lines since then.
   void store_increment(archive::Checkpoint* checkpoint, double asked,
-                       const results::Increment& increment, results::NamedArrays state) const;
+                       const results::CrackLengthResult& increment,
+                       results::NamedArrays state) const;
 
 private:
   const std::vector<results::LogLine>& log_;

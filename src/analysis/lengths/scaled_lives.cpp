@@ -65,13 +65,13 @@ on_line(const std::vector<results::LoadPathResult>& paths,
   return stations;
 }
 
-std::optional<results::ScaledLife> life(const std::string& name,
-                                        const growth::GrowthIntegrator& integrator,
-                                        const growth::GrowthTrajectory& other) {
+std::optional<results::ScaledKLife> life(const std::string& name,
+                                         const growth::GrowthIntegrator& integrator,
+                                         const growth::GrowthTrajectory& other) {
   const std::vector<growth::SolvedStation>& stations = integrator.growth_state().stations;
   const double end = integrator.end() ? integrator.end()->s : stations.back().s;
   const growth::GrowthTrajectory between = integrator.trajectory();
-  results::ScaledLife out;
+  results::ScaledKLife out;
   out.name = name;
   out.curve = life_curve(integrator, other, 1);
   out.ratio = out.curve.back().cycles / between.cycles(stations.front().s, end);
@@ -81,11 +81,11 @@ std::optional<results::ScaledLife> life(const std::string& name,
 
 } // namespace
 
-std::vector<results::ScaledLife> lives_by_scaled_K(const model::Model& model,
-                                                   const results::RunResult& run,
-                                                   const growth::GrowthIntegrator& integrator,
-                                                   const GrowthRateEvaluator& measure) {
-  std::vector<results::ScaledLife> out;
+std::vector<results::ScaledKLife> lives_by_scaled_K(const model::Model& model,
+                                                    const results::RunResult& run,
+                                                    const growth::GrowthIntegrator& integrator,
+                                                    const GrowthRateEvaluator& measure) {
+  std::vector<results::ScaledKLife> out;
   std::vector<growth::SolvedStation> stations = integrator.growth_state().stations;
   if (stations.size() < 2 || depends_on_load_order(model)) {
     return out;
@@ -96,7 +96,7 @@ std::vector<results::ScaledLife> lives_by_scaled_K(const model::Model& model,
   if (tips > 0 && integrator.tips().size() > 1) {
     return out;
   }
-  const auto add = [&](std::optional<results::ScaledLife> found) {
+  const auto add = [&](std::optional<results::ScaledKLife> found) {
     if (found) {
       out.push_back(std::move(*found));
     }
@@ -118,7 +118,7 @@ std::vector<results::ScaledLife> lives_by_scaled_K(const model::Model& model,
     return out;
   }
   std::vector<results::LoadPathResult> paths; // [station]
-  for (const results::Increment& increment : run.increments) {
+  for (const results::CrackLengthResult& increment : run.increments) {
     if (std::optional<results::LoadPathResult> path = growth_load_path(model, increment)) {
       paths.push_back(std::move(*path));
     }

@@ -66,7 +66,7 @@ void add_face_sets_as_node_sets(const model::Model& model, model::Mesh& mesh) {
   }
 }
 
-void add_stress(const model::Model& model, const model::Mesh& mesh, results::StepResult& step) {
+void add_stress(const model::Model& model, const model::Mesh& mesh, results::LoadStepResult& step) {
   const fe::DisplacementTemperatureField field{step.u, step.temperature};
   std::vector<fe::Stress> nodal =
       fe::nodal_stress(model, mesh, fe::element_node_stress(model, mesh, field));

@@ -32,16 +32,16 @@ void compare_extremes(const model::Model& model, results::RunResult& run) {
   }
   const std::size_t high = model.growth->kmax.index();
   const std::size_t low = model.growth->kmin.index();
-  results::Increment& last = run.increments.back();
+  results::CrackLengthResult& last = run.increments.back();
   for (const results::FrontResult& tip : last.steps[high].fronts) {
-    const auto upside_down = [&](const results::Increment& increment) {
+    const auto upside_down = [&](const results::CrackLengthResult& increment) {
       const results::FrontResult* most = results::find_front(increment.steps[high], tip.name);
       const results::FrontResult* least = results::find_front(increment.steps[low], tip.name);
       return most != nullptr && least != nullptr &&
              most->tip().K1 < least->tip().K1 - clearly * std::abs(least->tip().K1);
     };
     if (tip.is_tip() && std::ranges::all_of(run.increments, upside_down)) {
-      last.steps[high].notes.push_back(results::questionable_note(
+      last.steps[high].notes.push_back(results::questionable_input_note(
           fmt::format("K1 of {} is larger at KMIN, step {}, than at KMAX, step {}: are "
                       "the two steps exchanged?",
                       tip.name, model.steps[low].name, model.steps[high].name)));
@@ -107,7 +107,7 @@ bool solve_lengths(const model::Model& model, const SolveOptions& options,
     if (options.progress && i == 0) {
       options.progress({.increments = lengths.size(), .stage = "read"});
     }
-    std::optional<results::Increment> increment =
+    std::optional<results::CrackLengthResult> increment =
         solver.solve({std::move(*cracks), lengths[i], pictured}, plan);
     if (!increment) {
       return false;

@@ -33,7 +33,7 @@ struct SolveOptions {
   std::function<void(const RunProgress&)> progress = {}; ///< may be empty
   /// Given the increment under way with all its steps so far, whenever there is a new K in it; may
   /// be empty.
-  std::function<void(const results::Increment&)> found = {};
+  std::function<void(const results::CrackLengthResult&)> found = {};
   ProfileRecorder* recorder = nullptr; ///< of a profile, where one is asked for
 };
 

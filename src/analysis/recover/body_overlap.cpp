@@ -59,7 +59,7 @@ public:
     mark_held();
   }
 
-  void tell(results::StepResult& out) const {
+  void tell(results::LoadStepResult& out) const {
     for (std::size_t a = 0; a < rims_.size(); ++a) {
       for (std::size_t b = a + 1; b < rims_.size(); ++b) {
         tell_pair(a, b, out);
@@ -176,7 +176,7 @@ private:
     return std::nullopt;
   }
 
-  void tell_pair(std::size_t a, std::size_t b, results::StepResult& out) const {
+  void tell_pair(std::size_t a, std::size_t b, results::LoadStepResult& out) const {
     if (!rims_[a].moved.box().meets(rims_[b].moved.box())) {
       return;
     }
@@ -215,7 +215,7 @@ private:
 
 void warn_of_body_overlaps(const model::Model& model, const Discretisation& scene,
                            const std::vector<SubstructuredBody>& bodies, const StepState& state,
-                           results::StepResult& out) {
+                           results::LoadStepResult& out) {
   if (bodies.size() > 1) {
     Overlaps(model, scene, bodies, state).tell(out);
   }

@@ -12,6 +12,6 @@ namespace spricka::analysis {
 /// that lie upon each other as drawn are meant to.
 void warn_of_body_overlaps(const model::Model& model, const Discretisation& scene,
                            const std::vector<SubstructuredBody>& bodies, const StepState& state,
-                           results::StepResult& out);
+                           results::LoadStepResult& out);
 
 } // namespace spricka::analysis

@@ -215,7 +215,7 @@ results::Note judged(const PairMotionError& one, double part) {
 
 void warn_of_large_slip(const model::Model& model, const Discretisation& scene,
                         const std::vector<SubstructuredBody>& bodies, const StepState& state,
-                        results::StepResult& out) {
+                        results::LoadStepResult& out) {
   std::vector<PairMotionError> all;
   double largest = 0.0;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {

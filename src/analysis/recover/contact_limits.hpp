@@ -13,6 +13,6 @@ namespace spricka::analysis {
 /// largest contact force that is out of place a note, less exact or no answer.
 void warn_of_large_slip(const model::Model& model, const Discretisation& scene,
                         const std::vector<SubstructuredBody>& bodies, const StepState& state,
-                        results::StepResult& out);
+                        results::LoadStepResult& out);
 
 } // namespace spricka::analysis

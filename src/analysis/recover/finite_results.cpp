@@ -63,7 +63,7 @@ std::string words(std::string_view what) {
 
 } // namespace
 
-std::string find_nonfinite_result(const results::StepResult& step) {
+std::string find_nonfinite_result(const results::LoadStepResult& step) {
   if (!all_good(step.u)) {
     return words("displacements are");
   }

@@ -8,7 +8,7 @@ namespace spricka::analysis {
 
 /// What of a step's results is no number or too large for its squares to be one (1e150); empty:
 /// nothing is.
-std::string find_nonfinite_result(const results::StepResult& step);
+std::string find_nonfinite_result(const results::LoadStepResult& step);
 
 /// The same of K along a load path.
 std::string find_nonfinite_result(const results::LoadPathResult& path);

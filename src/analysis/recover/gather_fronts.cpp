@@ -110,7 +110,7 @@ std::vector<bool> discontinuous_domains(const model::Model& model, const Discret
 // K1 of the domains of a tip that are a measure of each other; notes where the shift of nodes or
 // jumps of loads leave G less exact.
 void compare_domains(const std::vector<bool>& discontinuous, const crack::StressIntensity& K,
-                     results::FrontResult& result, results::StepResult& out) {
+                     results::FrontResult& result, results::LoadStepResult& out) {
   for (std::size_t d = 0; d < K.domains.size(); ++d) {
     if (!discontinuous[d]) { // others are no measure of each other
       result.tip().K1_domain.push_back(K.domains[d].K1);
@@ -168,7 +168,7 @@ void place_points(const model::Model& model, const Discretisation& scene, std::s
 }
 
 void gather_front(const model::Model& model, const Discretisation& scene, std::size_t f,
-                  const StepState& state, results::StepResult& out) {
+                  const StepState& state, results::LoadStepResult& out) {
   const mesh::CrackFront& front = scene.cracked.fronts[f];
   crack::FrontIntensityOptions request;
   request.state = model.cracks[front.crack.index()].state;
@@ -195,7 +195,7 @@ void gather_front(const model::Model& model, const Discretisation& scene, std::s
 } // namespace
 
 void gather_fronts(const model::Model& model, const Discretisation& scene, const StepState& state,
-                   results::StepResult& out) {
+                   results::LoadStepResult& out) {
   for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {
     gather_front(model, scene, f, state, out);
   }

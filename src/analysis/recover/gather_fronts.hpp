@@ -8,6 +8,6 @@ namespace spricka::analysis {
 
 /// VCE: K, G and T of all fronts at the end of a step, into `out`.
 void gather_fronts(const model::Model& model, const Discretisation& scene, const StepState& state,
-                   results::StepResult& out);
+                   results::LoadStepResult& out);
 
 } // namespace spricka::analysis

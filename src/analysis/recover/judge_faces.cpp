@@ -75,7 +75,7 @@ double round_off_scale(const FrontStepState& at) {
 // FACES=FREE: what overlaps is told (`overlap`, by how much, empty: nothing does), and K1 < 0 is no
 // answer even so (`negative`, why, empty: there is none).
 void tell_overlap(const std::string& overlap, const std::string& negative,
-                  results::FrontResult& result, results::StepResult& out) {
+                  results::FrontResult& result, results::LoadStepResult& out) {
   if (!negative.empty()) {
     result.invalid_reason = negative;
     out.notes.push_back(results::invalid_result_note(
@@ -90,7 +90,7 @@ void tell_overlap(const std::string& overlap, const std::string& negative,
 
 // K1 < 0 of a tip is an answer as K_min of a law alone.
 void tell_tip_overlap(const FrontStepState& at, results::FrontResult& result,
-                      results::StepResult& out) {
+                      results::LoadStepResult& out) {
   const results::FrontPointResult& tip = result.tip();
   const double part = crack_face_overlap(at.scene.cracked, at.front.crack.index(), at.state.u).lone;
   const bool negative = tip.K1 < 0.0 && std::abs(tip.K1) > small_K1 * std::abs(tip.K2);
@@ -115,7 +115,7 @@ void tell_tip_overlap(const FrontStepState& at, results::FrontResult& result,
 }
 
 void tell_front_overlap(const FrontStepState& at, results::FrontResult& result,
-                        results::StepResult& out) {
+                        results::LoadStepResult& out) {
   const std::string overlap = describe_face_overlap(at.scene, at.front, at.state);
   const double least = -small_K1 * largest_of(at.K);
   const bool negative = std::ranges::any_of(
@@ -129,7 +129,7 @@ void tell_front_overlap(const FrontStepState& at, results::FrontResult& result,
 
 // Less than an element that overlaps is no contact, and less than one that touches no good one.
 void tell_lone_nodes(const FrontStepState& at, const TipFaceContact& faces,
-                     const results::FrontResult& result, results::StepResult& out) {
+                     const results::FrontResult& result, results::LoadStepResult& out) {
   if (faces.lone) {
     out.notes.push_back(results::less_exact_note(
         fmt::format("{}: the crack faces touch at a single node between open ones, "
@@ -151,7 +151,7 @@ void tell_lone_nodes(const FrontStepState& at, const TipFaceContact& faces,
 }
 
 // K1 < 0 where faces in contact do not touch.
-void tell_coarse_mesh(std::string why, results::FrontResult& result, results::StepResult& out) {
+void tell_coarse_mesh(std::string why, results::FrontResult& result, results::LoadStepResult& out) {
   result.invalid_reason = std::move(why);
   out.notes.push_back(results::invalid_result_note(
       fmt::format("{}: {}; take a smaller SIZE on $TIPNET", result.name, result.invalid_reason)));
@@ -172,7 +172,7 @@ void close_point(bool held, double G_left, results::FrontPointResult& point) {
 }
 
 void close_tip(const TipFaceContact& faces, double scale, results::FrontResult& result,
-               results::StepResult& out) {
+               results::LoadStepResult& out) {
   results::FrontPointResult& tip = result.tip();
   const double K1 = tip.K1;
   if (faces.closed) {
@@ -206,7 +206,7 @@ void close_tip(const TipFaceContact& faces, double scale, results::FrontResult& 
 }
 
 void note_touching(std::size_t closed, std::size_t held, const results::FrontResult& result,
-                   results::StepResult& out) {
+                   results::LoadStepResult& out) {
   const std::size_t count = result.points.size();
   if (closed == 0) {
     return;
@@ -222,7 +222,8 @@ void note_touching(std::size_t closed, std::size_t held, const results::FrontRes
       results::note(fmt::format("{}: the crack faces touch {}{}", result.name, where, left)));
 }
 
-void close_front(const FrontStepState& at, results::FrontResult& result, results::StepResult& out) {
+void close_front(const FrontStepState& at, results::FrontResult& result,
+                 results::LoadStepResult& out) {
   const double scale = std::max({largest_of(at.K), pressed_scale(at), round_off_scale(at)});
   std::size_t closed = 0;
   std::size_t held = 0;
@@ -281,7 +282,7 @@ bool is_round_off(const FrontStepState& at) {
 }
 
 void judge_tip(const FrontStepState& at, bool may_touch, results::FrontResult& result,
-               results::StepResult& out) {
+               results::LoadStepResult& out) {
   if (result.two_materials) {
     result.invalid_reason =
         "the tip lies between two materials, where stresses oscillate: it has no K1 and "
@@ -307,7 +308,7 @@ void judge_tip(const FrontStepState& at, bool may_touch, results::FrontResult& r
 }
 
 void judge_front(const FrontStepState& at, bool may_touch, results::FrontResult& result,
-                 results::StepResult& out) {
+                 results::LoadStepResult& out) {
   if (!may_touch) {
     tell_front_overlap(at, result, out);
     return;
@@ -325,7 +326,8 @@ void judge_front(const FrontStepState& at, bool may_touch, results::FrontResult&
 
 } // namespace
 
-void judge_faces(const FrontStepState& at, results::FrontResult& result, results::StepResult& out) {
+void judge_faces(const FrontStepState& at, results::FrontResult& result,
+                 results::LoadStepResult& out) {
   const bool may_touch = at.model.cracks[at.front.crack.index()].faces_in_contact;
   if (result.is_tip()) {
     judge_tip(at, may_touch, result, out);

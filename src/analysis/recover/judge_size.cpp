@@ -136,8 +136,9 @@ results::Note by_size(double off, std::string text) {
                     : results::less_exact_note(std::move(text));
 }
 
-bool judges(const results::Increment& increment, std::string_view step, std::string_view body) {
-  const results::StepResult* found = results::find_step(increment, step);
+bool judges(const results::CrackLengthResult& increment, std::string_view step,
+            std::string_view body) {
+  const results::LoadStepResult* found = results::find_step(increment, step);
   return found == nullptr || std::ranges::any_of(found->notes, [&](const results::Note& note) {
            return body_judged(note) == body;
          });
@@ -147,7 +148,7 @@ bool judges(const results::Increment& increment, std::string_view step, std::str
 
 void explain_broken_ligaments(results::RunResult& run) {
   for (std::size_t i = 1; i < run.increments.size(); ++i) {
-    for (results::StepResult& step : run.increments[i].steps) {
+    for (results::LoadStepResult& step : run.increments[i].steps) {
       for (results::Note& note : step.notes) {
         const std::string_view body = body_judged(note);
         if (body.empty() || judges(run.increments.front(), step.step, body)) {
@@ -168,7 +169,7 @@ void explain_broken_ligaments(results::RunResult& run) {
 
 void warn_of_large_deformation(const model::Model& model, const Discretisation& scene,
                                const std::vector<SubstructuredBody>& bodies, const StepState& state,
-                               results::StepResult& out) {
+                               results::LoadStepResult& out) {
   constexpr double small_strain = 0.01;
   constexpr double small_turn = 0.1; // what it changes is of second order
   const model::Mesh& mesh = scene.cracked.mesh;

@@ -14,7 +14,7 @@ namespace spricka::analysis {
 /// mostly in another unit than meant. Of solids only the second is looked at.
 void warn_of_large_deformation(const model::Model& model, const Discretisation& scene,
                                const std::vector<SubstructuredBody>& bodies, const StepState& state,
-                               results::StepResult& out);
+                               results::LoadStepResult& out);
 
 /// Bodies that were small in strain and turn at the first length and are not at a later one have
 /// lost their ligament: their notes say so instead of asking for units.

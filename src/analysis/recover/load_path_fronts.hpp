@@ -15,7 +15,7 @@ namespace spricka::analysis {
 struct LoadPathEnd {
   contact::ContactSystem::IncrementProblem problem;
   base::Vector case_factor;
-  results::StepResult result; ///< without its fields
+  results::LoadStepResult result; ///< without its fields
 };
 
 /// Adds K of all fronts to a path, and how far it is from that of the steps at the path's ends.

@@ -149,7 +149,7 @@ LoadPathSolver::LoadPathSolver(const model::Model& model, const Discretisation& 
     : model_(model), scene_(scene), functionals_(model, scene, bodies) {}
 
 void LoadPathSolver::record_step(std::size_t step, const StepSolver& solver,
-                                 const results::StepResult& result) {
+                                 const results::LoadStepResult& result) {
   const bool wanted =
       std::ranges::any_of(model_.load_paths, [&](const model::LoadPathDefinition& path) {
         return path.from.index() == step || path.to.index() == step;

@@ -22,7 +22,8 @@ public:
                  const std::vector<SubstructuredBody>& bodies);
 
   /// Keeps what paths that begin or end at this step need; called behind each step.
-  void record_step(std::size_t step, const StepSolver& solver, const results::StepResult& result);
+  void record_step(std::size_t step, const StepSolver& solver,
+                   const results::LoadStepResult& result);
   /// All paths of the model, once the steps are done.
   [[nodiscard]] std::vector<results::LoadPathResult> solve_paths(const StepSolver& solver);
   /// Crack lines whose faces would overlap somewhere on the paths followed, and that have no pair

@@ -27,7 +27,7 @@ constexpr double no_energy = 1e-12; // of the most that a net of the run holds
 constexpr double round_off_energy = 1e-20;
 
 double energy_of_round_off(const model::Model& model, const model::Mesh& mesh,
-                           const results::StepResult& step) {
+                           const results::LoadStepResult& step) {
   double size = 0.0;
   for (const base::Vec3& x : mesh.x) {
     size = std::max(size, (x - mesh.x.front()).norm());
@@ -45,7 +45,7 @@ double energy_of_round_off(const model::Model& model, const model::Mesh& mesh,
 }
 
 // The strain energy of a net, where the records have it.
-double energy_of(const results::StepResult& step, const std::string& net) {
+double energy_of(const results::LoadStepResult& step, const std::string& net) {
   const auto found = std::ranges::find(step.nets, net, &results::ForceBalance::body);
   return found == step.nets.end() ? std::numeric_limits<double>::infinity() : found->energy;
 }
@@ -180,14 +180,14 @@ results::NetErrorEstimate error_of(const std::string& name, std::vector<base::El
   return found;
 }
 
-bool has_bars(const results::StepResult& step) {
+bool has_bars(const results::LoadStepResult& step) {
   return std::ranges::any_of(step.fronts, &results::FrontResult::has_error_bar);
 }
 
 } // namespace
 
 void add_energy_errors(const model::Model& model, const Discretisation& scene,
-                       const std::vector<double>& energy, results::StepResult& step) {
+                       const std::vector<double>& energy, results::LoadStepResult& step) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const fe::ErrorEstimate estimate = fe::estimate_error(model, mesh, {step.u, step.temperature});
   const std::vector<bool> singular = singular_elements(model, scene);
@@ -212,20 +212,20 @@ void add_energy_errors(const model::Model& model, const Discretisation& scene,
 std::vector<std::string> describe_coarse_nets(const results::RunResult& run) {
   struct Worst {
     const results::NetErrorEstimate* error = nullptr;
-    const results::Increment* increment = nullptr;
-    const results::StepResult* step = nullptr;
+    const results::CrackLengthResult* increment = nullptr;
+    const results::LoadStepResult* step = nullptr;
   };
   double most = 0.0;
-  for (const results::Increment& increment : run.increments) {
-    for (const results::StepResult& step : increment.steps) {
+  for (const results::CrackLengthResult& increment : run.increments) {
+    for (const results::LoadStepResult& step : increment.steps) {
       for (const results::ForceBalance& net : step.nets) {
         most = std::max(most, net.energy);
       }
     }
   }
   std::map<std::string, Worst> by_net;
-  for (const results::Increment& increment : run.increments) {
-    for (const results::StepResult& step : increment.steps) {
+  for (const results::CrackLengthResult& increment : run.increments) {
+    for (const results::LoadStepResult& step : increment.steps) {
       for (const results::NetErrorEstimate& error : step.errors) {
         if (energy_of(step, error.net) < no_energy * most) {
           continue; // next to nothing strains it

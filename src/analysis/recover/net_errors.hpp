@@ -16,7 +16,7 @@ inline constexpr double coarse_mesh = 0.1;
 /// [element]. Elements of crack patches, at a tip and two rings about a single force are left out:
 /// they are singular, and K does not need their stresses.
 void add_energy_errors(const model::Model& model, const Discretisation& scene,
-                       const std::vector<double>& energy, results::StepResult& step);
+                       const std::vector<double>& energy, results::LoadStepResult& step);
 
 /// A sentence for each net whose error somewhere in the run is above coarse_mesh, at its worst.
 std::vector<std::string> describe_coarse_nets(const results::RunResult& run);

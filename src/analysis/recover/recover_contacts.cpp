@@ -141,7 +141,7 @@ struct SmallContactSpot {
 };
 
 // A contact that hardly presses beside the others is not what a step is about.
-void tell_small_spots(const std::vector<SmallContactSpot>& spots, results::StepResult& out) {
+void tell_small_spots(const std::vector<SmallContactSpot>& spots, results::LoadStepResult& out) {
   constexpr double counts = 0.05; // of the largest contact force
   double most = 0.0;
   for (const SmallContactSpot& spot : spots) {
@@ -192,7 +192,7 @@ bool many_alike(const std::vector<results::ContactPoint>& points, std::size_t i)
 // between two of them tells the place to less than a quarter of their distance; where one or two
 // nodes are all that is closed or open, to their distance.
 void note_parting(const Discretisation& scene, std::size_t pair, results::ContactResult& result,
-                  results::StepResult& out) {
+                  results::LoadStepResult& out) {
   const bool faces =
       !result.space && std::ranges::any_of(scene.crack_face_pairs,
                                            [&](const std::optional<CrackFacePair>& crack_face) {
@@ -241,7 +241,7 @@ void by_places(const contact::PairPressure& pressure, results::ContactResult& re
 } // namespace
 
 void recover_contacts(const Discretisation& scene, const StepState& state,
-                      results::StepResult& out) {
+                      results::LoadStepResult& out) {
   std::vector<SmallContactSpot> spots;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const contact::PairConstraints& pair = scene.pairs[c];

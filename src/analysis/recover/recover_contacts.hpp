@@ -9,6 +9,6 @@ namespace spricka::analysis {
 /// Pressures, arcs or areas, friction and resultants of all contacts of a solved step, with notes
 /// on pressure that has no bound and on where faces of cracks part.
 void recover_contacts(const Discretisation& scene, const StepState& state,
-                      results::StepResult& out);
+                      results::LoadStepResult& out);
 
 } // namespace spricka::analysis

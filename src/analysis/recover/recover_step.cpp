@@ -32,7 +32,7 @@ void drop_radial(results::ForceBalance& balance) { // radial forces balance roun
 
 void gather_bodies(const model::Model& model, const Discretisation& scene,
                    const std::vector<SubstructuredBody>& bodies, const StepState& state,
-                   results::StepResult& out) {
+                   results::LoadStepResult& out) {
   for (const SubstructuredBody& body : bodies) {
     results::ForceBalance balance;
     balance.body = body.name;
@@ -50,7 +50,7 @@ void gather_bodies(const model::Model& model, const Discretisation& scene,
 }
 
 // What presses on a rigid target has to be taken by whatever holds it.
-void gather_targets(const model::Model& model, const results::StepResult& found,
+void gather_targets(const model::Model& model, const results::LoadStepResult& found,
                     std::vector<results::ForceBalance>& targets) {
   for (std::size_t r = 0; r < model.rigids.size(); ++r) {
     results::ForceBalance balance;
@@ -73,7 +73,7 @@ void gather_targets(const model::Model& model, const results::StepResult& found,
 }
 
 void gather_nets(const model::Model& model, const Discretisation& scene, const StepState& state,
-                 results::StepResult& out) {
+                 results::LoadStepResult& out) {
   const model::Mesh& mesh = scene.cracked.mesh;
   std::vector<results::ForceBalance> nets(model.nets.size());
   std::vector<bool> used(model.nets.size(), false);
@@ -97,10 +97,10 @@ void gather_nets(const model::Model& model, const Discretisation& scene, const S
 
 } // namespace
 
-results::StepResult collect_step_results(const model::Model& model, const Discretisation& scene,
-                                         const std::vector<SubstructuredBody>& bodies,
-                                         const model::Step& step, const StepState& state) {
-  results::StepResult out;
+results::LoadStepResult collect_step_results(const model::Model& model, const Discretisation& scene,
+                                             const std::vector<SubstructuredBody>& bodies,
+                                             const model::Step& step, const StepState& state) {
+  results::LoadStepResult out;
   out.step = step.name;
   out.u = state.u;
   out.reaction = state.reaction;

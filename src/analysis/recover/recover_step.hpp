@@ -8,8 +8,8 @@
 namespace spricka::analysis {
 
 /// Processor VCE and RECOVER: turns the state at a step's end into records.
-results::StepResult collect_step_results(const model::Model& model, const Discretisation& scene,
-                                         const std::vector<SubstructuredBody>& bodies,
-                                         const model::Step& step, const StepState& state);
+results::LoadStepResult collect_step_results(const model::Model& model, const Discretisation& scene,
+                                             const std::vector<SubstructuredBody>& bodies,
+                                             const model::Step& step, const StepState& state);
 
 } // namespace spricka::analysis

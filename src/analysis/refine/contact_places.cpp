@@ -19,7 +19,7 @@ constexpr double most_for_faces = 2.0; // because of where its crack's faces par
 constexpr double much_smaller = 0.7;
 
 // Size of the patch's element at a place; 0 where the host goes on.
-double patch_size(const results::Increment& increment, const base::Vec2& at) {
+double patch_size(const results::CrackLengthResult& increment, const base::Vec2& at) {
   double closest = std::numeric_limits<double>::infinity();
   double size = 0.0;
   for (std::size_t e = increment.kept; e < increment.mesh.element_count(); ++e) {

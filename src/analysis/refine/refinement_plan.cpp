@@ -135,7 +135,7 @@ std::string net_of(const model::Model& model, const model::Mesh& mesh, std::size
 }
 
 // What patches stand in for keeps its size: it is cut out again.
-void add_cavities(const model::Model& model, const results::Increment& increment,
+void add_cavities(const model::Model& model, const results::CrackLengthResult& increment,
                   SizeRequestsByNet& requests) {
   const model::Mesh& host = model.mesh;
   std::set<std::pair<std::int32_t, base::Label>> kept;
@@ -175,7 +175,7 @@ struct Demands {
   std::vector<double> patch; ///< [crack] to be divided by
 };
 
-void add_elements(const model::Model& model, const results::Increment& increment,
+void add_elements(const model::Model& model, const results::CrackLengthResult& increment,
                   const ElementSizeFactors& factors, Demands& demands) {
   add_cavities(model, increment, demands.elements.cut);
   for (std::size_t e = 0; e < increment.kept; ++e) {
@@ -198,7 +198,7 @@ Demands demands_of(const model::Model& model, const results::RunResult& run) {
   const std::vector<ExcessiveErrorBar> bars = find_excessive_error_bars(model, run);
   Demands demands;
   demands.patch.assign(model.cracks.size(), 1.0);
-  for (const results::Increment& increment : run.increments) {
+  for (const results::CrackLengthResult& increment : run.increments) {
     ElementSizeFactors factors{std::vector<double>(increment.kept, 1.0), demands.patch};
     for (const ExcessiveErrorBar& wide : bars) {
       if (&wide.at.increment != &increment) {

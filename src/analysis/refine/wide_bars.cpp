@@ -48,8 +48,8 @@ double largest_K(const results::FrontResult& front) {
 }
 
 template <class F> void for_each_front(const results::RunResult& run, F&& f) {
-  for (const results::Increment& increment : run.increments) {
-    for (const results::StepResult& step : increment.steps) {
+  for (const results::CrackLengthResult& increment : run.increments) {
+    for (const results::LoadStepResult& step : increment.steps) {
       for (const results::FrontResult& front : step.fronts) {
         f(increment, step, front);
       }
@@ -86,8 +86,8 @@ std::vector<FrontWithTolerance> fronts_with_tolerance(const model::Model& model,
     largest = std::max(largest, largest_K(front));
   });
   std::vector<FrontWithTolerance> list;
-  for_each_front(run, [&](const results::Increment& increment, const results::StepResult& step,
-                          const results::FrontResult& front) {
+  for_each_front(run, [&](const results::CrackLengthResult& increment,
+                          const results::LoadStepResult& step, const results::FrontResult& front) {
     const base::CrackId crack = crack_of(model, front.name);
     const std::optional<double> tolerance = tolerance_of(model, crack);
     const double K = largest_K(front);

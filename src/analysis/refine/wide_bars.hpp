@@ -11,8 +11,8 @@ namespace spricka::analysis {
 
 /// A front at the end of a step, loaded and of a crack with TOL.
 struct FrontWithTolerance {
-  const results::Increment& increment;
-  const results::StepResult& step;
+  const results::CrackLengthResult& increment;
+  const results::LoadStepResult& step;
   const results::FrontResult& front;
   base::CrackId crack;
   double K = 0.0;         ///< hypot(K1, K2, K3), the largest along it

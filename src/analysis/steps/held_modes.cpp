@@ -176,17 +176,17 @@ std::vector<std::string> motions(const model::Model& model, const model::Mesh& m
 
 } // namespace
 
-std::vector<results::BodyPreview> rigid_mode_support(const model::Model& model,
-                                                     const Discretisation& scene,
-                                                     const std::vector<SubstructuredBody>& bodies) {
+std::vector<results::BodyRestraintPreview>
+rigid_mode_support(const model::Model& model, const Discretisation& scene,
+                   const std::vector<SubstructuredBody>& bodies) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const AllModes modes(scene, bodies);
   const solve::ModeSplit split = solve::split_controllable_modes(
       modes.openings(all_rows(scene)), modes.opening_scale(all_rows(scene)));
-  std::vector<results::BodyPreview> found;
+  std::vector<results::BodyRestraintPreview> found;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const SubstructuredBody& body = bodies[b];
-    results::BodyPreview preview;
+    results::BodyRestraintPreview preview;
     preview.name = body.name;
     preview.nodes = body.body.nodes.size();
     preview.elements = body.body.elements.size();

@@ -11,9 +11,9 @@
 namespace spricka::analysis {
 
 /// Which rigid modes of the bodies supports hold, which a contact can feel, which neither does.
-std::vector<results::BodyPreview> rigid_mode_support(const model::Model& model,
-                                                     const Discretisation& scene,
-                                                     const std::vector<SubstructuredBody>& bodies);
+std::vector<results::BodyRestraintPreview>
+rigid_mode_support(const model::Model& model, const Discretisation& scene,
+                   const std::vector<SubstructuredBody>& bodies);
 
 /// Loads that no contact can take, step by step, as the solution would find: of each step the
 /// first, as not_solvable. Needs no stiffness.

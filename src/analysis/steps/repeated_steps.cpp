@@ -9,7 +9,7 @@ namespace spricka::analysis {
 
 namespace {
 
-void take_pictures_away(results::StepResult& result) {
+void take_pictures_away(results::LoadStepResult& result) {
   result.stress.clear();
   result.element_stress.clear();
   result.errors.clear();
@@ -33,7 +33,7 @@ bool RepeatedSteps::stresses_needed_later(std::size_t step) const {
   return wanted;
 }
 
-void RepeatedSteps::drop_extra_stresses(std::vector<results::StepResult>& results) const {
+void RepeatedSteps::drop_extra_stresses(std::vector<results::LoadStepResult>& results) const {
   for (std::size_t s = 0; s < results.size(); ++s) {
     if (!pictured_[s]) {
       take_pictures_away(results[s]);
@@ -48,8 +48,8 @@ void RepeatedSteps::store_closed_rows(std::size_t step, const StepSolver& solver
 }
 
 void RepeatedSteps::copy_step(std::size_t step, StepSolver& solver,
-                              std::vector<results::StepResult>& results) const {
-  results::StepResult result = results[*same_[step]];
+                              std::vector<results::LoadStepResult>& results) const {
+  results::LoadStepResult result = results[*same_[step]];
   result.step = model_.steps[step].name;
   if (!pictured_[step]) {
     take_pictures_away(result);

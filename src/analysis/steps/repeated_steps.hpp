@@ -26,12 +26,12 @@ public:
   /// Whether stresses of a step are wanted by one that repeats it.
   [[nodiscard]] bool stresses_needed_later(std::size_t step) const;
   /// Takes stresses that were recovered for a later step alone away from the earlier one.
-  void drop_extra_stresses(std::vector<results::StepResult>& results) const;
+  void drop_extra_stresses(std::vector<results::LoadStepResult>& results) const;
   /// After a step has been solved.
   void store_closed_rows(std::size_t step, const StepSolver& solver);
   /// Adds the earlier step's results as those of this one and lets the solver go on from them.
   void copy_step(std::size_t step, StepSolver& solver,
-                 std::vector<results::StepResult>& results) const;
+                 std::vector<results::LoadStepResult>& results) const;
 
 private:
   const model::Model& model_;

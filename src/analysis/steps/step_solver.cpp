@@ -274,7 +274,7 @@ void StepSolver::note_uniqueness(const StepIncrementation& walk, StepState& stat
   if (!certain_ && walk.problem().rows.size() <= most_rows_tested &&
       solve::has_other_solutions({system_->condensed(walk.problem()), walk.problem().friction, {}},
                                  {walk.solution().contact, walk.solution().touch, false})) {
-    state.notes.push_back(results::questionable_note(
+    state.notes.push_back(results::questionable_input_note(
         "with this much friction the end of the step is one of several solutions: shear, pressures "
         "and K are those of one of them"));
   }

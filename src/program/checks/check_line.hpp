@@ -77,8 +77,8 @@ struct CheckLine {
 };
 
 struct CheckedStep {
-  const results::Increment* increment = nullptr;
-  const results::StepResult* step = nullptr;
+  const results::CrackLengthResult* increment = nullptr;
+  const results::LoadStepResult* step = nullptr;
 };
 
 /// The increment whose length is `a` (to 1e-6), or the last one when no length is given.

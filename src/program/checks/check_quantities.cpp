@@ -44,7 +44,7 @@ double reaction(CheckLine& line) {
 
 double energy(CheckLine& line) {
   const std::string net = line.args.next_name("a net or *");
-  const results::StepResult& at = *next_step(line).step;
+  const results::LoadStepResult& at = *next_step(line).step;
   if (net == "*") {
     return at.energy;
   }
@@ -57,7 +57,7 @@ double energy(CheckLine& line) {
 
 double estimated_error(CheckLine& line) {
   const std::string net = line.args.next_name("a net or *");
-  const results::StepResult& at = *next_step(line).step;
+  const results::LoadStepResult& at = *next_step(line).step;
   const auto found = std::ranges::find(at.errors, net, &results::NetErrorEstimate::net);
   if (found == at.errors.end()) {
     throw MissingQuantity(fmt::format("net {} has no elements outside crack patches", net));
@@ -71,7 +71,7 @@ double cycles(CheckLine& line) {
   if (!run.growth) {
     throw MissingQuantity("no crack grows by a law");
   }
-  if (results::growth_ended_early(*run.growth)) {
+  if (results::growth_could_not_continue(*run.growth)) {
     throw MissingQuantity("the growth ended early: " + run.growth->reason);
   }
   if (word == "LIFE") {

@@ -31,7 +31,7 @@ results::ContactResult open_faces(const model::Model& model, const std::string& 
   throw MissingQuantity(fmt::format("no contact {}", contact));
 }
 
-results::ContactResult contact_of(const model::Model& model, const results::StepResult& step,
+results::ContactResult contact_of(const model::Model& model, const results::LoadStepResult& step,
                                   const std::string& contact) {
   const results::ContactResult* found = results::find_contact(step, contact);
   return found != nullptr ? *found : open_faces(model, contact);
@@ -273,7 +273,7 @@ double evaluate_contact_quantity(CheckLine& line) {
   } else if (argument == Argument::axis) {
     axis = axis_index(args.next_name("X, Y or Z"));
   }
-  const results::StepResult& found = *find_checked_step(run, step, args.next_number()).step;
+  const results::LoadStepResult& found = *find_checked_step(run, step, args.next_number()).step;
   const results::ContactResult contact = contact_of(model, found, name);
   if (contact.space && plane_only(argument, word)) {
     throw MissingQuantity(

@@ -18,13 +18,13 @@ CheckedStep find_checked_step(const results::RunResult& run, const std::string& 
                               std::optional<double> a) {
   // From the end: without a length the last increment is meant.
   for (auto it = run.increments.rbegin(); it != run.increments.rend(); ++it) {
-    const results::StepResult* found = results::find_step(*it, step);
+    const results::LoadStepResult* found = results::find_step(*it, step);
     if (found != nullptr && (!a || std::abs(it->a - *a) <= 1e-6 * std::abs(*a))) {
       return {&*it, found};
     }
   }
   std::string lengths;
-  for (const results::Increment& increment : run.increments) {
+  for (const results::CrackLengthResult& increment : run.increments) {
     lengths += fmt::format("{}{:.9g}", lengths.empty() ? "" : ", ", increment.a);
   }
   throw MissingQuantity(

@@ -39,7 +39,7 @@ struct AtLength {
 
 // Of the end of the axis that is read, the first of two; a length of an axis with two ends is half
 // of what they span.
-std::optional<AtLength> on_axis(const results::StepResult& at, const model::Model& model,
+std::optional<AtLength> on_axis(const results::LoadStepResult& at, const model::Model& model,
                                 const model::GrowthTestReadings& test) {
   const model::CrackDefinition& crack = model.cracks[test.crack.index()];
   for (const results::FrontResult& front : at.fronts) {
@@ -67,9 +67,9 @@ std::optional<AtLength> on_axis(const results::StepResult& at, const model::Mode
 }
 
 // Of a tip, the first of two; in space of a place of the front. Empty where its K is none.
-std::optional<AtLength> found_at(const results::Increment& increment, base::StepId step,
+std::optional<AtLength> found_at(const results::CrackLengthResult& increment, base::StepId step,
                                  const model::Model& model, const model::GrowthTestReadings& test) {
-  const results::StepResult* at = results::find_step(increment, model.steps[step.index()].name);
+  const results::LoadStepResult* at = results::find_step(increment, model.steps[step.index()].name);
   if (at == nullptr) {
     return std::nullopt;
   }
@@ -91,7 +91,7 @@ public:
             const model::GrowthTestReadings& test) {
     const model::CrackGrowthSettings& growth = *model.growth;
     std::vector<std::array<double, 4>> found; // log a, log K, R, other half axis
-    for (const results::Increment& increment : run.increments) {
+    for (const results::CrackLengthResult& increment : run.increments) {
       const std::optional<AtLength> high = found_at(increment, growth.kmax, model, test);
       if (!high || !(high->K1 > 0.0)) {
         continue;
@@ -227,16 +227,16 @@ void add_notes(results::GrowthTestResult& test) {
         outside, test.points.size())));
   }
   if (none > 0) {
-    test.notes.push_back(results::questionable_note(
+    test.notes.push_back(results::questionable_input_note(
         fmt::format("{} of {} points have a rate that no K of the reference gives (scatter made it "
                     "negative, or it is below the threshold); they are left out",
                     none, test.points.size())));
   }
   if (beyond > 0) {
-    test.notes.push_back(
-        results::questionable_note(fmt::format("{} of {} points have a rate beyond the rows of the "
-                                               "reference, which was drawn straight on",
-                                               beyond, test.points.size())));
+    test.notes.push_back(results::questionable_input_note(
+        fmt::format("{} of {} points have a rate beyond the rows of the "
+                    "reference, which was drawn straight on",
+                    beyond, test.points.size())));
   }
 }
 
@@ -255,7 +255,7 @@ void compare_shapes(const ComputedK& computed, const model::GrowthTestReadings& 
     }
   }
   if (std::abs(most) > alike) {
-    test.notes.push_back(results::questionable_note(fmt::format(
+    test.notes.push_back(results::questionable_input_note(fmt::format(
         "the crack that was read has another shape than the one that was computed: at {} = {:.4g} "
         "its {} is {:+.0f} % off. K is of the computed shape",
         card.on_c ? "c" : "a", where, card.on_c ? "a" : "c", 100.0 * most)));

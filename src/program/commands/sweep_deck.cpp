@@ -268,9 +268,9 @@ private:
     for (const model::OutputFileRequest& output : model.outputs) {
       if (output.format == model::OutputFormat::csv &&
           output.every == model::OutputFrequency::end) {
-        std::vector<results::SweepValue>& cells =
+        std::vector<results::SweepResultValue>& cells =
             point.requested[fs::path(output.file).filename().string()];
-        const std::vector<results::SweepValue> more =
+        const std::vector<results::SweepResultValue> more =
             report::requested_sweep_values(model, output, run);
         cells.insert(cells.end(), more.begin(), more.end());
       }
@@ -313,17 +313,17 @@ private:
 
   // The life, else K1 at the last length.
   void tell_result(const SweepPoint& point) const {
-    const auto life = std::ranges::find(point.cells, "N", &results::SweepValue::quantity);
+    const auto life = std::ranges::find(point.cells, "N", &results::SweepResultValue::quantity);
     if (life != point.cells.end()) {
       write_to_stdout(fmt::format("  N = {:.7g}", life->value));
       return;
     }
     const std::string step = report::leading_step_name(*deck_.model);
     int last = 0;
-    for (const results::SweepValue& cell : point.cells) {
+    for (const results::SweepResultValue& cell : point.cells) {
       last = std::max(last, cell.increment);
     }
-    for (const results::SweepValue& cell : point.cells) {
+    for (const results::SweepResultValue& cell : point.cells) {
       if (cell.quantity == "K1" && cell.step == step && cell.increment == last) {
         write_to_stdout(fmt::format("  K1 {} = {:.7g}", cell.name, cell.value));
       }

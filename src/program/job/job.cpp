@@ -120,7 +120,9 @@ Solved solve_deck(const RunOptions& options, const CheckedDeck& deck, RunFolder&
         so_far.set_finished_increments(progress.increment);
       }
     };
-    solve.found = [&](const results::Increment& increment) { so_far.update_increment(increment); };
+    solve.found = [&](const results::CrackLengthResult& increment) {
+      so_far.update_increment(increment);
+    };
     std::optional<results::RunResult> run = analysis::solve_run(model, solve, own, trouble);
     if (!run && !trouble) {
       trouble = base::OperationFailure{.kind = base::Outcome::deck_error,
@@ -181,7 +183,7 @@ RunOutcome judged(const Solved& solved, const results::RunResult& run, const Log
     outcome.error = missed_tolerance(solved);
   }
   if (outcome.kind == base::Outcome::done && run.growth &&
-      results::growth_ended_early(*run.growth)) {
+      results::growth_could_not_continue(*run.growth)) {
     outcome.kind = base::Outcome::not_solvable;
     outcome.error = run.growth->reason;
     log.message(base::Severity::error, "E510", outcome.error);
@@ -225,7 +227,7 @@ RunOutcome solve_and_write(const RunOptions& options, const CheckedDeck& deck, R
                                                           "CHECKS", "checks, warnings");
   if (!run.increments.empty()) { // of the cracks as they begin
     std::vector<results::Note>& notes = run.increments.front().notes;
-    const std::vector<results::Note> flaws = results::make_notes(deck.flaws);
+    const std::vector<results::Note> flaws = results::make_plain_notes(deck.flaws);
     notes.insert(notes.begin(), flaws.begin(), flaws.end());
   }
   run.tests = invert_growth_tests(*used.model, run);
@@ -306,7 +308,7 @@ void print_fronts(const model::Model& model, const results::RunResult& run) {
            run.growth->stations[i].cycles > run.growth->final_cycles() * (1.0 + 1e-9);
   };
   for (std::size_t i = 0; i < run.increments.size(); ++i) {
-    for (const results::StepResult& step : run.increments[i].steps) {
+    for (const results::LoadStepResult& step : run.increments[i].steps) {
       if (behind_the_end(i)) {
         continue;
       }

@@ -29,7 +29,7 @@ std::string picture_stem(const model::Model& model) {
   return "results";
 }
 
-bool shows_surfaces(const results::StepResult& step) {
+bool shows_surfaces(const results::LoadStepResult& step) {
   return std::ranges::any_of(step.contacts, [](const results::ContactResult& contact) {
     return contact.mounted && !contact.corners.empty();
   });
@@ -45,8 +45,8 @@ double picture_time(const results::RunResult& run, std::size_t increment, std::s
 }
 
 std::vector<report::PvdEntry> write_step(const model::Model& model,
-                                         const results::Increment& increment,
-                                         const results::StepResult& step, double time,
+                                         const results::CrackLengthResult& increment,
+                                         const results::LoadStepResult& step, double time,
                                          const FileCreator& put) {
   std::vector<report::PvdEntry> entries;
   const auto add = [&](const std::string& stem, int part, const auto& write) {
@@ -75,9 +75,9 @@ void write_vtu_files(const model::Model& model, const results::RunResult& run,
   const bool grows = run.increments.size() > 1 || run.growth;
   std::map<std::string, std::vector<report::PvdEntry>> collections{{stem, {}}};
   for (std::size_t i = 0; i < run.increments.size(); ++i) {
-    const results::Increment& increment = run.increments[i];
+    const results::CrackLengthResult& increment = run.increments[i];
     for (std::size_t s = 0; s < increment.steps.size(); ++s) {
-      const results::StepResult& step = increment.steps[s];
+      const results::LoadStepResult& step = increment.steps[s];
       if (step.stress.empty()) {
         continue;
       }

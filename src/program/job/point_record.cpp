@@ -16,18 +16,18 @@ namespace {
 
 using nlohmann::json;
 using results::SweepPoint;
-using results::SweepValue;
+using results::SweepResultValue;
 
-json to_json(const std::vector<SweepValue>& cells) {
+json to_json(const std::vector<SweepResultValue>& cells) {
   json list = json::array();
-  for (const SweepValue& c : cells) {
+  for (const SweepResultValue& c : cells) {
     list.push_back({c.quantity, c.name, c.step, c.increment, c.value}); // not finite: null
   }
   return list;
 }
 
-std::vector<SweepValue> cells_from(const json& list) {
-  std::vector<SweepValue> cells;
+std::vector<SweepResultValue> cells_from(const json& list) {
+  std::vector<SweepResultValue> cells;
   for (const json& c : list) {
     const double value =
         c.at(4).is_null() ? std::numeric_limits<double>::quiet_NaN() : c.at(4).get<double>();

@@ -358,15 +358,15 @@ std::optional<fs::path> RunFolder::abandon(bool leaves_k) {
   return std::nullopt;
 }
 
-void InterimKTable::update_increment(const results::Increment& increment) {
+void InterimKTable::update_increment(const results::CrackLengthResult& increment) {
   // A state that was tried and not taken is replaced by the next.
   run_.increments.resize(finished_);
-  results::Increment& shown = run_.increments.emplace_back();
+  results::CrackLengthResult& shown = run_.increments.emplace_back();
   shown.number = static_cast<int>(finished_) + 1;
   shown.a = increment.a;
   bool any = false;
-  for (const results::StepResult& step : increment.steps) {
-    results::StepResult& copy = shown.steps.emplace_back();
+  for (const results::LoadStepResult& step : increment.steps) {
+    results::LoadStepResult& copy = shown.steps.emplace_back();
     copy.step = step.step;
     copy.fronts = step.fronts;
     any = any || !step.fronts.empty();

@@ -89,7 +89,7 @@ public:
   InterimKTable(const model::Model& model, RunFolder& folder) : model_(model), folder_(folder) {}
 
   /// The increment under way has a new K, or a bar of one.
-  void update_increment(const results::Increment& increment);
+  void update_increment(const results::CrackLengthResult& increment);
   /// How many increments of the run are finished; their K stays in the table.
   void set_finished_increments(std::size_t increments) { finished_ = increments; }
 

@@ -22,7 +22,7 @@ constexpr int most_rounds = 8;
 
 std::size_t unknowns(const results::RunResult& run) {
   std::size_t most = 0;
-  for (const results::Increment& increment : run.increments) {
+  for (const results::CrackLengthResult& increment : run.increments) {
     const std::vector<bool> used = model::mark_nodes_in_use(increment.mesh);
     const auto nodes = static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
     most = std::max(most, nodes * static_cast<std::size_t>(increment.mesh.dim));

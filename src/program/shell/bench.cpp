@@ -47,14 +47,14 @@ bool is_one_further(const std::vector<model::Step>& way, const std::vector<model
 }
 
 // The only increment of the run, with the mesh of a length and no step yet.
-results::Increment first_increment(const analysis::CrackLengthAnalysis& length,
-                                   const model::Mesh& host) {
+results::CrackLengthResult first_increment(const analysis::CrackLengthAnalysis& length,
+                                           const model::Mesh& host) {
   const analysis::Discretisation& scene = length.discretisation();
   const mesh::CrackedMesh& cracked = scene.cracked;
-  results::Increment increment;
+  results::CrackLengthResult increment;
   increment.number = 1;
   increment.a = base::restore_short_decimal(length.first_crack_size());
-  increment.notes = results::make_notes(scene.notes);
+  increment.notes = results::make_plain_notes(scene.notes);
   increment.mesh = cracked.mesh;
   increment.surface = analysis::outer_faces_by_nodes(increment.mesh);
   analysis::keep_removed_set_members(host, increment.mesh);
@@ -77,7 +77,7 @@ base::OptionalFailure advance(const analysis::CrackLengthAnalysis& length,
       trouble->why = fmt::format("step {}: {}", step.name, trouble->why);
       return trouble;
     }
-    results::StepResult numbers;
+    results::LoadStepResult numbers;
     numbers.u = reached.state->u;
     numbers.reaction = reached.state->reaction;
     if (const std::string what = analysis::find_nonfinite_result(numbers); !what.empty()) {
@@ -166,11 +166,11 @@ base::OptionalFailure InteractiveSolver::reach(const std::vector<model::Step>& w
   }
 }
 
-results::StepResult InteractiveSolver::gather(const ReachedShellState& reached,
-                                              const std::string& name) const {
+results::LoadStepResult InteractiveSolver::gather(const ReachedShellState& reached,
+                                                  const std::string& name) const {
   model::Step step;
   step.name = name;
-  results::StepResult out = length_->recover_step(step, *reached.state);
+  results::LoadStepResult out = length_->recover_step(step, *reached.state);
   const model::Mesh& mesh = length_->discretisation().cracked.mesh;
   analysis::fill_removed_node_displacements(mesh, analysis::removed_nodes(parts_.model.mesh, mesh),
                                             out.u);
@@ -178,8 +178,8 @@ results::StepResult InteractiveSolver::gather(const ReachedShellState& reached,
 }
 
 void InteractiveSolver::take(ReachedShellState reached, const std::vector<model::Step>& way) {
-  std::vector<results::StepResult>& steps = run_.increments.front().steps;
-  results::StepResult now = gather(reached, "NOW");
+  std::vector<results::LoadStepResult>& steps = run_.increments.front().steps;
+  results::LoadStepResult now = gather(reached, "NOW");
   // The present state is the first of the steps; those that add_deck_step_result() adds stand
   // behind it.
   if (steps.empty()) {
@@ -224,7 +224,7 @@ base::OptionalFailure InteractiveSolver::estimate_accuracy() {
   if (estimated_ || length_->discretisation().cracked.fronts.empty()) {
     return {};
   }
-  results::StepResult found = current_result();
+  results::LoadStepResult found = current_result();
   if (!length_->add_K_estimates(
           *solver_, *state_, found,
           [&](const std::string&, const std::string&) { return !stopped(); })) {
@@ -236,7 +236,7 @@ base::OptionalFailure InteractiveSolver::estimate_accuracy() {
 }
 
 void InteractiveSolver::estimate_net_errors() {
-  results::StepResult& step = run_.increments.front().steps.front();
+  results::LoadStepResult& step = run_.increments.front().steps.front();
   if (step.errors.empty()) {
     length_->add_net_errors(*state_, step);
   }

@@ -52,7 +52,7 @@ public:
   /// One increment with the mesh and the present state as its step NOW; then what was asked of the
   /// deck's own steps, and the load paths that were followed.
   [[nodiscard]] const results::RunResult& run_results() const { return run_; }
-  [[nodiscard]] const results::StepResult& current_result() const {
+  [[nodiscard]] const results::LoadStepResult& current_result() const {
     return run_.increments.front().steps[0];
   }
   /// The model as it is shown: its only step with results is NOW.
@@ -85,8 +85,8 @@ private:
   /// Solves the steps from the unloaded state, faces closed where they meet.
   base::OptionalFailure reach(const std::vector<model::Step>& way, ReachedShellState& reached);
   void take(ReachedShellState reached, const std::vector<model::Step>& way);
-  [[nodiscard]] results::StepResult gather(const ReachedShellState& reached,
-                                           const std::string& name) const;
+  [[nodiscard]] results::LoadStepResult gather(const ReachedShellState& reached,
+                                               const std::string& name) const;
   [[nodiscard]] bool stopped() const { return parts_.stopped && parts_.stopped(); }
 
   InteractiveSolverInputs parts_;

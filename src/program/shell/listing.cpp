@@ -94,7 +94,7 @@ std::string touching_note(const FrontResult& front) {
 }
 
 // Warnings of a state, and behind them its notes that were not given before.
-std::vector<std::string> new_notes(const results::StepResult& state,
+std::vector<std::string> new_notes(const results::LoadStepResult& state,
                                    std::set<std::string>& reported) {
   std::vector<std::string> warnings;
   std::vector<std::string> notes;
@@ -134,10 +134,10 @@ std::string state_notes(ShellSession& session) {
   return text;
 }
 
-results::Increment current_increment_of_crack(const ShellSession& session,
-                                              const std::string& only) {
-  results::Increment alone;
-  results::StepResult& step = alone.steps.emplace_back();
+results::CrackLengthResult current_increment_of_crack(const ShellSession& session,
+                                                      const std::string& only) {
+  results::CrackLengthResult alone;
+  results::LoadStepResult& step = alone.steps.emplace_back();
   step.step = "NOW";
   for (const FrontResult& front : session.current_result().fronts) {
     if (is_of_crack(front.name, only)) {
@@ -148,7 +148,7 @@ results::Increment current_increment_of_crack(const ShellSession& session,
 }
 
 std::string k_reply(const ShellSession& session, const std::string& only) {
-  const results::Increment fronts = current_increment_of_crack(session, only);
+  const results::CrackLengthResult fronts = current_increment_of_crack(session, only);
   std::vector<ReportTable> tables =
       report::front_tables(session.solver().displayed_model(), fronts);
   if (tables.empty()) {

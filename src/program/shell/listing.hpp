@@ -14,7 +14,8 @@ std::string state_notes(ShellSession& session);
 
 /// The present state alone, with the fronts of one crack, tip or front, or of all for an empty
 /// name: for the tables of the listing.
-results::Increment current_increment_of_crack(const ShellSession& session, const std::string& only);
+results::CrackLengthResult current_increment_of_crack(const ShellSession& session,
+                                                      const std::string& only);
 /// Tables of K as the listing has them, a row for each tip or point of a front.
 std::string k_reply(const ShellSession& session, const std::string& only);
 /// What a reader of these K must not miss, one line each.

@@ -70,10 +70,10 @@ std::vector<report::Figure> path_figures(const ShellSession& session,
 
 // The sizes tried with these loads and fits as steps of one increment, each front a figure.
 std::vector<report::Figure> k_along_fronts(const ShellSession& session) {
-  results::Increment sizes;
+  results::CrackLengthResult sizes;
   std::vector<std::string> names;
   for (FrontsAtSize& tried : session.fronts_by_size()) {
-    results::StepResult& step = sizes.steps.emplace_back();
+    results::LoadStepResult& step = sizes.steps.emplace_back();
     step.step = fmt::format("a = {:.5g}", tried.size.a);
     step.step += tried.size.c > 0.0 ? fmt::format(", c = {:.5g}", tried.size.c) : "";
     step.fronts = std::move(tried.fronts);
@@ -95,7 +95,7 @@ std::vector<report::Figure> k_along_fronts(const ShellSession& session) {
 results::RunResult run_of_sizes(const ShellSession& session) {
   results::RunResult run;
   for (FrontsAtSize& tried : session.fronts_by_size()) {
-    results::Increment& increment = run.increments.emplace_back();
+    results::CrackLengthResult& increment = run.increments.emplace_back();
     increment.number = static_cast<int>(run.increments.size());
     increment.a = tried.a;
     increment.steps.emplace_back().step = "NOW";

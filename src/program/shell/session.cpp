@@ -80,7 +80,7 @@ base::OptionalFailure ShellSession::read_again(SessionDeckChanges to) {
 // The state is another one: paths at the state before are of no use.
 void ShellSession::take_state() {
   mapped_.clear();
-  const results::StepResult& state = current_result();
+  const results::LoadStepResult& state = current_result();
   if (!state.fronts.empty()) {
     tried_.add(deck_->setting(),
                {run_results().increments.front().a, crack_size(model(), state, 0), state.fronts});

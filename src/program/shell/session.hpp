@@ -70,7 +70,7 @@ public:
   /// At the present state: its factors, the model as it is shown, and what was condensed for it.
   [[nodiscard]] const InteractiveSolver& solver() const { return deck_->solver(); }
   [[nodiscard]] const results::RunResult& run_results() const { return solver().run_results(); }
-  [[nodiscard]] const results::StepResult& current_result() const {
+  [[nodiscard]] const results::LoadStepResult& current_result() const {
     return solver().current_result();
   }
   /// Estimated errors of the nets in the energy norm, once for a state.

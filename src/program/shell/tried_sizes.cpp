@@ -8,7 +8,7 @@
 
 namespace spricka::program {
 
-CrackSize crack_size(const model::Model& model, const results::StepResult& state,
+CrackSize crack_size(const model::Model& model, const results::LoadStepResult& state,
                      std::size_t crack) {
   const model::CrackDefinition& card = model.cracks[crack];
   if (card.kind == model::CrackDefinitionKind::ellipse) {

@@ -17,7 +17,7 @@ struct CrackSize {
 
 /// Size of a crack: axes of an ellipse, else the length that the state has of it; without one that
 /// of the deck [length].
-CrackSize crack_size(const model::Model& model, const results::StepResult& state,
+CrackSize crack_size(const model::Model& model, const results::LoadStepResult& state,
                      std::size_t crack);
 
 /// A state that was found at one size of the cracks.

@@ -94,7 +94,7 @@ std::vector<model::ResultCheck> questions_of_cracks(const results::RunResult& ru
     if (n > many && i != 0 && i != n / 2 && i + 1 != n) {
       continue;
     }
-    for (const results::StepResult& step : run.increments[i].steps) {
+    for (const results::LoadStepResult& step : run.increments[i].steps) {
       for (const results::FrontResult& front : step.fronts) {
         for (model::ResultCheck& check : questions_of_front(step.step, front)) {
           if (n > 1) {
@@ -111,7 +111,7 @@ std::vector<model::ResultCheck> questions_of_cracks(const results::RunResult& ru
 std::vector<model::ResultCheck> questions_of_bodies(const results::RunResult& run) {
   std::vector<model::ResultCheck> made;
   if (!run.increments.empty()) {
-    for (const results::StepResult& step : run.increments.back().steps) {
+    for (const results::LoadStepResult& step : run.increments.back().steps) {
       for (const results::ContactResult& contact : step.contacts) {
         made.push_back(question("CPRESS.MEAN", {contact.name, step.step}, false));
       }

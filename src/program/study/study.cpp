@@ -49,7 +49,7 @@ std::vector<AnswerReading> peer_answers(const model::Model& model,
                                         const NodalFields& fields) {
   results::RunResult run; // of nodal values alone
   run.increments.emplace_back().mesh = model.mesh;
-  results::StepResult& step = run.increments.front().steps.emplace_back();
+  results::LoadStepResult& step = run.increments.front().steps.emplace_back();
   step.step = model.steps.front().name;
   std::vector<AnswerReading> readings(answers.size());
   for (std::size_t a = 0; a < answers.size(); ++a) {

@@ -78,7 +78,7 @@ bool VariantRuns::read_trial(const ChildRun& child, const ChildProcessResult& en
   if (choose) {
     answers_ = choose(model(), *run);
   }
-  for (const results::Increment& increment : run->increments) {
+  for (const results::CrackLengthResult& increment : run->increments) {
     trial.unknowns = std::max(trial.unknowns, increment.unknowns);
   }
   trial.asked = answer_counterparts(trial.variant, answers_);

@@ -40,7 +40,7 @@ bool lies_in(const FittedFrontPlane& frame, const model::Mesh& mesh,
   });
 }
 
-base::Vec3 displacement(const results::StepResult& step, base::NodeId n) {
+base::Vec3 displacement(const results::LoadStepResult& step, base::NodeId n) {
   return step.u.segment<3>(static_cast<Eigen::Index>(3 * n.index()));
 }
 
@@ -77,8 +77,8 @@ std::optional<FittedFrontPlane> fit_front_plane(const results::FrontResult& fron
   return plane ? std::optional(frame) : std::nullopt;
 }
 
-std::vector<CrackFaceOpening> crack_face_openings(const results::Increment& increment,
-                                                  const results::StepResult& step,
+std::vector<CrackFaceOpening> crack_face_openings(const results::CrackLengthResult& increment,
+                                                  const results::LoadStepResult& step,
                                                   const FittedFrontPlane& frame) {
   const model::Mesh& mesh = increment.mesh;
   const CoincidenceGrid places(frame.centre, one_place * frame.size);

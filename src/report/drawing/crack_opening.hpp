@@ -27,8 +27,8 @@ struct CrackFaceOpening {
 };
 
 /// Faces of the body's surface in the crack's plane that have another one in the same place.
-std::vector<CrackFaceOpening> crack_face_openings(const results::Increment& increment,
-                                                  const results::StepResult& step,
+std::vector<CrackFaceOpening> crack_face_openings(const results::CrackLengthResult& increment,
+                                                  const results::LoadStepResult& step,
                                                   const FittedFrontPlane& frame);
 
 } // namespace spricka::report

@@ -52,7 +52,7 @@ struct RidgeEdge {
 
 /// Edges where the surface has a kink or an end, of one net. Corners are every second node of an
 /// outline of a face of second order.
-std::vector<RidgeEdge> ridges(const results::Increment& increment, base::NetId net) {
+std::vector<RidgeEdge> ridges(const results::CrackLengthResult& increment, base::NetId net) {
   constexpr double kink = 0.9; // cosine, 26 degrees
   const model::Mesh& mesh = increment.mesh;
   std::map<std::pair<base::NodeId, base::NodeId>, RidgeEdge> edges;
@@ -84,7 +84,8 @@ std::vector<RidgeEdge> ridges(const results::Increment& increment, base::NetId n
   return kept;
 }
 
-base::NetId net_of_front(const results::Increment& increment, const results::FrontResult& front) {
+base::NetId net_of_front(const results::CrackLengthResult& increment,
+                         const results::FrontResult& front) {
   const model::Mesh& mesh = increment.mesh;
   const base::NodeId nearest = nearest_node(mesh, front.points.front().x);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
@@ -153,7 +154,7 @@ void draw_legend(SvgDrawing& svg, const ColourScale& scale, const PictureFrame& 
 
 std::string draw_crack_front(const CrackView& view) {
   const std::optional<FittedFrontPlane> plane = fit_front_plane(*view.front);
-  const results::Increment& increment = *view.increment;
+  const results::CrackLengthResult& increment = *view.increment;
   if (!plane || increment.surface.empty()) {
     return {};
   }
@@ -194,7 +195,7 @@ std::string draw_crack_front(const CrackView& view) {
 
 std::string draw_crack_opening(const CrackView& view) {
   const std::optional<FittedFrontPlane> plane = fit_front_plane(*view.front);
-  const results::Increment& increment = *view.increment;
+  const results::CrackLengthResult& increment = *view.increment;
   if (!plane || view.step->u.size() != static_cast<Eigen::Index>(3 * increment.mesh.node_count())) {
     return {};
   }

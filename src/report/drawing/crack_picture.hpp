@@ -9,8 +9,8 @@ namespace spricka::report {
 
 /// A crack in space and the front to be drawn.
 struct CrackView {
-  const results::Increment* increment = nullptr;
-  const results::StepResult* step = nullptr;
+  const results::CrackLengthResult* increment = nullptr;
+  const results::LoadStepResult* step = nullptr;
   const results::FrontResult* front = nullptr;
   std::string k_name;      ///< unit of K
   std::string length_name; ///< unit of length

@@ -21,13 +21,13 @@ double size_of(const model::Mesh& mesh) {
 }
 
 /// E times displacement [stress * length].
-double stiffness_times_way(const model::Model& model, const results::Increment& increment) {
+double stiffness_times_way(const model::Model& model, const results::CrackLengthResult& increment) {
   double softest = std::numeric_limits<double>::infinity(); // so that nothing real is hidden
   for (const model::ElementProperty& property : model.properties) {
     softest = std::min(softest, model.materials[property.material.index()].E);
   }
   double way = 0.0;
-  for (const results::StepResult& step : increment.steps) {
+  for (const results::LoadStepResult& step : increment.steps) {
     way = step.u.size() > 0 ? std::max(way, step.u.lpNorm<Eigen::Infinity>()) : way;
   }
   return std::isfinite(softest) ? softest * way : 0.0;
@@ -35,12 +35,14 @@ double stiffness_times_way(const model::Model& model, const results::Increment& 
 
 } // namespace
 
-double reference_elastic_stress(const model::Model& model, const results::Increment& increment) {
+double reference_elastic_stress(const model::Model& model,
+                                const results::CrackLengthResult& increment) {
   const double size = size_of(increment.mesh);
   return size > 0.0 ? stiffness_times_way(model, increment) / size : 0.0;
 }
 
-double reference_elastic_force(const model::Model& model, const results::Increment& increment) {
+double reference_elastic_force(const model::Model& model,
+                               const results::CrackLengthResult& increment) {
   double depth = 0.0;
   for (const model::ElementProperty& property : model.properties) {
     const bool plane = property.state == model::StressState::plane_stress ||
@@ -50,7 +52,7 @@ double reference_elastic_force(const model::Model& model, const results::Increme
   return stiffness_times_way(model, increment) * depth;
 }
 
-double largest_von_mises_stress(const results::StepResult& step) {
+double largest_von_mises_stress(const results::LoadStepResult& step) {
   double largest = 0.0;
   for (const results::Stress& stress : step.stress) {
     largest = std::max(largest, results::von_mises(stress));
@@ -58,11 +60,11 @@ double largest_von_mises_stress(const results::StepResult& step) {
   return largest;
 }
 
-bool has_significant_stress(const model::Model& model, const results::Increment& increment,
-                            const results::StepResult& step) {
+bool has_significant_stress(const model::Model& model, const results::CrackLengthResult& increment,
+                            const results::LoadStepResult& step) {
   constexpr double round_off = 1e-9;
   double scale = reference_elastic_stress(model, increment);
-  for (const results::StepResult& other : increment.steps) {
+  for (const results::LoadStepResult& other : increment.steps) {
     scale = std::max(scale, largest_von_mises_stress(other));
   }
   return largest_von_mises_stress(step) > round_off * scale;

@@ -10,16 +10,18 @@ namespace spricka::report {
 
 /// E of the softest material times the largest displacement of the steps over the model's size
 /// [stress].
-double reference_elastic_stress(const model::Model& model, const results::Increment& increment);
+double reference_elastic_stress(const model::Model& model,
+                                const results::CrackLengthResult& increment);
 
 /// The same over the thickness and the size [force].
-double reference_elastic_force(const model::Model& model, const results::Increment& increment);
+double reference_elastic_force(const model::Model& model,
+                               const results::CrackLengthResult& increment);
 
 /// The largest von Mises stress of a step; 0 without stresses.
-double largest_von_mises_stress(const results::StepResult& step);
+double largest_von_mises_stress(const results::LoadStepResult& step);
 
 /// Whether a step has stresses that are more than round-off.
-bool has_significant_stress(const model::Model& model, const results::Increment& increment,
-                            const results::StepResult& step);
+bool has_significant_stress(const model::Model& model, const results::CrackLengthResult& increment,
+                            const results::LoadStepResult& step);
 
 } // namespace spricka::report

@@ -26,7 +26,7 @@ struct DrawnFace {
 };
 
 /// Largest extent of the surface.
-double size_of(const results::Increment& increment) {
+double size_of(const results::CrackLengthResult& increment) {
   geometry::Box<3> box;
   for (const results::OuterSurfaceFace& face : increment.surface) {
     for (const base::NodeId n : face.outline) {

@@ -12,8 +12,8 @@ inline constexpr std::size_t most_drawn_faces = 20000;
 
 /// The outer surface of a solid mesh, seen from x, -y and z, deformed, coloured by von Mises.
 struct SolidView {
-  const results::Increment* increment = nullptr;
-  const results::StepResult* step = nullptr;
+  const results::CrackLengthResult* increment = nullptr;
+  const results::LoadStepResult* step = nullptr;
   std::string stress_name;
   double width = 560.0; ///< [px]
 };

@@ -186,11 +186,11 @@ void write_beta_csv(const std::filesystem::path& file, const model::Model& model
   const std::vector<BetaCsvFactors> factors = factors_of_steps(model);
   std::deque<std::vector<BetaMoment>> moments; // rows point at them
   std::vector<BetaRow> rows;
-  for (const results::Increment& increment : run.increments) {
+  for (const results::CrackLengthResult& increment : run.increments) {
     const auto add = [&](const results::FrontResult& front, const std::vector<BetaPoint>& points) {
       add_rows(rows, model, increment.number, front, points, moments.back());
     };
-    for (const results::StepResult& step : increment.steps) {
+    for (const results::LoadStepResult& step : increment.steps) {
       moments.push_back({{step.step, std::nullopt, factors[step_index(model, step.step)]}});
       for (const results::FrontResult& front : step.fronts) {
         if (!front.two_materials) {

@@ -37,7 +37,7 @@ bool is_consistent(const model::Contact& contact) {
 }
 
 // Adds what a step of an increment has of a contact, where it is closed anywhere.
-void add_closed(std::vector<Seen>& all, const results::StepResult* step,
+void add_closed(std::vector<Seen>& all, const results::LoadStepResult* step,
                 const model::Contact& contact, const std::string& label) {
   const results::ContactResult* const result =
       step == nullptr ? nullptr : results::find_contact(*step, contact.name);
@@ -49,7 +49,7 @@ void add_closed(std::vector<Seen>& all, const results::StepResult* step,
 /// The steps of the last length.
 std::vector<Seen> of_steps(const results::RunResult& run, const model::Contact& contact) {
   std::vector<Seen> all;
-  for (const results::StepResult& step : run.increments.back().steps) {
+  for (const results::LoadStepResult& step : run.increments.back().steps) {
     add_closed(all, &step, contact, step.step);
   }
   return all;
@@ -60,7 +60,7 @@ std::vector<Seen> of_sizes(const model::Model& model, const results::RunResult& 
                            const model::Contact& contact) {
   const std::string step = leading_step_name(model);
   std::vector<Seen> all;
-  for (const results::Increment* increment : sample_increments(run, most_sizes)) {
+  for (const results::CrackLengthResult* increment : sample_increments(run, most_sizes)) {
     add_closed(all, results::find_step(*increment, step), contact,
                fmt::format("{}, a = {:.4g} {}", step, increment->a, model.units.length_name));
   }

@@ -102,7 +102,7 @@ std::vector<Figure> growth_figures(const model::Model& model, const results::Run
 double k1_bar_for_plot(const results::FrontResult* front);
 
 /// At most `limit` increments, evenly chosen, first and last among them.
-std::vector<const results::Increment*> sample_increments(const results::RunResult& run,
-                                                         std::size_t limit);
+std::vector<const results::CrackLengthResult*> sample_increments(const results::RunResult& run,
+                                                                 std::size_t limit);
 
 } // namespace spricka::report

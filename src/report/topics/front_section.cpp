@@ -74,7 +74,7 @@ PlotSeries curve_along(const results::FrontResult& front, std::size_t mode) {
 }
 
 // The fronts of a crack in a solution; those of all steps lie at the same places.
-std::vector<std::vector<base::Vec3>> fronts_of(const results::Increment& increment,
+std::vector<std::vector<base::Vec3>> fronts_of(const results::CrackLengthResult& increment,
                                                const std::string& crack) {
   std::vector<std::vector<base::Vec3>> fronts;
   if (increment.steps.empty()) {
@@ -96,9 +96,10 @@ std::vector<std::vector<base::Vec3>> fronts_of(const results::Increment& increme
 }
 
 /// The front in its body and the opened crack, at the end of the leading step.
-std::optional<Figure> crack_pictures(const model::Model& model, const results::Increment& increment,
+std::optional<Figure> crack_pictures(const model::Model& model,
+                                     const results::CrackLengthResult& increment,
                                      const std::string& name) {
-  const results::StepResult& step = *leading_step_result(model, increment);
+  const results::LoadStepResult& step = *leading_step_result(model, increment);
   const auto front = std::ranges::find(step.fronts, name, &results::FrontResult::name);
   if (front == step.fronts.end() || increment.surface.size() > most_drawn_faces) {
     return std::nullopt;
@@ -128,7 +129,7 @@ std::optional<Figure> crack_pictures(const model::Model& model, const results::I
 
 } // namespace
 
-Figure front_figure(const model::Model& model, const results::Increment& increment,
+Figure front_figure(const model::Model& model, const results::CrackLengthResult& increment,
                     const std::string& name) {
   const double scale = largest_K(increment);
   Plot plot;

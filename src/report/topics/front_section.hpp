@@ -13,7 +13,7 @@ namespace spricka::report {
 
 /// K1, K2 and K3 over the angle (of an ellipse) or the length along the front of that name, steps
 /// of the increment as curves.
-Figure front_figure(const model::Model& model, const results::Increment& increment,
+Figure front_figure(const model::Model& model, const results::CrackLengthResult& increment,
                     const std::string& name);
 
 /// The same of each front at the last increment, and the front in its body.

@@ -85,7 +85,7 @@ std::string lines_picture(const model::Model& model, const results::RunResult& r
     return {};
   }
   const model::SpectrumDefinition& spectrum = model.spectra[*model.growth->spectrum];
-  const results::Increment& increment = run.increments[run.increments.size() / 2];
+  const results::CrackLengthResult& increment = run.increments[run.increments.size() / 2];
   const results::LoadPathResult& path = increment.paths.at(spectrum.path);
   const double top = largest_place(spectrum);
   if (path.fronts.size() != 1 || !path.fronts.front().is_tip() || path.t.empty() ||
@@ -155,7 +155,7 @@ Figure life_figure(const model::Model& model, const results::RunResult& run) {
 double bar_at(const model::Model& model, const results::RunResult& run,
               const GrowthStation& station, const std::string& name) {
   const auto increment =
-      std::ranges::find(run.increments, station.increment, &results::Increment::number);
+      std::ranges::find(run.increments, station.increment, &results::CrackLengthResult::number);
   return increment == run.increments.end()
              ? no_bar
              : k1_bar_for_plot(find_front_at_step(*increment, leading_step_name(model), name));

@@ -50,7 +50,7 @@ bool closes_at_smallest(const model::Model& model, const results::RunResult& run
   if (model.growth->spectrum || !model.growth->kmin.valid()) {
     return false;
   }
-  return std::ranges::any_of(run.increments, [&](const results::Increment& increment) {
+  return std::ranges::any_of(run.increments, [&](const results::CrackLengthResult& increment) {
     const std::size_t smallest = model.growth->kmin.index();
     return smallest < increment.steps.size() &&
            std::ranges::any_of(increment.steps[smallest].fronts,
@@ -153,7 +153,7 @@ void write_life_curve_csv(const std::filesystem::path& file, const model::Model&
     columns.exact("a_" + growth.point_names[i],
                   [&growth, i](std::size_t k) { return growth.curve[k].a[i]; });
   }
-  for (const results::ScaledLife& other : growth.scaled) { // at the same lengths
+  for (const results::ScaledKLife& other : growth.scaled) { // at the same lengths
     const std::vector<results::LifeCurvePoint>& curve = other.curve;
     columns.where([&curve](std::size_t k) { return k < curve.size(); });
     columns.exact("N_" + other.name, [&curve](std::size_t k) { return curve[k].cycles; });
@@ -255,7 +255,7 @@ std::string mesh_words(const model::Model& model, const results::RunResult& run)
 
 } // namespace
 
-std::string scaled_life_legend(const results::ScaledLife& other) {
+std::string scaled_life_legend(const results::ScaledKLife& other) {
   const std::string what = other.name == "scaled" ? "one K scaled with the load"
                                                   : "a line through t = 0 and the largest load";
   return other.ratio < 0.5 ? fmt::format("{}: 1/{:.2f} of the life", what, 1.0 / other.ratio)
@@ -288,7 +288,7 @@ std::string life_summary(const model::Model& model, const results::RunResult& ru
     out += history_summary(model, growth);
   }
   out += ratio_words(model, run);
-  for (const results::ScaledLife& other : growth.scaled) {
+  for (const results::ScaledKLife& other : growth.scaled) {
     out += fmt::format("For comparison, {}.\n", scaled_life_legend(other));
   }
   if (!growth.curve.empty()) {

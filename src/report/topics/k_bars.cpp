@@ -33,7 +33,7 @@ std::string format_error_bar(double size) {
   return fmt::format("{:.0f}", unit * std::round(size / unit));
 }
 
-std::string k_error_bar_lines(const results::Increment& increment) {
+std::string k_error_bar_lines(const results::CrackLengthResult& increment) {
   const std::vector<FrontRow> rows = front_rows({&increment, 1});
   std::size_t step_width = 0;
   std::size_t name_width = 0;

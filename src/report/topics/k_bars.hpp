@@ -14,6 +14,6 @@ std::string k_with_bar_text(double K, const results::KErrorBar& bar);
 std::string format_error_bar(double size);
 
 /// A line for K1 and one for K2 of every tip and step; empty without bars and in space.
-std::string k_error_bar_lines(const results::Increment& increment);
+std::string k_error_bar_lines(const results::CrackLengthResult& increment);
 
 } // namespace spricka::report

@@ -38,7 +38,7 @@ std::vector<std::string> front_names(const results::RunResult& run) {
 /// K1 of a front at the end of a step over its length, with error bars.
 PlotSeries k_history(const results::RunResult& run, std::string_view step, std::string_view front) {
   PlotSeries curve;
-  for (const results::Increment& increment : run.increments) {
+  for (const results::CrackLengthResult& increment : run.increments) {
     if (const auto* const found = find_front_at_step(increment, step, front)) {
       curve.points.push_back({found->a, found->tip().K1});
       curve.bars.push_back(k1_bar_for_plot(found));
@@ -323,9 +323,9 @@ double k1_bar_for_plot(const results::FrontResult* front) {
                                                                        : no_bar;
 }
 
-std::vector<const results::Increment*> sample_increments(const results::RunResult& run,
-                                                         std::size_t limit) {
-  std::vector<const results::Increment*> chosen;
+std::vector<const results::CrackLengthResult*> sample_increments(const results::RunResult& run,
+                                                                 std::size_t limit) {
+  std::vector<const results::CrackLengthResult*> chosen;
   const std::size_t count = std::min(limit, run.increments.size());
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t at = count > 1 ? i * (run.increments.size() - 1) / (count - 1) : 0;

@@ -29,8 +29,8 @@ double size_of(const results::FrontResult& front) {
 /// Steps in order, with the largest K of each.
 std::vector<std::pair<std::string, double>> largest_of_steps(const results::RunResult& run) {
   std::vector<std::pair<std::string, double>> steps;
-  for (const results::Increment& increment : run.increments) {
-    for (const results::StepResult& step : increment.steps) {
+  for (const results::CrackLengthResult& increment : run.increments) {
+    for (const results::LoadStepResult& step : increment.steps) {
       auto at = std::ranges::find(steps, step.step, &std::pair<std::string, double>::first);
       if (at == steps.end()) {
         at = steps.insert(at, {step.step, 0.0});

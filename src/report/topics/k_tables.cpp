@@ -25,7 +25,7 @@ struct CrackScale {
   double G = 0.0; ///< of tips; along a front G is shown as it is
 };
 
-CrackScale crack_scale(std::span<const results::Increment> increments) {
+CrackScale crack_scale(std::span<const results::CrackLengthResult> increments) {
   CrackScale scale;
   for (const FrontRow& row : front_rows(increments)) {
     scale.K = std::max(scale.K, largest_K(row.front));
@@ -78,7 +78,7 @@ void add_k_columns(Columns<FrontPointRow>& columns, const model::Model& model, b
 }
 
 template <class Condition>
-std::vector<FrontPointRow> rows_where(std::span<const results::Increment> increments,
+std::vector<FrontPointRow> rows_where(std::span<const results::CrackLengthResult> increments,
                                       const Condition& condition) {
   std::vector<FrontPointRow> rows;
   std::ranges::copy_if(front_point_rows(increments), std::back_inserter(rows), condition);
@@ -90,7 +90,8 @@ std::string step_name(const FrontPointRow& row) {
 }
 
 /// A row for each tip of these rows, below the table's first column.
-ReportTable tip_table(const model::Model& model, std::span<const results::Increment> increments,
+ReportTable tip_table(const model::Model& model,
+                      std::span<const results::CrackLengthResult> increments,
                       Columns<FrontPointRow> columns, const std::string& title,
                       const std::vector<FrontPointRow>& rows) {
   columns.words("tip", [](const FrontPointRow& row) { return row.front.name; });
@@ -98,7 +99,7 @@ ReportTable tip_table(const model::Model& model, std::span<const results::Increm
   return columns.table(title, rows);
 }
 
-ReportTable front_table(const model::Model& model, const results::Increment& increment,
+ReportTable front_table(const model::Model& model, const results::CrackLengthResult& increment,
                         const results::FrontResult& first) {
   const CrackScale scale = crack_scale({&increment, 1});
   Columns<FrontPointRow> columns;
@@ -117,8 +118,8 @@ ReportTable front_table(const model::Model& model, const results::Increment& inc
 
 } // namespace
 
-ReportTable k_table(const model::Model& model, const results::Increment& increment) {
-  const std::span<const results::Increment> one(&increment, 1);
+ReportTable k_table(const model::Model& model, const results::CrackLengthResult& increment) {
+  const std::span<const results::CrackLengthResult> one(&increment, 1);
   return tip_table(model, one, Columns<FrontPointRow>().words("step", step_name),
                    "Stress intensity factors",
                    rows_where(one, [](const FrontPointRow& row) { return row.front.is_tip(); }));
@@ -135,7 +136,7 @@ ReportTable k_history_table(const model::Model& model, const results::RunResult&
 }
 
 std::vector<ReportTable> front_tables(const model::Model& model,
-                                      const results::Increment& increment) {
+                                      const results::CrackLengthResult& increment) {
   std::vector<ReportTable> tables;
   for (const results::FrontResult* front : fronts_in_space(increment)) {
     tables.push_back(front_table(model, increment, *front));
@@ -168,11 +169,12 @@ double largest_K(const results::FrontResult& front) {
   return largest;
 }
 
-double largest_K(const results::Increment& increment) {
+double largest_K(const results::CrackLengthResult& increment) {
   return crack_scale({&increment, 1}).K;
 }
 
-std::vector<const results::FrontResult*> fronts_in_space(const results::Increment& increment) {
+std::vector<const results::FrontResult*>
+fronts_in_space(const results::CrackLengthResult& increment) {
   std::vector<const results::FrontResult*> fronts;
   for (const FrontRow& row : front_rows({&increment, 1})) {
     if (!row.front.is_tip() &&

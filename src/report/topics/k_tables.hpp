@@ -13,7 +13,7 @@
 namespace spricka::report {
 
 /// For each step and tip of one increment; no rows in space.
-ReportTable k_table(const model::Model& model, const results::Increment& increment);
+ReportTable k_table(const model::Model& model, const results::CrackLengthResult& increment);
 
 /// The same at the end of one step, one row for each increment and tip.
 ReportTable k_history_table(const model::Model& model, const results::RunResult& run,
@@ -22,7 +22,7 @@ ReportTable k_history_table(const model::Model& model, const results::RunResult&
 /// A table for each front in space: its points, of all steps of an increment in which K is not
 /// nothing but round-off.
 std::vector<ReportTable> front_tables(const model::Model& model,
-                                      const results::Increment& increment);
+                                      const results::CrackLengthResult& increment);
 
 /// The quantities of K that a model's runs have at a place, in the order of the table; those by
 /// opening where the deck asks for them.
@@ -32,9 +32,10 @@ std::vector<const results::KQuantity*> shown_k_quantities(const model::Model& mo
 /// The largest K of a front; of a tip K1 and K2 together.
 double largest_K(const results::FrontResult& front);
 /// Of all fronts and steps.
-double largest_K(const results::Increment& increment);
+double largest_K(const results::CrackLengthResult& increment);
 
 /// The fronts in space of an increment, each as its first step has it.
-std::vector<const results::FrontResult*> fronts_in_space(const results::Increment& increment);
+std::vector<const results::FrontResult*>
+fronts_in_space(const results::CrackLengthResult& increment);
 
 } // namespace spricka::report

@@ -40,7 +40,7 @@ std::string changes_at(const model::Mesh& mesh, const results::LoadPathResult& p
 
 /// A row of either file: a load path at one of its knots, of a front at a point.
 struct PathRow {
-  const results::Increment& increment;
+  const results::CrackLengthResult& increment;
   const results::LoadPathResult& path;
   std::size_t knot = 0;
   const results::LoadPathFront* front = nullptr;
@@ -93,7 +93,7 @@ void add_contact_columns(Columns<PathRow>& columns, const std::string& name) {
 
 std::vector<PathRow> knot_rows(const results::RunResult& run) {
   std::vector<PathRow> rows;
-  for (const results::Increment& increment : run.increments) {
+  for (const results::CrackLengthResult& increment : run.increments) {
     for (const results::LoadPathResult& path : increment.paths) {
       for (std::size_t k = 0; k < path.t.size(); ++k) {
         rows.push_back({.increment = increment, .path = path, .knot = k});
@@ -105,7 +105,7 @@ std::vector<PathRow> knot_rows(const results::RunResult& run) {
 
 std::vector<std::string> path_tip_names(const results::RunResult& run) {
   std::vector<std::string> names;
-  for (const results::Increment& increment : run.increments) {
+  for (const results::CrackLengthResult& increment : run.increments) {
     for (const results::LoadPathResult& path : increment.paths) {
       for (const results::LoadPathFront& front : path.fronts) {
         if (front.is_tip()) {
@@ -121,7 +121,7 @@ std::vector<std::string> path_tip_names(const results::RunResult& run) {
 std::vector<std::string> contact_names(const model::Model& model, const results::RunResult& run) {
   std::vector<std::string> names;
   std::ranges::transform(model.contacts, std::back_inserter(names), &model::Contact::name);
-  for (const results::Increment& increment : run.increments) {
+  for (const results::CrackLengthResult& increment : run.increments) {
     for (const results::LoadPathResult& path : increment.paths) {
       for (const results::LoadPathContact& contact : path.contacts) {
         add_unique(names, contact.name);

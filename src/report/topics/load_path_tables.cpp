@@ -106,8 +106,8 @@ std::vector<DrawingPoint> values(const base::PiecewiseLinear& K) {
 }
 
 // Error bars of K1 at the ends of the path, which are ends of steps: elsewhere none is worked out.
-PlotSeries end_bars(const results::Increment& increment, const results::LoadPathResult& path,
-                    const ShownCurve& curve) {
+PlotSeries end_bars(const results::CrackLengthResult& increment,
+                    const results::LoadPathResult& path, const ShownCurve& curve) {
   PlotSeries series;
   series.joined = false;
   for (const DrawingPoint& point : values(*curve.K1)) {
@@ -162,7 +162,7 @@ Figure figure_of(const model::Model& model, const results::RunResult& run, std::
       slope.series.push_back(std::move(series));
     }
   }
-  for (const results::Increment* increment : increments) {
+  for (const results::CrackLengthResult* increment : increments) {
     const results::LoadPathResult& path = increment->paths[p];
     if (const std::vector<ShownCurve> curves = shown_curves(path); !curves.empty()) {
       add_openings(value, path, *curves.front().K1, increment == increments.front());
@@ -179,7 +179,8 @@ Figure figure_of(const model::Model& model, const results::RunResult& run, std::
 
 } // namespace
 
-ReportTable load_path_table(const model::Model& model, const results::Increment& increment) {
+ReportTable load_path_table(const model::Model& model,
+                            const results::CrackLengthResult& increment) {
   struct CurveRow {
     const results::LoadPathResult& path;
     ShownCurve curve;
@@ -216,7 +217,7 @@ ReportTable load_path_table(const model::Model& model, const results::Increment&
   return columns.table("Load paths: K1 over t", rows);
 }
 
-ReportTable contact_opening_onset_table(const results::Increment& increment) {
+ReportTable contact_opening_onset_table(const results::CrackLengthResult& increment) {
   struct OpeningRow {
     const results::LoadPathResult& path;
     const results::LoadPathContact& contact;
@@ -250,10 +251,11 @@ ReportTable contact_opening_onset_table(const results::Increment& increment) {
 std::vector<Figure> load_path_figures(const model::Model& model, const results::RunResult& run) {
   std::vector<Figure> figures;
   for (std::size_t p = 0; p < model.load_paths.size(); ++p) {
-    const bool drawn = !run.increments.empty() &&
-                       std::ranges::all_of(run.increments, [&](const results::Increment& i) {
-                         return p < i.paths.size() && !shown_curves(i.paths[p]).empty();
-                       });
+    const bool drawn =
+        !run.increments.empty() &&
+        std::ranges::all_of(run.increments, [&](const results::CrackLengthResult& i) {
+          return p < i.paths.size() && !shown_curves(i.paths[p]).empty();
+        });
     if (drawn) {
       figures.push_back(figure_of(model, run, p));
     }

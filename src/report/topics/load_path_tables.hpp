@@ -28,9 +28,9 @@ void write_load_path_fronts_csv(const std::filesystem::path& file, const model::
 
 /// K1 and its slope at both ends and the sharpest kink, for each path and tip; of a
 /// front its points with the largest and the smallest K1.
-ReportTable load_path_table(const model::Model& model, const results::Increment& increment);
+ReportTable load_path_table(const model::Model& model, const results::CrackLengthResult& increment);
 /// When each contact begins to open, and what is closed at both ends.
-ReportTable contact_opening_onset_table(const results::Increment& increment);
+ReportTable contact_opening_onset_table(const results::CrackLengthResult& increment);
 
 /// K1 over t and its slope, with the kinks; one figure for each path, at most six lengths.
 std::vector<Figure> load_path_figures(const model::Model& model, const results::RunResult& run);

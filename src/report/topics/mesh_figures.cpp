@@ -42,7 +42,7 @@ TipMeshPlace find_tip_place(const model::Mesh& mesh, const base::Vec3& x) {
 }
 
 /// Shows displacements so that the largest is a round share, at most so much.
-void magnify(MeshView& view, const results::StepResult& step, double largest, double share) {
+void magnify(MeshView& view, const results::LoadStepResult& step, double largest, double share) {
   if (largest > 0.0) {
     view.u = &step.u;
     view.magnify = displacement_magnification(largest, share);
@@ -51,7 +51,7 @@ void magnify(MeshView& view, const results::StepResult& step, double largest, do
 
 /// Shows the mesh as it is deformed, the tip held, so that the largest motion in the window takes
 /// a twelfth of it.
-void deform(MeshView& view, const results::StepResult& step, base::NodeId tip) {
+void deform(MeshView& view, const results::LoadStepResult& step, base::NodeId tip) {
   const model::Mesh& mesh = *view.mesh;
   if (step.u.size() != static_cast<Eigen::Index>(2 * mesh.node_count())) {
     return;
@@ -75,7 +75,7 @@ void set_window(MeshView& view, const base::Vec3& centre, double half) {
   view.high = {centre[0] + half, centre[1] + half};
 }
 
-std::string tip_drawing(const model::Model& model, const results::Increment& increment,
+std::string tip_drawing(const model::Model& model, const results::CrackLengthResult& increment,
                         const results::FrontResult& tip, bool close) {
   const results::FrontPointResult& end = tip.tip();
   const TipMeshPlace place = find_tip_place(increment.mesh, end.x);
@@ -88,15 +88,15 @@ std::string tip_drawing(const model::Model& model, const results::Increment& inc
                            model.units.length_name);
   const base::Vec3 middle = end.x - 0.45 * tip.a * end.direction;
   set_window(view, close ? end.x : middle, close ? 5.0 * place.element : 0.85 * tip.a);
-  if (const results::StepResult* const step = leading_step_result(model, increment)) {
+  if (const results::LoadStepResult* const step = leading_step_result(model, increment)) {
     deform(view, *step, place.node);
   }
   return draw_svg(view);
 }
 
 /// A view of all there is, at most `width` wide, with room for what stands beside the bodies.
-MeshView whole_view(const model::Model& model, const results::Increment& increment, double width,
-                    double share) {
+MeshView whole_view(const model::Model& model, const results::CrackLengthResult& increment,
+                    double width, double share) {
   const model::Mesh& mesh = increment.mesh;
   MeshView view;
   view.mesh = &mesh;
@@ -114,14 +114,14 @@ MeshView whole_view(const model::Model& model, const results::Increment& increme
   return view;
 }
 
-Figure whole_mesh(const model::Model& model, const results::Increment& increment) {
+Figure whole_mesh(const model::Model& model, const results::CrackLengthResult& increment) {
   const model::Mesh& mesh = increment.mesh;
   MeshView view = whole_view(model, increment, 660.0, 0.06); // room for arrows and hatches
   view.id = "mesh-whole";
   view.title = "Mesh";
   view.marks = &model;
   std::string cracks;
-  if (const results::StepResult* const step = leading_step_result(model, increment)) {
+  if (const results::LoadStepResult* const step = leading_step_result(model, increment)) {
     for (const results::FrontResult& tip : step->fronts) {
       if (const results::FrontPointResult& end = tip.tip(); !end.direction.isZero()) {
         view.labels.push_back({{end.x[0], end.x[1]}, tip.name});
@@ -142,7 +142,7 @@ Figure whole_mesh(const model::Model& model, const results::Increment& increment
 constexpr std::size_t most_coloured = 20000;
 
 /// So that the largest displacement is a round share, at most a fifteenth, of the size.
-void deform_all(MeshView& view, const results::StepResult& step) {
+void deform_all(MeshView& view, const results::LoadStepResult& step) {
   double largest = 0.0;
   for (Eigen::Index n = 0; n + 1 < step.u.size(); n += 2) {
     largest = std::max(largest, step.u.segment<2>(n).norm());
@@ -182,8 +182,8 @@ double level_of_most(const model::Mesh& mesh, const std::vector<double>& field) 
 }
 
 /// Von Mises stress, deformed; its largest value.
-std::string stress_drawing(const model::Model& model, const results::Increment& increment,
-                           const results::StepResult& step, double& largest) {
+std::string stress_drawing(const model::Model& model, const results::CrackLengthResult& increment,
+                           const results::LoadStepResult& step, double& largest) {
   MeshView view = whole_view(model, increment, 480.0, 0.06);
   view.id = "stress-whole";
   view.title = "Von Mises stress";
@@ -200,8 +200,9 @@ std::string stress_drawing(const model::Model& model, const results::Increment& 
   return draw_svg(view);
 }
 
-std::string displacement_drawing(const model::Model& model, const results::Increment& increment,
-                                 const results::StepResult& step) {
+std::string displacement_drawing(const model::Model& model,
+                                 const results::CrackLengthResult& increment,
+                                 const results::LoadStepResult& step) {
   MeshView view = whole_view(model, increment, 480.0, 0.06);
   view.id = "displacement-whole";
   view.title = "Displacement";
@@ -216,29 +217,30 @@ std::string displacement_drawing(const model::Model& model, const results::Incre
 
 /// The leading step, or where its stresses are round-off that with the largest; null without
 /// stresses.
-const results::StepResult* stressed(const model::Model& model,
-                                    const results::Increment& increment) {
-  const results::StepResult* best = leading_step_result(model, increment);
+const results::LoadStepResult* stressed(const model::Model& model,
+                                        const results::CrackLengthResult& increment) {
+  const results::LoadStepResult* best = leading_step_result(model, increment);
   if (best == nullptr || has_significant_stress(model, increment, *best)) {
     return best == nullptr || best->stress.empty() ? nullptr : best;
   }
-  for (const results::StepResult& step : increment.steps) {
+  for (const results::LoadStepResult& step : increment.steps) {
     best = largest_von_mises_stress(step) > largest_von_mises_stress(*best) ? &step : best;
   }
   return best->stress.empty() ? nullptr : best;
 }
 
 /// "step LOAD, a = 3.6 mm"
-std::string place_words(const model::Model& model, const results::Increment& increment,
-                        const results::StepResult& step) {
+std::string place_words(const model::Model& model, const results::CrackLengthResult& increment,
+                        const results::LoadStepResult& step) {
   return increment.a > 0.0 ? fmt::format("step {}, a = {:.4g} {}", step.step, increment.a,
                                          model.units.length_name)
                            : fmt::format("step {}", step.step);
 }
 
 /// Stresses and displacements of the last length's leading step, where they were recovered.
-std::optional<Figure> field_figure(const model::Model& model, const results::Increment& increment) {
-  const results::StepResult* const step = stressed(model, increment);
+std::optional<Figure> field_figure(const model::Model& model,
+                                   const results::CrackLengthResult& increment) {
+  const results::LoadStepResult* const step = stressed(model, increment);
   const model::Mesh& mesh = increment.mesh;
   if (step == nullptr || mesh.element_count() > most_coloured ||
       step->u.size() != static_cast<Eigen::Index>(2 * mesh.node_count())) {
@@ -272,10 +274,10 @@ std::optional<Figure> field_figure(const model::Model& model, const results::Inc
 std::optional<Figure> crack_figure(const model::Model& model, const results::RunResult& run,
                                    const std::string& name) {
   Figure figure;
-  const results::Increment* last = nullptr;
+  const results::CrackLengthResult* last = nullptr;
   const results::FrontResult* last_tip = nullptr;
-  for (const results::Increment* const increment : sample_increments(run, 2)) {
-    const results::StepResult* const step = leading_step_result(model, *increment);
+  for (const results::CrackLengthResult* const increment : sample_increments(run, 2)) {
+    const results::LoadStepResult* const step = leading_step_result(model, *increment);
     const results::FrontResult* const tip =
         step == nullptr ? nullptr : results::find_front(*step, name);
     if (tip != nullptr && !tip->tip().direction.isZero() && tip->a > 0.0) {
@@ -296,8 +298,8 @@ std::optional<Figure> crack_figure(const model::Model& model, const results::Run
 
 /// The surface of the last length's leading step, or where to see it.
 std::vector<Figure> solid_figures(const model::Model& model, const results::RunResult& run) {
-  const results::Increment& increment = run.increments.back();
-  const results::StepResult* const step = stressed(model, increment);
+  const results::CrackLengthResult& increment = run.increments.back();
+  const results::LoadStepResult* const step = stressed(model, increment);
   if (step == nullptr || increment.surface.empty()) {
     return {};
   }
@@ -323,13 +325,13 @@ std::vector<Figure> solid_figures(const model::Model& model, const results::RunR
 
 std::vector<Figure> plane_figures(const model::Model& model, const results::RunResult& run) {
   std::vector<Figure> figures;
-  const results::Increment& last = run.increments.back();
+  const results::CrackLengthResult& last = run.increments.back();
   if (last.mesh.nodes.empty()) {
     return figures;
   }
   figures.push_back(whole_mesh(model, last));
   add_figure(figures, field_figure(model, last));
-  if (const results::StepResult* const step = leading_step_result(model, last)) {
+  if (const results::LoadStepResult* const step = leading_step_result(model, last)) {
     for (const results::FrontResult& tip : step->fronts) {
       add_figure(figures, crack_figure(model, run, tip.name));
     }

@@ -54,18 +54,18 @@ private:
 
 std::vector<LocatedNote> collect_notes(const results::RunResult& run) {
   Collector found;
-  for (const results::Increment& increment : run.increments) {
+  for (const results::CrackLengthResult& increment : run.increments) {
     const std::string where = fmt::format("increment {}", increment.number);
     for (const results::Note& note : increment.notes) {
       found.add(where, note, "");
     }
-    for (const results::StepResult& step : increment.steps) {
+    for (const results::LoadStepResult& step : increment.steps) {
       for (const results::Note& note : step.notes) {
         found.add(fmt::format("{}, step {}", where, step.step), note, "");
       }
     }
   }
-  for (const results::Increment& increment : run.increments) {
+  for (const results::CrackLengthResult& increment : run.increments) {
     for (const results::LoadPathResult& path : increment.paths) {
       for (const results::Note& note : path.notes) {
         found.add(fmt::format("increment {}, load path {}", increment.number, path.name), note,

@@ -69,7 +69,8 @@ bool has_pressure(const results::ContactResult& contact) {
   return contact.mounted && !contact.points.empty();
 }
 
-const results::ContactResult* mounted(const results::StepResult& step, const std::string& name) {
+const results::ContactResult* mounted(const results::LoadStepResult& step,
+                                      const std::string& name) {
   const results::ContactResult* const found = results::find_contact(step, name);
   return found != nullptr && has_pressure(*found) ? found : nullptr;
 }
@@ -100,7 +101,7 @@ void widen(PolarPlot& plot, const model::Contact& contact, const results::Contac
 }
 
 PolarPlot polar_plot(const model::Model& model, const model::Contact& contact,
-                     const results::Increment& increment) {
+                     const results::CrackLengthResult& increment) {
   PolarPlot plot;
   plot.title = model.cracks.empty() ? contact.name
                                     : fmt::format("{}, a = {:.4g} {}", contact.name, increment.a,
@@ -110,7 +111,7 @@ PolarPlot polar_plot(const model::Model& model, const model::Contact& contact,
   std::size_t others = 0; // their dashes show where curves lie on each other
   for (std::size_t s = 0; s < model.steps.size(); ++s) {
     const std::string& name = model.steps[s].name;
-    const results::StepResult* const step = results::find_step(increment, name);
+    const results::LoadStepResult* const step = results::find_step(increment, name);
     const results::ContactResult* const result =
         step == nullptr ? nullptr : mounted(*step, contact.name);
     if (result == nullptr) {
@@ -139,7 +140,7 @@ Figure polar_figure(const model::Model& model, const results::RunResult& run,
   }
   Figure figure;
   bool mouths = false;
-  for (const results::Increment* const increment : sample_increments(run, 9)) {
+  for (const results::CrackLengthResult* const increment : sample_increments(run, 9)) {
     PolarPlot plot = polar_plot(model, contact, *increment);
     if (plot.curves.empty()) {
       continue;
@@ -180,13 +181,13 @@ Figure straight_figure(const model::Model& model, const results::RunResult& run,
                        const model::Contact& contact) {
   Figure figure;
   bool edges = false;
-  for (const results::Increment* const increment : sample_increments(run, 9)) {
+  for (const results::CrackLengthResult* const increment : sample_increments(run, 9)) {
     Plot plot{contact.name,
               axis_title("distance along the surface", model.units.length_name),
               axis_title("p", model.units.stress_name()),
               {}};
     for (std::size_t s = 0; s < increment->steps.size(); ++s) {
-      const results::StepResult& step = increment->steps[s];
+      const results::LoadStepResult& step = increment->steps[s];
       const results::ContactResult* const result = mounted(step, contact.name);
       if (result == nullptr) {
         continue;

@@ -3,10 +3,10 @@
 
 namespace spricka::report {
 
-std::vector<FrontRow> front_rows(std::span<const results::Increment> increments) {
+std::vector<FrontRow> front_rows(std::span<const results::CrackLengthResult> increments) {
   std::vector<FrontRow> rows;
-  for (const results::Increment& increment : increments) {
-    for (const results::StepResult& step : increment.steps) {
+  for (const results::CrackLengthResult& increment : increments) {
+    for (const results::LoadStepResult& step : increment.steps) {
       for (const results::FrontResult& front : step.fronts) {
         rows.push_back({increment, step, front});
       }
@@ -15,7 +15,8 @@ std::vector<FrontRow> front_rows(std::span<const results::Increment> increments)
   return rows;
 }
 
-std::vector<FrontPointRow> front_point_rows(std::span<const results::Increment> increments) {
+std::vector<FrontPointRow>
+front_point_rows(std::span<const results::CrackLengthResult> increments) {
   std::vector<FrontPointRow> rows;
   for (const FrontRow& row : front_rows(increments)) {
     for (const results::FrontPointResult& point : row.front.points) {
@@ -25,10 +26,10 @@ std::vector<FrontPointRow> front_point_rows(std::span<const results::Increment> 
   return rows;
 }
 
-std::vector<ContactRow> contact_rows(std::span<const results::Increment> increments) {
+std::vector<ContactRow> contact_rows(std::span<const results::CrackLengthResult> increments) {
   std::vector<ContactRow> rows;
-  for (const results::Increment& increment : increments) {
-    for (const results::StepResult& step : increment.steps) {
+  for (const results::CrackLengthResult& increment : increments) {
+    for (const results::LoadStepResult& step : increment.steps) {
       for (const results::ContactResult& contact : step.contacts) {
         rows.push_back({increment, step, contact});
       }
@@ -37,9 +38,9 @@ std::vector<ContactRow> contact_rows(std::span<const results::Increment> increme
   return rows;
 }
 
-const results::FrontResult* find_front_at_step(const results::Increment& increment,
+const results::FrontResult* find_front_at_step(const results::CrackLengthResult& increment,
                                                std::string_view step, std::string_view front) {
-  const results::StepResult* const found = results::find_step(increment, step);
+  const results::LoadStepResult* const found = results::find_step(increment, step);
   return found == nullptr ? nullptr : results::find_front(*found, front);
 }
 

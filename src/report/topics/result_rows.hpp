@@ -13,28 +13,28 @@ namespace spricka::report {
 
 /// A front at the end of a step.
 struct FrontRow {
-  const results::Increment& increment;
-  const results::StepResult& step;
+  const results::CrackLengthResult& increment;
+  const results::LoadStepResult& step;
   const results::FrontResult& front;
 };
 /// The fronts of all steps of these increments.
-std::vector<FrontRow> front_rows(std::span<const results::Increment> increments);
+std::vector<FrontRow> front_rows(std::span<const results::CrackLengthResult> increments);
 
 /// A point of a front at the end of a step.
 struct FrontPointRow : FrontRow {
   const results::FrontPointResult& point;
 };
 /// The points of the fronts of all steps of these increments.
-std::vector<FrontPointRow> front_point_rows(std::span<const results::Increment> increments);
+std::vector<FrontPointRow> front_point_rows(std::span<const results::CrackLengthResult> increments);
 
 /// A contact at the end of a step.
 struct ContactRow {
-  const results::Increment& increment;
-  const results::StepResult& step;
+  const results::CrackLengthResult& increment;
+  const results::LoadStepResult& step;
   const results::ContactResult& contact;
 };
 /// The contacts of all steps of these increments.
-std::vector<ContactRow> contact_rows(std::span<const results::Increment> increments);
+std::vector<ContactRow> contact_rows(std::span<const results::CrackLengthResult> increments);
 
 /// The columns that files of what is found at the ends of steps begin with.
 template <class Row> Columns<Row> step_columns() {
@@ -44,7 +44,7 @@ template <class Row> Columns<Row> step_columns() {
 }
 
 /// The front of that name at the end of that step of an increment; null: there is none.
-const results::FrontResult* find_front_at_step(const results::Increment& increment,
+const results::FrontResult* find_front_at_step(const results::CrackLengthResult& increment,
                                                std::string_view step, std::string_view front);
 
 /// Adds a name to those that are known, once.

@@ -22,7 +22,7 @@ constexpr const char* short_number = "{:.2e}";
 using Directions = std::vector<Eigen::Index>;
 
 /// Directions that a resultant has: about an axis radial forces balance, whatever they are.
-Directions directions(const model::Model& model, const results::Increment& increment) {
+Directions directions(const model::Model& model, const results::CrackLengthResult& increment) {
   if (model::axisymmetric(model)) {
     return {1};
   }
@@ -51,13 +51,14 @@ Columns<ContactRow> contact_columns() {
 
 /// Where all forces balance on each body they are round-off themselves: then they are measured by
 /// the stiffness.
-double least_force(const model::Model& model, const results::Increment& increment) {
+double least_force(const model::Model& model, const results::CrackLengthResult& increment) {
   return 1e-3 * reference_elastic_force(model, increment);
 }
 
 } // namespace
 
-ReportTable contact_result_table(const model::Model& model, const results::Increment& increment) {
+ReportTable contact_result_table(const model::Model& model,
+                                 const results::CrackLengthResult& increment) {
   const base::UnitSystem& units = model.units;
   const std::vector<ContactRow> rows = contact_rows({&increment, 1});
   double force = least_force(model, increment);
@@ -103,7 +104,8 @@ ReportTable contact_result_table(const model::Model& model, const results::Incre
   return columns.table("Contact", rows);
 }
 
-ReportTable contact_moment_table(const model::Model& model, const results::Increment& increment) {
+ReportTable contact_moment_table(const model::Model& model,
+                                 const results::CrackLengthResult& increment) {
   Columns<ContactRow> columns = contact_columns();
   std::vector<ContactRow> rows;
   if (!dimension_columns.at(increment.mesh.dim).arcs) {
@@ -121,7 +123,7 @@ ReportTable contact_moment_table(const model::Model& model, const results::Incre
   return columns.table("Moments of contact on the slave, about the origin", rows);
 }
 
-ReportTable friction_table(const model::Model& model, const results::Increment& increment) {
+ReportTable friction_table(const model::Model& model, const results::CrackLengthResult& increment) {
   const base::UnitSystem& units = model.units;
   std::vector<ContactRow> rows;
   std::ranges::copy_if(contact_rows({&increment, 1}), std::back_inserter(rows),
@@ -160,18 +162,18 @@ namespace {
 
 /// The balance of a body or of a net at the end of a step.
 struct BalanceRow {
-  const results::StepResult& step;
+  const results::LoadStepResult& step;
   const results::ForceBalance& balance;
 };
 
 /// Resultants and energies of bodies or of nets, as `part` of a step says; rigid targets last.
-ReportTable resultants(const model::Model& model, const results::Increment& increment,
+ReportTable resultants(const model::Model& model, const results::CrackLengthResult& increment,
                        const std::string& title, const std::string& what,
-                       std::vector<results::ForceBalance> results::StepResult::*part) {
+                       std::vector<results::ForceBalance> results::LoadStepResult::*part) {
   std::vector<BalanceRow> rows;
   double scale = least_force(model, increment);
   double most = 0.0;
-  for (const results::StepResult& step : increment.steps) {
+  for (const results::LoadStepResult& step : increment.steps) {
     most = std::max(most, std::abs(step.energy));
     for (const std::vector<results::ForceBalance>* const list : {&(step.*part), &step.targets}) {
       for (const results::ForceBalance& b : *list) {
@@ -190,7 +192,7 @@ ReportTable resultants(const model::Model& model, const results::Increment& incr
                                      {"contact", &results::ForceBalance::contact},
                                      {"tie", &results::ForceBalance::tie}}) {
     if (member != &results::ForceBalance::tie ||
-        std::ranges::any_of(increment.steps, &results::StepResult::tied)) {
+        std::ranges::any_of(increment.steps, &results::LoadStepResult::tied)) {
       add_vector(columns, name, unit, directions(model, increment), scale,
                  [member = member](const BalanceRow& row) { return row.balance.*member; });
     }
@@ -210,18 +212,20 @@ ReportTable resultants(const model::Model& model, const results::Increment& incr
 
 } // namespace
 
-ReportTable force_balance_table(const model::Model& model, const results::Increment& increment) {
-  return resultants(model, increment, "Force balance", "body", &results::StepResult::balance);
+ReportTable force_balance_table(const model::Model& model,
+                                const results::CrackLengthResult& increment) {
+  return resultants(model, increment, "Force balance", "body", &results::LoadStepResult::balance);
 }
 
-ReportTable net_balance_table(const model::Model& model, const results::Increment& increment) {
-  const bool same = std::ranges::all_of(increment.steps, [](const results::StepResult& step) {
+ReportTable net_balance_table(const model::Model& model,
+                              const results::CrackLengthResult& increment) {
+  const bool same = std::ranges::all_of(increment.steps, [](const results::LoadStepResult& step) {
     const bool one = step.balance.size() == 1 && step.nets.size() == 1;
     return one || std::ranges::equal(step.balance, step.nets, {}, &results::ForceBalance::body,
                                      &results::ForceBalance::body);
   });
   ReportTable table =
-      resultants(model, increment, "Force balance by net", "net", &results::StepResult::nets);
+      resultants(model, increment, "Force balance by net", "net", &results::LoadStepResult::nets);
   if (same) {
     table.rows.clear();
   }
@@ -231,16 +235,16 @@ ReportTable net_balance_table(const model::Model& model, const results::Incremen
 namespace {
 
 struct ErrorRow {
-  const results::StepResult& step;
+  const results::LoadStepResult& step;
   const results::NetErrorEstimate& error;
   [[nodiscard]] bool of_all() const { return error.net == "*"; }
 };
 
 } // namespace
 
-ReportTable energy_error_table(const results::Increment& increment) {
+ReportTable energy_error_table(const results::CrackLengthResult& increment) {
   std::vector<ErrorRow> rows;
-  for (const results::StepResult& step : increment.steps) {
+  for (const results::LoadStepResult& step : increment.steps) {
     for (const results::NetErrorEstimate& error : step.errors) {
       if (error.net != "*" || step.errors.size() != 2) { // else of one net
         rows.push_back({step, error});
@@ -281,9 +285,10 @@ std::string leading_step_name(const model::Model& model) {
   return model.steps.empty() ? std::string() : model.steps.back().name;
 }
 
-const results::StepResult* leading_step_result(const model::Model& model,
-                                               const results::Increment& increment) {
-  const results::StepResult* const step = results::find_step(increment, leading_step_name(model));
+const results::LoadStepResult* leading_step_result(const model::Model& model,
+                                                   const results::CrackLengthResult& increment) {
+  const results::LoadStepResult* const step =
+      results::find_step(increment, leading_step_name(model));
   return step != nullptr || increment.steps.empty() ? step : &increment.steps.back();
 }
 

@@ -10,24 +10,28 @@
 namespace spricka::report {
 
 /// Penetration, pressures, closed rows, force, arc and iterations for each step and contact.
-ReportTable contact_result_table(const model::Model& model, const results::Increment& increment);
+ReportTable contact_result_table(const model::Model& model,
+                                 const results::CrackLengthResult& increment);
 
 /// Moments on the contacts of each step, in space; no rows in the plane.
-ReportTable contact_moment_table(const model::Model& model, const results::Increment& increment);
+ReportTable contact_moment_table(const model::Model& model,
+                                 const results::CrackLengthResult& increment);
 /// What friction did, by step and contact: rows by state, tractions, slip path and work; empty
 /// without friction.
-ReportTable friction_table(const model::Model& model, const results::Increment& increment);
+ReportTable friction_table(const model::Model& model, const results::CrackLengthResult& increment);
 
 /// Applied loads, reactions, contact forces and, where there are any, forces of ties of each body,
 /// what is left of their sum, and strain energy.
-ReportTable force_balance_table(const model::Model& model, const results::Increment& increment);
+ReportTable force_balance_table(const model::Model& model,
+                                const results::CrackLengthResult& increment);
 
 /// The same of each net; no rows where every net is one body.
-ReportTable net_balance_table(const model::Model& model, const results::Increment& increment);
+ReportTable net_balance_table(const model::Model& model,
+                              const results::CrackLengthResult& increment);
 
 /// Estimated error of each net in the energy norm and the elements with most of it, for the steps
 /// whose stresses were recovered.
-ReportTable energy_error_table(const results::Increment& increment);
+ReportTable energy_error_table(const results::CrackLengthResult& increment);
 
 /// What a reader of forces has to know of the model; may be empty.
 std::string force_direction_note(const model::Model& model);
@@ -46,7 +50,7 @@ ReportTable tolerance_rounds_table(const results::RunResult& run, bool times);
 /// without steps.
 std::string leading_step_name(const model::Model& model);
 /// Its results in an increment, where there are none those of the last step; null without steps.
-const results::StepResult* leading_step_result(const model::Model& model,
-                                               const results::Increment& increment);
+const results::LoadStepResult* leading_step_result(const model::Model& model,
+                                                   const results::CrackLengthResult& increment);
 
 } // namespace spricka::report

@@ -94,7 +94,7 @@ std::vector<const Sensitivity*> sorted(const model::Model& model, const Sensitiv
 
 // Of each front the point inside with the largest K1; none where K is not known to depend on
 // anything.
-std::vector<SensitivePoint> leading_points(const results::StepResult& step) {
+std::vector<SensitivePoint> leading_points(const results::LoadStepResult& step) {
   std::vector<SensitivePoint> leading;
   for (const results::FrontResult& front : step.fronts) {
     std::optional<std::size_t> most;
@@ -287,10 +287,11 @@ void write_sensitivity_csv(const std::filesystem::path& file, const model::Model
   write_file(file, columns.csv(words, sensitivity_rows(run)));
 }
 
-ReportTable sensitivity_table(const model::Model& model, const results::Increment& increment) {
+ReportTable sensitivity_table(const model::Model& model,
+                              const results::CrackLengthResult& increment) {
   const std::string step = leading_step_name(model);
   std::vector<CauseRow> rows;
-  if (const results::StepResult* const found = results::find_step(increment, step)) {
+  if (const results::LoadStepResult* const found = results::find_step(increment, step)) {
     for (const SensitivePoint& point : leading_points(*found)) {
       for (const Sensitivity* cause : sorted(model, point)) {
         rows.push_back({point, *cause});
@@ -303,9 +304,9 @@ ReportTable sensitivity_table(const model::Model& model, const results::Incremen
 }
 
 std::vector<std::string> missing_sensitivity_reasons(const model::Model& model,
-                                                     const results::Increment& increment) {
+                                                     const results::CrackLengthResult& increment) {
   std::vector<std::string> notes;
-  const results::StepResult* found = results::find_step(increment, leading_step_name(model));
+  const results::LoadStepResult* found = results::find_step(increment, leading_step_name(model));
   if (found != nullptr) {
     for (const results::FrontResult& front : found->fronts) {
       for (const std::string& note : front.sensitivities.notes) {
@@ -319,8 +320,8 @@ std::vector<std::string> missing_sensitivity_reasons(const model::Model& model,
 std::vector<Figure> sensitivity_figures(const model::Model& model, const results::RunResult& run) {
   const std::string step = leading_step_name(model);
   Figure figure;
-  for (const results::Increment* increment : sample_increments(run, 3)) {
-    const results::StepResult* found = results::find_step(*increment, step);
+  for (const results::CrackLengthResult* increment : sample_increments(run, 3)) {
+    const results::LoadStepResult* found = results::find_step(*increment, step);
     for (const SensitivePoint& point :
          found != nullptr ? leading_points(*found) : std::vector<SensitivePoint>()) {
       if (point.front.invalid_reason.empty() && point.result().K1 > 0.0) {

@@ -24,10 +24,11 @@ void write_sensitivity_csv(const std::filesystem::path& file, const model::Model
 
 /// The leading step of one increment, strongest first, tip by tip; of a front in space at the point
 /// inside with the largest K1.
-ReportTable sensitivity_table(const model::Model& model, const results::Increment& increment);
+ReportTable sensitivity_table(const model::Model& model,
+                              const results::CrackLengthResult& increment);
 /// What is not given there and why, each note once.
 std::vector<std::string> missing_sensitivity_reasons(const model::Model& model,
-                                                     const results::Increment& increment);
+                                                     const results::CrackLengthResult& increment);
 
 /// A tornado of K1 for each tip or front of the leading step, at three crack lengths at most.
 std::vector<Figure> sensitivity_figures(const model::Model& model, const results::RunResult& run);

@@ -34,7 +34,7 @@ struct Tally {
   }
 };
 
-inline Tally tally_of(const results::StepResult& step, const Exact& exact) {
+inline Tally tally_of(const results::LoadStepResult& step, const Exact& exact) {
   Tally tally;
   const results::FrontResult& front = step.fronts.front();
   EXPECT_EQ(front.no_bar, "");
@@ -66,7 +66,7 @@ inline Tally tally_of(const results::StepResult& step, const Exact& exact) {
 
 inline Tally tally_of(const Solved& solved, const Exact& exact) {
   Tally tally;
-  for (const results::StepResult& step : solved.run.increments.front().steps) {
+  for (const results::LoadStepResult& step : solved.run.increments.front().steps) {
     tally += tally_of(step, exact);
   }
   return tally;

@@ -322,7 +322,7 @@ $END
 )",
                                                 5000.0 * load, 0.02 * load));
     ASSERT_TRUE(s);
-    const results::StepResult& up = s->step(1);
+    const results::LoadStepResult& up = s->step(1);
     EXPECT_LT(up.pivots, 2000) << load;
     EXPECT_NEAR(up.contacts[0].force_on_slave.x(), -5000.0 * load, 1e-6 * 5000.0 * load);
     pressure.push_back(up.contacts[0].max_pressure / load);

@@ -96,7 +96,7 @@ TEST(CornerBars, ABodyThatNothingLoadsHasKOfZero) {
   const auto solved = solve_text(
       two_bodies("$STEP NAME=BOTH\n  LOAD T 1\n$STEP NAME=ONE\n  LOAD T 0\n  LOAD U 1\n"));
   ASSERT_TRUE(solved);
-  const results::StepResult& one = solved->run.increments.front().steps.at(1);
+  const results::LoadStepResult& one = solved->run.increments.front().steps.at(1);
   const results::FrontResult& idle = one.fronts.at(1);
   EXPECT_EQ(idle.tip().K1, 0.0);
   EXPECT_EQ(idle.tip().K2, 0.0);

@@ -205,7 +205,7 @@ TEST(CrackFaceContact, GrowsWithMountedParts) {
       ASSERT_EQ(alone->step(0).contacts.size(), 2U);
       EXPECT_GT(alone->step(0).contacts[1].closed, 2);
       for (const std::size_t s : {std::size_t{0}, std::size_t{2}}) {
-        const results::StepResult& step = grown->run.increments[i].steps[s];
+        const results::LoadStepResult& step = grown->run.increments[i].steps[s];
         const double K1 = alone->step(s).fronts[0].tip().K1;
         EXPECT_GT(K1, 0.1);
         EXPECT_NEAR(step.fronts[0].tip().K1, K1, 1e-7 * K1) << i << ' ' << s;

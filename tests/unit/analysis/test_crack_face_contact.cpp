@@ -196,7 +196,7 @@ TEST(CrackFaceContact, SlipsAgainstFriction) {
             slant(angle, fmt::format("MU={}", mu)) + fmt::format("$VCE CRACK=C DOMAINS={}\n", ring),
             stressed(0.0, -1.0, 0.0)));
         ASSERT_TRUE(solved);
-        const results::StepResult& step = solved->step();
+        const results::LoadStepResult& step = solved->step();
         K2.push_back(step.fronts[1].tip().K2);
         EXPECT_NEAR(step.fronts[0].tip().K2, step.fronts[1].tip().K2, 1e-4);
         EXPECT_EQ(step.fronts[1].tip().K1, 0.0);

@@ -52,7 +52,7 @@ TEST(Friction, WorkIsThatOfTheMeanPressure) {
   EXPECT_NEAR(steady->step(1).contacts[0].friction_work, 0.6, 1e-3);
 }
 
-std::string notes_of(const results::StepResult& step) {
+std::string notes_of(const results::LoadStepResult& step) {
   std::string all;
   for (const std::string& note : results::text_with_code(step.notes)) {
     all += note + "\n";

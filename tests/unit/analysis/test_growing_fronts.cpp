@@ -182,9 +182,9 @@ TEST(GrowingFronts, HaveTheLengthOfTheirFirstPoint) {
   ASSERT_GE(stations.size(), 2U);
   ASSERT_EQ(stations.size(), solved->run.increments.size());
   for (std::size_t i = 0; i < stations.size(); ++i) {
-    const results::Increment& increment = solved->run.increments[i];
+    const results::CrackLengthResult& increment = solved->run.increments[i];
     EXPECT_NEAR(increment.a, stations[i].points.at(0).a, 1e-12);
-    for (const results::StepResult& step : increment.steps) {
+    for (const results::LoadStepResult& step : increment.steps) {
       EXPECT_EQ(step.fronts.at(0).a, increment.a) << step.step;
     }
   }

@@ -37,7 +37,7 @@ TEST(Growth, ExchangedStepsOfGivenLengths) {
     const auto solved = test::solve_text(deck);
     ASSERT_TRUE(solved);
     std::string all;
-    for (const results::StepResult& step : solved->run.increments.back().steps) {
+    for (const results::LoadStepResult& step : solved->run.increments.back().steps) {
       for (const std::string& note : results::text_with_code(step.notes)) {
         all += note + "\n";
       }
@@ -293,7 +293,7 @@ TEST(Growth, OneScaledKIsWrongOnTheLug) {
   using Range = std::function<double(const base::PiecewiseLinear&)>;
   const auto life = [&](const Range& range) {
     std::vector<growth::SolvedStation> stations;
-    for (const results::Increment& increment : solved->run.increments) {
+    for (const results::CrackLengthResult& increment : solved->run.increments) {
       growth::TipStation tip;
       tip.a = increment.a;
       tip.K_max = range(increment.paths.front().fronts.front().tip().K[0]);

@@ -139,7 +139,7 @@ TEST(LoadHistorySolver, HeldStretchFallsAsTheCrackGrows) {
   double before_G = 0.0;
   for (std::size_t i = 0; i < stations.size(); ++i) {
     // K under 0.8, pulled anew: KMIN of the steps of this length
-    const results::StepResult& shut = carried->run.increments[i].steps[4];
+    const results::LoadStepResult& shut = carried->run.increments[i].steps[4];
     const double K = shut.fronts.front().tip().K1;
     const double G = K * K / 2000.0; // plane strain, nu = 0
     if (i > 0) {

@@ -67,7 +67,7 @@ $STEP NAME=PRESS
 
 // Every step between lies on the path: K of both must agree.
 void compare_with_steps(const Solved& solved) {
-  const results::Increment& increment = solved.run.increments.front();
+  const results::CrackLengthResult& increment = solved.run.increments.front();
   const results::LoadPathResult* up = results::find_path(increment, "UP");
   const results::LoadPathResult* down = results::find_path(increment, "DOWN");
   ASSERT_NE(up, nullptr);
@@ -129,7 +129,7 @@ $CRACK NAME=C NET=HUB ANGLE=90[deg] A0=4
   0 20
 )"));
   ASSERT_TRUE(solved);
-  const results::Increment& increment = solved->run.increments.front();
+  const results::CrackLengthResult& increment = solved->run.increments.front();
   const results::LoadPathResult& path = increment.paths.front();
   EXPECT_TRUE(path.homogeneous);
   EXPECT_LT(path.mismatch, 1e-11);
@@ -186,7 +186,7 @@ $CRACK NAME=C NET=HUB ANGLE=90[deg] A0=4
   0 20
 )"));
   ASSERT_TRUE(solved);
-  const results::Increment& increment = solved->run.increments.front();
+  const results::CrackLengthResult& increment = solved->run.increments.front();
   const results::LoadPathResult& through = increment.paths[0];
   const results::LoadPathFrontPoint& tip = through.fronts.front().tip();
   EXPECT_TRUE(through.stopped.empty()) << through.stopped;

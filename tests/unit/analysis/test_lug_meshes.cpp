@@ -60,8 +60,8 @@ class ShortCracks : public ::testing::TestWithParam<LugMesh> {};
 TEST_P(ShortCracks, AreAnsweredWithinTheirBars) {
   const std::optional<test::Solved> solved = test::solve_text(lug(GetParam()));
   ASSERT_TRUE(solved);
-  const results::StepResult& press = solved->step(0);
-  const results::StepResult& load = solved->step(1);
+  const results::LoadStepResult& press = solved->step(0);
+  const results::LoadStepResult& load = solved->step(1);
   ASSERT_EQ(load.fronts.size(), 2U);
   for (std::size_t tip : {0U, 1U}) {
     const double side = tip == 0 ? 1.0 : -1.0;

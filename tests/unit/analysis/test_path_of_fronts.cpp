@@ -19,7 +19,7 @@ TEST(PathOfFronts, AgreesWithStepsBetween) {
   const auto solved =
       test::solve_text(test::pressed_mouth(steps + "$LOADPATH NAME=UP FROM=S0 TO=S5\n"));
   ASSERT_TRUE(solved);
-  const results::Increment& increment = solved->run.increments.front();
+  const results::CrackLengthResult& increment = solved->run.increments.front();
   const results::LoadPathResult& path = increment.paths.front();
   EXPECT_TRUE(path.stopped.empty()) << path.stopped;
   EXPECT_GT(path.t.size(), 5U); // contact changes on the way

@@ -173,7 +173,7 @@ TEST(RandomBalls, PressHertzPressure) {
     if (!solved) {
       continue; // a failure
     }
-    const results::StepResult& step = solved->step();
+    const results::LoadStepResult& step = solved->step();
     const results::ContactResult& contact = step.contacts.front();
     const Found found = compare(balls, contact);
     const double n = balls.a / std::min(balls.body[0].h, balls.body[1].h);

@@ -115,7 +115,7 @@ Attempt attempt(const std::string& deck, int threads,
 }
 
 // Signorini's and Coulomb's conditions at all nodes, and forces that balance.
-void expect_conditions(const results::StepResult& step, double pressure) {
+void expect_conditions(const results::LoadStepResult& step, double pressure) {
   for (const results::ContactResult& contact : step.contacts) {
     for (const results::ContactPoint& point : contact.points) {
       EXPECT_GE(point.p_consistent, 0.0);
@@ -192,7 +192,8 @@ TEST(RandomSolids, AreSolvedOrTheLooseBodyIsNamed) {
 
 // The largest difference of two answers: of displacements in parts of their norm, of pressures in
 // parts of a hundred loads.
-double difference_of(const results::StepResult& a, const results::StepResult& b, double load) {
+double difference_of(const results::LoadStepResult& a, const results::LoadStepResult& b,
+                     double load) {
   double largest = (a.u - b.u).norm() / b.u.norm();
   for (std::size_t c = 0; c < a.contacts.size(); ++c) {
     const auto& one = a.contacts[c].points;
@@ -226,8 +227,8 @@ TEST(RandomSolids, AreTheSameWholeAndCondensed) {
       continue;
     }
     ++compared;
-    const results::StepResult& a = whole.run->increments.front().steps.front();
-    const results::StepResult& b = small.run->increments.front().steps.front();
+    const results::LoadStepResult& a = whole.run->increments.front().steps.front();
+    const results::LoadStepResult& b = small.run->increments.front().steps.front();
     const double difference = difference_of(a, b, stack.weight);
     if (difference > 1e-9 && stack.deck.find(" MU=") != std::string::npos &&
         stack.deck.find("NAME=SIDE") != std::string::npos) {

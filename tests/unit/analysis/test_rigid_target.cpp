@@ -35,7 +35,7 @@ $END
 TEST(RigidTarget, HoldsABodyThatIsPressedAndTakesTheReaction) {
   const auto solved = solve_text(block("0 -300"));
   ASSERT_TRUE(solved);
-  const results::StepResult& step = solved->step();
+  const results::LoadStepResult& step = solved->step();
   EXPECT_NEAR(step.contacts[0].force_on_slave.y(), 300.0, 1e-9);
   EXPECT_NEAR(step.contacts[0].mean_pressure, 30.0, 1e-10);
   ASSERT_EQ(step.targets.size(), 1U);
@@ -284,7 +284,7 @@ $STEP NAME=S
 $END
 )");
   ASSERT_TRUE(solved);
-  const results::StepResult& step = solved->step();
+  const results::LoadStepResult& step = solved->step();
   // The lug turns freely about the pin; what the load's moment about the meshed bore is rests.
   EXPECT_NEAR(step.contacts[0].force_on_slave.x(), 10000.0, 1e-5);
   ASSERT_EQ(step.targets.size(), 1U);

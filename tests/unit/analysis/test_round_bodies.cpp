@@ -46,11 +46,11 @@ $END
                      off);
 }
 
-double largest_displacement(const results::StepResult& step) {
+double largest_displacement(const results::LoadStepResult& step) {
   return step.u.cwiseAbs().maxCoeff();
 }
 
-double largest_pressure(const results::StepResult& step, std::size_t contact) {
+double largest_pressure(const results::LoadStepResult& step, std::size_t contact) {
   double most = 0.0;
   for (const results::ContactPoint& p : step.contacts.at(contact).points) {
     most = std::max(most, p.p_lumped);

@@ -39,7 +39,7 @@ base::Vec2 K_of(const std::string& deck, const SolvedScene::Changes& changes) {
   for (std::size_t s = 0; s + 1 < steps; ++s) {
     solved.solve(s);
   }
-  const std::optional<results::StepResult> last = solved.found(steps - 1);
+  const std::optional<results::LoadStepResult> last = solved.found(steps - 1);
   if (!last) {
     return base::Vec2::Zero();
   }
@@ -73,7 +73,7 @@ void scale_load(model::Model& model, double factor) {
 // keep the contact.
 void compare_with_differences(const std::string& deck, double h) {
   SolvedScene solved(deck);
-  std::optional<results::StepResult> last;
+  std::optional<results::LoadStepResult> last;
   for (std::size_t s = 0; s < solved.model().steps.size(); ++s) {
     last = solved.found(s);
     ASSERT_TRUE(last);
@@ -178,7 +178,7 @@ TEST(Sensitivity, AddsUp) {
   for (const std::string& deck : {rings(press_and_pull), lug(0.7)}) {
     SolvedScene solved(deck);
     for (const std::size_t step : {0U, 1U}) {
-      const std::optional<results::StepResult> found = solved.found(step);
+      const std::optional<results::LoadStepResult> found = solved.found(step);
       ASSERT_TRUE(found);
       const results::FrontResult& front = found->fronts[0];
       Pair loads{0.0, 0.0};
@@ -206,7 +206,7 @@ TEST(Sensitivity, AddsUp) {
 // Nodes that move with the tip on the same patch: the derivative of the discrete K itself.
 void compare_with_moved_nodes(const std::string& deck) {
   SolvedScene solved(deck);
-  std::optional<results::StepResult> last;
+  std::optional<results::LoadStepResult> last;
   for (std::size_t s = 0; s < solved.model().steps.size(); ++s) {
     last = solved.found(s);
     ASSERT_TRUE(last);
@@ -242,7 +242,7 @@ TEST(Sensitivity, ByLengthIsThatOfTheMovedMesh) {
 TEST(Sensitivity, ByLengthAgreesWithNewPatches) {
   const auto by_length = [](const std::string& deck) {
     SolvedScene solved(deck);
-    std::optional<results::StepResult> last;
+    std::optional<results::LoadStepResult> last;
     for (std::size_t s = 0; s < solved.model().steps.size(); ++s) {
       last = solved.found(s);
     }
@@ -267,7 +267,7 @@ TEST(Sensitivity, ByLengthAgreesWithNewPatches) {
 TEST(Sensitivity, WithDisplacementsAndWeightAgreesWithDifferences) {
   const std::string deck = strip(7.0);
   SolvedScene solved(deck);
-  const std::optional<results::StepResult> last = solved.found(0);
+  const std::optional<results::LoadStepResult> last = solved.found(0);
   ASSERT_TRUE(last);
   const results::FrontResult& front = last->fronts[0];
   for (const std::size_t a : {0U, 1U, 2U}) {
@@ -303,7 +303,7 @@ $LOADPATH NAME=UP FROM=PRESS TO=PULLED
   const std::size_t k = path.t.size() / 2;
   const auto at = [&](double t) {
     SolvedScene solved(rings(fmt::format("$STEP NAME=P\n  FIT FIT 1\n  LOAD PULL {:.17g}\n", t)));
-    std::optional<results::StepResult> found = solved.found(0);
+    std::optional<results::LoadStepResult> found = solved.found(0);
     EXPECT_TRUE(found);
     return find(found->fronts[0], SensitivityParameter::load, "PULL");
   };
@@ -378,11 +378,11 @@ $STEP NAME=FLUX
 $END
 )",
                                    temperature));
-    const std::optional<results::StepResult> found = solved.found(0);
+    const std::optional<results::LoadStepResult> found = solved.found(0);
     EXPECT_TRUE(found);
     return found->fronts[0].sensitivities;
   };
-  const auto given = [](const results::SensitivityResults& all) {
+  const auto given = [](const results::FrontKSensitivities& all) {
     return std::ranges::any_of(all.of, [](const Sensitivity& s) {
       return s.cause == SensitivityParameter::length && s.is_smooth();
     });
@@ -400,7 +400,7 @@ TEST(Sensitivity, OfANetFitBeforeItIsLoaded) {
   std::string deck = rings("$STEP NAME=NONE\n  LOAD PULL 0\n");
   deck.replace(deck.find("INTERFERENCE=0.01"), 17, "GAP=0");
   SolvedScene solved(deck);
-  const std::optional<results::StepResult> none = solved.found(0);
+  const std::optional<results::LoadStepResult> none = solved.found(0);
   ASSERT_TRUE(none);
   const Sensitivity& pull = find(none->fronts[0], SensitivityParameter::load, "PULL");
   ASSERT_TRUE(!pull.below.empty() && !pull.above.empty());

@@ -67,7 +67,7 @@ $LOAD CASE=BEND TYPE=FACES
 
 constexpr double k_shear = 4.0 / 1.7 * 0.5641895835477563; // 4 sqrt(pi) / (pi (2 - nu))
 
-const results::ContactResult& faces_of(const results::StepResult& step) {
+const results::ContactResult& faces_of(const results::LoadStepResult& step) {
   const results::ContactResult* found = results::find_contact(step, "C.FACES");
   EXPECT_NE(found, nullptr);
   static const results::ContactResult none{};
@@ -80,7 +80,7 @@ bool tells_of(const std::vector<results::Note>& notes, const std::string& words)
   });
 }
 
-bool tells(const results::StepResult& step, const std::string& words) {
+bool tells(const results::LoadStepResult& step, const std::string& words) {
   return tells_of(step.notes, words);
 }
 
@@ -148,7 +148,8 @@ TEST(SolidFaceContact, SlipsAgainstFriction) {
                      closed_from_the_start);
   const auto state = solved.solve(0);
   ASSERT_TRUE(state);
-  const results::StepResult found = solved.length->recover_step(solved.model().steps[0], *state);
+  const results::LoadStepResult found =
+      solved.length->recover_step(solved.model().steps[0], *state);
   const double k = 0.2 * k_shear;
   const auto rough = without_faces(solved, *state);
   double K2_off = 0.0;
@@ -179,7 +180,8 @@ TEST(SolidFaceContact, ClosesInItsMiddle) {
   SolvedScene solved(penny("", "$STEP NAME=S\n  LOAD RIM 1\n"), closed_from_the_start);
   const auto state = solved.solve(0);
   ASSERT_TRUE(state);
-  const results::StepResult found = solved.length->recover_step(solved.model().steps[0], *state);
+  const results::LoadStepResult found =
+      solved.length->recover_step(solved.model().steps[0], *state);
   for (const results::FrontPointResult& place : found.fronts.front().points) {
     EXPECT_NEAR(place.K1, 0.4975, 0.02 * 0.4975);
     EXPECT_FALSE(place.closed);
@@ -235,7 +237,7 @@ TEST(SolidFaceContact, KnowsClosedPointsOnPathsAndInBars) {
   }
   const auto solved = solve_text(penny("", steps + "$LOADPATH NAME=DOWN FROM=S0 TO=S2\n"));
   ASSERT_TRUE(solved);
-  const results::Increment& increment = solved->run.increments.front();
+  const results::CrackLengthResult& increment = solved->run.increments.front();
   const results::LoadPathResult& path = increment.paths.front();
   EXPECT_LT(path.mismatch, 1e-6);
   EXPECT_TRUE(tells_of(path.notes, "touch at"));

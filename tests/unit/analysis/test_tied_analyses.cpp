@@ -67,8 +67,8 @@ TEST(TiedAnalyses, CrackInOneOfThreeNets) {
   ASSERT_EQ(whole->run.increments.size(), 3U);
   ASSERT_EQ(pieces->run.increments.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {
-    const results::StepResult& a = whole->run.increments[i].steps.at(0);
-    const results::StepResult& b = pieces->run.increments[i].steps.at(0);
+    const results::LoadStepResult& a = whole->run.increments[i].steps.at(0);
+    const results::LoadStepResult& b = pieces->run.increments[i].steps.at(0);
     ASSERT_EQ(a.fronts.size(), 1U);
     ASSERT_EQ(b.fronts.size(), 1U);
     EXPECT_GT(a.fronts[0].tip().K1, 0.0);

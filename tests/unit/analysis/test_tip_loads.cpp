@@ -17,7 +17,7 @@ using test::Solved;
 
 const results::FrontPointResult& tip(const Solved& solved, const std::string& step,
                                      const std::string& name) {
-  const results::StepResult* s = results::find_step(solved.run.increments.front(), step);
+  const results::LoadStepResult* s = results::find_step(solved.run.increments.front(), step);
   const results::FrontResult* found = s == nullptr ? nullptr : results::find_front(*s, name);
   if (found == nullptr) {
     throw std::runtime_error("no tip " + name);

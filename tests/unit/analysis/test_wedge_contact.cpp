@@ -194,7 +194,7 @@ TEST(SlidesOfSolids, AreGoodForAnElementAndToldBeyond) {
   for (const double way : {0.02, 0.3, 0.65, 0.75}) {
     const std::optional<test::Solved> solved = test::solve_text(drawn_block(way));
     ASSERT_TRUE(solved);
-    const results::StepResult& step = solved->step(1);
+    const results::LoadStepResult& step = solved->step(1);
     const results::ContactResult& contact = step.contacts.front();
     const double P = 240.0;
     const double sign = contact.force_on_slave.z() > 0.0 ? 1.0 : -1.0;

@@ -63,7 +63,7 @@ TEST(CheckWords, OfFrontsAreInTheCatalogueByTheirPlaces) {
 TEST(CheckWords, DerivativesByAnAxisAreOfTheCrackThatIsNamed) {
   model::Model model;
   results::RunResult run;
-  results::StepResult& step = run.increments.emplace_back().steps.emplace_back();
+  results::LoadStepResult& step = run.increments.emplace_back().steps.emplace_back();
   step.step = "PULL";
   for (const char* crack : {"C1", "C2.1"}) {
     results::FrontResult& front = step.fronts.emplace_back();

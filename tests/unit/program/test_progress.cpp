@@ -55,7 +55,7 @@ TEST(RunProgress, UnloadingIsNotSolvedAnew) {
   std::vector<std::size_t> steps; // that have K, at each call
   std::size_t to_solve = 0;
   analysis::SolveOptions options;
-  options.found = [&](const results::Increment& increment) {
+  options.found = [&](const results::CrackLengthResult& increment) {
     steps.push_back(increment.steps.size());
     EXPECT_NE(increment.steps.back().fronts.front().tip().K1, 0.0);
   };

@@ -181,9 +181,9 @@ results::ContactResult make_contact(const model::Mesh& mesh, double factor, doub
   return contact;
 }
 
-results::StepResult make_step(const model::Mesh& mesh, const std::string& name, double factor,
-                              double a) {
-  results::StepResult step;
+results::LoadStepResult make_step(const model::Mesh& mesh, const std::string& name, double factor,
+                                  double a) {
+  results::LoadStepResult step;
   step.step = name;
   step.u.resize(static_cast<Eigen::Index>(2 * mesh.node_count()));
   for (std::size_t n = 0; n < mesh.node_count(); ++n) {
@@ -255,7 +255,7 @@ Sample make_sample() {
   sample.model = make_model();
   results::RunResult& run = sample.run;
   for (std::size_t i = 0; i < lengths.size(); ++i) {
-    results::Increment increment;
+    results::CrackLengthResult increment;
     increment.number = static_cast<int>(i) + 1;
     increment.a = lengths[i];
     increment.mesh = make_mesh(lengths[i]);

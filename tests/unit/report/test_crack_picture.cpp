@@ -41,7 +41,7 @@ TEST(CrackPicture, FrontsOutOfAPlaneHaveNone) {
 
 // Two tetrahedra above each other that share no node, with a common face at z = 0.
 TEST(CrackPicture, FacesOnEachOtherAreOpenedByWhatPartsThem) {
-  results::Increment increment;
+  results::CrackLengthResult increment;
   model::Mesh& mesh = increment.mesh;
   mesh.dim = 3;
   mesh.first = {0};
@@ -58,7 +58,7 @@ TEST(CrackPicture, FacesOnEachOtherAreOpenedByWhatPartsThem) {
   std::ranges::reverse(side[0]); // its outer normal points down
   increment.surface = {{base::ElementId(std::size_t{0}), side[0]},
                        {base::ElementId(std::size_t{1}), side[1]}};
-  results::StepResult step;
+  results::LoadStepResult step;
   step.u = base::Vector::Zero(18);
   for (const base::NodeId n : side[0]) {
     step.u.segment<3>(static_cast<Eigen::Index>(3 * n.index())) = base::Vec3(0.3, 0.4, 0.02);

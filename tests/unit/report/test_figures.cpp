@@ -100,7 +100,7 @@ TEST(KFigure, NeedsTwoLengths) {
 
 TEST(KFigure, NamesCurvesThatCoincideOnce) {
   test::Sample sample = test::make_sample();
-  for (results::Increment& increment : sample.run.increments) {
+  for (results::CrackLengthResult& increment : sample.run.increments) {
     increment.steps[2].fronts = increment.steps[0].fronts; // UNLOAD ends where PRESS did
   }
   const std::string drawing = k_figure(sample.model, sample.run)->drawings.front();
@@ -114,7 +114,7 @@ TEST(Increments, AreChosenEvenlyWithBothEnds) {
     run.increments.emplace_back().number = i;
   }
   std::vector<int> numbers;
-  for (const results::Increment* increment : sample_increments(run, 3)) {
+  for (const results::CrackLengthResult* increment : sample_increments(run, 3)) {
     numbers.push_back(increment->number);
   }
   EXPECT_EQ(numbers, (std::vector<int>{0, 5, 10}));
@@ -136,7 +136,7 @@ TEST(MeshFigures, ShowTheWholeMeshAndEachTipOfAPlaneMesh) {
   ASSERT_EQ(figures.size(), 3U);
   EXPECT_EQ(figures[1].drawings.size(), 2U) << "stress and displacement";
   EXPECT_EQ(figures[2].drawings.size(), 3U) << "two lengths and the tip";
-  for (results::Increment& increment : sample.run.increments) {
+  for (results::CrackLengthResult& increment : sample.run.increments) {
     increment.mesh.dim = 3;
   }
   EXPECT_TRUE(mesh_figures(sample.model, sample.run).empty());
@@ -144,8 +144,8 @@ TEST(MeshFigures, ShowTheWholeMeshAndEachTipOfAPlaneMesh) {
 
 TEST(MeshFigures, WithoutStressesTheFieldIsLeftOut) {
   test::Sample sample = test::make_sample();
-  for (results::Increment& increment : sample.run.increments) {
-    for (results::StepResult& step : increment.steps) {
+  for (results::CrackLengthResult& increment : sample.run.increments) {
+    for (results::LoadStepResult& step : increment.steps) {
       step.stress.clear();
     }
   }
@@ -165,7 +165,7 @@ TEST(ColourScale, ItsEndsTakeWhatLiesBeyondThem) {
 TEST(Notes, ThatDifferByNumbersAloneAreSaidOnce) {
   results::RunResult run;
   for (int i = 1; i <= 3; ++i) {
-    results::Increment increment;
+    results::CrackLengthResult increment;
     increment.number = i;
     increment.steps.emplace_back().step = "LOAD";
     increment.steps.back().notes = {
@@ -203,8 +203,8 @@ TEST(MeshPicture, DrawsACurvedEdgeAsItsParabola) {
 }
 
 // A unit cube as one HEXE8 with its six faces, all under the same tension.
-void add_cube(results::Increment& increment, results::StepResult& step, const base::Vec3& at,
-              double tension) {
+void add_cube(results::CrackLengthResult& increment, results::LoadStepResult& step,
+              const base::Vec3& at, double tension) {
   model::Mesh& mesh = increment.mesh;
   mesh.dim = 3;
   std::vector<base::NodeId> nodes;
@@ -245,8 +245,8 @@ std::vector<std::string> fills_of_paths(const std::string& drawing) {
 }
 
 TEST(SolidPicture, ShowsTheFacesTurnedToTheEyeTheNearestLast) {
-  results::Increment increment;
-  results::StepResult step;
+  results::CrackLengthResult increment;
+  results::LoadStepResult step;
   // From x, -y and z: the second cube stands before the first.
   add_cube(increment, step, {0.0, 0.0, 0.0}, 10.0);
   add_cube(increment, step, {2.0, -3.0, 1.8}, 30.0);
@@ -263,7 +263,7 @@ TEST(SolidPicture, ShowsTheFacesTurnedToTheEyeTheNearestLast) {
 
 TEST(SolidPicture, OfTooManyFacesIsLeftToOthers) {
   test::Sample sample = test::make_sample();
-  results::Increment increment;
+  results::CrackLengthResult increment;
   increment.steps.resize(1);
   increment.steps[0].step = "LOAD";
   add_cube(increment, increment.steps[0], base::Vec3::Zero(), 1.0);
@@ -288,8 +288,8 @@ TEST(PressureFigures, HaveOneDrawingForEachLengthAndCutTheCurveAtTheMouth) {
 
 TEST(PressureFigures, DrawStraightSurfacesAlongTheirLength) {
   test::Sample sample = test::make_sample();
-  for (results::Increment& increment : sample.run.increments) {
-    for (results::StepResult& step : increment.steps) {
+  for (results::CrackLengthResult& increment : sample.run.increments) {
+    for (results::LoadStepResult& step : increment.steps) {
       for (results::ContactPoint& point : step.contacts[0].points) {
         point.theta = 0.0;
       }

@@ -35,8 +35,8 @@ TEST(KBars, HaveASizeOfTwoDigits) {
 }
 
 TEST(KBars, AreListedForTipsThatHaveThem) {
-  results::Increment increment;
-  results::StepResult step;
+  results::CrackLengthResult increment;
+  results::LoadStepResult step;
   step.step = "LOAD";
   results::FrontResult front;
   front.name = "C.1";

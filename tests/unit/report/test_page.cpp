@@ -74,7 +74,7 @@ TEST(KReportSection, HasEveryStepThatLoadsTheCracks) {
 
 TEST(KReportSection, OfManyLengthsShowsTheLeadingStepAndNamesTheOthers) {
   test::Sample sample = test::make_sample();
-  const results::Increment one = sample.run.increments.front();
+  const results::CrackLengthResult one = sample.run.increments.front();
   while (sample.run.increments.size() < 50) {
     sample.run.increments.push_back(one);
   }
@@ -100,13 +100,13 @@ TEST(MissingBars, AreGroupedByTheirReason) {
   test::Sample sample = test::make_sample();
   const std::vector<std::string> both{"PRESS", "LOAD"};
   EXPECT_TRUE(missing_error_bar_reasons(sample.run, both).empty());
-  for (results::StepResult& step : sample.run.increments[1].steps) {
+  for (results::LoadStepResult& step : sample.run.increments[1].steps) {
     step.fronts[0].no_bar = "it is too hot";
   }
   std::vector<std::string> words = missing_error_bar_reasons(sample.run, both);
   ASSERT_EQ(words.size(), 1U);
   EXPECT_EQ(words[0], "No error bar for increment 2: it is too hot.");
-  for (results::StepResult& step : sample.run.increments[0].steps) {
+  for (results::LoadStepResult& step : sample.run.increments[0].steps) {
     step.fronts[0].no_bar = "it is too hot";
   }
   words = missing_error_bar_reasons(sample.run, both);
@@ -125,7 +125,7 @@ TEST(ReferenceTable, HasNoPercentOfZero) {
 TEST(HtmlPage, NamesTheLengthsOfItsForces) {
   test::Sample sample = test::make_sample();
   EXPECT_TRUE(contains(page_of(sample), "At the last length, a = 18 mm."));
-  results::StepResult& last = sample.run.increments.back().steps.back();
+  results::LoadStepResult& last = sample.run.increments.back().steps.back();
   last.fronts.push_back(last.fronts.front());
   last.fronts.back().name = "C2";
   last.fronts.back().a = 2.0;
@@ -169,8 +169,8 @@ TEST(Plots, WritePowersOfTenAsReadersDo) {
 
 // All stresses times a factor, displacements as they are: a body that expands freely.
 void scale_stresses(test::Sample& sample, const std::string& step, double factor) {
-  for (results::Increment& increment : sample.run.increments) {
-    for (results::StepResult& at : increment.steps) {
+  for (results::CrackLengthResult& increment : sample.run.increments) {
+    for (results::LoadStepResult& at : increment.steps) {
       for (results::Stress& stress : at.stress) {
         for (double& s : stress) {
           s *= at.step == step || step.empty() ? factor : 1.0;
@@ -196,8 +196,8 @@ TEST(RoundOff, StressesThatAreNothingElseAreNotDrawn) {
 // A press fit's forces balance on each body: what is left of them is no force.
 TEST(RoundOff, ForcesThatAreNothingElseAreShownAsZero) {
   test::Sample sample = test::make_sample();
-  results::Increment& increment = sample.run.increments[0];
-  for (results::StepResult& step : increment.steps) {
+  results::CrackLengthResult& increment = sample.run.increments[0];
+  for (results::LoadStepResult& step : increment.steps) {
     step.balance = {{"SLEEVE", {7e-12, 0, 0}, {0, 0, 0}, {-3e-11, 2e-12, 0}, {0, 0, 0}, 100.0}};
     step.contacts.clear();
   }
@@ -212,7 +212,7 @@ TEST(RoundOff, ForcesThatAreNothingElseAreShownAsZero) {
 // A body of a million times the stiffness says nothing about the stresses of the others.
 TEST(RoundOff, IsMeasuredByTheSoftestBody) {
   test::Sample sample = test::make_sample();
-  const results::Increment& increment = sample.run.increments[0];
+  const results::CrackLengthResult& increment = sample.run.increments[0];
   const double stress = reference_elastic_stress(sample.model, increment);
   const double force = reference_elastic_force(sample.model, increment);
   sample.model.materials[1].E *= 1e6;

@@ -20,9 +20,9 @@ using results::SensitivityParameter;
 // A load, a net fit and a modulus at the end of the leading step; the fit at a corner.
 test::Sample with_sensitivities() {
   test::Sample sample = test::make_sample();
-  for (results::Increment& increment : sample.run.increments) {
+  for (results::CrackLengthResult& increment : sample.run.increments) {
     const auto step = std::ranges::find(increment.steps, leading_step_name(sample.model),
-                                        &results::StepResult::step);
+                                        &results::LoadStepResult::step);
     results::FrontResult& front = step->fronts.front();
     front.tip().K1 = 500.0;
     Sensitivity weak{

@@ -62,8 +62,8 @@ TEST_F(Writers, KTableHasOneRowForEachStepEndAndReadsBackToTheBit) {
   ASSERT_GE(rows[1].size(), names.size());
   EXPECT_TRUE(std::equal(names.begin(), names.end(), rows[1].begin())) << "new ones stand behind";
   std::size_t row = 2;
-  for (const results::Increment& increment : sample.run.increments) {
-    for (const results::StepResult& step : increment.steps) {
+  for (const results::CrackLengthResult& increment : sample.run.increments) {
+    for (const results::LoadStepResult& step : increment.steps) {
       const results::FrontResult& front = step.fronts.front();
       ASSERT_TRUE(front.is_tip());
       const results::FrontPointResult& tip = front.tip();

@@ -57,8 +57,8 @@ void add_unit(model::Mesh& mesh, ElementType type, bool quarter) {
   model::add_element(mesh, type, nodes, 1, base::NetId(0));
 }
 
-results::Increment units(std::initializer_list<ElementType> types, bool quarter) {
-  results::Increment increment;
+results::CrackLengthResult units(std::initializer_list<ElementType> types, bool quarter) {
+  results::CrackLengthResult increment;
   increment.mesh.dim = 3;
   for (const ElementType type : types) {
     add_unit(increment.mesh, type, quarter);
@@ -77,7 +77,7 @@ int main(int count, char** arguments) {
   std::filesystem::create_directories(folder);
   const test::Sample sample = test::make_sample();
   std::vector<report::PvdEntry> entries;
-  for (const results::Increment& increment : sample.run.increments) {
+  for (const results::CrackLengthResult& increment : sample.run.increments) {
     const std::string name = "sample." + std::to_string(increment.number) + ".vtu";
     report::write_vtu(folder / name, sample.model, increment, increment.steps[1]);
     entries.push_back({.time = increment.a, .part = 0, .name = name});

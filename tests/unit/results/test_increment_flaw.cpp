@@ -11,8 +11,8 @@ namespace spricka::results::test_increment_flaw {
 namespace {
 
 // A square of one element with a tip with a derivative, a contact and a path.
-Increment sound() {
-  Increment increment;
+CrackLengthResult sound() {
+  CrackLengthResult increment;
   model::Mesh& mesh = increment.mesh;
   std::vector<base::NodeId> nodes;
   for (const auto& [x, y] : {std::pair(0.0, 0.0), {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}) {
@@ -25,7 +25,7 @@ Increment sound() {
   mesh.face_sets.push_back(
       {.name = "LOW", .faces = {{base::ElementId(std::size_t{0}), 0}}, .span = {}});
   increment.kept = 1;
-  StepResult& step = increment.steps.emplace_back();
+  LoadStepResult& step = increment.steps.emplace_back();
   step.u = base::Vector::Zero(8);
   step.stress.resize(4);
   step.element_stress.resize(1);
@@ -50,81 +50,84 @@ Increment sound() {
 }
 
 TEST(IncrementFlaw, OfASoundOneThereIsNone) {
-  EXPECT_EQ(find_increment_flaw(sound()), "");
+  EXPECT_EQ(describe_increment_corruption(sound()), "");
 }
 
 TEST(IncrementFlaw, EachIsFound) {
-  const std::vector<std::function<void(Increment&)>> wrong{
-      [](Increment& i) { i.mesh.dim = -7; },
-      [](Increment& i) { i.mesh.nodes[2].value = -7; },
-      [](Increment& i) { i.mesh.nodes[2].value = 4; },
-      [](Increment& i) { i.mesh.type[0] = static_cast<base::ElementType>(200); },
-      [](Increment& i) { i.mesh.type[0] = base::ElementType::quamc8; },
-      [](Increment& i) { i.mesh.first[1] = 2147483647; },
-      [](Increment& i) { i.mesh.property.clear(); },
-      [](Increment& i) { i.mesh.node_label.pop_back(); },
-      [](Increment& i) { i.mesh.node_sets[0].nodes[0].value = 99; },
-      [](Increment& i) { i.mesh.face_sets[0].faces[0].side = 4; },
-      [](Increment& i) { i.mesh.face_sets[0].faces[0].element.value = -1; },
-      [](Increment& i) { i.kept = 2; },
-      [](Increment& i) {
+  const std::vector<std::function<void(CrackLengthResult&)>> wrong{
+      [](CrackLengthResult& i) { i.mesh.dim = -7; },
+      [](CrackLengthResult& i) { i.mesh.nodes[2].value = -7; },
+      [](CrackLengthResult& i) { i.mesh.nodes[2].value = 4; },
+      [](CrackLengthResult& i) { i.mesh.type[0] = static_cast<base::ElementType>(200); },
+      [](CrackLengthResult& i) { i.mesh.type[0] = base::ElementType::quamc8; },
+      [](CrackLengthResult& i) { i.mesh.first[1] = 2147483647; },
+      [](CrackLengthResult& i) { i.mesh.property.clear(); },
+      [](CrackLengthResult& i) { i.mesh.node_label.pop_back(); },
+      [](CrackLengthResult& i) { i.mesh.node_sets[0].nodes[0].value = 99; },
+      [](CrackLengthResult& i) { i.mesh.face_sets[0].faces[0].side = 4; },
+      [](CrackLengthResult& i) { i.mesh.face_sets[0].faces[0].element.value = -1; },
+      [](CrackLengthResult& i) { i.kept = 2; },
+      [](CrackLengthResult& i) {
         i.surface.push_back({base::ElementId(std::size_t{1}), {}});
       },
-      [](Increment& i) { i.steps[0].u.resize(6); },
-      [](Increment& i) { i.steps[0].stress.resize(3); },
-      [](Increment& i) { i.steps[0].element_stress.resize(2); },
-      [](Increment& i) { i.steps[0].fronts[0].tip().bar[0].of_element.resize(2); },
-      [](Increment& i) { i.steps[0].fronts[0].tip().bar[2].of_element.resize(3); },
-      [](Increment& i) { i.steps[0].contacts[0].points[1].node.value = 2147483647; },
-      [](Increment& i) { i.steps[0].contacts[0].points[1].state = static_cast<ContactState>(9); },
-      [](Increment& i) { i.steps[0].contacts[0].corners[2] = 3; },
-      [](Increment& i) { i.steps[0].contacts[0].corners.pop_back(); },
-      [](Increment& i) { i.steps[0].errors[0].worst[0].value = 1; },
-      [](Increment& i) { i.paths[0].contacts[0].to.pop_back(); },
-      [](Increment& i) { i.paths[0].changes.emplace_back().node.value = 4; },
+      [](CrackLengthResult& i) { i.steps[0].u.resize(6); },
+      [](CrackLengthResult& i) { i.steps[0].stress.resize(3); },
+      [](CrackLengthResult& i) { i.steps[0].element_stress.resize(2); },
+      [](CrackLengthResult& i) { i.steps[0].fronts[0].tip().bar[0].of_element.resize(2); },
+      [](CrackLengthResult& i) { i.steps[0].fronts[0].tip().bar[2].of_element.resize(3); },
+      [](CrackLengthResult& i) { i.steps[0].contacts[0].points[1].node.value = 2147483647; },
+      [](CrackLengthResult& i) {
+        i.steps[0].contacts[0].points[1].state = static_cast<ContactState>(9);
+      },
+      [](CrackLengthResult& i) { i.steps[0].contacts[0].corners[2] = 3; },
+      [](CrackLengthResult& i) { i.steps[0].contacts[0].corners.pop_back(); },
+      [](CrackLengthResult& i) { i.steps[0].errors[0].worst[0].value = 1; },
+      [](CrackLengthResult& i) { i.paths[0].contacts[0].to.pop_back(); },
+      [](CrackLengthResult& i) { i.paths[0].changes.emplace_back().node.value = 4; },
   };
   for (std::size_t w = 0; w < wrong.size(); ++w) {
-    Increment increment = sound();
+    CrackLengthResult increment = sound();
     wrong[w](increment);
-    EXPECT_NE(find_increment_flaw(increment), "") << w;
+    EXPECT_NE(describe_increment_corruption(increment), "") << w;
   }
 }
 
 // What reads a front takes its first point, and derivatives by the number of a point.
 TEST(IncrementFlaw, FrontsHaveAllOfTheirPoints) {
-  Increment increment = sound();
+  CrackLengthResult increment = sound();
   FrontResult& front = increment.steps[0].fronts[0];
   front.name = "C.1";
   front.points.clear();
-  EXPECT_EQ(find_increment_flaw(increment), "points of front C.1");
+  EXPECT_EQ(describe_increment_corruption(increment), "points of front C.1");
   front.sensitivities.of.clear();
-  EXPECT_EQ(find_increment_flaw(increment), "points of front C.1");
+  EXPECT_EQ(describe_increment_corruption(increment), "points of front C.1");
   increment = sound();
   increment.steps[0].fronts.emplace_back().name = "D"; // a second one
-  EXPECT_EQ(find_increment_flaw(increment), "points of front D");
+  EXPECT_EQ(describe_increment_corruption(increment), "points of front D");
   increment = sound();
   increment.paths[0].name = "UP";
   increment.paths[0].fronts[0].is.name = "C.1";
   increment.paths[0].fronts[0].points.clear();
-  EXPECT_EQ(find_increment_flaw(increment), "points of front C.1 on path UP");
+  EXPECT_EQ(describe_increment_corruption(increment), "points of front C.1 on path UP");
 }
 
 TEST(IncrementFlaw, DerivativesAreOfThePointsThereAre) {
   for (const auto side : {&Sensitivity::below, &Sensitivity::above}) {
     for (const std::size_t points : {2U, 3U, 4U}) {
-      Increment increment = sound();
+      CrackLengthResult increment = sound();
       FrontResult& front = increment.steps[0].fronts[0];
       front.name = "C";
       front.points.resize(3);
       Sensitivity& derivative = front.sensitivities.of[0];
       derivative.below.clear();
       (derivative.*side).resize(points);
-      EXPECT_EQ(find_increment_flaw(increment), points == 3 ? "" : "points of front C") << points;
+      EXPECT_EQ(describe_increment_corruption(increment), points == 3 ? "" : "points of front C")
+          << points;
     }
   }
-  Increment increment = sound();
+  CrackLengthResult increment = sound();
   increment.steps[0].fronts[0].sensitivities.of[0].cause = static_cast<SensitivityParameter>(5);
-  EXPECT_NE(find_increment_flaw(increment), "");
+  EXPECT_NE(describe_increment_corruption(increment), "");
 }
 
 } // namespace

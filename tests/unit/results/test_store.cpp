@@ -125,11 +125,11 @@ template <class T> std::size_t named() {
 
 template <class T> class Records : public ::testing::Test {};
 using AllRecords =
-    ::testing::Types<KErrorBar, Sensitivity, SensitivityResults, FrontPointResult, FrontResult,
+    ::testing::Types<KErrorBar, Sensitivity, FrontKSensitivities, FrontPointResult, FrontResult,
                      ContactPoint, ContactResult, ForceBalance, NetErrorEstimate, OuterSurfaceFace,
                      LoadPathFrontPoint, LoadPathFront, LoadPathContact, ContactStatusChange,
                      LoadPathResult, LogLine, CheckResult, ToleranceRound, GrownPointResult,
-                     GrowthStation, LifeCurvePoint, ScaledLife, GrowthResult, GrowthTestPoint,
+                     GrowthStation, LifeCurvePoint, ScaledKLife, GrowthResult, GrowthTestPoint,
                      GrowthTestResult, base::SourceSpan, model::NodeSet, model::ElementSet,
                      model::FaceSet>;
 TYPED_TEST_SUITE(Records, AllRecords);
@@ -172,7 +172,7 @@ WholeRun random_run() {
   Dice dice;
   RunResult run;
   for (int i = 1; i <= 3; ++i) {
-    Increment increment;
+    CrackLengthResult increment;
     increment.number = i;
     increment.a = 0.1 * i;
     increment.kept = 7;
@@ -189,7 +189,7 @@ WholeRun random_run() {
     increment.paths = dice.list<LoadPathResult>(2);
     increment.notes = {note("first"), note("second")};
     for (const char* name : {"PRESS", "LOAD"}) {
-      StepResult step;
+      LoadStepResult step;
       step.step = name;
       step.u = random_vector(dice, 10);
       step.reaction = random_vector(dice, 10);
@@ -246,13 +246,13 @@ TEST(Store, a_run_comes_back_to_the_bit) {
   const std::string bytes = bytes_of(run);
   const WholeRun back = read_run(Store::from_bytes(bytes).root());
   EXPECT_EQ(bytes_of(back), bytes);
-  EXPECT_EQ(members<Increment>(), 9U) << "a new member needs a place in store_run.cpp";
+  EXPECT_EQ(members<CrackLengthResult>(), 9U) << "a new member needs a place in store_run.cpp";
   EXPECT_EQ(members<WholeRun>(), 10U) << "a new member needs a place in store_run.cpp";
-  EXPECT_EQ(members<StepResult>(), 19U) << "a new member needs a place in store_run.cpp";
+  EXPECT_EQ(members<LoadStepResult>(), 19U) << "a new member needs a place in store_run.cpp";
   EXPECT_EQ(members<model::Mesh>(), 13U) << "a new member needs a place in store_run.cpp";
   ASSERT_EQ(back.increments.size(), 3U);
-  const StepResult& a = run.increments[2].steps[1];
-  const StepResult& b = back.increments[2].steps[1];
+  const LoadStepResult& a = run.increments[2].steps[1];
+  const LoadStepResult& b = back.increments[2].steps[1];
   EXPECT_EQ(b.step, "LOAD");
   EXPECT_TRUE(same_bits(a.u, b.u));
   EXPECT_TRUE(same_bits(a.reaction, b.reaction));
@@ -281,8 +281,8 @@ TEST(Store, fields_of_some_increments_can_be_left_out) {
   write_run(store.root(), run, TimeRecording::left_out, {true, false, true});
   const WholeRun back = read_run(Store::from_bytes(std::string(store.finish_bytes())).root());
   ASSERT_EQ(back.increments.size(), 3U);
-  const StepResult& whole = run.increments[1].steps[1];
-  const StepResult& thin = back.increments[1].steps[1];
+  const LoadStepResult& whole = run.increments[1].steps[1];
+  const LoadStepResult& thin = back.increments[1].steps[1];
   EXPECT_EQ(thin.u.size(), 0);
   EXPECT_TRUE(thin.stress.empty());
   EXPECT_TRUE(back.increments[1].mesh.x.empty());

@@ -127,7 +127,7 @@ TEST(StrangeTests, ReadingsOutsideAllLengths) {
 results::RunResult run_with_notes(const std::string& first, const std::string& later) {
   results::RunResult run;
   run.increments.resize(2);
-  for (results::Increment& increment : run.increments) {
+  for (results::CrackLengthResult& increment : run.increments) {
     increment.steps.emplace_back().step = "S";
   }
   if (!first.empty()) {
@@ -161,9 +161,9 @@ TEST(Growth, BelowItsThresholdIsNotWarnedOf) {
 // A net that nothing strains has no error worth a word, whatever round-off looks like.
 TEST(CoarseNets, RoundOffIsNoMesh) {
   results::RunResult run;
-  results::Increment& increment = run.increments.emplace_back();
+  results::CrackLengthResult& increment = run.increments.emplace_back();
   increment.mesh.element_label = {1};
-  results::StepResult& step = increment.steps.emplace_back();
+  results::LoadStepResult& step = increment.steps.emplace_back();
   step.step = "S";
   for (const auto& [net, energy] : {std::pair("A", 1.0), std::pair("B", 1e-24)}) {
     results::ForceBalance balance;

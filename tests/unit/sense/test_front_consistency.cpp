@@ -9,8 +9,8 @@ namespace {
 constexpr double E = 1000.0;
 
 /// A front of three points, K1 = 3 and K2 = 4 all along it, the first on the surface; G agrees.
-results::StepResult step_with_front() {
-  results::StepResult step;
+results::LoadStepResult step_with_front() {
+  results::LoadStepResult step;
   step.step = "LOAD";
   results::FrontResult front;
   front.name = "C";
@@ -27,14 +27,14 @@ results::StepResult step_with_front() {
   return step;
 }
 
-std::vector<std::string> warnings_of(const std::vector<results::StepResult>& steps) {
+std::vector<std::string> warnings_of(const std::vector<results::LoadStepResult>& steps) {
   results::RunResult run;
   run.increments.emplace_back().steps = steps;
   return sense::k_consistency_warnings(run);
 }
 
 TEST(WaysAlongFronts, AgreeOnSoundMeshes) {
-  results::StepResult step = step_with_front();
+  results::LoadStepResult step = step_with_front();
   EXPECT_TRUE(warnings_of({step}).empty());
   step.fronts[0].points[1].G *= 1.08; // 4 % of K
   EXPECT_TRUE(warnings_of({step}).empty());
@@ -43,7 +43,7 @@ TEST(WaysAlongFronts, AgreeOnSoundMeshes) {
 }
 
 TEST(WaysAlongFronts, AgreeBetterWhereThereAreErrorBars) {
-  results::StepResult step = step_with_front();
+  results::LoadStepResult step = step_with_front();
   step.fronts[0].no_bar = "";
   step.fronts[0].points[1].G *= 1.03; // 1.5 % of K
   EXPECT_TRUE(warnings_of({step}).empty());
@@ -52,9 +52,9 @@ TEST(WaysAlongFronts, AgreeBetterWhereThereAreErrorBars) {
 }
 
 TEST(WaysAlongFronts, PartAtTheWorstPlaceOfAllSteps) {
-  results::StepResult first = step_with_front();
+  results::LoadStepResult first = step_with_front();
   first.fronts[0].points[1].G *= 1.21;
-  results::StepResult second = step_with_front();
+  results::LoadStepResult second = step_with_front();
   second.step = "UNLOAD";
   second.fronts[0].points[2].G *= 1.44;
   const std::vector<std::string> told = warnings_of({first, second});
@@ -65,7 +65,7 @@ TEST(WaysAlongFronts, PartAtTheWorstPlaceOfAllSteps) {
 }
 
 TEST(WaysAlongFronts, MayPartByTheBar) {
-  results::StepResult step = step_with_front();
+  results::LoadStepResult step = step_with_front();
   step.fronts[0].no_bar = "";
   step.fronts[0].points[1].G *= 1.21;
   for (results::FrontPointResult& place : step.fronts[0].points) {
@@ -77,16 +77,16 @@ TEST(WaysAlongFronts, MayPartByTheBar) {
 }
 
 TEST(WaysAlongFronts, DoNotCountWhereThereIsNoAnswer) {
-  results::StepResult closed = step_with_front();
+  results::LoadStepResult closed = step_with_front();
   closed.fronts[0].points[1].G *= 1.44;
   closed.fronts[0].points[1].closed = true;
   EXPECT_TRUE(warnings_of({closed}).empty());
-  results::StepResult doubtful = step_with_front();
+  results::LoadStepResult doubtful = step_with_front();
   doubtful.fronts[0].points[1].G *= 1.44;
   doubtful.fronts[0].invalid_reason = "faces overlap";
   EXPECT_TRUE(warnings_of({doubtful}).empty());
   // K of an unloaded step is round-off, whatever it consists of.
-  results::StepResult unloaded = step_with_front();
+  results::LoadStepResult unloaded = step_with_front();
   for (results::FrontPointResult& place : unloaded.fronts[0].points) {
     place.G_from_K *= 1e-16;
     place.G *= 3e-16;
@@ -96,7 +96,7 @@ TEST(WaysAlongFronts, DoNotCountWhereThereIsNoAnswer) {
 
 // A step whose displacements are so large that K is what round-off leaves of them.
 TEST(WaysAlongFronts, RoundOffPartsAsItLikes) {
-  results::StepResult step = step_with_front();
+  results::LoadStepResult step = step_with_front();
   step.fronts[0].points[1].G *= 4.0;
   step.u = base::Vector::Ones(3);
   EXPECT_EQ(warnings_of({step}).size(), 1U);

@@ -12,7 +12,7 @@ namespace {
 // Largest difference of displacements where the part has elements, to the largest of the whole.
 double difference(const test::Solved& whole, const test::Solved& part) {
   const std::vector<bool> used = model::mark_nodes_in_use(part.mesh());
-  const results::StepResult& last = whole.run.increments.front().steps.back();
+  const results::LoadStepResult& last = whole.run.increments.front().steps.back();
   double off = 0.0;
   double size = 0.0;
   for (std::size_t n = 0; n < used.size(); ++n) {

@@ -9,8 +9,8 @@ namespace {
 constexpr double E = 1000.0;
 
 /// A tip with K1 = 3, K2 = 4 known to `bar` of hypot(K1, K2), whose ways all agree.
-results::StepResult step_with(double bar) {
-  results::StepResult step;
+results::LoadStepResult step_with(double bar) {
+  results::LoadStepResult step;
   step.step = "LOAD";
   step.u = base::Vector::Constant(2, 1e-2);
   results::FrontResult front;
@@ -29,21 +29,21 @@ results::StepResult step_with(double bar) {
   return step;
 }
 
-std::vector<std::string> warnings_of(const results::StepResult& step) {
+std::vector<std::string> warnings_of(const results::LoadStepResult& step) {
   results::RunResult run;
   run.increments.emplace_back().steps = {step};
   return sense::k_consistency_warnings(run);
 }
 
 TEST(TwoWays, AgreeWithinTheBar) {
-  results::StepResult step = step_with(0.01);
+  results::LoadStepResult step = step_with(0.01);
   EXPECT_TRUE(warnings_of(step).empty());
   step.fronts[0].tip().G *= 1.018; // 0.9 % of K
   EXPECT_TRUE(warnings_of(step).empty());
 }
 
 TEST(TwoWays, PartByMoreThanTheBar) {
-  results::StepResult step = step_with(0.01);
+  results::LoadStepResult step = step_with(0.01);
   step.fronts[0].tip().G *= 1.03;
   const std::vector<std::string> told = warnings_of(step);
   ASSERT_EQ(told.size(), 1U);
@@ -52,7 +52,7 @@ TEST(TwoWays, PartByMoreThanTheBar) {
 }
 
 TEST(TwoWays, DomainsThatPartAreTold) {
-  results::StepResult step = step_with(1e-4);
+  results::LoadStepResult step = step_with(1e-4);
   step.fronts[0].tip().K1_domain = {2.9, 3.0, 3.1};
   const std::vector<std::string> told = warnings_of(step);
   ASSERT_EQ(told.size(), 1U);
@@ -63,7 +63,7 @@ TEST(TwoWays, DomainsThatPartAreTold) {
 
 // The opening is coarse, but not that coarse.
 TEST(TwoWays, TheOpeningMayBeSomePercentOff) {
-  results::StepResult step = step_with(1e-4);
+  results::LoadStepResult step = step_with(1e-4);
   step.fronts[0].tip().opening = {3.1, 4.2, 0.0};
   EXPECT_TRUE(warnings_of(step).empty());
   step.fronts[0].tip().opening = {4.0, 4.0, 0.0};
@@ -72,7 +72,7 @@ TEST(TwoWays, TheOpeningMayBeSomePercentOff) {
 
 // What round-off leaves of a body that only moves is no K.
 TEST(TwoWays, RoundOffIsNotCompared) {
-  results::StepResult step = step_with(1e-4);
+  results::LoadStepResult step = step_with(1e-4);
   step.fronts[0].tip().G = -1.0;
   ASSERT_EQ(warnings_of(step).size(), 1U);
   step.u.setConstant(1e6);

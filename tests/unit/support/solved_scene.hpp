@@ -77,12 +77,12 @@ struct SolvedScene {
   }
 
   /// The same with K and its derivatives.
-  std::optional<results::StepResult> found(std::size_t step) {
+  std::optional<results::LoadStepResult> found(std::size_t step) {
     const std::optional<analysis::StepState> state = solve(step);
     if (!state) {
       return std::nullopt;
     }
-    results::StepResult out = length->recover_step(model().steps.at(step), *state);
+    results::LoadStepResult out = length->recover_step(model().steps.at(step), *state);
     length->add_K_estimates(*solver, *state, out,
                             [](const std::string&, const std::string&) { return true; });
     return out;

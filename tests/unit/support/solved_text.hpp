@@ -19,7 +19,7 @@ struct Solved {
   results::RunResult run;
 
   [[nodiscard]] const model::Mesh& mesh() const { return run.increments.front().mesh; }
-  [[nodiscard]] const results::StepResult& step(std::size_t i = 0) const {
+  [[nodiscard]] const results::LoadStepResult& step(std::size_t i = 0) const {
     return run.increments.front().steps.at(i);
   }
   [[nodiscard]] base::Vec3 vector(const base::Vector& nodal, base::NodeId n) const {
