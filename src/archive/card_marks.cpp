@@ -110,8 +110,8 @@ bool same(const CardFingerprint& a, const CardFingerprint& b) {
 
 } // namespace
 
-std::vector<CardFingerprint> card_fingerprints(const std::filesystem::path& deck,
-                                               const model::Model& model) {
+std::vector<CardFingerprint> fingerprints_of_result_cards(const std::filesystem::path& deck,
+                                                          const model::Model& model) {
   base::SourceTexts sources;
   base::Diagnostics known; // the deck has been read: it has no mistakes
   const deck::DeckFileCards loaded = deck::read_deck_and_includes(deck, sources, known);
@@ -134,7 +134,7 @@ std::vector<CardFingerprint> card_fingerprints(const std::filesystem::path& deck
     }
     if (const std::string file = named_file(card, sources); !file.empty()) {
       // A card that brings a file in changes with what the file holds.
-      text += text_with_included_files(file);
+      text += read_imported_file_texts(file);
     }
     mark.hash = hash_bytes(text);
     mark.uses = uses(text, parameters);

@@ -24,8 +24,8 @@ struct CardFingerprint {
 /// All cards with their includes' but those that change no solution ($TEST, $OUTPUT, $CHECK,
 /// $RESTART, $CONTROL, $TASK, $SWEEP) or only carry others ($PARAMETER, $INCLUDE, $END). The deck
 /// is read anew. Throws std::system_error where that fails.
-std::vector<CardFingerprint> card_fingerprints(const std::filesystem::path& deck,
-                                               const model::Model& model);
+std::vector<CardFingerprint> fingerprints_of_result_cards(const std::filesystem::path& deck,
+                                                          const model::Model& model);
 
 /// The first card that is another one, was added or is missing; empty: all are the same.
 struct CardDifference {

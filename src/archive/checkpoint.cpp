@@ -56,7 +56,7 @@ std::string flaw_in_deck(const results::CrackLengthResult& increment, const mode
 Checkpoint::Checkpoint(CheckpointOptions place, const fs::path& deck,
                        const base::SourceTexts& sources, const model::Model& model)
     : place_(std::move(place)), sources_(sources), model_(model),
-      cards_(card_fingerprints(deck, model)) {
+      cards_(fingerprints_of_result_cards(deck, model)) {
   if (!place_.read.empty()) {
     found_ = read_newest();
   }
@@ -122,7 +122,7 @@ bool Checkpoint::has_stored_increment(int number) const {
   return find(number) != nullptr;
 }
 
-double Checkpoint::requested_crack_length(int number) const {
+double Checkpoint::requested_length_of_increment(int number) const {
   return find(number)->asked;
 }
 
@@ -223,7 +223,8 @@ std::string Checkpoint::list_bytes(const std::vector<CheckpointEntry>& entries) 
   root.set_attribute("format", "spricka state");
   write_provenance(root, model_);
   store_deck_texts(root, sources_, model_);
-  write_checkpoint_list(root, {cards_, entries, growth_settings_text(model_), growth_ends(model_)});
+  write_checkpoint_list_group(root, {cards_, entries, growth_settings_text(model_),
+                                     growth_length_and_cycle_limits(model_)});
   return std::string(store.finish_bytes());
 }
 

@@ -76,7 +76,7 @@ public:
   /// Whether increment `number` of this round is there to be taken.
   [[nodiscard]] bool has_stored_increment(int number) const;
   /// The crack length that increment was asked for.
-  [[nodiscard]] double requested_crack_length(int number) const;
+  [[nodiscard]] double requested_length_of_increment(int number) const;
   /// The increment of this round, which has(number). Throws FileFailure.
   [[nodiscard]] StoredIncrement read_stored_increment(int number) const;
   /// It stands for what a run from the start would have solved: it is listed again.
@@ -91,7 +91,7 @@ public:
   [[nodiscard]] bool would_exceed_time_limit() const;
   /// Puts on disk what is not there yet; from any thread. The number of increments that are kept.
   std::size_t flush();
-  [[nodiscard]] std::size_t accepted_increment_count() const { return taken_; }
+  [[nodiscard]] std::size_t reused_increment_count() const { return taken_; }
   [[nodiscard]] const std::filesystem::path& restart_source_file() const { return place_.read; }
   /// Seconds and increments of the limit in words, for messages.
   [[nodiscard]] std::string run_limit_text() const;

@@ -94,7 +94,7 @@ void add(std::string& text, const std::optional<double>& value) {
 
 } // namespace
 
-void write_checkpoint_list(results::StoreGroup root, const CheckpointList& list) {
+void write_checkpoint_list_group(results::StoreGroup root, const CheckpointList& list) {
   root.set_attribute("growth", list.growth);
   root.set_attribute("amax", list.ends[0]);
   root.set_attribute("cycles", list.ends[1]);
@@ -102,7 +102,7 @@ void write_checkpoint_list(results::StoreGroup root, const CheckpointList& list)
   write_entries(root, list.entries);
 }
 
-CheckpointList read_checkpoint_list(const results::StoreGroup& root) {
+CheckpointList read_checkpoint_list_group(const results::StoreGroup& root) {
   CheckpointList list;
   list.cards = read_table<CardFingerprint>(root, "cards");
   list.entries = entries_from(root);
@@ -139,7 +139,7 @@ std::string growth_settings_text(const model::Model& model) {
   return text;
 }
 
-std::array<double, 2> growth_ends(const model::Model& model) {
+std::array<double, 2> growth_length_and_cycle_limits(const model::Model& model) {
   constexpr double never = std::numeric_limits<double>::infinity();
   return model.growth ? std::array{model.growth->last_length.value_or(never),
                                    model.growth->cycles.value_or(never)}

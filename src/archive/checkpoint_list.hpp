@@ -27,18 +27,18 @@ struct CheckpointList {
   std::vector<CardFingerprint> cards;
   std::vector<CheckpointEntry> entries;
   std::string growth;           ///< growth_settings_text() of the deck
-  std::array<double, 2> ends{}; ///< growth_ends() of the deck
+  std::array<double, 2> ends{}; ///< growth_length_and_cycle_limits() of the deck
 };
 
 /// Writes cards and entries as tables, the growth's rules and ends as attributes.
-void write_checkpoint_list(results::StoreGroup root, const CheckpointList& list);
-/// Reads back what write_checkpoint_list has written. Throws StoreError.
-CheckpointList read_checkpoint_list(const results::StoreGroup& root);
+void write_checkpoint_list_group(results::StoreGroup root, const CheckpointList& list);
+/// Reads back what write_checkpoint_list_group has written. Throws StoreError.
+CheckpointList read_checkpoint_list_group(const results::StoreGroup& root);
 
 /// What of $GROW every increment depends on, in words. Lengths of LAW=INCREMENT are compared one by
 /// one; AMAX and CYCLES only say where a growth ends.
 std::string growth_settings_text(const model::Model& model);
 /// Where a growth by a law ends: AMAX, CYCLES; infinite where there is none.
-std::array<double, 2> growth_ends(const model::Model& model);
+std::array<double, 2> growth_length_and_cycle_limits(const model::Model& model);
 
 } // namespace spricka::archive

@@ -23,7 +23,7 @@ std::optional<CheckpointMismatch> growth_mismatch(const CheckpointList& found,
     return std::nullopt;
   }
   const bool lengths = !model.growth || model.growth->law == model::CrackGrowthLaw::increment;
-  const std::array<double, 2> ends = growth_ends(model);
+  const std::array<double, 2> ends = growth_length_and_cycle_limits(model);
   const bool further = ends[0] >= found.ends[0] && ends[1] >= found.ends[1];
   // Rates are kept with the stations: another spectrum would have others.
   const bool same_history = !first_card_difference(select_cards(found.cards, {"SPECTRUM"}),

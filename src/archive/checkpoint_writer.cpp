@@ -69,7 +69,7 @@ fs::path previous_list_file(const fs::path& file) {
 CheckpointList read_checkpoint_list_file(const fs::path& file) {
   const std::string bytes = read_file_with_header(file, "state");
   try {
-    return read_checkpoint_list(results::Store::from_bytes(bytes).root());
+    return read_checkpoint_list_group(results::Store::from_bytes(bytes).root());
   } catch (const results::StoreError& trouble) {
     throw FileFailure("E560", fmt::format("{}: {}", file.string(), trouble.what()));
   }

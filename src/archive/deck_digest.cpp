@@ -89,7 +89,7 @@ std::string compute_deck_digest(const base::SourceTexts& sources, const model::M
   return fmt::format("{:016x}{:016x}", high, low);
 }
 
-std::uintmax_t deck_byte_count(const base::SourceTexts& sources, const model::Model& model) {
+std::uintmax_t count_deck_input_bytes(const base::SourceTexts& sources, const model::Model& model) {
   std::uintmax_t bytes = 0;
   for (std::int32_t f = 0; f < static_cast<std::int32_t>(sources.count()); ++f) {
     bytes += sources.file_name(f).starts_with("-D ") ? 0 : sources.text(f).size();
@@ -105,7 +105,7 @@ std::uintmax_t deck_byte_count(const base::SourceTexts& sources, const model::Mo
   return bytes;
 }
 
-std::string text_with_included_files(const std::string& file) {
+std::string read_imported_file_texts(const std::string& file) {
   std::vector<fs::path> seen;
   std::vector<std::string> texts;
   add_texts(file, seen, texts);

@@ -18,10 +18,10 @@ std::string compute_deck_digest(const base::SourceTexts& sources, const model::M
                                 const std::vector<std::pair<std::string, double>>& sweep_values);
 
 /// How much of deck, includes and the files of compute_deck_digest() there is to be read [bytes].
-std::uintmax_t deck_byte_count(const base::SourceTexts& sources, const model::Model& model);
+std::uintmax_t count_deck_input_bytes(const base::SourceTexts& sources, const model::Model& model);
 
 /// The text of a file that a card brings in, and those that a .geo names between quotes; empty
 /// where there is none.
-std::string text_with_included_files(const std::string& file);
+std::string read_imported_file_texts(const std::string& file);
 
 } // namespace spricka::archive

@@ -20,9 +20,9 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t largest_mark = 16 * base::mebibyte;
 
-std::string first_line(FolderKind kind) {
+std::string first_line(RunOrSweepFolder kind) {
   return fmt::format("spricka {} folder, format 1: what follows are the files that it wrote here",
-                     kind == FolderKind::run ? "run" : "sweep");
+                     kind == RunOrSweepFolder::run ? "run" : "sweep");
 }
 
 // Nothing but a file of the folder itself: a mark that was made by hand reaches no other.
@@ -95,7 +95,7 @@ std::optional<FolderManifest> read_folder_manifest(const fs::path& folder) {
       }
       continue;
     }
-    for (const FolderKind kind : {FolderKind::run, FolderKind::sweep}) {
+    for (const RunOrSweepFolder kind : {RunOrSweepFolder::run, RunOrSweepFolder::sweep}) {
       if (line == first_line(kind)) {
         mark = FolderManifest{kind, {}};
       }

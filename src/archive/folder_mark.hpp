@@ -15,10 +15,10 @@ inline constexpr const char* mark_name = ".spricka";
 /// Who writes the folder at this moment; gone when it is finished.
 inline constexpr const char* owner_name = ".spricka.owner";
 
-enum class FolderKind { run, sweep };
+enum class RunOrSweepFolder { run, sweep };
 
 struct FolderManifest {
-  FolderKind kind = FolderKind::run;
+  RunOrSweepFolder kind = RunOrSweepFolder::run;
   std::vector<std::string> files; ///< plain names, each once
 };
 

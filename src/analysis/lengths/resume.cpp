@@ -36,10 +36,10 @@ std::optional<archive::StoredIncrement> resume_increment(const model::Model& mod
   if (checkpoint == nullptr || !checkpoint->has_stored_increment(number)) {
     return std::nullopt;
   }
-  if (checkpoint->requested_crack_length(number) != asked) {
+  if (checkpoint->requested_length_of_increment(number) != asked) {
     checkpoint->reject_increments_from(
         number, fmt::format("$GROW asks for length {:.6g} there, it was {:.6g}", asked,
-                            checkpoint->requested_crack_length(number)));
+                            checkpoint->requested_length_of_increment(number)));
     return std::nullopt;
   }
   archive::StoredIncrement kept = checkpoint->read_stored_increment(number);

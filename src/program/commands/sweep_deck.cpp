@@ -63,7 +63,7 @@ public:
                               path_.string());
     }
     if (!archive::read_folder_manifest(path_)) {
-      archive::write_folder_manifest(path_, {archive::FolderKind::sweep, {}});
+      archive::write_folder_manifest(path_, {archive::RunOrSweepFolder::sweep, {}});
     }
     archive::write_lock_owner(path_);
   }

@@ -119,12 +119,12 @@ void finish_checkpoint(archive::Checkpoint* checkpoint, results::RunResult& run)
   for (const auto& [code, text] : checkpoint->reported()) {
     run.log.push_back({"RESTART", text, 0.0, 0.0});
   }
-  if (checkpoint->accepted_increment_count() > 0) {
-    run.log.push_back({"RESTART",
-                       fmt::format("{} of {} increments taken over from {}",
-                                   checkpoint->accepted_increment_count(), run.increments.size(),
-                                   checkpoint->restart_source_file().string()),
-                       0.0, 0.0});
+  if (checkpoint->reused_increment_count() > 0) {
+    run.log.push_back(
+        {"RESTART",
+         fmt::format("{} of {} increments taken over from {}", checkpoint->reused_increment_count(),
+                     run.increments.size(), checkpoint->restart_source_file().string()),
+         0.0, 0.0});
   }
 }
 

@@ -108,7 +108,7 @@ void check_folder_ownership(const fs::path& folder, bool sweep) {
     not_ours(fmt::format("{} is not a folder, and is not overwritten", folder.string()));
   }
   const std::optional<archive::FolderManifest> mark = archive::read_folder_manifest(folder);
-  if (mark && (mark->kind == archive::FolderKind::sweep) != sweep) {
+  if (mark && (mark->kind == archive::RunOrSweepFolder::sweep) != sweep) {
     not_ours(fmt::format("{} holds {}", folder.string(), sweep ? "a single run" : "a sweep"));
   }
   if (!mark && !fs::is_empty(folder)) {
@@ -173,7 +173,7 @@ void RunFolder::open_part() {
     not_ours(fmt::format("{} is in the way and keeps changing", part_.string()));
   }
   try {
-    archive::write_folder_manifest(part_, {archive::FolderKind::run, {}});
+    archive::write_folder_manifest(part_, {archive::RunOrSweepFolder::run, {}});
     archive::write_lock_owner(part_);
   } catch (...) { // a full disk
     archive::remove_manifest_files(part_);
@@ -236,7 +236,7 @@ std::optional<fs::path> RunFolder::retain_interim_k() {
   if (!table || ::mkdir(part_.c_str(), 0777) != 0) {
     return std::nullopt;
   }
-  archive::write_folder_manifest(part_, {archive::FolderKind::run, {k_table_name}});
+  archive::write_folder_manifest(part_, {archive::RunOrSweepFolder::run, {k_table_name}});
   base::write_atomically(part_ / k_table_name, *table);
   done_ = true;
   return part_ / k_table_name;
@@ -332,7 +332,7 @@ void RunFolder::commit() {
   const std::scoped_lock lock(writing_);
   // Tables without rows write no file.
   std::erase_if(names_, [&](const std::string& name) { return !is_there(part_ / name); });
-  archive::write_folder_manifest(part_, {archive::FolderKind::run, names_});
+  archive::write_folder_manifest(part_, {archive::RunOrSweepFolder::run, names_});
   done_ = true; // from now on the results are whole: whatever happens, they stay
   try {
     move_into_place();

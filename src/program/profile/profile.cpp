@@ -38,7 +38,7 @@ ProfileTexts end_profile(analysis::ProfileRecorder& recorder, const base::Source
   mesh::mesher_listener() = nullptr; // the floor is no part of the run
   ProfileRecord record;
   record.profile = recorder.finish();
-  record.bytes_read = archive::deck_byte_count(sources, model);
+  record.bytes_read = archive::count_deck_input_bytes(sources, model);
   record.bytes_written = written;
   record.floor = find_cost_floor(model);
   return {.table = profile_text(record),
