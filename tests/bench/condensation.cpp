@@ -61,7 +61,7 @@ int main(int argc, char** argv) {
   for (int i = 0; i < (argc > 2 ? std::atoi(argv[2]) : 7); ++i) {
     const analysis::CondensationStatistics log = condense(*model, *scene);
     const solve::FactorReport report =
-        solve::Condensation(analysis::global_stiffness(*model, *scene), 0).report();
+        solve::Condensation(analysis::regularised_global_stiffness(*model, *scene), 0).report();
     nets = i == 0 || total(log) < total(nets) ? log : nets;
     plain = i == 0 || total(report) < total(plain) ? report : plain;
   }

@@ -104,7 +104,7 @@ int main(int argc, char** argv) {
       fmt::print(stderr, "{}\n", trouble->why);
       return 4;
     }
-    paths.record_step(s, solver, length->recover_step(model->steps[s], *state));
+    paths.store_step_end_state(s, solver, length->recover_step(model->steps[s], *state));
   }
   const model::LoadPathDefinition& card = model->load_paths.front();
   const base::Stopwatch posing;

@@ -51,7 +51,7 @@ double by_cholmod(base::SymmetricCsc K, bool metis) {
 
 double once(const model::Model& model, const analysis::Discretisation& scene, Way& way) {
   const base::Stopwatch watch;
-  base::SymmetricCsc K = analysis::global_stiffness(model, scene);
+  base::SymmetricCsc K = analysis::regularised_global_stiffness(model, scene);
   const auto n = static_cast<Eigen::Index>(K.n);
   double first = 0.0;
   if (way.own) {
@@ -85,7 +85,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "{}", base::format_messages(sources, diagnostics));
     return 3;
   }
-  const std::int64_t equations = analysis::global_stiffness(*model, *scene).n;
+  const std::int64_t equations = analysis::regularised_global_stiffness(*model, *scene).n;
   std::array<Way, 4> ways{{{false, true}, {false, false}, {true, true}, {true, false}}};
   double sum = 0.0;
   for (int i = 0; i < std::atoi(argv[3]); ++i) {

@@ -111,7 +111,7 @@ void add_candidates(const Discretisation& scene, const StepState& state, std::si
 } // namespace
 
 ContactEdgeKChange active_set_K_changes(const Discretisation& scene, const StepState& state,
-                                        const IntensityAdjoint& adjoint,
+                                        const StressIntensityAdjoints& adjoint,
                                         const contact::FixedActiveSet* held) {
   const Eigen::Index count = scene.k_layout().count();
   ContactEdgeKChange changes{base::Vector::Zero(count), base::Vector::Zero(count)};

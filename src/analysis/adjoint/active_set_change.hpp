@@ -13,7 +13,7 @@ namespace spricka::analysis {
 /// stretch; `sharp`: the sum over closed pairs at edges of one surface (mouths). `held`: the rows
 /// closed at the end of the step, or null where there is no contact.
 ContactEdgeKChange active_set_K_changes(const Discretisation& scene, const StepState& state,
-                                        const IntensityAdjoint& adjoint,
+                                        const StressIntensityAdjoints& adjoint,
                                         const contact::FixedActiveSet* held);
 
 } // namespace spricka::analysis

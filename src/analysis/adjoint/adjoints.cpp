@@ -20,8 +20,8 @@ IntensityAdjointSolver::IntensityAdjointSolver(const model::Model& model,
                                                const std::vector<SubstructuredBody>& bodies)
     : model_(model), scene_(scene), bodies_(bodies) {}
 
-IntensityAdjoint IntensityAdjointSolver::solve_closed_set(const FrozenContactSystem& system,
-                                                          const std::vector<bool>& closed) {
+StressIntensityAdjoints IntensityAdjointSolver::solve_closed_set(const FrozenContactSystem& system,
+                                                                 const std::vector<bool>& closed) {
   if (rows_.size() == 0) {
     rows_ = displacement_K_functionals(model_, scene_);
     by_force_ = contact_force_K_functionals(model_, scene_).transpose();
@@ -38,7 +38,7 @@ IntensityAdjoint IntensityAdjointSolver::solve_closed_set(const FrozenContactSys
           .closed = closed};
 }
 
-const IntensityAdjoint&
+const StressIntensityAdjoints&
 IntensityAdjointSolver::solve_adjoint_of_last_step(const StepSolver& solver) {
   const auto [closed, rubs] = closed_contact_rows(solver, scene_);
   if (rubs) {

@@ -12,7 +12,7 @@ namespace spricka::analysis {
 /// K of all fronts (columns, by the scene's k_layout) at the end of one step as functions of loads
 /// and gaps while the contact stays as it is: what is closed stays closed, what is open stays open
 /// (manual, sensitivity.1 to 5).
-struct IntensityAdjoint {
+struct StressIntensityAdjoints {
   std::string why_not;   ///< why there is none; empty: there is one
   base::Matrix rows;     ///< [dim * node, K] K = rows^T u + by_force^T lambda
   base::Matrix by_force; ///< [contact row, K] what forces between crack faces add to K themselves
@@ -32,15 +32,15 @@ public:
 
   /// Of the step that was solved last, its contact frozen as it ended; steps that end with the same
   /// rows closed share the answer.
-  const IntensityAdjoint& solve_adjoint_of_last_step(const StepSolver& solver);
+  const StressIntensityAdjoints& solve_adjoint_of_last_step(const StepSolver& solver);
   /// The contact of that answer; null where there is none or contacts rub.
   [[nodiscard]] const contact::FixedActiveSet* held_contact() const {
     return held_ ? held_->held_contact() : nullptr;
   }
 
   /// With these rows of the table closed, which `system` holds.
-  IntensityAdjoint solve_closed_set(const FrozenContactSystem& system,
-                                    const std::vector<bool>& closed);
+  StressIntensityAdjoints solve_closed_set(const FrozenContactSystem& system,
+                                           const std::vector<bool>& closed);
 
 private:
   const model::Model& model_;
@@ -50,7 +50,7 @@ private:
   CondensedLoads condensed_; ///< those
   base::Matrix by_force_;    ///< [table row, K] of forces between crack faces
   std::optional<FrozenContactSystem> held_;
-  std::optional<IntensityAdjoint> last_;
+  std::optional<StressIntensityAdjoints> last_;
 };
 
 } // namespace spricka::analysis

@@ -158,8 +158,8 @@ std::string coarse_along_front(const std::string& name, const AdjacentSurfacePie
       name, worst.x[0].x(), worst.x[0].y(), worst.x[0].z(), worst.length, ratio, 100.0 * part);
 }
 
-CoarseSurfaceEffect effect_of(const JoinedSurfaces& joined, const mesh::CrackedMesh& cracked,
-                              const mesh::CrackFront& front) {
+CoarseNeighbourEffect effect_of(const JoinedSurfaces& joined, const mesh::CrackedMesh& cracked,
+                                const mesh::CrackFront& front) {
   constexpr double ends_on = 0.1; // of its depth: where the first or last domain of a front ends
   constexpr double worth_a_word = 0.02;
   const bool tip = front.is_tip();
@@ -195,7 +195,7 @@ CoarseSurfaceEffect effect_of(const JoinedSurfaces& joined, const mesh::CrackedM
   if (worst == nullptr) {
     return {};
   }
-  CoarseSurfaceEffect effect;
+  CoarseNeighbourEffect effect;
   effect.part = (mouth ? part_at_mouth : part_of_K) * ratio * ratio * ratio;
   if (tip && ratio > longest) {
     effect.why_not = coarse_at_tip(joined.name, *worst, ratio);
@@ -207,11 +207,11 @@ CoarseSurfaceEffect effect_of(const JoinedSurfaces& joined, const mesh::CrackedM
 
 } // namespace
 
-CoarseSurfaceEffect coarse_surface_effect(const SolvedMeshState& set,
-                                          const mesh::CrackFront& front) {
-  CoarseSurfaceEffect all;
+CoarseNeighbourEffect estimate_coarse_neighbour_effect(const SolvedMeshState& set,
+                                                       const mesh::CrackFront& front) {
+  CoarseNeighbourEffect all;
   const auto add = [&](const JoinedSurfaces& joined) {
-    const CoarseSurfaceEffect one = effect_of(joined, set.scene.cracked, front);
+    const CoarseNeighbourEffect one = effect_of(joined, set.scene.cracked, front);
     all.part += one.part;
     all.why_not = all.why_not.empty() ? one.why_not : all.why_not;
   };

@@ -23,7 +23,7 @@ struct SolvedMeshState {
 /// which no error estimate of the meshes sees. In the plane they count against their distance from
 /// the tip, on surfaces where its crack does not start; in space against the depth of the front
 /// under the surface, also where it ends on that.
-struct CoarseSurfaceEffect {
+struct CoarseNeighbourEffect {
   double part = 0.0; ///< of hypot(K1, K2), in space of the largest K, what it may be off by
   /// In the plane why there can be no bar, empty: `part` is all; in space what to say of a part
   /// that is large, as no size is too large for a bar.
@@ -31,8 +31,8 @@ struct CoarseSurfaceEffect {
 };
 /// Adds up over the mounted contacts and the TRANSITIONs what too coarse surfaces may do to K of a
 /// front; the reason is that of the first that has one.
-CoarseSurfaceEffect coarse_surface_effect(const SolvedMeshState& set,
-                                          const mesh::CrackFront& front);
+CoarseNeighbourEffect estimate_coarse_neighbour_effect(const SolvedMeshState& set,
+                                                       const mesh::CrackFront& front);
 
 /// Nodes that another body or a rigid one holds by a BONDED contact, TRANSITION or RIGID. [node]
 std::vector<bool> tied_nodes(const SolvedMeshState& set);

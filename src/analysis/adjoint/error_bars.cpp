@@ -157,7 +157,7 @@ estimate::ModeFreedomMap TipErrorBars::modes(const StepState& state) const {
 
 // What the multipliers do to the modes of target edges that lie opposite none: of the solution, and
 // of the adjoints.
-void TipErrorBars::add_pressures(const StepState& state, const IntensityAdjoint& adjoint,
+void TipErrorBars::add_pressures(const StepState& state, const StressIntensityAdjoints& adjoint,
                                  base::Vector& f, base::Matrix& g) const {
   for (std::size_t c = 0; c < mode_weights_.size(); ++c) {
     for (const estimate::ContactModeWeight& m : mode_weights_[c]) {
@@ -235,7 +235,7 @@ struct TipErrorBars::StepErrors {
 };
 
 TipErrorBars::StepErrors TipErrorBars::step_errors(const StepState& state,
-                                                   const IntensityAdjoint& adjoint,
+                                                   const StressIntensityAdjoints& adjoint,
                                                    const contact::FixedActiveSet* held) {
   base::Vector f = sum_case_loads(state.case_factor, enrichment_->freedoms(), [&](std::size_t c) {
     return estimate::mode_load(*enrichment_, model_.cases[c], *scene_.case_heat[c]);
@@ -284,7 +284,7 @@ void TipErrorBars::estimate_bars(const StepState& state, const StepErrors& error
   }
   if (std::max(tip.bar[0].size(), tip.bar[1].size()) > 0.0) {
     // What bodies beside the tip do that are too coarse for it.
-    const CoarseSurfaceEffect effect = coarse_surface_effect(
+    const CoarseNeighbourEffect effect = estimate_coarse_neighbour_effect(
         {model_, scene_, state, &enrichment_->edges()}, scene_.cracked.fronts[t]);
     front.no_bar = effect.why_not;
     for (results::KErrorBar& bar : tip.bar) {
@@ -299,7 +299,7 @@ void TipErrorBars::estimate_bars(const StepState& state, const StepErrors& error
   tell_of_cancelling(front, step);
 }
 
-void TipErrorBars::add_to_tips(const StepState& state, const IntensityAdjoint& adjoint,
+void TipErrorBars::add_to_tips(const StepState& state, const StressIntensityAdjoints& adjoint,
                                const contact::FixedActiveSet* held, results::LoadStepResult& step) {
   if (!prepared_) {
     prepare();

@@ -24,17 +24,18 @@ public:
 
   /// Gives the fronts of a step, each a tip, which was solved last, their bars, or says why they
   /// have none. `held`: the contact that the adjoints keep, null where there is none.
-  void add_to_tips(const StepState& state, const IntensityAdjoint& adjoint,
+  void add_to_tips(const StepState& state, const StressIntensityAdjoints& adjoint,
                    const contact::FixedActiveSet* held, results::LoadStepResult& step);
 
 private:
   void prepare();
   [[nodiscard]] estimate::ModeFreedomMap modes(const StepState& state) const;
-  void add_pressures(const StepState& state, const IntensityAdjoint& adjoint, base::Vector& f,
-                     base::Matrix& g) const;
+  void add_pressures(const StepState& state, const StressIntensityAdjoints& adjoint,
+                     base::Vector& f, base::Matrix& g) const;
   [[nodiscard]] bool coarse_contact(const StepState& state, const mesh::CrackFront& front) const;
   struct StepErrors;
-  [[nodiscard]] StepErrors step_errors(const StepState& state, const IntensityAdjoint& adjoint,
+  [[nodiscard]] StepErrors step_errors(const StepState& state,
+                                       const StressIntensityAdjoints& adjoint,
                                        const contact::FixedActiveSet* held);
   void estimate_bars(const StepState& state, const StepErrors& errors, std::size_t t,
                      results::FrontResult& front, results::LoadStepResult& step);

@@ -123,7 +123,8 @@ VirtualAxisExtension::VirtualAxisExtension(const model::Model& model, const Disc
 // [node] of the surface but for the crack's own faces, where materials meet, or kept from domains.
 std::vector<bool> VirtualAxisExtension::resting() const {
   const model::Mesh& mesh = scene_.cracked.mesh;
-  std::vector<bool> rests = find_domain_limits(model_, scene_, scene_.cracked.fronts.front()).node;
+  std::vector<bool> rests =
+      find_domain_exclusions(model_, scene_, scene_.cracked.fronts.front()).node;
   std::vector<std::int32_t> property(mesh.node_count(), -1);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     for (const base::NodeId n : mesh.element_nodes(base::ElementId(e))) {
@@ -237,7 +238,7 @@ void VirtualAxisExtension::move() {
     mesh::recompute_front_point_geometry(moved_.cracked.mesh, moved);
     moved_.domains[f] =
         crack::build_front_domains(moved_.cracked, moved, domain_ring_counts(model_, crack_),
-                                   find_domain_limits(model_, scene_, front));
+                                   find_domain_exclusions(model_, scene_, front));
     keep_shares(scene_.domains[f], moved_.domains[f]);
   }
 }
@@ -351,9 +352,10 @@ base::Vector VirtualAxisExtension::change(const FrozenContactStep& step,
   return out;
 }
 
-ParameterDerivative VirtualAxisExtension::axis_derivative(const FrozenContactStep& step,
-                                                          const FrontKFunctionals& K) const {
-  ParameterDerivative out;
+ParameterPartialDerivatives
+VirtualAxisExtension::axis_partial_derivatives(const FrozenContactStep& step,
+                                               const FrontKFunctionals& K) const {
+  ParameterPartialDerivatives out;
   out.is.cause = axis_ == EllipseAxis::a ? results::SensitivityParameter::length
                                          : results::SensitivityParameter::axis;
   out.is.name = crack_name();

@@ -198,7 +198,8 @@ void FrontErrorBars::estimate_bars(const StepState& state, const base::Vector& e
     better[at] = place.closed ? 0.0 : better[at];
   }
   const mesh::CrackFront& is = scene_.cracked.fronts[f];
-  const CoarseSurfaceEffect coarse = coarse_surface_effect({model_, scene_, state}, is);
+  const CoarseNeighbourEffect coarse =
+      estimate_coarse_neighbour_effect({model_, scene_, state}, is);
   add_front_error_bars(eta, smooth_K_along_front(is, scene_.domains[f], better, first), edges,
                        first, coarse.part, front);
   if (!coarse.why_not.empty()) {

@@ -57,26 +57,26 @@ void FrontSensitivityAnalysis::prepare() {
 
 void FrontSensitivityAnalysis::add_lengths(const FrozenContactStep& step,
                                            const FrontKFunctionals& K,
-                                           std::vector<ParameterDerivative>& causes,
+                                           std::vector<ParameterPartialDerivatives>& causes,
                                            results::LoadStepResult& result) const {
   for (const std::unique_ptr<VirtualAxisExtension>& advance : advances_) {
     if (const std::string why = advance->why_no_derivative(step); !why.empty()) {
       add_sensitivity_note(
           fmt::format("no derivative by the axes of {}: {}", advance->crack_name(), why), result);
     } else {
-      causes.push_back(advance->axis_derivative(step, K));
+      causes.push_back(advance->axis_partial_derivatives(step, K));
     }
   }
 }
 
 void FrontSensitivityAnalysis::solve(const FrozenContactStep& step, const FrontKFunctionals& K,
-                                     const std::vector<ParameterDerivative>& causes,
+                                     const std::vector<ParameterPartialDerivatives>& causes,
                                      results::LoadStepResult& result) const {
   LoadAndGapRates rates;
-  rates.gap = collect_derivative_columns(causes, &ParameterDerivative::gap,
+  rates.gap = gather_load_or_gap_columns(causes, &ParameterPartialDerivatives::gap,
                                          static_cast<Eigen::Index>(scene_.table.size()));
   const FrozenContactResponse change = step.system.solve_response(
-      collect_derivative_columns(causes, &ParameterDerivative::load, step.state.u.size()),
+      gather_load_or_gap_columns(causes, &ParameterPartialDerivatives::load, step.state.u.size()),
       rates.gap);
   if (!change.why_not.empty()) {
     add_sensitivity_note(change.why_not, result);
@@ -97,7 +97,7 @@ void FrontSensitivityAnalysis::solve(const FrozenContactStep& step, const FrontK
     }
   }
   base::Matrix dK = K.rows.transpose() * change.u + K.of_force * change.force;
-  dK += collect_derivative_columns(causes, &ParameterDerivative::direct, dK.rows());
+  dK += gather_load_or_gap_columns(causes, &ParameterPartialDerivatives::direct, dK.rows());
   hold_closed_points(scene_.k_layout(), result, dK);
   store_derivatives(scene_.k_layout(), dK, reach, result);
 }
@@ -117,7 +117,7 @@ void FrontSensitivityAnalysis::add_to_fronts(const FrozenContactStep& step,
     return;
   }
   prepare();
-  const KDependence of{
+  const SolvedStepKFunction of{
       model_,
       scene_,
       step.solver,
@@ -125,11 +125,11 @@ void FrontSensitivityAnalysis::add_to_fronts(const FrozenContactStep& step,
       case_load_,
       of_loads_,
       [&K](const base::Vector& u) -> base::Vector { return K.rows.transpose() * u; }};
-  std::vector<ParameterDerivative> causes = load_and_fit_derivatives(of);
+  std::vector<ParameterPartialDerivatives> causes = load_and_fit_partial_derivatives(of);
   if ((step.solver.gap_offset_at_mounting().array() != 0.0).any()) {
     add_sensitivity_note("no derivatives by moduli: parts were mounted on deformed ones", result);
   } else {
-    add_modulus_derivatives(of, causes);
+    add_modulus_partial_derivatives(of, causes);
   }
   add_lengths(step, K, causes, result);
   solve(step, K, causes, result);

@@ -26,9 +26,11 @@ public:
 private:
   void prepare();
   void add_lengths(const FrozenContactStep& step, const FrontKFunctionals& K,
-                   std::vector<ParameterDerivative>& causes, results::LoadStepResult& result) const;
+                   std::vector<ParameterPartialDerivatives>& causes,
+                   results::LoadStepResult& result) const;
   void solve(const FrozenContactStep& step, const FrontKFunctionals& K,
-             const std::vector<ParameterDerivative>& causes, results::LoadStepResult& result) const;
+             const std::vector<ParameterPartialDerivatives>& causes,
+             results::LoadStepResult& result) const;
 
   const model::Model& model_;
   const Discretisation& scene_;

@@ -15,7 +15,7 @@ CondensedLoad no_load(const SubstructuredBody& body, Eigen::Index columns) {
   for (const std::unique_ptr<Substructure>& part : body.parts) {
     load.part.emplace_back(base::Matrix::Zero(part->map.size(), columns));
   }
-  load.external = base::Matrix::Zero(body.contact_unknowns(), columns);
+  load.external = base::Matrix::Zero(body.contact_unknown_count(), columns);
   return load;
 }
 
@@ -95,7 +95,7 @@ FrozenContactResponse FrozenContactSystem::solve_response(CondensedLoads& loads,
   out.force = base::Matrix::Zero(static_cast<Eigen::Index>(scene_.table.size()), loads.columns);
   if (held_) {
     if (loads.free.u.empty()) {
-      for (const std::size_t b : solver_.condensed_bodies()) {
+      for (const std::size_t b : solver_.condensed_body_indices()) {
         loads.external.push_back(loads.of_body[b].external);
       }
       loads.free = contact::response_without_contact(*solver_.contact_system(), loads.external);
@@ -114,7 +114,7 @@ FrozenContactResponse FrozenContactSystem::solve_response(CondensedLoads& loads,
     out.force = found.force;
     std::vector<base::Matrix> u = held_->displacement(loads.external, found);
     for (std::size_t i = 0; i < u.size(); ++i) {
-      external[solver_.condensed_bodies()[i]] = std::move(u[i]);
+      external[solver_.condensed_body_indices()[i]] = std::move(u[i]);
     }
   }
   out.u = base::Matrix::Zero(loads.freedoms, loads.columns);

@@ -18,9 +18,10 @@ namespace {
 
 using base::index;
 
-ParameterDerivative derivative_by(const KDependence& K, results::SensitivityParameter cause,
-                                  std::string name, double value) {
-  ParameterDerivative out;
+ParameterPartialDerivatives derivative_by(const SolvedStepKFunction& K,
+                                          results::SensitivityParameter cause, std::string name,
+                                          double value) {
+  ParameterPartialDerivatives out;
   out.is.cause = cause;
   out.is.name = std::move(name);
   out.is.value = value;
@@ -28,10 +29,11 @@ ParameterDerivative derivative_by(const KDependence& K, results::SensitivityPara
   return out;
 }
 
-void add_load_derivatives(const KDependence& K, std::vector<ParameterDerivative>& causes) {
+void add_load_derivatives(const SolvedStepKFunction& K,
+                          std::vector<ParameterPartialDerivatives>& causes) {
   const Discretisation& scene = K.scene;
   for (std::size_t c = 0; c < K.model.cases.size(); ++c) {
-    ParameterDerivative one =
+    ParameterPartialDerivatives one =
         derivative_by(K, results::SensitivityParameter::load, K.model.cases[c].name,
                       K.solver.factors().case_factor[index(c)]);
     one.load = K.case_load.col(index(c));
@@ -50,7 +52,8 @@ void add_load_derivatives(const KDependence& K, std::vector<ParameterDerivative>
   }
 }
 
-void add_fit_derivatives(const KDependence& K, std::vector<ParameterDerivative>& causes) {
+void add_fit_derivatives(const SolvedStepKFunction& K,
+                         std::vector<ParameterPartialDerivatives>& causes) {
   const Discretisation& scene = K.scene;
   for (std::size_t c = 0; c < K.model.contacts.size(); ++c) {
     const model::Contact& contact = K.model.contacts[c];
@@ -59,8 +62,9 @@ void add_fit_derivatives(const KDependence& K, std::vector<ParameterDerivative>&
     }
     // An interference is a negative gap (sensitivity.7).
     const double interference = -*contact.gap * K.solver.factors().fit[c];
-    ParameterDerivative one = derivative_by(K, results::SensitivityParameter::fit, contact.name,
-                                            interference == 0.0 ? 0.0 : interference);
+    ParameterPartialDerivatives one =
+        derivative_by(K, results::SensitivityParameter::fit, contact.name,
+                      interference == 0.0 ? 0.0 : interference);
     one.gap = base::Vector::Zero(index(scene.table.size()));
     for (std::size_t i = 0; i < scene.pairs[c].normal.size(); ++i) {
       one.gap[index(scene.table.first[c] + i)] = -scene.pairs[c].normal[i].area;
@@ -89,7 +93,7 @@ base::Matrix thermal_loads(const model::Model& model, const model::Mesh& mesh,
 }
 
 // Thermal loads less internal forces, f^T - K_m u (sensitivity.8). [dim * node, material]
-base::Matrix loads_by_materials(const KDependence& K) {
+base::Matrix loads_by_materials(const SolvedStepKFunction& K) {
   base::Matrix loads = -K.state.internal;
   if (K.state.temperature.size() > 0) {
     const model::Mesh& mesh = K.scene.cracked.mesh;
@@ -128,7 +132,7 @@ std::vector<std::size_t> point_materials(const model::Model& model, const Discre
 
 // [K] E d/dE of what the loads of the step add to K, at points in that material: a constant and a
 // part that goes with E, which twice the modulus shows.
-base::Vector load_terms_by_modulus(const KDependence& K, std::size_t material) {
+base::Vector load_terms_by_modulus(const SolvedStepKFunction& K, std::size_t material) {
   const base::Vector& case_factor = K.state.case_factor;
   if (!loads_act_on_domains(K.model, K.scene, case_factor)) {
     return base::Vector::Zero(K.scene.k_layout().count());
@@ -141,14 +145,16 @@ base::Vector load_terms_by_modulus(const KDependence& K, std::size_t material) {
 
 } // namespace
 
-std::vector<ParameterDerivative> load_and_fit_derivatives(const KDependence& K) {
-  std::vector<ParameterDerivative> causes;
+std::vector<ParameterPartialDerivatives>
+load_and_fit_partial_derivatives(const SolvedStepKFunction& K) {
+  std::vector<ParameterPartialDerivatives> causes;
   add_load_derivatives(K, causes);
   add_fit_derivatives(K, causes);
   return causes;
 }
 
-void add_modulus_derivatives(const KDependence& K, std::vector<ParameterDerivative>& causes) {
+void add_modulus_partial_derivatives(const SolvedStepKFunction& K,
+                                     std::vector<ParameterPartialDerivatives>& causes) {
   const base::Matrix loads = loads_by_materials(K);
   // What displacements make of K goes with the modulus at the point.
   const base::Vector own = K.of_displacements(K.state.u);
@@ -156,7 +162,7 @@ void add_modulus_derivatives(const KDependence& K, std::vector<ParameterDerivati
   const std::vector<std::size_t> material = point_materials(K.model, K.scene);
   for (std::size_t m = 0; m < K.model.materials.size(); ++m) {
     const double E = K.model.materials[m].E;
-    ParameterDerivative one =
+    ParameterPartialDerivatives one =
         derivative_by(K, results::SensitivityParameter::modulus, K.model.materials[m].name, E);
     one.load = loads.col(index(m)) / E;
     if (std::ranges::find(material, m) != material.end()) {
@@ -172,8 +178,8 @@ void add_modulus_derivatives(const KDependence& K, std::vector<ParameterDerivati
   }
 }
 
-base::Matrix collect_derivative_columns(std::span<const ParameterDerivative> causes,
-                                        base::Vector ParameterDerivative::*part,
+base::Matrix gather_load_or_gap_columns(std::span<const ParameterPartialDerivatives> causes,
+                                        base::Vector ParameterPartialDerivatives::*part,
                                         Eigen::Index size) {
   base::Matrix columns = base::Matrix::Zero(size, index(causes.size()));
   for (std::size_t i = 0; i < causes.size(); ++i) {
@@ -198,18 +204,19 @@ LinearRanges unbounded_ranges(std::size_t causes) {
   return LinearRanges(causes, std::array{-never, never});
 }
 
-void add_sensitivity_parameters(const std::vector<ParameterDerivative>& causes,
+void add_sensitivity_parameters(const std::vector<ParameterPartialDerivatives>& causes,
                                 results::LoadStepResult& result) {
   for (results::FrontResult& front : result.fronts) {
-    for (const ParameterDerivative& one : causes) {
+    for (const ParameterPartialDerivatives& one : causes) {
       front.sensitivities.of.push_back(one.is);
     }
   }
 }
 
-void store_derivative(const crack::KLayout& layout, const base::Vector& dK, std::size_t cause,
-                      std::vector<std::array<double, 3>> results::Sensitivity::*side,
-                      results::LoadStepResult& result) {
+void store_one_sided_derivative(const crack::KLayout& layout, const base::Vector& dK,
+                                std::size_t cause,
+                                std::vector<std::array<double, 3>> results::Sensitivity::*side,
+                                results::LoadStepResult& result) {
   std::size_t point = 0;
   for (results::FrontResult& front : result.fronts) {
     std::vector<std::array<double, 3>>& values = front.sensitivities.of[cause].*side;
@@ -226,7 +233,7 @@ void store_derivative(const crack::KLayout& layout, const base::Vector& dK, std:
 void store_derivatives(const crack::KLayout& layout, const base::Matrix& dK,
                        const LinearRanges& reach, results::LoadStepResult& result) {
   for (std::size_t i = 0; i < reach.size(); ++i) {
-    store_derivative(layout, dK.col(index(i)), i, &results::Sensitivity::below, result);
+    store_one_sided_derivative(layout, dK.col(index(i)), i, &results::Sensitivity::below, result);
     for (results::FrontResult& front : result.fronts) {
       results::Sensitivity& one = front.sensitivities.of[i];
       one.above = one.below;

@@ -16,7 +16,7 @@
 namespace spricka::analysis {
 
 /// One thing that K depends on: loads, gaps and a part of K that it changes by itself.
-struct ParameterDerivative {
+struct ParameterPartialDerivatives {
   results::Sensitivity is; ///< without its derivatives
   base::Vector load;       ///< [dim * node] by its value; empty: none
   base::Vector gap;        ///< [table row] by its value; empty: none
@@ -24,7 +24,7 @@ struct ParameterDerivative {
 };
 
 /// K of the step that `solver` solved last as a function of loads and displacements.
-struct KDependence {
+struct SolvedStepKFunction {
   const model::Model& model;
   const Discretisation& scene;
   const StepSolver& solver;
@@ -37,14 +37,17 @@ struct KDependence {
 };
 
 /// The derivatives by loads, then those by fits.
-std::vector<ParameterDerivative> load_and_fit_derivatives(const KDependence& K);
+std::vector<ParameterPartialDerivatives>
+load_and_fit_partial_derivatives(const SolvedStepKFunction& K);
 /// Adds a derivative by each material's modulus: by the loads of its elements, and at points in it
 /// by the modulus in K itself.
-void add_modulus_derivatives(const KDependence& K, std::vector<ParameterDerivative>& causes);
+void add_modulus_partial_derivatives(const SolvedStepKFunction& K,
+                                     std::vector<ParameterPartialDerivatives>& causes);
 
 /// Loads or gaps of the causes, each of that size; zero where a cause has none. [size, cause]
-base::Matrix collect_derivative_columns(std::span<const ParameterDerivative> causes,
-                                        base::Vector ParameterDerivative::*part, Eigen::Index size);
+base::Matrix gather_load_or_gap_columns(std::span<const ParameterPartialDerivatives> causes,
+                                        base::Vector ParameterPartialDerivatives::*part,
+                                        Eigen::Index size);
 
 /// A note on derivatives for all fronts, once.
 void add_sensitivity_note(const std::string& text, results::LoadStepResult& result);
@@ -55,13 +58,14 @@ using LinearRanges = std::vector<std::optional<std::array<double, 2>>>;
 LinearRanges unbounded_ranges(std::size_t causes);
 
 /// Gives the fronts all causes, without their derivatives.
-void add_sensitivity_parameters(const std::vector<ParameterDerivative>& causes,
+void add_sensitivity_parameters(const std::vector<ParameterPartialDerivatives>& causes,
                                 results::LoadStepResult& result);
 /// Gives the points of the fronts dK [K] of a listed cause on one side of its value, `below` or
 /// `above`.
-void store_derivative(const crack::KLayout& layout, const base::Vector& dK, std::size_t cause,
-                      std::vector<std::array<double, 3>> results::Sensitivity::*side,
-                      results::LoadStepResult& result);
+void store_one_sided_derivative(const crack::KLayout& layout, const base::Vector& dK,
+                                std::size_t cause,
+                                std::vector<std::array<double, 3>> results::Sensitivity::*side,
+                                results::LoadStepResult& result);
 /// The same on both sides alike, dK [K, cause], and the ranges.
 void store_derivatives(const crack::KLayout& layout, const base::Matrix& dK,
                        const LinearRanges& reach, results::LoadStepResult& result);

@@ -22,8 +22,8 @@ using results::Sensitivity;
 constexpr double same = 1e-10; ///< of the larger: two derivatives are one
 
 // dK of all tips by a cause (sensitivity.6). K1 stays 0 while the faces touch at the tip.
-base::Vector slopes(const Discretisation& scene, const ParameterDerivative& cause,
-                    const IntensityAdjoint& adjoint) {
+base::Vector slopes(const Discretisation& scene, const ParameterPartialDerivatives& cause,
+                    const StressIntensityAdjoints& adjoint) {
   base::Vector out = cause.direct;
   if (cause.load.size() > 0) {
     out += adjoint.z.transpose() * cause.load;
@@ -57,7 +57,7 @@ void unite(Sensitivity& s) {
   }
 }
 
-bool ranged(const ParameterDerivative& cause) {
+bool ranged(const ParameterPartialDerivatives& cause) {
   return cause.is.cause == results::SensitivityParameter::load ||
          cause.is.cause == results::SensitivityParameter::fit;
 }
@@ -81,25 +81,26 @@ void TipSensitivityAnalysis::prepare() {
 }
 
 void TipSensitivityAnalysis::add_lengths(const StepState& state, const std::vector<bool>& closed,
-                                         std::vector<ParameterDerivative>& causes,
+                                         std::vector<ParameterPartialDerivatives>& causes,
                                          results::LoadStepResult& result) const {
   for (const std::unique_ptr<VirtualTipExtension>& advance : advances_) {
     if (const std::string why = advance->why_no_derivative(closed); !why.empty()) {
       add_sensitivity_note(
           fmt::format("no derivative by the length of {}: {}", advance->tip_name(), why), result);
     } else {
-      causes.push_back(advance->length_derivative(state));
+      causes.push_back(advance->length_partial_derivatives(state));
     }
   }
 }
 
 // Loads and fits come first; what load cases do to the bodies alone is the same for all steps.
-LoadAndGapRates TipSensitivityAnalysis::rates(const StepSolver& solver,
-                                              const std::vector<ParameterDerivative>& causes,
-                                              std::size_t count) {
+LoadAndGapRates
+TipSensitivityAnalysis::rates(const StepSolver& solver,
+                              const std::vector<ParameterPartialDerivatives>& causes,
+                              std::size_t count) {
   const auto cases = static_cast<Eigen::Index>(model_.cases.size());
   if (of_cases_.u.empty()) {
-    for (const std::size_t b : solver.condensed_bodies()) {
+    for (const std::size_t b : solver.condensed_body_indices()) {
       case_externals_.emplace_back(bodies_[b].external_load.leftCols(cases));
     }
     of_cases_ = contact::response_without_contact(*solver.contact_system(), case_externals_);
@@ -107,8 +108,8 @@ LoadAndGapRates TipSensitivityAnalysis::rates(const StepSolver& solver,
   const auto k = static_cast<Eigen::Index>(count);
   const auto rows = static_cast<Eigen::Index>(scene_.table.size());
   LoadAndGapRates out;
-  out.gap =
-      collect_derivative_columns(std::span(causes).first(count), &ParameterDerivative::gap, rows);
+  out.gap = gather_load_or_gap_columns(std::span(causes).first(count),
+                                       &ParameterPartialDerivatives::gap, rows);
   out.load_scale = base::Vector::Zero(k);
   out.free.opening = base::Matrix::Zero(rows, k);
   out.free.on_mode = base::Matrix::Zero(of_cases_.on_mode.rows(), k);
@@ -124,16 +125,17 @@ LoadAndGapRates TipSensitivityAnalysis::rates(const StepSolver& solver,
 }
 
 // The loads of all causes on top, as the contact problem of a direction takes them.
-LoadAndGapRates TipSensitivityAnalysis::all_rates(const StepSolver& solver,
-                                                  const std::vector<ParameterDerivative>& causes) {
+LoadAndGapRates
+TipSensitivityAnalysis::all_rates(const StepSolver& solver,
+                                  const std::vector<ParameterPartialDerivatives>& causes) {
   LoadAndGapRates out = rates(solver, causes, causes.size());
   base::Matrix nodal =
-      collect_derivative_columns(causes, &ParameterDerivative::load, case_load_.rows());
+      gather_load_or_gap_columns(causes, &ParameterPartialDerivatives::load, case_load_.rows());
   nodal.leftCols(static_cast<Eigen::Index>(model_.cases.size())).setZero();
   scene_.ties->transfer_forces_to_masters(nodal);
-  for (std::size_t b = 0; b < solver.condensed_bodies().size(); ++b) {
+  for (std::size_t b = 0; b < solver.condensed_body_indices().size(); ++b) {
     base::Matrix load =
-        condense_load(bodies_[solver.condensed_bodies()[b]], *scene_.ties, nodal).external;
+        condense_load(bodies_[solver.condensed_body_indices()[b]], *scene_.ties, nodal).external;
     // Columns of cases were left zero above: theirs are condensed already.
     load.leftCols(case_externals_[b].cols()) = case_externals_[b];
     out.load.push_back(std::move(load));
@@ -146,12 +148,12 @@ LoadAndGapRates TipSensitivityAnalysis::all_rates(const StepSolver& solver,
 // chance or because nothing is loaded yet.
 void TipSensitivityAnalysis::one_sided(const StepSolver& solver, const FrozenContact& contact,
                                        IntensityAdjointSolver& adjoints,
-                                       const std::vector<ParameterDerivative>& causes,
+                                       const std::vector<ParameterPartialDerivatives>& causes,
                                        results::LoadStepResult& result) {
   const LoadAndGapRates all = all_rates(solver, causes);
   struct Side {
     std::optional<FrozenContactSystem> system;
-    IntensityAdjoint adjoint;
+    StressIntensityAdjoints adjoint;
   };
   std::map<std::vector<bool>, Side> sides;
   for (std::size_t i = 0; i < causes.size(); ++i) {
@@ -172,8 +174,8 @@ void TipSensitivityAnalysis::one_sided(const StepSolver& solver, const FrozenCon
         continue;
       }
       range[up ? 1 : 0] += contact.linear_ranges(*side.system->held_contact(), all)[i][up ? 1 : 0];
-      store_derivative(scene_.k_layout(), slopes(scene_, causes[i], side.adjoint), i,
-                       up ? &Sensitivity::above : &Sensitivity::below, result);
+      store_one_sided_derivative(scene_.k_layout(), slopes(scene_, causes[i], side.adjoint), i,
+                                 up ? &Sensitivity::above : &Sensitivity::below, result);
     }
     for (results::FrontResult& tip : result.fronts) {
       Sensitivity& s = tip.sensitivities.of[i];
@@ -188,13 +190,13 @@ void TipSensitivityAnalysis::one_sided(const StepSolver& solver, const FrozenCon
 void TipSensitivityAnalysis::add_to_tips(const StepSolver& solver, const StepState& state,
                                          IntensityAdjointSolver& adjoints,
                                          results::LoadStepResult& result) {
-  const IntensityAdjoint& adjoint = adjoints.solve_adjoint_of_last_step(solver);
+  const StressIntensityAdjoints& adjoint = adjoints.solve_adjoint_of_last_step(solver);
   if (!adjoint.is_available()) {
     add_sensitivity_note(adjoint.why_not, result);
     return;
   }
   prepare();
-  const KDependence K{
+  const SolvedStepKFunction K{
       model_,
       scene_,
       solver,
@@ -202,13 +204,13 @@ void TipSensitivityAnalysis::add_to_tips(const StepSolver& solver, const StepSta
       case_load_,
       of_loads_,
       [&adjoint](const base::Vector& u) -> base::Vector { return adjoint.rows.transpose() * u; }};
-  std::vector<ParameterDerivative> causes = load_and_fit_derivatives(K);
+  std::vector<ParameterPartialDerivatives> causes = load_and_fit_partial_derivatives(K);
   const std::size_t with_range = causes.size();
   if ((solver.gap_offset_at_mounting().array() != 0.0).any()) {
     add_sensitivity_note(
         "no derivatives by moduli and crack lengths: parts were mounted on deformed ones", result);
   } else {
-    add_modulus_derivatives(K, causes);
+    add_modulus_partial_derivatives(K, causes);
     add_lengths(state, adjoint.closed, causes, result);
   }
   add_sensitivity_parameters(causes, result);

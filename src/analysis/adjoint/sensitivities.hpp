@@ -27,14 +27,16 @@ public:
 private:
   void prepare();
   void add_lengths(const StepState& state, const std::vector<bool>& closed,
-                   std::vector<ParameterDerivative>& causes, results::LoadStepResult& result) const;
+                   std::vector<ParameterPartialDerivatives>& causes,
+                   results::LoadStepResult& result) const;
   /// Of the first causes, loads and fits only.
-  LoadAndGapRates rates(const StepSolver& solver, const std::vector<ParameterDerivative>& causes,
-                        std::size_t count);
+  LoadAndGapRates rates(const StepSolver& solver,
+                        const std::vector<ParameterPartialDerivatives>& causes, std::size_t count);
   LoadAndGapRates all_rates(const StepSolver& solver,
-                            const std::vector<ParameterDerivative>& causes);
+                            const std::vector<ParameterPartialDerivatives>& causes);
   void one_sided(const StepSolver& solver, const FrozenContact& contact,
-                 IntensityAdjointSolver& adjoints, const std::vector<ParameterDerivative>& causes,
+                 IntensityAdjointSolver& adjoints,
+                 const std::vector<ParameterPartialDerivatives>& causes,
                  results::LoadStepResult& result);
 
   const model::Model& model_;

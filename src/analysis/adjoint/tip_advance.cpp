@@ -63,8 +63,8 @@ VirtualTipExtension::VirtualTipExtension(const model::Model& model, const Discre
     if (model::axisymmetric(model) ||
         !estimate::moves_domains_rigidly(scene.cracked.mesh, motion_,
                                          scene.domains[t].points.front())) {
-      row_rate_[t] = base::Matrix(front_K_functionals(model, *ahead_, t) -
-                                  front_K_functionals(model, *behind_, t)) /
+      row_rate_[t] = base::Matrix(front_displacement_K_functionals(model, *ahead_, t) -
+                                  front_displacement_K_functionals(model, *behind_, t)) /
                      (2.0 * motion_.step);
     }
   }
@@ -201,8 +201,9 @@ base::Vector VirtualTipExtension::explicit_derivative(const base::Vector& u,
   return out;
 }
 
-ParameterDerivative VirtualTipExtension::length_derivative(const StepState& state) const {
-  ParameterDerivative out;
+ParameterPartialDerivatives
+VirtualTipExtension::length_partial_derivatives(const StepState& state) const {
+  ParameterPartialDerivatives out;
   out.is.cause = results::SensitivityParameter::length;
   out.is.name = name_;
   out.is.value = a_;

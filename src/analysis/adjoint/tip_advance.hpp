@@ -20,7 +20,8 @@ public:
   /// Why dK/da is not given while these rows of the table are closed; empty: it is.
   [[nodiscard]] std::string why_no_derivative(const std::vector<bool>& closed) const;
   /// d/da of loads and K of all tips, u and contact forces kept.
-  [[nodiscard]] ParameterDerivative length_derivative(const StepState& state) const;
+  [[nodiscard]] ParameterPartialDerivatives
+  length_partial_derivatives(const StepState& state) const;
 
 private:
   void find_hindrances(const std::vector<bool>& moves);

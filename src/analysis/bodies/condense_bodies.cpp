@@ -184,7 +184,7 @@ bool keeps_parts_as_dense_blocks(const fe::DofMap& map,
   return !map.ties && solve::is_two_level_cheaper(blocks, map.size(), map.externals());
 }
 
-bool can_stay_factorised(const SubstructuredBody& body) {
+bool externals_can_stay_factorised(const SubstructuredBody& body) {
   return body.parts.size() == 1 && body.free_rigid_modes.cols() == 0 &&
          body.region.map.externals() > 0;
 }
@@ -242,7 +242,7 @@ std::vector<SubstructuredBody> condense_bodies(const CondensationRequest& reques
     Task& region = regions.emplace_back();
     region.net = &bodies[b].region;
     region.key = keys[b].region;
-    region.layered = can_stay_factorised(bodies[b]);
+    region.layered = externals_can_stay_factorised(bodies[b]);
     region.work.name = bodies[b].name + (bodies[b].parts.empty() ? "" : ": region");
   }
   forget_unused(parts, regions, cache);
@@ -283,7 +283,7 @@ std::vector<SubstructuredBody> condense_bodies(const CondensationRequest& reques
   base::parallel_for(bodies.size(), request.threads, [&](std::size_t b) {
     SubstructuredBody& body = bodies[b];
     condense_loads(request, body);
-    if (body.contact_unknowns() > 0) {
+    if (body.contact_unknown_count() > 0) {
       // A factor from the cache has given its Schur complement away: what was made of that is kept
       // too.
       const auto known = cache.bodies.find(regions[b].key);

@@ -50,7 +50,7 @@ struct SubstructuredBody {
 
   [[nodiscard]] bool is_uncondensed() const { return !region.weighed.empty(); }
   /// Unknowns that contact sees.
-  [[nodiscard]] std::int64_t contact_unknowns() const {
+  [[nodiscard]] std::int64_t contact_unknown_count() const {
     return is_uncondensed() ? region.map.size() : region.map.externals();
   }
 };
@@ -107,7 +107,7 @@ bool keeps_parts_as_dense_blocks(const fe::DofMap& map,
 
 /// Whether the externals of a body may stay a factor, in which what its one part has for itself is
 /// eliminated first: not where rigid modes are free.
-bool can_stay_factorised(const SubstructuredBody& body);
+bool externals_can_stay_factorised(const SubstructuredBody& body);
 
 /// What tells a body's nets from others.
 struct SubstructureHashes {

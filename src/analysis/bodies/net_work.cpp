@@ -20,7 +20,7 @@ std::optional<double> counted(double number) {
 } // namespace
 
 std::string substructure_name(const model::Model& model, const model::Mesh& mesh,
-                              const std::string& body, const PartElements& elements) {
+                              const std::string& body, const PartAndRegionElements& elements) {
   const auto net_of = [&](base::ElementId e) { return mesh.element_net[e.index()]; };
   const base::NetId net = net_of(elements.part.front());
   const bool cut =

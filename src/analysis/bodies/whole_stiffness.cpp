@@ -10,7 +10,8 @@
 
 namespace spricka::analysis {
 
-base::SymmetricCsc global_stiffness(const model::Model& model, const Discretisation& scene) {
+base::SymmetricCsc regularised_global_stiffness(const model::Model& model,
+                                                const Discretisation& scene) {
   const model::Mesh& mesh = scene.cracked.mesh;
   std::vector<model::FreedomRole> cls = scene.cls;
   std::ranges::replace(cls, model::FreedomRole::external, model::FreedomRole::local);

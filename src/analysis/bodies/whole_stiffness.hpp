@@ -10,6 +10,7 @@ namespace spricka::analysis {
 /// elimination, contact left out, nothing external: what a direct finite-element code has to
 /// factorise at the least. Every diagonal is larger by 1e-6, as bodies that only contact holds
 /// would be singular: the factorisation costs the same.
-base::SymmetricCsc global_stiffness(const model::Model& model, const Discretisation& scene);
+base::SymmetricCsc regularised_global_stiffness(const model::Model& model,
+                                                const Discretisation& scene);
 
 } // namespace spricka::analysis

@@ -62,7 +62,7 @@ public:
       return growth::GrowthIntegrator(model_, law, std::move(kinematics),
                                       kept ? state_from(*kept) : growth::GrowthState());
     });
-    GrowthCondensationRegion region(model_);
+    RecondensedGrowthRegion region(model_);
     if (kept) {
       restore_or_report_damage([&] { region.restore_state(*kept); });
     }
@@ -122,7 +122,7 @@ private:
     return growth::growth_state_from_arrays(arrays.reals);
   }
 
-  void keep(const growth::GrowthIntegrator& integrator, const GrowthCondensationRegion& region) {
+  void keep(const growth::GrowthIntegrator& integrator, const RecondensedGrowthRegion& region) {
     results::NamedArrays state;
     state.reals = growth::growth_state_to_arrays(integrator.growth_state());
     solver_.save_state(state);
@@ -138,7 +138,7 @@ private:
 
   // Where to solve next; empty: no state can be made there.
   std::optional<growth::CrackGeometry> next_state(growth::GrowthIntegrator& integrator,
-                                                  GrowthCondensationRegion& region) {
+                                                  RecondensedGrowthRegion& region) {
     const ScopedProfileInterval span(options_.recorder, "GROW", "where to solve next");
     std::optional<growth::CrackGeometry> next = integrator.propose_next_cracks(trial_);
     if (next && next->solids.empty() && !integrator.end()) { // bodies of solids stay whole
@@ -148,7 +148,7 @@ private:
   }
 
   // Solves, measures, and lets the integrator judge; false: not solvable there.
-  bool station(const growth::CrackGeometry& cracks, GrowthCondensationRegion& region,
+  bool station(const growth::CrackGeometry& cracks, RecondensedGrowthRegion& region,
                growth::GrowthIntegrator& integrator) {
     const bool first = integrator.growth_state().stations.empty();
     ScopedProfileCrackLength length(options_.recorder);
@@ -164,7 +164,8 @@ private:
                                      "station measured, judged and kept");
     region.log_region_cost(run_.log);
     LogWriter log(run_.log);
-    const std::optional<results::LoadPathResult> path = growth_load_path(model_, *increment);
+    const std::optional<results::LoadPathResult> path =
+        corrected_growth_load_path(model_, *increment);
     std::optional<std::vector<growth::TipStation>> found = measure_.evaluate_tip_rates(
         {*increment, solver_.crack_fronts(), solver_.plastic_load_ratios(), cracks,
          solver_.load_history(), solver_.overlap_results(), path ? &*path : nullptr},
@@ -193,7 +194,7 @@ private:
     length.mark_increment();
     increment->number = static_cast<int>(run_.increments.size()) + 1;
     const growth::SolvedStation& here = integrator.growth_state().stations.back();
-    set_front_sizes(model_, cracks, integrator.tips(), here, *increment);
+    set_front_sizes_from_first_tips(model_, cracks, integrator.tips(), here, *increment);
     length.set_length(increment->a);
     run_.increments.push_back(std::move(*increment));
     const growth::GrowthTrajectory so_far = integrator.trajectory();
@@ -224,7 +225,7 @@ private:
   void hand_on_warnings() {
     for (const base::Diagnostic& d : trial_.messages()) {
       if (d.severity == base::Severity::warning) {
-        measure_.warnings().warn_of_mesh(d.code, d.text, run_.increments.size());
+        measure_.warnings().keep_first_mesh_warning(d.code, d.text, run_.increments.size());
       }
     }
   }
@@ -252,13 +253,13 @@ private:
       }
     }
     run_.growth = growth_records(model_, integrator, measure_);
-    run_.growth->scaled = lives_by_scaled_K(model_, run_, integrator, measure_);
+    run_.growth->scaled = lives_by_proportional_K(model_, run_, integrator, measure_);
     LogWriter(run_.log).add_line(
         "GROW", fmt::format("{}: {}; {} stations, {} solutions did not count", run_.growth->ended,
                             run_.growth->reason, integrator.growth_state().stations.size(),
                             integrator.growth_state().rejected));
     std::ranges::copy(measure_.warnings().all(), std::back_inserter(run_.warnings));
-    for (std::string& text : cycle_count_concerns(*run_.growth, measure_.law())) {
+    for (std::string& text : describe_life_concerns(*run_.growth, measure_.law())) {
       run_.warnings.push_back({"W456", std::move(text)});
     }
     if (results::growth_could_not_continue(*run_.growth)) {

@@ -102,7 +102,7 @@ std::size_t largest_load_step(const model::Model& model) {
 }
 
 std::optional<results::LoadPathResult>
-growth_load_path(const model::Model& model, const results::CrackLengthResult& increment) {
+corrected_growth_load_path(const model::Model& model, const results::CrackLengthResult& increment) {
   if (!model.growth->spectrum || increment.paths.empty()) {
     return std::nullopt;
   }
@@ -114,8 +114,8 @@ growth_load_path(const model::Model& model, const results::CrackLengthResult& in
                                  : path;
 }
 
-base::Vec2 kink_tip(const model::Model& model, const base::Vec2& K, bool straight,
-                    growth::TipStation& found) {
+base::Vec2 kink_tip_and_get_K_factors(const model::Model& model, const base::Vec2& K, bool straight,
+                                      growth::TipStation& found) {
   found.K2_max = K[1];
   // On a line of symmetry a crack cannot turn; a closed tip has no direction to go.
   if (straight || !opens(K) || model.growth->direction == model::GrowthDirection::path) {
@@ -219,7 +219,7 @@ double GrowthRateEvaluator::at_smallest(const SolvedCrackState& at, const Growin
     return K;
   }
   const results::FrontResult* free =
-      find_tip_with_face_overlap(at.free, model_.growth->kmin.index(), front.name);
+      find_tip_overlap_result(at.free, model_.growth->kmin.index(), front.name);
   if (free == nullptr) {
     if (front.points[place.from].closed) {
       warnings_.warn_of_closing_faces(to.name, front.a);
@@ -245,7 +245,7 @@ bool GrowthRateEvaluator::by_steps(const SolvedCrackState& at, const GrowingPlac
     warnings_.warn_of_invalid_result(high, high.tip().K1);
   }
   const base::Vec2 K = intensity(high, place);
-  const base::Vec2 part = kink_tip(model_, K, to.straight, found);
+  const base::Vec2 part = kink_tip_and_get_K_factors(model_, K, to.straight, found);
   found.K_max = std::max(0.0, part.dot(K));
   found.K_min = at_smallest(at, to, part, low, there);
   found.rate = found.K_max > found.K_min ? law_.growth_rate(found.K_max, found.K_min) : 0.0;

@@ -29,9 +29,9 @@ struct SolvedCrackState {
   const std::vector<mesh::CrackFront>& fronts;
   const std::vector<double>& plastic; ///< [front] in space, of the section before it, or empty
   const growth::CrackGeometry& cracks;
-  const std::optional<LoadHistoryResult>& followed;  ///< where friction makes K a history
+  const std::optional<LoadHistoryKResult>& followed; ///< where friction makes K a history
   const std::optional<OverlappingFaceResults>& free; ///< faces that may overlap, where they close
-  const results::LoadPathResult* path;               ///< growth_load_path(), null: it has none
+  const results::LoadPathResult* path; ///< corrected_growth_load_path(), null: it has none
 };
 
 /// A tip that grows, and the place of a front where its K is taken.
@@ -48,15 +48,15 @@ std::size_t largest_load_step(const model::Model& model);
 /// The load path of the growth's spectrum as the law is to have it: with the errors of K taken out
 /// where CORRECT asks for that. Empty: no spectrum, or there is no map of K.
 std::optional<results::LoadPathResult>
-growth_load_path(const model::Model& model, const results::CrackLengthResult& increment);
+corrected_growth_load_path(const model::Model& model, const results::CrackLengthResult& increment);
 
 /// Where K1 on a path is largest between two places: at one of them or at a breakpoint.
 double locate_K1_maximum(const base::PiecewiseLinear& K1, double low, double high);
 
 /// Sets the turn of a tip and gives the K to the law: factors of K1 and K2 of the crack before the
 /// turn.
-base::Vec2 kink_tip(const model::Model& model, const base::Vec2& K, bool straight,
-                    growth::TipStation& found);
+base::Vec2 kink_tip_and_get_K_factors(const model::Model& model, const base::Vec2& K, bool straight,
+                                      growth::TipStation& found);
 
 /// What a solved state of the cracks means for their growth: K at the largest and the smallest
 /// load, the way on, the rate.

@@ -138,9 +138,10 @@ results::GrowthResult growth_records(const model::Model& model,
   return out;
 }
 
-void set_front_sizes(const model::Model& model, const growth::CrackGeometry& cracks,
-                     const std::vector<growth::TrackedTip>& tips, const growth::SolvedStation& here,
-                     results::CrackLengthResult& increment) {
+void set_front_sizes_from_first_tips(const model::Model& model, const growth::CrackGeometry& cracks,
+                                     const std::vector<growth::TrackedTip>& tips,
+                                     const growth::SolvedStation& here,
+                                     results::CrackLengthResult& increment) {
   if (cracks.solids.empty() || model.growth->shape != model::FrontShapeRule::free) {
     return;
   }

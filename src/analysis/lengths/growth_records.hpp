@@ -23,8 +23,9 @@ results::GrowthResult growth_records(const model::Model& model,
 
 /// Sizes of fronts that K shapes: each has the length of its first tip, as stations and N(a) do.
 /// Others keep theirs.
-void set_front_sizes(const model::Model& model, const growth::CrackGeometry& cracks,
-                     const std::vector<growth::TrackedTip>& tips, const growth::SolvedStation& here,
-                     results::CrackLengthResult& increment);
+void set_front_sizes_from_first_tips(const model::Model& model, const growth::CrackGeometry& cracks,
+                                     const std::vector<growth::TrackedTip>& tips,
+                                     const growth::SolvedStation& here,
+                                     results::CrackLengthResult& increment);
 
 } // namespace spricka::analysis

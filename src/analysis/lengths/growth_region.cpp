@@ -22,8 +22,8 @@ constexpr double farthest = 8.0;
 } // namespace
 
 // Along the way ahead as it is known now: straight on from every tip, to AMAX or the next edge.
-void GrowthCondensationRegion::choose(const std::vector<mesh::CrackLine>& lines,
-                                      const growth::GrowthIntegrator& integrator) {
+void RecondensedGrowthRegion::choose(const std::vector<mesh::CrackLine>& lines,
+                                     const growth::GrowthIntegrator& integrator) {
   plan_ = {};
   add_to_crack_region(model_, lines, plan_);
   double longest = 0.0;
@@ -40,9 +40,9 @@ void GrowthCondensationRegion::choose(const std::vector<mesh::CrackLine>& lines,
   }
 }
 
-void GrowthCondensationRegion::update_region(const std::vector<mesh::CrackLine>& lines,
-                                             const growth::GrowthIntegrator& integrator,
-                                             std::vector<results::LogLine>& log) {
+void RecondensedGrowthRegion::update_region(const std::vector<mesh::CrackLine>& lines,
+                                            const growth::GrowthIntegrator& integrator,
+                                            std::vector<results::LogLine>& log) {
   CrackRegionPlan here;
   add_to_crack_region(model_, lines, here);
   // A region that holds all that this length touches stays, so that the rest is not condensed
@@ -63,7 +63,7 @@ void GrowthCondensationRegion::update_region(const std::vector<mesh::CrackLine>&
                               std::ranges::count(plan_.region, true), plan_.region.size()));
 }
 
-void GrowthCondensationRegion::log_region_cost(std::vector<results::LogLine>& log) {
+void RecondensedGrowthRegion::log_region_cost(std::vector<results::LogLine>& log) {
   const auto last = std::find_if(log.rbegin(), log.rend(), [](const results::LogLine& line) {
     return line.processor == "CONDENSE";
   });
@@ -82,12 +82,12 @@ void GrowthCondensationRegion::log_region_cost(std::vector<results::LogLine>& lo
   renewed_ = false;
 }
 
-void GrowthCondensationRegion::save_state(results::NamedArrays& arrays) const {
+void RecondensedGrowthRegion::save_state(results::NamedArrays& arrays) const {
   arrays.integers["region"] = {plan_.region.begin(), plan_.region.end()};
   arrays.integers["region.split"] = {plan_.split ? 1 : 0};
 }
 
-void GrowthCondensationRegion::restore_state(const results::NamedArrays& arrays) {
+void RecondensedGrowthRegion::restore_state(const results::NamedArrays& arrays) {
   const auto region = arrays.integers.find("region");
   if (region == arrays.integers.end()) {
     return;

@@ -11,9 +11,9 @@ namespace spricka::analysis {
 
 /// The part of the host that is condensed again at every station: what the cracks are going to
 /// touch. Where a crack leaves it a new one is chosen, and what that costs is told.
-class GrowthCondensationRegion {
+class RecondensedGrowthRegion {
 public:
-  explicit GrowthCondensationRegion(const model::Model& model) : model_(model) {}
+  explicit RecondensedGrowthRegion(const model::Model& model) : model_(model) {}
 
   /// Before these cracks are solved: are they still within?
   void update_region(const std::vector<mesh::CrackLine>& lines,

@@ -162,8 +162,8 @@ void look_at_table(const results::GrowthResult& growth, const life::GrowthRateLa
 
 } // namespace
 
-std::vector<std::string> cycle_count_concerns(const results::GrowthResult& growth,
-                                              const life::GrowthRateLaw& law) {
+std::vector<std::string> describe_life_concerns(const results::GrowthResult& growth,
+                                                const life::GrowthRateLaw& law) {
   std::vector<std::string> warnings;
   const bool nothing = growth.final_cycles() == 0.0;
   const bool grew = growth.stations.size() > 1;

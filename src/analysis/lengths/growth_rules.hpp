@@ -19,7 +19,7 @@ std::unique_ptr<growth::CrackKinematics> make_crack_kinematics(const model::Mode
 
 /// Doubts about the cycles as a whole: none or next to none, growth too fast for a law, K beyond
 /// the rows of a table.
-std::vector<std::string> cycle_count_concerns(const results::GrowthResult& growth,
-                                              const life::GrowthRateLaw& law);
+std::vector<std::string> describe_life_concerns(const results::GrowthResult& growth,
+                                                const life::GrowthRateLaw& law);
 
 } // namespace spricka::analysis

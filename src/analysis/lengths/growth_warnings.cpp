@@ -20,8 +20,8 @@ constexpr double worst_mismatch = 1e-6; // of K against that of recovered displa
 
 } // namespace
 
-void GrowthWarnings::warn_of_mesh(const std::string& code, const std::string& text,
-                                  std::size_t station) {
+void GrowthWarnings::keep_first_mesh_warning(const std::string& code, const std::string& text,
+                                             std::size_t station) {
   const bool known = std::ranges::any_of(
       warnings_, [&](const results::Warning& warning) { return warning.code == code; });
   if (!known) {
@@ -92,7 +92,7 @@ void GrowthWarnings::warn_of_closing_faces(const std::string& name, double a) {
                            name, a)});
 }
 
-void GrowthWarnings::warn_of_history(const LoadHistoryResult& loads, double a) {
+void GrowthWarnings::warn_of_history(const LoadHistoryKResult& loads, double a) {
   if (!(loads.change <= repeats_to)) {
     warnings_.insert(
         {"W507",

@@ -13,7 +13,7 @@
 
 namespace spricka::analysis {
 
-struct LoadHistoryResult;
+struct LoadHistoryKResult;
 
 /// What a reader of a growth must not miss, each once.
 class GrowthWarnings {
@@ -25,7 +25,8 @@ public:
   [[nodiscard]] std::set<results::Warning> all() const;
   void add(const results::Warning& warning) { warnings_.insert(warning); }
   /// Keeps what was said of the mesh of a station, the first time of each code.
-  void warn_of_mesh(const std::string& code, const std::string& text, std::size_t station);
+  void keep_first_mesh_warning(const std::string& code, const std::string& text,
+                               std::size_t station);
   /// Of a tip or crack whose faces close at length `a`, with no K below that.
   void warn_of_closing_faces(const std::string& name, double a);
   /// `why` there is no error bar to correct K by; empty: there is one.
@@ -39,7 +40,7 @@ public:
   /// Notes K2 and K3 at KMAX that the growth of a crack does not follow; the largest part counts.
   void note_neglected_shear_K(const std::string& crack, const base::Vec3& K);
   /// Of loads that do not repeat themselves, and of K that is apart by two ways, at length `a`.
-  void warn_of_history(const LoadHistoryResult& loads, double a);
+  void warn_of_history(const LoadHistoryKResult& loads, double a);
 
   /// As arrays "growth.warnings", "growth.shear" for a restart file.
   void save_state(results::NamedArrays& arrays) const;

@@ -97,13 +97,14 @@ results::LoadStepResult CrackLengthAnalysis::recover_step(const model::Step& ste
   return collect_step_results(parts_.model, scene_, bodies_, step, state);
 }
 
-const IntensityAdjoint& CrackLengthAnalysis::solve_adjoints(const StepSolver& solver) {
+const StressIntensityAdjoints& CrackLengthAnalysis::solve_adjoints(const StepSolver& solver) {
   return processors_->adjoints.solve_adjoint_of_last_step(solver);
 }
 
-bool CrackLengthAnalysis::add_K_estimates(const StepSolver& solver, const StepState& state,
-                                          results::LoadStepResult& result,
-                                          const ProcessorEndCallback& ended) {
+bool CrackLengthAnalysis::add_error_bars_and_sensitivities(const StepSolver& solver,
+                                                           const StepState& state,
+                                                           results::LoadStepResult& result,
+                                                           const ProcessorEndCallback& ended) {
   if (scene_.cracked.fronts.empty()) {
     return true;
   }
@@ -111,7 +112,7 @@ bool CrackLengthAnalysis::add_K_estimates(const StepSolver& solver, const StepSt
     processors_->fronts.add_to_fronts(solver, state, result);
     return ended("ESTIMATE", "error bars and derivatives of K");
   }
-  const IntensityAdjoint& of_K = solve_adjoints(solver);
+  const StressIntensityAdjoints& of_K = solve_adjoints(solver);
   if (!ended("ADJOINT", fmt::format("{} tips", scene_.cracked.fronts.size()))) {
     return false;
   }

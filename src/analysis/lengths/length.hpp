@@ -26,9 +26,9 @@ struct CrackLengthContext {
   CondensationCache& cache;             ///< nets that did not change
   int threads = 1;                      ///< of the condensation
   MountOffsetMemory* mounted = nullptr; ///< at the first length; null: each length mounts anew
-  ContactMemory* contact = nullptr;     ///< compliances that lengths share
-  estimate::ModeMatrixCache* modes = nullptr; ///< of the error bars
-  const model::Model* with_paths = nullptr;   ///< whose load paths are followed; null: the model's
+  ContactDataForNextLength* contact = nullptr; ///< compliances that lengths share
+  estimate::ModeMatrixCache* modes = nullptr;  ///< of the error bars
+  const model::Model* with_paths = nullptr;    ///< whose load paths are followed; null: the model's
   CondensationMode condensing = CondensationMode::automatic;
 };
 
@@ -78,15 +78,16 @@ public:
   [[nodiscard]] LoadPathSolver& load_paths() { return processors_->paths; }
 
   /// ADJOINT: of K at the end of the step that `solver` solved last, in the plane.
-  const IntensityAdjoint& solve_adjoints(const StepSolver& solver);
+  const StressIntensityAdjoints& solve_adjoints(const StepSolver& solver);
   /// Told as a processor ends, by its name and what it did; false: go no further.
   using ProcessorEndCallback =
       std::function<bool(const std::string& processor, const std::string& did)>;
   /// ADJOINT, ESTIMATE and SENSITIVITY: error bars and derivatives of K at the end of the step that
   /// `solver` solved last, in the plane by adjoints, in space by direct solutions; nothing without
   /// a crack. False: `ended` went no further.
-  bool add_K_estimates(const StepSolver& solver, const StepState& state,
-                       results::LoadStepResult& result, const ProcessorEndCallback& ended);
+  bool add_error_bars_and_sensitivities(const StepSolver& solver, const StepState& state,
+                                        results::LoadStepResult& result,
+                                        const ProcessorEndCallback& ended);
   /// ESTIMATE: errors of the nets in the energy norm.
   void add_net_errors(const StepState& state, results::LoadStepResult& result) const;
 

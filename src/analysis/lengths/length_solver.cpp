@@ -120,11 +120,12 @@ base::OptionalFailure add_estimates(const model::Model& model, const SolvedStep&
                                     results::LoadStepResult& result) {
   const model::Step& step = solved.step;
   if (solved.bars) {
-    length.add_K_estimates(solved.solver, solved.state, result,
-                           [&](const std::string& processor, const std::string& did) {
-                             log.add_line(processor, fmt::format("step {}: {}", step.name, did));
-                             return true;
-                           });
+    length.add_error_bars_and_sensitivities(
+        solved.solver, solved.state, result,
+        [&](const std::string& processor, const std::string& did) {
+          log.add_line(processor, fmt::format("step {}: {}", step.name, did));
+          return true;
+        });
   }
   if (!solved.pictured) {
     return std::nullopt;
@@ -261,7 +262,7 @@ std::optional<results::CrackLengthResult> CrackStateSolver::solve(const CrackSta
 bool CrackStateSolver::condense(CrackLengthAnalysis& length, LogWriter& log) {
   CondensationStatistics figures;
   const bool condensed = length.condense(figures);
-  log.record_nets(std::move(figures.nets));
+  log.record_net_costs(std::move(figures.nets));
   if (!condensed) {
     trouble_ = figures.trouble;
     return false;
@@ -295,9 +296,10 @@ void CrackStateSolver::close_faces(const std::vector<std::size_t>& lines,
   }
 }
 
-bool CrackStateSolver::follow(LoadHistorySolver& history, StepSolver& solver, LogWriter& log) {
+bool CrackStateSolver::follow(CyclicLoadHistorySolver& history, StepSolver& solver,
+                              LogWriter& log) {
   next_carried_ = carried_;
-  LoadHistoryResult loads;
+  LoadHistoryKResult loads;
   if (!history.solve_load_history(solver, next_carried_, loads, trouble_)) {
     return false;
   }
@@ -320,7 +322,7 @@ bool CrackStateSolver::walk_steps(CrackLengthAnalysis& length, const CrackStateR
   StepSolver& solver = *first;
   RepeatedSteps repeated(model_, request.pictured);
   LoadPathSolver& paths = length.load_paths();
-  LoadHistorySolver history(model_, scene, length.bodies(), paths);
+  CyclicLoadHistorySolver history(model_, scene, length.bodies(), paths);
   const bool follows = depends_on_load_order(model_);
   const bool goes_on = continues_K_below_closing(model_);
   log_compliances(solver, log);
@@ -332,7 +334,7 @@ bool CrackStateSolver::walk_steps(CrackLengthAnalysis& length, const CrackStateR
       show_increment(options_, increment);
       log.add_line("CONTACT", fmt::format("step {}: the same as step {}, taken over", step.name,
                                           model_.steps[*earlier].name));
-      paths.record_step(s, solver, increment.steps.back());
+      paths.store_step_end_state(s, solver, increment.steps.back());
       continue;
     }
     // The closed rows of this step at the last length are the best guess.
@@ -353,7 +355,7 @@ bool CrackStateSolver::walk_steps(CrackLengthAnalysis& length, const CrackStateR
       return false;
     }
     report_stage(options_, fmt::format("step {}: contact", step.name), solved,
-                 repeated.count_solved());
+                 repeated.solved_step_count());
     log.add_line("CONTACT",
                  fmt::format("step {}: {} iterations, {} pivots, imbalance {:.1e}", step.name,
                              state->iterations, state->pivots, state->imbalance));
@@ -376,10 +378,11 @@ bool CrackStateSolver::walk_steps(CrackLengthAnalysis& length, const CrackStateR
     log.add_line("VCE",
                  fmt::format("step {}: {}, pressures, balance", step.name, fronts_in_words(scene)));
     show_increment(options_, increment);
-    report_stage(options_, fmt::format("step {}: K", step.name), solved, repeated.count_solved());
-    paths.record_step(s, solver, increment.steps.back());
+    report_stage(options_, fmt::format("step {}: K", step.name), solved,
+                 repeated.solved_step_count());
+    paths.store_step_end_state(s, solver, increment.steps.back());
     if (follows) {
-      history.record_step(s, solver, increment.steps.back());
+      history.store_step_end_state(s, solver, increment.steps.back());
     }
     if (!touching.empty()) {
       continue;
@@ -393,7 +396,8 @@ bool CrackStateSolver::walk_steps(CrackLengthAnalysis& length, const CrackStateR
       return false;
     }
     show_increment(options_, increment);
-    report_stage(options_, fmt::format("step {}", step.name), ++solved, repeated.count_solved());
+    report_stage(options_, fmt::format("step {}", step.name), ++solved,
+                 repeated.solved_step_count());
   }
   repeated.drop_extra_stresses(increment.steps);
   increment.paths = paths.solve_paths(solver);

@@ -56,7 +56,7 @@ public:
     return free_;
   }
   /// K of the loads of the growth, one after another; empty without friction.
-  [[nodiscard]] const std::optional<LoadHistoryResult>& load_history() const { return followed_; }
+  [[nodiscard]] const std::optional<LoadHistoryKResult>& load_history() const { return followed_; }
   /// The state that was solved last counts: what slipped there is carried on from.
   void accept_solved_state() { carried_ = next_carried_; }
 
@@ -71,7 +71,7 @@ public:
   void restore_state(const results::NamedArrays& arrays) {
     mounted_ = MountOffsetMemory::restore_state(arrays);
     carried_ = InheritedContactState::restore_state(arrays);
-    contact_ = ContactMemory::restore_state(arrays, model_.steps.size());
+    contact_ = ContactDataForNextLength::restore_state(arrays, model_.steps.size());
     first_ = false;
   }
 
@@ -81,7 +81,7 @@ private:
   void close_faces(const std::vector<std::size_t>& lines, CrackLengthAnalysis& length,
                    LogWriter& log);
   /// Follows the loads of the growth behind the steps; false: no answer.
-  bool follow(LoadHistorySolver& history, StepSolver& solver, LogWriter& log);
+  bool follow(CyclicLoadHistorySolver& history, StepSolver& solver, LogWriter& log);
   bool walk_steps(CrackLengthAnalysis& length, const CrackStateRequest& request, LogWriter& log,
                   results::CrackLengthResult& increment, std::vector<std::size_t>& touching);
 
@@ -94,9 +94,9 @@ private:
   CondensationCache cache_;
   MountOffsetMemory mounted_;
   InheritedContactState carried_, next_carried_;
-  std::optional<LoadHistoryResult> followed_;
+  std::optional<LoadHistoryKResult> followed_;
   std::optional<OverlappingFaceResults> free_;
-  ContactMemory contact_;
+  ContactDataForNextLength contact_;
   estimate::ModeMatrixCache modes_;
   std::vector<mesh::CrackFront> fronts_;
   std::vector<double> plastic_;

@@ -27,7 +27,7 @@ base::Vector intensities_of(const crack::KLayout& layout, const results::LoadSte
 }
 
 // The largest difference of K to that of a step, but for points where faces touch: there steps set
-// more of K to 0 than the law asks for (judge_faces).
+// more of K to 0 than the law asks for (judge_K_by_faces_and_materials).
 double apart_from_step(const crack::KLayout& layout, const base::Vector& K,
                        const results::LoadStepResult& own) {
   const base::Vector other = intensities_of(layout, own);
@@ -51,8 +51,8 @@ double apart_from_step(const crack::KLayout& layout, const base::Vector& K,
 
 } // namespace
 
-void LoadHistorySolver::record_step(std::size_t step, const StepSolver& solver,
-                                    const results::LoadStepResult& result) {
+void CyclicLoadHistorySolver::store_step_end_state(std::size_t step, const StepSolver& solver,
+                                                   const results::LoadStepResult& result) {
   of_step_.resize(step);
   of_step_.push_back(solver.factors());
   places_.resize(step);
@@ -64,7 +64,7 @@ void LoadHistorySolver::record_step(std::size_t step, const StepSolver& solver,
   parts_.push_back(given > 0 ? given : result.increments);
 }
 
-double LoadHistorySolver::change(const KSequence& a, const KSequence& b) const {
+double CyclicLoadHistorySolver::change(const KSequence& a, const KSequence& b) const {
   double most = 0.0;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
     most = std::max(most, (a[i] - b[i]).lpNorm<Eigen::Infinity>());
@@ -73,14 +73,14 @@ double LoadHistorySolver::change(const KSequence& a, const KSequence& b) const {
 }
 
 // To a place; K of the increments joins the way.
-bool LoadHistorySolver::go(const LoadHistoryPoint& place, KSequence& way,
-                           base::OptionalFailure& trouble) {
+bool CyclicLoadHistorySolver::go(const LoadHistoryPoint& place, KSequence& way,
+                                 base::OptionalFailure& trouble) {
   const int by_t =
       // Round-off of t must not cost another increment.
       std::max(1, static_cast<int>(std::ceil(per_unit_ * std::abs(place.t - t_) - 1e-9)));
   const auto seen = [&](const contact::ContactSystem::IncrementProblem& problem,
                         const contact::ContactSystem::IncrementSolution& solution) {
-    here_ = paths_.evaluate_K(problem, solution, *solver_);
+    here_ = paths_.evaluate_increment_K(problem, solution, *solver_);
     if (here_.size() > 0) {
       largest_ = std::max(largest_, here_.lpNorm<Eigen::Infinity>());
     }
@@ -100,8 +100,8 @@ bool LoadHistorySolver::go(const LoadHistoryPoint& place, KSequence& way,
 }
 
 // All cycles of a leg until they repeat themselves; those that are left are told by the last.
-bool LoadHistorySolver::leg(const LoadHistoryProgram& program, const LoadHistorySegment& leg,
-                            LoadPassResult& out, base::OptionalFailure& trouble) {
+bool CyclicLoadHistorySolver::leg(const GrowthLoadHistory& program, const RepeatedLoadSegment& leg,
+                                  LoadPassResult& out, base::OptionalFailure& trouble) {
   KSequence before; // marks of the cycle before, in the end of the last
   KSequence on_the_way;
   // Cycles that stand alone begin at their own end, so that the first is a closed loop, too.
@@ -151,18 +151,18 @@ bool LoadHistorySolver::leg(const LoadHistoryProgram& program, const LoadHistory
   return true;
 }
 
-bool LoadHistorySolver::pass(const LoadHistoryProgram& program, LoadPassResult& out,
-                             base::OptionalFailure& trouble) {
+bool CyclicLoadHistorySolver::pass(const GrowthLoadHistory& program, LoadPassResult& out,
+                                   base::OptionalFailure& trouble) {
   out = {};
   unsettled_ = 0.0;
-  return std::ranges::all_of(program.legs, [&](const LoadHistorySegment& part) {
+  return std::ranges::all_of(program.legs, [&](const RepeatedLoadSegment& part) {
     return leg(program, part, out, trouble);
   });
 }
 
 // K by functionals against K of the displacements, where the last pass ends.
-bool LoadHistorySolver::compare_with_recovered(LoadHistoryResult& out,
-                                               base::OptionalFailure& trouble) {
+bool CyclicLoadHistorySolver::compare_with_recovered(LoadHistoryKResult& out,
+                                                     base::OptionalFailure& trouble) {
   const bool shifted =
       std::ranges::any_of(model_.vces, [](const model::VirtualCrackExtensionSettings& vce) {
         return vce.shift.has_value();
@@ -184,9 +184,9 @@ bool LoadHistorySolver::compare_with_recovered(LoadHistoryResult& out,
 
 // Behind the first step of the loads, or to where the cracks have grown to this length. `before`:
 // K of the pass that has been, where there is one.
-bool LoadHistorySolver::begin(const LoadHistoryProgram& program,
-                              const InheritedContactState& carried, KSequence& before,
-                              base::OptionalFailure& trouble) {
+bool CyclicLoadHistorySolver::begin(const GrowthLoadHistory& program,
+                                    const InheritedContactState& carried, KSequence& before,
+                                    base::OptionalFailure& trouble) {
   if (carried.empty()) {
     solver_->restore_state(places_[program.start]);
     return true;
@@ -199,7 +199,7 @@ bool LoadHistorySolver::begin(const LoadHistoryProgram& program,
   }
   solver_->restore_state(*place);
   std::vector<LoadHistoryPoint> marks;
-  for (const LoadHistorySegment& leg : program.legs) {
+  for (const RepeatedLoadSegment& leg : program.legs) {
     marks.insert(marks.end(), leg.places.begin(), leg.places.end());
   }
   before.clear();
@@ -208,9 +208,10 @@ bool LoadHistorySolver::begin(const LoadHistoryProgram& program,
             trouble);
 }
 
-bool LoadHistorySolver::solve_load_history(StepSolver& solver, InheritedContactState& carried,
-                                           LoadHistoryResult& out, base::OptionalFailure& trouble) {
-  const LoadHistoryProgram program = make_load_history_program(model_, of_step_, parts_);
+bool CyclicLoadHistorySolver::solve_load_history(StepSolver& solver, InheritedContactState& carried,
+                                                 LoadHistoryKResult& out,
+                                                 base::OptionalFailure& trouble) {
+  const GrowthLoadHistory program = make_growth_load_history(model_, of_step_, parts_);
   out = {};
   out.none = solver.contact_system() == nullptr ? "nothing is in contact" : program.none;
   out.grow_at = program.grow_at;

@@ -22,9 +22,9 @@ struct LoadPassResult {
   std::vector<std::pair<KSequence, double>> cycles; ///< closed cycles, with how often
 };
 
-struct LoadHistoryResult {
+struct LoadHistoryKResult {
   LoadPassResult first, last;
-  std::size_t grow_at = 0, smallest = 0; ///< marks, as LoadHistoryProgram
+  std::size_t grow_at = 0, smallest = 0; ///< marks, as GrowthLoadHistory
   int passes = 0;
   int increments = 0;  ///< solved in all
   double change = 0.0; ///< of K at marks from the last pass but one to the last, over the largest K
@@ -37,30 +37,30 @@ struct LoadHistoryResult {
 inline constexpr double repeats_to = 1e-6;
 inline constexpr int most_passes = 20;
 
-class LoadHistorySolver {
+class CyclicLoadHistorySolver {
 public:
-  LoadHistorySolver(const model::Model& model, const Discretisation& scene,
-                    const std::vector<SubstructuredBody>& bodies, LoadPathSolver& paths)
+  CyclicLoadHistorySolver(const model::Model& model, const Discretisation& scene,
+                          const std::vector<SubstructuredBody>& bodies, LoadPathSolver& paths)
       : model_(model), scene_(scene), bodies_(bodies), paths_(paths) {}
 
   /// Keeps what the history needs of this step; called behind each.
-  void record_step(std::size_t step, const StepSolver& solver,
-                   const results::LoadStepResult& result);
+  void store_step_end_state(std::size_t step, const StepSolver& solver,
+                            const results::LoadStepResult& result);
 
   /// Follows the loads from their first step on, or from what `carried` holds; where the crack
   /// grows is in `carried` after it. The solver is left as it was. False: an increment has no
   /// answer.
   bool solve_load_history(StepSolver& solver, InheritedContactState& carried,
-                          LoadHistoryResult& out, base::OptionalFailure& trouble);
+                          LoadHistoryKResult& out, base::OptionalFailure& trouble);
 
 private:
   bool go(const LoadHistoryPoint& place, KSequence& way, base::OptionalFailure& trouble);
-  bool begin(const LoadHistoryProgram& program, const InheritedContactState& carried,
+  bool begin(const GrowthLoadHistory& program, const InheritedContactState& carried,
              KSequence& before, base::OptionalFailure& trouble);
-  bool pass(const LoadHistoryProgram& program, LoadPassResult& out, base::OptionalFailure& trouble);
-  bool leg(const LoadHistoryProgram& program, const LoadHistorySegment& leg, LoadPassResult& out,
+  bool pass(const GrowthLoadHistory& program, LoadPassResult& out, base::OptionalFailure& trouble);
+  bool leg(const GrowthLoadHistory& program, const RepeatedLoadSegment& leg, LoadPassResult& out,
            base::OptionalFailure& trouble);
-  bool compare_with_recovered(LoadHistoryResult& out, base::OptionalFailure& trouble);
+  bool compare_with_recovered(LoadHistoryKResult& out, base::OptionalFailure& trouble);
   [[nodiscard]] double change(const KSequence& a, const KSequence& b) const;
 
   const model::Model& model_;

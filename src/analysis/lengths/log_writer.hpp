@@ -36,7 +36,7 @@ public:
     watch_ = base::Stopwatch();
   }
   /// What was done by nets since the line before.
-  void record_nets(std::vector<results::NetCost> nets) {
+  void record_net_costs(std::vector<results::NetCost> nets) {
     if (recorder_ != nullptr) {
       recorder_->add_work(std::move(nets));
     }

@@ -65,7 +65,7 @@ void measure_pass(const life::GrowthRateLaw& law, const LoadPassResult& pass, co
 
 // Rate and extremes of the loads that were followed, of the first cycle and of those that repeat
 // themselves.
-void measure_loads(const life::GrowthRateLaw& law, bool spectrum, const LoadHistoryResult& loads,
+void measure_loads(const life::GrowthRateLaw& law, bool spectrum, const LoadHistoryKResult& loads,
                    const KOfLaw& K, growth::TipStation& found) {
   growth::TipStation first; // of the first cycle or pass
   if (spectrum) {
@@ -88,7 +88,7 @@ void measure_loads(const life::GrowthRateLaw& law, bool spectrum, const LoadHist
 
 bool GrowthRateEvaluator::by_history(const SolvedCrackState& at, const GrowingPlace& to,
                                      const PlaceOnFront& place, growth::TipStation& found) {
-  const LoadHistoryResult& loads = *at.followed;
+  const LoadHistoryKResult& loads = *at.followed;
   const results::LoadStepResult& step = at.increment.steps[largest_load_step(model_)];
   const results::FrontResult& front = step.fronts[place.front];
   const auto K_of = [K1 = K_at(step, place, 1), K2 = K_at(step, place, 2)](
@@ -99,7 +99,7 @@ bool GrowthRateEvaluator::by_history(const SolvedCrackState& at, const GrowingPl
   const base::Vec2 K = !front.is_tip() ? intensity(front, place)
                        : spectrum_     ? largest(loads.last, K_of)
                                        : grown;
-  const base::Vec2 part = kink_tip(model_, K, to.straight, found);
+  const base::Vec2 part = kink_tip_and_get_K_factors(model_, K, to.straight, found);
   measure_loads(
       law_, spectrum_.has_value(), loads,
       [&](const base::Vector& all) { return part.dot(K_of(all)); }, found);

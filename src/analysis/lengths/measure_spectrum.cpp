@@ -42,7 +42,7 @@ base::PiecewiseLinear GrowthRateEvaluator::on_path(const SolvedCrackState& at,
                                                    const results::LoadPathFront& front,
                                                    const PlaceOnFront& place,
                                                    const base::Vec2& part) {
-  base::PiecewiseLinear K = K_on_path(front, place, part);
+  base::PiecewiseLinear K = combined_K_over_path(front, place, part);
   // Without overlap anywhere both ways to K are one.
   if (!(at.free || faces_touch_on_path(front.points[place.from].smooth[0])) ||
       !continues_K_below_closing(model_)) {
@@ -55,7 +55,8 @@ base::PiecewiseLinear GrowthRateEvaluator::on_path(const SolvedCrackState& at,
           : nullptr;
   std::optional<base::PiecewiseLinear> below;
   if (free != nullptr) {
-    below = continue_K_below_zero(K, K_on_path(*free, place, part), spectrum_->highest());
+    below = continue_K_with_overlapping_faces(K, combined_K_over_path(*free, place, part),
+                                              spectrum_->highest());
   }
   if (!below) {
     warnings_.warn_of_closing_faces(front.is.name, front.is.a);
@@ -84,10 +85,11 @@ bool GrowthRateEvaluator::by_spectrum(const SolvedCrackState& at, const GrowingP
   }
   // The way on is that at the largest load; K of the whole path is then taken at the tip of that
   // kink (growth.8).
-  const base::PiecewiseLinear K1 = K_on_path(front, place, {1.0, 0.0});
-  const base::PiecewiseLinear K2 = K_on_path(front, place, {0.0, 1.0});
+  const base::PiecewiseLinear K1 = combined_K_over_path(front, place, {1.0, 0.0});
+  const base::PiecewiseLinear K2 = combined_K_over_path(front, place, {0.0, 1.0});
   const double peak = locate_K1_maximum(K1, spectrum_->lowest(), spectrum_->highest());
-  const base::Vec2 part = kink_tip(model_, {K1(peak), K2(peak)}, to.straight, found);
+  const base::Vec2 part =
+      kink_tip_and_get_K_factors(model_, {K1(peak), K2(peak)}, to.straight, found);
   const base::PiecewiseLinear K = on_path(at, front, place, part);
   const auto [low, high] = spectrum_->extreme_K(K);
   found.K_min = low;

@@ -136,8 +136,8 @@ base::Vec3 smooth_K_at(const results::FrontResult& front, const PlaceOnFront& at
   return K;
 }
 
-base::PiecewiseLinear K_on_path(const results::LoadPathFront& front, const PlaceOnFront& at,
-                                const base::Vec2& part) {
+base::PiecewiseLinear combined_K_over_path(const results::LoadPathFront& front,
+                                           const PlaceOnFront& at, const base::Vec2& part) {
   const base::PiecewiseLinear& from = front.points[at.from].smooth[0];
   std::vector<double> value(from.segments(), 0.0);
   std::vector<double> slope(from.segments(), 0.0);
@@ -176,8 +176,9 @@ std::function<double(const base::Vector&)> K_at(const results::LoadStepResult& s
 std::optional<base::PiecewiseLinear> path_K1_at_nearest_place(const results::LoadPathResult& path,
                                                               const base::Vec3& x) {
   const PlaceOnFront place = nearest_place(path.fronts, "", x);
-  return place.found() ? std::optional(K_on_path(path.fronts[place.front], place, {1.0, 0.0}))
-                       : std::nullopt;
+  return place.found()
+             ? std::optional(combined_K_over_path(path.fronts[place.front], place, {1.0, 0.0}))
+             : std::nullopt;
 }
 
 } // namespace spricka::analysis

@@ -41,8 +41,8 @@ base::Vec3 point_on_front_curve(const results::FrontResult& front, const PlaceOn
 base::Vec3 smooth_K_at(const results::FrontResult& front, const PlaceOnFront& at, bool corrected);
 
 /// part[0] K1 + part[1] K2 on the path, smooth along the front.
-base::PiecewiseLinear K_on_path(const results::LoadPathFront& front, const PlaceOnFront& at,
-                                const base::Vec2& part);
+base::PiecewiseLinear combined_K_over_path(const results::LoadPathFront& front,
+                                           const PlaceOnFront& at, const base::Vec2& part);
 
 /// K1 (mode 1) or K2 at a place of a step's fronts out of the K of all points of all its fronts
 /// [crack::KLayout].

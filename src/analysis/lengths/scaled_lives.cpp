@@ -81,10 +81,10 @@ std::optional<results::ScaledKLife> life(const std::string& name,
 
 } // namespace
 
-std::vector<results::ScaledKLife> lives_by_scaled_K(const model::Model& model,
-                                                    const results::RunResult& run,
-                                                    const growth::GrowthIntegrator& integrator,
-                                                    const GrowthRateEvaluator& measure) {
+std::vector<results::ScaledKLife>
+lives_by_proportional_K(const model::Model& model, const results::RunResult& run,
+                        const growth::GrowthIntegrator& integrator,
+                        const GrowthRateEvaluator& measure) {
   std::vector<results::ScaledKLife> out;
   std::vector<growth::SolvedStation> stations = integrator.growth_state().stations;
   if (stations.size() < 2 || depends_on_load_order(model)) {
@@ -119,7 +119,8 @@ std::vector<results::ScaledKLife> lives_by_scaled_K(const model::Model& model,
   }
   std::vector<results::LoadPathResult> paths; // [station]
   for (const results::CrackLengthResult& increment : run.increments) {
-    if (std::optional<results::LoadPathResult> path = growth_load_path(model, increment)) {
+    if (std::optional<results::LoadPathResult> path =
+            corrected_growth_load_path(model, increment)) {
       paths.push_back(std::move(*path));
     }
   }

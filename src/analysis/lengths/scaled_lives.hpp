@@ -14,9 +14,9 @@ namespace spricka::analysis {
 /// the beginning of its load path to the largest load. Left out: what is the growth itself (K is
 /// such a line), loads that no factor joins, growth of several tips in the plane or with friction.
 /// In space it goes through the same fronts.
-std::vector<results::ScaledKLife> lives_by_scaled_K(const model::Model& model,
-                                                    const results::RunResult& run,
-                                                    const growth::GrowthIntegrator& integrator,
-                                                    const GrowthRateEvaluator& measure);
+std::vector<results::ScaledKLife>
+lives_by_proportional_K(const model::Model& model, const results::RunResult& run,
+                        const growth::GrowthIntegrator& integrator,
+                        const GrowthRateEvaluator& measure);
 
 } // namespace spricka::analysis

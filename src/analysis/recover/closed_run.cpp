@@ -9,14 +9,14 @@
 
 namespace spricka::analysis {
 
-LongestClosedRange::LongestClosedRange(std::vector<double> place, bool round)
+LongestClosedContactRange::LongestClosedContactRange(std::vector<double> place, bool round)
     : place_(std::move(place)), round_(round) {
   order_.resize(place_.size());
   std::iota(order_.begin(), order_.end(), std::size_t{0});
   std::ranges::stable_sort(order_, {}, [&](std::size_t i) { return place_[i]; });
 }
 
-std::pair<double, double> LongestClosedRange::find(const std::vector<bool>& closed) const {
+std::pair<double, double> LongestClosedContactRange::find(const std::vector<bool>& closed) const {
   const std::size_t n = order_.size();
   const auto is_closed = [&](std::size_t i) { return closed[order_[i % n]]; };
   std::size_t open = 0;
@@ -55,7 +55,7 @@ std::pair<double, double> LongestClosedRange::find(const std::vector<bool>& clos
   return {from - turn, to - turn};
 }
 
-double LongestClosedRange::at(std::size_t i) const {
+double LongestClosedContactRange::at(std::size_t i) const {
   const std::size_t n = order_.size();
   const std::size_t turns = round_ ? i / n : 0;
   return place_[order_[i % n]] + 2.0 * std::numbers::pi * static_cast<double>(turns);

@@ -7,10 +7,10 @@
 namespace spricka::analysis {
 
 /// The longest run of closed pairs in their order along a surface.
-class LongestClosedRange {
+class LongestClosedContactRange {
 public:
   /// place [pair]: angles [rad] where `round`, else lengths along the surface.
-  LongestClosedRange(std::vector<double> place, bool round);
+  LongestClosedContactRange(std::vector<double> place, bool round);
 
   /// Places of its first and last pair; on a circle the last may lie behind pi, a full circle is
   /// -pi .. pi. Zeros when nothing is closed.

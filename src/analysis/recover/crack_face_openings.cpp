@@ -69,8 +69,8 @@ base::Vector CrackFaceOpenings::values(const base::Vector& u) const {
   return values;
 }
 
-void CrackFaceOpenings::add_overlapping_lines(const base::Vector& value,
-                                              std::vector<std::size_t>& lines) const {
+void CrackFaceOpenings::add_overlapping_crack_lines(const base::Vector& value,
+                                                    std::vector<std::size_t>& lines) const {
   for (std::size_t p = 0; p < pairs_.size();) {
     const std::size_t line = pairs_[p].line;
     std::vector<double> overlap; // along the face
@@ -81,7 +81,7 @@ void CrackFaceOpenings::add_overlapping_lines(const base::Vector& value,
       largest = std::max(largest, apart.norm());
     }
     // As for a step (touching_lines): of the largest displacement of the faces against each other.
-    if (resolved_overlap(overlap) > overlap_of_round_off * largest &&
+    if (find_shared_neighbour_overlap(overlap) > overlap_of_round_off * largest &&
         std::ranges::find(lines, line) == lines.end()) {
       lines.push_back(line);
     }

@@ -20,7 +20,8 @@ public:
   /// The functions from `first` on, so many. [dim * node, opening]
   [[nodiscard]] base::Matrix columns(Eigen::Index first, Eigen::Index count) const;
   /// Adds crack lines to `lines` whose faces overlap by these values [opening], each once.
-  void add_overlapping_lines(const base::Vector& value, std::vector<std::size_t>& lines) const;
+  void add_overlapping_crack_lines(const base::Vector& value,
+                                   std::vector<std::size_t>& lines) const;
 
 private:
   struct WatchedFaceNodePair {

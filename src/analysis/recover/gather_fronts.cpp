@@ -188,14 +188,14 @@ void gather_front(const model::Model& model, const Discretisation& scene, std::s
   } else {
     place_points(model, scene, f, result);
   }
-  judge_faces({model, scene, front, state, K, faces}, result, out);
+  judge_K_by_faces_and_materials({model, scene, front, state, K, faces}, result, out);
   out.fronts.push_back(std::move(result));
 }
 
 } // namespace
 
-void gather_fronts(const model::Model& model, const Discretisation& scene, const StepState& state,
-                   results::LoadStepResult& out) {
+void evaluate_fronts(const model::Model& model, const Discretisation& scene, const StepState& state,
+                     results::LoadStepResult& out) {
   for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {
     gather_front(model, scene, f, state, out);
   }

@@ -7,7 +7,7 @@
 namespace spricka::analysis {
 
 /// VCE: K, G and T of all fronts at the end of a step, into `out`.
-void gather_fronts(const model::Model& model, const Discretisation& scene, const StepState& state,
-                   results::LoadStepResult& out);
+void evaluate_fronts(const model::Model& model, const Discretisation& scene, const StepState& state,
+                     results::LoadStepResult& out);
 
 } // namespace spricka::analysis

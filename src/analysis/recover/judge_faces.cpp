@@ -92,7 +92,8 @@ void tell_overlap(const std::string& overlap, const std::string& negative,
 void tell_tip_overlap(const FrontStepState& at, results::FrontResult& result,
                       results::LoadStepResult& out) {
   const results::FrontPointResult& tip = result.tip();
-  const double part = crack_face_overlap(at.scene.cracked, at.front.crack.index(), at.state.u).lone;
+  const double part =
+      measure_relative_face_overlap(at.scene.cracked, at.front.crack.index(), at.state.u).lone;
   const bool negative = tip.K1 < 0.0 && std::abs(tip.K1) > small_K1 * std::abs(tip.K2);
   if (negative && is_smallest_of_law(at.model, out.step)) {
     out.notes.push_back(
@@ -140,7 +141,8 @@ void tell_lone_nodes(const FrontStepState& at, const TipFaceContact& faces,
   const double part =
       faces.in_contact
           ? 0.0
-          : crack_face_overlap(at.scene.cracked, at.front.crack.index(), at.state.u).lone;
+          : measure_relative_face_overlap(at.scene.cracked, at.front.crack.index(), at.state.u)
+                .lone;
   if (part > overlap_of_round_off) {
     out.notes.push_back(results::less_exact_note(
         fmt::format("{}: the crack faces overlap at single nodes, by {:.1e} of their largest "
@@ -326,8 +328,8 @@ void judge_front(const FrontStepState& at, bool may_touch, results::FrontResult&
 
 } // namespace
 
-void judge_faces(const FrontStepState& at, results::FrontResult& result,
-                 results::LoadStepResult& out) {
+void judge_K_by_faces_and_materials(const FrontStepState& at, results::FrontResult& result,
+                                    results::LoadStepResult& out) {
   const bool may_touch = at.model.cracks[at.front.crack.index()].faces_in_contact;
   if (result.is_tip()) {
     judge_tip(at, may_touch, result, out);

@@ -25,7 +25,7 @@ struct FrontStepState {
 
 /// What the faces of a crack, and the materials beside it, make of the K of its front: K1 = 0 where
 /// they touch, doubt where K is no answer; notes where the mesh does not resolve what they do.
-void judge_faces(const FrontStepState& at, results::FrontResult& result,
-                 results::LoadStepResult& out);
+void judge_K_by_faces_and_materials(const FrontStepState& at, results::FrontResult& result,
+                                    results::LoadStepResult& out);
 
 } // namespace spricka::analysis

@@ -146,7 +146,7 @@ bool judges(const results::CrackLengthResult& increment, std::string_view step,
 
 } // namespace
 
-void explain_broken_ligaments(results::RunResult& run) {
+void reword_notes_of_broken_ligaments(results::RunResult& run) {
   for (std::size_t i = 1; i < run.increments.size(); ++i) {
     for (results::LoadStepResult& step : run.increments[i].steps) {
       for (results::Note& note : step.notes) {

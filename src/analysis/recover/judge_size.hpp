@@ -18,6 +18,6 @@ void warn_of_large_deformation(const model::Model& model, const Discretisation& 
 
 /// Bodies that were small in strain and turn at the first length and are not at a later one have
 /// lost their ligament: their notes say so instead of asking for units.
-void explain_broken_ligaments(results::RunResult& run);
+void reword_notes_of_broken_ligaments(results::RunResult& run);
 
 } // namespace spricka::analysis

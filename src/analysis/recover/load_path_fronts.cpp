@@ -154,7 +154,7 @@ bool is_shifted(const model::Model& model, base::CrackId crack) {
 std::vector<std::optional<std::size_t>> rows_behind(const Discretisation& scene, std::size_t f,
                                                     const std::vector<std::size_t>& in_force) {
   std::vector<std::optional<std::size_t>> rows =
-      contact_rows_behind_front(scene, scene.cracked.fronts[f]);
+      find_face_row_by_front_point(scene, scene.cracked.fronts[f]);
   for (std::optional<std::size_t>& row : rows) {
     const auto at = row ? std::ranges::find(in_force, *row) : in_force.end();
     row = at != in_force.end() ? std::optional(static_cast<std::size_t>(at - in_force.begin()))
@@ -194,8 +194,8 @@ results::LoadPathFront follow_front(const Discretisation& scene, std::size_t f, 
 } // namespace
 
 void follow_fronts(const model::Model& model, const Discretisation& scene,
-                   const solve::SolutionPath& found, const LoadPathEnd& from, const LoadPathEnd& to,
-                   results::LoadPathResult& path) {
+                   const solve::SolutionPath& found, const LoadPathEndStep& from,
+                   const LoadPathEndStep& to, results::LoadPathResult& path) {
   double size = 0.0;
   double apart = 0.0;
   const crack::KLayout layout = scene.k_layout();
@@ -245,7 +245,8 @@ void follow_fronts(const model::Model& model, const Discretisation& scene,
   warn_of_K_mismatch(path);
 }
 
-// What the mesh finds a little below 0 for faces in contact is 0, as in steps (judge_faces).
+// What the mesh finds a little below 0 for faces in contact is 0, as in steps
+// (judge_K_by_faces_and_materials).
 void smooth_fronts(const Discretisation& scene, base::Vector& value) {
   const crack::KLayout layout = scene.k_layout();
   std::size_t first = 0;
@@ -264,8 +265,8 @@ void smooth_fronts(const Discretisation& scene, base::Vector& value) {
 }
 
 // Faces that touch do not part there: what is left is the error of the mesh.
-void close_points(const Discretisation& scene, const std::vector<std::size_t>& in_force,
-                  const std::vector<bool>& closed, base::Vector& value) {
+void zero_K1_at_closed_points(const Discretisation& scene, const std::vector<std::size_t>& in_force,
+                              const std::vector<bool>& closed, base::Vector& value) {
   const crack::KLayout layout = scene.k_layout();
   std::size_t first = 0;
   for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {

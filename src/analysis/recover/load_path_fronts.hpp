@@ -12,7 +12,7 @@
 namespace spricka::analysis {
 
 /// Loads and gaps at the end of a step.
-struct LoadPathEnd {
+struct LoadPathEndStep {
   contact::ContactSystem::IncrementProblem problem;
   base::Vector case_factor;
   results::LoadStepResult result; ///< without its fields
@@ -20,15 +20,15 @@ struct LoadPathEnd {
 
 /// Adds K of all fronts to a path, and how far it is from that of the steps at the path's ends.
 void follow_fronts(const model::Model& model, const Discretisation& scene,
-                   const solve::SolutionPath& found, const LoadPathEnd& from, const LoadPathEnd& to,
-                   results::LoadPathResult& path);
+                   const solve::SolutionPath& found, const LoadPathEndStep& from,
+                   const LoadPathEndStep& to, results::LoadPathResult& path);
 
 /// Smooth values along the fronts in space of those in `value` [K ..], in their place.
 void smooth_fronts(const Discretisation& scene, base::Vector& value);
 
 /// K1 = 0 of `value` [K ..] at points behind which the faces touch, by which rows in force are
 /// closed.
-void close_points(const Discretisation& scene, const std::vector<std::size_t>& in_force,
-                  const std::vector<bool>& closed, base::Vector& value);
+void zero_K1_at_closed_points(const Discretisation& scene, const std::vector<std::size_t>& in_force,
+                              const std::vector<bool>& closed, base::Vector& value);
 
 } // namespace spricka::analysis

@@ -15,23 +15,24 @@ constexpr Eigen::Index most_columns = 64;
 
 } // namespace
 
-const ContactForceFunctionals& LoadPathFunctionals::of_contact(const StepSolver& solver) {
+const ContactAndRigidModeFunctionals& LoadPathFunctionals::of_contact(const StepSolver& solver) {
   if (!of_contact_) {
     of_contact_ = condense_functionals(solver);
   }
   return *of_contact_;
 }
 
-ContactForceFunctionals LoadPathFunctionals::condense_functionals(const StepSolver& solver) const {
+ContactAndRigidModeFunctionals
+LoadPathFunctionals::condense_functionals(const StepSolver& solver) const {
   const Eigen::Index all = count();
-  ContactForceFunctionals out;
+  ContactAndRigidModeFunctionals out;
   if (solver.contact_system() == nullptr || all == 0) {
     return out;
   }
   const crack::SparseLinearFunctionals K = displacement_K_functionals(model_, scene_);
   const contact::ContactSystem& system = *solver.contact_system();
   Eigen::Index modes = 0;
-  for (const std::size_t b : solver.condensed_bodies()) {
+  for (const std::size_t b : solver.condensed_body_indices()) {
     modes += bodies_[b].condensed->modes().cols();
   }
   const auto rows = static_cast<Eigen::Index>(scene_.table.size());
@@ -46,7 +47,7 @@ ContactForceFunctionals LoadPathFunctionals::condense_functionals(const StepSolv
     scene_.ties->transfer_forces_to_masters(nodal);
     std::vector<base::Matrix> external;
     std::vector<base::Matrix> moved;
-    for (const std::size_t b : solver.condensed_bodies()) {
+    for (const std::size_t b : solver.condensed_body_indices()) {
       external.push_back(condense_load(bodies_[b], *scene_.ties, nodal).external);
       moved.push_back(bodies_[b].condensed->displacements_under_forces(external.back()));
     }
@@ -54,7 +55,7 @@ ContactForceFunctionals LoadPathFunctionals::condense_functionals(const StepSolv
       std::vector<base::Vector> u;
       for (std::size_t i = 0; i < moved.size(); ++i) {
         u.emplace_back(moved[i].col(k));
-        const base::Matrix& Q = bodies_[solver.condensed_bodies()[i]].condensed->modes();
+        const base::Matrix& Q = bodies_[solver.condensed_body_indices()[i]].condensed->modes();
         out.of_mode.row(first + k).segment(system.first_mode(i), Q.cols()) =
             external[i].col(k).transpose() * Q;
       }
@@ -95,7 +96,7 @@ LoadPathFunctionals::of_increment(const contact::ContactSystem::IncrementProblem
       of_case_.col(c) = of_loads(base::Vector::Unit(of_case_.cols(), c));
     }
   }
-  const ContactForceFunctionals& by = of_contact(solver);
+  const ContactAndRigidModeFunctionals& by = of_contact(solver);
   base::Vector value = of_case_ * solver.factors().case_factor;
   value += by.of_mode * solution.contact.alpha;
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {

@@ -10,7 +10,7 @@
 namespace spricka::analysis {
 
 /// Functionals by contact forces and rigid modes (manual, solve.32).
-struct ContactForceFunctionals {
+struct ContactAndRigidModeFunctionals {
   base::Matrix of_row;  ///< [functional, row of the table]
   base::Matrix of_mode; ///< [functional, mode of the system]
 };
@@ -26,27 +26,28 @@ public:
   /// Of the bodies alone, without contact forces and rigid motions. [functional]
   [[nodiscard]] base::Vector of_loads(const base::Vector& case_factor) const;
   /// By one back-substitution for each functional; made once.
-  [[nodiscard]] const ContactForceFunctionals& of_contact(const StepSolver& solver);
+  [[nodiscard]] const ContactAndRigidModeFunctionals& of_contact(const StepSolver& solver);
   /// Of a solved increment. [functional]
   [[nodiscard]] base::Vector of_increment(const contact::ContactSystem::IncrementProblem& problem,
                                           const contact::ContactSystem::IncrementSolution& solution,
                                           const StepSolver& solver);
   /// Adds crack lines to `lines` whose faces overlap by these values [functional], each once.
-  void add_overlapping_lines(const base::Vector& value, std::vector<std::size_t>& lines) const {
-    openings_.add_overlapping_lines(value.tail(openings_.count()), lines);
+  void add_overlapping_crack_lines(const base::Vector& value,
+                                   std::vector<std::size_t>& lines) const {
+    openings_.add_overlapping_crack_lines(value.tail(openings_.count()), lines);
   }
 
 private:
   [[nodiscard]] Eigen::Index K_count() const { return scene_.k_layout().count(); }
   [[nodiscard]] Eigen::Index count() const { return K_count() + openings_.count(); }
-  [[nodiscard]] ContactForceFunctionals condense_functionals(const StepSolver& solver) const;
+  [[nodiscard]] ContactAndRigidModeFunctionals condense_functionals(const StepSolver& solver) const;
 
   const model::Model& model_;
   const Discretisation& scene_;
   const std::vector<SubstructuredBody>& bodies_;
   CrackFaceOpenings openings_;
-  std::optional<ContactForceFunctionals> of_contact_; ///< made once
-  base::Matrix of_case_;                              ///< [functional, case]; made once
+  std::optional<ContactAndRigidModeFunctionals> of_contact_; ///< made once
+  base::Matrix of_case_;                                     ///< [functional, case]; made once
 };
 
 } // namespace spricka::analysis

@@ -26,7 +26,7 @@ std::string why_stopped(const solve::SolutionPath& found, const StepSolver& solv
   case solve::PathStatus::complete:
     return {};
   case solve::PathStatus::unheld_mode:
-    return solver.unsupported_motion(found.unheld);
+    return solver.describe_unsupported_motion(found.unheld);
   case solve::PathStatus::no_start:
     return "the loads and fits at its beginning have no solution";
   case solve::PathStatus::inconsistent:
@@ -57,8 +57,9 @@ base::Vector gap_without_fits_and_loads(const model::Model& model, const Discret
 }
 
 // Whether all that a path begins with is scaled by its factors.
-bool is_homogeneous(const model::Model& model, const Discretisation& scene, const LoadPathEnd& from,
-                    const LoadPathEnd& to, const base::Vector& gap_offset_at_mounting) {
+bool is_homogeneous(const model::Model& model, const Discretisation& scene,
+                    const LoadPathEndStep& from, const LoadPathEndStep& to,
+                    const base::Vector& gap_offset_at_mounting) {
   // The right-hand side of a tie has no factor (solve.33).
   if (scene.ties->has_constants()) {
     return false;
@@ -74,7 +75,7 @@ bool is_homogeneous(const model::Model& model, const Discretisation& scene, cons
 
 // Contacts on a path that begins or goes by at `end`: their closed ranges, and what changes.
 void follow_contacts(const Discretisation& scene, const solve::SolutionPath& found,
-                     const LoadPathEnd& end, results::LoadPathResult& path) {
+                     const LoadPathEndStep& end, results::LoadPathResult& path) {
   const std::vector<std::size_t>& rows = end.problem.rows;
   std::size_t first = 0; // of a contact among the rows in force
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
@@ -102,7 +103,7 @@ void follow_contacts(const Discretisation& scene, const solve::SolutionPath& fou
       place.push_back(place_of[pair.normal[i].node.value]);
       closed.push_back(found.closed[first + i]);
     }
-    const LongestClosedRange run(place, contact.round);
+    const LongestClosedContactRange run(place, contact.round);
     auto change = found.changes.begin();
     for (std::size_t k = 0; k < found.segments.size(); ++k) {
       // Changes of a segment happen at its beginning.
@@ -148,8 +149,8 @@ LoadPathSolver::LoadPathSolver(const model::Model& model, const Discretisation& 
                                const std::vector<SubstructuredBody>& bodies)
     : model_(model), scene_(scene), functionals_(model, scene, bodies) {}
 
-void LoadPathSolver::record_step(std::size_t step, const StepSolver& solver,
-                                 const results::LoadStepResult& result) {
+void LoadPathSolver::store_step_end_state(std::size_t step, const StepSolver& solver,
+                                          const results::LoadStepResult& result) {
   const bool wanted =
       std::ranges::any_of(model_.load_paths, [&](const model::LoadPathDefinition& path) {
         return path.from.index() == step || path.to.index() == step;
@@ -157,7 +158,7 @@ void LoadPathSolver::record_step(std::size_t step, const StepSolver& solver,
   if (!wanted) {
     return;
   }
-  LoadPathEnd& end = ends_[step];
+  LoadPathEndStep& end = ends_[step];
   if (solver.contact_system() != nullptr) {
     end.problem = solver.contact_problem();
   }
@@ -169,8 +170,8 @@ void LoadPathSolver::record_step(std::size_t step, const StepSolver& solver,
 solve::ParametricProblem
 LoadPathSolver::parametric_path_problem(const model::LoadPathDefinition& card,
                                         const StepSolver& solver) {
-  const LoadPathEnd& from = ends_.at(card.from.index());
-  const LoadPathEnd& to = ends_.at(card.to.index());
+  const LoadPathEndStep& from = ends_.at(card.from.index());
+  const LoadPathEndStep& to = ends_.at(card.to.index());
   solve::ParametricProblem p;
   p.f0 = functionals_.of_loads(from.case_factor);
   p.df = functionals_.of_loads(to.case_factor) - p.f0;
@@ -189,7 +190,7 @@ LoadPathSolver::parametric_path_problem(const model::LoadPathDefinition& card,
   p.at_zero.load_scale = std::max(from.problem.load_scale, to.problem.load_scale);
   const auto n = static_cast<Eigen::Index>(from.problem.rows.size());
   p.of_force.resize(p.f0.size(), n);
-  const ContactForceFunctionals& by = functionals_.of_contact(solver);
+  const ContactAndRigidModeFunctionals& by = functionals_.of_contact(solver);
   p.of_mode = by.of_mode;
   if (p.f0.size() == 0) {
     p.of_mode.resize(0, p.dh.size());
@@ -203,8 +204,8 @@ LoadPathSolver::parametric_path_problem(const model::LoadPathDefinition& card,
 
 results::LoadPathResult LoadPathSolver::path(const model::LoadPathDefinition& card,
                                              const StepSolver& solver) {
-  const LoadPathEnd& from = ends_.at(card.from.index());
-  const LoadPathEnd& to = ends_.at(card.to.index());
+  const LoadPathEndStep& from = ends_.at(card.from.index());
+  const LoadPathEndStep& to = ends_.at(card.to.index());
   results::LoadPathResult out;
   out.name = card.name;
   out.from = model_.steps[card.from.index()].name;
@@ -245,19 +246,20 @@ results::LoadPathResult LoadPathSolver::path(const model::LoadPathDefinition& ca
   out.homogeneous = is_homogeneous(model_, scene_, from, to, solver.gap_offset_at_mounting());
   // Between knots all is linear: the largest overlaps are at knots.
   for (const solve::SolutionPathSegment& s : found.segments) {
-    functionals_.add_overlapping_lines(s.value, overlapping_);
-    functionals_.add_overlapping_lines(s.value + (s.to - s.from) * s.slope, overlapping_);
+    functionals_.add_overlapping_crack_lines(s.value, overlapping_);
+    functionals_.add_overlapping_crack_lines(s.value + (s.to - s.from) * s.slope, overlapping_);
   }
   follow_fronts(model_, scene_, found, from, to, out);
   follow_contacts(scene_, found, from, out);
   return out;
 }
 
-base::Vector LoadPathSolver::evaluate_K(const contact::ContactSystem::IncrementProblem& problem,
-                                        const contact::ContactSystem::IncrementSolution& solution,
-                                        const StepSolver& solver) {
+base::Vector
+LoadPathSolver::evaluate_increment_K(const contact::ContactSystem::IncrementProblem& problem,
+                                     const contact::ContactSystem::IncrementSolution& solution,
+                                     const StepSolver& solver) {
   base::Vector value = functionals_.of_increment(problem, solution, solver);
-  functionals_.add_overlapping_lines(value, overlapping_);
+  functionals_.add_overlapping_crack_lines(value, overlapping_);
   base::Vector free; // without the forces between faces of cracks, all others as they are
   if (scene_.has_tips() && continues_K_below_closing(model_)) {
     free = value;
@@ -270,7 +272,7 @@ base::Vector LoadPathSolver::evaluate_K(const contact::ContactSystem::IncrementP
     }
   }
   smooth_fronts(scene_, value);
-  close_points(scene_, problem.rows, solution.contact.closed, value);
+  zero_K1_at_closed_points(scene_, problem.rows, solution.contact.closed, value);
   const crack::KLayout layout = scene_.k_layout();
   for (std::size_t t = 0; t < layout.points() && free.size() > 0; ++t) {
     if (free[layout.at(t, 1)] < 0.0) {

@@ -22,8 +22,8 @@ public:
                  const std::vector<SubstructuredBody>& bodies);
 
   /// Keeps what paths that begin or end at this step need; called behind each step.
-  void record_step(std::size_t step, const StepSolver& solver,
-                   const results::LoadStepResult& result);
+  void store_step_end_state(std::size_t step, const StepSolver& solver,
+                            const results::LoadStepResult& result);
   /// All paths of the model, once the steps are done.
   [[nodiscard]] std::vector<results::LoadPathResult> solve_paths(const StepSolver& solver);
   /// Crack lines whose faces would overlap somewhere on the paths followed, and that have no pair
@@ -34,9 +34,10 @@ public:
   /// K of each tip in a solved increment [crack::KLayout], along fronts in space the smooth one; K1
   /// is 0 where its faces touch at the tip, or in the plane what a law with R < 0 wants there.
   /// Looks at the faces, too.
-  [[nodiscard]] base::Vector evaluate_K(const contact::ContactSystem::IncrementProblem& problem,
-                                        const contact::ContactSystem::IncrementSolution& solution,
-                                        const StepSolver& solver);
+  [[nodiscard]] base::Vector
+  evaluate_increment_K(const contact::ContactSystem::IncrementProblem& problem,
+                       const contact::ContactSystem::IncrementSolution& solution,
+                       const StepSolver& solver);
   /// The parametric problem of one path; its functionals are those of LoadPathFunctionals.
   [[nodiscard]] solve::ParametricProblem
   parametric_path_problem(const model::LoadPathDefinition& card, const StepSolver& solver);
@@ -47,7 +48,7 @@ private:
 
   const model::Model& model_;
   const Discretisation& scene_;
-  std::map<std::size_t, LoadPathEnd> ends_; ///< by step
+  std::map<std::size_t, LoadPathEndStep> ends_; ///< by step
   LoadPathFunctionals functionals_;
   std::vector<std::size_t> overlapping_; ///< crack lines
 };

@@ -32,7 +32,7 @@ constexpr double off_by_one_across = 0.3;
 void gather_friction(const Discretisation& scene, const StepState& state, std::size_t c,
                      const contact::PairPressure& p, results::ContactResult& result) {
   const contact::PairConstraints& pair = scene.pairs[c];
-  const PairFriction& friction = state.friction[c];
+  const PairFrictionState& friction = state.friction[c];
   const auto normals = static_cast<Eigen::Index>(pair.normal.size());
   base::Vector shear = base::Vector::Zero(normals); // size, of all tangents of a normal row
   for (std::size_t i = 0; i < pair.tangent.size(); ++i) {

@@ -111,7 +111,7 @@ results::LoadStepResult collect_step_results(const model::Model& model, const Di
   out.iterations = state.iterations;
   out.pivots = state.pivots;
   out.notes = state.notes;
-  gather_fronts(model, scene, state, out);
+  evaluate_fronts(model, scene, state, out);
   recover_contacts(scene, state, out);
   gather_bodies(model, scene, bodies, state, out);
   gather_nets(model, scene, state, out);

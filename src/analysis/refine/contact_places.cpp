@@ -72,8 +72,8 @@ double mean_side_length(const model::Mesh& mesh, base::ElementId e) {
   return sum / static_cast<double>(corners);
 }
 
-void add_refinement_points(const model::Model& model, const ExcessiveErrorBar& wide,
-                           std::vector<RefinementPoint>& places) {
+void add_points_that_widen_bar(const model::Model& model, const ExcessiveErrorBar& wide,
+                               std::vector<RefinementPoint>& places) {
   const double may = most_of_bar * wide.allowed;
   if (wide.bar.edge <= may) {
     return;
@@ -105,9 +105,10 @@ void add_refinement_points(const model::Model& model, const ExcessiveErrorBar& w
   }
 }
 
-RefinementTargets find_refinement_targets(const std::vector<RefinementPoint>& places,
-                                          const PresentElementSizes& elements, std::size_t cracks) {
-  RefinementTargets followers{{}, std::vector<double>(cracks, 1.0)};
+RefinedSizeRequests request_sizes_near_points(const std::vector<RefinementPoint>& places,
+                                              const PresentElementSizes& elements,
+                                              std::size_t cracks) {
+  RefinedSizeRequests followers{{}, std::vector<double>(cracks, 1.0)};
   for (const RefinementPoint& place : places) {
     if (place.on_faces) {
       double& finer = followers.patch[place.crack.index()];

@@ -37,8 +37,8 @@ inline constexpr double least_share = 0.2;
 
 /// Adds the places that make this bar wide: where contact ends between two points that lie farther
 /// apart than K bears, and edges that it is closed up to.
-void add_refinement_points(const model::Model& model, const ExcessiveErrorBar& wide,
-                           std::vector<RefinementPoint>& places);
+void add_points_that_widen_bar(const model::Model& model, const ExcessiveErrorBar& wide,
+                               std::vector<RefinementPoint>& places);
 
 /// The crack whose faces a contact of the results is; invalid: another contact.
 base::CrackId crack_of_face_contact(const model::Model& model, const std::string& contact);
@@ -50,13 +50,14 @@ struct PresentElementSizes {
 };
 
 /// What follows the places.
-struct RefinementTargets {
+struct RefinedSizeRequests {
   SizeRequestsByNet nets;
   std::vector<double> patch; ///< [crack] its patch is to be finer by this
 };
 
 /// Nets whose nearest element is no further from a place than it is large follow it.
-RefinementTargets find_refinement_targets(const std::vector<RefinementPoint>& places,
-                                          const PresentElementSizes& elements, std::size_t cracks);
+RefinedSizeRequests request_sizes_near_points(const std::vector<RefinementPoint>& places,
+                                              const PresentElementSizes& elements,
+                                              std::size_t cracks);
 
 } // namespace spricka::analysis

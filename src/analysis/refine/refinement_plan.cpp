@@ -207,7 +207,7 @@ Demands demands_of(const model::Model& model, const results::RunResult& run) {
       if (wide.bar.edge <= wide.allowed) { // else eta, too, comes from contacts that are too coarse
         share_out(wide, factors);
       }
-      add_refinement_points(model, wide, demands.places);
+      add_points_that_widen_bar(model, wide, demands.places);
     }
     // Each length begins with what those before have asked of the patches.
     demands.patch = factors.patch;
@@ -263,8 +263,8 @@ std::string RefinementPlan::refine(const model::Model& model, const results::Run
     return refine_fronts(model, run);
   }
   Demands demands = demands_of(model, run);
-  const RefinementTargets followers =
-      find_refinement_targets(demands.places, demands.elements, demands.patch.size());
+  const RefinedSizeRequests followers =
+      request_sizes_near_points(demands.places, demands.elements, demands.patch.size());
   for (const SizeRequestsByNet* more : {&std::as_const(demands.elements.cut), &followers.nets}) {
     for (const auto& [net, list] : *more) {
       demands.requests[net].insert(demands.requests[net].end(), list.begin(), list.end());

@@ -69,8 +69,8 @@ bool continues_K_below_closing(const model::Model& model) {
 }
 
 const results::FrontResult*
-find_tip_with_face_overlap(const std::optional<OverlappingFaceResults>& free, std::size_t step,
-                           const std::string& name) {
+find_tip_overlap_result(const std::optional<OverlappingFaceResults>& free, std::size_t step,
+                        const std::string& name) {
   if (!free || step >= free->steps.size()) {
     return nullptr;
   }
@@ -79,9 +79,9 @@ find_tip_with_face_overlap(const std::optional<OverlappingFaceResults>& free, st
   return found == tips.end() || found->two_materials ? nullptr : &*found;
 }
 
-std::optional<base::PiecewiseLinear> continue_K_below_zero(const base::PiecewiseLinear& K,
-                                                           const base::PiecewiseLinear& free,
-                                                           double to) {
+std::optional<base::PiecewiseLinear>
+continue_K_with_overlapping_faces(const base::PiecewiseLinear& K, const base::PiecewiseLinear& free,
+                                  double to) {
   if (free.empty() || free.knots().back() < std::min(to, K.knots().back())) {
     return std::nullopt;
   }

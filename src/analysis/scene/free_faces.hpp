@@ -22,12 +22,13 @@ struct OverlappingFaceResults {
 
 /// Of a tip at a step; null: there is none.
 const results::FrontResult*
-find_tip_with_face_overlap(const std::optional<OverlappingFaceResults>& free, std::size_t step,
-                           const std::string& name);
+find_tip_overlap_result(const std::optional<OverlappingFaceResults>& free, std::size_t step,
+                        const std::string& name);
 
 /// K on a load path with `free` in its place where that is below 0. Empty: `free` does not reach as
 /// far as `to`.
 std::optional<base::PiecewiseLinear>
-continue_K_below_zero(const base::PiecewiseLinear& K, const base::PiecewiseLinear& free, double to);
+continue_K_with_overlapping_faces(const base::PiecewiseLinear& K, const base::PiecewiseLinear& free,
+                                  double to);
 
 } // namespace spricka::analysis

@@ -88,8 +88,9 @@ void add_K_by_tractions(const model::Model& model, const Discretisation& scene, 
 
 } // namespace
 
-crack::SparseLinearFunctionals front_K_functionals(const model::Model& model,
-                                                   const Discretisation& scene, std::size_t f) {
+crack::SparseLinearFunctionals front_displacement_K_functionals(const model::Model& model,
+                                                                const Discretisation& scene,
+                                                                std::size_t f) {
   const mesh::CrackFront& front = scene.cracked.fronts[f];
   return crack::front_intensity_functionals(model, scene.cracked, front, scene.domains[f],
                                             model.cracks[front.crack.index()].state);
@@ -101,7 +102,7 @@ crack::SparseLinearFunctionals displacement_K_functionals(const model::Model& mo
   const crack::KLayout layout = scene.k_layout();
   std::size_t first = 0;
   for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {
-    const crack::SparseLinearFunctionals own = front_K_functionals(model, scene, f);
+    const crack::SparseLinearFunctionals own = front_displacement_K_functionals(model, scene, f);
     for (Eigen::Index c = 0; c < own.cols(); ++c) {
       for (crack::SparseLinearFunctionals::InnerIterator it(own, c); it; ++it) {
         entries.emplace_back(it.row(), layout.first_mode_index(first) + c, it.value());

@@ -11,8 +11,9 @@
 namespace spricka::analysis {
 
 /// K of one front as functions of displacements. [dim * node, K of its points]
-crack::SparseLinearFunctionals front_K_functionals(const model::Model& model,
-                                                   const Discretisation& scene, std::size_t f);
+crack::SparseLinearFunctionals front_displacement_K_functionals(const model::Model& model,
+                                                                const Discretisation& scene,
+                                                                std::size_t f);
 
 /// K as functions of displacements. [dim * node, K]
 crack::SparseLinearFunctionals displacement_K_functionals(const model::Model& model,

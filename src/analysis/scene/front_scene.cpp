@@ -66,7 +66,7 @@ crack::FrontIntegralDomains fields_of(const model::Model& model, const Discretis
                                       const mesh::CrackFront& front,
                                       base::Diagnostics& diagnostics) {
   std::vector<int> rings = domain_ring_counts(model, front.crack);
-  const crack::IntegrationDomainConstraints limits = find_domain_limits(model, scene, front);
+  const crack::IntegrationDomainConstraints limits = find_domain_exclusions(model, scene, front);
   crack::FrontIntegralDomains fields =
       crack::build_front_domains(scene.cracked, front, rings, limits);
   const bool given =
@@ -128,7 +128,7 @@ crack::FrontIntegralDomains tip_domains(const model::Model& model, Discretisatio
                                         const crack::TipNeighbourhood& around,
                                         base::Diagnostics& diagnostics) {
   std::vector<int> left_out;
-  const crack::IntegrationDomainConstraints limits = find_domain_limits(model, scene, front);
+  const crack::IntegrationDomainConstraints limits = find_domain_exclusions(model, scene, front);
   crack::FrontIntegralDomains domains = crack::wrap_tip_domains(around.extension_fields(
       scene.cracked, front, domain_ring_counts(model, front.crack), left_out, limits));
   const std::vector<crack::VirtualExtensionField>& fields = domains.points.front();

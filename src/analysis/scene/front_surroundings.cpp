@@ -193,7 +193,8 @@ void limit_by_heat(const model::Model& model, const model::Mesh& mesh,
 
 } // namespace
 
-std::vector<std::int64_t> material_zones(const model::Model& model, const model::Mesh& mesh) {
+std::vector<std::int64_t> assign_material_zone_numbers(const model::Model& model,
+                                                       const model::Mesh& mesh) {
   std::vector<std::int64_t> of_property(model.properties.size());
   for (std::size_t p = 0; p < of_property.size(); ++p) {
     of_property[p] = static_cast<std::int64_t>(p);
@@ -247,14 +248,14 @@ crack::FrontLoads collect_front_loads(const model::Model& model, const Discretis
   return loads;
 }
 
-crack::IntegrationDomainConstraints find_domain_limits(const model::Model& model,
-                                                       const Discretisation& scene,
-                                                       const mesh::CrackFront& front) {
+crack::IntegrationDomainConstraints find_domain_exclusions(const model::Model& model,
+                                                           const Discretisation& scene,
+                                                           const mesh::CrackFront& front) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const auto dim = static_cast<std::size_t>(mesh.dim);
   crack::IntegrationDomainConstraints limits;
   limits.node.assign(mesh.node_count(), false);
-  limits.zone = material_zones(model, mesh);
+  limits.zone = assign_material_zone_numbers(model, mesh);
   const std::vector<bool> by_planes =
       front.is_tip() ? std::vector<bool>(scene.cls.size(), false) : held_by_planes(mesh, scene.cls);
   for (std::size_t i = 0; i < scene.cls.size(); ++i) {

@@ -17,15 +17,16 @@ crack::FrontLoads collect_front_loads(const model::Model& model, const Discretis
 
 /// Elements between which a domain cannot tell apart: of properties that differ in nothing but
 /// their sets they have the same number. [element]
-std::vector<std::int64_t> material_zones(const model::Model& model, const model::Mesh& mesh);
+std::vector<std::int64_t> assign_material_zone_numbers(const model::Model& model,
+                                                       const model::Mesh& mesh);
 
 /// What the domains of a front must keep clear of: nodes that are held, tied or loaded one by one
 /// (in the plane those of a half model's own line are not, in space not those of a flat part of the
 /// surface that is held across or along, which they move in), in the plane also the rims of what is
 /// heated and the axis.
-crack::IntegrationDomainConstraints find_domain_limits(const model::Model& model,
-                                                       const Discretisation& scene,
-                                                       const mesh::CrackFront& front);
+crack::IntegrationDomainConstraints find_domain_exclusions(const model::Model& model,
+                                                           const Discretisation& scene,
+                                                           const mesh::CrackFront& front);
 
 /// Puts the faces of all cracks into the sets that loads name.
 void fill_crack_face_sets(const model::Model& model, mesh::CrackedMesh& cracked);

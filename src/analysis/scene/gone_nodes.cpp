@@ -104,7 +104,7 @@ std::vector<Company> company_of(const std::vector<NodeId>& gone, const model::Me
 
 } // namespace
 
-void duplicate_removed_nodes(const model::Mesh& host, model::Mesh& cracked) {
+void add_second_side_nodes(const model::Mesh& host, model::Mesh& cracked) {
   const std::vector<NodeId> gone = gone_nodes(host, cracked);
   const std::vector<base::ElementId> patch = patch_elements(host, cracked);
   for (const NodeId n : gone) {
@@ -207,9 +207,8 @@ void keep_removed_set_members(const model::Mesh& host, model::Mesh& cracked) {
   }
 }
 
-std::optional<NodeId> find_unassigned_reaction_node(const model::Model& model,
-                                                    const model::Mesh& cracked,
-                                                    std::string_view set) {
+std::optional<NodeId> find_removed_held_node(const model::Model& model, const model::Mesh& cracked,
+                                             std::string_view set) {
   const model::Mesh& host = model.mesh;
   const auto asked = std::ranges::find(host.node_sets, set, &model::NodeSet::name);
   if (asked == host.node_sets.end()) {

@@ -17,7 +17,7 @@ struct RemovedNodePlace {
 
 /// Where such a node lies on a crack, the body has two sides there: a further node without element
 /// stands for the second.
-void duplicate_removed_nodes(const model::Mesh& host, model::Mesh& cracked);
+void add_second_side_nodes(const model::Mesh& host, model::Mesh& cracked);
 
 /// The places of all such nodes in the mesh with cracks, ascending by node. Needs
 /// add_second_sides.
@@ -41,8 +41,7 @@ void keep_removed_set_members(const model::Mesh& host, model::Mesh& cracked);
 
 /// A node of the node set of that name that is gone and was held, with no edge of the set that
 /// stands in for it: what the supports do there no longer belongs to one node.
-std::optional<base::NodeId> find_unassigned_reaction_node(const model::Model& model,
-                                                          const model::Mesh& cracked,
-                                                          std::string_view set);
+std::optional<base::NodeId>
+find_removed_held_node(const model::Model& model, const model::Mesh& cracked, std::string_view set);
 
 } // namespace spricka::analysis

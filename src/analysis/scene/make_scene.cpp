@@ -71,7 +71,7 @@ constexpr base::ByDimension<ContactRules> contact_rules{
     .space = {.apply_supports_to_rows = apply_supports_to_rows,
               .note_pair = note_pair,
               .contact_nodes = [](const auto&, const auto&,
-                                  const auto& pair) { return contact_row_nodes(pair); },
+                                  const auto& pair) { return find_nodes_in_pair_rows(pair); },
               .rigid_side = "the body is where the normal of a PLANE points to, round the other "
                             "shapes, or inside them where R is negative"}};
 
@@ -124,13 +124,13 @@ std::optional<Discretisation> discretise(const model::Model& model,
   }
   scene.cracked = std::move(*cracked);
   fill_crack_face_sets(model, scene.cracked);
-  duplicate_removed_nodes(model.mesh, scene.cracked.mesh);
+  add_second_side_nodes(model.mesh, scene.cracked.mesh);
   scene.notes = scene.cracked.notes;
   note_removed_nodes(model, scene);
   const model::Mesh& mesh = scene.cracked.mesh;
   scene.cls = fe::classify_freedoms(model, mesh);
   // Before ties, which look at the classes.
-  release_crack_faces(model, lines, scene);
+  free_symmetry_nodes_behind_tip(model, lines, scene);
   // All of these are asked before the scene is given up, so that one run tells of all mistakes.
   const bool ties = eliminate_ties(model, scene, diagnostics);
   const bool pairs = make_pairs(model, scene, diagnostics);
@@ -139,7 +139,7 @@ std::optional<Discretisation> discretise(const model::Model& model,
   const bool held = check_supports_survive_cut(model, scene, diagnostics);
   const bool reported = lines.empty() || check_nodes_split_by_crack(model, scene, diagnostics);
   if (!ties || !pairs || !fronts || !crack_faces || !held || !reported ||
-      !check_loaded_faces_exist(model, scene, diagnostics)) {
+      !check_loaded_crack_faces_exist(model, scene, diagnostics)) {
     return std::nullopt;
   }
   // Ties are made before: rows of dependent freedoms are reduced here.

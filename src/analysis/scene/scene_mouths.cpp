@@ -160,8 +160,9 @@ bool check_nodes_split_by_crack(const model::Model& model, const Discretisation&
   return mouths.good();
 }
 
-void release_crack_faces(const model::Model& model, const std::vector<mesh::CrackLine>& lines,
-                         Discretisation& scene) {
+void free_symmetry_nodes_behind_tip(const model::Model& model,
+                                    const std::vector<mesh::CrackLine>& lines,
+                                    Discretisation& scene) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const auto dim = static_cast<std::size_t>(mesh.dim);
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -181,8 +182,8 @@ void release_crack_faces(const model::Model& model, const std::vector<mesh::Crac
   }
 }
 
-bool check_loaded_faces_exist(const model::Model& model, const Discretisation& scene,
-                              base::Diagnostics& diagnostics) {
+bool check_loaded_crack_faces_exist(const model::Model& model, const Discretisation& scene,
+                                    base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = scene.cracked.mesh;
   bool good = true;
   for (const model::LoadCase& load_case : model.cases) {

@@ -54,7 +54,7 @@ void apply_supports_to_rows(contact::PairConstraints& pair,
   mark_held_functions(pair, cls);
 }
 
-std::vector<base::NodeId> contact_row_nodes(const contact::PairConstraints& pair) {
+std::vector<base::NodeId> find_nodes_in_pair_rows(const contact::PairConstraints& pair) {
   std::set<base::NodeId> nodes;
   for (const auto* rows : {&pair.normal, &pair.tangent}) {
     for (const contact::ConstraintRow& row : *rows) {

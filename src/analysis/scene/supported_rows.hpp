@@ -13,6 +13,6 @@ void apply_supports_to_rows(contact::PairConstraints& pair,
                             const std::vector<model::FreedomRole>& cls);
 
 /// Nodes whose freedoms the rows of a pair weigh, ascending.
-std::vector<base::NodeId> contact_row_nodes(const contact::PairConstraints& pair);
+std::vector<base::NodeId> find_nodes_in_pair_rows(const contact::PairConstraints& pair);
 
 } // namespace spricka::analysis

@@ -24,9 +24,9 @@ std::vector<bool> lasting_nodes(const Discretisation& scene) {
 } // namespace
 
 contact::PersistentRowSet
-ContactMemory::find_persistent_rows(const Discretisation& scene,
-                                    const std::vector<SubstructuredBody>& bodies,
-                                    const std::vector<std::size_t>& condensed) {
+ContactDataForNextLength::find_persistent_rows(const Discretisation& scene,
+                                               const std::vector<SubstructuredBody>& bodies,
+                                               const std::vector<std::size_t>& condensed) {
   contact::PersistentRowSet lasting;
   // Without elements that no crack touches nothing lasts from length to length.
   const bool several = std::ranges::find(scene.rest_element, true) != scene.rest_element.end();
@@ -52,9 +52,9 @@ ContactMemory::find_persistent_rows(const Discretisation& scene,
     const std::shared_ptr<const void> of =
         factor != nullptr ? std::shared_ptr<const void>(factor->L.first_block())
                           : bodies[b].condensed;
-    std::unique_ptr<PersistentBodyRows>& kept = bodies_[b];
+    std::unique_ptr<PersistentBodyCompliance>& kept = bodies_[b];
     if (!kept || kept->of != of) {
-      kept = std::make_unique<PersistentBodyRows>(PersistentBodyRows{of, {}});
+      kept = std::make_unique<PersistentBodyCompliance>(PersistentBodyCompliance{of, {}});
     }
     lasting.kept.push_back(&kept->rows);
   }
@@ -63,7 +63,8 @@ ContactMemory::find_persistent_rows(const Discretisation& scene,
 
 // Calls use(row, place) for all normal rows. Nodes of patches may be others at the next length: a
 // start is not more than that.
-template <class Use> void ContactMemory::for_rows(const Discretisation& scene, Use&& use) {
+template <class Use>
+void ContactDataForNextLength::for_rows(const Discretisation& scene, Use&& use) {
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     std::map<std::int64_t, std::int64_t> met;
     const std::vector<contact::ConstraintRow>& rows = scene.pairs[c].normal;
@@ -74,8 +75,9 @@ template <class Use> void ContactMemory::for_rows(const Discretisation& scene, U
   }
 }
 
-std::vector<bool> ContactMemory::guess_closed_rows(const Discretisation& scene, std::size_t step,
-                                                   const std::vector<bool>& before) const {
+std::vector<bool>
+ContactDataForNextLength::guess_closed_rows(const Discretisation& scene, std::size_t step,
+                                            const std::vector<bool>& before) const {
   if (step >= closed_.size() || closed_[step].empty()) {
     return {};
   }
@@ -89,8 +91,8 @@ std::vector<bool> ContactMemory::guess_closed_rows(const Discretisation& scene, 
   return closed;
 }
 
-void ContactMemory::store_closed_rows(const Discretisation& scene, std::size_t step,
-                                      const std::vector<bool>& closed) {
+void ContactDataForNextLength::store_closed_rows(const Discretisation& scene, std::size_t step,
+                                                 const std::vector<bool>& closed) {
   if (closed_.size() <= step) {
     closed_.resize(step + 1);
   }
@@ -102,7 +104,7 @@ void ContactMemory::store_closed_rows(const Discretisation& scene, std::size_t s
   });
 }
 
-void ContactMemory::save_state(results::NamedArrays& arrays) const {
+void ContactDataForNextLength::save_state(results::NamedArrays& arrays) const {
   for (std::size_t s = 0; s < closed_.size(); ++s) {
     std::vector<std::int64_t>& list = arrays.integers["closed.of_step"];
     for (const auto& [place, closed] : closed_[s]) {
@@ -113,8 +115,9 @@ void ContactMemory::save_state(results::NamedArrays& arrays) const {
   }
 }
 
-ContactMemory ContactMemory::restore_state(const results::NamedArrays& arrays, std::size_t steps) {
-  ContactMemory memory;
+ContactDataForNextLength ContactDataForNextLength::restore_state(const results::NamedArrays& arrays,
+                                                                 std::size_t steps) {
+  ContactDataForNextLength memory;
   const auto found = arrays.integers.find("closed.of_step");
   if (found == arrays.integers.end()) {
     return memory;

@@ -15,7 +15,7 @@ namespace spricka::analysis {
 /// What the contact solution of one crack length leaves for the next: compliances of bodies and
 /// rows that the crack does not touch, and which rows were closed at the end of each step, where
 /// the search for them begins next time.
-class ContactMemory {
+class ContactDataForNextLength {
 public:
   /// Rows whose nodes no crack touches, and what is kept of them for these bodies (indices of
   /// `bodies`, in the order of the contact system).
@@ -37,15 +37,16 @@ public:
   void save_state(results::NamedArrays& arrays) const;
   /// Back from a restart file; empty without the arrays. Throws base::CorruptStoredField for a step
   /// that the deck does not have.
-  static ContactMemory restore_state(const results::NamedArrays& arrays, std::size_t steps);
+  static ContactDataForNextLength restore_state(const results::NamedArrays& arrays,
+                                                std::size_t steps);
 
 private:
-  struct PersistentBodyRows {
+  struct PersistentBodyCompliance {
     std::shared_ptr<const void> of; ///< what the rows are kept for: a body, or its early rows
     contact::PersistentRowCompliance rows;
   };
   using Place = std::array<std::int64_t, 3>; ///< contact, node, which of the node's rows
-  std::vector<std::unique_ptr<PersistentBodyRows>> bodies_;
+  std::vector<std::unique_ptr<PersistentBodyCompliance>> bodies_;
   std::vector<std::map<Place, bool>> closed_; ///< [step]
 
   template <class Use> static void for_rows(const Discretisation& scene, Use&& use);

@@ -75,7 +75,7 @@ struct CrackFaceRules {
 constexpr base::ByDimension<CrackFaceRules> crack_face_rules{
     .plane = {.overlap =
                   [](const auto&, const auto& scene, std::size_t line, const auto& u) {
-                    return crack_face_overlap(scene.cracked, line, u).resolved;
+                    return measure_relative_face_overlap(scene.cracked, line, u).resolved;
                   },
               .least_overlap = overlap_of_round_off,
               .pairing = model::PairingMethod::node,
@@ -90,11 +90,12 @@ constexpr base::ByDimension<CrackFaceRules> crack_face_rules{
                     nodes.insert(nodes.end(), crack_faces.right.begin(), crack_faces.right.end());
                     return nodes;
                   }},
-    .space = {.overlap = solid_face_overlap,
-              .least_overlap = overlap_of_ripple,
-              .pairing = model::PairingMethod::segment,
-              .pair = solid_face_pair,
-              .nodes = [](const auto&, const auto& pair) { return contact_row_nodes(pair); }}};
+    .space = {
+        .overlap = measure_relative_solid_overlap,
+        .least_overlap = overlap_of_ripple,
+        .pairing = model::PairingMethod::segment,
+        .pair = solid_face_pair,
+        .nodes = [](const auto&, const auto& pair) { return find_nodes_in_pair_rows(pair); }}};
 
 } // namespace
 
@@ -199,13 +200,13 @@ std::optional<std::size_t> contact_row_at_tip(const Discretisation& scene,
                 from_tip(scene.cracked.faces[front.crack.index()], front.tip_point().node).front());
 }
 
-std::vector<std::optional<std::size_t>> contact_rows_behind_front(const Discretisation& scene,
-                                                                  const mesh::CrackFront& front) {
+std::vector<std::optional<std::size_t>>
+find_face_row_by_front_point(const Discretisation& scene, const mesh::CrackFront& front) {
   if (front.is_tip()) {
     const std::optional<std::size_t> row = contact_row_at_tip(scene, front);
     return row ? std::vector{row} : std::vector<std::optional<std::size_t>>();
   }
-  std::vector<std::optional<std::size_t>> rows = solid_contact_rows_behind_front(scene, front);
+  std::vector<std::optional<std::size_t>> rows = find_solid_face_row_by_front_point(scene, front);
   for (std::optional<std::size_t>& row : rows) {
     if (row) {
       *row += scene.table.first[scene.crack_face_pairs[front.crack.index()]->pair];

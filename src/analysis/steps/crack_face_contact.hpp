@@ -40,8 +40,8 @@ std::optional<std::size_t> contact_row_at_tip(const Discretisation& scene,
 
 /// [point of a front] the row of the table that holds the faces together behind it, in the plane
 /// that of the two nodes next to the tip, if there is one; empty: the faces are no pair.
-std::vector<std::optional<std::size_t>> contact_rows_behind_front(const Discretisation& scene,
-                                                                  const mesh::CrackFront& front);
+std::vector<std::optional<std::size_t>> find_face_row_by_front_point(const Discretisation& scene,
+                                                                     const mesh::CrackFront& front);
 
 /// Forces between the faces of the tip's crack; none without a pair.
 std::optional<crack::ForcesBetweenCrackFaces> crack_face_forces(const Discretisation& scene,

@@ -46,7 +46,7 @@ Jump look(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector
 
 } // namespace
 
-double resolved_overlap(std::span<const double> overlap) {
+double find_shared_neighbour_overlap(std::span<const double> overlap) {
   const std::size_t n = overlap.size();
   double most = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
@@ -57,13 +57,13 @@ double resolved_overlap(std::span<const double> overlap) {
   return most;
 }
 
-CrackFaceOverlap crack_face_overlap(const mesh::CrackedMesh& cracked, std::size_t line,
-                                    const base::Vector& u) {
+RelativeCrackFaceOverlap measure_relative_face_overlap(const mesh::CrackedMesh& cracked,
+                                                       std::size_t line, const base::Vector& u) {
   const Jump jump = look(cracked, line, u);
   if (jump.largest == 0.0) {
     return {};
   }
-  return {resolved_overlap(jump.overlap) / jump.largest,
+  return {find_shared_neighbour_overlap(jump.overlap) / jump.largest,
           *std::ranges::max_element(jump.overlap) / jump.largest};
 }
 

@@ -16,17 +16,17 @@ inline constexpr double overlap_of_ripple = 5e-4;
 /// of the two at either end has; 0: there is none. A lone node that overlaps inside, beside a kink,
 /// is the error of its mesh: finer ones open there, and to press it apart would move K by more than
 /// to leave it.
-double resolved_overlap(std::span<const double> overlap);
+double find_shared_neighbour_overlap(std::span<const double> overlap);
 
 /// How far the faces of a crack run into each other, over the largest displacement of one against
 /// the other. u [dim * node], `line` as CrackedMesh::crack faces.
-struct CrackFaceOverlap {
+struct RelativeCrackFaceOverlap {
   double resolved = 0.0; ///< as above
   double lone = 0.0;     ///< at any node
 };
 /// The overlap of both kinds at the nodes of the faces; zero where nothing moves.
-CrackFaceOverlap crack_face_overlap(const mesh::CrackedMesh& cracked, std::size_t line,
-                                    const base::Vector& u);
+RelativeCrackFaceOverlap measure_relative_face_overlap(const mesh::CrackedMesh& cracked,
+                                                       std::size_t line, const base::Vector& u);
 
 /// The largest displacement of one face against the other; in a half model twice that off the line.
 double largest_crack_face_jump(const mesh::CrackedMesh& cracked, std::size_t line,

@@ -91,8 +91,8 @@ void FrictionHistory::accept_increment(const contact::ContactSystem::IncrementPr
   }
 }
 
-PairFriction FrictionHistory::pair_friction(std::size_t contact) const {
-  PairFriction pair;
+PairFrictionState FrictionHistory::pair_friction_state(std::size_t contact) const {
+  PairFrictionState pair;
   if (!(mu_[contact] > 0.0)) {
     return pair;
   }

@@ -11,7 +11,7 @@ namespace spricka::analysis {
 /// What friction did to one pair so far; empty without friction. Slips are weighted and those of
 /// the contact side against the target: with their sign, in space their size, and all ways added
 /// up.
-struct PairFriction {
+struct PairFrictionState {
   std::vector<solve::SlipState> touch; ///< [normal row]
   base::Vector slip; ///< [normal row] while in contact, since the pair was mounted
   base::Vector path; ///< [normal row]
@@ -47,7 +47,7 @@ public:
 
   /// Friction of a contact at its normal rows: states, slip so far, path and work; in space the
   /// slips of both directions together. Empty without friction.
-  [[nodiscard]] PairFriction pair_friction(std::size_t contact) const;
+  [[nodiscard]] PairFrictionState pair_friction_state(std::size_t contact) const;
 
   [[nodiscard]] const FrictionState& friction_state() const { return memory_; }
   /// Puts back a state that friction_state has given, of the same scene.

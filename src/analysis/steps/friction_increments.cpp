@@ -138,10 +138,10 @@ void note_increments(const Halving& cut, bool given, std::vector<results::Note>&
 
 } // namespace
 
-std::optional<FailedIncrement> converge_friction(const Discretisation& scene, int substeps,
-                                                 IncrementState& state,
-                                                 StepIncrementation& incrementation,
-                                                 std::vector<results::Note>& notes) {
+std::optional<FailedIncrement> refine_friction_increments(const Discretisation& scene, int substeps,
+                                                          IncrementState& state,
+                                                          StepIncrementation& incrementation,
+                                                          std::vector<results::Note>& notes) {
   const StepSolverState start = state.store();
   const auto walk = [&](int increments) -> std::optional<FailedIncrement> {
     state.restore(start);

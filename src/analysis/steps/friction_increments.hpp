@@ -17,9 +17,9 @@ struct FailedIncrement {
 /// A step in which contacts rub, from where `state` stands: in as many increments as the card says
 /// (substeps > 0), and once more in others to tell their error, or in ever more until it is small
 /// (manual, contact.25). Empty: solved, with notes on the error that is left.
-std::optional<FailedIncrement> converge_friction(const Discretisation& scene, int substeps,
-                                                 IncrementState& state,
-                                                 StepIncrementation& incrementation,
-                                                 std::vector<results::Note>& notes);
+std::optional<FailedIncrement> refine_friction_increments(const Discretisation& scene, int substeps,
+                                                          IncrementState& state,
+                                                          StepIncrementation& incrementation,
+                                                          std::vector<results::Note>& notes);
 
 } // namespace spricka::analysis

@@ -272,7 +272,7 @@ unsupported_loads(const model::Model& model, const Discretisation& scene,
       std::string why =
           fmt::format("step {}: body {} is loaded but not held: {}{}", step.name, bodies[b].name,
                       describe_rigid_motion(scene.cracked.mesh, bodies[b].body, own),
-                      explain_missing_contact(model, scene, bodies, b));
+                      explain_unjoined_neighbour(model, scene, bodies, b));
       why += explain_release(model, scene, bodies, step, why);
       unheld.push_back({.why = std::move(why), .span = step.span});
     }

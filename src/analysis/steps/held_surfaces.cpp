@@ -42,7 +42,8 @@ struct FullySupportedContact {
 
 void warn_of_immovable_rows(const Discretisation& scene,
                             const contact::ContactSystem::IncrementProblem& problem,
-                            const StepMotion& motion, std::vector<results::Note>& notes) {
+                            const StepContactsAndMotion& motion,
+                            std::vector<results::Note>& notes) {
   std::vector<FullySupportedContact> found(scene.contacts.size());
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
     const std::size_t r = problem.rows[i];

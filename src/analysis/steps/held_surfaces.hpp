@@ -10,7 +10,7 @@
 namespace spricka::analysis {
 
 /// What a step did.
-struct StepMotion {
+struct StepContactsAndMotion {
   std::vector<bool> pressed; ///< [contact] somewhere at its end
   base::Vector moved;        ///< [dim * node] by the step alone
 };
@@ -20,6 +20,6 @@ struct StepMotion {
 /// contact and friction cannot act there. `problem` is that of the end of the step.
 void warn_of_immovable_rows(const Discretisation& scene,
                             const contact::ContactSystem::IncrementProblem& problem,
-                            const StepMotion& motion, std::vector<results::Note>& notes);
+                            const StepContactsAndMotion& motion, std::vector<results::Note>& notes);
 
 } // namespace spricka::analysis

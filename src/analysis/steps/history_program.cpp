@@ -30,19 +30,19 @@ StepActionFactors on_path(const StepActionFactors& from, const StepActionFactors
   return at;
 }
 
-LoadHistoryProgram of_spectrum(const model::Model& model,
-                               const std::vector<StepActionFactors>& of_step,
-                               const std::vector<int>& increments) {
+GrowthLoadHistory of_spectrum(const model::Model& model,
+                              const std::vector<StepActionFactors>& of_step,
+                              const std::vector<int>& increments) {
   const model::SpectrumDefinition& card = model.spectra[*model.growth->spectrum];
   const model::LoadPathDefinition& path = model.load_paths[card.path];
-  LoadHistoryProgram program;
+  GrowthLoadHistory program;
   program.start = path.from.index();
   program.per_unit = increments[path.to.index()];
   double highest = -1.0;
   std::size_t mark = 0;
   for (const model::SpectrumBlock& run : model::divide_spectrum_into_blocks(card)) {
-    LoadHistorySegment& leg =
-        program.legs.emplace_back(LoadHistorySegment{{}, run.count, run.alone});
+    RepeatedLoadSegment& leg =
+        program.legs.emplace_back(RepeatedLoadSegment{{}, run.count, run.alone});
     for (const double t : run.t) {
       leg.places.push_back(
           {on_path(of_step[path.from.index()], of_step[path.to.index()], t), t, 0});
@@ -58,17 +58,16 @@ LoadHistoryProgram of_spectrum(const model::Model& model,
 }
 
 // From the first of the two steps on by the steps between to the second, and straight back.
-LoadHistoryProgram of_steps(const model::Model& model,
-                            const std::vector<StepActionFactors>& of_step,
-                            const std::vector<int>& increments) {
+GrowthLoadHistory of_steps(const model::Model& model, const std::vector<StepActionFactors>& of_step,
+                           const std::vector<int>& increments) {
   const std::size_t high = model.growth->kmax.index();
   const std::size_t low = model.growth->kmin.index();
   const auto [first, last] = std::minmax(high, low);
-  LoadHistoryProgram program;
+  GrowthLoadHistory program;
   program.start = last;
   program.grow_at = high - first;
   program.smallest = low - first;
-  LoadHistorySegment& leg = program.legs.emplace_back();
+  RepeatedLoadSegment& leg = program.legs.emplace_back();
   int most = 1;
   for (std::size_t s = first; s <= last; ++s) {
     most = std::max(most, increments[s]);
@@ -91,9 +90,9 @@ bool depends_on_load_order(const model::Model& model) {
          model::has_friction(model);
 }
 
-LoadHistoryProgram make_load_history_program(const model::Model& model,
-                                             const std::vector<StepActionFactors>& of_step,
-                                             const std::vector<int>& increments) {
+GrowthLoadHistory make_growth_load_history(const model::Model& model,
+                                           const std::vector<StepActionFactors>& of_step,
+                                           const std::vector<int>& increments) {
   return model.growth->spectrum ? of_spectrum(model, of_step, increments)
                                 : of_steps(model, of_step, increments);
 }

@@ -21,16 +21,16 @@ struct LoadHistoryPoint {
   int increments = 0;
 };
 
-struct LoadHistorySegment {
+struct RepeatedLoadSegment {
   std::vector<LoadHistoryPoint> places;
   double count = 1.0; ///< times that it is gone through
   bool alone = false; ///< each time is a cycle that is counted by itself
 };
 
 /// A pass of the loads. Marks are the places of all legs, in order.
-struct LoadHistoryProgram {
+struct GrowthLoadHistory {
   std::size_t start = 0; ///< step behind which the history begins
-  std::vector<LoadHistorySegment> legs;
+  std::vector<RepeatedLoadSegment> legs;
   double per_unit = 1.0;    ///< increments for a unit of t
   std::size_t grow_at = 0;  ///< mark at which the crack grows: the largest load
   std::size_t smallest = 0; ///< mark of KMIN, where no spectrum is
@@ -39,8 +39,8 @@ struct LoadHistoryProgram {
 
 /// From the card of the growth, the factors at the end of all steps, and into how many increments
 /// each step was cut [step].
-LoadHistoryProgram make_load_history_program(const model::Model& model,
-                                             const std::vector<StepActionFactors>& of_step,
-                                             const std::vector<int>& increments);
+GrowthLoadHistory make_growth_load_history(const model::Model& model,
+                                           const std::vector<StepActionFactors>& of_step,
+                                           const std::vector<int>& increments);
 
 } // namespace spricka::analysis

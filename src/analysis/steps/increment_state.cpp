@@ -109,9 +109,9 @@ contact::ContactSystem::IncrementProblem IncrementState::contact_problem() const
 }
 
 // Where rows stand tangentially now: the slip of the next increment counts from here (contact.22).
-void IncrementState::remember(const contact::ContactSystem& system,
-                              const contact::ContactSystem::IncrementProblem& problem,
-                              const contact::ContactSystem::IncrementSolution& solution) {
+void IncrementState::accept_solved_increment(
+    const contact::ContactSystem& system, const contact::ContactSystem::IncrementProblem& problem,
+    const contact::ContactSystem::IncrementSolution& solution) {
   history_.accept_increment(problem, solution);
   const base::Vector fixed = prescribed();
   for (const std::size_t row : problem.rows) {

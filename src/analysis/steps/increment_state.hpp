@@ -33,9 +33,9 @@ public:
   /// contact cannot be mounted.
   bool act(const model::Step& step, const base::Vector& u, base::OptionalFailure& trouble);
   /// Takes a solved increment: where rows stand tangentially now.
-  void remember(const contact::ContactSystem& system,
-                const contact::ContactSystem::IncrementProblem& problem,
-                const contact::ContactSystem::IncrementSolution& solution);
+  void accept_solved_increment(const contact::ContactSystem& system,
+                               const contact::ContactSystem::IncrementProblem& problem,
+                               const contact::ContactSystem::IncrementSolution& solution);
 
   [[nodiscard]] contact::ContactSystem::IncrementProblem contact_problem() const;
   [[nodiscard]] base::Vector prescribed() const; ///< [dim * node]

@@ -84,9 +84,9 @@ bool joined(const Discretisation& scene, const SubstructuredBody& a, const Subst
 
 } // namespace
 
-std::string explain_missing_contact(const model::Model& model, const Discretisation& scene,
-                                    const std::vector<SubstructuredBody>& bodies,
-                                    std::size_t body) {
+std::string explain_unjoined_neighbour(const model::Model& model, const Discretisation& scene,
+                                       const std::vector<SubstructuredBody>& bodies,
+                                       std::size_t body) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const BodyBoundaryOutline own = rim_of(model, mesh, bodies[body]);
   std::string found;

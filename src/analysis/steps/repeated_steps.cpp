@@ -20,7 +20,7 @@ void take_pictures_away(results::LoadStepResult& result) {
 RepeatedSteps::RepeatedSteps(const model::Model& model, const std::vector<bool>& pictured)
     : model_(model), pictured_(pictured), same_(repeated_steps(model)) {}
 
-std::size_t RepeatedSteps::count_solved() const {
+std::size_t RepeatedSteps::solved_step_count() const {
   return static_cast<std::size_t>(
       std::ranges::count_if(same_, [](const auto& earlier) { return !earlier; }));
 }

@@ -22,7 +22,7 @@ public:
     return same_[step] ? &*same_[step] : nullptr;
   }
   /// Steps that are solved.
-  [[nodiscard]] std::size_t count_solved() const;
+  [[nodiscard]] std::size_t solved_step_count() const;
   /// Whether stresses of a step are wanted by one that repeats it.
   [[nodiscard]] bool stresses_needed_later(std::size_t step) const;
   /// Takes stresses that were recovered for a later step alone away from the earlier one.

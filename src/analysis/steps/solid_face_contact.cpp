@@ -44,8 +44,8 @@ contact::PairConstraints solid_face_pair(const model::Model& model, const Discre
   return pair;
 }
 
-double solid_face_overlap(const model::Model& model, const Discretisation& scene, std::size_t line,
-                          const base::Vector& u) {
+double measure_relative_solid_overlap(const model::Model& model, const Discretisation& scene,
+                                      std::size_t line, const base::Vector& u) {
   double largest = 0.0;
   for (const auto& [upper, lower] : scene.cracked.faces[line].coincident_node_pairs()) {
     largest = std::max(largest, (at_node(u, upper) - at_node(u, lower)).norm());
@@ -61,7 +61,7 @@ double solid_face_overlap(const model::Model& model, const Discretisation& scene
 }
 
 std::vector<std::optional<std::size_t>>
-solid_contact_rows_behind_front(const Discretisation& scene, const mesh::CrackFront& front) {
+find_solid_face_row_by_front_point(const Discretisation& scene, const mesh::CrackFront& front) {
   const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
   if (!crack_face) {
     return {};
@@ -95,7 +95,7 @@ std::vector<FrontFaceContact> front_face_contact(const Discretisation& scene,
     slipped[at] = slipped[at] || std::abs(slip.jump) > slip_of_solid_round_off * slip.size;
   }
   std::vector<FrontFaceContact> all;
-  for (const std::optional<std::size_t>& row : solid_contact_rows_behind_front(scene, front)) {
+  for (const std::optional<std::size_t>& row : find_solid_face_row_by_front_point(scene, front)) {
     FrontFaceContact& faces = all.emplace_back();
     if (!row) {
       continue;

@@ -16,8 +16,8 @@ contact::PairConstraints solid_face_pair(const model::Model& model, const Discre
 
 /// By how much the faces of a crack lie in one another in u [3 * node], as rows between them weigh
 /// it, over the largest displacement of one against the other.
-double solid_face_overlap(const model::Model& model, const Discretisation& scene, std::size_t line,
-                          const base::Vector& u);
+double measure_relative_solid_overlap(const model::Model& model, const Discretisation& scene,
+                                      std::size_t line, const base::Vector& u);
 
 /// What the faces of a crack do at a point of its front.
 struct FrontFaceContact {
@@ -29,7 +29,7 @@ struct FrontFaceContact {
 /// [point of the front] the row of its pair that holds the faces together behind it, if there is
 /// one; empty: the faces are no pair.
 std::vector<std::optional<std::size_t>>
-solid_contact_rows_behind_front(const Discretisation& scene, const mesh::CrackFront& front);
+find_solid_face_row_by_front_point(const Discretisation& scene, const mesh::CrackFront& front);
 
 /// [point of the front]; empty: the faces are no pair.
 std::vector<FrontFaceContact> front_face_contact(const Discretisation& scene,

@@ -55,7 +55,7 @@ bool StepIncrementation::advance(std::pair<double, double> part, int halvings) {
   const solve::ContactSolution& s = solution_.contact;
   if (s.status == solve::ContactStatus::solved) {
     ++increments_;
-    state_.remember(system_, problem_, solution_);
+    state_.accept_solved_increment(system_, problem_, solution_);
     reached_.push_back({part.second, {s.lambda, s.alpha}});
     if (reached_.size() > 2) {
       reached_.erase(reached_.begin());

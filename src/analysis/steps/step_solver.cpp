@@ -95,7 +95,7 @@ base::Vector rigid_motion(const SubstructuredBody& body, const base::Vector& mod
 
 StepSolver::StepSolver(const model::Model& model, const Discretisation& scene,
                        const std::vector<SubstructuredBody>& bodies, MountOffsetMemory* memory,
-                       ContactMemory* contact)
+                       ContactDataForNextLength* contact)
     : model_(model), scene_(scene), bodies_(bodies), increment_state_(model, scene, bodies, memory),
       u_(base::Vector::Zero(static_cast<Eigen::Index>(scene.cracked.mesh.node_count()) *
                             scene.cracked.mesh.dim)) {
@@ -114,7 +114,7 @@ StepSolver::StepSolver(const model::Model& model, const Discretisation& scene,
   }
 }
 
-std::string StepSolver::unsupported_motion(const base::Vector& mode, bool slides) const {
+std::string StepSolver::describe_unsupported_motion(const base::Vector& mode, bool slides) const {
   Eigen::Index most = 0;
   mode.cwiseAbs().maxCoeff(&most);
   const std::size_t at = system_->body_of_mode(most);
@@ -124,7 +124,7 @@ std::string StepSolver::unsupported_motion(const base::Vector& mode, bool slides
                      slides ? "slides, friction does not hold it" : "is loaded but not held",
                      describe_rigid_motion(scene_.cracked.mesh, body.body, rigid_motion(body, own)),
                      slides ? ""
-                            : explain_missing_contact(model_, scene_, bodies_, condensed_[at]));
+                            : explain_unjoined_neighbour(model_, scene_, bodies_, condensed_[at]));
 }
 
 base::OptionalFailure
@@ -135,7 +135,7 @@ StepSolver::trouble_of(const contact::ContactSystem::IncrementSolution& solution
     break;
   case solve::ContactStatus::unheld_mode:
     return base::OperationFailure{.kind = base::Outcome::not_solvable,
-                                  .why = unsupported_motion(s.unheld, solution.slides)};
+                                  .why = describe_unsupported_motion(s.unheld, solution.slides)};
   case solve::ContactStatus::inconsistent:
     return base::OperationFailure{
         .kind = base::Outcome::not_solvable,
@@ -179,7 +179,7 @@ bool StepSolver::accept(const contact::ContactSystem::IncrementSolution& solutio
   increment_state_.set_closed(std::move(closed));
   state.resting = sliding_mode_residual_force(bodies_, condensed_, solution, u_.size());
   for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
-    state.friction.push_back(increment_state_.history().pair_friction(c));
+    state.friction.push_back(increment_state_.history().pair_friction_state(c));
   }
   warn_of_facet_gaps(scene_, *system_, problem, solution, state.notes);
   return true;
@@ -224,7 +224,7 @@ StepSolver::walk(const StepActionFactors& from, const model::Step& step, StepSta
     way.solve_end(std::move(problem));
   } else {
     if (const auto failed =
-            converge_friction(scene_, step.substeps, increment_state_, way, state.notes)) {
+            refine_friction_increments(scene_, step.substeps, increment_state_, way, state.notes)) {
       trouble = trouble_of(way.solution());
       trouble->why =
           fmt::format("substep {} of {}: {}", failed->number, failed->increments, trouble->why);

@@ -24,7 +24,7 @@ public:
   /// `contact`: what the last length has left of use, or null.
   StepSolver(const model::Model& model, const Discretisation& scene,
              const std::vector<SubstructuredBody>& bodies, MountOffsetMemory* memory = nullptr,
-             ContactMemory* contact = nullptr);
+             ContactDataForNextLength* contact = nullptr);
 
   /// Carries out the actions of a step and solves for its end. Steps are called in deck order.
   std::optional<StepState> solve(const model::Step& step, base::OptionalFailure& trouble);
@@ -55,13 +55,17 @@ public:
   [[nodiscard]] contact::ContactSystem::IncrementProblem contact_problem() const {
     return increment_state_.contact_problem();
   }
-  /// Null when no body has externals; its bodies are condensed_bodies(), indices of the solver's.
+  /// Null when no body has externals; its bodies are condensed_body_indices(), indices of the
+  /// solver's.
   [[nodiscard]] const contact::ContactSystem* contact_system() const {
     return system_ ? &*system_ : nullptr;
   }
-  [[nodiscard]] const std::vector<std::size_t>& condensed_bodies() const { return condensed_; }
+  [[nodiscard]] const std::vector<std::size_t>& condensed_body_indices() const {
+    return condensed_;
+  }
   /// Which body moves how by a combination of modes [m] that is loaded and not held.
-  [[nodiscard]] std::string unsupported_motion(const base::Vector& mode, bool slides = false) const;
+  [[nodiscard]] std::string describe_unsupported_motion(const base::Vector& mode,
+                                                        bool slides = false) const;
   [[nodiscard]] const StepActionFactors& factors() const { return increment_state_.factors(); }
   /// [row] since MOUNT
   [[nodiscard]] const base::Vector& gap_offset_at_mounting() const {

@@ -19,7 +19,7 @@ struct StepState {
   std::vector<base::Vector> pair_gap;         ///< [contact][normal row] weighted
   std::vector<std::vector<bool>> pair_closed; ///< [contact][normal row]
   std::vector<bool> mounted;                  ///< [contact]
-  std::vector<PairFriction> friction;         ///< [contact]
+  std::vector<PairFrictionState> friction;    ///< [contact]
   base::Vector force;                         ///< [dim * node] applied loads
   base::Vector contact;                       ///< [dim * node] contact forces
   base::Vector reaction;                      ///< [dim * node] support forces

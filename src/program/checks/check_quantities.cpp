@@ -24,8 +24,7 @@ double reaction(CheckLine& line) {
   const std::string step = args.next_name("a step");
   const Eigen::Index axis = axis_index(args.next_name("X, Y or Z"));
   const CheckedStep at = find_checked_step(run, step, args.next_number());
-  if (const auto missing =
-          analysis::find_unassigned_reaction_node(model, at.increment->mesh, set)) {
+  if (const auto missing = analysis::find_removed_held_node(model, at.increment->mesh, set)) {
     throw MissingQuantity(
         fmt::format("the patch of a crack has replaced node {} of the support: ask for a "
                     "set with the whole edge there",

@@ -232,7 +232,7 @@ RunOutcome solve_and_write(const RunOptions& options, const CheckedDeck& deck, R
   }
   run.tests = invert_growth_tests(*used.model, run);
   // Before the notes are collected: it changes their words.
-  analysis::explain_broken_ligaments(run);
+  analysis::reword_notes_of_broken_ligaments(run);
   add_warnings(*used.model, run, diagnostics);
   if (!solved.why_not.empty()) {
     diagnostics.warning({}, "W506", missed_tolerance(solved));

@@ -118,7 +118,7 @@ const solve::FactorReport& CostForecast::report_of(const analysis::CondensationR
   const solve::FactorReport report =
       apart ? solve::Condensation::forecast(
                   pattern, net.map.externals(), blocks,
-                  analysis::can_stay_factorised(*body) ? &early_[*first_part] : nullptr)
+                  analysis::externals_can_stay_factorised(*body) ? &early_[*first_part] : nullptr)
             : solve::Condensation::forecast(std::move(pattern), net.map.externals(),
                                             solve::OrderingMethod::automatic,
                                             net.weighed.empty() ? nullptr : &rows);

@@ -44,7 +44,7 @@ std::string trouble_of(const solve::FactorReport& report) {
 
 void once(const model::Model& model, const analysis::Discretisation& scene, CostFloor& floor) {
   const base::Stopwatch assembling;
-  base::SymmetricCsc K = analysis::global_stiffness(model, scene);
+  base::SymmetricCsc K = analysis::regularised_global_stiffness(model, scene);
   const double assembly = assembling.cpu_time();
   floor.equations = K.n;
   const solve::Condensation plain(std::move(K), 0);

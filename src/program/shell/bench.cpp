@@ -225,7 +225,7 @@ base::OptionalFailure InteractiveSolver::estimate_accuracy() {
     return {};
   }
   results::LoadStepResult found = current_result();
-  if (!length_->add_K_estimates(
+  if (!length_->add_error_bars_and_sensitivities(
           *solver_, *state_, found,
           [&](const std::string&, const std::string&) { return !stopped(); })) {
     return interrupted();
@@ -297,8 +297,8 @@ base::OptionalFailure InteractiveSolver::follow_load_path(const model::LoadPathD
       continue; // faces met at the second end: the first is not the same any more
     }
     analysis::LoadPathSolver& paths = length_->load_paths();
-    paths.record_step(path_from, *at_from.solver, gather(at_from, "FROM"));
-    paths.record_step(path_to, *at_to.solver, gather(at_to, "TO"));
+    paths.store_step_end_state(path_from, *at_from.solver, gather(at_from, "FROM"));
+    paths.store_step_end_state(path_to, *at_to.solver, gather(at_to, "TO"));
     found = paths.solve_paths(*at_to.solver);
     const std::vector<std::size_t> touching = paths.cracks_with_overlapping_faces();
     if (touching.empty()) {

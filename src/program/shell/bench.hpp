@@ -15,7 +15,7 @@ namespace spricka::program {
 struct InteractiveSolverInputs {
   const model::Model& model; ///< its cracks have the lengths wanted
   analysis::CondensationCache& cache;
-  analysis::ContactMemory& contact; ///< compliances that lengths share
+  analysis::ContactDataForNextLength& contact; ///< compliances that lengths share
   analysis::MountOffsetMemory* memory =
       nullptr;               ///< of what was mounted at the first length; null: none is kept
   bool fills_memory = false; ///< this is the first length

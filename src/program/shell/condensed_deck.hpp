@@ -52,7 +52,8 @@ private:
   analysis::CrackRegionPlan plan_;
   std::shared_ptr<analysis::CondensationCache> cache_ =
       std::make_shared<analysis::CondensationCache>();
-  std::shared_ptr<analysis::ContactMemory> contact_ = std::make_shared<analysis::ContactMemory>();
+  std::shared_ptr<analysis::ContactDataForNextLength> contact_ =
+      std::make_shared<analysis::ContactDataForNextLength>();
   std::shared_ptr<analysis::MountOffsetMemory> memory_; ///< where $GROW says MOUNTED=FIRST
   std::unique_ptr<InteractiveSolver> solver_;
 };

@@ -74,7 +74,7 @@ base::Matrix constraints(const analysis::Discretisation& scene, const base::Matr
 void compare_with_dense(SolvedScene& solved) {
   const analysis::Discretisation& scene = solved.scene();
   const base::Matrix K = dense_stiffness(solved.model(), scene.cracked.mesh);
-  const analysis::IntensityAdjoint& adjoint = solved.length->solve_adjoints(*solved.solver);
+  const analysis::StressIntensityAdjoints& adjoint = solved.length->solve_adjoints(*solved.solver);
   ASSERT_TRUE(adjoint.is_available()) << adjoint.why_not;
   std::vector<std::size_t> contact;
   const base::Matrix C = constraints(scene, K, adjoint.closed, contact);
@@ -104,7 +104,7 @@ void compare_with_dense(SolvedScene& solved) {
 
 // The adjoint gives back K of the displacements, by tip.
 void compare_intensities(SolvedScene& solved, const analysis::StepState& state, double tolerance) {
-  const analysis::IntensityAdjoint& adjoint = solved.length->solve_adjoints(*solved.solver);
+  const analysis::StressIntensityAdjoints& adjoint = solved.length->solve_adjoints(*solved.solver);
   ASSERT_TRUE(adjoint.is_available()) << adjoint.why_not;
   const crack::KLayout layout = solved.scene().k_layout();
   const base::Vector K = adjoint.rows.transpose() * state.u;
@@ -125,7 +125,7 @@ $STEP NAME=PULLED
   LOAD PULL 1
 )");
 
-TEST(IntensityAdjoint, OfAFloatingPinIsThatOfADenseSolution) {
+TEST(StressIntensityAdjoints, OfAFloatingPinIsThatOfADenseSolution) {
   SolvedScene solved(rings);
   for (const std::size_t step : {0U, 1U}) {
     const std::optional<analysis::StepState> state = solved.solve(step);
@@ -139,7 +139,7 @@ TEST(IntensityAdjoint, OfAFloatingPinIsThatOfADenseSolution) {
 
 // Three blocks in a row that ties hold together; the last is moved, and an equation with a
 // right-hand side strains it all. A foot bears on a rigid floor.
-TEST(IntensityAdjoint, OfTiedNetsIsThatOfADenseSolution) {
+TEST(StressIntensityAdjoints, OfTiedNetsIsThatOfADenseSolution) {
   SolvedScene solved(R"($DECK VERSION=1 LENGTH=mm FORCE=N
 $NET NAME=P
   $MESH SHAPE=BLOCK TYPE=QUAMC8 Y0=20 LX=40 LY=40 NX=5 NY=5
@@ -185,7 +185,7 @@ $END
   compare_intensities(solved, *state, 1e-11);
 }
 
-TEST(IntensityAdjoint, GivesKOfTheLugBack) {
+TEST(StressIntensityAdjoints, GivesKOfTheLugBack) {
   SolvedScene solved(fmt::format(R"($DECK VERSION=1 LENGTH=mm FORCE=N
 $INCLUDE FILE='{}/lug_model.inc'
 $CONTACT NAME=BUSH SLAVE=SLEEVE.OUTER MASTER=LUG.BORE DIAMETRAL=0.084
@@ -210,12 +210,12 @@ $END
   }
 }
 
-TEST(IntensityAdjoint, OfSlidingContactsIsNotGiven) {
+TEST(StressIntensityAdjoints, OfSlidingContactsIsNotGiven) {
   std::string deck = rings;
   deck.replace(deck.find("INTERFERENCE=0.01"), 17, "INTERFERENCE=0.01 MU=0.2");
   SolvedScene solved(deck);
   ASSERT_TRUE(solved.solve(0));
-  const analysis::IntensityAdjoint& adjoint = solved.length->solve_adjoints(*solved.solver);
+  const analysis::StressIntensityAdjoints& adjoint = solved.length->solve_adjoints(*solved.solver);
   EXPECT_FALSE(adjoint.is_available());
   EXPECT_EQ(adjoint.z.size(), 0);
 }

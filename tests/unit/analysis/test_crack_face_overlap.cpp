@@ -38,7 +38,7 @@ $END
 }
 
 // Fully open for r >= 1/2: K = (r +- 1/2) sqrt(pi).
-TEST(CrackFaceOverlap, LeavesAnOpenCrackAlone) {
+TEST(RelativeCrackFaceOverlap, LeavesAnOpenCrackAlone) {
   const std::optional<test::Solved> solved = test::solve_text(bent(0.6, "CONTACT"));
   ASSERT_TRUE(solved);
   EXPECT_TRUE(solved->step().fronts[0].invalid_reason.empty());
@@ -50,7 +50,7 @@ TEST(CrackFaceOverlap, LeavesAnOpenCrackAlone) {
   EXPECT_NEAR(solved->step().fronts[1].tip().K1, 1.1 * std::sqrt(std::numbers::pi), 0.01);
 }
 
-TEST(CrackFaceOverlap, OfFacesThatMayNotTouchIsOnlyTold) {
+TEST(RelativeCrackFaceOverlap, OfFacesThatMayNotTouchIsOnlyTold) {
   const std::optional<test::Solved> solved = test::solve_text(bent(0.0, "FREE"));
   ASSERT_TRUE(solved);
   EXPECT_TRUE(solved->step().fronts[1].invalid_reason.empty());
@@ -58,8 +58,10 @@ TEST(CrackFaceOverlap, OfFacesThatMayNotTouchIsOnlyTold) {
 }
 
 // Two neighbours, or one of the last two at either end; a lone node inside is its mesh's error.
-TEST(CrackFaceOverlap, IsResolvedByTwoNeighboursOrAtTheEnds) {
-  const auto of = [](std::vector<double> overlap) { return analysis::resolved_overlap(overlap); };
+TEST(RelativeCrackFaceOverlap, IsResolvedByTwoNeighboursOrAtTheEnds) {
+  const auto of = [](std::vector<double> overlap) {
+    return analysis::find_shared_neighbour_overlap(overlap);
+  };
   EXPECT_EQ(of({}), 0.0);
   EXPECT_EQ(of({3.0}), 3.0);
   EXPECT_EQ(of({0, 2.0, 0, 0, 0, 0}), 2.0);

@@ -56,7 +56,7 @@ double life(const std::string& deck) {
 }
 
 // Without friction the strip feels 1, 0.7, 0.6 and 0.2 of the load; behind the play 0.6 and 0.3.
-TEST(LoadHistorySolver, FrictionShutsSmallCyclesOut) {
+TEST(CyclicLoadHistorySolver, FrictionShutsSmallCyclesOut) {
   const double mapped = life(strip(spectrum(pass), "0"));
   const double followed = life(strip(spectrum(pass)));
   const double of_loads = 1.0 + std::pow(0.7, 3) + std::pow(0.2, 3);
@@ -64,7 +64,7 @@ TEST(LoadHistorySolver, FrictionShutsSmallCyclesOut) {
   EXPECT_NEAR(followed * of_play / (mapped * of_loads), 1.0, 1e-4);
 }
 
-TEST(LoadHistorySolver, NextToNoFrictionIsTheMap) {
+TEST(CyclicLoadHistorySolver, NextToNoFrictionIsTheMap) {
   for (const std::string& loads : {pass, std::string("TYPE=BLOCKS\n  0.2 0.9 100.5\n  0 1 1\n"),
                                    std::string("TYPE=SEQUENCE\n 1 0.5 1 0.5 1 0.5 1 0\n")}) {
     const double mapped = life(strip(spectrum(loads), "0"));
@@ -73,7 +73,7 @@ TEST(LoadHistorySolver, NextToNoFrictionIsTheMap) {
   }
 }
 
-TEST(LoadHistorySolver, WhereAPassBeginsDoesNotMatter) {
+TEST(CyclicLoadHistorySolver, WhereAPassBeginsDoesNotMatter) {
   const double one = life(strip(spectrum(pass)));
   for (const char* turned : {"0.7 0.9 0.3 1 0 1", "0.3 1 0 1 0.7 0.9", "0 1 0.7 0.9 0.3 1"}) {
     const double other = life(strip(spectrum(fmt::format("TYPE=SEQUENCE\n  {}\n", turned))));
@@ -83,7 +83,7 @@ TEST(LoadHistorySolver, WhereAPassBeginsDoesNotMatter) {
 
 // The same two turning points again and again are solved until they repeat, and then counted. The
 // first cycle from 0.3 begins at what 0 has left behind: the strip feels 0.6 twice, 0.3 otherwise.
-TEST(LoadHistorySolver, RunsOfASequenceAreBlocks) {
+TEST(CyclicLoadHistorySolver, RunsOfASequenceAreBlocks) {
   std::string sequence = "TYPE=SEQUENCE\n";
   for (int k = 0; k < 500; ++k) {
     sequence += "  0.3 1\n";
@@ -97,7 +97,7 @@ TEST(LoadHistorySolver, RunsOfASequenceAreBlocks) {
 
 // From rest to full load the strip feels 0 to 0.8, from then on 0.2 to 0.8: the law must be given
 // the second.
-TEST(LoadHistorySolver, LawIsGivenTheCycleThatRepeats) {
+TEST(CyclicLoadHistorySolver, LawIsGivenTheCycleThatRepeats) {
   const auto solved = test::solve_text(strip(
       "$GROW LAW=PARIS KMAX=FULL KMIN=REST C=1e-11 M=3 KUNIT='MPa*mm^0.5' AUNIT='mm' AMAX=4\n"));
   ASSERT_TRUE(solved && solved->run.growth);
@@ -118,7 +118,7 @@ TEST(LoadHistorySolver, LawIsGivenTheCycleThatRepeats) {
 // gives way, and its force falls with its compliance c,
 //   s(a) c(a) = const,  dc/da = G / P^2,
 // of a half model with two lines of symmetry; each length by itself would be pulled anew to 0.8.
-TEST(LoadHistorySolver, HeldStretchFallsAsTheCrackGrows) {
+TEST(CyclicLoadHistorySolver, HeldStretchFallsAsTheCrackGrows) {
   const std::string loads = "$STEP NAME=BACK SUBSTEPS=5\n  LOAD PULL 0.7\n"
                             "$LOAD CASE=INSIDE TYPE=FACES\n  C1 10\n"
                             "$STEP NAME=OPEN SUBSTEPS=2\n  LOAD INSIDE 1\n"
@@ -155,7 +155,7 @@ TEST(LoadHistorySolver, HeldStretchFallsAsTheCrackGrows) {
   }
 }
 
-TEST(LoadHistorySolver, TooManyTurningPointsAreRefused) {
+TEST(CyclicLoadHistorySolver, TooManyTurningPointsAreRefused) {
   std::string sequence = "TYPE=SEQUENCE\n";
   for (int k = 0; k < 1500; ++k) {
     sequence += fmt::format("  {} {}\n", 0.5 + 1e-4 * k, 0.1 + 1e-4 * k);

@@ -125,7 +125,7 @@ TEST(LoadMaps, LugOfSolidsAgreesWithDirectSolutions) {
   for (std::size_t s = 0; s < scene.model().steps.size(); ++s) {
     const std::optional<analysis::StepState> state = scene.solve(s);
     ASSERT_TRUE(state);
-    scene.length->load_paths().record_step(
+    scene.length->load_paths().store_step_end_state(
         s, *scene.solver, scene.length->recover_step(scene.model().steps[s], *state));
   }
   MapError worst;

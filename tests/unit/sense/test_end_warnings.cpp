@@ -142,11 +142,11 @@ TEST(LostLigaments, OnlyWhatWasSmallAtFirst) {
                            "displacement 3): linear theory holds for less than about 10 %; are "
                            "moduli and loads in the units meant?";
   results::RunResult grown = run_with_notes("", bent);
-  analysis::explain_broken_ligaments(grown);
+  analysis::reword_notes_of_broken_ligaments(grown);
   EXPECT_FALSE(has(grown.increments[1].steps[0].notes[0].text, "units meant"));
   EXPECT_TRUE(has(grown.increments[1].steps[0].notes[0].text, "bent or turned by 12 %"));
   results::RunResult ever = run_with_notes(bent, bent);
-  analysis::explain_broken_ligaments(ever);
+  analysis::reword_notes_of_broken_ligaments(ever);
   EXPECT_EQ(ever.increments[1].steps[0].notes[0], results::less_exact_note(bent));
 }
 

@@ -83,13 +83,13 @@ struct SolvedScene {
       return std::nullopt;
     }
     results::LoadStepResult out = length->recover_step(model().steps.at(step), *state);
-    length->add_K_estimates(*solver, *state, out,
-                            [](const std::string&, const std::string&) { return true; });
+    length->add_error_bars_and_sensitivities(
+        *solver, *state, out, [](const std::string&, const std::string&) { return true; });
     return out;
   }
 
   /// What z and w turn into K (manual, sensitivity.5), at the end of the last step.
-  [[nodiscard]] base::Vector intensity(const analysis::IntensityAdjoint& adjoint) const {
+  [[nodiscard]] base::Vector intensity(const analysis::StressIntensityAdjoints& adjoint) const {
     const base::Vector& factor = solver->factors().case_factor;
     base::Vector gap = base::Vector::Zero(static_cast<Eigen::Index>(scene().table.size()));
     if (solver->contact_system() != nullptr) {
