@@ -7,7 +7,7 @@
 
 namespace spricka::report {
 
-std::string deck_name(const base::SourceTexts& sources, std::int32_t file) {
+std::string relative_deck_file_name(const base::SourceTexts& sources, std::int32_t file) {
   if (file < 0 || static_cast<std::size_t>(file) >= sources.count()) {
     return {};
   }

@@ -28,8 +28,8 @@ void add_head(HtmlPage& page, const std::string& title, const base::SourceTexts&
   page.add_html(fmt::format("<h1>{}</h1>\n", escape_xml(title)));
   page.add_html(
       fmt::format("<p class=\"about\">Deck {}, computed by spricka {}. Units: {}, {}, {}{}.</p>\n",
-                  escape_xml(deck_name(sources, 0)), SPRICKA_VERSION, units.length_name,
-                  units.force_name, units.stress_name(),
+                  escape_xml(relative_deck_file_name(sources, 0)), SPRICKA_VERSION,
+                  units.length_name, units.force_name, units.stress_name(),
                   model.cracks.empty()
                       ? ""
                       : fmt::format("; K in {}", typeset_unit(units.stress_intensity_name()))));
@@ -192,9 +192,9 @@ void add_notes(HtmlPage& page, const results::RunResult& run) {
   for (const results::Warning& warning : run.warnings) {
     items += warning_item(warning.code, warning.text);
   }
-  for (const LocatedNote& note : collect_notes(run)) {
+  for (const RepeatedNote& note : collect_notes(run)) {
     if (!results::is_warning(note.first)) {
-      items += fmt::format("<li>{}</li>\n", escape_xml(located_note_text(note)));
+      items += fmt::format("<li>{}</li>\n", escape_xml(repeated_note_text(note)));
     }
   }
   if (!items.empty()) {
@@ -224,7 +224,8 @@ void add_deck(HtmlPage& page, const base::SourceTexts& sources) {
   page.add_heading("Deck");
   for (std::int32_t f = 0; f < static_cast<std::int32_t>(sources.count()); ++f) {
     page.add_html(fmt::format("<details><summary>{}</summary><pre>{}</pre></details>\n",
-                              escape_xml(deck_name(sources, f)), escape_xml(sources.text(f))));
+                              escape_xml(relative_deck_file_name(sources, f)),
+                              escape_xml(sources.text(f))));
   }
   page.add_html("</section>\n");
 }

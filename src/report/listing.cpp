@@ -26,7 +26,7 @@ std::string heading(std::string_view text) {
 std::string echo(const base::SourceTexts& sources) {
   std::string out;
   for (std::int32_t f = 0; f < static_cast<std::int32_t>(sources.count()); ++f) {
-    out += heading("Deck " + deck_name(sources, f));
+    out += heading("Deck " + relative_deck_file_name(sources, f));
     std::string_view text = sources.text(f);
     for (std::size_t line = 1; !text.empty(); ++line) {
       const std::size_t end = std::min(text.find('\n'), text.size());
@@ -106,7 +106,7 @@ std::string increment_text(const model::Model& model, const results::CrackLength
        {force_balance_table(model, increment), net_balance_table(model, increment),
         energy_error_table(increment), contact_result_table(model, increment),
         contact_moment_table(model, increment), friction_table(model, increment),
-        k_table(model, increment), sensitivity_table(model, increment),
+        tip_k_table(model, increment), sensitivity_table(model, increment),
         load_path_table(model, increment), contact_opening_onset_table(increment)}) {
     out += to_text_after_blank_line(table);
   }
@@ -162,7 +162,7 @@ std::string listing(const base::SourceTexts& sources, const model::Model& model,
     out += increment_text(model, increment);
   }
   if (run.increments.size() > 1) {
-    const ReportTable table = k_history_table(model, run, leading_step_name(model));
+    const ReportTable table = tip_k_table_over_increments(model, run, leading_step_name(model));
     if (!table.rows.empty()) {
       out += heading("Crack growth") + table_to_text(table);
     }

@@ -33,8 +33,9 @@ void write_requested_csv(const std::filesystem::path& file, const model::Model& 
 /// One .vtu for an increment and step: cells of all types, displacement, reaction, stress (6
 /// components, principal, von Mises; nodal and mean of each element), net number. A node where
 /// properties meet is one point for each, so that stresses may jump. Appended binary, zlib.
-void write_vtu(const std::filesystem::path& file, const model::Model& model,
-               const results::CrackLengthResult& increment, const results::LoadStepResult& step);
+void write_step_vtu(const std::filesystem::path& file, const model::Model& model,
+                    const results::CrackLengthResult& increment,
+                    const results::LoadStepResult& step);
 
 /// The surfaces of the contacts between solids that are mounted at the end of a step: triangles
 /// between nodes with pressures, gap and whether they touch; `contact` numbers the deck's contacts.
@@ -48,7 +49,7 @@ void write_front_vtu(const std::filesystem::path& file, const model::Model& mode
 
 /// A mesh alone: element sets as cell arrays, node and face sets as point arrays, 1 for members.
 /// Face sets must be given as node sets by the caller.
-void write_mesh_vtu(const std::filesystem::path& file, const model::Mesh& mesh);
+void write_mesh_sets_vtu(const std::filesystem::path& file, const model::Mesh& mesh);
 
 /// A file of a collection; files of one time are parts of one picture.
 struct PvdEntry {

@@ -106,9 +106,9 @@ std::vector<SweepResultValue> collect_sweep_values_of_run(const results::RunResu
   return cells;
 }
 
-std::vector<SweepResultValue> requested_sweep_values(const model::Model& model,
-                                                     const model::OutputFileRequest& output,
-                                                     const results::RunResult& run) {
+std::vector<SweepResultValue> collect_requested_end_values(const model::Model& model,
+                                                           const model::OutputFileRequest& output,
+                                                           const results::RunResult& run) {
   std::vector<SweepResultValue> cells;
   if (run.increments.empty()) {
     return cells;

@@ -22,8 +22,8 @@ std::vector<results::SweepResultValue> collect_sweep_values_of_run(const results
 /// of the last increment: K and CPRESS give what sweeps have of a tip, with a, and of a contact;
 /// REACTION the sum; U and S the smallest and largest value of each component over the set.
 std::vector<results::SweepResultValue>
-requested_sweep_values(const model::Model& model, const model::OutputFileRequest& output,
-                       const results::RunResult& run);
+collect_requested_end_values(const model::Model& model, const model::OutputFileRequest& output,
+                             const results::RunResult& run);
 
 /// sweep.csv: `# units` line, then the parameters, point, status, exit_code, error, checks, passed
 /// and the columns of all points' cells; one row for each point tried. Cells of failed points are

@@ -153,7 +153,7 @@ Plot plot_of(const SweepResult& sweep, const Units& units, const std::string& y_
   for (std::size_t i = 0; i < curves.size(); ++i) {
     curves[i].colour = palette_colour(i);
     curves[i].dash = dash_pattern(i / 7);
-    curves[i].marker = closed_marker_shape(i);
+    curves[i].marker = palette_marker_shape(i);
   }
   const std::size_t axis = axis_of(sweep);
   return {y_name + " over the swept parameter", axis_title(sweep.parameters[axis], units[axis]),
@@ -285,7 +285,7 @@ std::string sweep_page(const base::SourceTexts& sources, const model::Model& mod
   page.add_html(
       fmt::format("<p class=\"{}\">Sweep of {} over {}: {} of {} points were run, {} of them "
                   "failed. Computed by spricka {}.</p>\n",
-                  failed > 0 ? "failed" : "about", escape_xml(deck_name(sources, 0)),
+                  failed > 0 ? "failed" : "about", escape_xml(relative_deck_file_name(sources, 0)),
                   escape_xml(fmt::format("{}", fmt::join(sweep.parameters, ", "))),
                   sweep.points.size(), sweep.count, failed, SPRICKA_VERSION));
   const std::map<int, double> lengths = lengths_of(sweep);

@@ -88,8 +88,9 @@ void add_point_data(VtuDocument& document, const model::Mesh& mesh, const VtuGri
 
 } // namespace
 
-void write_vtu(const std::filesystem::path& file, const model::Model& /*model*/,
-               const results::CrackLengthResult& increment, const results::LoadStepResult& step) {
+void write_step_vtu(const std::filesystem::path& file, const model::Model& /*model*/,
+                    const results::CrackLengthResult& increment,
+                    const results::LoadStepResult& step) {
   const model::Mesh& mesh = increment.mesh;
   const VtuGridPoints points = make_vtu_grid_points(mesh, step.stress.size() > mesh.node_count());
   VtuDocument document = vtu_grid(mesh, points);
@@ -112,7 +113,7 @@ void write_vtu(const std::filesystem::path& file, const model::Model& /*model*/,
   }
   document.add_line("      </CellData>");
   add_point_data(document, mesh, points, step);
-  write_file(file, finish_vtu_file(document));
+  write_file(file, finish_vtu_text(document));
 }
 
 namespace {
@@ -132,7 +133,7 @@ void add_mark(VtuDocument& document, const std::string& name, std::size_t count,
 
 } // namespace
 
-void write_mesh_vtu(const std::filesystem::path& file, const model::Mesh& mesh) {
+void write_mesh_sets_vtu(const std::filesystem::path& file, const model::Mesh& mesh) {
   const VtuGridPoints points = make_vtu_grid_points(mesh, false);
   VtuDocument document = vtu_grid(mesh, points);
   document.add_line("      <CellData>");
@@ -153,7 +154,7 @@ void write_mesh_vtu(const std::filesystem::path& file, const model::Mesh& mesh) 
     }
   }
   document.add_line("      </PointData>");
-  write_file(file, finish_vtu_file(document));
+  write_file(file, finish_vtu_text(document));
 }
 
 void write_contact_vtu(const std::filesystem::path& file, const model::Model& model,
@@ -192,7 +193,7 @@ void write_contact_vtu(const std::filesystem::path& file, const model::Model& mo
   document.add_array("closed", "UInt8", 1, closed);
   document.add_array("contact", "Int64", 1, number);
   document.add_line("      </PointData>");
-  write_file(file, finish_vtu_file(document));
+  write_file(file, finish_vtu_text(document));
 }
 
 void write_front_vtu(const std::filesystem::path& file, const model::Model& model,
@@ -238,7 +239,7 @@ void write_front_vtu(const std::filesystem::path& file, const model::Model& mode
   document.add_array("growth", "Float64", 3, growth);
   document.add_array("crack", "Int64", 1, crack);
   document.add_line("      </PointData>");
-  write_file(file, finish_vtu_file(document));
+  write_file(file, finish_vtu_text(document));
 }
 
 void write_pvd(const std::filesystem::path& file, const std::vector<PvdEntry>& entries) {

@@ -109,7 +109,7 @@ base::Outcome write(const ConvertOptions& options, const base::SourceTexts& sour
   if (kind == ".msh") {
     report::write_file(options.out, mesh::write_msh(model.mesh));
   } else if (kind == ".vtu") {
-    report::write_mesh_vtu(options.out, with_face_nodes(model.mesh));
+    report::write_mesh_sets_vtu(options.out, with_face_nodes(model.mesh));
   } else {
     base::Diagnostics refusals;
     const std::string text = abaqus_input_text(model, refusals);

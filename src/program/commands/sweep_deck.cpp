@@ -271,7 +271,7 @@ private:
         std::vector<results::SweepResultValue>& cells =
             point.requested[fs::path(output.file).filename().string()];
         const std::vector<results::SweepResultValue> more =
-            report::requested_sweep_values(model, output, run);
+            report::collect_requested_end_values(model, output, run);
         cells.insert(cells.end(), more.begin(), more.end());
       }
     }

@@ -50,10 +50,10 @@ void add_warnings(const model::Model& model, const results::RunResult& run,
   for (const results::Warning& of_growth : run.warnings) {
     list.warning({}, of_growth.code, of_growth.text);
   }
-  for (const report::LocatedNote& note : report::collect_notes(run)) {
+  for (const report::RepeatedNote& note : report::collect_notes(run)) {
     if (note.first.kind) {
       list.warning({}, std::string(results::warning_code(*note.first.kind)),
-                   report::located_note_text(note));
+                   report::repeated_note_text(note));
     }
   }
   for (std::string& coarse : analysis::describe_coarse_nets(run)) {

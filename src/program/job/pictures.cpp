@@ -55,7 +55,7 @@ std::vector<report::PvdEntry> write_step(const model::Model& model,
     entries.push_back({.time = time, .part = part, .name = name});
   };
   add(picture_stem(model), 0,
-      [&](const fs::path& file) { report::write_vtu(file, model, increment, step); });
+      [&](const fs::path& file) { report::write_step_vtu(file, model, increment, step); });
   if (shows_surfaces(step)) {
     add("contact", 1, [&](const fs::path& file) { report::write_contact_vtu(file, model, step); });
   }

@@ -256,7 +256,7 @@ void RunFolder::write(const base::SourceTexts& sources, const model::Model& mode
        {"life.csv", report::write_life_csv},
        {"life_curve.csv", report::write_life_curve_csv},
        {"beta.csv", report::write_beta_csv},
-       {"test.csv", report::write_test_csv}}};
+       {"test.csv", report::write_growth_test_csv}}};
   std::error_code none;
   fs::remove(part_ / k_table_name, none); // that of a run under way
   for (const auto& [name, table] : tables) {

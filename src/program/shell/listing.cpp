@@ -153,7 +153,7 @@ std::string k_reply(const ShellSession& session, const std::string& only) {
       report::front_tables(session.solver().displayed_model(), fronts);
   if (tables.empty()) {
     tables.push_back(
-        report::without_title(report::k_table(session.solver().displayed_model(), fronts)));
+        report::without_title(report::tip_k_table(session.solver().displayed_model(), fronts)));
   }
   std::string text;
   for (const ReportTable& table : tables) {

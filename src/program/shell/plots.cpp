@@ -86,7 +86,8 @@ std::vector<report::Figure> k_along_fronts(const ShellSession& session) {
   std::vector<report::Figure> figures;
   figures.reserve(names.size());
   for (const std::string& name : names) {
-    figures.push_back(report::front_figure(session.solver().displayed_model(), sizes, name));
+    figures.push_back(
+        report::k_along_front_figure(session.solver().displayed_model(), sizes, name));
   }
   return figures;
 }
@@ -116,8 +117,8 @@ base::OptionalFailure draw_picture(const ShellSession& session, const std::strin
   if (kind == "k" && !fronts.empty() && !fronts.front().is_tip()) {
     svg = stacked(k_along_fronts(session));
   } else if (kind == "k") {
-    const std::optional<report::Figure> figure =
-        report::k_figure(session.solver().displayed_model(), run_of_sizes(session));
+    const std::optional<report::Figure> figure = report::k_over_crack_length_figure(
+        session.solver().displayed_model(), run_of_sizes(session));
     if (!figure) {
       return invalid_input("K over the crack length needs two lengths with these loads and fits",
                            "$CRACK NAME=C A0=5 tries another one");

@@ -112,7 +112,7 @@ report::Plot ladder_plot(const ModelHierarchy& ladder) {
     }
     report::PlotSeries series = report::styled_curve(variant.variant.name, plot.series.size(), 0);
     series.points = {{variant.end.cpu, 100.0 * std::abs(variant.difference)}};
-    series.marker = report::closed_marker_shape(plot.series.size());
+    series.marker = report::palette_marker_shape(plot.series.size());
     series.joined = false;
     plot.series.push_back(std::move(series));
   }
@@ -148,7 +148,8 @@ std::string hierarchy_page(const base::SourceTexts& sources, const model::Model&
                            const ModelHierarchy& ladder) {
   report::HtmlPage page;
   const std::string title = begin_titled_page(
-      page, model, "ladder", fmt::format("Simpler models of {}", report::deck_name(sources, 0)));
+      page, model, "ladder",
+      fmt::format("Simpler models of {}", report::relative_deck_file_name(sources, 0)));
   page.add_paragraph(ladder_sentence(ladder), "");
   page.add_figure({{draw_svg(ladder_plot(ladder))},
                    "",

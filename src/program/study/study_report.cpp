@@ -81,7 +81,7 @@ report::Plot group_plot(const Study& study, const AnswerGroupVerdict& group, boo
     const CurveKind& curve = curves.at(i);
     report::PlotSeries series = report::styled_curve(series_name(curve.family, curve.corrected), i,
                                                      i / 7 + (curve.corrected ? 1 : 0));
-    series.marker = report::closed_marker_shape(i);
+    series.marker = report::palette_marker_shape(i);
     series.joined = curve.joined;
     series.points = curve_points(study, group, curve, against_cpu);
     for (const report::DrawingPoint& point : series.points) {
@@ -244,10 +244,10 @@ std::string study_csv(const Study& study) {
 std::string study_page(const base::SourceTexts& sources, const model::Model& model,
                        const Study& study) {
   report::HtmlPage page;
-  const std::string title =
-      begin_titled_page(page, model, "study",
-                        fmt::format("Work against precision of {}: {}",
-                                    report::deck_name(sources, 0), reference_words(study)));
+  const std::string title = begin_titled_page(
+      page, model, "study",
+      fmt::format("Work against precision of {}: {}", report::relative_deck_file_name(sources, 0),
+                  reference_words(study)));
   page.add_heading("The cheapest settings");
   for (const AnswerGroupVerdict& group : study.groups) {
     for (const std::string& words : group.sentences) {

@@ -224,7 +224,7 @@ report::Figure error_over_cpu(const Verification& verification) {
     report::PlotSeries series =
         report::styled_curve(failed ? "a check missed" : "all checks passed", failed ? 1 : 0, 0);
     series.joined = false;
-    series.marker = report::closed_marker_shape(failed ? 1 : 0);
+    series.marker = report::palette_marker_shape(failed ? 1 : 0);
     for (const VerifiedDeck& deck : verification.decks) {
       const std::optional<report::DrawingPoint> mark = mark_of(deck);
       if (mark && deck.failed() == failed) {

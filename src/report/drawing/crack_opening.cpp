@@ -77,9 +77,9 @@ std::optional<FittedFrontPlane> fit_front_plane(const results::FrontResult& fron
   return plane ? std::optional(frame) : std::nullopt;
 }
 
-std::vector<CrackFaceOpening> crack_face_openings(const results::CrackLengthResult& increment,
-                                                  const results::LoadStepResult& step,
-                                                  const FittedFrontPlane& frame) {
+std::vector<OpenedCrackFace> crack_face_openings(const results::CrackLengthResult& increment,
+                                                 const results::LoadStepResult& step,
+                                                 const FittedFrontPlane& frame) {
   const model::Mesh& mesh = increment.mesh;
   const CoincidenceGrid places(frame.centre, one_place * frame.size);
   // of the lower side, whose outer normal is the crack's: faces by the place of their middle
@@ -102,7 +102,7 @@ std::vector<CrackFaceOpening> crack_face_openings(const results::CrackLengthResu
       upper.push_back(&face.outline);
     }
   }
-  std::vector<CrackFaceOpening> open;
+  std::vector<OpenedCrackFace> open;
   for (const std::vector<base::NodeId>* const outline : upper) {
     const auto twin = lower.find(places.key(middle(*outline)));
     if (twin == lower.end() || twin->second->size() != outline->size()) {

@@ -20,15 +20,15 @@ struct FittedFrontPlane {
 std::optional<FittedFrontPlane> fit_front_plane(const results::FrontResult& front);
 
 /// A face on the upper side of a crack, and how far the lower one is away from it.
-struct CrackFaceOpening {
+struct OpenedCrackFace {
   std::vector<base::NodeId> outline;
   double opening = 0.0; ///< along the normal, mean over the nodes [length]
   double sliding = 0.0; ///< in the plane [length]
 };
 
 /// Faces of the body's surface in the crack's plane that have another one in the same place.
-std::vector<CrackFaceOpening> crack_face_openings(const results::CrackLengthResult& increment,
-                                                  const results::LoadStepResult& step,
-                                                  const FittedFrontPlane& frame);
+std::vector<OpenedCrackFace> crack_face_openings(const results::CrackLengthResult& increment,
+                                                 const results::LoadStepResult& step,
+                                                 const FittedFrontPlane& frame);
 
 } // namespace spricka::report

@@ -182,7 +182,7 @@ std::string draw_crack_front(const CrackView& view) {
     svg.polyline(node_line(edge.nodes, increment.mesh, eye, frame),
                  {hidden ? "#b8bec8" : "#334", hidden ? 0.6 : 0.9, "none", ""});
   }
-  for (const CrackFaceOpening& face : crack_face_openings(increment, *view.step, *plane)) {
+  for (const OpenedCrackFace& face : crack_face_openings(increment, *view.step, *plane)) {
     svg.polygon(node_line(face.outline, increment.mesh, eye, frame),
                 {"#e8c9a0", 0.5, "#e8c9a0", ""});
   }
@@ -199,7 +199,7 @@ std::string draw_crack_opening(const CrackView& view) {
   if (!plane || view.step->u.size() != static_cast<Eigen::Index>(3 * increment.mesh.node_count())) {
     return {};
   }
-  const std::vector<CrackFaceOpening> faces = crack_face_openings(increment, *view.step, *plane);
+  const std::vector<OpenedCrackFace> faces = crack_face_openings(increment, *view.step, *plane);
   // the way of growth to the right, from above the upper face
   const base::Vec3 to_right = plane->growth.norm() > 0.1 ? base::Vec3(plane->growth.normalized())
                                                          : plane->normal.unitOrthogonal();
@@ -209,7 +209,7 @@ std::string draw_crack_opening(const CrackView& view) {
   double low = 0.0;
   double opening = 0.0;
   double sliding = 0.0;
-  for (const CrackFaceOpening& face : faces) {
+  for (const OpenedCrackFace& face : faces) {
     low = std::min(low, face.opening);
     opening = std::max(opening, std::abs(face.opening));
     sliding = std::max(sliding, face.sliding);
@@ -226,7 +226,7 @@ std::string draw_crack_opening(const CrackView& view) {
   const ColourScale scale =
       slides ? make_colour_scale(0.0, sliding) : make_colour_scale(low, opening);
   SvgDrawing svg = frame.begin(fmt::format("{}, {} of its faces", view.front->name, what));
-  for (const CrackFaceOpening& face : faces) {
+  for (const OpenedCrackFace& face : faces) {
     svg.polygon(node_line(face.outline, increment.mesh, eye, frame),
                 {"#223", 0.3, band_colour(scale.band(slides ? face.sliding : face.opening)), ""});
   }

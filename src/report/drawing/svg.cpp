@@ -205,7 +205,7 @@ std::string_view palette_colour(std::size_t i) {
   return palette[i % palette.size()];
 }
 
-MarkerShape closed_marker_shape(std::size_t i) {
+MarkerShape palette_marker_shape(std::size_t i) {
   constexpr std::array<MarkerShape, 4> shapes{MarkerShape::circle, MarkerShape::square,
                                               MarkerShape::triangle, MarkerShape::diamond};
   return shapes[i % shapes.size()];

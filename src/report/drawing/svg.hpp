@@ -93,7 +93,7 @@ private:
 std::string_view palette_colour(std::size_t i);
 
 /// The i-th marker; starts again after four closed shapes.
-MarkerShape closed_marker_shape(std::size_t i);
+MarkerShape palette_marker_shape(std::size_t i);
 
 /// The i-th dash pattern; the first is solid.
 std::string_view dash_pattern(std::size_t i);

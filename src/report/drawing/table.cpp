@@ -74,7 +74,7 @@ std::string six_digits(double value) {
   return fmt::format("{:.6g}", value);
 }
 
-std::string six_digits_beside(double value, double scale) {
+std::string six_digits_or_zero(double value, double scale) {
   return std::abs(value) < 1e-9 * scale ? "0" : six_digits(value);
 }
 

@@ -36,7 +36,7 @@ std::string typeset_unit(std::string_view unit);
 /// A number as tables have it.
 std::string six_digits(double value);
 /// The same, but 0 where nothing but round-off is left beside `scale`.
-std::string six_digits_beside(double value, double scale);
+std::string six_digits_or_zero(double value, double scale);
 
 /// Text with the characters that XML reserves replaced by entities.
 std::string escape_xml(std::string_view text);

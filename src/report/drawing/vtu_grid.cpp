@@ -222,7 +222,7 @@ void add_cell_numbers(VtuDocument& document, const model::Mesh& mesh) {
   document.add_array("label", "Int64", 1, label);
 }
 
-std::string finish_vtu_file(VtuDocument& document) {
+std::string finish_vtu_text(VtuDocument& document) {
   document.add_line("    </Piece>");
   document.add_line("  </UnstructuredGrid>");
   return document.document_text();

@@ -66,7 +66,7 @@ struct VtuGridPoints {
 VtuGridPoints make_vtu_grid_points(const model::Mesh& mesh, bool split);
 
 /// A document with the grid: its points, and its cells of all types in VTK's node order. Cell data,
-/// point data and finish_vtu_file() are to follow.
+/// point data and finish_vtu_text() are to follow.
 VtuDocument vtu_grid(const model::Mesh& mesh, const VtuGridPoints& points);
 /// Net and number of each cell, as arrays within <CellData>.
 void add_cell_numbers(VtuDocument& document, const model::Mesh& mesh);
@@ -75,6 +75,6 @@ VtuDocument vtu_triangles(const std::vector<double>& x, const std::vector<std::i
 /// The same of straight lines. [3 * point], [2 * line]
 VtuDocument vtu_lines(const std::vector<double>& x, const std::vector<std::int64_t>& ends);
 /// Closes the grid of a document and returns the whole file.
-std::string finish_vtu_file(VtuDocument& document);
+std::string finish_vtu_text(VtuDocument& document);
 
 } // namespace spricka::report

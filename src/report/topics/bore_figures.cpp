@@ -217,7 +217,7 @@ std::vector<double> places_along(const UnrolledSurface& surface, double inset) {
 DrawingPoint total_push(const UnrolledSurface& surface) {
   DrawingPoint sum;
   for (const double along : places_along(surface, 0.5)) {
-    const DrawingPoint push = surface.line_force_at(along);
+    const DrawingPoint push = surface.line_force_at_axial_position(along);
     sum.x += push.x / stations;
     sum.y += push.y / stations;
   }
@@ -269,7 +269,7 @@ std::string force_plot(const model::Model& model, const std::vector<Seen>& all,
     }
     PlotSeries series = styled_curve(all[s].label, s, s);
     for (const double along : places_along(surface, 0.0)) {
-      const DrawingPoint here = surface.line_force_at(along);
+      const DrawingPoint here = surface.line_force_at_axial_position(along);
       series.points.push_back({along, (here.x * push.x + here.y * push.y) / size});
     }
     plot.series.push_back(std::move(series));
@@ -279,8 +279,9 @@ std::string force_plot(const model::Model& model, const std::vector<Seen>& all,
 
 } // namespace
 
-std::optional<Figure> bore_figure(const model::Model& model, const results::RunResult& run,
-                                  const model::Contact& contact) {
+std::optional<Figure> unrolled_pressure_figure(const model::Model& model,
+                                               const results::RunResult& run,
+                                               const model::Contact& contact) {
   if (run.increments.empty()) {
     return std::nullopt;
   }

@@ -67,7 +67,8 @@ void add_reference_marks(Plot& plot, const std::vector<KCheckReference>& referen
                          const KFigureScale& scale);
 
 /// K1 over a for every step and tip, references as marks. Empty if no crack has two lengths.
-std::optional<Figure> k_figure(const model::Model& model, const results::RunResult& run);
+std::optional<Figure> k_over_crack_length_figure(const model::Model& model,
+                                                 const results::RunResult& run);
 
 /// K1/K0 over a/R at the end of the leading step, beside the table of its references. Empty
 /// without two lengths or a nominal state.
@@ -86,8 +87,9 @@ std::vector<Figure> pressure_figures(const model::Model& model, const results::R
 
 /// Pressure of a contact between solids round an axis at the steps of the last length: maps of the
 /// unrolled surface, curves along the axis, the line of force. Empty where it has no axis.
-std::optional<Figure> bore_figure(const model::Model& model, const results::RunResult& run,
-                                  const model::Contact& contact);
+std::optional<Figure> unrolled_pressure_figure(const model::Model& model,
+                                               const results::RunResult& run,
+                                               const model::Contact& contact);
 
 /// The pressure at a node by the recovery that the deck asks for.
 double recovered_pressure(const model::Contact& contact, const results::ContactPoint& point);

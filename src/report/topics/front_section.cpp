@@ -129,8 +129,8 @@ std::optional<Figure> crack_pictures(const model::Model& model,
 
 } // namespace
 
-Figure front_figure(const model::Model& model, const results::CrackLengthResult& increment,
-                    const std::string& name) {
+Figure k_along_front_figure(const model::Model& model, const results::CrackLengthResult& increment,
+                            const std::string& name) {
   const double scale = largest_K(increment);
   Plot plot;
   plot.label = fmt::format("stress intensity factors along the front of {}", name);
@@ -167,13 +167,14 @@ Figure front_figure(const model::Model& model, const results::CrackLengthResult&
                       name, a, model.units.length_name)};
 }
 
-std::vector<Figure> front_figures(const model::Model& model, const results::RunResult& run) {
+std::vector<Figure> k_along_front_figures(const model::Model& model,
+                                          const results::RunResult& run) {
   std::vector<Figure> figures;
   if (run.increments.empty()) {
     return figures;
   }
-  for (const results::FrontResult* front : fronts_in_space(run.increments.back())) {
-    figures.push_back(front_figure(model, run.increments.back(), front->name));
+  for (const results::FrontResult* front : find_fronts_in_space(run.increments.back())) {
+    figures.push_back(k_along_front_figure(model, run.increments.back(), front->name));
     add_figure(figures, crack_pictures(model, run.increments.back(), front->name));
   }
   return figures;

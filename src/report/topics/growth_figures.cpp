@@ -41,7 +41,7 @@ std::vector<DrawingPoint> life_points(const std::vector<results::LifeCurvePoint>
 void add_life_curve(Plot& plot, const GrowthResult& growth, std::size_t front) {
   PlotSeries line = styled_curve(growth.point_names[front], front, front);
   line.points = life_points(growth.curve, front);
-  PlotSeries marks = marker_series("", closed_marker_shape(front));
+  PlotSeries marks = marker_series("", palette_marker_shape(front));
   marks.colour = line.colour;
   for (const GrowthStation& station : growth.stations) {
     marks.points.push_back({station.cycles, station.points[front].a});
@@ -129,7 +129,7 @@ Figure life_figure(const model::Model& model, const results::RunResult& run) {
   std::string more;
   for (std::size_t k = 0; k < growth.scaled.size(); ++k) {
     PlotSeries& series = plot.series.emplace_back(
-        styled_curve(scaled_life_legend(growth.scaled[k]), growth.point_names.size() + k, 1 + k));
+        styled_curve(scaled_k_life_legend(growth.scaled[k]), growth.point_names.size() + k, 1 + k));
     series.points = life_points(growth.scaled[k].curve, 0);
     plot.legend_below = true;
     plot.series.front().name = growth.point_names.front() + ", K of every load";
@@ -173,7 +173,7 @@ Figure range_figure(const model::Model& model, const results::RunResult& run) {
       PlotSeries series = styled_curve(
           fmt::format("{}, {}", growth.point_names[t], largest ? "largest" : "smallest"), t,
           largest ? 0 : 1);
-      series.marker = closed_marker_shape(t);
+      series.marker = palette_marker_shape(t);
       for (const GrowthStation& station : growth.stations) {
         const results::GrownPointResult& tip = station.points[t];
         series.points.push_back({tip.a, largest ? tip.K_max : tip.K_min});
@@ -206,7 +206,7 @@ std::optional<Figure> law_figure(const model::Model& model, const GrowthResult& 
   double high = 0.0;
   for (std::size_t t = 0; t < growth.point_names.size(); ++t) {
     PlotSeries series = styled_curve(growth.point_names[t], t, 0);
-    series.marker = closed_marker_shape(t);
+    series.marker = palette_marker_shape(t);
     for (const GrowthStation& station : growth.stations) {
       const results::GrownPointResult& tip = station.points[t];
       const double range = tip.K_max - tip.K_min;

@@ -255,7 +255,7 @@ std::string mesh_words(const model::Model& model, const results::RunResult& run)
 
 } // namespace
 
-std::string scaled_life_legend(const results::ScaledKLife& other) {
+std::string scaled_k_life_legend(const results::ScaledKLife& other) {
   const std::string what = other.name == "scaled" ? "one K scaled with the load"
                                                   : "a line through t = 0 and the largest load";
   return other.ratio < 0.5 ? fmt::format("{}: 1/{:.2f} of the life", what, 1.0 / other.ratio)
@@ -289,7 +289,7 @@ std::string life_summary(const model::Model& model, const results::RunResult& ru
   }
   out += ratio_words(model, run);
   for (const results::ScaledKLife& other : growth.scaled) {
-    out += fmt::format("For comparison, {}.\n", scaled_life_legend(other));
+    out += fmt::format("For comparison, {}.\n", scaled_k_life_legend(other));
   }
   if (!growth.curve.empty()) {
     for (std::size_t i = 0; i < growth.point_names.size(); ++i) {

@@ -25,6 +25,6 @@ std::string life_summary(const model::Model& model, const results::RunResult& ru
 
 /// What a life by one line of K is and how it compares, for legends: "one K scaled with the load:
 /// 1/4.03 of the life".
-std::string scaled_life_legend(const results::ScaledKLife& other);
+std::string scaled_k_life_legend(const results::ScaledKLife& other);
 
 } // namespace spricka::report

@@ -99,8 +99,8 @@ Figure figure_of(const model::Model& model, const results::RunResult& run,
 
 } // namespace
 
-void write_test_csv(const std::filesystem::path& file, const model::Model& model,
-                    const results::RunResult& run) {
+void write_growth_test_csv(const std::filesystem::path& file, const model::Model& model,
+                           const results::RunResult& run) {
   if (run.tests.empty()) {
     return;
   }

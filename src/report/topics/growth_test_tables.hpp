@@ -14,8 +14,8 @@ namespace spricka::report {
 /// test.csv: test,tip,N,a,rate,rate_low,rate_high,R,K_exp,K_low,K_high,K_computed,ratio,covered;
 /// one row for each length with a rate; cells of what there is not are empty. Nothing without
 /// tests.
-void write_test_csv(const std::filesystem::path& file, const model::Model& model,
-                    const results::RunResult& run);
+void write_growth_test_csv(const std::filesystem::path& file, const model::Model& model,
+                           const results::RunResult& run);
 
 /// One row for each test: how it was read and how far K is from the computed one.
 ReportTable growth_test_summary_table(const model::Model& model, const results::RunResult& run);

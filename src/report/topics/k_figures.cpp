@@ -121,7 +121,7 @@ PlotSeries group_series(const CurveGroup& group, bool name_fronts, std::size_t i
   PlotSeries series = styled_curve(std::move(name), ink, pattern);
   series.points = group.curve.points;
   series.bars = group.curve.bars;
-  series.marker = closed_marker_shape(ink);
+  series.marker = palette_marker_shape(ink);
   return series;
 }
 
@@ -235,7 +235,8 @@ void add_reference_marks(Plot& plot, const std::vector<KCheckReference>& referen
   }
 }
 
-std::optional<Figure> k_figure(const model::Model& model, const results::RunResult& run) {
+std::optional<Figure> k_over_crack_length_figure(const model::Model& model,
+                                                 const results::RunResult& run) {
   const std::vector<std::string> fronts = front_names(run);
   Plot plot = KFigureScale().plot(model, "Stress intensity factor over crack length");
   bool any = false;

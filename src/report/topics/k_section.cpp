@@ -124,7 +124,7 @@ std::size_t rows_of(const std::vector<ReportTable>& tables) {
 KReportSection front_section(const model::Model& model, const results::RunResult& run) {
   KReportSection section;
   if (!run.increments.empty()) {
-    section.pictures = front_figures(model, run);
+    section.pictures = k_along_front_figures(model, run);
     section.tables = front_tables(model, run.increments.back());
   }
   return section;
@@ -145,16 +145,16 @@ KReportSection tip_section(const model::Model& model, const results::RunResult& 
   }
   if (run.increments.size() == 1) {
     shown.insert(shown.end(), nothing.begin(), nothing.end());
-    section.tables = {k_table(model, run.increments.front())};
+    section.tables = {tip_k_table(model, run.increments.front())};
     section.tables.front().title = "Stress intensity factors at the ends of the steps";
   } else {
     std::stable_partition(shown.begin(), shown.end(),
                           [&](const std::string& s) { return s == leading; });
     for (const std::string& step : shown) {
-      section.tables.push_back(k_history_table(model, run, step));
+      section.tables.push_back(tip_k_table_over_increments(model, run, step));
     }
     if (rows_of(section.tables) > most_rows && shown.size() > 1) {
-      section.tables = {k_history_table(model, run, leading)};
+      section.tables = {tip_k_table_over_increments(model, run, leading)};
       section.remarks.push_back(
           fmt::format("K at the ends of the other steps ({}) is in k.csv and in the listing.",
                       fmt::join(others_than(leading, shown), ", ")));
@@ -168,7 +168,7 @@ KReportSection tip_section(const model::Model& model, const results::RunResult& 
   for (std::string& words : missing_error_bar_reasons(run, shown)) {
     section.remarks.push_back(std::move(words));
   }
-  add_figure(section.curves, k_figure(model, run));
+  add_figure(section.curves, k_over_crack_length_figure(model, run));
   add_figure(section.curves, normalised_k_figure(model, run));
   return section;
 }

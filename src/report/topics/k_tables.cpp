@@ -45,7 +45,7 @@ std::string k_cell(const results::KQuantity& q, const FrontPointRow& row, const 
   case results::KQuantityDigits::two:
     return cell_text(value, row.front.is_tip() ? "{:.2e}" : "{:.2g}");
   case results::KQuantityDigits::six_beside_largest:
-    return six_digits_beside(value, q.kind == base::Quantity::energy_release ? scale.G : scale.K);
+    return six_digits_or_zero(value, q.kind == base::Quantity::energy_release ? scale.G : scale.K);
   case results::KQuantityDigits::six:
     break;
   }
@@ -118,15 +118,15 @@ ReportTable front_table(const model::Model& model, const results::CrackLengthRes
 
 } // namespace
 
-ReportTable k_table(const model::Model& model, const results::CrackLengthResult& increment) {
+ReportTable tip_k_table(const model::Model& model, const results::CrackLengthResult& increment) {
   const std::span<const results::CrackLengthResult> one(&increment, 1);
   return tip_table(model, one, Columns<FrontPointRow>().words("step", step_name),
                    "Stress intensity factors",
                    rows_where(one, [](const FrontPointRow& row) { return row.front.is_tip(); }));
 }
 
-ReportTable k_history_table(const model::Model& model, const results::RunResult& run,
-                            std::string_view step) {
+ReportTable tip_k_table_over_increments(const model::Model& model, const results::RunResult& run,
+                                        std::string_view step) {
   const auto number = [](const FrontPointRow& row) { return row.increment.number; };
   return tip_table(model, run.increments, Columns<FrontPointRow>().number("increment", "", number),
                    fmt::format("Stress intensity factors at the end of step {}", step),
@@ -138,7 +138,7 @@ ReportTable k_history_table(const model::Model& model, const results::RunResult&
 std::vector<ReportTable> front_tables(const model::Model& model,
                                       const results::CrackLengthResult& increment) {
   std::vector<ReportTable> tables;
-  for (const results::FrontResult* front : fronts_in_space(increment)) {
+  for (const results::FrontResult* front : find_fronts_in_space(increment)) {
     tables.push_back(front_table(model, increment, *front));
   }
   return tables;
@@ -174,7 +174,7 @@ double largest_K(const results::CrackLengthResult& increment) {
 }
 
 std::vector<const results::FrontResult*>
-fronts_in_space(const results::CrackLengthResult& increment) {
+find_fronts_in_space(const results::CrackLengthResult& increment) {
   std::vector<const results::FrontResult*> fronts;
   for (const FrontRow& row : front_rows({&increment, 1})) {
     if (!row.front.is_tip() &&

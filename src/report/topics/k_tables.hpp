@@ -13,11 +13,11 @@
 namespace spricka::report {
 
 /// For each step and tip of one increment; no rows in space.
-ReportTable k_table(const model::Model& model, const results::CrackLengthResult& increment);
+ReportTable tip_k_table(const model::Model& model, const results::CrackLengthResult& increment);
 
 /// The same at the end of one step, one row for each increment and tip.
-ReportTable k_history_table(const model::Model& model, const results::RunResult& run,
-                            std::string_view step);
+ReportTable tip_k_table_over_increments(const model::Model& model, const results::RunResult& run,
+                                        std::string_view step);
 
 /// A table for each front in space: its points, of all steps of an increment in which K is not
 /// nothing but round-off.
@@ -36,6 +36,6 @@ double largest_K(const results::CrackLengthResult& increment);
 
 /// The fronts in space of an increment, each as its first step has it.
 std::vector<const results::FrontResult*>
-fronts_in_space(const results::CrackLengthResult& increment);
+find_fronts_in_space(const results::CrackLengthResult& increment);
 
 } // namespace spricka::report

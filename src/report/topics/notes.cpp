@@ -38,13 +38,13 @@ public:
     if (fresh) {
       notes.push_back({.where = std::move(where), .first = note, .last = {}});
     } else {
-      LocatedNote& alike = notes[at->second];
+      RepeatedNote& alike = notes[at->second];
       ++alike.times;
       alike.last = std::move(where);
     }
   }
 
-  std::vector<LocatedNote> notes;
+  std::vector<RepeatedNote> notes;
 
 private:
   std::map<std::string, std::size_t> seen_;
@@ -52,7 +52,7 @@ private:
 
 } // namespace
 
-std::vector<LocatedNote> collect_notes(const results::RunResult& run) {
+std::vector<RepeatedNote> collect_notes(const results::RunResult& run) {
   Collector found;
   for (const results::CrackLengthResult& increment : run.increments) {
     const std::string where = fmt::format("increment {}", increment.number);
@@ -81,7 +81,7 @@ std::vector<LocatedNote> collect_notes(const results::RunResult& run) {
   return std::move(found.notes);
 }
 
-std::string located_note_text(const LocatedNote& note) {
+std::string repeated_note_text(const RepeatedNote& note) {
   std::string words = fmt::format("{}: {}", note.where, note.first.text);
   if (note.times > 1) {
     words += fmt::format(" (alike {} more time{}, last in {})", note.times - 1,

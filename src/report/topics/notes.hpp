@@ -9,7 +9,7 @@
 namespace spricka::report {
 
 /// Notes of the run that differ by their numbers only, as one.
-struct LocatedNote {
+struct RepeatedNote {
   std::string where; ///< "increment 3, step LOAD" of the first
   results::Note first;
   int times = 1;
@@ -17,9 +17,9 @@ struct LocatedNote {
 };
 
 /// All notes of increments, steps, load paths and tests, in the order of their first appearance.
-std::vector<LocatedNote> collect_notes(const results::RunResult& run);
+std::vector<RepeatedNote> collect_notes(const results::RunResult& run);
 
 /// "increment 1, step LOAD: text (alike 11 more times, last in increment 6, step LOAD)".
-std::string located_note_text(const LocatedNote& note);
+std::string repeated_note_text(const RepeatedNote& note);
 
 } // namespace spricka::report

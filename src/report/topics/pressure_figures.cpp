@@ -229,7 +229,7 @@ std::vector<model::Contact> shown_contacts(const model::Model& model,
 Figure figure_of_contact(const model::Model& model, const results::RunResult& run,
                          const model::Contact& contact) {
   if (!dimension_columns.at(model.mesh.dim).arcs) {
-    return bore_figure(model, run, contact).value_or(Figure());
+    return unrolled_pressure_figure(model, run, contact).value_or(Figure());
   }
   const bool bore = std::ranges::any_of(mounted_rows(run, contact.name),
                                         [](const ContactRow& row) { return on_bore(row.contact); });

@@ -37,7 +37,7 @@ void add_vector(Columns<Row>& columns, const std::string& what, const std::strin
                 const Directions& along, double scale, Value value) {
   for (const Eigen::Index i : along) {
     columns.number(fmt::format("{} {}", what, "xyz"[i]), unit, [=](const Row& row) {
-      return six_digits_beside(std::invoke(value, row)[i], scale);
+      return six_digits_or_zero(std::invoke(value, row)[i], scale);
     });
   }
 }
@@ -81,7 +81,7 @@ ReportTable contact_result_table(const model::Model& model,
                                      {"p mean", &results::ContactResult::mean_pressure},
                                      {"p max", &results::ContactResult::max_pressure}}) {
     columns.number(name, units.stress_name(), [=, member = member](const ContactRow& row) {
-      return six_digits_beside(row.contact.*member, pressure);
+      return six_digits_or_zero(row.contact.*member, pressure);
     });
   }
   add_vector(columns, "force", units.force_name, directions(model, increment), force,
@@ -205,7 +205,7 @@ ReportTable resultants(const model::Model& model, const results::CrackLengthResu
       },
       short_number);
   columns.number("energy", unit + "*" + model.units.length_name, [=](const BalanceRow& row) {
-    return six_digits_beside(row.balance.energy, most);
+    return six_digits_or_zero(row.balance.energy, most);
   });
   return columns.table(title, rows);
 }

@@ -62,7 +62,7 @@ std::optional<double> UnrolledSurface::pressure_at(DrawingPoint at) const {
   return std::nullopt;
 }
 
-DrawingPoint UnrolledSurface::line_force_at(double along) const {
+DrawingPoint UnrolledSurface::line_force_at_axial_position(double along) const {
   DrawingPoint sum;
   for (int i = 0; i < parts_of_turn; ++i) {
     const double angle = -pi + 2.0 * pi * (i + 0.5) / parts_of_turn;

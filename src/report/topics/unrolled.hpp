@@ -30,7 +30,7 @@ public:
   [[nodiscard]] std::optional<double> pressure_at(DrawingPoint at) const;
   /// What pressure pushes the surface by at a place along the axis, for a unit of length along it:
   /// towards angle 0 and pi/2.
-  [[nodiscard]] DrawingPoint line_force_at(double along) const;
+  [[nodiscard]] DrawingPoint line_force_at_axial_position(double along) const;
 
 private:
   std::vector<Triangle> triangles_;

@@ -91,10 +91,10 @@ TEST(References, ComeFromTheChecksOnKAndMeetTheirIncrement) {
 
 TEST(KFigure, NeedsTwoLengths) {
   test::Sample sample = test::make_sample();
-  EXPECT_TRUE(k_figure(sample.model, sample.run));
+  EXPECT_TRUE(k_over_crack_length_figure(sample.model, sample.run));
   EXPECT_TRUE(normalised_k_figure(sample.model, sample.run));
   sample.run.increments.pop_back();
-  EXPECT_FALSE(k_figure(sample.model, sample.run));
+  EXPECT_FALSE(k_over_crack_length_figure(sample.model, sample.run));
   EXPECT_FALSE(normalised_k_figure(sample.model, sample.run));
 }
 
@@ -103,7 +103,8 @@ TEST(KFigure, NamesCurvesThatCoincideOnce) {
   for (results::CrackLengthResult& increment : sample.run.increments) {
     increment.steps[2].fronts = increment.steps[0].fronts; // UNLOAD ends where PRESS did
   }
-  const std::string drawing = k_figure(sample.model, sample.run)->drawings.front();
+  const std::string drawing =
+      k_over_crack_length_figure(sample.model, sample.run)->drawings.front();
   EXPECT_NE(drawing.find(">PRESS, UNLOAD<"), std::string::npos);
   EXPECT_NE(drawing.find(">LOAD<"), std::string::npos);
 }
@@ -173,14 +174,14 @@ TEST(Notes, ThatDifferByNumbersAloneAreSaidOnce) {
         results::note(i == 2 ? "PIN slides" : "BUSH slides")};
     run.increments.push_back(increment);
   }
-  const std::vector<LocatedNote> notes = collect_notes(run);
+  const std::vector<RepeatedNote> notes = collect_notes(run);
   ASSERT_EQ(notes.size(), 3U);
   EXPECT_EQ(notes[0].first.kind, base::ResultConcern::less_exact);
-  EXPECT_EQ(located_note_text(notes[0]),
+  EXPECT_EQ(repeated_note_text(notes[0]),
             "increment 1, step LOAD: K1 = 1.000e-03 is doubtful (alike 2 more "
             "times, last in increment 3, step LOAD)");
   EXPECT_EQ(notes[1].times, 2);
-  EXPECT_EQ(located_note_text(notes[2]), "increment 2, step LOAD: PIN slides");
+  EXPECT_EQ(repeated_note_text(notes[2]), "increment 2, step LOAD: PIN slides");
 }
 
 TEST(MeshPicture, DrawsACurvedEdgeAsItsParabola) {

@@ -56,7 +56,7 @@ TEST(UnrolledSurface, PushIsTheIntegralRoundTheAxis) {
   const UnrolledSurface surface(pressed_bore(), false);
   for (const double z : {1.0, 1.7, 3.0}) {
     const double size = 3.0 * 5.0 * (1.0 + z) * 0.5 * pi;
-    const DrawingPoint push = surface.line_force_at(z);
+    const DrawingPoint push = surface.line_force_at_axial_position(z);
     EXPECT_NEAR(push.x, size * std::cos(3.0), 2e-3 * size);
     EXPECT_NEAR(push.y, size * std::sin(3.0), 2e-3 * size);
   }

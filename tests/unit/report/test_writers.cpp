@@ -126,7 +126,7 @@ TEST_F(Writers, LeaveNoTemporaryFileAndReplaceAnOldOne) {
 TEST_F(Writers, ThrowSystemErrorWhereNothingCanBeWritten) {
   const auto& increment = sample.run.increments.front();
   EXPECT_THROW(write_k_csv(folder / "no" / "k.csv", sample.model, sample.run), std::system_error);
-  EXPECT_THROW(write_vtu(folder / "no" / "a.vtu", sample.model, increment, increment.steps[0]),
+  EXPECT_THROW(write_step_vtu(folder / "no" / "a.vtu", sample.model, increment, increment.steps[0]),
                std::system_error);
   // A folder in the way: the temporary file must be gone again.
   std::filesystem::create_directories(folder / "k.csv" / "in_use");

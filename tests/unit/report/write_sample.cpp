@@ -79,14 +79,15 @@ int main(int count, char** arguments) {
   std::vector<report::PvdEntry> entries;
   for (const results::CrackLengthResult& increment : sample.run.increments) {
     const std::string name = "sample." + std::to_string(increment.number) + ".vtu";
-    report::write_vtu(folder / name, sample.model, increment, increment.steps[1]);
+    report::write_step_vtu(folder / name, sample.model, increment, increment.steps[1]);
     entries.push_back({.time = increment.a, .part = 0, .name = name});
   }
   using enum ElementType;
-  report::write_vtu(folder / "solids.vtu", sample.model,
-                    units({tet10, pentac15, hexec20, hexec27}, false), {});
-  report::write_vtu(folder / "quarter.vtu", sample.model,
-                    units({trimc6, quamc8, quamc9, tet10, pentac15, hexec20, hexec27}, true), {});
+  report::write_step_vtu(folder / "solids.vtu", sample.model,
+                         units({tet10, pentac15, hexec20, hexec27}, false), {});
+  report::write_step_vtu(folder / "quarter.vtu", sample.model,
+                         units({trimc6, quamc8, quamc9, tet10, pentac15, hexec20, hexec27}, true),
+                         {});
   report::write_pvd(folder / "sample.pvd", entries);
   report::write_k_csv(folder / "k.csv", sample.model, sample.run);
   report::write_pressure_csv(folder / "pressure.csv", sample.model, sample.run);
