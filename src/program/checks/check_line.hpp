@@ -82,13 +82,13 @@ struct CheckedStep {
 };
 
 /// The increment whose length is `a` (to 1e-6), or the last one when no length is given.
-CheckedStep find_checked_step(const results::RunResult& run, const std::string& step,
-                              std::optional<double> a);
+CheckedStep find_checked_increment_and_step(const results::RunResult& run, const std::string& step,
+                                            std::optional<double> a);
 
 /// The same, of a step and length that come next among the arguments.
-inline CheckedStep next_step(CheckLine& line) {
+inline CheckedStep read_step_argument(CheckLine& line) {
   const std::string step = line.args.next_name("a step");
-  return find_checked_step(line.run, step, line.args.next_number());
+  return find_checked_increment_and_step(line.run, step, line.args.next_number());
 }
 
 /// Nodes of the node, face or element set of that name, perhaps several times.
@@ -115,7 +115,7 @@ const results::LoadPathResult& find_load_path(const results::RunResult& run,
                                               std::optional<double> a);
 /// Why K along a front, at a place of a load path, is no answer: K1 < 0, as at the end of a step.
 /// Empty: it is one.
-std::string negative_k1_reason(const results::FrontResult& front);
+std::string invalid_k1_reason(const results::FrontResult& front);
 
 /// Whether $CHECK asks a contact for that word: CPRESS.MAX, ARC.FROM and their like.
 bool is_contact_quantity(std::string_view word);

@@ -23,7 +23,7 @@ double reaction(CheckLine& line) {
   const std::string set = args.next_name("a set");
   const std::string step = args.next_name("a step");
   const Eigen::Index axis = axis_index(args.next_name("X, Y or Z"));
-  const CheckedStep at = find_checked_step(run, step, args.next_number());
+  const CheckedStep at = find_checked_increment_and_step(run, step, args.next_number());
   if (const auto missing = analysis::find_removed_held_node(model, at.increment->mesh, set)) {
     throw MissingQuantity(
         fmt::format("the patch of a crack has replaced node {} of the support: ask for a "
@@ -43,7 +43,7 @@ double reaction(CheckLine& line) {
 
 double energy(CheckLine& line) {
   const std::string net = line.args.next_name("a net or *");
-  const results::LoadStepResult& at = *next_step(line).step;
+  const results::LoadStepResult& at = *read_step_argument(line).step;
   if (net == "*") {
     return at.energy;
   }
@@ -56,7 +56,7 @@ double energy(CheckLine& line) {
 
 double estimated_error(CheckLine& line) {
   const std::string net = line.args.next_name("a net or *");
-  const results::LoadStepResult& at = *next_step(line).step;
+  const results::LoadStepResult& at = *read_step_argument(line).step;
   const auto found = std::ranges::find(at.errors, net, &results::NetErrorEstimate::net);
   if (found == at.errors.end()) {
     throw MissingQuantity(fmt::format("net {} has no elements outside crack patches", net));
@@ -131,7 +131,7 @@ double evaluate(const model::Model& model, const model::ResultCheck& check,
 double bar_of(const model::Model& model, const model::ResultCheck& check,
               const results::RunResult& run) {
   model::ResultCheck asked = check;
-  asked.quantity = error_bar_part_word(check.quantity, "BAR");
+  asked.quantity = check_word_of_error_bar_part(check.quantity, "BAR");
   const bool one_place = !asked.quantity.ends_with(".MIN") && !asked.quantity.ends_with(".MAX");
   if (!asked.quantity.empty() && one_place) {
     try {

@@ -28,7 +28,7 @@ bool is_checkable_quantity(std::string_view word);
 
 /// What $CHECK calls a part of the error bar of K where `word` has K: "K1.BAR" (part: BAR) of K and
 /// K1, "K2.BEST.PHI" of K2.PHI; empty: the word is not of K itself.
-std::string error_bar_part_word(std::string_view word, std::string_view part);
+std::string check_word_of_error_bar_part(std::string_view word, std::string_view part);
 
 /// What a line of $CHECK that names a place reads there, K1.AT and its like, is of the nearest
 /// place of the front: says so where that is more than a twentieth of the front's length away
@@ -39,7 +39,7 @@ std::optional<std::string> far_from_front_warning(const model::ResultCheck& chec
 
 /// Every $TEST against the run: rates from its readings, K from the rates (manual, inversion.md),
 /// beside K of the increments at the step KMAX of $GROW, interpolated in log K over log a.
-std::vector<results::GrowthTestResult> invert_growth_tests(const model::Model& model,
-                                                           const results::RunResult& run);
+std::vector<results::GrowthTestResult> find_K_from_growth_tests(const model::Model& model,
+                                                                const results::RunResult& run);
 
 } // namespace spricka::program

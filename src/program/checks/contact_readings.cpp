@@ -273,7 +273,8 @@ double evaluate_contact_quantity(CheckLine& line) {
   } else if (argument == Argument::axis) {
     axis = axis_index(args.next_name("X, Y or Z"));
   }
-  const results::LoadStepResult& found = *find_checked_step(run, step, args.next_number()).step;
+  const results::LoadStepResult& found =
+      *find_checked_increment_and_step(run, step, args.next_number()).step;
   const results::ContactResult contact = contact_of(model, found, name);
   if (contact.space && plane_only(argument, word)) {
     throw MissingQuantity(

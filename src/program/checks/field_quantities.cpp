@@ -14,8 +14,8 @@
 
 namespace spricka::program {
 
-CheckedStep find_checked_step(const results::RunResult& run, const std::string& step,
-                              std::optional<double> a) {
+CheckedStep find_checked_increment_and_step(const results::RunResult& run, const std::string& step,
+                                            std::optional<double> a) {
   // From the end: without a length the last increment is meant.
   for (auto it = run.increments.rbegin(); it != run.increments.rend(); ++it) {
     const results::LoadStepResult* found = results::find_step(*it, step);
@@ -156,7 +156,7 @@ double evaluate_field_quantity(CheckLine& line) {
   const FieldName field = split(quantity);
   if (field.how == "AT") {
     const base::Vec3 x = args.required_point(model.mesh.dim);
-    const CheckedStep at = next_step(line);
+    const CheckedStep at = read_step_argument(line);
     if (field.what == "U") {
       return displacement_at(at.increment->mesh, at.step->u, x, axis_index(field.component));
     }
@@ -168,7 +168,7 @@ double evaluate_field_quantity(CheckLine& line) {
     return stress_component(*s, field.component);
   }
   const std::string set = args.next_name("a set");
-  const CheckedStep at = next_step(line);
+  const CheckedStep at = read_step_argument(line);
   std::vector<double> values;
   if (field.what == "S") {
     values = stresses_of_set(model, at, set, field.component);

@@ -185,7 +185,7 @@ Fronts fronts_at(const results::LoadPathResult& path, double t) {
     results::FrontResult& front = fronts.emplace_back(along.at(t));
     // That a tip is in doubt on the whole path comes first.
     if (front.invalid_reason.empty() || !front.is_tip()) {
-      const std::string overlap = negative_k1_reason(front);
+      const std::string overlap = invalid_k1_reason(front);
       front.invalid_reason = overlap.empty() ? front.invalid_reason : overlap;
     }
   }
@@ -261,9 +261,10 @@ Asked asked_of(const std::string& text, CheckArguments& args, const results::Run
   const std::string by = named ? args.next_name("a name") : word.where.empty() ? crack : "";
   asked.phi = word.where == "PHI" ? args.required_number("an angle") : 0.0;
   const std::optional<double> a = args.next_number();
-  asked.fronts = word.on_path
-                     ? fronts_of(fronts_at(find_load_path(run, name, t, a), t), word, crack)
-                     : fronts_of(find_checked_step(run, name, a).step->fronts, word, crack);
+  asked.fronts =
+      word.on_path
+          ? fronts_of(fronts_at(find_load_path(run, name, t, a), t), word, crack)
+          : fronts_of(find_checked_increment_and_step(run, name, a).step->fronts, word, crack);
   refuse_without_bar(asked.fronts, *word.quantity);
   for (results::FrontResult& front : asked.fronts) {
     if (word.by) {
@@ -283,7 +284,7 @@ bool is_front_quantity(std::string_view word) {
   return front_word(word).quantity != nullptr;
 }
 
-std::string error_bar_part_word(std::string_view word, std::string_view part) {
+std::string check_word_of_error_bar_part(std::string_view word, std::string_view part) {
   const FrontWord of = front_word(word);
   if (of.quantity == nullptr || !of.quantity->is_k() || of.by || of.on_path) {
     return {};

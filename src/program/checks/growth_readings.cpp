@@ -311,8 +311,8 @@ const results::GrowthTestResult& test_of(const results::RunResult& run, const st
 
 } // namespace
 
-std::vector<results::GrowthTestResult> invert_growth_tests(const model::Model& model,
-                                                           const results::RunResult& run) {
+std::vector<results::GrowthTestResult> find_K_from_growth_tests(const model::Model& model,
+                                                                const results::RunResult& run) {
   std::vector<results::GrowthTestResult> tests;
   for (const model::GrowthTestReadings& card : model.tests) {
     tests.push_back(invert(model, run, card));

@@ -36,7 +36,7 @@ const results::LoadPathFront& tip_of(const results::LoadPathResult& path, const 
 }
 
 void refuse_overlap(const results::LoadPathFront& tip, double t) {
-  if (const std::string reason = negative_k1_reason(tip.at(t)); !reason.empty()) {
+  if (const std::string reason = invalid_k1_reason(tip.at(t)); !reason.empty()) {
     throw MissingQuantity(reason);
   }
 }
@@ -77,7 +77,7 @@ double of_two(CheckArguments& args, const results::RunResult& run) {
 
 } // namespace
 
-std::string negative_k1_reason(const results::FrontResult& front) {
+std::string invalid_k1_reason(const results::FrontResult& front) {
   const double of_mesh = front.is_tip() ? 1e-9 : 1e-2; // over K2 and K3
   const bool overlaps =
       std::ranges::any_of(front.points, [&](const results::FrontPointResult& place) {

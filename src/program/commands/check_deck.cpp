@@ -233,7 +233,7 @@ base::Outcome check_deck(const RunOptions& options, const CheckedDeck& deck, con
   preview.length_unit = model.units.length_name;
   preview.force_unit = model.units.force_name;
   preview.dim = model.mesh.dim;
-  preview.scripts = report_script_constants(deck);
+  preview.scripts = list_script_constants(deck);
   for (const model::Step& step : model.steps) {
     preview.steps.push_back(step.name);
   }

@@ -44,7 +44,7 @@ void tell_of_k(const std::optional<std::filesystem::path>& table, const std::str
 
 base::Outcome run_once(const RunOptions& options, const CheckedDeck& deck, const Log& log) {
   reject_state_in_run_folder(options, *deck.model);
-  const OpenCheckpoint opened = open_checkpoint(options, deck, {}, log);
+  const CheckpointOrRefusal opened = open_checkpoint(options, deck, {}, log);
   if (opened.refusal) {
     return opened.refusal->kind;
   }
@@ -65,7 +65,7 @@ base::Outcome run_once(const RunOptions& options, const CheckedDeck& deck, const
     const std::scoped_lock lock(guard);
     folder.emplace(options.out);
   }
-  RunOutcome outcome;
+  RunOutcomeWithResults outcome;
   try {
     outcome = solve_and_write(options, deck, *folder, opened.checkpoint.get(), log);
   } catch (...) {

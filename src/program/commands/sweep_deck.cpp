@@ -201,7 +201,7 @@ private:
     // Each point has a profile of its own, from here on.
     options.recorder = options.profile ? begin_profile() : nullptr;
     const CheckedDeck deck = read_point(options, i);
-    const RunOutcome outcome = deck.model ? solve(options, deck, point) : deck.refusal;
+    const RunOutcomeWithResults outcome = deck.model ? solve(options, deck, point) : deck.refusal;
     point.outcome = outcome.kind;
     point.error = outcome.error;
     if (outcome.run) {
@@ -237,15 +237,17 @@ private:
   }
 
   // Each point keeps its state in a folder of its own, beside its run folder.
-  RunOutcome solve(const RunOptions& options, const CheckedDeck& deck, const SweepPoint& point) {
-    const OpenCheckpoint opened =
+  RunOutcomeWithResults solve(const RunOptions& options, const CheckedDeck& deck,
+                              const SweepPoint& point) {
+    const CheckpointOrRefusal opened =
         open_checkpoint(options, deck, out_.path() / (point.folder + ".restart"), log_);
     if (opened.refusal) {
       return *opened.refusal;
     }
     set_current(opened.checkpoint.get());
     try {
-      RunOutcome outcome = solve_and_write(options, deck, *folder_, opened.checkpoint.get(), log_);
+      RunOutcomeWithResults outcome =
+          solve_and_write(options, deck, *folder_, opened.checkpoint.get(), log_);
       set_current(nullptr);
       return outcome;
     } catch (...) {

@@ -172,9 +172,9 @@ void tell_of(const base::OperationFailure& answer, base::Diagnostics& diagnostic
 }
 
 // How a run ends that has its results.
-RunOutcome judged(const Solved& solved, const results::RunResult& run, const Log& log) {
+RunOutcomeWithResults judged(const Solved& solved, const results::RunResult& run, const Log& log) {
   const int failed = report_checks(run, log);
-  RunOutcome outcome;
+  RunOutcomeWithResults outcome;
   if (failed > 0) {
     outcome.kind = base::Outcome::check_failed;
     outcome.error = fmt::format("{} of {} checks failed", failed, run.checks.size());
@@ -205,11 +205,12 @@ std::string write_profile(const RunOptions& options, const base::SourceTexts& so
 
 } // namespace
 
-RunOutcome solve_and_write(const RunOptions& options, const CheckedDeck& deck, RunFolder& folder,
-                           archive::Checkpoint* checkpoint, const Log& log) {
+RunOutcomeWithResults solve_and_write(const RunOptions& options, const CheckedDeck& deck,
+                                      RunFolder& folder, archive::Checkpoint* checkpoint,
+                                      const Log& log) {
   const double cpu_before = base::cpu_seconds();
   base::Diagnostics diagnostics;
-  report_skipped_state(checkpoint, log);
+  start_reporting_skipped_state(checkpoint, log);
   Solved solved = solve_deck(options, deck, folder, checkpoint, diagnostics);
   if (is_stopped(solved.trouble)) {
     const std::string by = solved.trouble->why;
@@ -230,7 +231,7 @@ RunOutcome solve_and_write(const RunOptions& options, const CheckedDeck& deck, R
     const std::vector<results::Note> flaws = results::make_plain_notes(deck.flaws);
     notes.insert(notes.begin(), flaws.begin(), flaws.end());
   }
-  run.tests = invert_growth_tests(*used.model, run);
+  run.tests = find_K_from_growth_tests(*used.model, run);
   // Before the notes are collected: it changes their words.
   analysis::reword_notes_of_broken_ligaments(run);
   add_warnings(*used.model, run, diagnostics);
@@ -246,9 +247,9 @@ RunOutcome solve_and_write(const RunOptions& options, const CheckedDeck& deck, R
   {
     const analysis::ScopedProfileInterval span(options.recorder.get(), "OUTPUT",
                                                "tables, pictures, report");
-    folder.write(deck.sources, *used.model, run, report_script_constants(deck));
+    folder.write(deck.sources, *used.model, run, list_script_constants(deck));
   }
-  RunOutcome outcome = judged(solved, run, log);
+  RunOutcomeWithResults outcome = judged(solved, run, log);
   outcome.profile = write_profile(options, deck.sources, *used.model, folder);
   outcome.run = std::move(solved.run);
   return outcome;

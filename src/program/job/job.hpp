@@ -22,8 +22,9 @@ namespace spricka::program {
 /// Solves a deck and writes its folder, which is not yet put in place; messages go to the log. With
 /// a checkpoint (or null) what an earlier run has solved is taken over, and increments are kept.
 /// Throws std::system_error or FileFailure when a file cannot be written.
-RunOutcome solve_and_write(const RunOptions& options, const CheckedDeck& deck, RunFolder& folder,
-                           archive::Checkpoint* checkpoint, const Log& log);
+RunOutcomeWithResults solve_and_write(const RunOptions& options, const CheckedDeck& deck,
+                                      RunFolder& folder, archive::Checkpoint* checkpoint,
+                                      const Log& log);
 
 /// What bodies have of cracks in space, and the table of results, on stdout.
 void print_summary(const CheckedDeck& deck, const results::RunResult& run,

@@ -98,8 +98,9 @@ std::string first_error_text(const base::SourceTexts& sources,
   return {};
 }
 
-RunOutcome report_refusal(const base::SourceTexts& sources, const base::Diagnostics& list,
-                          base::Outcome kind, const Log& log, const base::Diagnostics* reported) {
+RunOutcomeWithResults report_refusal(const base::SourceTexts& sources,
+                                     const base::Diagnostics& list, base::Outcome kind,
+                                     const Log& log, const base::Diagnostics* reported) {
   log.diagnostics(sources, news_of(list, reported));
   return {kind, first_error_text(sources, list), {}};
 }
@@ -162,7 +163,7 @@ CheckedDeck read_deck_silently(const std::filesystem::path& deck,
   return ready;
 }
 
-std::vector<results::ReportedScriptConstant> report_script_constants(const CheckedDeck& deck) {
+std::vector<results::ReportedScriptConstant> list_script_constants(const CheckedDeck& deck) {
   std::vector<results::ReportedScriptConstant> result;
   for (const deck::ImportedScript& script : deck.scripts) {
     std::string file = std::filesystem::path(script.file).filename().string();

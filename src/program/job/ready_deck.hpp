@@ -17,7 +17,7 @@
 namespace spricka::program {
 
 /// How one deck has ended, with its results where there are some.
-struct RunOutcome {
+struct RunOutcomeWithResults {
   base::Outcome kind = base::Outcome::done;
   std::string error; ///< the first one, with its place, or how many checks failed
   std::optional<results::RunResult> run;
@@ -32,7 +32,7 @@ struct CheckedDeck {
   std::vector<deck::ImportedScript> scripts; ///< the constants of geometry scripts
   std::vector<std::string> flaws;            ///< what bodies in space have of each crack
   std::optional<model::Model> model;
-  RunOutcome refusal; ///< without a model
+  RunOutcomeWithResults refusal; ///< without a model
 };
 
 /// Reads and checks a deck; messages go to the log. Cards that this version does not have are
@@ -48,15 +48,15 @@ CheckedDeck read_deck_silently(const std::filesystem::path& deck,
 
 /// What is wrong goes to the log, but for what was `reported` before, and the first error into the
 /// outcome.
-RunOutcome report_refusal(const base::SourceTexts& sources, const base::Diagnostics& list,
-                          base::Outcome kind, const Log& log,
-                          const base::Diagnostics* reported = nullptr);
+RunOutcomeWithResults report_refusal(const base::SourceTexts& sources,
+                                     const base::Diagnostics& list, base::Outcome kind,
+                                     const Log& log, const base::Diagnostics* reported = nullptr);
 
 /// "lug.deck:12:18: E108: text" of the first error; empty without one.
 std::string first_error_text(const base::SourceTexts& sources,
                              const base::Diagnostics& diagnostics);
 
 /// The constants of a deck's geometry scripts, for listing and check.
-std::vector<results::ReportedScriptConstant> report_script_constants(const CheckedDeck& deck);
+std::vector<results::ReportedScriptConstant> list_script_constants(const CheckedDeck& deck);
 
 } // namespace spricka::program

@@ -77,9 +77,9 @@ void reject_state_in_run_folder(const RunOptions& options, const model::Model& m
   }
 }
 
-OpenCheckpoint open_checkpoint(const RunOptions& options, const CheckedDeck& deck,
-                               const fs::path& folder, const Log& log) {
-  OpenCheckpoint out;
+CheckpointOrRefusal open_checkpoint(const RunOptions& options, const CheckedDeck& deck,
+                                    const fs::path& folder, const Log& log) {
+  CheckpointOrRefusal out;
   const std::optional<model::RestartFiles>& card = deck.model->restart;
   if (!card) {
     return out;
@@ -94,14 +94,14 @@ OpenCheckpoint open_checkpoint(const RunOptions& options, const CheckedDeck& dec
     list.error(misfit->span, misfit->code, misfit->text,
                "start from the beginning, or take the deck that wrote the file");
     log.diagnostics(deck.sources, list);
-    out.refusal = RunOutcome{base::Outcome::deck_error, misfit->text, {}};
+    out.refusal = RunOutcomeWithResults{base::Outcome::deck_error, misfit->text, {}};
     return out;
   }
   out.checkpoint = std::move(checkpoint);
   return out;
 }
 
-void report_skipped_state(archive::Checkpoint* checkpoint, const Log& log) {
+void start_reporting_skipped_state(archive::Checkpoint* checkpoint, const Log& log) {
   if (checkpoint == nullptr) {
     return;
   }

@@ -20,18 +20,18 @@ bool reject_restart_without_state(const RunOptions& options, const model::Model&
 /// as a whole while the state is written.
 void reject_state_in_run_folder(const RunOptions& options, const model::Model& model);
 
-struct OpenCheckpoint {
+struct CheckpointOrRefusal {
   std::unique_ptr<archive::Checkpoint> checkpoint; ///< null: nothing is asked for
-  std::optional<RunOutcome> refusal;               ///< the state does not fit the deck; it is told
+  std::optional<RunOutcomeWithResults> refusal;    ///< the state does not fit the deck; it is told
 };
 
 /// Opens what deck and command line ask for. Files lie relative to the deck, those of a sweep's
 /// point in `folder`. Throws FileFailure for files that cannot be used.
-OpenCheckpoint open_checkpoint(const RunOptions& options, const CheckedDeck& deck,
-                               const std::filesystem::path& folder, const Log& log);
+CheckpointOrRefusal open_checkpoint(const RunOptions& options, const CheckedDeck& deck,
+                                    const std::filesystem::path& folder, const Log& log);
 
 /// What a checkpoint (or null) passes over is said on stderr from now on, as it turns out.
-void report_skipped_state(archive::Checkpoint* checkpoint, const Log& log);
+void start_reporting_skipped_state(archive::Checkpoint* checkpoint, const Log& log);
 /// Puts the last increments on disk, and what was taken over or passed over into the run's log.
 void finish_checkpoint(archive::Checkpoint* checkpoint, results::RunResult& run);
 

@@ -83,7 +83,7 @@ struct CostForecast::Needs {
 };
 
 const solve::FactorReport& CostForecast::report_of(const analysis::CondensationRequest& request,
-                                                   const FactorisedNet& piece, Needs& needs) {
+                                                   const NetToForecast& piece, Needs& needs) {
   const auto& [net, key, body, first_part] = piece;
   const auto at = known_.find(key);
   if (at != known_.end()) {

@@ -29,14 +29,14 @@ public:
 
 private:
   struct Needs; ///< of one length
-  struct FactorisedNet {
+  struct NetToForecast {
     const analysis::Substructure& net;
     const analysis::HashKey& key;
     const analysis::SubstructuredBody* body; ///< that whose region the net is; null for a part
     const analysis::HashKey* first_part;     ///< its key, if there is one
   };
   const solve::FactorReport& report_of(const analysis::CondensationRequest& request,
-                                       const FactorisedNet& piece, Needs& needs);
+                                       const NetToForecast& piece, Needs& needs);
   [[nodiscard]] double contact_flops(const std::vector<analysis::SubstructuredBody>& bodies,
                                      const analysis::Discretisation& scene) const;
 

@@ -42,7 +42,8 @@ std::string trouble_of(const solve::FactorReport& report) {
              : "its matrix is singular";
 }
 
-void once(const model::Model& model, const analysis::Discretisation& scene, CostFloor& floor) {
+void once(const model::Model& model, const analysis::Discretisation& scene,
+          FactorisationCostFloor& floor) {
   const base::Stopwatch assembling;
   base::SymmetricCsc K = analysis::regularised_global_stiffness(model, scene);
   const double assembly = assembling.cpu_time();
@@ -71,8 +72,8 @@ void once(const model::Model& model, const analysis::Discretisation& scene, Cost
 
 } // namespace
 
-CostFloor find_cost_floor(const model::Model& model) {
-  CostFloor floor;
+FactorisationCostFloor measure_factorisation_cost_floor(const model::Model& model) {
+  FactorisationCostFloor floor;
   try {
     const std::optional<analysis::Discretisation> scene = first_scene(model);
     if (!scene) {

@@ -10,7 +10,7 @@ namespace spricka::program {
 /// The least that any direct finite-element code has to do for a deck: one plain sparse
 /// factorisation of the stiffness of all bodies at the first crack length, as the deck ties them
 /// and without contact, and one solution with it.
-struct CostFloor {
+struct FactorisationCostFloor {
   std::string why_not;        ///< why there is none; empty: there is
   std::int64_t equations = 0; ///< rows of the matrix
   double entries = 0.0;       ///< nonzeros of the factor
@@ -24,6 +24,6 @@ struct CostFloor {
 };
 
 /// Cuts the cracks of the first length anew and factorises; what is quick several times.
-CostFloor find_cost_floor(const model::Model& model);
+FactorisationCostFloor measure_factorisation_cost_floor(const model::Model& model);
 
 } // namespace spricka::program

@@ -36,11 +36,11 @@ std::shared_ptr<analysis::ProfileRecorder> begin_profile_of_process(const base::
 ProfileTexts end_profile(analysis::ProfileRecorder& recorder, const base::SourceTexts& sources,
                          const model::Model& model, std::uintmax_t written) {
   mesh::mesher_listener() = nullptr; // the floor is no part of the run
-  ProfileRecord record;
+  ProfileWithCostFloor record;
   record.profile = recorder.finish();
   record.bytes_read = archive::count_deck_input_bytes(sources, model);
   record.bytes_written = written;
-  record.floor = find_cost_floor(model);
+  record.floor = measure_factorisation_cost_floor(model);
   return {.table = profile_text(record),
           .csv = profile_csv(record),
           .trace = trace_json(record.profile)};

@@ -124,8 +124,8 @@ std::string bytes(std::uintmax_t count) {
                      : fmt::format("{:.1f} MB", 1e-6 * value);
 }
 
-std::string floor_text(const ProfileRecord& record) {
-  const CostFloor& floor = record.floor;
+std::string floor_text(const ProfileWithCostFloor& record) {
+  const FactorisationCostFloor& floor = record.floor;
   std::string text =
       "The floor: one plain factorisation of the stiffness of all bodies at the first length, "
       "without contact\n";
@@ -153,7 +153,7 @@ std::string floor_text(const ProfileRecord& record) {
                                : ".\n");
 }
 
-void add_processors(const ProfileRecord& record, base::CsvTable& csv) {
+void add_processors(const ProfileWithCostFloor& record, base::CsvTable& csv) {
   const ProcessorCostTable sums = processor_costs(record.profile);
   const double all = sums.total_cpu();
   for (const ProcessorCostSum& row : sums.rows) {
@@ -225,7 +225,7 @@ void add_lengths(const results::RunProfile& profile, base::CsvTable& csv) {
   }
 }
 
-void add_floor(const CostFloor& floor, base::CsvTable& csv) {
+void add_floor(const FactorisationCostFloor& floor, base::CsvTable& csv) {
   const base::CsvRow work{{"calls", floor.times},
                           {"cpu", floor.seconds_without_assembly()},
                           {"flops", floor.flops},
@@ -242,7 +242,7 @@ void add_floor(const CostFloor& floor, base::CsvTable& csv) {
 
 } // namespace
 
-double cost_over_floor(const ProfileRecord& record) {
+double cost_over_floor(const ProfileWithCostFloor& record) {
   double cpu = record.profile.cpu;
   for (const results::MesherCost& work : record.profile.mesher) {
     cpu += work.cpu.value_or(0.0);
@@ -252,7 +252,7 @@ double cost_over_floor(const ProfileRecord& record) {
              : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::string profile_text(const ProfileRecord& record) {
+std::string profile_text(const ProfileWithCostFloor& record) {
   std::string text = "\n" + report::table_to_text(processor_table(processor_costs(record.profile)));
   for (const ReportTable& table :
        {net_table(net_costs(record.profile)), length_table(crack_length_costs(record.profile))}) {
@@ -261,7 +261,7 @@ std::string profile_text(const ProfileRecord& record) {
   return text + "\n" + floor_text(record);
 }
 
-std::string profile_csv(const ProfileRecord& record) {
+std::string profile_csv(const ProfileWithCostFloor& record) {
   base::CsvTable csv("kind,name,length,a,calls,cpu,wall,share,flops,flops_all,resident,peak,raised,"
                      "freedoms,externals,nonzeros,condensed,reused,stiffness_cpu,analysis_cpu,"
                      "numeric_cpu,solution_cpu,floors,bytes_read,bytes_written,why",

@@ -39,7 +39,7 @@ std::string name_argument(const ShellCall& call, std::size_t i) {
 
 void tell_state(ShellSession& session, ShellReply& reply) {
   reply.out += K_and_contact_state_reply(session);
-  reply.messages += state_notes(session);
+  reply.messages += warnings_and_new_notes(session);
 }
 
 // What an operation has led to.
@@ -62,7 +62,7 @@ base::OptionalFailure solve_pending_changes(ShellSession& session, ShellReply& r
         session.has_friction()
             ? fmt::format("note: solved from the last state on, in {} substeps\n", default_substeps)
             : std::string();
-    reply.messages += state_notes(session);
+    reply.messages += warnings_and_new_notes(session);
   }
   return trouble;
 }
@@ -195,14 +195,14 @@ base::OptionalFailure list_sensitivity(const ShellCall& call) {
 
 } // namespace
 
-std::vector<std::string> list_command_topics() {
+std::vector<std::string> topics_of_list_command() {
   return {"K", "pressure", "sensitivity", "history"};
 }
 
 base::OptionalFailure do_list(const ShellCall& call) {
   const std::string what = name_argument(call, 1);
   if (what.empty()) {
-    call.reply.out = settings_reply(call.session);
+    call.reply.out = changes_and_state_reply(call.session);
     return {};
   }
   if (what == "HISTORY") {
@@ -222,11 +222,11 @@ base::OptionalFailure do_list(const ShellCall& call) {
   call.reply.out = cards_reply(call.session, what.starts_with('$') ? what.substr(1) : what);
   return call.reply.out.empty() ? base::OptionalFailure(invalid_input(
                                       fmt::format("there is no list or card '{}'", what),
-                                      base::make_spelling_hint(what, list_command_topics())))
+                                      base::make_spelling_hint(what, topics_of_list_command())))
                                 : base::OptionalFailure();
 }
 
-base::OptionalFailure do_map(const ShellCall& call) {
+base::OptionalFailure do_follow_load_path(const ShellCall& call) {
   if (call.words.size() != 2 && call.words.size() != 4) {
     return wrong_usage(call);
   }
@@ -240,7 +240,7 @@ base::OptionalFailure do_map(const ShellCall& call) {
   if (trouble) {
     return trouble;
   }
-  call.reply.out = map_reply(call.session);
+  call.reply.out = K_along_load_path_reply(call.session);
   for (const results::Note& note : call.session.last_followed_path()->notes) {
     call.reply.messages += fmt::format(
         "{}{}\n", results::is_warning(note) ? "" : "note: ", results::text_with_code(note));

@@ -15,7 +15,7 @@ base::OptionalFailure evaluate_result_line(ShellSession& session, const std::str
 base::OptionalFailure apply_deck_change(ShellSession& session, const std::string& line,
                                         bool is_card, ShellReply& reply);
 /// What `list` can show, beside what is set.
-std::vector<std::string> list_command_topics();
+std::vector<std::string> topics_of_list_command();
 
 // Commands of the table but help and quit.
 
@@ -28,7 +28,7 @@ base::OptionalFailure do_go_to_step(const ShellCall& call);
 /// Lists what is set, a table of results, or cards.
 base::OptionalFailure do_list(const ShellCall& call);
 /// Solves a load path of the deck, or a load case from one factor to another.
-base::OptionalFailure do_map(const ShellCall& call);
+base::OptionalFailure do_follow_load_path(const ShellCall& call);
 /// Writes a picture.
 base::OptionalFailure do_plot(const ShellCall& call);
 /// Writes the deck with what is set.

@@ -126,7 +126,8 @@ const std::vector<ShellCommand>& shell_commands() {
        do_list},
       {"map", "LOADPATH | CASE FROM TO", "M..",
        "K along a load, every breakpoint, without friction",
-       "A load path runs over its t; a load case over its factor, all else as it is set.", do_map},
+       "A load path runs over its t; a load case over its factor, all else as it is set.",
+       do_follow_load_path},
       {"plot", "k|pressure|mesh|path FILE.svg [replace]", "kf", "a picture into a file",
        "k: K1 over the lengths tried with these loads and cards, in space K along the front; path: "
        "the last map. A file that is there is left as it is unless replace stands behind its name.",

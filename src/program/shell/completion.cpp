@@ -108,7 +108,7 @@ Words candidates(const ShellSession& session, const Words& words, char letter) {
   case 'k':
     return picture_kinds();
   case 'q': {
-    Words names = list_command_topics();
+    Words names = topics_of_list_command();
     for (const deck::DeckCard& card : *session.changes().text) {
       names.push_back(card.name);
     }

@@ -68,7 +68,7 @@ analysis::CrackRegionPlan plan_lengths(const model::Model& model,
 } // namespace
 
 CondensedDeck::CondensedDeck(CheckedDeck deck, const deck::DeckCardList& text,
-                             const SolverControls& controls)
+                             const SolverThreadsAndStop& controls)
     : deck_(std::move(deck)), controls_(controls), other_cards_(cards_without_cracks_text(text)) {}
 
 void CondensedDeck::reuse_region(const CondensedDeck& before) {
@@ -92,7 +92,8 @@ base::OptionalFailure CondensedDeck::open(const SessionDeckChanges& changes) {
       return located_failure(base::Outcome::deck_error, deck_.sources, diagnostics);
     }
   }
-  if (keeps_mounts(model) && !memory_) { // what is mounted at the first length, by all steps
+  if (keeps_first_mounting(model) &&
+      !memory_) { // what is mounted at the first length, by all steps
     memory_ = std::make_shared<analysis::MountOffsetMemory>();
     std::unique_ptr<InteractiveSolver> first;
     base::OptionalFailure trouble = make_solver(true, first);

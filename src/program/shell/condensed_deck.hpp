@@ -13,7 +13,7 @@
 namespace spricka::program {
 
 /// What solvers may take of the machine.
-struct SolverControls {
+struct SolverThreadsAndStop {
   std::function<int(const model::Model&)> threads; ///< empty: one
   std::function<bool()> stopped;                   ///< may be empty
 };
@@ -23,7 +23,8 @@ struct SolverControls {
 class CondensedDeck {
 public:
   /// `text`: the cards of the deck, which has a model.
-  CondensedDeck(CheckedDeck deck, const deck::DeckCardList& text, const SolverControls& controls);
+  CondensedDeck(CheckedDeck deck, const deck::DeckCardList& text,
+                const SolverThreadsAndStop& controls);
   CondensedDeck(const CondensedDeck&) = delete;
   CondensedDeck& operator=(const CondensedDeck&) = delete;
 
@@ -47,7 +48,7 @@ private:
   base::OptionalFailure make_solver(bool first, std::unique_ptr<InteractiveSolver>& solver);
 
   CheckedDeck deck_; ///< with the lengths that $GROW begins with
-  SolverControls controls_;
+  SolverThreadsAndStop controls_;
   std::string other_cards_; ///< all cards but $CRACK
   analysis::CrackRegionPlan plan_;
   std::shared_ptr<analysis::CondensationCache> cache_ =

@@ -39,7 +39,7 @@ base::OptionalFailure refuse_mounting(const model::Model& model,
                                       const model::Step& pending, base::ContactId contact,
                                       bool on) {
   const std::string& name = model.contacts[contact.index()].name;
-  if (keeps_mounts(model)) {
+  if (keeps_first_mounting(model)) {
     return invalid_input(
         "with $GROW MOUNTED=FIRST a contact keeps what it took on at the first length: "
         "nothing is mounted or dismounted here");
@@ -58,7 +58,7 @@ base::OptionalFailure refuse_mounting(const model::Model& model,
 
 } // namespace
 
-bool keeps_mounts(const model::Model& model) {
+bool keeps_first_mounting(const model::Model& model) {
   return model.growth && model.growth->mounted == model::ContactMountingPolicy::first;
 }
 
@@ -106,8 +106,8 @@ base::OptionalFailure add_action(const model::Model& model, const analysis::Step
   return {};
 }
 
-void apply_step(const model::Model& model, const model::Step& next,
-                std::vector<model::Step>& applied) {
+void append_applied_step(const model::Model& model, const model::Step& next,
+                         std::vector<model::Step>& applied) {
   if (!applied.empty() && !model::has_friction(model) && !changes_mounted_contacts(next) &&
       !changes_mounted_contacts(applied.back())) {
     for (const model::StepAction& action : next.actions) {

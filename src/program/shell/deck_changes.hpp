@@ -24,7 +24,7 @@ struct SessionDeckChanges {
 };
 
 /// Whether contacts keep what they were mounted with at the first length.
-bool keeps_mounts(const model::Model& model);
+bool keeps_first_mounting(const model::Model& model);
 
 /// The deck's steps up to one of them, from the unloaded state.
 std::vector<model::Step> steps_to(const model::Model& model, std::size_t step);
@@ -39,7 +39,7 @@ base::OptionalFailure add_action(const model::Model& model, const analysis::Step
 
 /// Puts what `next` does behind the steps applied so far, into the last of them where the order
 /// does not count.
-void apply_step(const model::Model& model, const model::Step& next,
-                std::vector<model::Step>& applied);
+void append_applied_step(const model::Model& model, const model::Step& next,
+                         std::vector<model::Step>& applied);
 
 } // namespace spricka::program

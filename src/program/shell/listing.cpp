@@ -123,7 +123,7 @@ std::string K_and_contact_state_reply(const ShellSession& session) {
   return text;
 }
 
-std::string state_notes(ShellSession& session) {
+std::string warnings_and_new_notes(ShellSession& session) {
   std::string text;
   for (const std::string& note : new_notes(session.current_result(), session.reported_notes())) {
     text += note + "\n";
@@ -134,8 +134,8 @@ std::string state_notes(ShellSession& session) {
   return text;
 }
 
-results::CrackLengthResult current_increment_of_crack(const ShellSession& session,
-                                                      const std::string& only) {
+results::CrackLengthResult present_state_of_crack(const ShellSession& session,
+                                                  const std::string& only) {
   results::CrackLengthResult alone;
   results::LoadStepResult& step = alone.steps.emplace_back();
   step.step = "NOW";
@@ -148,7 +148,7 @@ results::CrackLengthResult current_increment_of_crack(const ShellSession& sessio
 }
 
 std::string k_reply(const ShellSession& session, const std::string& only) {
-  const results::CrackLengthResult fronts = current_increment_of_crack(session, only);
+  const results::CrackLengthResult fronts = present_state_of_crack(session, only);
   std::vector<ReportTable> tables =
       report::front_tables(session.solver().displayed_model(), fronts);
   if (tables.empty()) {
@@ -164,7 +164,7 @@ std::string k_reply(const ShellSession& session, const std::string& only) {
 
 std::string k_notes(const ShellSession& session, const std::string& only) {
   std::string text;
-  for (const FrontResult& front : current_increment_of_crack(session, only).steps.front().fronts) {
+  for (const FrontResult& front : present_state_of_crack(session, only).steps.front().fronts) {
     text += invalid_reason_note(front) + touching_note(front);
     if (!front.has_error_bar()) {
       text += fmt::format("note: {}: no error bar: {}\n", front.name, front.no_bar);
@@ -241,7 +241,7 @@ std::vector<MappedFrontPoint> mapped_points(const results::LoadPathResult& path)
 
 } // namespace
 
-std::string map_reply(const ShellSession& session) {
+std::string K_along_load_path_reply(const ShellSession& session) {
   const results::LoadPathResult& path = *session.last_followed_path();
   const PathParameterRange& range = session.path_parameter_range();
   const std::string K = session.model().units.stress_intensity_name();
@@ -291,7 +291,7 @@ std::string actions_text(const model::Model& model, const model::Step& step) {
 
 } // namespace
 
-std::string settings_reply(const ShellSession& session) {
+std::string changes_and_state_reply(const ShellSession& session) {
   const model::Model& model = session.model();
   std::string text = fmt::format("state    the end of step {}\n", session.base_step_name());
   for (const model::Step& step : session.changes().applied) {

@@ -47,7 +47,8 @@ base::OptionalFailure evaluate_result(ShellSession& session, const model::Result
         trouble; // a contact with the name of a step costs a solution, and no more
     const auto step = std::ranges::find(model.steps, *name, &model::Step::name);
     if (step != model.steps.end()) {
-      trouble = session.add_deck_step(static_cast<std::size_t>(step - model.steps.begin()));
+      trouble =
+          session.include_deck_step_result(static_cast<std::size_t>(step - model.steps.begin()));
     } else if (std::ranges::find(model.load_paths, *name, &model::LoadPathDefinition::name) !=
                model.load_paths.end()) {
       trouble = session.follow_deck_load_path(*name);

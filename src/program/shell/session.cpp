@@ -181,7 +181,7 @@ base::OptionalFailure ShellSession::solve(int substeps) {
   model::Step next = set_.pending;
   next.substeps = has_friction() ? substeps : 1;
   const std::vector<model::Step> before = set_.applied;
-  apply_step(model(), next, set_.applied);
+  append_applied_step(model(), next, set_.applied);
   if (base::OptionalFailure trouble =
           deck_->solver().solve_further_step(next, steps_to(model(), set_))) {
     set_.applied = before;

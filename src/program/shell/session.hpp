@@ -17,7 +17,7 @@
 
 namespace spricka::program {
 
-struct SessionOptions : SolverControls {
+struct SessionOptions : SolverThreadsAndStop {
   /// Reads and checks the deck.
   std::function<CheckedDeck(const deck::DeckReadOptions&)> read;
   std::vector<std::pair<std::string, std::string>> defines; ///< -D of the command line
@@ -76,7 +76,7 @@ public:
   /// Estimated errors of the nets in the energy norm, once for a state.
   void estimate_net_errors() { deck_->solver().estimate_net_errors(); }
   /// The end of a step of the deck becomes a further step of run_results().
-  base::OptionalFailure add_deck_step(std::size_t step) {
+  base::OptionalFailure include_deck_step_result(std::size_t step) {
     return deck_->solver().add_deck_step_result(step);
   }
   /// K along a $LOADPATH of the deck.

@@ -21,10 +21,10 @@ double law(double size, double reference, double power) {
   return std::abs(std::pow(size, power) - beyond);
 }
 
-ConvergenceFit fit_of(const std::vector<ConvergencePoint>& points, double reference, double power) {
+ConvergenceFit fit_of(const std::vector<MeshSizeAndError>& points, double reference, double power) {
   ConvergenceFit fit;
   std::vector<double> logs;
-  for (const ConvergencePoint& point : points) {
+  for (const MeshSizeAndError& point : points) {
     logs.push_back(std::log(point.error / law(point.size, reference, power)));
     fit.mean += logs.back() / static_cast<double>(points.size());
   }
@@ -36,7 +36,7 @@ ConvergenceFit fit_of(const std::vector<ConvergencePoint>& points, double refere
 }
 
 // The scatter has one minimum, which sections find.
-double best_power(const std::vector<ConvergencePoint>& points, double reference) {
+double best_power(const std::vector<MeshSizeAndError>& points, double reference) {
   double low = 0.05;
   double high = 16.0;
   constexpr double golden = 0.6180339887498949;
@@ -52,10 +52,10 @@ double best_power(const std::vector<ConvergencePoint>& points, double reference)
 
 } // namespace
 
-std::optional<ConvergenceRate> fit_convergence_rate(std::span<const ConvergencePoint> points,
+std::optional<ConvergenceRate> fit_convergence_rate(std::span<const MeshSizeAndError> points,
                                                     double floor, double reference) {
-  std::vector<ConvergencePoint> used;
-  std::ranges::copy_if(points, std::back_inserter(used), [&](const ConvergencePoint& point) {
+  std::vector<MeshSizeAndError> used;
+  std::ranges::copy_if(points, std::back_inserter(used), [&](const MeshSizeAndError& point) {
     return std::isfinite(point.error) && point.error > floor && point.size > 1.01 * reference;
   });
   if (used.size() < 3) {
@@ -65,11 +65,11 @@ std::optional<ConvergenceRate> fit_convergence_rate(std::span<const ConvergenceP
   return ConvergenceRate{power, std::exp(fit_of(used, reference, power).mean), used.size()};
 }
 
-std::vector<double> error_envelope(std::span<const ConvergencePoint> points) {
+std::vector<double> error_envelope(std::span<const MeshSizeAndError> points) {
   std::vector<double> lasting;
-  for (const ConvergencePoint& point : points) {
+  for (const MeshSizeAndError& point : points) {
     double largest = 0.0;
-    for (const ConvergencePoint& other : points) {
+    for (const MeshSizeAndError& other : points) {
       largest = other.size <= point.size ? std::max(largest, other.error) : largest;
     }
     lasting.push_back(largest);
@@ -77,7 +77,7 @@ std::vector<double> error_envelope(std::span<const ConvergencePoint> points) {
   return lasting;
 }
 
-std::optional<ErrorPlateau> find_error_plateau(std::span<const ConvergencePoint> points,
+std::optional<ErrorPlateau> find_error_plateau(std::span<const MeshSizeAndError> points,
                                                double nothing) {
   constexpr double falling = 0.5; // the least power of an error that goes on
   const std::vector<double> lasting = error_envelope(points);
@@ -96,10 +96,10 @@ std::optional<ErrorPlateau> find_error_plateau(std::span<const ConvergencePoint>
   return ErrorPlateau{first, lasting[first]};
 }
 
-std::optional<std::size_t> cheapest_run(std::span<const RunCost> runs) {
+std::optional<std::size_t> cheapest_run(std::span<const RankedRunCost> runs) {
   constexpr double alike = 1.15;
   double least = std::numeric_limits<double>::infinity();
-  for (const RunCost& run : runs) {
+  for (const RankedRunCost& run : runs) {
     least = std::min(least, run.cpu);
   }
   std::optional<std::size_t> best;

@@ -10,7 +10,7 @@
 namespace spricka::program {
 
 /// One mesh of a series. Errors are without sign, as parts of the answer.
-struct ConvergencePoint {
+struct MeshSizeAndError {
   double size = 1.0; ///< of its elements, as a part of the deck's: 0.5 is twice as fine
   double error = 0.0;
 };
@@ -25,12 +25,12 @@ struct ConvergenceRate {
 /// The power by least squares of the logarithms, of points above `floor`; needs three of them. With
 /// `reference` > 0 the errors are differences to a mesh of that size, which has an error of the
 /// same law: |size^power - reference^power|. Points at or below that size are left out.
-std::optional<ConvergenceRate> fit_convergence_rate(std::span<const ConvergencePoint> points,
+std::optional<ConvergenceRate> fit_convergence_rate(std::span<const MeshSizeAndError> points,
                                                     double floor, double reference = 0.0);
 
 /// The largest error of each point and all finer ones, in the order given: what a user can rely on,
 /// as an error that passes through zero is small by luck. [point]
-std::vector<double> error_envelope(std::span<const ConvergencePoint> points);
+std::vector<double> error_envelope(std::span<const MeshSizeAndError> points);
 
 /// Where errors have stopped falling: from point `first` of the series, coarse to fine, on.
 struct ErrorPlateau {
@@ -41,11 +41,11 @@ struct ErrorPlateau {
 /// The fine end of a series if errors there, lasting ones, fall with less than half the power of
 /// the size. Points coarse to fine; needs two of them on the plateau. Errors below `nothing` are
 /// round-off.
-std::optional<ErrorPlateau> find_error_plateau(std::span<const ConvergencePoint> points,
+std::optional<ErrorPlateau> find_error_plateau(std::span<const MeshSizeAndError> points,
                                                double nothing = 1e-12);
 
 /// What a run that could be chosen costs.
-struct RunCost {
+struct RankedRunCost {
   double cpu = 0.0;  ///< [s] infinite: it is no good
   double rank = 0.0; ///< of runs that take as long the least is chosen
 };
@@ -53,6 +53,6 @@ struct RunCost {
 /// The run to choose: of those that take the least CPU time, or as long (within 15 %, as one and
 /// the same run differs by so much), the one of the least rank, of several the quickest. Empty:
 /// none is any good.
-std::optional<std::size_t> cheapest_run(std::span<const RunCost> runs);
+std::optional<std::size_t> cheapest_run(std::span<const RankedRunCost> runs);
 
 } // namespace spricka::program

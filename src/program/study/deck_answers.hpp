@@ -38,8 +38,8 @@ struct AnswerReading {
 /// Of a deck that checks no K of its cracks K1 and K2 of each tip at the end of each step and
 /// length, along fronts at eight points; without cracks and checks mean pressures of its contacts,
 /// and the energy.
-std::vector<AnswerRequest> collect_answers(const model::Model& model,
-                                           const results::RunResult& run);
+std::vector<AnswerRequest> collect_answer_requests(const model::Model& model,
+                                                   const results::RunResult& run);
 
 /// What $CHECK finds of a line in a run; not a number where there is nothing.
 double found_value(const model::Model& model, const model::ResultCheck& check,

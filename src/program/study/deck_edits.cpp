@@ -67,7 +67,7 @@ void erase_nets(DeckCardList& text, const std::set<std::string>& nets) {
 // Takes out lines of loads and items of lists that name the nets; false: nothing is left.
 bool keep_other_nets(DeckCard& card, const std::set<std::string>& nets) {
   constexpr std::array names{"LOAD", "NSET", "ESET", "FSET", "FREEDOM"};
-  if (std::ranges::find(names, card.name) == names.end() || split_data_lines(card).empty()) {
+  if (std::ranges::find(names, card.name) == names.end() || split_data_line_fields(card).empty()) {
     return true;
   }
   rewrite_data_lines(card, [&](const DataFields& fields, std::string& line) {
@@ -82,7 +82,7 @@ bool keep_other_nets(DeckCard& card, const std::set<std::string>& nets) {
       line += line.empty() ? "" : "\n";
     }
   });
-  return !split_data_lines(card).empty();
+  return !split_data_line_fields(card).empty();
 }
 
 } // namespace
@@ -96,7 +96,7 @@ std::string net_prefix(std::string_view name) {
   return point == std::string_view::npos ? std::string() : grammar::to_upper(name.substr(0, point));
 }
 
-std::vector<DataFields> split_data_lines(const DeckCard& card) {
+std::vector<DataFields> split_data_line_fields(const DeckCard& card) {
   const ParsedData data(card);
   std::vector<DataFields> rows;
   for (const grammar::DataRow& row : data.rows()) {
@@ -139,8 +139,8 @@ void filter_step_actions(DeckCardList& text,
   }
 }
 
-std::string rename_in_text(std::string_view text,
-                           const std::function<std::string(std::string_view)>& change) {
+std::string transform_names_in_text(std::string_view text,
+                                    const std::function<std::string(std::string_view)>& change) {
   std::string changed;
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];
@@ -170,7 +170,8 @@ void remove_mount_actions(DeckCardList& text) {
   }
 }
 
-std::set<std::string> remove_nets(DeckCardList& text, const std::set<std::string>& nets) {
+std::set<std::string> remove_nets_with_dependents(DeckCardList& text,
+                                                  const std::set<std::string>& nets) {
   erase_nets(text, nets);
   std::set<std::string> contacts;
   for (const DeckCard& card : cards_named(text, "CONTACT")) {
@@ -272,7 +273,7 @@ void drop_path_checks(DeckCardList& text) {
     });
   }
   std::erase_if(text, [](const DeckCard& card) {
-    return card.name == "CHECK" && split_data_lines(card).empty();
+    return card.name == "CHECK" && split_data_line_fields(card).empty();
   });
 }
 

@@ -17,7 +17,7 @@ namespace spricka::program {
 using DataFields = std::vector<std::string>;
 
 /// The fields of all data lines of a card; comments are left out. [line][field]
-std::vector<DataFields> split_data_lines(const deck::DeckCard& card);
+std::vector<DataFields> split_data_line_fields(const deck::DeckCard& card);
 
 /// Lets `change` rewrite each data line of a card, with its continuations and ended by a newline,
 /// given its fields; an empty line goes. Comment and blank lines stay.
@@ -33,15 +33,16 @@ void filter_step_actions(deck::DeckCardList& text,
                          const std::function<bool(const std::string&, const std::string&)>& keep);
 
 /// A text with its names as `change` makes them, but for those in comments, quotes and units.
-std::string rename_in_text(std::string_view text,
-                           const std::function<std::string(std::string_view)>& change);
+std::string transform_names_in_text(std::string_view text,
+                                    const std::function<std::string(std::string_view)>& change);
 
 /// Contacts stand from the beginning: MOUNT and DISMOUNT go.
 void remove_mount_actions(deck::DeckCardList& text);
 
 /// Removes nets and all that is about them alone: their meshes, sets, properties, supports, loads
 /// and contacts. Names in upper case; returns the names of contacts that went with them.
-std::set<std::string> remove_nets(deck::DeckCardList& text, const std::set<std::string>& nets);
+std::set<std::string> remove_nets_with_dependents(deck::DeckCardList& text,
+                                                  const std::set<std::string>& nets);
 
 /// Steps no longer apply load cases that no card makes.
 void drop_undefined_loads(deck::DeckCardList& text);

@@ -118,7 +118,7 @@ Joint analyse_joint(const model::Model& model) {
   return joint;
 }
 
-std::set<std::string> find_pressing_nets(const Joint& joint) {
+std::set<std::string> find_only_pressing_nets(const Joint& joint) {
   std::set<std::string> reached = joint.cracked;
   for (std::size_t round = 0; round < joint.contacts.size(); ++round) {
     for (const JointContact& contact : joint.contacts) {
@@ -248,7 +248,7 @@ private:
 
   // Bodies without a crack that carry the load into the others.
   [[nodiscard]] std::set<std::string> pins() const {
-    const std::set<std::string> pressing = find_pressing_nets(joint_);
+    const std::set<std::string> pressing = find_only_pressing_nets(joint_);
     std::set<std::string> pins;
     for (const JointContact& contact : joint_.contacts) {
       for (const std::string& net : {contact.slave_net, contact.master_net}) {
@@ -311,7 +311,7 @@ private:
     replaced.set("SLAVE", other);
     replaced.set("MASTER", target);
     replaced.erase("MULTIPLIER");
-    remove_nets(text, {slave ? contact.slave_net : contact.master_net});
+    remove_nets_with_dependents(text, {slave ? contact.slave_net : contact.master_net});
     append_card(text, *surface);
     append_card(text, std::move(replaced));
     put_back_fit(text, contact.name);

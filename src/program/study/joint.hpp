@@ -37,7 +37,7 @@ Joint analyse_joint(const model::Model& model);
 
 /// Nets that are there only to press on those with cracks: they meet them by contacts, one behind
 /// the other, and nothing else is known of them. Empty without cracks.
-std::set<std::string> find_pressing_nets(const Joint& joint);
+std::set<std::string> find_only_pressing_nets(const Joint& joint);
 
 /// Makes what only presses rigid in `text`: a body that is loaded by a modulus 1e4 times as large,
 /// as rigid targets do not move; one that stands in one contact and carries nothing by a rigid

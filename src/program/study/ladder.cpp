@@ -47,7 +47,7 @@ std::string largest_step(const std::vector<AnswerRequest>& answers, const model:
 // not the deck's own checks: of the step with the largest of them, with $GROW of its KMAX.
 std::vector<AnswerRequest> choose_hierarchy_answers(const model::Model& model,
                                                     const results::RunResult& run) {
-  std::vector<AnswerRequest> all = collect_answers(model, run);
+  std::vector<AnswerRequest> all = collect_answer_requests(model, run);
   if (all.empty()) {
     return all;
   }
@@ -119,7 +119,7 @@ bool is_enough(const ModelVariantResult& variant) {
 
 // Rungs stand in the order of their richness: of those that take as long the last is the simplest.
 std::optional<std::size_t> cheapest_of(const std::vector<ModelVariantResult>& variants) {
-  std::vector<RunCost> costs;
+  std::vector<RankedRunCost> costs;
   for (const ModelVariantResult& variant : variants) {
     costs.push_back({is_enough(variant) ? variant.end.cpu : std::numeric_limits<double>::infinity(),
                      -static_cast<double>(costs.size())});
@@ -223,7 +223,7 @@ base::Outcome run_ladder(const HierarchyOptions& options, VariantRuns& runs, std
     }
   }
   runs.run_other_variants(chosen, options.jobs);
-  if (runs.processes().stopped()) {
+  if (runs.process_runs().stopped()) {
     return base::Outcome::stopped;
   }
   compare(ladder);

@@ -99,7 +99,7 @@ std::string ladder_sentence(const ModelHierarchy& ladder) {
 }
 
 report::Plot ladder_plot(const ModelHierarchy& ladder) {
-  report::Plot plot = cost_plot(
+  report::Plot plot = empty_logarithmic_plot(
       "difference of each rung from the richest against CPU time", "CPU  [s]",
       fmt::format("largest difference of {}  [%]", display_name(ladder.answers.front().group)));
   double low = 1e300;

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 // Names of a text, upper case.
 std::set<std::string> names_in(std::string_view text) {
   std::set<std::string> names;
-  rename_in_text(
+  transform_names_in_text(
       text, [&](std::string_view name) { return *names.insert(grammar::to_upper(name)).first; });
   return names;
 }
@@ -204,7 +204,7 @@ void multiply_counts(const StudiedDeck& deck, double fineness, deck::DeckCard& c
   }
   for (const grammar::HeaderParameter& parameter : card.card.parameters) {
     base::Diagnostics ignored;
-    const auto count = is_element_count_key(parameter.key) && parameter.key != "BIAS"
+    const auto count = is_element_sizing_key(parameter.key) && parameter.key != "BIAS"
                            ? grammar::evaluate(parameter.values.front().expression, scope, ignored)
                            : std::nullopt;
     if (count) {
@@ -218,8 +218,9 @@ void multiply_counts(const StudiedDeck& deck, double fineness, deck::DeckCard& c
 // gmsh multiplies all sizes by it; numbers of Transfinite lines stay. Scripts in which that changes
 // nothing are found by it, too.
 void copy_finer(deck::DeckCard& card, double fineness, const fs::path& folder) {
-  copy_script(card, fmt::format("{:g}", fineness),
-              fmt::format("Mesh.MeshSizeFactor = {:.9g};", 1.0 / fineness), folder);
+  import_script_with_added_line(card, fmt::format("{:g}", fineness),
+                                fmt::format("Mesh.MeshSizeFactor = {:.9g};", 1.0 / fineness),
+                                folder);
 }
 
 bool follows_factor(const StudiedDeck& deck, std::size_t card, const fs::path& folder) {
@@ -316,15 +317,15 @@ bool imports_geometry_script(const deck::DeckCard& card) {
   return card.name == "IMPORT" && card.word_value("FORMAT") == "GEO";
 }
 
-void copy_script(deck::DeckCard& card, const std::string& suffix, const std::string& line,
-                 const fs::path& folder) {
+void import_script_with_added_line(deck::DeckCard& card, const std::string& suffix,
+                                   const std::string& line, const fs::path& folder) {
   const fs::path file = file_of(card);
   const fs::path copy = folder / fmt::format("{}_{}.geo", file.stem().string(), suffix);
   report::write_file(copy, base::read_file(file, base::largest_mesh_file) + "\n" + line + "\n");
   card.set("FILE", "'" + fs::absolute(copy).lexically_normal().string() + "'");
 }
 
-bool is_element_count_key(std::string_view key) {
+bool is_element_sizing_key(std::string_view key) {
   constexpr std::array keys{"NX", "NY", "NZ", "NR", "NT", "BIAS"};
   return std::ranges::find(keys, key) != keys.end();
 }
@@ -376,7 +377,7 @@ std::map<std::string, ParameterUse> find_parameter_uses(const deck::DeckCardList
     }
     for (const auto& [key, value] : card.keys) {
       if (value.find('(') != std::string::npos) { // else a name of something
-        note(value, card.name == "MESH" && is_element_count_key(key));
+        note(value, card.name == "MESH" && is_element_sizing_key(key));
       }
     }
     note(card.data, false);

@@ -61,8 +61,8 @@ CheckedDeck read_trial_deck(const deck::DeckCardList& text, const ParameterDefin
 bool imports_geometry_script(const deck::DeckCard& card);
 
 /// Makes the card import a copy of its script in `folder`, NAME_SUFFIX.geo, with one more line.
-void copy_script(deck::DeckCard& card, const std::string& suffix, const std::string& line,
-                 const std::filesystem::path& folder);
+void import_script_with_added_line(deck::DeckCard& card, const std::string& suffix,
+                                   const std::string& line, const std::filesystem::path& folder);
 
 struct ParameterUse {
   std::set<std::size_t> counts; ///< $MESH cards whose numbers of elements it goes into [card]
@@ -78,6 +78,6 @@ std::map<std::string, std::set<std::string>>
 parameter_dependencies(const deck::DeckCardList& text, const base::SourceTexts& sources);
 
 /// Whether a key of $MESH is a number of elements, or how their sizes are spread.
-bool is_element_count_key(std::string_view key);
+bool is_element_sizing_key(std::string_view key);
 
 } // namespace spricka::program

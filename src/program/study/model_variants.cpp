@@ -149,7 +149,7 @@ private:
   }
 
   [[nodiscard]] DeckVariant bearing(const char* shape) const {
-    const std::set<std::string> nets = find_pressing_nets(joint_);
+    const std::set<std::string> nets = find_only_pressing_nets(joint_);
     if (nets.empty()) {
       return refused(joint_.cracked.empty() ? "without a crack there is no body to keep"
                                             : "no body presses on that with the crack");
@@ -172,7 +172,7 @@ private:
     if (const std::string reason = bearing_loads(nets, surface, shape, loads); !reason.empty()) {
       return refused(reason);
     }
-    remove_nets(text, nets);
+    remove_nets_with_dependents(text, nets);
     for (DeckCard& load : loads) {
       append_card(text, std::move(load));
     }
@@ -185,7 +185,7 @@ private:
                                           const std::string& surface, const char* shape,
                                           std::vector<DeckCard>& loads) const {
     for (const DeckCard& card : cards_named(at_once_, "LOAD")) {
-      std::vector<DataFields> lines = split_data_lines(card);
+      std::vector<DataFields> lines = split_data_line_fields(card);
       std::erase_if(lines, [&](const DataFields& fields) {
         return !nets.contains(net_prefix(fields.front()));
       });

@@ -100,7 +100,7 @@ const char* unchanged_part(SettingFamily family) {
 
 } // namespace
 
-std::string plateau_reason(const PlateauContext& view, std::span<const ConvergencePoint> points) {
+std::string plateau_reason(const PlateauContext& view, std::span<const MeshSizeAndError> points) {
   const double level = view.series.plateau->level;
   if (view.series.family == SettingFamily::quarter) {
     return "quarter points are missing";

@@ -140,13 +140,14 @@ void project_load_onto_section(DeckCard& card, const sense::SectionPlane& plane,
   };
   rewrite_data_lines(card, [&](const DataFields& fields, std::string& line) {
     const auto value = [&](std::size_t k) {
-      return rename_in_text(k < fields.size() ? fields[k] : "0", [&](std::string_view word) {
-        std::string name = name_in_section(word, plane);
-        if (name.empty()) {
-          refuse("depends on coordinates that the section does not have");
-        }
-        return name;
-      });
+      return transform_names_in_text(
+          k < fields.size() ? fields[k] : "0", [&](std::string_view word) {
+            std::string name = name_in_section(word, plane);
+            if (name.empty()) {
+              refuse("depends on coordinates that the section does not have");
+            }
+            return name;
+          });
     };
     if (type != "FACES" && is_crack_face(fields.front())) {
       refuse("acts on one face of a crack");

@@ -79,7 +79,7 @@ bool make_linear(DeckCardList& text, const fs::path& folder) {
       card.set("TYPE", linear_type->second);
       changed = true;
     } else if (imports_geometry_script(card)) {
-      copy_script(card, "linear", "Mesh.ElementOrder = 1;", folder);
+      import_script_with_added_line(card, "linear", "Mesh.ElementOrder = 1;", folder);
       card.erase("TYPE");
       changed = true;
     }

@@ -109,7 +109,7 @@ StudyTrial run_calculix_on(VariantRuns& runs, const fs::path& program, const Stu
                                                    ready.model->mesh.dim));
   ChildRun child = make_calculix_run(program, inp);
   child.cpu_seconds = std::max(seconds, 1.0);
-  runs.processes().run_all_children(
+  runs.process_runs().run_all_children(
       {&child, 1}, 1, [&](std::size_t, const ChildProcessResult& end) { trial.end = end; });
   const std::optional<NodalFields> fields = fields_of(inp, *ready.model);
   if (trial.end.late) {
@@ -157,7 +157,7 @@ void run_calculix(VariantRuns& runs, double budget, Study& study) {
         last == nullptr
             ? 0.0
             : last->end.cpu * std::pow(mesh->variant.fineness / last->variant.fineness, power);
-    if (runs.processes().stopped()) {
+    if (runs.process_runs().stopped()) {
       break;
     }
     if (guess > left) {
@@ -199,7 +199,8 @@ base::Outcome run_study(const StudyOptions& options, VariantRuns& runs, std::str
   const std::vector<DeckVariant> settings =
       plan_study_settings(runs.deck(), options.requests, runs.scratch(), study.notes);
   study.trials.push_back({.variant = settings.front()});
-  const base::Outcome outcome = runs.run_original_deck(study.trials.front(), collect_answers);
+  const base::Outcome outcome =
+      runs.run_original_deck(study.trials.front(), collect_answer_requests);
   if (outcome != base::Outcome::done) {
     return outcome;
   }
@@ -212,7 +213,7 @@ base::Outcome run_study(const StudyOptions& options, VariantRuns& runs, std::str
   // No forecast knows the rounds of a TOL: each has a limit of its own.
   runs.run_other_variants(others, options.jobs, options.budget);
   run_calculix(runs, options.budget, study);
-  if (runs.processes().stopped()) {
+  if (runs.process_runs().stopped()) {
     return base::Outcome::stopped;
   }
   assess_trials(study);

@@ -95,7 +95,7 @@ struct PlateauContext {
 
 /// Why errors of a series stop falling, in words: how well the reference is known, what is not made
 /// finer with the rest, quarter points that are missing, values at single nodes.
-std::string plateau_reason(const PlateauContext& view, std::span<const ConvergencePoint> points);
+std::string plateau_reason(const PlateauContext& view, std::span<const MeshSizeAndError> points);
 
 /// Settings with their cost and errors, series with slopes and plateaus, references of the deck
 /// that are not used, the cheapest settings.

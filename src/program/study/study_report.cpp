@@ -70,10 +70,11 @@ std::vector<report::DrawingPoint> curve_points(const Study& study, const AnswerG
 }
 
 report::Plot group_plot(const Study& study, const AnswerGroupVerdict& group, bool against_cpu) {
-  report::Plot plot = cost_plot(fmt::format("error of {} against {}", display_name(group.group),
-                                            against_cpu ? "CPU time" : "freedoms"),
-                                against_cpu ? "CPU  [s]" : "freedoms",
-                                fmt::format("largest error of {}  [%]", display_name(group.group)));
+  report::Plot plot =
+      empty_logarithmic_plot(fmt::format("error of {} against {}", display_name(group.group),
+                                         against_cpu ? "CPU time" : "freedoms"),
+                             against_cpu ? "CPU  [s]" : "freedoms",
+                             fmt::format("largest error of {}  [%]", display_name(group.group)));
   plot.legend_below = true;
   double low = std::numeric_limits<double>::max();
   double high = 0.0;

@@ -21,8 +21,8 @@ std::string mebibytes(std::size_t bytes) {
   return fmt::format("{:.0f}", static_cast<double>(bytes) / 1048576.0);
 }
 
-report::Plot cost_plot(const std::string& label, const std::string& x_name,
-                       const std::string& y_name) {
+report::Plot empty_logarithmic_plot(const std::string& label, const std::string& x_name,
+                                    const std::string& y_name) {
   report::Plot plot;
   plot.label = label;
   plot.x_name = x_name;

@@ -23,8 +23,8 @@ std::string percent_number(double part);
 std::string mebibytes(std::size_t bytes);
 
 /// A plot against CPU time or freedoms with both axes logarithmic.
-report::Plot cost_plot(const std::string& label, const std::string& x_name,
-                       const std::string& y_name);
+report::Plot empty_logarithmic_plot(const std::string& label, const std::string& x_name,
+                                    const std::string& y_name);
 
 /// A dashed line across a plot at the height `level`.
 report::PlotSeries horizontal_line_series(const std::string& name, double low, double high,

@@ -141,7 +141,7 @@ run_variants_of(const RunOptions& given, const char* extension,
     VariantRuns runs(options, ready, log);
     std::string summary;
     const base::Outcome outcome = work(runs, summary);
-    if (runs.processes().stopped()) { // the interrupt ends the program
+    if (runs.process_runs().stopped()) { // the interrupt ends the program
       return base::Outcome::stopped;
     }
     if (outcome == base::Outcome::done) {

@@ -47,7 +47,7 @@ public:
   [[nodiscard]] const std::filesystem::path& place() const { return place_; }
   /// The same, to be filled.
   RunFolder& folder() { return folder_; }
-  DeckRuns& processes() { return runs_; }
+  DeckRuns& process_runs() { return runs_; }
 
   /// Runs the deck itself, which decides by `choose` what is asked for. Where it has no results, or
   /// nothing to be asked for, it is told (E555), and the outcome is that of the run, or

@@ -122,7 +122,7 @@ double lasting_error(const AnswerGroupVerdict& group, const std::vector<StudyTri
 // references are uncertain by. CalculiX is not among them.
 std::string cheapest_setting(const AnswerGroupVerdict& group, const std::vector<StudyTrial>& trials,
                              double tolerance) {
-  std::vector<RunCost> costs; // [2 trial + corrected] plain values before corrected ones
+  std::vector<RankedRunCost> costs; // [2 trial + corrected] plain values before corrected ones
   for (std::size_t i = 0; i < 2 * trials.size(); ++i) {
     const StudyTrial& trial = trials[i / 2];
     const bool own = !trial.readings.empty() && trial.variant.family != SettingFamily::peer &&
@@ -190,7 +190,7 @@ private:
 
   void judge_series(SettingFamily family, bool corrected) {
     const std::vector<std::size_t> rows = series_trials(trials_, family);
-    std::vector<ConvergencePoint> points;
+    std::vector<MeshSizeAndError> points;
     for (const std::size_t row : rows) {
       const double error = found_.errors[row].of(corrected);
       if (std::isfinite(error)) {

@@ -15,11 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-DeckOutcome read_results(const fs::path& file) {
+DeckRunChecks read_results(const fs::path& file) {
   const std::string bytes = base::read_file(file, base::largest_mesh_file);
   const results::Store store = results::Store::from_bytes(bytes);
   const results::StoreGroup root = store.root();
-  DeckOutcome outcome{.checks = results::read_checks(root), .title = root.text_attribute("title")};
+  DeckRunChecks outcome{.checks = results::read_checks(root),
+                        .title = root.text_attribute("title")};
   const results::StoreGroup increments = root.group("increments");
   for (const std::string& name : increments.names()) {
     outcome.unknowns =
@@ -31,8 +32,8 @@ DeckOutcome read_results(const fs::path& file) {
 
 } // namespace
 
-std::vector<DeckOutcome> read_deck_outcomes(const fs::path& folder) {
-  std::vector<DeckOutcome> all;
+std::vector<DeckRunChecks> read_run_folder_checks(const fs::path& folder) {
+  std::vector<DeckRunChecks> all;
   if (fs::exists(folder / results_name)) {
     all.push_back(read_results(folder / results_name));
     return all;
@@ -47,7 +48,7 @@ std::vector<DeckOutcome> read_deck_outcomes(const fs::path& folder) {
   }
   std::ranges::sort(points);
   for (const fs::path& point : points) {
-    DeckOutcome& outcome = all.emplace_back(read_results(point / results_name));
+    DeckRunChecks& outcome = all.emplace_back(read_results(point / results_name));
     outcome.values = sweep_point_text(read_point_values(point / point_record_name));
   }
   return all;

@@ -25,7 +25,7 @@ using Errors = std::map<std::string, const results::CheckResult*>;
 // Checks by point and text; one that stands there twice is told apart by a number.
 Errors errors_of(const VerifiedDeck& deck) {
   Errors all;
-  for (const DeckOutcome& point : deck.points) {
+  for (const DeckRunChecks& point : deck.points) {
     for (const results::CheckResult& check : point.checks) {
       const std::string name =
           point.values.empty() ? check.text : fmt::format("{}, {}", check.text, point.values);

@@ -32,7 +32,7 @@ void count_check(const results::CheckResult& check, VerificationCounts& counts) 
   if (std::isfinite(check.bar)) {
     ++counts.bars;
     const double off = std::abs(check.found - check.wanted);
-    const std::optional<double> accuracy = reference_accuracy(check);
+    const std::optional<double> accuracy = stated_reference_accuracy(check);
     if (off <= check.bar) {
       ++counts.within_bars;
     } else if (!accuracy) {
@@ -64,7 +64,7 @@ base::CsvRow check_fields(const results::CheckResult& check) {
 }
 
 base::CsvRow deck_fields(const Verification& verification, const VerifiedDeck& deck,
-                         const DeckOutcome* point) {
+                         const DeckRunChecks* point) {
   return {{"deck", deck.name},
           {"title", deck.title},
           {"point", point == nullptr ? "" : point->values},
@@ -110,7 +110,7 @@ std::size_t VerifiedDeck::missed_check_count() const {
       std::ranges::count(checks_of(*this), false, &results::CheckResult::passed));
 }
 
-std::optional<double> reference_accuracy(const results::CheckResult& check) {
+std::optional<double> stated_reference_accuracy(const results::CheckResult& check) {
   const std::size_t sign = check.source.find("+- ");
   if (sign == std::string::npos) {
     return std::nullopt;
@@ -129,7 +129,7 @@ bool has_recorded_reference(const results::CheckResult& check) {
   return check.source == "RECORDED";
 }
 
-bool has_reference(const VerifiedDeck& deck) {
+bool has_check_with_reference(const VerifiedDeck& deck) {
   return !std::ranges::all_of(checks_of(deck), has_recorded_reference);
 }
 
@@ -141,7 +141,7 @@ VerificationCounts count(const Verification& verification) {
     for (const results::CheckResult& check : checks_of(deck)) {
       count_check(check, counts);
     }
-    if (has_reference(deck)) {
+    if (has_check_with_reference(deck)) {
       ++counts.with_reference;
     } else if (counts.recorded > recorded) {
       ++counts.recorded_only;
@@ -200,7 +200,7 @@ std::string verification_csv(const Verification& verification) {
                      "parts of the reference; cpu in s, memory in MB, of the whole deck");
   for (const VerifiedDeck& deck : verification.decks) {
     bool any = false;
-    for (const DeckOutcome& point : deck.points) {
+    for (const DeckRunChecks& point : deck.points) {
       for (const results::CheckResult& check : point.checks) {
         csv.add_row(deck_fields(verification, deck, &point), check_fields(check));
         any = true;

@@ -19,7 +19,7 @@ struct VerifiedDeck : ChildProcessResult {
   std::string name; ///< without .deck
   std::string title;
   std::string said_last; ///< where it has no results
-  std::vector<DeckOutcome> points;
+  std::vector<DeckRunChecks> points;
 
   [[nodiscard]] bool failed() const { return exit_code != 0; }
   [[nodiscard]] std::size_t missed_check_count() const;
@@ -27,7 +27,7 @@ struct VerifiedDeck : ChildProcessResult {
 
 /// The checks of all its points.
 inline auto checks_of(const VerifiedDeck& deck) {
-  return deck.points | std::views::transform(&DeckOutcome::checks) | std::views::join;
+  return deck.points | std::views::transform(&DeckRunChecks::checks) | std::views::join;
 }
 
 struct Verification {
@@ -41,12 +41,12 @@ struct Verification {
 
 /// What a reference is off by, as its source states it: "+- 0.1 %" of its amount; empty: it states
 /// nothing.
-std::optional<double> reference_accuracy(const results::CheckResult& check);
+std::optional<double> stated_reference_accuracy(const results::CheckResult& check);
 
 /// Whether a check compares with a value of this program itself.
 bool has_recorded_reference(const results::CheckResult& check);
 /// Whether some check of it has a reference.
-bool has_reference(const VerifiedDeck& deck);
+bool has_check_with_reference(const VerifiedDeck& deck);
 
 struct VerificationCounts {
   std::size_t points = 0;

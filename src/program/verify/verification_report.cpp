@@ -38,18 +38,18 @@ std::string end_of(const VerifiedDeck& deck) {
                               : fmt::format("exit code {}", deck.exit_code);
 }
 
-std::string what_of(const VerifiedDeck& deck, const DeckOutcome& point) {
+std::string what_of(const VerifiedDeck& deck, const DeckRunChecks& point) {
   return fmt::format("{}{}{}", deck.title, point.values.empty() ? "" : ", ", point.values);
 }
 
-std::string check_count(const DeckOutcome& point) {
+std::string check_count(const DeckRunChecks& point) {
   const auto recorded = std::ranges::count_if(point.checks, has_recorded_reference);
   return fmt::format("{}{}", point.checks.size(),
                      recorded > 0 ? fmt::format(" ({} recorded)", recorded) : "");
 }
 
 // Of a deck that ended otherwise than by a missed check also how.
-std::string passed_count(const VerifiedDeck& deck, const DeckOutcome& point) {
+std::string passed_count(const VerifiedDeck& deck, const DeckRunChecks& point) {
   const auto passed = std::ranges::count_if(point.checks, &results::CheckResult::passed);
   const auto missed = static_cast<std::ptrdiff_t>(point.checks.size()) - passed;
   const bool broken =
@@ -59,7 +59,7 @@ std::string passed_count(const VerifiedDeck& deck, const DeckOutcome& point) {
 }
 
 // The largest error of a point over what is allowed; empty where no check has found a value.
-std::string largest_share(const DeckOutcome& point) {
+std::string largest_share(const DeckRunChecks& point) {
   double largest = -1.0;
   for (const results::CheckResult& check : point.checks) {
     if (check.trouble.empty()) {
@@ -93,18 +93,18 @@ std::string standing(const Verification& verification, const BenchmarkProblem& p
 }
 
 // "le1: NAFEMS LE1, elliptic membrane, beta = 0.78".
-std::string deck_heading(const VerifiedDeck& deck, const DeckOutcome& point) {
+std::string deck_heading(const VerifiedDeck& deck, const DeckRunChecks& point) {
   return fmt::format("{}: {}", deck.name, what_of(deck, point));
 }
 
 // "1240 freedoms, 0.31 s CPU, 45 MB"; of a sweep time and memory are those of all its points.
-std::string deck_cost_text(const VerifiedDeck& deck, const DeckOutcome& point) {
+std::string deck_cost_text(const VerifiedDeck& deck, const DeckRunChecks& point) {
   return fmt::format("{} freedoms, {:.2f} s CPU, {:.0f} MB{}", point.unknowns, deck.cpu,
                      megabytes(deck.peak_memory), deck.points.size() > 1 ? " with all points" : "");
 }
 
 // The checks of a point: check, reference, result, error, allowed, bar, source.
-report::ReportTable checks_table(const DeckOutcome& point) {
+report::ReportTable checks_table(const DeckRunChecks& point) {
   using Check = results::CheckResult;
   return report::Columns<Check>()
       .words("check", &Check::text)
@@ -126,11 +126,11 @@ report::ReportTable checks_table(const DeckOutcome& point) {
 report::ReportTable verified_deck_table(const Verification& verification) {
   struct DeckTableRow {
     const VerifiedDeck& deck;
-    const DeckOutcome* point; // null: it has no results
+    const DeckRunChecks* point; // null: it has no results
   };
   std::vector<DeckTableRow> rows;
   for (const VerifiedDeck& deck : verification.decks) {
-    for (const DeckOutcome& point : deck.points) {
+    for (const DeckRunChecks& point : deck.points) {
       rows.push_back({deck, &point});
     }
     if (deck.points.empty()) {
@@ -279,7 +279,7 @@ void add_decks(report::HtmlPage& page, const Verification& verification) {
   std::string unchecked;
   for (const VerifiedDeck& deck : verification.decks) {
     bool any = false;
-    for (const DeckOutcome& point : deck.points) {
+    for (const DeckRunChecks& point : deck.points) {
       report::ReportTable table = checks_table(point);
       table.title = fmt::format("{} ({})", deck_heading(deck, point), deck_cost_text(deck, point));
       page.add_table(table);

@@ -39,7 +39,7 @@ VerifiedDeck verified(const ListedDeck& deck, const ChildProcessResult& end,
   VerifiedDeck out;
   static_cast<ChildProcessResult&>(out) = end;
   out.name = deck.name;
-  out.points = read_deck_outcomes(folder);
+  out.points = read_run_folder_checks(folder);
   out.title = out.points.empty() ? "" : out.points.back().title;
   if (out.failed()) {
     out.said_last = first_error_line(end.messages);

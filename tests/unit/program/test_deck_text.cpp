@@ -63,7 +63,8 @@ TEST_F(DeckTexts, a_net_goes_with_all_that_is_about_it_alone) {
   base::SourceTexts sources;
   deck::DeckCardList text = text_of(fs::path(test::decks_folder()) / "press_fit_hub.deck", sources);
   program::remove_checks_and_requests(text);
-  EXPECT_EQ(program::remove_nets(text, {"BUSH", "HUB3"}), std::set<std::string>{"HEAT"});
+  EXPECT_EQ(program::remove_nets_with_dependents(text, {"BUSH", "HUB3"}),
+            std::set<std::string>{"HEAT"});
   program::drop_undefined_loads(text);
   const auto model = model_of(written(text));
   ASSERT_TRUE(model);
@@ -87,7 +88,7 @@ TEST(NameUses, parameters_of_counts_are_told_from_those_of_the_model) {
 TEST(DeckEdits, fields_keep_brackets_units_and_lose_comments) {
   deck::DeckCard card;
   card.data = "  ! nothing\n  SHAFT.BODY  (F*(1 - x))  97.1[kN], 0 ! along x\n  OTHER 1\n";
-  EXPECT_EQ(program::split_data_lines(card),
+  EXPECT_EQ(program::split_data_line_fields(card),
             (std::vector<program::DataFields>{{"SHAFT.BODY", "(F*(1 - x))", "97.1[kN]", "0"},
                                               {"OTHER", "1"}}));
   program::filter_data_lines(card, [](const auto& fields) { return fields.size() < 4; });
@@ -95,8 +96,9 @@ TEST(DeckEdits, fields_keep_brackets_units_and_lose_comments) {
 }
 
 TEST(DeckEdits, names_are_told_from_numbers_and_units) {
-  EXPECT_EQ(program::rename_in_text("(x*1e5 + X_2)[mm] 'x' ! x",
-                                    [](std::string_view name) { return name == "x" ? "y" : "Z"; }),
+  EXPECT_EQ(program::transform_names_in_text(
+                "(x*1e5 + X_2)[mm] 'x' ! x",
+                [](std::string_view name) { return name == "x" ? "y" : "Z"; }),
             "(y*1e5 + Z)[mm] 'x' ! x");
 }
 

@@ -235,7 +235,7 @@ TEST(RunProfile, TheTraceIsValidAndItsEventsNest) {
 }
 
 TEST(RunProfile, WhatIsNotKnownIsCalledUnknown) {
-  program::ProfileRecord record{.profile = sample(), .floor = {}, .bytes_read = 10};
+  program::ProfileWithCostFloor record{.profile = sample(), .floor = {}, .bytes_read = 10};
   record.floor.why_not = "its matrix is singular";
   record.profile.mesher.back().cpu.reset();
   const std::string text = program::profile_text(record);
@@ -248,7 +248,7 @@ TEST(RunProfile, WhatIsNotKnownIsCalledUnknown) {
 }
 
 TEST(RunProfile, CountsPlainFactorisations) {
-  program::ProfileRecord record{.profile = sample(), .floor = {}};
+  program::ProfileWithCostFloor record{.profile = sample(), .floor = {}};
   record.floor = {.why_not = {},
                   .equations = 9,
                   .entries = 20,
@@ -299,14 +299,15 @@ std::string two_plates(const std::string& between) {
          "$STEP NAME=PUSH\n  LOAD PUSH 1\n$END\n";
 }
 
-program::CostFloor floor_of(const std::string& text) {
+program::FactorisationCostFloor floor_of(const std::string& text) {
   const test::Folder folder;
   const std::filesystem::path file = folder.path() / "test.deck";
   std::ofstream(file) << text;
   const program::CheckedDeck ready =
       program::read_and_check_deck(file, {}, program::Log(program::LogFormat::text));
   EXPECT_TRUE(ready.model);
-  return ready.model ? program::find_cost_floor(*ready.model) : program::CostFloor();
+  return ready.model ? program::measure_factorisation_cost_floor(*ready.model)
+                     : program::FactorisationCostFloor();
 }
 
 TEST(RunProfile, TheFloorIsOneFactorisationOfAllBodies) {
@@ -314,14 +315,14 @@ TEST(RunProfile, TheFloorIsOneFactorisationOfAllBodies) {
   const auto nodes = [](int nx, int ny) { return (2 * nx + 1) * (2 * ny + 1) - nx * ny; };
   const std::string contact = "$CONTACT NAME=C MASTER=LOW.YMAX SLAVE=TOP.YMIN\n"
                               "$FREEDOM CLASS=SUPPRESSED DOF=X\n  TOP.XMIN\n";
-  const program::CostFloor apart = floor_of(two_plates(contact));
+  const program::FactorisationCostFloor apart = floor_of(two_plates(contact));
   EXPECT_EQ(apart.why_not, "");
   EXPECT_EQ(apart.equations, 2 * (nodes(6, 3) - 13) + 2 * nodes(4, 2) - 5);
   EXPECT_GT(apart.flops, 0.0);
   EXPECT_GE(apart.entries, static_cast<double>(apart.equations));
   EXPECT_GE(apart.times, 1);
   // Tied freedoms follow, and have no row.
-  const program::CostFloor tied =
+  const program::FactorisationCostFloor tied =
       floor_of(two_plates("$MPC TYPE=TRANSITION SLAVE=TOP.YMIN MASTER=LOW.YMAX\n"));
   EXPECT_EQ(tied.why_not, "");
   EXPECT_EQ(tied.equations, 2 * (nodes(6, 3) - 13) + 2 * nodes(4, 2) - 2 * 9);

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 using program::ChildProcessResult;
 using program::ChildRun;
 using program::ChildRunner;
-using program::DeckOutcome;
+using program::DeckRunChecks;
 using test::Folder;
 
 // A plate with an edge crack under tension s: K1 is proportional to it.
@@ -75,10 +75,10 @@ TEST_F(Trials, EachSaysHowItEndedWhatItFoundAndWhatItCost) {
   EXPECT_GT(ends[0].cpu, 0.0);
   EXPECT_GT(ends[0].wall, 0.0);
   EXPECT_GT(ends[0].peak_memory, std::size_t{1} << 20U);
-  EXPECT_TRUE(program::read_deck_outcomes(runs[1].out).empty());
+  EXPECT_TRUE(program::read_run_folder_checks(runs[1].out).empty());
 
-  const std::vector<DeckOutcome> first = program::read_deck_outcomes(runs[0].out);
-  const std::vector<DeckOutcome> twice = program::read_deck_outcomes(runs[2].out);
+  const std::vector<DeckRunChecks> first = program::read_run_folder_checks(runs[0].out);
+  const std::vector<DeckRunChecks> twice = program::read_run_folder_checks(runs[2].out);
   ASSERT_EQ(first.size(), 1U);
   ASSERT_EQ(twice.size(), 1U);
   EXPECT_EQ(first[0].title, "Plate");
@@ -107,7 +107,7 @@ TEST_F(Trials, ASweepIsAnOutcomeForEachPoint) {
       .run_all_children({&run, 1}, 1,
                         [&](std::size_t, const ChildProcessResult& end) { code = end.exit_code; });
   EXPECT_EQ(code, 0);
-  const std::vector<DeckOutcome> points = program::read_deck_outcomes(run.out);
+  const std::vector<DeckRunChecks> points = program::read_run_folder_checks(run.out);
   ASSERT_EQ(points.size(), 2U);
   EXPECT_EQ(points[1].values, "s = 3");
   EXPECT_NEAR(points[1].checks[0].found, 3.0 * points[0].checks[0].found, 1e-9);
