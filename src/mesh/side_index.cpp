@@ -45,12 +45,17 @@ template <class F> void for_sides(const model::Mesh& mesh, std::size_t first, F&
 
 SideIndex::SideIndex(const model::Mesh& mesh, std::size_t first)
     : begin_(mesh.node_count() + 1, 0) {
-  for_sides(mesh, first, [&](const Key& key, model::Face) { ++begin_[key.lowest.index() + 1]; });
+  std::vector<std::pair<Key, model::Face>> sides;
+  sides.reserve(6 * (mesh.element_count() - first));
+  for_sides(mesh, first, [&](const Key& key, model::Face face) {
+    sides.emplace_back(key, face);
+    ++begin_[key.lowest.index() + 1];
+  });
   std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
   others_.resize(begin_.back());
   faces_.resize(begin_.back());
   std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
-  for_sides(mesh, first, [&](const Key& key, model::Face face) {
+  for (const auto& [key, face] : sides) {
     // equal keys side by side, in the order of elements: a handful of sides meet at a node
     const std::size_t start = begin_[key.lowest.index()];
     std::size_t at = next[key.lowest.index()]++;
@@ -60,7 +65,7 @@ SideIndex::SideIndex(const model::Mesh& mesh, std::size_t first)
     }
     others_[at] = key.others;
     faces_[at] = face;
-  });
+  }
 }
 
 std::span<const model::Face> SideIndex::find(std::span<const NodeId> corners) const {
@@ -77,18 +82,11 @@ std::span<const model::Face> SideIndex::find(std::span<const NodeId> corners) co
 
 std::vector<model::Face> SideIndex::unshared_sides() const {
   std::vector<model::Face> result;
-  for (std::size_t n = 0; n + 1 < begin_.size(); ++n) {
-    for (std::size_t i = begin_[n]; i < begin_[n + 1];) {
-      std::size_t j = i + 1;
-      while (j < begin_[n + 1] && others_[j] == others_[i]) {
-        ++j;
-      }
-      if (j == i + 1) {
-        result.push_back(faces_[i]);
-      }
-      i = j;
+  for_same_sides([&](std::span<const model::Face> same) {
+    if (same.size() == 1) {
+      result.push_back(same.front());
     }
-  }
+  });
   std::sort(result.begin(), result.end());
   return result;
 }

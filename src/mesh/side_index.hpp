@@ -18,6 +18,20 @@ public:
   /// The sides with these corners, 2 to 4: none, one on the boundary, two between elements.
   [[nodiscard]] std::span<const model::Face> find(std::span<const base::NodeId> corners) const;
 
+  /// Calls f with all sides that have the same corners, by elements, once for each such group.
+  template <class F> void for_same_sides(F&& f) const {
+    for (std::size_t n = 0; n + 1 < begin_.size(); ++n) {
+      for (std::size_t i = begin_[n]; i < begin_[n + 1];) {
+        std::size_t j = i + 1;
+        while (j < begin_[n + 1] && others_[j] == others_[i]) {
+          ++j;
+        }
+        f(std::span(faces_).subspan(i, j - i));
+        i = j;
+      }
+    }
+  }
+
   /// Sides that belong to one element only, ascending.
   [[nodiscard]] std::vector<model::Face> unshared_sides() const;
 

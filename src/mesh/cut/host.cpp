@@ -110,19 +110,22 @@ bool is_face_element_in_net(const model::Mesh& mesh, const model::Face& face, ba
 
 HostMesh::HostMesh(const model::Mesh& mesh) : mesh_(mesh), elements_(mesh) {
   beyond_.assign(most_sides * mesh.element_count(), -1);
-  const SideIndex sides(mesh);
+  SideIndex(mesh).for_same_sides([&](std::span<const model::Face> same) {
+    for (const model::Face& face : same) {
+      const auto other = std::ranges::find_if(
+          same, [&](const model::Face& side) { return side.element != face.element; });
+      if (other != same.end()) {
+        beyond_[place(face)] = static_cast<std::int32_t>(other->element.index());
+      }
+    }
+  });
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
       const model::Face face{base::ElementId(e), s};
-      const auto there = sides.find(face_nodes(mesh, face).corner_nodes());
-      const auto other = std::ranges::find_if(
-          there, [&](const model::Face& side) { return side.element != face.element; });
-      if (other == there.end()) {
+      const std::optional<base::ElementId> other = neighbour(face);
+      if (!other) {
         boundary_.push_back(face);
-        continue;
-      }
-      beyond_[place(face)] = static_cast<std::int32_t>(other->element.index());
-      if (mesh.property[other->element.index()] != mesh.property[e]) {
+      } else if (mesh.property[other->index()] != mesh.property[e]) {
         borders_.push_back(face);
       }
     }
