@@ -4,7 +4,6 @@
 #include "analysis/lengths/growth_measure.hpp"
 #include "analysis/lengths/shown_results.hpp"
 #include "analysis/recover/finite_results.hpp"
-#include "analysis/scene/gone_nodes.hpp"
 #include "analysis/steps/let_go.hpp"
 #include "analysis/steps/repeated_steps.hpp"
 #include "base/tidy.hpp"
@@ -244,17 +243,7 @@ std::optional<results::CrackLengthResult> CrackStateSolver::solve(const CrackSta
   plastic_ = section_load_ratios(model_, scene, increment);
   // From here on what was mounted stands, for MOUNTED=FIRST.
   first_ = false;
-  increment.kept = static_cast<std::size_t>(
-      std::ranges::count_if(scene.cracked.host, [](base::ElementId e) { return e.valid(); }));
-  increment.mesh = std::move(scene.cracked.mesh);
-  increment.surface = outer_faces_by_nodes(increment.mesh);
-  // Nodes that the patch has cut out have results at their places all the same.
-  const std::vector<RemovedNodePlace> gone = removed_nodes(model_.mesh, increment.mesh);
-  for (results::LoadStepResult& step : increment.steps) {
-    fill_removed_node_displacements(increment.mesh, gone, step.u);
-  }
-  keep_removed_set_members(model_.mesh, increment.mesh);
-  add_face_sets_as_node_sets(model_, increment.mesh);
+  add_shown_results(model_, scene, increment);
   log.record_in_profile("RECOVER", "surface, results of the nodes that the patches took");
   return increment;
 }

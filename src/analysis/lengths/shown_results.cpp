@@ -25,12 +25,12 @@ std::vector<results::Stress> as_results(const std::vector<fe::Stress>& stress) {
 } // namespace
 
 std::vector<results::OuterSurfaceFace> outer_faces_by_nodes(const model::Mesh& mesh) {
+  if (mesh.type.empty() || shape::is_edge(mesh.type.front(), 0)) {
+    return {}; // plane elements show their own faces
+  }
   std::vector<results::OuterSurfaceFace> surface;
   for (const model::Face& face : mesh::boundary_faces_except_interfaces(mesh)) {
     const base::ElementType type = mesh.type[face.element.index()];
-    if (shape::is_edge(type, face.side)) {
-      continue; // of a plane element, which shows its own face
-    }
     const std::span<const int> side = shape::side_nodes(type, face.side);
     results::OuterSurfaceFace out;
     out.element = face.element;
@@ -73,6 +73,20 @@ void add_stress(const model::Model& model, const model::Mesh& mesh, results::Loa
   fill_removed_node_stresses(model, mesh, field, nodal);
   step.stress = as_results(nodal);
   step.element_stress = as_results(fe::element_mean_stress(model, mesh, field));
+}
+
+void add_shown_results(const model::Model& model, Discretisation& scene,
+                       results::CrackLengthResult& increment) {
+  increment.kept = static_cast<std::size_t>(
+      std::ranges::count_if(scene.cracked.host, [](base::ElementId e) { return e.valid(); }));
+  increment.mesh = std::move(scene.cracked.mesh);
+  increment.surface = outer_faces_by_nodes(increment.mesh);
+  const std::vector<RemovedNodePlace> gone = removed_nodes(model.mesh, increment.mesh);
+  for (results::LoadStepResult& step : increment.steps) {
+    fill_removed_node_displacements(increment.mesh, gone, step.u);
+  }
+  keep_removed_set_members(model.mesh, increment.mesh);
+  add_face_sets_as_node_sets(model, increment.mesh);
 }
 
 } // namespace spricka::analysis
