@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/shell/deck_changes.hpp"
 
+#include "deck/step_actions.hpp"
 #include "deck/typed_line.hpp"
 #include "program/shell/deck_edit.hpp"
 #include "program/shell/trouble.hpp"
@@ -108,8 +109,8 @@ base::OptionalFailure add_action(const model::Model& model, const analysis::Step
 
 void append_applied_step(const model::Model& model, const model::Step& next,
                          std::vector<model::Step>& applied) {
-  if (!applied.empty() && !model::has_friction(model) && !changes_mounted_contacts(next) &&
-      !changes_mounted_contacts(applied.back())) {
+  if (!applied.empty() && !model::has_friction(model) && !deck::mounts_or_dismounts_contact(next) &&
+      !deck::mounts_or_dismounts_contact(applied.back())) {
     for (const model::StepAction& action : next.actions) {
       put(applied.back().actions, action);
     }

@@ -192,13 +192,6 @@ std::string step_action_text(const model::Model& model, const model::StepAction&
          model.contacts[std::get<model::DismountContact>(action).contact.index()].name;
 }
 
-bool changes_mounted_contacts(const model::Step& step) {
-  return std::ranges::any_of(step.actions, [](const model::StepAction& a) {
-    return std::holds_alternative<model::MountContact>(a) ||
-           std::holds_alternative<model::DismountContact>(a);
-  });
-}
-
 namespace {
 
 std::string free_name(const model::Model& model, std::size_t number) {

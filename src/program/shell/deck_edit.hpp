@@ -40,9 +40,6 @@ void comment_out_card(deck::DeckCardList& text, std::size_t card);
 /// What a deck writes for an action: "LOAD PULL 2".
 std::string step_action_text(const model::Model& model, const model::StepAction& action);
 
-/// Whether a step mounts or dismounts a contact: then the order of steps counts.
-bool changes_mounted_contacts(const model::Step& step);
-
 /// Puts further steps at the end of a deck, the last with the name NOW (or the next that is free).
 /// A contact that no step mounted, or a fit that none named, is in force from the beginning: where
 /// a step behind names it, the first one names it too.

@@ -2,6 +2,7 @@
 #include "program/shell/save.hpp"
 
 #include "analysis/steps/step_factors.hpp"
+#include "deck/step_actions.hpp"
 #include "model/model.hpp"
 #include "program/shell/deck_edit.hpp"
 #include "program/shell/trouble.hpp"
@@ -51,8 +52,8 @@ base::OptionalFailure add_steps(const ShellSession& session, deck::DeckCardList&
   const bool last = session.base_step_name() == model.steps.back().name;
   std::vector<model::Step> steps = session.changes().applied;
   const bool ordered = session.has_friction() ||
-                       std::ranges::any_of(steps, changes_mounted_contacts) ||
-                       std::ranges::any_of(model.steps, changes_mounted_contacts);
+                       std::ranges::any_of(steps, deck::mounts_or_dismounts_contact) ||
+                       std::ranges::any_of(model.steps, deck::mounts_or_dismounts_contact);
   if (steps.empty() && last) {
     return {}; // the deck's last step is the state
   }
