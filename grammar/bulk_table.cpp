@@ -54,7 +54,7 @@ constexpr std::size_t k_block = 2048;
 
 template <class Value> class TableReader {
 public:
-  TableReader(const BulkRowDescription& form, base::SourceSpan data, const ExpressionScope& scope,
+  TableReader(const BulkRowFormat& form, base::SourceSpan data, const ExpressionScope& scope,
               base::Diagnostics& diagnostics)
       : form_(form), scope_(scope), diagnostics_(diagnostics), file_(data.file),
         origin_(scope.sources->text(data.file).data()), p_(origin_ + data.begin),
@@ -274,7 +274,7 @@ private:
     return false;
   }
 
-  const BulkRowDescription& form_;
+  const BulkRowFormat& form_;
   const ExpressionScope& scope_;
   base::Diagnostics& diagnostics_;
   std::int32_t file_;
@@ -286,13 +286,13 @@ private:
 
 } // namespace
 
-void parse_coordinates(const BulkRowDescription& form, base::SourceSpan data,
+void parse_coordinates(const BulkRowFormat& form, base::SourceSpan data,
                        const ExpressionScope& scope, base::Diagnostics& diagnostics,
                        const RowBlockCallback<double>& take) {
   TableReader<double>(form, data, scope, diagnostics).run(take);
 }
 
-void parse_connectivity(const BulkRowDescription& form, base::SourceSpan data,
+void parse_connectivity(const BulkRowFormat& form, base::SourceSpan data,
                         const ExpressionScope& scope, base::Diagnostics& diagnostics,
                         const RowBlockCallback<base::Label>& take) {
   TableReader<base::Label>(form, data, scope, diagnostics).run(take);

@@ -22,7 +22,7 @@ template <class Value> struct BulkTableBlock {
 };
 
 /// What a row holds, in words for messages.
-struct BulkRowDescription {
+struct BulkRowFormat {
   std::size_t columns = 3;
   std::string row = "node number"; ///< what the label is
   std::string missing;             ///< hint when a line ends early
@@ -34,11 +34,11 @@ struct BulkRowDescription {
 template <class Value> using RowBlockCallback = std::function<void(const BulkTableBlock<Value>&)>;
 
 /// Reads `label v1 .. vn` lines of a data block. Bad lines are reported and left out.
-void parse_coordinates(const BulkRowDescription& form, base::SourceSpan data,
+void parse_coordinates(const BulkRowFormat& form, base::SourceSpan data,
                        const ExpressionScope& scope, base::Diagnostics& diagnostics,
                        const RowBlockCallback<double>& take);
 /// Reads lines `label label1 .. labeln` of elements, as parse_coordinates those of nodes.
-void parse_connectivity(const BulkRowDescription& form, base::SourceSpan data,
+void parse_connectivity(const BulkRowFormat& form, base::SourceSpan data,
                         const ExpressionScope& scope, base::Diagnostics& diagnostics,
                         const RowBlockCallback<base::Label>& take);
 

@@ -144,7 +144,7 @@ private:
 };
 
 // What the points of one rule on a whole triangle meet.
-OppositePointsOfElement sample_triangle(const ContactSurface& own, const SurfaceProjection& target,
+OppositePointsOfElement sample_triangle(const ContactSurface& own, const SurfaceProjector& target,
                                         const HatElement& triangle) {
   const geometry::ElementSide& face = own.facets[triangle.facet];
   OppositePointsOfElement found;
@@ -187,8 +187,8 @@ ElementProjector face_projector(const PairConstraints& pair, ProjectionPointDens
       return project_triangle_onto_rigid(own, shape, triangle);
     };
   }
-  // A std::function can be copied, the tree of a SurfaceProjection can't.
-  return [&own, sampled, target = std::make_shared<SurfaceProjection>(own, pair.target)](
+  // A std::function can be copied, the tree of a SurfaceProjector can't.
+  return [&own, sampled, target = std::make_shared<SurfaceProjector>(own, pair.target)](
              const HatElement& triangle) {
     return sampled ? sample_triangle(own, *target, triangle) : target->project_triangle(triangle);
   };

@@ -76,7 +76,7 @@ struct MetFaces {
 };
 
 MetFaces met_faces(const FacetSurface& surface, const FacetSurface& target) {
-  const SurfaceProjection projection(surface, target);
+  const SurfaceProjector projection(surface, target);
   std::vector<bool> seen(surface.facets.size(), false);
   for (const HatElement& t : surface.elements) {
     const geometry::ElementSide& face = surface.facets[t.facet];

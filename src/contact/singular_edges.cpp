@@ -197,7 +197,7 @@ std::vector<SurfaceEnd> ends_of_faces(const PairConstraints& pair) {
   const PartBoundaryTree own_ends(own_edges);
   const PartBoundaryTree other_ends(other_edges);
   std::vector<SurfaceEnd> ends;
-  const SurfaceProjection from_own(own, other);
+  const SurfaceProjector from_own(own, other);
   for (const PartBoundaryEdge& edge : own_edges) {
     if (const auto met = from_own.project_along_normal(edge.inside, edge.normal)) {
       const Vec3 opposite = edge.inside + met->gap * edge.normal;
@@ -205,7 +205,7 @@ std::vector<SurfaceEnd> ends_of_faces(const PairConstraints& pair) {
                       softer * pair.contact.stiffness < pair.target.stiffness});
     }
   }
-  const SurfaceProjection from_other(other, own);
+  const SurfaceProjector from_other(other, own);
   for (const PartBoundaryEdge& edge : other_edges) {
     if (const auto met = from_other.project_along_normal(edge.inside, edge.normal)) {
       const Vec3 opposite = edge.inside + met->gap * edge.normal;

@@ -215,7 +215,7 @@ private:
   std::span<const base::Matrix* const> motions_;
   std::vector<std::vector<int>> rows_;
   ContactSurface moved_own_, moved_other_;
-  std::optional<SurfaceProjection> projection_; ///< in space, of a moved target of facets
+  std::optional<SurfaceProjector> projection_; ///< in space, of a moved target of facets
   double unsupported_ = 0.0;
   SlideMeasures found_;
 };

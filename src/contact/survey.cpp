@@ -83,7 +83,7 @@ std::optional<SurveyedPoint> survey_point(const ContactSurface& from, const mode
 }
 
 ElementProjector triangle_projector(const ContactSurface& from, const ContactSurface& to) {
-  return [projection = std::make_shared<SurfaceProjection>(from, to)](const HatElement& triangle) {
+  return [projection = std::make_shared<SurfaceProjector>(from, to)](const HatElement& triangle) {
     return projection->project_triangle(triangle);
   };
 }

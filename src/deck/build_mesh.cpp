@@ -48,9 +48,9 @@ Set* table_set(DeckContext& c, const CheckedCard& card, std::string_view key,
   return before->poisoned ? nullptr : &sets[before->index];
 }
 
-grammar::BulkRowDescription coordinate_form(const CheckedCard& card) {
+grammar::BulkRowFormat coordinate_form(const CheckedCard& card) {
   const std::string columns = card.has_word("SYSTEM", "CYL") ? "r theta" : "x y";
-  grammar::BulkRowDescription form;
+  grammar::BulkRowFormat form;
   form.columns = static_cast<std::size_t>(card.integer_value("DIM"));
   form.missing = form.columns == 3 ? fmt::format("a line is id {} z; DIM=2 has no z", columns)
                                    : fmt::format("a line is id {}", columns);
@@ -61,7 +61,7 @@ grammar::BulkRowDescription coordinate_form(const CheckedCard& card) {
 
 void coordinates(DeckContext& c, const CheckedCard& card) {
   const bool polar = card.has_word("SYSTEM", "CYL");
-  const grammar::BulkRowDescription form = coordinate_form(card);
+  const grammar::BulkRowFormat form = coordinate_form(card);
   LabelMap& labels = c.node_labels[card.net_id.index()];
   model::Mesh& mesh = c.model.mesh;
   model::NodeSet* const set = table_set(c, card, "NSET", mesh.node_sets);
@@ -131,7 +131,7 @@ void report_row(DeckContext& c, const CheckedCard& card,
 void elements(DeckContext& c, const CheckedCard& card) {
   const base::ElementType type = type_of(card);
   const base::ElementInfo& info = base::element_info(type);
-  grammar::BulkRowDescription form;
+  grammar::BulkRowFormat form;
   form.columns = static_cast<std::size_t>(info.nodes);
   form.row = "element number";
   form.missing =

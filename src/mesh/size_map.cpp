@@ -38,7 +38,7 @@ SizeMap::SizeMap(std::vector<SizeRequest> requests)
   level();
 }
 
-SizeMap::QuadratureCell SizeMap::cell_of(const Vec2& p) const {
+SizeMap::GridCell SizeMap::cell_of(const Vec2& p) const {
   const Vec2 at = (p - low_) / pitch_;
   const auto clamped = [](double x) {
     return static_cast<int>(std::clamp(std::floor(x), 0.0, along - 1.0));
@@ -63,8 +63,8 @@ void SizeMap::level() {
       continue;
     }
     const double radius = (largest - source.size) / growth;
-    const QuadratureCell from = cell_of(source.at - Vec2(radius, radius));
-    const QuadratureCell to = cell_of(source.at + Vec2(radius, radius));
+    const GridCell from = cell_of(source.at - Vec2(radius, radius));
+    const GridCell to = cell_of(source.at + Vec2(radius, radius));
     for (int j = from.second; j <= to.second; ++j) {
       for (int i = from.first; i <= to.first; ++i) {
         for (const std::size_t k : in_cell(i, j)) {

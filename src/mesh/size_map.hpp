@@ -29,8 +29,8 @@ public:
   [[nodiscard]] const std::vector<SizeRequest>& requests() const { return given_; }
 
 private:
-  using QuadratureCell = std::pair<int, int>;
-  [[nodiscard]] QuadratureCell cell_of(const base::Vec2& p) const;
+  using GridCell = std::pair<int, int>;
+  [[nodiscard]] GridCell cell_of(const base::Vec2& p) const;
   [[nodiscard]] const std::vector<std::size_t>& in_cell(int i, int j) const;
   void level();
 

@@ -248,7 +248,7 @@ std::string html_report(const base::SourceTexts& sources, const model::Model& mo
   if (const std::string note = symmetry_note(model); !note.empty()) {
     page.add_paragraph(note);
   }
-  page.add_table(net_table(model));
+  page.add_table(net_size_table(model));
   page.add_table(property_table(model));
   page.add_table(contact_pair_table(model));
   page.add_table(

@@ -53,7 +53,7 @@ std::string model_summary(const model::Model& model,
   if (const std::string note = symmetry_note(model); !note.empty()) {
     out += note + "\n\n";
   }
-  out += table_to_text(net_table(model)) + "\n" + table_to_text(property_table(model));
+  out += table_to_text(net_size_table(model)) + "\n" + table_to_text(property_table(model));
   out += to_text_after_blank_line(contact_pair_table(model)) +
          to_text_after_blank_line(rigid_target_table(model));
   out += to_text_after_blank_line(

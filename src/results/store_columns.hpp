@@ -143,11 +143,11 @@ public:
   }
 
 private:
-  using DataLineForm = std::variant<std::vector<double>, std::vector<std::int64_t>,
-                                    std::vector<std::string>, std::unique_ptr<RecordPacker>>;
+  using ChildData = std::variant<std::vector<double>, std::vector<std::int64_t>,
+                                 std::vector<std::string>, std::unique_ptr<RecordPacker>>;
   struct PackedChild {
     std::string name;
-    DataLineForm data;
+    ChildData data;
     std::size_t columns = 1;
   };
 

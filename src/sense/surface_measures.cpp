@@ -101,7 +101,7 @@ std::vector<FacingFacetPart> parts_of_faces(const contact::ContactSurface& surfa
                                             const contact::ContactSurface& target,
                                             const std::vector<double>& measure) {
   std::vector<FacingFacetPart> parts;
-  const contact::SurfaceProjection projection(surface, target);
+  const contact::SurfaceProjector projection(surface, target);
   for (const contact::HatElement& t : surface.elements) {
     for (const contact::PairPoint& p : projection.project_triangle(t).points) {
       parts.push_back({t.facet, p.weight / measure[t.facet], p.gap});

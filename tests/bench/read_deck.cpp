@@ -146,7 +146,7 @@ void tables_alone(const base::SourceTexts& sources, const Deck& deck) {
   flat.label.reserve(deck.nodes + deck.elements);
   flat.x.reserve(3 * deck.nodes);
   flat.node.reserve(10 * deck.elements);
-  grammar::BulkRowDescription form;
+  grammar::BulkRowFormat form;
   form.columns = 3;
   grammar::parse_coordinates(form, deck.node_data, scope, diagnostics, [&](const auto& rows) {
     flat.label.insert(flat.label.end(), rows.label.begin(), rows.label.end());

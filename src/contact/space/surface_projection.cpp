@@ -43,7 +43,7 @@ double to_round(const FacetSurface& surface, std::size_t face, const Vec3& x, co
 } // namespace
 
 // A triangle of the contact surface and the plane through its corners.
-struct SurfaceProjection::Frame {
+struct SurfaceProjector::Frame {
   const geometry::ElementSide& face;
   std::size_t number = 0; ///< of the face
   std::array<Vec3, 3> x;
@@ -71,8 +71,8 @@ struct SurfaceProjection::Frame {
   [[nodiscard]] double height(const Vec3& y) const { return (y - x[0]).dot(n); }
 };
 
-SurfaceProjection::SurfaceProjection(const FacetSurface& contact, const FacetSurface& target,
-                                     double farther)
+SurfaceProjector::SurfaceProjector(const FacetSurface& contact, const FacetSurface& target,
+                                   double farther)
     : contact_(contact), target_(target), reach_(farthest_opposite * contact.extent + farther) {
   std::vector<geometry::Box<3>> boxes;
   for (const HatElement& t : target.elements) {
@@ -83,7 +83,7 @@ SurfaceProjection::SurfaceProjection(const FacetSurface& contact, const FacetSur
   tree_ = geometry::BoxTree<3>(boxes);
 }
 
-bool SurfaceProjection::meet(std::size_t face, PairPoint& point) const {
+bool SurfaceProjector::meet(std::size_t face, PairPoint& point) const {
   constexpr int most_steps = 12;
   constexpr double beyond = 0.3; // of a face's own size: rays beside it meet its continuation
   const geometry::ElementSide& target = target_.facets[face];
@@ -114,8 +114,8 @@ bool SurfaceProjection::meet(std::size_t face, PairPoint& point) const {
          std::abs(g) <= reach_;
 }
 
-void SurfaceProjection::see_target(const Frame& frame, std::size_t target,
-                                   OppositePointsOfElement& projection) const {
+void SurfaceProjector::see_target(const Frame& frame, std::size_t target,
+                                  OppositePointsOfElement& projection) const {
   const std::array<Vec3, 3>& y = corner_[target];
   const std::array<double, 3> height{frame.height(y[0]), frame.height(y[1]), frame.height(y[2])};
   const auto [low, high] = std::ranges::minmax(height);
@@ -165,8 +165,8 @@ void SurfaceProjection::see_target(const Frame& frame, std::size_t target,
   }
 }
 
-std::optional<PairPoint> SurfaceProjection::project_along_normal(const Vec3& x,
-                                                                 const Vec3& n) const {
+std::optional<PairPoint> SurfaceProjector::project_along_normal(const Vec3& x,
+                                                                const Vec3& n) const {
   // Twice as far each time: most points have the target right before them.
   for (double far = size_ > 0.0 ? std::min(size_, reach_) : reach_;;
        far = std::min(2.0 * far, reach_)) {
@@ -177,8 +177,8 @@ std::optional<PairPoint> SurfaceProjection::project_along_normal(const Vec3& x,
   }
 }
 
-std::optional<PairPoint> SurfaceProjection::look_as_far(const Vec3& x, const Vec3& n,
-                                                        double far) const {
+std::optional<PairPoint> SurfaceProjector::look_as_far(const Vec3& x, const Vec3& n,
+                                                       double far) const {
   constexpr double near = 0.3; // of a triangle's size: the curved face may be met beside it
   constexpr double on = 1e-6;  // of a face's reference coordinates
   const Vec3 up = far * n.cwiseAbs() + Vec3::Constant(near * size_);
@@ -205,7 +205,7 @@ std::optional<PairPoint> SurfaceProjection::look_as_far(const Vec3& x, const Vec
   return found;
 }
 
-OppositePointsOfElement SurfaceProjection::project_triangle(const HatElement& triangle) const {
+OppositePointsOfElement SurfaceProjector::project_triangle(const HatElement& triangle) const {
   const Frame frame(contact_, triangle);
   OppositePointsOfElement projection;
   projection.flat_area = 0.5 * frame.area2;

@@ -13,11 +13,11 @@
 namespace spricka::contact {
 
 /// A target made ready to be looked for.
-class SurfaceProjection {
+class SurfaceProjector {
 public:
   /// Both must outlive this. What lies farther off than a fifth of the extent of `contact` is not
   /// opposite; `farther` [length] adds to that.
-  SurfaceProjection(const FacetSurface& contact, const FacetSurface& target, double farther = 0.0);
+  SurfaceProjector(const FacetSurface& contact, const FacetSurface& target, double farther = 0.0);
 
   /// What a triangle between nodes of a face of the contact surface sees: triangles of the target
   /// that look the other way, projected onto its plane and clipped; a degree 5 rule on each piece,

@@ -75,7 +75,7 @@ ReportTable processor_table(const ProcessorCostTable& sums) {
   return table;
 }
 
-ReportTable net_table(const std::vector<NetCostSum>& nets) {
+ReportTable net_size_table(const std::vector<NetCostSum>& nets) {
   using Row = NetCostSum;
   return report::Columns<Row>()
       .words("", &Row::name)
@@ -254,8 +254,8 @@ double cost_over_floor(const ProfileWithCostFloor& record) {
 
 std::string profile_text(const ProfileWithCostFloor& record) {
   std::string text = "\n" + report::table_to_text(processor_table(processor_costs(record.profile)));
-  for (const ReportTable& table :
-       {net_table(net_costs(record.profile)), length_table(crack_length_costs(record.profile))}) {
+  for (const ReportTable& table : {net_size_table(net_costs(record.profile)),
+                                   length_table(crack_length_costs(record.profile))}) {
     text += table.rows.empty() ? "" : "\n" + report::table_to_text(table);
   }
   return text + "\n" + floor_text(record);

@@ -63,7 +63,7 @@ const std::string& master_name(const model::Model& model, const model::Contact& 
 
 } // namespace
 
-ReportTable net_table(const model::Model& model) {
+ReportTable net_size_table(const model::Model& model) {
   const std::vector<bool> used = model::mark_nodes_in_use(model.mesh);
   std::vector<NetCount> nets;
   for (std::size_t n = 0; n < model.nets.size(); ++n) {

@@ -12,7 +12,7 @@
 namespace spricka::report {
 
 /// Nodes and elements of each net that has any.
-ReportTable net_table(const model::Model& model);
+ReportTable net_size_table(const model::Model& model);
 
 /// "Symmetry: only the part y >= 0 is modelled. ..": what results are of; empty: of the whole.
 std::string symmetry_note(const model::Model& model);

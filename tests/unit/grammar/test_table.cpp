@@ -18,7 +18,7 @@ struct Reader {
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
   ExpressionScope scope;
-  BulkRowDescription form;
+  BulkRowFormat form;
   base::SourceSpan data;
 
   explicit Reader(const std::string& text, std::size_t columns) {
