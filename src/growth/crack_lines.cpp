@@ -99,6 +99,16 @@ struct CrackLineBuilder {
   const model::Model& model;
   base::Diagnostics& diagnostics;
   std::vector<model::FreedomRole> cls;
+  std::optional<mesh::HostMesh> host = std::nullopt; ///< made when a crack is drawn
+
+  /// Whether the first point of a drawn crack is inside the body.
+  bool starts_inside(const model::CrackDefinition& crack) {
+    if (!host) {
+      host.emplace(model.mesh);
+    }
+    return mesh::locate_crack_start(*host, crack.points.front(), crack.net) ==
+           mesh::CrackStartLocation::inside;
+  }
 
   std::optional<mesh::CrackLine> path_line(const model::CrackDefinition& crack,
                                            mesh::CrackLine line) {
@@ -122,9 +132,7 @@ struct CrackLineBuilder {
     const double a = arms.last;
     line.net = crack.net;
     line.points = crack.points;
-    line.embedded = !line.points.empty() &&
-                    mesh::locate_crack_start(model.mesh, line.points.front(), line.net) ==
-                        mesh::CrackStartLocation::inside;
+    line.embedded = !line.points.empty() && starts_inside(crack);
     if (crack.angle && line.points.size() == 1) {
       const base::Vec3 along(std::cos(*crack.angle), std::sin(*crack.angle), 0.0);
       // of given lengths the first tip of an embedded crack stays at the point
@@ -164,19 +172,19 @@ struct CrackLineBuilder {
   }
 
   // Length of the crack that the points draw; of an embedded one, half of it.
-  [[nodiscard]] double own_length(const model::CrackDefinition& crack) const {
-    const bool inside = mesh::locate_crack_start(model.mesh, crack.points.front(), crack.net) ==
-                        mesh::CrackStartLocation::inside;
+  double own_length(const model::CrackDefinition& crack) {
     const bool curved = crack.smooth && crack.points.size() > 2;
-    return (inside ? 0.5 : 1.0) * (curved ? curve_through(crack.points).length()
-                                          : geometry::polyline_length(crack.points));
+    return (starts_inside(crack) ? 0.5 : 1.0) * (curved ? curve_through(crack.points).length()
+                                                        : geometry::polyline_length(crack.points));
   }
 
-  [[nodiscard]] double first_length(const model::CrackDefinition& crack) const {
-    return crack.a0.value_or(crack.kind == model::CrackDefinitionKind::free &&
-                                     crack.points.size() > 1
-                                 ? own_length(crack)
-                                 : 0.0);
+  double first_length(const model::CrackDefinition& crack) {
+    if (crack.a0) {
+      return *crack.a0;
+    }
+    return crack.kind == model::CrackDefinitionKind::free && crack.points.size() > 1
+               ? own_length(crack)
+               : 0.0;
   }
 
   std::optional<mesh::CrackLine> line(std::size_t number, CrackLengthsByTip arms) {

@@ -126,6 +126,14 @@ std::optional<mesh::CrackedMesh> cracked_solid(const model::Model& model,
   return find_cracks(model, *cracked, diagnostics) ? std::move(cracked) : std::nullopt;
 }
 
+void add_cavities(const model::Model& model, const mesh::HostMesh& host,
+                  const std::vector<mesh::CrackLine>& lines, CrackRegionPlan& plan) {
+  for (const base::ElementId e :
+       mesh::possible_cavity_elements(host, lines, tip_meshes(model, host, lines))) {
+    plan.region[e.index()] = true;
+  }
+}
+
 } // namespace
 
 std::optional<mesh::CrackedMesh> make_cracked_mesh(const model::Model& model,
@@ -161,13 +169,14 @@ CrackRegionPlan plan_crack_region(const model::Model& model, const std::vector<d
   if (!plan.split) {
     return plan;
   }
+  const mesh::HostMesh host(model.mesh);
   for (const double a : lengths) {
     const std::optional<std::vector<mesh::CrackLine>> lines =
         growth::crack_lines(model, a, diagnostics);
     if (!lines) {
       return plan;
     }
-    add_to_crack_region(model, *lines, plan);
+    add_cavities(model, host, *lines, plan);
   }
   return plan;
 }
@@ -176,11 +185,7 @@ void add_to_crack_region(const model::Model& model, const std::vector<mesh::Crac
                          CrackRegionPlan& plan) {
   plan.region.resize(model.mesh.element_count(), false);
   plan.split = true;
-  const mesh::HostMesh host(model.mesh);
-  for (const base::ElementId e :
-       mesh::possible_cavity_elements(host, lines, tip_meshes(model, host, lines))) {
-    plan.region[e.index()] = true;
-  }
+  add_cavities(model, mesh::HostMesh(model.mesh), lines, plan);
 }
 
 } // namespace spricka::analysis
