@@ -6,6 +6,7 @@
 #include "fe/set_shares.hpp"
 #include "model/loads.hpp"
 
+#include <array>
 #include <vector>
 
 namespace spricka::fe {
@@ -25,6 +26,21 @@ struct Spread {
   const model::Load& load;
   UnresolvedLoad* missed = nullptr;
 };
+
+// Degree [dimension] of constants over whole elements: in the plane a function of degree 3, the
+// Jacobian 2, the radius 2. Where the rim of a set cuts an element its share is no polynomial.
+constexpr std::array<int, 4> constant_degree{0, load_degree, 7, load_degree};
+
+template <int dim>
+FieldAdaptedRule<dim> body_rule(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
+                                const model::Load& load, const FieldMagnitude& scale,
+                                bool cut_by_rim) {
+  if (cut_by_rim || !is_constant(load)) {
+    return body_load_rule<dim>(element, X, load, scale);
+  }
+  const auto usual = shape::quadrature<dim>(element.domain, constant_degree.at(dim));
+  return {{usual.begin(), usual.end()}, 0.0, 0.0, false};
+}
 
 void for_face_points(const Spread& spread, const FaceDensity& density,
                      const LoadPointVisitor::FaceVisit& visit) {
@@ -65,7 +81,8 @@ void for_body_points(const Spread& spread, const BodyDensity& density,
       const AnyNodeVectors<dim> X = coordinates(element, mesh, e);
       const ConstitutiveLaw law = constitutive_law(spread.model, mesh, e);
       const CutElementShareFunction* share = shares.find_cut_share_function(e);
-      const FieldAdaptedRule<dim> rule = body_load_rule<dim>(element, X, spread.load, scale);
+      const FieldAdaptedRule<dim> rule =
+          body_rule<dim>(element, X, spread.load, scale, share != nullptr);
       points.clear();
       for (const auto& point : rule.points) {
         const Eigen::Matrix<double, dim, dim> J = X.lazyProduct(element.dN(point.r));

@@ -168,38 +168,25 @@ std::vector<results::LoadTotal> compute_load_totals(const model::Model& model) {
   return totals;
 }
 
-bool check_loads_on_cracked_mesh(const model::Model& model, const model::Mesh& cracked,
-                                 base::Diagnostics& diagnostics) {
-  bool sound = true;
-  for (const model::LoadCase& load_case : model.cases) {
-    for (const model::Load& load : load_case.loads) {
-      const model::LoadCase alone{load_case.name, {load}};
-      if (load.type == model::LoadType::displacement) {
-        if (is_number(fe::prescribed_nodal_displacement(model, cracked, alone), load_case, load,
-                      diagnostics)) {
-          warn_of_missing_displacement(cracked, largest_displacement(model, cracked, load_case),
-                                       load_case, load, diagnostics);
-        } else {
-          sound = false;
-        }
-        continue;
-      }
-      const base::Vector f = fe::consistent_nodal_load(model, cracked, alone);
-      if (!is_number(f, load_case, load, diagnostics)) {
-        sound = false;
-      } else if (model::is_force_load(load)) {
-        // Faces of a crack are there once it is cut only.
-        if (!model.cracks.empty() && find_loaded_crack(model, load) == nullptr) {
-          sound = keeps_its_total(model, cracked, f, load_case, load, diagnostics) && sound;
-        }
-      }
-      // What is refused anyhow is not looked at more finely.
-      if (sound) {
-        warn_of_unresolved(model, cracked, load_case, load, diagnostics);
-      }
-    }
+bool check_load_on_cracked_mesh(const model::Model& model, const model::Mesh& cracked,
+                                const model::LoadCase& load_case, const model::Load& load,
+                                const base::Vector& values, base::Diagnostics& diagnostics) {
+  if (!is_number(values, load_case, load, diagnostics)) {
+    return false;
   }
-  return sound;
+  if (load.type == model::LoadType::displacement) {
+    warn_of_missing_displacement(cracked, largest_displacement(model, cracked, load_case),
+                                 load_case, load, diagnostics);
+    return true;
+  }
+  // Faces of a crack are there once it is cut only.
+  if (model::is_force_load(load) && !model.cracks.empty() &&
+      find_loaded_crack(model, load) == nullptr &&
+      !keeps_its_total(model, cracked, values, load_case, load, diagnostics)) {
+    return false;
+  }
+  warn_of_unresolved(model, cracked, load_case, load, diagnostics);
+  return true;
 }
 
 } // namespace spricka::sense

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/diagnostics.hpp"
+#include "base/vec.hpp"
 #include "model/forward.hpp"
 #include "results/load_total.hpp"
 
@@ -12,10 +13,12 @@ namespace spricka::sense {
 /// Temperatures and prescribed displacements are no forces; faces of cracks are not there yet.
 std::vector<results::LoadTotal> compute_load_totals(const model::Model& model);
 
-/// Whether the loads on a mesh with cracks are numbers (E434), and those that the deck's own mesh
-/// carries come to the same total there (E435). A load whose integral no rule could follow is
-/// warned of (W435).
-bool check_loads_on_cracked_mesh(const model::Model& model, const model::Mesh& cracked,
-                                 base::Diagnostics& diagnostics);
+/// Whether one load of a case on a mesh with cracks is a number (E434), and comes to the same total
+/// there as on the deck's own mesh (E435); a load whose integral no rule could follow is warned of
+/// (W435), and a displacement that the nodes cannot follow (W436). `values`: its consistent nodal
+/// load, of a displacement load the nodal displacements [dim * node].
+bool check_load_on_cracked_mesh(const model::Model& model, const model::Mesh& cracked,
+                                const model::LoadCase& load_case, const model::Load& load,
+                                const base::Vector& values, base::Diagnostics& diagnostics);
 
 } // namespace spricka::sense

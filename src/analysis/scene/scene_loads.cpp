@@ -21,11 +21,11 @@ namespace {
 
 // A resultant that does not arrive (a bearing load whose pin misses the bore) must not pass for a
 // load of nothing.
-bool arrives(const model::Model& model, const model::Mesh& mesh, const model::Load& load) {
+bool arrives(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
+             const base::Vector& f) {
   if (load.type != model::LoadType::bearing && load.type != model::LoadType::resultant) {
     return true;
   }
-  const base::Vector f = fe::consistent_nodal_load(model, mesh, {"", {load}});
   const std::array<bool, 3> balanced = load.type == model::LoadType::bearing
                                            ? fe::mirror_cut_axes(model, mesh, load)
                                            : std::array<bool, 3>{};
@@ -46,12 +46,43 @@ bool arrives(const model::Model& model, const model::Mesh& mesh, const model::Lo
          });
 }
 
+// Adds the nodal forces of all loads but temperatures to `f`, and checks each load; returns whether
+// all are sound.
+bool add_case_forces(const model::Model& model, const model::Mesh& mesh,
+                     const model::LoadCase& load_case, base::Matrix::ColXpr f,
+                     base::Diagnostics& diagnostics) {
+  bool sound = true;
+  for (const model::Load& load : load_case.loads) {
+    const model::LoadCase alone{load_case.name, {load}};
+    const bool displaces = load.type == model::LoadType::displacement;
+    const base::Vector own = displaces ? fe::prescribed_nodal_displacement(model, mesh, alone)
+                                       : fe::consistent_nodal_load(model, mesh, alone);
+    if (!displaces && load.type != model::LoadType::temperature) {
+      f += own;
+    }
+    if (arrives(model, mesh, load, own)) {
+      sound = sense::check_load_on_cracked_mesh(model, mesh, load_case, load, own, diagnostics) &&
+              sound;
+    } else {
+      diagnostics.error(
+          load.span, "E413",
+          fmt::format("load case {}: the resultant cannot be carried by this set", load_case.name),
+          "a bearing load needs faces of a bore on the side it pushes to");
+      sound = false;
+    }
+  }
+  return sound;
+}
+
 } // namespace
 
 bool make_case_loads(const model::Model& model, Discretisation& scene,
                      base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = scene.cracked.mesh;
-  bool good = true;
+  bool good = check_force_nodes(model, scene, diagnostics);
+  if (!good) {
+    return false;
+  }
   const auto n = static_cast<Eigen::Index>(mesh.node_count()) * mesh.dim;
   const auto cases = static_cast<Eigen::Index>(model.cases.size());
   const Eigen::Index columns = cases + (scene.ties->has_constants() ? 1 : 0);
@@ -59,8 +90,7 @@ bool make_case_loads(const model::Model& model, Discretisation& scene,
   scene.case_displacement = base::Matrix::Zero(n, columns);
   for (Eigen::Index c = 0; c < cases; ++c) {
     const model::LoadCase& load_case = model.cases[static_cast<std::size_t>(c)];
-    scene.case_load.col(c) =
-        fe::consistent_nodal_load(model, mesh, without_temperature_loads(load_case));
+    good = add_case_forces(model, mesh, load_case, scene.case_load.col(c), diagnostics) && good;
     scene.case_displacement.col(c) = fe::prescribed_nodal_displacement(model, mesh, load_case);
     for (Eigen::Index i = 0; i < n; ++i) { // a crack may have freed one face of what a load moves
       if (scene.cls[static_cast<std::size_t>(i)] == model::FreedomRole::local ||
@@ -77,19 +107,8 @@ bool make_case_loads(const model::Model& model, Discretisation& scene,
       scene.case_temperature.col(c) = heat.temperature;
       scene.case_load.col(c) += thermal_nodal_forces(model, mesh, heat);
     }
-    for (const model::Load& load : load_case.loads) {
-      if (!arrives(model, mesh, load)) {
-        diagnostics.error(load.span, "E413",
-                          fmt::format("load case {}: the resultant cannot be carried by this set",
-                                      load_case.name),
-                          "a bearing load needs faces of a bore on the side it pushes to");
-        good = false;
-      }
-    }
   }
-  return check_force_nodes(model, scene, diagnostics) && good &&
-         sense::check_loads_on_cracked_mesh(model, mesh, diagnostics) &&
-         prescribe_dependent_freedoms(model, scene, diagnostics);
+  return good && prescribe_dependent_freedoms(model, scene, diagnostics);
 }
 
 base::Matrix reduced_case_loads(const model::Model& model, const Discretisation& scene) {
