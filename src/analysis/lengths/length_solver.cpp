@@ -3,9 +3,7 @@
 
 #include "analysis/lengths/growth_measure.hpp"
 #include "analysis/lengths/shown_results.hpp"
-#include "analysis/recover/finite_results.hpp"
-#include "analysis/steps/let_go.hpp"
-#include "analysis/steps/repeated_steps.hpp"
+#include "analysis/lengths/step_sequence.hpp"
 #include "base/tidy.hpp"
 #include "growth/section_limit.hpp"
 #include "model/model.hpp"
@@ -19,19 +17,6 @@ namespace spricka::analysis {
 
 namespace {
 
-std::string fronts_in_words(const Discretisation& scene) {
-  const std::size_t count = scene.cracked.fronts.size();
-  return count == 0 || scene.has_tips()
-             ? fmt::format("{} tips", count)
-             : fmt::format("{} {} of {} points", count, count == 1 ? "front" : "fronts",
-                           scene.k_layout().points());
-}
-
-bool rubs(const Discretisation& scene) {
-  return std::ranges::any_of(scene.contacts,
-                             [](const model::Contact& contact) { return contact.mu > 0.0; });
-}
-
 std::size_t unknowns(const std::vector<SubstructuredBody>& bodies) {
   std::size_t n = 0;
   for (const SubstructuredBody& body : bodies) {
@@ -42,20 +27,6 @@ std::size_t unknowns(const std::vector<SubstructuredBody>& bodies) {
     }
   }
   return n;
-}
-
-void log_paths(const std::vector<results::LoadPathResult>& paths, LogWriter& log) {
-  for (const results::LoadPathResult& path : paths) {
-    if (path.t.empty()) {
-      continue;
-    }
-    log.add_line(
-        "LOADPATH",
-        fmt::format("path {}: {} breakpoints, {} pivots, {} factorisations, residual {:.1e}, K "
-                    "of its steps to {:.1e}",
-                    path.name, path.t.size() < 2 ? 0 : path.t.size() - 2, path.pivots,
-                    path.factorisations, path.residual, path.mismatch));
-  }
 }
 
 // By front in space, with SFLOW: force and moments of the section before it at the growth's largest
@@ -76,70 +47,6 @@ std::vector<double> section_load_ratios(const model::Model& model, const Discret
   return ratios;
 }
 
-// Tells that a stage of an increment is done.
-void report_stage(const SolveOptions& options, std::string stage, std::size_t step = 0,
-                  std::size_t steps = 0) {
-  if (options.progress) {
-    options.progress({.stage = std::move(stage), .step = step, .steps = steps});
-  }
-}
-
-// Tells that the last step of an increment under way has its K, or the bars of it.
-void show_increment(const SolveOptions& options, const results::CrackLengthResult& increment) {
-  if (options.found) {
-    options.found(increment);
-  }
-}
-
-// Which results of a step are no numbers; empty: none.
-base::OptionalFailure unsound_numbers(const results::LoadStepResult& result,
-                                      const model::Step& step) {
-  const std::string what = find_nonfinite_result(result);
-  if (what.empty()) {
-    return std::nullopt;
-  }
-  return base::OperationFailure{.kind = base::Outcome::not_solvable,
-                                .why = fmt::format("step {}: {}", step.name, what),
-                                .span = step.span};
-}
-
-/// A step of the deck and the state it ended in.
-struct SolvedStep {
-  const model::Step& step;
-  const StepSolver& solver;
-  const StepState& state;
-  bool bars = true;
-  bool pictured = false; ///< it, or a step that repeats it, is to have its stresses
-};
-
-// Bars, sensitivities, stresses of a step's end, as far as they are asked for; not empty: some are
-// no numbers.
-base::OptionalFailure add_estimates(const model::Model& model, const SolvedStep& solved,
-                                    CrackLengthAnalysis& length, LogWriter& log,
-                                    results::LoadStepResult& result) {
-  const model::Step& step = solved.step;
-  if (solved.bars) {
-    length.add_error_bars_and_sensitivities(
-        solved.solver, solved.state, result,
-        [&](const std::string& processor, const std::string& did) {
-          log.add_line(processor, fmt::format("step {}: {}", step.name, did));
-          return true;
-        });
-  }
-  if (!solved.pictured) {
-    return std::nullopt;
-  }
-  add_stress(model, length.discretisation().cracked.mesh, result);
-  log.add_line("RECOVER", fmt::format("step {}: stresses", step.name));
-  if (base::OptionalFailure trouble = unsound_numbers(result, step)) {
-    return trouble;
-  }
-  length.add_net_errors(solved.state, result);
-  log.add_line("ESTIMATE", fmt::format("step {}: energy error {:.1f} %", step.name,
-                                       100.0 * result.errors.back().part));
-  return std::nullopt;
-}
-
 // Takes K of faces that may overlap from the first solution of a state whose faces meet, where the
 // law wants it.
 std::optional<OverlappingFaceResults> take_overlap_results(const model::Model& model,
@@ -154,25 +61,6 @@ std::optional<OverlappingFaceResults> take_overlap_results(const model::Model& m
   }
   free.paths = std::move(increment.paths);
   return free;
-}
-
-void log_compliances(const StepSolver& solver, LogWriter& log) {
-  const double row_flops =
-      solver.contact_system() == nullptr ? 0.0 : solver.contact_system()->row_flops();
-  log.add_line("CONTACT",
-               fmt::format("compliances of the contact rows{}",
-                           row_flops > 0.0 ? fmt::format(", {:.3g} flops", row_flops) : ""),
-               row_flops > 0.0 ? std::optional(row_flops) : std::nullopt);
-}
-
-base::OptionalFailure unsound_numbers(const std::vector<results::LoadPathResult>& paths) {
-  for (const results::LoadPathResult& path : paths) {
-    if (const std::string what = find_nonfinite_result(path); !what.empty()) {
-      return base::OperationFailure{.kind = base::Outcome::not_solvable,
-                                    .why = fmt::format("load path {}: {}", path.name, what)};
-    }
-  }
-  return std::nullopt;
 }
 
 } // namespace
@@ -212,8 +100,8 @@ std::optional<results::CrackLengthResult> CrackStateSolver::solve(const CrackSta
                fmt::format("{}{} nodes, {} elements, {} contact rows, {}",
                            reported > 0.0 ? fmt::format("a = {:.6g}: ", reported) : "",
                            cut.cracked.mesh.node_count(), cut.cracked.mesh.element_count(),
-                           cut.table.size(), fronts_in_words(cut)));
-  report_stage(options_, "meshed");
+                           cut.table.size(), describe_fronts(cut)));
+  report_stage("meshed");
   results::CrackLengthResult increment;
   std::vector<std::size_t> touching;
   free_.reset();
@@ -223,14 +111,27 @@ std::optional<results::CrackLengthResult> CrackStateSolver::solve(const CrackSta
     if (!condense(*length, log)) {
       return std::nullopt;
     }
-    report_stage(options_, "condensed");
+    report_stage("condensed");
     increment = {};
     increment.a = a > 0.0 ? a : base::restore_short_decimal(first);
     increment.notes = results::make_plain_notes(cut.notes);
-    touching.clear();
-    if (!walk_steps(*length, request, log, increment, touching)) {
+    StepSequence steps({.model = model_,
+                        .options = options_,
+                        .pictured = request.pictured,
+                        .bars = request.bars,
+                        .passes_overlap = continues_K_below_closing(model_) && !free_,
+                        .contact = contact_,
+                        .log = log},
+                       *length);
+    next_carried_ = carried_;
+    trouble_ = steps.solve(increment, next_carried_);
+    if (trouble_) {
       return std::nullopt;
     }
+    if (steps.load_history()) {
+      followed_ = std::move(steps.load_history());
+    }
+    touching = steps.cracks_with_overlapping_faces();
     // Of tips alone: the law is given K_min = 0 of fronts in space whose faces touch.
     if (!touching.empty() && !free_ && cut.has_tips()) {
       free_ = take_overlap_results(model_, increment);
@@ -285,128 +186,10 @@ void CrackStateSolver::close_faces(const std::vector<std::size_t>& lines,
   }
 }
 
-bool CrackStateSolver::follow(CyclicLoadHistorySolver& history, StepSolver& solver,
-                              LogWriter& log) {
-  next_carried_ = carried_;
-  LoadHistoryKResult loads;
-  if (!history.solve_load_history(solver, next_carried_, loads, trouble_)) {
-    return false;
+void CrackStateSolver::report_stage(std::string stage) const {
+  if (options_.progress) {
+    options_.progress({.stage = std::move(stage)});
   }
-  if (loads.none.empty()) {
-    log.add_line("CONTACT", fmt::format("loads of the growth followed: {} passes, {} increments, K "
-                                        "changes by {:.1e} in the last",
-                                        loads.passes, loads.increments, loads.change));
-  }
-  followed_ = std::move(loads);
-  return true;
-}
-
-// Stops at the first step with faces that would overlap: `touching` says which. Only where K of
-// such faces is wanted the first solution goes on with them, without bars and pictures.
-bool CrackStateSolver::walk_steps(CrackLengthAnalysis& length, const CrackStateRequest& request,
-                                  LogWriter& log, results::CrackLengthResult& increment,
-                                  std::vector<std::size_t>& touching) {
-  const Discretisation& scene = length.discretisation();
-  const std::unique_ptr<StepSolver> first = length.make_solver();
-  StepSolver& solver = *first;
-  RepeatedSteps repeated(model_, request.pictured);
-  LoadPathSolver& paths = length.load_paths();
-  CyclicLoadHistorySolver history(model_, scene, length.bodies(), paths);
-  const bool follows = depends_on_load_order(model_);
-  const bool goes_on = continues_K_below_closing(model_);
-  log_compliances(solver, log);
-  std::size_t solved = 0;
-  for (std::size_t s = 0; s < model_.steps.size(); ++s) {
-    const model::Step& step = model_.steps[s];
-    if (const std::size_t* earlier = repeated.earlier_step(s)) {
-      repeated.copy_step(s, solver, increment.steps);
-      show_increment(options_, increment);
-      log.add_line("CONTACT", fmt::format("step {}: the same as step {}, taken over", step.name,
-                                          model_.steps[*earlier].name));
-      paths.store_step_end_state(s, solver, increment.steps.back());
-      continue;
-    }
-    // The closed rows of this step at the last length are the best guess.
-    if (std::vector<bool> start =
-            contact_.guess_closed_rows(scene, s, solver.closed_contact_rows());
-        !start.empty()) {
-      solver.set_start_rows(std::move(start));
-    }
-    base::OptionalFailure trouble;
-    const std::optional<StepState> state = solver.solve(step, trouble);
-    if (!state && !touching.empty()) {
-      return true; // with faces that may overlap there is no answer
-    }
-    if (!state) {
-      trouble->why = fmt::format("step {}: {}", step.name, trouble->why);
-      trouble->why += explain_release(model_, scene, length.bodies(), step, trouble->why);
-      trouble_ = std::move(trouble);
-      return false;
-    }
-    report_stage(options_, fmt::format("step {}: contact", step.name), solved,
-                 repeated.solved_step_count());
-    log.add_line("CONTACT",
-                 fmt::format("step {}: {} iterations, {} pivots, imbalance {:.1e}", step.name,
-                             state->iterations, state->pivots, state->imbalance));
-    // Rows that rub start from their own history, not from those of another length.
-    if (!rubs(scene)) {
-      contact_.store_closed_rows(scene, s, solver.closed_contact_rows());
-    }
-    repeated.store_closed_rows(s, solver);
-    if (touching.empty()) {
-      touching = length.cracks_with_overlapping_faces(state->u);
-    }
-    if (!touching.empty() && !(goes_on && !free_)) {
-      return true;
-    }
-    increment.steps.push_back(length.recover_step(step, *state));
-    if (base::OptionalFailure unsound = unsound_numbers(increment.steps.back(), step)) {
-      trouble_ = std::move(unsound);
-      return false;
-    }
-    log.add_line("VCE",
-                 fmt::format("step {}: {}, pressures, balance", step.name, fronts_in_words(scene)));
-    show_increment(options_, increment);
-    report_stage(options_, fmt::format("step {}: K", step.name), solved,
-                 repeated.solved_step_count());
-    paths.store_step_end_state(s, solver, increment.steps.back());
-    if (follows) {
-      history.store_step_end_state(s, solver, increment.steps.back());
-    }
-    if (!touching.empty()) {
-      continue;
-    }
-    if (base::OptionalFailure unsound =
-            add_estimates(model_,
-                          {step, solver, *state, request.bars,
-                           request.pictured[s] || repeated.stresses_needed_later(s)},
-                          length, log, increment.steps.back())) {
-      trouble_ = std::move(unsound);
-      return false;
-    }
-    show_increment(options_, increment);
-    report_stage(options_, fmt::format("step {}", step.name), ++solved,
-                 repeated.solved_step_count());
-  }
-  repeated.drop_extra_stresses(increment.steps);
-  increment.paths = paths.solve_paths(solver);
-  if (base::OptionalFailure unsound = unsound_numbers(increment.paths)) {
-    trouble_ = std::move(unsound);
-    return false;
-  }
-  if (!touching.empty()) {
-    return true;
-  }
-  if (follows && !follow(history, solver, log)) {
-    return false;
-  }
-  // Between the steps faces may overlap, too.
-  touching = paths.cracks_with_overlapping_faces();
-  if (!touching.empty()) {
-    return true;
-  }
-  log_paths(increment.paths, log);
-  return true;
 }
 
 } // namespace spricka::analysis

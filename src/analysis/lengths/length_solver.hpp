@@ -80,10 +80,8 @@ private:
   bool condense(CrackLengthAnalysis& length, LogWriter& log);
   void close_faces(const std::vector<std::size_t>& lines, CrackLengthAnalysis& length,
                    LogWriter& log);
-  /// Follows the loads of the growth behind the steps; false: no answer.
-  bool follow(CyclicLoadHistorySolver& history, StepSolver& solver, LogWriter& log);
-  bool walk_steps(CrackLengthAnalysis& length, const CrackStateRequest& request, LogWriter& log,
-                  results::CrackLengthResult& increment, std::vector<std::size_t>& touching);
+  /// Tells that a stage of the increment is done.
+  void report_stage(std::string stage) const;
 
   const model::Model& model_;
   std::optional<model::Model> grown_; ///< in space: with the cracks of the state that is solved
