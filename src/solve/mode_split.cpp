@@ -9,6 +9,7 @@
 
 namespace spricka::solve {
 
+using base::at;
 using base::index;
 
 namespace {
