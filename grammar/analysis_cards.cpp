@@ -9,7 +9,7 @@ namespace {
 
 using namespace table;
 using enum EntityKind;
-using enum Quantity;
+using enum QuantityKind;
 
 constexpr std::array step_keys{
     required(defining_key("NAME", step, "called by this in results")),

@@ -208,8 +208,8 @@ private:
     const base::SourceSpan unit = explicit_unit_span(parsed.expression);
     if (unit.valid() && std::is_same_v<T, double>) {
       const auto known = base::parse_unit(scope_.sources->text(unit));
-      const bool fits = known && (known->dimension == base::Dimension{1.0, 0.0, 0.0} ||
-                                  known->dimension == base::Dimension{0.0, 0.0, 1.0});
+      const bool fits = known && (known->dimension == base::PhysicalDimension{1.0, 0.0, 0.0} ||
+                                  known->dimension == base::PhysicalDimension{0.0, 0.0, 1.0});
       if (!fits) {
         return fail(begin, p_, "E205", "a coordinate is a length");
       }

@@ -33,24 +33,24 @@ static_assert(kind_names.size() == static_cast<std::size_t>(EntityKind::surface)
 
 /// What is said of a quantity: its dimension in length, force and angle, its name and its formula.
 struct QuantityWords {
-  Quantity quantity;
-  base::Dimension dimension;
+  QuantityKind quantity;
+  base::PhysicalDimension dimension;
   std::string_view name;
   std::string_view formula;
 };
 constexpr std::array<QuantityWords, 9> quantity_words{{
-    {Quantity::number, {0.0, 0.0, 0.0}, "a plain number", "number"},
-    {Quantity::length, {1.0, 0.0, 0.0}, "a length", "length"},
-    {Quantity::area, {2.0, 0.0, 0.0}, "an area", "length^2"},
-    {Quantity::stress, {-2.0, 1.0, 0.0}, "a stress", "stress"},
-    {Quantity::angle, {0.0, 0.0, 1.0}, "an angle", "angle"},
-    {Quantity::stress_intensity, {-1.5, 1.0, 0.0}, "a stress intensity", "stress*length^0.5"},
-    {Quantity::force, {0.0, 1.0, 0.0}, "a force", "force"},
-    {Quantity::energy_release, {-1.0, 1.0, 0.0}, "an energy release rate", "force/length"},
-    {Quantity::energy, {1.0, 1.0, 0.0}, "an energy", "force*length"},
+    {QuantityKind::number, {0.0, 0.0, 0.0}, "a plain number", "number"},
+    {QuantityKind::length, {1.0, 0.0, 0.0}, "a length", "length"},
+    {QuantityKind::area, {2.0, 0.0, 0.0}, "an area", "length^2"},
+    {QuantityKind::stress, {-2.0, 1.0, 0.0}, "a stress", "stress"},
+    {QuantityKind::angle, {0.0, 0.0, 1.0}, "an angle", "angle"},
+    {QuantityKind::stress_intensity, {-1.5, 1.0, 0.0}, "a stress intensity", "stress*length^0.5"},
+    {QuantityKind::force, {0.0, 1.0, 0.0}, "a force", "force"},
+    {QuantityKind::energy_release, {-1.0, 1.0, 0.0}, "an energy release rate", "force/length"},
+    {QuantityKind::energy, {1.0, 1.0, 0.0}, "an energy", "force*length"},
 }};
 
-const QuantityWords& words_for(Quantity quantity) {
+const QuantityWords& words_for(QuantityKind quantity) {
   return *std::ranges::find(quantity_words, quantity, &QuantityWords::quantity);
 }
 
@@ -60,15 +60,15 @@ std::string_view display_name(EntityKind kind) {
   return kind_names[static_cast<std::size_t>(kind)];
 }
 
-base::Dimension quantity_dimension(Quantity quantity) {
+base::PhysicalDimension quantity_dimension(QuantityKind quantity) {
   return words_for(quantity).dimension;
 }
 
-std::string_view display_name(Quantity quantity) {
+std::string_view display_name(QuantityKind quantity) {
   return words_for(quantity).name;
 }
 
-std::string_view dimension_formula(Quantity quantity) {
+std::string_view dimension_formula(QuantityKind quantity) {
   return words_for(quantity).formula;
 }
 

@@ -48,13 +48,13 @@ enum class EntityKind {
 /// The field's word for a kind: "node set".
 std::string_view display_name(EntityKind kind);
 
-using base::Quantity;
+using base::QuantityKind;
 /// The dimension that values of a quantity have, in length, force and angle; of a number none.
-base::Dimension quantity_dimension(Quantity quantity);
+base::PhysicalDimension quantity_dimension(QuantityKind quantity);
 /// "a length": for messages.
-std::string_view display_name(Quantity quantity);
+std::string_view display_name(QuantityKind quantity);
 /// "stress*length^0.5": how the help writes the dimension.
-std::string_view dimension_formula(Quantity quantity);
+std::string_view dimension_formula(QuantityKind quantity);
 
 inline constexpr double k_unbounded = std::numeric_limits<double>::infinity();
 
@@ -81,7 +81,7 @@ struct KeySpec {
   std::string_view default_value = {}; ///< as the deck would write it; empty: none
   std::string_view later = {};         ///< words (or * for any value) without an analysis yet
   EntityKind kind = EntityKind::none;  ///< of a name, reference or list of them
-  Quantity quantity = Quantity::number;
+  QuantityKind quantity = QuantityKind::number;
   ValueLimits range = {};
   std::string_view doc = {};
 };

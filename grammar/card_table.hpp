@@ -38,7 +38,7 @@ constexpr ValueLimits open_interval(double low, double high) { ///< without the 
 constexpr ValueLimits anything{};
 
 /// A key with a real number, whose unit is that of a quantity.
-constexpr KeySpec real_key(std::string_view name, Quantity quantity, ValueLimits range,
+constexpr KeySpec real_key(std::string_view name, QuantityKind quantity, ValueLimits range,
                            std::string_view doc) {
   KeySpec key;
   key.name = name;
@@ -93,7 +93,7 @@ constexpr KeySpec text_key(std::string_view name, std::string_view doc) {
   return key_of_type(KeyType::text, name, EntityKind::none, doc);
 }
 /// A text that names a unit of a quantity.
-constexpr KeySpec unit_key(std::string_view name, Quantity quantity, std::string_view doc) {
+constexpr KeySpec unit_key(std::string_view name, QuantityKind quantity, std::string_view doc) {
   KeySpec key = text_key(name, doc);
   key.quantity = quantity;
   return key;

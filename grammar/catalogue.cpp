@@ -16,7 +16,7 @@ namespace spricka::grammar {
 
 namespace {
 
-using enum Quantity;
+using enum QuantityKind;
 
 // Arguments by letter; what stands behind ? may be left out: a last number is the crack length.
 constexpr std::array quantities{
@@ -154,7 +154,7 @@ constexpr std::array<ResultArgument, 10> result_arguments{{
 struct AlongFronts {
   std::string name;
   std::string_view arguments; ///< behind crack and place: a step, or a path and t
-  Quantity quantity;
+  QuantityKind quantity;
   std::string doc;
   bool ends = true; ///< has MIN and MAX
 };

@@ -22,7 +22,7 @@ const CardSpec* find_card(std::string_view name);
 struct ResultQuantity {
   std::string_view name = {};
   std::string_view arguments;
-  Quantity quantity = Quantity::number;
+  QuantityKind quantity = QuantityKind::number;
   std::string_view doc = {};
 };
 /// What a letter of ResultQuantity::arguments stands for.

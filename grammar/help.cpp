@@ -41,11 +41,11 @@ std::string indented(std::string_view text, std::size_t indent) {
 }
 
 /// Quantities that units are named for, in terms of m and N.
-constexpr std::array<std::pair<Quantity, std::string_view>, 4> named_quantities{
-    {{Quantity::length, " m"},
-     {Quantity::force, " N"},
-     {Quantity::stress, " N/m^2"},
-     {Quantity::angle, " rad"}}};
+constexpr std::array<std::pair<QuantityKind, std::string_view>, 4> named_quantities{
+    {{QuantityKind::length, " m"},
+     {QuantityKind::force, " N"},
+     {QuantityKind::stress, " N/m^2"},
+     {QuantityKind::angle, " rad"}}};
 
 // "stress" and "1000000 N/m^2" for MPa; a unit of none of these quantities counts.
 std::pair<std::string, std::string> kind_and_size(const base::NamedUnit& word) {

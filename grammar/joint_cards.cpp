@@ -9,7 +9,7 @@ namespace {
 
 using namespace table;
 using enum EntityKind;
-using enum Quantity;
+using enum QuantityKind;
 
 constexpr std::array load_keys{
     required(defining_key("CASE", load_case, "the case this adds to")),

@@ -9,7 +9,7 @@ namespace {
 
 using namespace table;
 using enum EntityKind;
-using enum Quantity;
+using enum QuantityKind;
 
 constexpr std::array deck_keys{
     required(integer_key("VERSION", closed_interval(1, 1), "version of the language; this is 1")),

@@ -121,7 +121,7 @@ std::string card_catalogue_json() {
   out["constants"] = {"PI"};
   out["variables"] = {"X", "Y", "Z", "RHO", "THETA"};
   for (const base::NamedUnit& word : base::unit_words()) {
-    const base::Dimension& d = word.unit.dimension;
+    const base::PhysicalDimension& d = word.unit.dimension;
     out["units"].push_back({{"name", word.name},
                             {"si", word.unit.si},
                             {"length", d.length},

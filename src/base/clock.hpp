@@ -36,7 +36,7 @@ class Stopwatch {
 public:
   [[nodiscard]] double cpu_time() const { return cpu_seconds() - cpu_; }
   [[nodiscard]] double wall_time() const { return steady_clock_seconds() - begun_; }
-  /// When it was started, as moment() has it [s].
+  /// When it was started, as steady_clock_seconds() has it [s].
   [[nodiscard]] double start_time() const { return begun_; }
 
 private:

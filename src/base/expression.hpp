@@ -50,7 +50,7 @@ struct CompiledExpression {
   std::vector<ExpressionInstruction> code;
 
   /// An expression that has this value everywhere.
-  static CompiledExpression constant(double value) { return {{{OpCode::number, value}}}; }
+  static CompiledExpression make_constant(double value) { return {{{OpCode::number, value}}}; }
   [[nodiscard]] bool is_constant() const;
   /// Value at a point. Domain errors give NaN, as the C library does.
   [[nodiscard]] double operator()(const Vec3& at) const;

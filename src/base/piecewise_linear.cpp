@@ -18,13 +18,13 @@ PiecewiseLinear::PiecewiseLinear(std::vector<double> knot, std::vector<double> v
                                  std::vector<double> slope)
     : knot_(std::move(knot)), value_(std::move(value)), slope_(std::move(slope)) {
   assert(!value_.empty() && knot_.size() == value_.size() + 1 && slope_.size() == value_.size());
-  const std::size_t bins = bins_per_segment * segments();
+  const std::size_t bins = bins_per_segment * segment_count();
   const double length = knot_.back() - knot_.front();
   bins_per_t_ = length > 0.0 ? static_cast<double>(bins) / length : 0.0;
   std::size_t s = 0;
   for (std::size_t k = 0; k <= bins; ++k) {
     const double t = knot_.front() + length * static_cast<double>(k) / static_cast<double>(bins);
-    while (s + 1 < segments() && knot_[s + 1] < t) {
+    while (s + 1 < segment_count() && knot_[s + 1] < t) {
       ++s;
     }
     index_.push_back(static_cast<std::uint32_t>(s));
@@ -36,7 +36,7 @@ std::size_t PiecewiseLinear::find_segment(double t) const {
       std::min(static_cast<std::size_t>((t - knot_.front()) * bins_per_t_), index_.size() - 2);
   // the bin's bounds are rounded: one segment more on either side
   std::size_t first = index_[bin] > 0 ? index_[bin] - 1 : 0;
-  std::size_t last = std::min<std::size_t>(index_[bin + 1] + 1, segments() - 1);
+  std::size_t last = std::min<std::size_t>(index_[bin + 1] + 1, segment_count() - 1);
   while (last - first > 4) {
     const std::size_t middle = (first + last) / 2;
     if (knot_[middle + 1] < t) {
@@ -59,16 +59,17 @@ double PiecewiseLinear::operator()(double t) const {
   return value_[s] + (t - knot_[s]) * slope_[s];
 }
 
-double PiecewiseLinear::at_knot(std::size_t k) const {
-  return k < segments() ? value_[k] : value_[k - 1] + (knot_[k] - knot_[k - 1]) * slope_[k - 1];
+double PiecewiseLinear::value_at_knot(std::size_t k) const {
+  return k < segment_count() ? value_[k]
+                             : value_[k - 1] + (knot_[k] - knot_[k - 1]) * slope_[k - 1];
 }
 
-double PiecewiseLinear::lowest() const {
-  return std::min(*std::min_element(value_.begin(), value_.end()), at_knot(segments()));
+double PiecewiseLinear::smallest_value() const {
+  return std::min(*std::min_element(value_.begin(), value_.end()), value_at_knot(segment_count()));
 }
 
-double PiecewiseLinear::highest() const {
-  return std::max(*std::max_element(value_.begin(), value_.end()), at_knot(segments()));
+double PiecewiseLinear::largest_value() const {
+  return std::max(*std::max_element(value_.begin(), value_.end()), value_at_knot(segment_count()));
 }
 
 } // namespace spricka::base

@@ -15,17 +15,19 @@ public:
   PiecewiseLinear(std::vector<double> knot, std::vector<double> value, std::vector<double> slope);
 
   [[nodiscard]] bool empty() const { return value_.empty(); }
-  [[nodiscard]] std::size_t segments() const { return value_.size(); }
+  [[nodiscard]] std::size_t segment_count() const { return value_.size(); }
   [[nodiscard]] const std::vector<double>& knots() const { return knot_; }
-  [[nodiscard]] const std::vector<double>& values() const { return value_; } ///< [segment]
-  [[nodiscard]] const std::vector<double>& slopes() const { return slope_; } ///< [segment]
+  [[nodiscard]] const std::vector<double>& segment_start_values() const {
+    return value_;
+  }                                                                                  ///< [segment]
+  [[nodiscard]] const std::vector<double>& segment_slopes() const { return slope_; } ///< [segment]
   /// Derivative within a segment, from its knot to the next.
   [[nodiscard]] double slope(std::size_t segment) const { return slope_[segment]; }
 
   /// Not a number outside the knots: nothing is extrapolated.
   [[nodiscard]] double operator()(double t) const;
   /// Value at knot k, the last one among them.
-  [[nodiscard]] double at_knot(std::size_t k) const;
+  [[nodiscard]] double value_at_knot(std::size_t k) const;
   /// Slope left of knot k; at the first knot that of the first segment.
   [[nodiscard]] double slope_before(std::size_t k) const { return slope_[k > 0 ? k - 1 : 0]; }
   /// Slope right of knot k; at the last knot that of the last segment.
@@ -35,8 +37,8 @@ public:
   /// The segment with t; of two that meet there the first. t must lie within the knots.
   [[nodiscard]] std::size_t find_segment(double t) const;
   /// Smallest and largest value: they are at knots.
-  [[nodiscard]] double lowest() const;
-  [[nodiscard]] double highest() const;
+  [[nodiscard]] double smallest_value() const;
+  [[nodiscard]] double largest_value() const;
 
 private:
   std::vector<double> knot_, value_, slope_;

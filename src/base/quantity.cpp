@@ -3,25 +3,25 @@
 
 namespace spricka::base {
 
-std::string unit_name(const UnitSystem& units, Quantity quantity) {
+std::string unit_name(const UnitSystem& units, QuantityKind quantity) {
   switch (quantity) {
-  case Quantity::length:
+  case QuantityKind::length:
     return units.length_name;
-  case Quantity::area:
+  case QuantityKind::area:
     return units.length_name + "^2";
-  case Quantity::stress:
+  case QuantityKind::stress:
     return units.stress_name();
-  case Quantity::angle:
+  case QuantityKind::angle:
     return "rad";
-  case Quantity::stress_intensity:
+  case QuantityKind::stress_intensity:
     return units.stress_intensity_name();
-  case Quantity::force:
+  case QuantityKind::force:
     return units.force_name;
-  case Quantity::energy_release:
+  case QuantityKind::energy_release:
     return units.force_name + "/" + units.length_name;
-  case Quantity::energy:
+  case QuantityKind::energy:
     return units.force_name + "*" + units.length_name;
-  case Quantity::number:
+  case QuantityKind::number:
     break;
   }
   return {};

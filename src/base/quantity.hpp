@@ -7,7 +7,7 @@
 namespace spricka::base {
 
 /// What a number of a deck or of a result measures, and so its unit.
-enum class Quantity {
+enum class QuantityKind {
   number,
   length,
   area,
@@ -20,6 +20,6 @@ enum class Quantity {
 };
 
 /// The unit that such a number has: "MPa*mm^0.5"; of angles "rad", of plain numbers nothing.
-std::string unit_name(const UnitSystem& units, Quantity quantity);
+std::string unit_name(const UnitSystem& units, QuantityKind quantity);
 
 } // namespace spricka::base

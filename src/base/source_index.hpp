@@ -10,13 +10,13 @@
 
 namespace spricka::base {
 
-/// Places of many offsets: Sources::locate counts from the beginning of the text each time, this
-/// from the block that the offset is in. Texts that are added later are seen too.
+/// Places of many offsets: SourceTexts::locate counts from the beginning of the text each time,
+/// this from the block that the offset is in. Texts that are added later are seen too.
 class SourceIndex {
 public:
   explicit SourceIndex(const SourceTexts& sources) : sources_(sources) {}
 
-  /// The same as Sources::locate.
+  /// The same as SourceTexts::locate.
   SourceLocation locate(std::int32_t file, std::size_t offset);
 
 private:

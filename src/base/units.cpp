@@ -18,10 +18,10 @@ namespace {
 constexpr double newton_per_lbf = 4.4482216152605;
 constexpr double metre_per_inch = 0.0254;
 
-constexpr Dimension length_dimension{1.0, 0.0, 0.0};
-constexpr Dimension force_dimension{0.0, 1.0, 0.0};
-constexpr Dimension stress_dimension{-2.0, 1.0, 0.0};
-constexpr Dimension angle_dimension{0.0, 0.0, 1.0};
+constexpr PhysicalDimension length_dimension{1.0, 0.0, 0.0};
+constexpr PhysicalDimension force_dimension{0.0, 1.0, 0.0};
+constexpr PhysicalDimension stress_dimension{-2.0, 1.0, 0.0};
+constexpr PhysicalDimension angle_dimension{0.0, 0.0, 1.0};
 
 constexpr std::array<NamedUnit, 17> words{{
     {"m", {1.0, length_dimension}},

@@ -8,11 +8,11 @@
 namespace spricka::base {
 
 /// Exponents of a quantity in length, force and angle; K is {-1.5, 1, 0}.
-struct Dimension {
+struct PhysicalDimension {
   double length = 0.0;
   double force = 0.0;
   double angle = 0.0;
-  bool operator==(const Dimension&) const = default;
+  bool operator==(const PhysicalDimension&) const = default;
 };
 
 /// The deck's units: names as the deck writes them and their size in m and N.
@@ -29,7 +29,7 @@ struct UnitSystem {
 /// A parsed unit: value in SI (m, N, rad) of one such unit, and its dimension.
 struct PhysicalUnit {
   double si = 1.0;
-  Dimension dimension;
+  PhysicalDimension dimension;
 };
 
 /// A unit that the language knows by name; products, quotients and powers are made of these.

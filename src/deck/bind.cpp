@@ -61,7 +61,7 @@ private:
                     fmt::format("write {}='...'", key_.name));
       }
       value.text = field.text;
-      return key_.quantity == grammar::Quantity::number || unit(field);
+      return key_.quantity == grammar::QuantityKind::number || unit(field);
     case KeyType::expression:
       return expression(field, value);
     }
@@ -84,7 +84,7 @@ private:
     if (!key_.range.holds(*found)) {
       return fail(field.span, "E109", fmt::format("{}: {} is out of range", key_.name, *found),
                   fmt::format("{} is {}{}", key_.name, key_.range.text(),
-                              key_.quantity == grammar::Quantity::angle
+                              key_.quantity == grammar::QuantityKind::angle
                                   ? ", in radians; degrees are written 45[deg]"
                                   : ""));
     }
@@ -97,7 +97,7 @@ private:
   // A text that names a unit of the key's quantity.
   bool unit(const CardField& field) {
     const auto known = base::parse_unit(field.text);
-    const bool of_K = key_.quantity == grammar::Quantity::stress_intensity;
+    const bool of_K = key_.quantity == grammar::QuantityKind::stress_intensity;
     const std::string hint = of_K ? "'MPa*m^0.5', 'MPa*sqrt(m)', 'ksi*in^0.5', without blanks" : "";
     if (!known) {
       return fail(field.span, "E204", fmt::format("{}: '{}' is not a unit", key_.name, field.text),
@@ -353,8 +353,8 @@ CheckedCard check_card_header(const grammar::CardHeader& card, const grammar::Ca
   return CardBinder(card, spec, scope, diagnostics).run();
 }
 
-std::optional<double> read_field_number(const grammar::CardField& field, grammar::Quantity quantity,
-                                        std::string_view what,
+std::optional<double> read_field_number(const grammar::CardField& field,
+                                        grammar::QuantityKind quantity, std::string_view what,
                                         const grammar::ExpressionScope& scope,
                                         base::Diagnostics& diagnostics) {
   if (!field.has_value()) {
@@ -379,7 +379,7 @@ std::optional<double> read_field_number(const grammar::CardField& field, grammar
   return fits ? value : std::nullopt;
 }
 
-bool check_field_unit(const grammar::CardField& field, const base::Dimension& dimension,
+bool check_field_unit(const grammar::CardField& field, const base::PhysicalDimension& dimension,
                       std::string_view complaint, const grammar::ExpressionScope& scope,
                       base::Diagnostics& diagnostics) {
   const base::SourceSpan unit = grammar::explicit_or_parameter_unit_span(field.expression, scope);

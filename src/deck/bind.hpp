@@ -90,14 +90,14 @@ CheckedCard check_card_header(const grammar::CardHeader& card, const grammar::Ca
 
 /// Number of a field in a data line: literal or (expr). Empty after an error; `what` is what the
 /// message asks for, "a factor".
-std::optional<double> read_field_number(const grammar::CardField& field, grammar::Quantity quantity,
-                                        std::string_view what,
+std::optional<double> read_field_number(const grammar::CardField& field,
+                                        grammar::QuantityKind quantity, std::string_view what,
                                         const grammar::ExpressionScope& scope,
                                         base::Diagnostics& diagnostics);
 
 /// Whether a field has no unit, or one of a dimension; else that is reported, "'mm' " and the
 /// complaint. A unit that is none is left to the evaluation.
-bool check_field_unit(const grammar::CardField& field, const base::Dimension& dimension,
+bool check_field_unit(const grammar::CardField& field, const base::PhysicalDimension& dimension,
                       std::string_view complaint, const grammar::ExpressionScope& scope,
                       base::Diagnostics& diagnostics);
 

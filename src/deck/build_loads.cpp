@@ -21,8 +21,8 @@ using model::LoadType;
 struct LoadForm {
   std::string_view word;
   LoadType type;
-  bool per_direction;        ///< one value for each direction, else a single one
-  base::Dimension dimension; ///< of a value, in length, force and angle
+  bool per_direction;                ///< one value for each direction, else a single one
+  base::PhysicalDimension dimension; ///< of a value, in length, force and angle
   std::string_view values;
   bool of_crack = false; ///< acts on both faces of a crack
 };
@@ -319,7 +319,7 @@ void fill_in(DeckContext& c, const std::vector<NodeConstraints>& held, bool soun
   }
   std::vector<char> unsaid;
   for (std::size_t d = given; d < most; ++d) {
-    load.value.push_back(base::CompiledExpression::constant(0.0));
+    load.value.push_back(base::CompiledExpression::make_constant(0.0));
     if (sound && counts_along(c.model.mesh, load, d, held)) {
       unsaid.push_back("xyz"[d]);
     }

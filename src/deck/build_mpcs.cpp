@@ -44,7 +44,7 @@ public:
 private:
   void term(const grammar::DataRow& row, std::size_t first) {
     const auto coefficient =
-        c_.read_number(row.fields[first], grammar::Quantity::number, "a coefficient");
+        c_.read_number(row.fields[first], grammar::QuantityKind::number, "a coefficient");
     if (coefficient == 0.0) {
       c_.error(row.fields[first].span, "E109", "a coefficient is not 0");
     }
@@ -70,7 +70,7 @@ private:
     if (field.is_name()) {
       return node_of_net(field);
     }
-    const auto value = c_.read_number(field, grammar::Quantity::number, "a node number");
+    const auto value = c_.read_number(field, grammar::QuantityKind::number, "a node number");
     if (!value) {
       return std::nullopt;
     }

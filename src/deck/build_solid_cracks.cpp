@@ -164,7 +164,7 @@ std::optional<Vec3> row_point(DeckContext& c, const grammar::DataRow& row, std::
   Vec3 point = Vec3::Zero();
   bool ok = true;
   for (std::size_t i = 0; i < dim; ++i) {
-    const auto x = c.read_number(row.fields[i], grammar::Quantity::length, "a coordinate");
+    const auto x = c.read_number(row.fields[i], grammar::QuantityKind::length, "a coordinate");
     point[static_cast<Eigen::Index>(i)] = x.value_or(0.0);
     ok = ok && x.has_value();
   }

@@ -51,7 +51,7 @@ private:
       line.span = row.span;
       for (const CardField& field : row.fields) {
         const auto number =
-            c_.read_number(field, grammar::Quantity::number, "a place t on the path");
+            c_.read_number(field, grammar::QuantityKind::number, "a place t on the path");
         good_ = good_ && number.has_value();
         line.numbers.push_back(number.value_or(0.0));
       }

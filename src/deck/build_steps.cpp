@@ -54,8 +54,9 @@ void action(DeckContext& c, const grammar::DataRow& row, model::Step& step) {
   const NameReference reference{row.fields[1].text, row.fields[1].span, {}};
   const NameDefinition* found =
       find_referenced_definition(c, loads ? EntityKind::load_case : EntityKind::contact, reference);
-  const auto factor = factored ? c.read_number(row.fields[2], grammar::Quantity::number, "a factor")
-                               : std::optional(1.0);
+  const auto factor = factored
+                          ? c.read_number(row.fields[2], grammar::QuantityKind::number, "a factor")
+                          : std::optional(1.0);
   if (found == nullptr || !factor) {
     return;
   }
@@ -110,7 +111,7 @@ base::StepId step_id(DeckContext& c, const CheckedCard& card, std::string_view k
 void lengths(DeckContext& c, const CheckedCard& card, model::CrackGrowthSettings& growth) {
   for (const grammar::DataRow& row : card.rows) {
     for (const CardField& field : row.fields) {
-      const auto a = c.read_number(field, grammar::Quantity::length, "a crack length");
+      const auto a = c.read_number(field, grammar::QuantityKind::length, "a crack length");
       if (!a) {
         continue;
       }
@@ -137,8 +138,9 @@ void law_table(DeckContext& c, const CheckedCard& card, model::GrowthLawConstant
       c.error(row.span, "E115", "a line of LAW=TABLE is delta_K da/dN");
       continue;
     }
-    const auto k = c.read_number(row.fields[0], grammar::Quantity::number, "a range of K");
-    const auto rate = c.read_number(row.fields[1], grammar::Quantity::number, "a growth per cycle");
+    const auto k = c.read_number(row.fields[0], grammar::QuantityKind::number, "a range of K");
+    const auto rate =
+        c.read_number(row.fields[1], grammar::QuantityKind::number, "a growth per cycle");
     if (!k || !rate) {
       continue;
     }

@@ -78,15 +78,15 @@ private:
               fmt::format("with {} there are no such data lines", other));
         return;
       }
-      const auto x = c_.read_number(row.fields[first], grammar::Quantity::number,
+      const auto x = c_.read_number(row.fields[first], grammar::QuantityKind::number,
                                     of_reference ? "a range of K" : "a number of cycles");
-      const auto y =
-          c_.read_number(row.fields[first + 1],
-                         of_reference ? grammar::Quantity::number : grammar::Quantity::length,
-                         of_reference ? "a growth per cycle" : "a crack length");
+      const auto y = c_.read_number(row.fields[first + 1],
+                                    of_reference ? grammar::QuantityKind::number
+                                                 : grammar::QuantityKind::length,
+                                    of_reference ? "a growth per cycle" : "a crack length");
       const auto third = count < 3 ? std::optional<double>()
                                    : c_.read_number(row.fields[first + 2],
-                                                    grammar::Quantity::length, "a half axis");
+                                                    grammar::QuantityKind::length, "a half axis");
       const bool sound = x && y && third.has_value() == (count == 3);
       good_ = good_ && sound;
       if (sound) {

@@ -20,7 +20,8 @@ namespace {
 void angles(DeckContext& c) {
   for (const CheckedCard& card : c.cards) {
     for (const CheckedValue& value : card.values) {
-      if (value.given && value.key != nullptr && value.key->quantity == grammar::Quantity::angle) {
+      if (value.given && value.key != nullptr &&
+          value.key->quantity == grammar::QuantityKind::angle) {
         warn_of_whole_radians(c, value.span, value.key->name, value.number);
       }
     }

@@ -86,10 +86,10 @@ public:
     }
     const bool known = arguments();
     const grammar::ResultQuantity* spec = grammar::find_result_quantity(check_.quantity);
-    const auto quantity = spec == nullptr ? grammar::Quantity::number : spec->quantity;
+    const auto quantity = spec == nullptr ? grammar::QuantityKind::number : spec->quantity;
     const auto value = number(1, quantity, "a value");
     const auto tolerance =
-        number(3, check_.relative ? grammar::Quantity::number : quantity, "a tolerance");
+        number(3, check_.relative ? grammar::QuantityKind::number : quantity, "a tolerance");
     if (tolerance && *tolerance < 0.0) {
       c_.error(row_.fields[3].span, "E109", "a tolerance is not negative");
     }
@@ -161,7 +161,7 @@ private:
     return false;
   }
 
-  std::optional<double> number(std::size_t place, grammar::Quantity quantity,
+  std::optional<double> number(std::size_t place, grammar::QuantityKind quantity,
                                std::string_view what) {
     return c_.read_number(row_.fields[place], quantity, what);
   }

@@ -72,7 +72,7 @@ struct DeckContext {
   void report_duplicate_name(const NameDefinition& second, std::string_view name,
                              const NameDefinition& first);
   /// Number of a field in a data line, see read_field_number.
-  std::optional<double> read_number(const grammar::CardField& field, grammar::Quantity quantity,
+  std::optional<double> read_number(const grammar::CardField& field, grammar::QuantityKind quantity,
                                     std::string_view what) {
     return read_field_number(field, quantity, what, scope, diagnostics);
   }

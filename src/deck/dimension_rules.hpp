@@ -13,8 +13,8 @@ namespace spricka::deck {
 /// What a deck may ask for, and what is said to it, by the dimension of its elements.
 struct DimensionRules {
   std::string_view where;
-  base::Quantity side_measure; ///< of the sides of elements
-  bool ends_in_fronts;         ///< cracks end in fronts, not in tips
+  base::QuantityKind side_measure; ///< of the sides of elements
+  bool ends_in_fronts;             ///< cracks end in fronts, not in tips
 
   std::string_view corner_order; ///< of elements that are not turned inside out
   std::string_view mesh_shape;   ///< the only one of $MESH; empty: all
@@ -43,7 +43,7 @@ inline constexpr std::array<std::string_view, 3> solid_contact_results{"CONTACT.
 
 inline constexpr base::ByDimension<DimensionRules> dimension_rules{
     {.where = "the plane",
-     .side_measure = base::Quantity::length,
+     .side_measure = base::QuantityKind::length,
      .ends_in_fronts = false,
      .corner_order = "corners run counter-clockwise",
      .mesh_shape = {},
@@ -58,7 +58,7 @@ inline constexpr base::ByDimension<DimensionRules> dimension_rules{
      .crack_results = "in the plane there is {}(crack, step)",
      .mode_one = "K"},
     {.where = "space",
-     .side_measure = base::Quantity::area,
+     .side_measure = base::QuantityKind::area,
      .ends_in_fronts = true,
      .corner_order = "corners of the first side run clockwise, seen from outside",
      .mesh_shape = "BLOCK",

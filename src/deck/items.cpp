@@ -75,7 +75,7 @@ private:
 
   void number(const CardField& field, OrderedIndexSet& collection) {
     const auto value =
-        c_.read_number(field, grammar::Quantity::number, fmt::format("a {} number", thing()));
+        c_.read_number(field, grammar::QuantityKind::number, fmt::format("a {} number", thing()));
     if (!value) {
       ok_ = false;
       return;

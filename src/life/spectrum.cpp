@@ -17,7 +17,7 @@ namespace {
 // The knots where K1 turns or is level on one side, ascending.
 std::vector<std::size_t> turns(const base::PiecewiseLinear& K1) {
   std::vector<std::size_t> found;
-  for (std::size_t k = 1; k < K1.segments(); ++k) {
+  for (std::size_t k = 1; k < K1.segment_count(); ++k) {
     if (!(K1.slope_before(k) * K1.slope_after(k) > 0.0)) {
       found.push_back(k);
     }
@@ -31,7 +31,7 @@ public:
   explicit KSequence(const base::PiecewiseLinear& K1) : K1_(K1) {
     for (const std::size_t k : turns(K1)) {
       t_.push_back(K1.knots()[k]);
-      K_.push_back(K1.at_knot(k));
+      K_.push_back(K1.value_at_knot(k));
     }
   }
 
@@ -72,10 +72,10 @@ std::vector<double> values_at(const base::PiecewiseLinear& K1, const std::vector
   values.reserve(loads.size());
   const std::vector<double>& knots = K1.knots();
   std::size_t s = 0;
-  double value = K1.at_knot(0);
+  double value = K1.value_at_knot(0);
   for (const double t : loads) {
-    while (s + 1 < K1.segments() && knots[s + 1] < t) {
-      value = K1.at_knot(++s);
+    while (s + 1 < K1.segment_count() && knots[s + 1] < t) {
+      value = K1.value_at_knot(++s);
     }
     values.push_back(value + (t - knots[s]) * K1.slope(s));
   }
@@ -169,7 +169,7 @@ bool CountedSpectrum::within(const base::PiecewiseLinear& K1) const {
 bool CountedSpectrum::requires_counting_on_K(const base::PiecewiseLinear& K1) const {
   bool rises = false;
   bool falls = false;
-  for (std::size_t s = 0; s < K1.segments(); ++s) {
+  for (std::size_t s = 0; s < K1.segment_count(); ++s) {
     // Only what the loads pass through: K may turn elsewhere on the path. Level pieces reverse
     // nothing.
     if (K1.knots()[s] < highest() && K1.knots()[s + 1] > lowest()) {

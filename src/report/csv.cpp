@@ -15,8 +15,8 @@ namespace spricka::report {
 
 namespace {
 
-double printed_unit(base::Quantity kind) {
-  return kind == base::Quantity::angle ? degrees_per_radian : 1.0;
+double printed_unit(base::QuantityKind kind) {
+  return kind == base::QuantityKind::angle ? degrees_per_radian : 1.0;
 }
 
 /// A node of a contact surface at the end of a step.
@@ -29,7 +29,7 @@ struct PressureRow : ContactRow {
 void write_k_csv(const std::filesystem::path& file, const model::Model& model,
                  const results::RunResult& run) {
   ColumnUnits units;
-  units.add_column(base::Quantity::number, "increment");
+  units.add_column(base::QuantityKind::number, "increment");
   Columns<FrontPointRow> columns = step_columns<FrontPointRow>();
   columns.exact("crack", [](const FrontPointRow& row) { return row.front.name; });
   for (const results::KQuantity* const q : shown_k_quantities(model, results::in_k_csv)) {
@@ -38,7 +38,7 @@ void write_k_csv(const std::filesystem::path& file, const model::Model& model,
       return q->extract_value(row.front, row.point) * printed_unit(q->kind);
     });
     // K1_bar and its like are made of K1 and K2
-    const bool follows = q->judges && q->kind == base::Quantity::stress_intensity;
+    const bool follows = q->judges && q->kind == base::QuantityKind::stress_intensity;
     units.add_column(q->kind, follows ? "and what begins with them" : q->name);
   }
   write_file(file, columns.csv(units.units_text(model.units), front_point_rows(run.increments)));
@@ -48,7 +48,7 @@ void write_pressure_csv(const std::filesystem::path& file, const model::Model& m
                         const results::RunResult& run) {
   const bool rubs = model::has_friction(model);
   ColumnUnits units;
-  units.add_column(base::Quantity::number, "increment");
+  units.add_column(base::QuantityKind::number, "increment");
   Columns<PressureRow> columns = step_columns<PressureRow>();
   columns.exact("contact", [](const PressureRow& row) { return row.contact.name; });
   for (const results::ContactPointQuantity& q : results::point_quantities) {

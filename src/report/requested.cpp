@@ -44,7 +44,7 @@ Columns<RequestedRow> requested_columns(int dim) {
 }
 
 ColumnUnits column_units(std::string_view axes) {
-  using enum base::Quantity;
+  using enum base::QuantityKind;
   ColumnUnits units;
   for (const char axis : axes) {
     units.add_column(length, std::string(1, axis));

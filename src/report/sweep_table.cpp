@@ -73,7 +73,7 @@ private:
 };
 
 std::string unit_line(const model::Model& model, const results::SweepResult& sweep) {
-  using enum base::Quantity;
+  using enum base::QuantityKind;
   ColumnUnits units;
   const bool life = std::ranges::any_of(sweep.points, [](const SweepPoint& point) {
     return std::ranges::find(point.cells, "N", &SweepResultValue::quantity) != point.cells.end();

@@ -7,7 +7,7 @@
 
 namespace spricka::report {
 
-void ColumnUnits::add_column(base::Quantity kind, const std::string& words) {
+void ColumnUnits::add_column(base::QuantityKind kind, const std::string& words) {
   auto found = std::ranges::find(kinds_, kind, &ColumnUnitGroup::kind);
   if (found == kinds_.end()) {
     found = kinds_.insert(found, ColumnUnitGroup{kind, {}});
@@ -21,12 +21,12 @@ std::string ColumnUnits::units_text(const base::UnitSystem& units) const {
   std::string text;
   std::string numbers;
   for (const ColumnUnitGroup& of : kinds_) {
-    if (of.kind == base::Quantity::number) {
+    if (of.kind == base::QuantityKind::number) {
       numbers = fmt::format(", {} [1]", fmt::join(of.words, " and "));
       continue;
     }
     text += fmt::format("{}{} [{}]", text.empty() ? "" : ", ", fmt::join(of.words, " "),
-                        of.kind == base::Quantity::angle ? "deg" : unit_name(units, of.kind));
+                        of.kind == base::QuantityKind::angle ? "deg" : unit_name(units, of.kind));
   }
   return text + numbers;
 }

@@ -11,14 +11,14 @@ namespace spricka::report {
 class ColumnUnits {
 public:
   /// A column, or words for several of them; the same words again are left out.
-  void add_column(base::Quantity kind, const std::string& words);
+  void add_column(base::QuantityKind kind, const std::string& words);
   /// "x y [mm], theta [deg], p_lumped [MPa], increment [1]": kinds in the order in which they came,
   /// plain numbers last.
   [[nodiscard]] std::string units_text(const base::UnitSystem& units) const;
 
 private:
   struct ColumnUnitGroup {
-    base::Quantity kind;
+    base::QuantityKind kind;
     std::vector<std::string> words;
   };
   std::vector<ColumnUnitGroup> kinds_;

@@ -61,9 +61,9 @@ enum class ContactQuantityCondition {
 
 /// One number of a contact; a name that is empty: it is not there.
 struct ContactQuantity {
-  std::string_view sweep; ///< column of sweep.csv: "PMAX"
-  std::string_view check; ///< word of $CHECK: "CPRESS.MEAN"
-  base::Quantity kind;    ///< angle: of a circle, else a length
+  std::string_view sweep;  ///< column of sweep.csv: "PMAX"
+  std::string_view check;  ///< word of $CHECK: "CPRESS.MEAN"
+  base::QuantityKind kind; ///< angle: of a circle, else a length
   std::string_view doc;
   double ContactResult::*member;
   ContactQuantityCondition given = ContactQuantityCondition::always;
@@ -71,28 +71,28 @@ struct ContactQuantity {
 
 /// Sweeps have them in this order.
 inline constexpr auto contact_quantities = std::to_array<ContactQuantity>({
-    {"PMAX", "", base::Quantity::stress, "largest pressure of the multipliers",
+    {"PMAX", "", base::QuantityKind::stress, "largest pressure of the multipliers",
      &ContactResult::max_pressure},
-    {"PMEAN", "CPRESS.MEAN", base::Quantity::stress, "mean pressure over the part in contact",
+    {"PMEAN", "CPRESS.MEAN", base::QuantityKind::stress, "mean pressure over the part in contact",
      &ContactResult::mean_pressure},
-    {"PMIN", "", base::Quantity::stress, "smallest pressure of the multipliers",
+    {"PMIN", "", base::QuantityKind::stress, "smallest pressure of the multipliers",
      &ContactResult::min_pressure},
-    {"", "CONTACT.AREA", base::Quantity::area, "area of the part in contact, between solids",
+    {"", "CONTACT.AREA", base::QuantityKind::area, "area of the part in contact, between solids",
      &ContactResult::area, ContactQuantityCondition::between_solids},
-    {"", "ARC.FROM", base::Quantity::angle,
+    {"", "ARC.FROM", base::QuantityKind::angle,
      "first angle of the longest part in contact; on a slave that is no circle the length along it",
      &ContactResult::arc_from, ContactQuantityCondition::in_plane},
-    {"", "ARC.TO", base::Quantity::angle, "last angle of the longest part, or length",
+    {"", "ARC.TO", base::QuantityKind::angle, "last angle of the longest part, or length",
      &ContactResult::arc_to, ContactQuantityCondition::in_plane},
-    {"", "STICK.FROM", base::Quantity::angle, "first angle of the part that sticks, or length",
+    {"", "STICK.FROM", base::QuantityKind::angle, "first angle of the part that sticks, or length",
      &ContactResult::stick_from, ContactQuantityCondition::where_it_sticks},
-    {"", "STICK.TO", base::Quantity::angle, "last angle of the part that sticks, or length",
+    {"", "STICK.TO", base::QuantityKind::angle, "last angle of the part that sticks, or length",
      &ContactResult::stick_to, ContactQuantityCondition::where_it_sticks},
-    {"", "STICK.AREA", base::Quantity::area, "area of the part that sticks, between solids",
+    {"", "STICK.AREA", base::QuantityKind::area, "area of the part that sticks, between solids",
      &ContactResult::stick_area, ContactQuantityCondition::with_friction_between_solids},
-    {"", "SLIP.MAX", base::Quantity::length, "longest way a point has slipped, to and fro",
+    {"", "SLIP.MAX", base::QuantityKind::length, "longest way a point has slipped, to and fro",
      &ContactResult::max_slip, ContactQuantityCondition::with_friction},
-    {"", "FRICTION.WORK", base::Quantity::energy, "work that friction has taken",
+    {"", "FRICTION.WORK", base::QuantityKind::energy, "work that friction has taken",
      &ContactResult::friction_work, ContactQuantityCondition::with_friction},
 });
 

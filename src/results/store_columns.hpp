@@ -101,8 +101,8 @@ public:
   void operator()(const char* name, const base::PiecewiseLinear& f) {
     within(name, [&] {
       (*this)("knots", f.knots());
-      (*this)("values", f.values());
-      (*this)("slopes", f.slopes());
+      (*this)("values", f.segment_start_values());
+      (*this)("slopes", f.segment_slopes());
     });
   }
   void operator()(const char* name, const std::vector<Note>& notes) {

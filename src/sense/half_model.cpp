@@ -181,7 +181,8 @@ private:
       Vec3 force = own_part(load);
       force[side_.plane().axis] = 0.0; // what is across is balanced by the image
       for (std::size_t i = 0; i < load.value.size(); ++i) {
-        load.value[i] = base::CompiledExpression::constant(force[static_cast<Eigen::Index>(i)]);
+        load.value[i] =
+            base::CompiledExpression::make_constant(force[static_cast<Eigen::Index>(i)]);
       }
     }
     if (load.type == model::LoadType::force) {

@@ -61,7 +61,7 @@ TEST_P(Quadratics, K07_cook_membrane) {
   model::Load shear;
   shear.type = model::LoadType::resultant;
   shear.faces = face_set(model, [](const Vec3& x) { return std::abs(x.x() - 48.0) < 1e-9; });
-  shear.value = {CompiledExpression::constant(0.0), CompiledExpression::constant(1.0)};
+  shear.value = {CompiledExpression::make_constant(0.0), CompiledExpression::make_constant(1.0)};
   const base::Vector u = solve(model, {"", {shear}});
   EXPECT_NEAR(displacement_at(model.mesh, u, Vec3(48.0, 52.0, 0.0)).y(), 23.967, 1.5e-4 * 23.967);
 }
@@ -87,7 +87,7 @@ TEST_P(Quadratics, K04_elliptic_membrane) {
   pressure.faces = face_set(model, [](const Vec3& x) {
     return std::abs(std::hypot(x.x() / 3.25, x.y() / 2.75) - 1.0) < 1e-9;
   });
-  pressure.value = {CompiledExpression::constant(-10.0)};
+  pressure.value = {CompiledExpression::make_constant(-10.0)};
   const base::Vector u = solve(model, {"", {pressure}});
   const auto D = fe::stress_at_body_point(model, model.mesh, u, Vec3(2.0, 0.0, 0.0));
   const auto A = fe::stress_at_body_point(model, model.mesh, u, Vec3(0.0, 1.0, 0.0));
@@ -113,7 +113,7 @@ TEST_P(Quadratics, K06_thick_cylinder) {
     model::Load pressure;
     pressure.type = model::LoadType::pressure;
     pressure.faces = face_set(model, [](const Vec3& x) { return std::abs(x.norm() - 3.0) < 1e-9; });
-    pressure.value = {CompiledExpression::constant(1.0)};
+    pressure.value = {CompiledExpression::make_constant(1.0)};
     const base::Vector u = solve(model, {"", {pressure}});
     const double exact = (1.0 + nu) / 1000.0 * 9.0 / 72.0 * ((1.0 - 2.0 * nu) * 3.0 + 27.0);
     EXPECT_NEAR(displacement_at(model.mesh, u, Vec3(3.0, 0.0, 0.0)).x(), exact, 1e-3 * exact) << nu;

@@ -113,7 +113,7 @@ TEST_P(Kirsch2, strip) {
   model::Load end;
   end.type = model::LoadType::traction;
   end.faces = face_set(model, [](const Vec3& x) { return std::abs(x.x() - 15.0) < 1e-12; });
-  end.value = {base::CompiledExpression::constant(1.0)};
+  end.value = {base::CompiledExpression::make_constant(1.0)};
   const base::Vector u = solve(model, {"", {end}});
   const auto top = fe::stress_at_body_point(model, model.mesh, u, Vec3(0.0, 1.0, 0.0));
   const auto side = fe::stress_at_body_point(model, model.mesh, u, Vec3(1.0, 0.0, 0.0));

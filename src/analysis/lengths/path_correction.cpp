@@ -13,25 +13,25 @@ namespace {
 
 // Whether K never turns back between the ends of the path.
 bool monotone(const base::PiecewiseLinear& K, double at_end) {
-  const double way = at_end - K.at_knot(0);
-  double before = K.at_knot(0);
-  for (std::size_t k = 0; k <= K.segments() && K.knots()[k] <= 1.0; ++k) {
-    if ((K.at_knot(k) - before) * way < 0.0) {
+  const double way = at_end - K.value_at_knot(0);
+  double before = K.value_at_knot(0);
+  for (std::size_t k = 0; k <= K.segment_count() && K.knots()[k] <= 1.0; ++k) {
+    if ((K.value_at_knot(k) - before) * way < 0.0) {
       return false;
     }
-    before = K.at_knot(k);
+    before = K.value_at_knot(k);
   }
   return way != 0.0 && (at_end - before) * way >= 0.0;
 }
 
 bool touch_on(const base::PiecewiseLinear& K1, std::size_t segment) {
-  return K1.at_knot(segment) == 0.0 && K1.slope(segment) == 0.0;
+  return K1.value_at_knot(segment) == 0.0 && K1.slope(segment) == 0.0;
 }
 
 } // namespace
 
 bool faces_touch_on_path(const base::PiecewiseLinear& K1) {
-  for (std::size_t i = 0; i < K1.segments(); ++i) {
+  for (std::size_t i = 0; i < K1.segment_count(); ++i) {
     if (touch_on(K1, i)) {
       return true;
     }
@@ -40,16 +40,16 @@ bool faces_touch_on_path(const base::PiecewiseLinear& K1) {
 }
 
 base::PiecewiseLinear correct_K(const base::PiecewiseLinear& K, double at_zero, double at_one) {
-  const double K0 = K.at_knot(0);
+  const double K0 = K.value_at_knot(0);
   const double K1 = K(std::min(1.0, K.knots().back()));
   // An error that changes by more than K does is none of K: beyond the ends it would run away.
   const bool by_K = monotone(K, K1) && std::abs(at_one - at_zero) < std::abs(K1 - K0);
   const double rate = (at_one - at_zero) / (by_K ? K1 - K0 : 1.0);
-  std::vector<double> value = K.values();
-  std::vector<double> slope = K.slopes();
+  std::vector<double> value = K.segment_start_values();
+  std::vector<double> slope = K.segment_slopes();
   for (std::size_t i = 0; i < value.size(); ++i) {
     if (!touch_on(K, i)) {
-      value[i] += at_zero + rate * (by_K ? K.at_knot(i) - K0 : K.knots()[i]);
+      value[i] += at_zero + rate * (by_K ? K.value_at_knot(i) - K0 : K.knots()[i]);
       slope[i] += rate * (by_K ? K.slope(i) : 1.0);
     }
   }

@@ -139,14 +139,14 @@ base::Vec3 smooth_K_at(const results::FrontResult& front, const PlaceOnFront& at
 base::PiecewiseLinear combined_K_over_path(const results::LoadPathFront& front,
                                            const PlaceOnFront& at, const base::Vec2& part) {
   const base::PiecewiseLinear& from = front.points[at.from].smooth[0];
-  std::vector<double> value(from.segments(), 0.0);
-  std::vector<double> slope(from.segments(), 0.0);
+  std::vector<double> value(from.segment_count(), 0.0);
+  std::vector<double> slope(from.segment_count(), 0.0);
   for (const auto& [i, weight] : weights_at(front, at)) {
     for (std::size_t mode = 0; mode < 2; ++mode) {
       const double share = weight * part[static_cast<Eigen::Index>(mode)];
       const base::PiecewiseLinear& K = front.points[i].smooth[mode];
       for (std::size_t k = 0; k < value.size() && share != 0.0; ++k) {
-        value[k] += share * K.at_knot(k);
+        value[k] += share * K.value_at_knot(k);
         slope[k] += share * K.slope(k);
       }
     }

@@ -42,7 +42,7 @@ bool fronts_good(const results::FrontResult& front) {
 }
 
 bool path_good(const base::PiecewiseLinear& K) {
-  return K.empty() || (good(K.lowest()) && good(K.highest()));
+  return K.empty() || (good(K.smallest_value()) && good(K.largest_value()));
 }
 
 bool contacts_good(const results::ContactResult& c) {

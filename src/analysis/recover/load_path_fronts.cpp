@@ -52,9 +52,10 @@ FrontKRange range_of(const results::LoadPathFront& front) {
     if (point.is.at_surface) {
       continue;
     }
-    range.lowest = std::min(range.lowest, point.K[0].lowest());
+    range.lowest = std::min(range.lowest, point.K[0].smallest_value());
     for (const base::PiecewiseLinear& K : point.K) {
-      range.largest = std::max({range.largest, std::abs(K.lowest()), std::abs(K.highest())});
+      range.largest =
+          std::max({range.largest, std::abs(K.smallest_value()), std::abs(K.largest_value())});
     }
   }
   return range;
@@ -90,7 +91,7 @@ void tell_touching(std::size_t touching, bool tip, const results::LoadPathFront&
 void tell_negative_tip(bool of_law, const results::LoadPathFront& front,
                        results::LoadPathResult& path) {
   const base::PiecewiseLinear& K1 = front.tip().K[0];
-  if (!(K1.lowest() < -1e-9 * K1.highest())) {
+  if (!(K1.smallest_value() < -1e-9 * K1.largest_value())) {
     return;
   }
   path.notes.push_back(
@@ -208,7 +209,7 @@ void follow_fronts(const model::Model& model, const Discretisation& scene,
     first += front.points.size();
     if (is.is_tip()) { // before its faces touch
       const base::PiecewiseLinear& K1 = front.tip().K[0];
-      size = std::max({size, std::abs(K1.lowest()), std::abs(K1.highest())});
+      size = std::max({size, std::abs(K1.smallest_value()), std::abs(K1.largest_value())});
     }
     tell_touching(close_path_points(rows_behind(scene, f, from.problem.rows), found, front),
                   is.is_tip(), front, path);

@@ -46,7 +46,7 @@ bool zero_K1_where_closed(const solve::SolutionPath& found, std::size_t row,
       closed = change->row == place ? change->closes : closed;
     }
     any = any || closed;
-    value.push_back(closed ? 0.0 : K1.at_knot(s));
+    value.push_back(closed ? 0.0 : K1.value_at_knot(s));
     slope.push_back(closed ? 0.0 : K1.slope(s));
   }
   K1 = base::PiecewiseLinear(K1.knots(), std::move(value), std::move(slope));

@@ -57,7 +57,7 @@ private:
 // Of one segment, which holds `inside`, extended to t.
 double on_segment(const base::PiecewiseLinear& f, double inside, double t) {
   const std::size_t s = f.find_segment(inside);
-  return f.values()[s] + (t - f.knots()[s]) * f.slope(s);
+  return f.segment_start_values()[s] + (t - f.knots()[s]) * f.slope(s);
 }
 
 } // namespace
@@ -91,8 +91,8 @@ continue_K_with_overlapping_faces(const base::PiecewiseLinear& K, const base::Pi
   knots.insert(knots.end(), free.knots().begin(), free.knots().end());
   std::ranges::sort(knots);
   knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
-  const double size =
-      std::max({std::abs(K.lowest()), std::abs(K.highest()), std::abs(free.lowest())});
+  const double size = std::max(
+      {std::abs(K.smallest_value()), std::abs(K.largest_value()), std::abs(free.smallest_value())});
   Pieces pieces(knots.front(), last, size);
   for (std::size_t i = 0; i + 1 < knots.size() && knots[i] < last; ++i) {
     const double from = knots[i];

@@ -44,7 +44,7 @@ double weighted_volume(const model::Model& model, const model::Mesh& mesh,
   model::Load unit;
   unit.type = model::LoadType::body;
   unit.elements = elements;
-  unit.value = {base::CompiledExpression::constant(1.0)};
+  unit.value = {base::CompiledExpression::make_constant(1.0)};
   const base::Vector f = fe::consistent_nodal_load(model, mesh, {"", {unit}});
   double sum = 0.0;
   for (Eigen::Index i = 0; i < f.size(); i += mesh.dim) {

@@ -51,7 +51,7 @@ double slope_at(CheckArguments& args, const results::RunResult& run) {
   refuse_overlap(tip, t);
   const base::PiecewiseLinear& K1 = tip.tip().K[0];
   std::size_t s = K1.find_segment(t);
-  s += s + 1 < K1.segments() && K1.knots()[s + 1] <= t ? 1 : 0;
+  s += s + 1 < K1.segment_count() && K1.knots()[s + 1] <= t ? 1 : 0;
   return K1.slope(s);
 }
 

@@ -192,14 +192,14 @@ std::string contact_reply(const ShellSession& session, const results::ContactRes
   }
   ReportTable table;
   for (const results::ContactPointQuantity* q : columns) {
-    const bool angle = q->kind == base::Quantity::angle;
+    const bool angle = q->kind == base::QuantityKind::angle;
     table.columns.push_back(
         {q->name, angle ? "deg" : base::unit_name(session.model().units, q->kind), q->is_word()});
   }
   for (const results::ContactPoint& point : contact.points) {
     std::vector<std::string> row;
     for (const results::ContactPointQuantity* q : columns) {
-      const double unit = q->kind == base::Quantity::angle ? degree : 1.0;
+      const double unit = q->kind == base::QuantityKind::angle ? degree : 1.0;
       row.push_back(q->is_word() ? results::display_word(point.*(q->state))
                                  : number(unit * q->extract_value(point)));
     }
@@ -265,10 +265,10 @@ std::string K_along_load_path_reply(const ShellSession& session) {
     std::vector<std::string> row{number(range.from + width * path.t[k])};
     for (const MappedFrontPoint& mapped : points) {
       const auto& [K1, K2, K3] = mapped.point->K;
-      row.push_back(number(K1.at_knot(k)));
+      row.push_back(number(K1.value_at_knot(k)));
       row.push_back(number(K1.slope_after(k) / width));
       if (mapped.is_tip) {
-        row.push_back(number(K2.at_knot(k)));
+        row.push_back(number(K2.value_at_knot(k)));
       }
     }
     for (const results::LoadPathContact& contact : path.contacts) {

@@ -140,7 +140,7 @@ std::vector<BetaPoint> points_of(const results::LoadPathFront& front) {
   for (const results::LoadPathFrontPoint& point : front.points) {
     points.push_back(
         {point.is.x, [&point](std::size_t mode, std::size_t knot) {
-           return (point.is.at_surface ? point.smooth : point.K).at(mode).at_knot(knot);
+           return (point.is.at_surface ? point.smooth : point.K).at(mode).value_at_knot(knot);
          }});
   }
   return points;

@@ -101,7 +101,7 @@ std::string lines_picture(const model::Model& model, const results::RunResult& r
   plot.legend_below = true;
   PlotSeries exact = styled_curve("K of every load", 0, 0);
   for (std::size_t k = 0; k < path.t.size(); ++k) {
-    exact.points.push_back({path.t[k], K1.at_knot(k)});
+    exact.points.push_back({path.t[k], K1.value_at_knot(k)});
   }
   plot.series.push_back(std::move(exact));
   for (std::size_t k = 0; k < run.growth->scaled.size(); ++k) {

@@ -38,14 +38,15 @@ CrackScale crack_scale(std::span<const results::CrackLengthResult> increments) {
 
 std::string k_cell(const results::KQuantity& q, const FrontPointRow& row, const CrackScale& scale) {
   const double value = q.extract_value(row.front, row.point);
-  if (q.kind == base::Quantity::angle) {
+  if (q.kind == base::QuantityKind::angle) {
     return fmt::format("{:.2f}", std::round(value * degrees_per_radian * 100.0) / 100.0 + 0.0);
   }
   switch (q.digits) {
   case results::KQuantityDigits::two:
     return cell_text(value, row.front.is_tip() ? "{:.2e}" : "{:.2g}");
   case results::KQuantityDigits::six_beside_largest:
-    return six_digits_or_zero(value, q.kind == base::Quantity::energy_release ? scale.G : scale.K);
+    return six_digits_or_zero(value,
+                              q.kind == base::QuantityKind::energy_release ? scale.G : scale.K);
   case results::KQuantityDigits::six:
     break;
   }
@@ -60,7 +61,7 @@ void add_k_columns(Columns<FrontPointRow>& columns, const model::Model& model, b
       continue;
     }
     const std::string unit =
-        q->kind == base::Quantity::angle ? "deg" : base::unit_name(model.units, q->kind);
+        q->kind == base::QuantityKind::angle ? "deg" : base::unit_name(model.units, q->kind);
     columns.where([q](const FrontPointRow& row) { return q->is_given(row.front, row.point); });
     columns.number(q->heading.empty() ? q->name : std::string(q->heading), unit,
                    [q, scale](const FrontPointRow& row) { return k_cell(*q, row, scale); });

@@ -63,7 +63,7 @@ void add_k_columns(Columns<PathRow>& columns, const std::string& prefix, std::si
   columns.where([=](const PathRow& row) { return point_of(row) != nullptr; });
   for (std::size_t k = 0; k < modes; ++k) {
     columns.exact(fmt::format("{}K{}", prefix, k + 1),
-                  [=](const PathRow& row) { return point_of(row)->K[k].at_knot(row.knot); });
+                  [=](const PathRow& row) { return point_of(row)->K[k].value_at_knot(row.knot); });
   }
   for (std::size_t k = 0; k < modes; ++k) {
     columns.exact(fmt::format("{}dK{}_before", prefix, k + 1),

@@ -36,7 +36,7 @@ void add_curves(const results::LoadPathFront& front, std::vector<ShownCurve>& sh
   const results::LoadPathFrontPoint* low = nullptr;
   const results::LoadPathFrontPoint* high = nullptr;
   const auto end = [](const results::LoadPathFrontPoint* p) {
-    return p->K[0].at_knot(p->K[0].segments());
+    return p->K[0].value_at_knot(p->K[0].segment_count());
   };
   for (const results::LoadPathFrontPoint& point : front.points) {
     if (!point.is.at_surface) {
@@ -68,7 +68,7 @@ struct Kink {
 };
 Kink sharpest(const base::PiecewiseLinear& K) {
   Kink kink;
-  for (std::size_t s = 0; s < K.segments(); ++s) {
+  for (std::size_t s = 0; s < K.segment_count(); ++s) {
     kink.largest_slope = std::max(kink.largest_slope, std::abs(K.slope(s)));
     const double jump = s > 0 ? std::abs(K.slope(s) - K.slope(s - 1)) : 0.0;
     if (jump > kink.jump) {
@@ -90,7 +90,7 @@ std::string arc(const results::LoadPathContact& contact, std::size_t k) {
 // The slope as steps.
 std::vector<DrawingPoint> slopes(const base::PiecewiseLinear& K) {
   std::vector<DrawingPoint> points;
-  for (std::size_t s = 0; s < K.segments(); ++s) {
+  for (std::size_t s = 0; s < K.segment_count(); ++s) {
     points.push_back({K.knots()[s], K.slope(s)});
     points.push_back({K.knots()[s + 1], K.slope(s)});
   }
@@ -100,7 +100,7 @@ std::vector<DrawingPoint> slopes(const base::PiecewiseLinear& K) {
 std::vector<DrawingPoint> values(const base::PiecewiseLinear& K) {
   std::vector<DrawingPoint> points;
   for (std::size_t k = 0; k < K.knots().size(); ++k) {
-    points.push_back({K.knots()[k], K.at_knot(k)});
+    points.push_back({K.knots()[k], K.value_at_knot(k)});
   }
   return points;
 }
@@ -201,12 +201,12 @@ ReportTable load_path_table(const model::Model& model,
       .words("tip", [](const CurveRow& row) { return row.curve.name; })
       .number("breakpoints", "", [](const CurveRow& row) { return row.path.t.size() - 2; })
       .number("t end", "", [](const CurveRow& row) { return row.path.t.back(); })
-      .number("K1 begin", unit, [=](const CurveRow& row) { return K1(row).at_knot(0); })
+      .number("K1 begin", unit, [=](const CurveRow& row) { return K1(row).value_at_knot(0); })
       .number("K1 end", unit,
-              [=](const CurveRow& row) { return K1(row).at_knot(K1(row).segments()); })
+              [=](const CurveRow& row) { return K1(row).value_at_knot(K1(row).segment_count()); })
       .number("slope begin", unit, [=](const CurveRow& row) { return K1(row).slope_after(0); })
       .number("slope end", unit,
-              [=](const CurveRow& row) { return K1(row).slope_before(K1(row).segments()); })
+              [=](const CurveRow& row) { return K1(row).slope_before(K1(row).segment_count()); })
       .where(
           [](const CurveRow& row) { return row.kink.jump > 0.0 && row.kink.largest_slope > 0.0; })
       .number(

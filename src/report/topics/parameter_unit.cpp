@@ -37,20 +37,20 @@ std::string_view unit_in(std::string_view line, std::string_view name) {
   return value.substr(open + 1, value.size() - open - 2);
 }
 
-std::string name_of(const base::Dimension& dimension, const base::UnitSystem& system) {
-  if (dimension == base::Dimension{1.0, 0.0, 0.0}) {
+std::string name_of(const base::PhysicalDimension& dimension, const base::UnitSystem& system) {
+  if (dimension == base::PhysicalDimension{1.0, 0.0, 0.0}) {
     return system.length_name;
   }
-  if (dimension == base::Dimension{0.0, 1.0, 0.0}) {
+  if (dimension == base::PhysicalDimension{0.0, 1.0, 0.0}) {
     return system.force_name;
   }
-  if (dimension == base::Dimension{0.0, 0.0, 1.0}) {
+  if (dimension == base::PhysicalDimension{0.0, 0.0, 1.0}) {
     return "rad";
   }
-  if (dimension == base::Dimension{-2.0, 1.0, 0.0}) {
+  if (dimension == base::PhysicalDimension{-2.0, 1.0, 0.0}) {
     return system.stress_name();
   }
-  return dimension == base::Dimension{-1.5, 1.0, 0.0} ? system.stress_intensity_name() : "";
+  return dimension == base::PhysicalDimension{-1.5, 1.0, 0.0} ? system.stress_intensity_name() : "";
 }
 
 } // namespace

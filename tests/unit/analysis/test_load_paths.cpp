@@ -80,7 +80,7 @@ void compare_with_steps(const Solved& solved) {
   }
   for (const results::LoadPathFront& front : up->fronts) {
     const results::LoadPathFrontPoint& tip = front.tip();
-    const double size = tip.K[0].highest();
+    const double size = tip.K[0].largest_value();
     for (std::size_t s = 0; s < increment.steps.size(); ++s) {
       const double t = static_cast<double>(s) / 20.0;
       const results::FrontResult* at = results::find_front(increment.steps[s], front.is.name);
@@ -135,9 +135,9 @@ $CRACK NAME=C NET=HUB ANGLE=90[deg] A0=4
   EXPECT_LT(path.mismatch, 1e-11);
   const results::LoadPathFrontPoint& tip = path.fronts.front().tip();
   EXPECT_NEAR(results::k_at_load_combination(path, tip, 1, 0.6, 0.8).value(),
-              increment.steps[1].fronts[0].tip().K1, 1e-11 * tip.K[0].highest());
+              increment.steps[1].fronts[0].tip().K1, 1e-11 * tip.K[0].largest_value());
   EXPECT_NEAR(results::k_at_load_combination(path, tip, 2, 0.6, 0.8).value(),
-              increment.steps[1].fronts[0].tip().K2, 1e-11 * tip.K[0].highest());
+              increment.steps[1].fronts[0].tip().K2, 1e-11 * tip.K[0].largest_value());
 }
 
 TEST(LoadPathSolver, AClearanceThatNoFitScalesIsAThirdParameter) {
@@ -191,7 +191,7 @@ $CRACK NAME=C NET=HUB ANGLE=90[deg] A0=4
   const results::LoadPathFrontPoint& tip = through.fronts.front().tip();
   EXPECT_TRUE(through.stopped.empty()) << through.stopped;
   EXPECT_LT(through.mismatch, 1e-11);
-  EXPECT_NEAR(tip.K[0](0.5), 0.0, 1e-9 * tip.K[0].highest());
+  EXPECT_NEAR(tip.K[0](0.5), 0.0, 1e-9 * tip.K[0].largest_value());
   ASSERT_FALSE(through.notes.empty());
   EXPECT_NE(through.notes.front().text.find("at t = 0.5 nothing holds a body"), std::string::npos);
   // a pin that rests somewhere until it is loaded
@@ -199,7 +199,7 @@ $CRACK NAME=C NET=HUB ANGLE=90[deg] A0=4
   EXPECT_TRUE(up.stopped.empty()) << up.stopped;
   EXPECT_LT(up.mismatch, 1e-11);
   EXPECT_NEAR(up.fronts[0].tip().K[0](0.125), increment.steps[3].fronts[0].tip().K1,
-              1e-11 * tip.K[0].highest());
+              1e-11 * tip.K[0].largest_value());
 }
 
 TEST(LoadPathSolver, ABodyThatComesLooseEndsThePath) {

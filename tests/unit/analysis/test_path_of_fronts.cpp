@@ -27,7 +27,7 @@ TEST(PathOfFronts, AgreesWithStepsBetween) {
   ASSERT_EQ(path.fronts.size(), 1U);
   double size = 0.0;
   for (const results::LoadPathFrontPoint& point : path.fronts[0].points) {
-    size = std::max(size, point.K[0].highest());
+    size = std::max(size, point.K[0].largest_value());
   }
   for (std::size_t s = 0; s < increment.steps.size(); ++s) {
     const double t = static_cast<double>(s) / 5.0;

@@ -184,8 +184,8 @@ $LOAD CASE=PULL TYPE=RESULTANT
   const results::LoadPathResult* path = results::find_path(solved->run.increments.front(), "UP");
   ASSERT_NE(path, nullptr);
   ASSERT_TRUE(path->stopped.empty());
-  const double largest =
-      std::max(path->fronts[0].tip().K[0].highest(), -path->fronts[0].tip().K[0].lowest());
+  const double largest = std::max(path->fronts[0].tip().K[0].largest_value(),
+                                  -path->fronts[0].tip().K[0].smallest_value());
   for (int k = 0; k <= 4; ++k) {
     const results::FrontPointResult& point = tip(*solved, fmt::format("S{}", k), "C");
     EXPECT_NEAR(path->fronts[0].tip().K[0](0.25 * k), point.K1, 1e-11 * largest) << k;

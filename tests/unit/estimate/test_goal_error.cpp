@@ -120,7 +120,8 @@ struct StripTriangle {
     const auto& sets = cracked.mesh.face_sets;
     const auto top = std::ranges::find(sets, "YMAX", &model::FaceSet::name);
     load.faces = base::FaceSetId(static_cast<std::size_t>(top - sets.begin()));
-    load.value = {base::CompiledExpression::constant(x), base::CompiledExpression::constant(y)};
+    load.value = {base::CompiledExpression::make_constant(x),
+                  base::CompiledExpression::make_constant(y)};
     return {"PULL", {load}};
   }
 

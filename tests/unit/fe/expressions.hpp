@@ -8,7 +8,7 @@ namespace spricka::test::field {
 struct CardField {
   base::CompiledExpression e;
   CardField(double value)
-      : e(base::CompiledExpression::constant(value)) {} // NOLINT: reads as a number
+      : e(base::CompiledExpression::make_constant(value)) {} // NOLINT: reads as a number
   explicit CardField(base::OpCode field) : e{{{field, 0.0}}} {}
   CardField(const CardField& a, const CardField& b, base::OpCode op) : e(a.e) {
     e.code.insert(e.code.end(), b.e.code.begin(), b.e.code.end());

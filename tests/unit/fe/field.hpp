@@ -10,7 +10,7 @@ struct CardField {
   base::CompiledExpression code;
 
   CardField(double value)
-      : code(base::CompiledExpression::constant(value)) {} // NOLINT: numbers are fields
+      : code(base::CompiledExpression::make_constant(value)) {} // NOLINT: numbers are fields
   explicit CardField(base::OpCode variable) : code{{{variable, 0.0}}} {}
 
   CardField& append(const CardField& b, base::OpCode op) {

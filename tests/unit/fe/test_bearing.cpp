@@ -78,7 +78,8 @@ protected:
     });
   }
   Vector apply(const Vec2& F) {
-    load.value = {CompiledExpression::constant(F.x()), CompiledExpression::constant(F.y())};
+    load.value = {CompiledExpression::make_constant(F.x()),
+                  CompiledExpression::make_constant(F.y())};
     return consistent_nodal_load(model, model.mesh, {"", {load}});
   }
   static Vec2 sum(const Vector& f) {
@@ -181,7 +182,7 @@ TEST_P(Bearing, half_a_bore_is_enough_and_the_other_half_too_little) {
   EXPECT_LT((sum(apply(up)) - up).norm(), 1e-10);
 
   load.faces = on_circle([&](const Vec2& arm) { return side * arm.y() < -0.2 * radius; });
-  load.value = {CompiledExpression::constant(0.0), CompiledExpression::constant(1000.0)};
+  load.value = {CompiledExpression::make_constant(0.0), CompiledExpression::make_constant(1000.0)};
   const auto visit = [](const auto& /*face*/, const auto& /*points*/) { ADD_FAILURE(); };
   EXPECT_FALSE(for_bearing_points(model, model.mesh, load, visit));
 }

@@ -83,7 +83,7 @@ protected:
     load.faces = bore_of(model);
     load.value.clear();
     for (int c = 0; c < model.mesh.dim; ++c) {
-      load.value.push_back(CompiledExpression::constant(F[c]));
+      load.value.push_back(CompiledExpression::make_constant(F[c]));
     }
     return consistent_nodal_load(model, model.mesh, {"", {load}});
   }
@@ -172,8 +172,9 @@ TEST_P(SolidBearing, nothing_is_pushed_along_the_axis) {
   load.faces = bore_of(solid);
   const auto visit = [](const auto& /*face*/, const auto& /*points*/) { ADD_FAILURE(); };
   for (const Vec3& F : {Vec3(0.0, 0.0, 1.0), Vec3(1.0, 0.0, 1e-3), Vec3(-1.0, 2.0, -1.0)}) {
-    load.value = {CompiledExpression::constant(F.x()), CompiledExpression::constant(F.y()),
-                  CompiledExpression::constant(F.z())};
+    load.value = {CompiledExpression::make_constant(F.x()),
+                  CompiledExpression::make_constant(F.y()),
+                  CompiledExpression::make_constant(F.z())};
     EXPECT_FALSE(for_bearing_points(solid, solid.mesh, load, visit)) << F.transpose();
   }
 }
@@ -204,7 +205,7 @@ TEST_P(SolidBearing, meets_the_loaded_half_only) {
     }
     return mean.y() < centre.y() + 0.2 * bore;
   });
-  load.value[1] = CompiledExpression::constant(-1000.0);
+  load.value[1] = CompiledExpression::make_constant(-1000.0);
   const auto visit = [](const auto& /*face*/, const auto& /*points*/) { ADD_FAILURE(); };
   EXPECT_FALSE(for_bearing_points(solid, solid.mesh, load, visit));
 }

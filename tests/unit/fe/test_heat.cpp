@@ -103,7 +103,7 @@ TEST(Heat, ElementsTakeALinearTemperatureWhole) {
 TEST(Heat, AHeatedSetKeepsItsPlaceInAPatch) {
   const Plate plate;
   const fe::CaseTemperature heat =
-      plate.heat(base::CompiledExpression::constant(7.0), plate.left());
+      plate.heat(base::CompiledExpression::make_constant(7.0), plate.left());
   EXPECT_FALSE(heat.points.empty());
   EXPECT_NEAR(plate.integral(heat), 7.0 * 1.6 * 4.0, 7.0 * 1.6 * 4.0 * 1e-4);
 }

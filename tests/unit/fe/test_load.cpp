@@ -79,12 +79,13 @@ bool inner(const Vec3& x) {
 // Pressure on an arc from (0,1) to (1,0): by the divergence theorem the resultant depends on the
 // end points only, however the arc is divided: p t (1, 1) pushing outwards.
 TEST_P(EveryType, pressure_resultant_depends_on_the_end_points_only) {
-  const Vector f = load(model::LoadType::pressure, {CompiledExpression::constant(7.0)}, inner);
+  const Vector f = load(model::LoadType::pressure, {CompiledExpression::make_constant(7.0)}, inner);
   EXPECT_LT((sum(f) - 7.0 * thickness * Vec2(1.0, 1.0)).norm(), 1e-13);
 }
 
 TEST_P(EveryType, pressure_all_round_balances) {
-  const Vector f = load(model::LoadType::pressure, {CompiledExpression::constant(7.0)}, everywhere);
+  const Vector f =
+      load(model::LoadType::pressure, {CompiledExpression::make_constant(7.0)}, everywhere);
   EXPECT_LT(sum(f).norm(), 1e-13);
   EXPECT_NEAR(moment(f), 0.0, 1e-13);
   EXPECT_GT(f.norm(), 1.0);
@@ -100,14 +101,14 @@ TEST_P(EveryType, pressure_field_is_taken_at_its_place) {
 
 TEST_P(EveryType, traction_on_a_straight_edge) {
   const Vector f = load(model::LoadType::traction,
-                        {test::linear(1.0, 2.0, 0.0), CompiledExpression::constant(-4.0)},
+                        {test::linear(1.0, 2.0, 0.0), CompiledExpression::make_constant(-4.0)},
                         [](const Vec3& x) { return std::abs(x.y()) < 1e-12; });
   EXPECT_LT((sum(f) - thickness * Vec2(4.0, -4.0)).norm(), 1e-14);
   EXPECT_NEAR(moment(f), -4.0 * 1.5 * thickness, 1e-14);
 }
 
 TEST_P(EveryType, traction_on_an_arc_tends_to_its_length) {
-  const Vector f = load(model::LoadType::traction, {CompiledExpression::constant(1.0)}, inner);
+  const Vector f = load(model::LoadType::traction, {CompiledExpression::make_constant(1.0)}, inner);
   const double length = 0.5 * std::numbers::pi;
   const double tolerance = base::element_info(GetParam()).quadratic ? 1e-5 : 5e-3;
   EXPECT_NEAR(sum(f).x(), length * thickness, tolerance);
@@ -115,14 +116,15 @@ TEST_P(EveryType, traction_on_an_arc_tends_to_its_length) {
 }
 
 TEST_P(EveryType, resultant_over_faces_is_exact) {
-  const Vector f =
-      load(model::LoadType::resultant,
-           {CompiledExpression::constant(3.0), CompiledExpression::constant(-97100.0)}, inner);
+  const Vector f = load(
+      model::LoadType::resultant,
+      {CompiledExpression::make_constant(3.0), CompiledExpression::make_constant(-97100.0)}, inner);
   EXPECT_NEAR(sum(f).x(), 3.0, 1e-15 * 97100.0);
   EXPECT_NEAR(sum(f).y(), -97100.0, 1e-14 * 97100.0);
   // Even over the arc: by the symmetry of the arc about x = y the force acts at a point with
   // equal coordinates c, where c is that of an even traction.
-  const Vector even = load(model::LoadType::traction, {CompiledExpression::constant(1.0)}, inner);
+  const Vector even =
+      load(model::LoadType::traction, {CompiledExpression::make_constant(1.0)}, inner);
   const double c = -moment(even) / sum(even).x();
   EXPECT_NEAR(moment(f), c * (-97100.0 - 3.0), 1e-9);
 }
@@ -131,14 +133,14 @@ TEST_P(EveryType, resultant_over_elements_is_exact) {
   model::Load card;
   card.type = model::LoadType::resultant;
   card.elements = test::all_elements(model);
-  card.value = {CompiledExpression::constant(0.0), CompiledExpression::constant(97100.0)};
+  card.value = {CompiledExpression::make_constant(0.0), CompiledExpression::make_constant(97100.0)};
   const Vector f = consistent_nodal_load(model, model.mesh, {"", {card}});
   EXPECT_EQ(sum(f).x(), 0.0);
   EXPECT_NEAR(sum(f).y(), 97100.0, 1e-14 * 97100.0);
   // The share of a node does not depend on the thickness or on the force.
-  const Vector body =
-      load(model::LoadType::body,
-           {CompiledExpression::constant(0.0), CompiledExpression::constant(1.0)}, everywhere);
+  const Vector body = load(
+      model::LoadType::body,
+      {CompiledExpression::make_constant(0.0), CompiledExpression::make_constant(1.0)}, everywhere);
   EXPECT_LT((f / 97100.0 - body / sum(body).y()).norm(), 1e-15);
 }
 
@@ -154,8 +156,9 @@ TEST_P(EveryType, body_force_field_agrees_with_the_divergence_theorem) {
 
 TEST_P(EveryType, nodal_forces_are_added_as_given) {
   const auto corner = [](const Vec3& x) { return (x - Vec3(2.0, 0.0, 0.0)).norm() < 1e-12; };
-  const Vector f = load(model::LoadType::force,
-                        {test::linear(0.0, 1.0, 0.0), CompiledExpression::constant(5.0)}, corner);
+  const Vector f =
+      load(model::LoadType::force,
+           {test::linear(0.0, 1.0, 0.0), CompiledExpression::make_constant(5.0)}, corner);
   EXPECT_LT((sum(f) - Vec2(2.0, 5.0)).norm(), 1e-14);
   EXPECT_NEAR(f.norm(), std::sqrt(29.0), 1e-14);
 }
@@ -166,10 +169,10 @@ TEST(prescribed_nodal_displacement, sets_the_components_given_and_no_force) {
   model::Load all;
   all.type = model::LoadType::displacement;
   all.nodes = test::node_set(model, everywhere);
-  all.value = {test::linear(0.0, 1.0, 0.0), CompiledExpression::constant(3.0)};
+  all.value = {test::linear(0.0, 1.0, 0.0), CompiledExpression::make_constant(3.0)};
   model::Load top = all;
   top.nodes = test::node_set(model, [](const Vec3& x) { return x.y() == 1.0; });
-  top.value = {CompiledExpression::constant(9.0)};
+  top.value = {CompiledExpression::make_constant(9.0)};
   const model::LoadCase load_case{"", {all, top}};
   Vector expected(8);
   expected << 0.0, 3.0, 1.0, 3.0, 9.0, 3.0, 10.0, 3.0; // lines of a case add up

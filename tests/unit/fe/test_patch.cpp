@@ -139,8 +139,9 @@ TEST_P(Patch, tractions_on_the_rim) {
     load.faces = test::face_set(model, [&](const Vec3& x) {
       return std::abs(n.dot(x.head<2>()) - std::max(n.sum(), 0.0)) < 1e-12;
     });
-    load.value = {base::CompiledExpression::constant(expected[0] * n.x() + expected[3] * n.y()),
-                  base::CompiledExpression::constant(expected[3] * n.x() + expected[1] * n.y())};
+    load.value = {
+        base::CompiledExpression::make_constant(expected[0] * n.x() + expected[3] * n.y()),
+        base::CompiledExpression::make_constant(expected[3] * n.x() + expected[1] * n.y())};
     load_case.loads.push_back(load);
   }
   expect_constant_stress(test::solve(model, load_case));

@@ -23,11 +23,11 @@ TEST(Units, FactorsBetweenDeckUnitsAreExactWhereTheyAreDecimal) {
 }
 
 TEST(Units, DimensionsFollowTheExponents) {
-  EXPECT_EQ(parse_unit("MPa*m^0.5")->dimension, (Dimension{-1.5, 1.0, 0.0}));
+  EXPECT_EQ(parse_unit("MPa*m^0.5")->dimension, (PhysicalDimension{-1.5, 1.0, 0.0}));
   EXPECT_EQ(parse_unit("kN/m^2")->dimension, parse_unit("psi")->dimension);
-  EXPECT_EQ(parse_unit("m/m")->dimension, Dimension{});
-  EXPECT_EQ(parse_unit("deg")->dimension, (Dimension{0.0, 0.0, 1.0}));
-  EXPECT_EQ(parse_unit("m^-1")->dimension, (Dimension{-1.0, 0.0, 0.0}));
+  EXPECT_EQ(parse_unit("m/m")->dimension, PhysicalDimension{});
+  EXPECT_EQ(parse_unit("deg")->dimension, (PhysicalDimension{0.0, 0.0, 1.0}));
+  EXPECT_EQ(parse_unit("m^-1")->dimension, (PhysicalDimension{-1.0, 0.0, 0.0}));
 }
 
 TEST(Units, RootsAreHalfPowers) {
@@ -35,7 +35,7 @@ TEST(Units, RootsAreHalfPowers) {
   EXPECT_EQ(parse_unit("MPa*sqrt(m)")->dimension, parse_unit("MPa*m^0.5")->dimension);
   EXPECT_EQ(factor_to_deck_units(*parse_unit("MPa*sqrt(m)"), mm),
             factor_to_deck_units(*parse_unit("MPa*m^0.5"), mm));
-  EXPECT_EQ(parse_unit("N/sqrt(mm)")->dimension, (Dimension{-0.5, 1.0, 0.0}));
+  EXPECT_EQ(parse_unit("N/sqrt(mm)")->dimension, (PhysicalDimension{-0.5, 1.0, 0.0}));
 }
 
 // 18.8 - 15.2 is 3.6 but for rounding; pi is no short number, and what differs more stays.

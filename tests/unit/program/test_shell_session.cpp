@@ -160,7 +160,7 @@ TEST(ShellSession, MapAgreesWithSolutions) {
     good(shell->add_step_line(fmt::format("LOAD PULL {}", 6.0 * t)));
     good(shell->solve());
     EXPECT_NEAR(path.fronts.front().tip().K[0](t), shell.K1(),
-                1e-9 * path.fronts.front().tip().K[0].highest())
+                1e-9 * path.fronts.front().tip().K[0].largest_value())
         << t;
   }
   EXPECT_EQ(shell->last_followed_path(), nullptr); // of another state
