@@ -86,16 +86,17 @@ constexpr std::array grow_keys{
 
 // Every law but INCREMENT works on a range of K: from KMIN to KMAX, or those of a spectrum.
 constexpr std::array grow_when{
-    KeyCondition{"LAW", "INCREMENT", "KMAX",
-                 "DA CYCLES C M P Q DKTH ALPHA SMAX KUNIT AUNIT SPECTRUM TOL SFLOW CORRECT AMAX KC "
-                 "HISTORY"},
-    KeyCondition{"LAW", "PARIS", "C M KUNIT AUNIT", "P Q ALPHA SMAX"},
-    KeyCondition{"LAW", "WALKER", "C M P KUNIT AUNIT", "Q ALPHA SMAX"},
-    KeyCondition{"LAW", "FORMAN", "C M KC KUNIT AUNIT", "P Q ALPHA SMAX"},
-    KeyCondition{"LAW", "NASGRO", "C M KC KUNIT AUNIT", ""},
-    KeyCondition{"LAW", "TABLE", "KUNIT AUNIT", "C M P Q ALPHA SMAX"},
-    KeyCondition{"SPECTRUM", "", "", "KMAX KMIN"},
-    KeyCondition{"HISTORY", "CONTINUE", "", "MOUNTED"},
+    KeyPresenceRule{
+        "LAW", "INCREMENT", "KMAX",
+        "DA CYCLES C M P Q DKTH ALPHA SMAX KUNIT AUNIT SPECTRUM TOL SFLOW CORRECT AMAX KC "
+        "HISTORY"},
+    KeyPresenceRule{"LAW", "PARIS", "C M KUNIT AUNIT", "P Q ALPHA SMAX"},
+    KeyPresenceRule{"LAW", "WALKER", "C M P KUNIT AUNIT", "Q ALPHA SMAX"},
+    KeyPresenceRule{"LAW", "FORMAN", "C M KC KUNIT AUNIT", "P Q ALPHA SMAX"},
+    KeyPresenceRule{"LAW", "NASGRO", "C M KC KUNIT AUNIT", ""},
+    KeyPresenceRule{"LAW", "TABLE", "KUNIT AUNIT", "C M P Q ALPHA SMAX"},
+    KeyPresenceRule{"SPECTRUM", "", "", "KMAX KMIN"},
+    KeyPresenceRule{"HISTORY", "CONTINUE", "", "MOUNTED"},
 };
 
 constexpr std::array test_keys{
@@ -117,8 +118,8 @@ constexpr std::array test_keys{
 };
 
 constexpr std::array test_when{
-    KeyCondition{"METHOD", "SECANT|SPLINE", "", "POINTS"},
-    KeyCondition{"REFERENCE", "", "KUNIT AUNIT", ""},
+    KeyPresenceRule{"METHOD", "SECANT|SPLINE", "", "POINTS"},
+    KeyPresenceRule{"REFERENCE", "", "KUNIT AUNIT", ""},
 };
 
 constexpr std::array sweep_keys{
@@ -143,8 +144,8 @@ constexpr std::array restart_keys{
 };
 
 constexpr std::array restart_when{
-    KeyCondition{"AT", "", "READ", ""},
-    KeyCondition{"EVERY", "", "WRITE", ""},
+    KeyPresenceRule{"AT", "", "READ", ""},
+    KeyPresenceRule{"EVERY", "", "WRITE", ""},
 };
 
 constexpr std::array output_keys{

@@ -60,7 +60,7 @@ struct CardField {
   /// Whether it is a name, without a minus.
   [[nodiscard]] bool is_name() const { return kind == CardFieldKind::name; }
   /// Whether it is a number or an expression in parentheses.
-  [[nodiscard]] bool has_value() const {
+  [[nodiscard]] bool is_number_or_expression() const {
     return kind == CardFieldKind::number || kind == CardFieldKind::expression;
   }
 };
@@ -87,7 +87,7 @@ struct DataRow {
   base::SourceSpan span;
 };
 
-struct Assignment {
+struct ParameterAssignment {
   std::string name;    ///< upper case
   std::string written; ///< as in the deck
   base::SourceSpan name_span;

@@ -22,8 +22,8 @@ bool read_unit(const char*& p, const char* last, base::SourceSpan& found,
     ++q;
   }
   if (q >= last || *q != ']') {
-    return errors.fail(errors.span(p, q), "E101",
-                       "expected ']' after the unit, the line ends early");
+    return errors.record_error(errors.span(p, q), "E101",
+                               "expected ']' after the unit, the line ends early");
   }
   found = errors.span(p + 1, q);
   p = q + 1;
@@ -40,7 +40,7 @@ bool read_signed_number(const char*& p, const char* last, ExpressionTerm& term,
     return false;
   }
   if (n.error != NumberError::none) {
-    return errors.fail_number(begin, n.end, last, n.error);
+    return errors.record_bad_number(begin, n.end, last, n.error);
   }
   p = n.end;
   term.value = negative ? -n.value : n.value;
@@ -54,8 +54,8 @@ bool read_whole_number(const char*& p, const char* last, base::Label& value,
   const auto [end, failed] = std::from_chars(p, last, value);
   if (failed != std::errc{} || (end < last && (is_name_char(*end) || *end == '.'))) {
     const char* stop = scan_token(p, last);
-    return errors.fail(errors.span(p, stop), "E103", "a range needs whole numbers",
-                       "first : last, or first : last : step");
+    return errors.record_error(errors.span(p, stop), "E103", "a range needs whole numbers",
+                               "first : last, or first : last : step");
   }
   p = end;
   return true;
@@ -69,7 +69,7 @@ bool SyntaxBuilder::read_number(const char*& p, const char* last) {
     return false;
   }
   if (n.error != NumberError::none) {
-    return errors.fail_number(p, n.end, last, n.error);
+    return errors.record_bad_number(p, n.end, last, n.error);
   }
   ExpressionTerm term;
   term.value = n.value;
@@ -99,8 +99,8 @@ bool SyntaxBuilder::read_trailing_unit(const char*& p, const char* last) {
 
 bool SyntaxBuilder::enter_nesting(const char* p, const char* last) {
   if (++depth_ > k_deepest) {
-    return errors.fail(p < last ? errors.span(p, p + 1) : errors.span(p - 1, p), "E102",
-                       "the expression is nested too deeply");
+    return errors.record_error(p < last ? errors.span(p, p + 1) : errors.span(p - 1, p), "E102",
+                               "the expression is nested too deeply");
   }
   return true;
 }
@@ -177,7 +177,8 @@ bool SyntaxBuilder::field_range(const char*& p, const char* last) {
     p = next + 1;
   }
   if (field.range[2] < 1 || field.range[1] < field.range[0]) {
-    return errors.fail(field.span, "E103", "an empty range", "first : last : step, with step >= 1");
+    return errors.record_error(field.span, "E103", "an empty range",
+                               "first : last : step, with step >= 1");
   }
   return errors.check_field_end(p, last, fields_.back());
 }
@@ -208,13 +209,13 @@ bool SyntaxBuilder::quantity(const char*& p, const char* last, const char* begin
     }
     first = skip_blanks_and_comments(p + 1, last);
     if (first >= last || *first == ')') {
-      errors.fail_expected(first, last, "an argument");
+      errors.record_expected(first, last, "an argument");
       return false;
     }
   }
   p = skip_blanks_and_comments(p, last);
   if (p >= last || *p != ')') {
-    errors.fail_expected(p, last, "')' or ','");
+    errors.record_expected(p, last, "')' or ','");
     return false;
   }
   ++p;
@@ -240,9 +241,9 @@ bool SyntaxBuilder::parse_name_field(const char*& p, const char* last, bool in_r
   field.text = to_upper(std::string_view(first, end));
   if (p<last&& static_cast<unsigned char>(*p)> 127) {
     const char* stop = scan_token(begin, last);
-    return errors.fail(errors.span(begin, stop), "E117",
-                       fmt::format("'{}': a name has letters a-z, digits and _ only",
-                                   std::string_view(begin, stop)));
+    return errors.record_error(errors.span(begin, stop), "E117",
+                               fmt::format("'{}': a name has letters a-z, digits and _ only",
+                                           std::string_view(begin, stop)));
   }
   return errors.check_field_end(p, last, fields_.back());
 }
@@ -253,8 +254,8 @@ bool SyntaxBuilder::parse_text_field(const char*& p, const char* last) {
   }
   const char* end = scan_token(p, last);
   if (end - p < 2 || end[-1] != '\'') {
-    return errors.fail(errors.span(p, end), "E101",
-                       "expected the closing ' of the text, the line ends early");
+    return errors.record_error(errors.span(p, end), "E101",
+                               "expected the closing ' of the text, the line ends early");
   }
   add(CardField::CardFieldKind::text, p, end).text.assign(p + 1, end - 1);
   p = end;
@@ -272,7 +273,7 @@ bool SyntaxBuilder::parse_expression_field(const char*& p, const char* last) {
   }
   p = skip_blanks_and_comments(p, last);
   if (p >= last || *p != ')') {
-    errors.fail_expected(p, last, "')'");
+    errors.record_expected(p, last, "')'");
     return false;
   }
   ++p;

@@ -16,8 +16,8 @@ public:
   SyntaxBuilder(std::int32_t file, const char* origin) : errors(file, origin) {}
 
   FirstSyntaxError errors;
-  CardHeader card;       ///< the header being read
-  Assignment assignment; ///< the assignment being read
+  CardHeader card;                ///< the header being read
+  ParameterAssignment assignment; ///< the assignment being read
 
   // Expressions.
   bool read_number(const char*& p, const char* last);        ///< unsigned, with its unit

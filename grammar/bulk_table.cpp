@@ -201,7 +201,7 @@ private:
       return false;
     }
     const CardField parsed = builder.take_fields().front();
-    const auto result = evaluate(parsed.expression, scope_, diagnostics_);
+    const auto result = evaluate_constant(parsed.expression, scope_, diagnostics_);
     if (!result) {
       return false;
     }
@@ -286,15 +286,15 @@ private:
 
 } // namespace
 
-void parse_coordinates(const BulkRowFormat& form, base::SourceSpan data,
-                       const ExpressionScope& scope, base::Diagnostics& diagnostics,
-                       const RowBlockCallback<double>& take) {
+void parse_node_lines(const BulkRowFormat& form, base::SourceSpan data,
+                      const ExpressionScope& scope, base::Diagnostics& diagnostics,
+                      const RowBlockCallback<double>& take) {
   TableReader<double>(form, data, scope, diagnostics).run(take);
 }
 
-void parse_connectivity(const BulkRowFormat& form, base::SourceSpan data,
-                        const ExpressionScope& scope, base::Diagnostics& diagnostics,
-                        const RowBlockCallback<base::Label>& take) {
+void parse_element_lines(const BulkRowFormat& form, base::SourceSpan data,
+                         const ExpressionScope& scope, base::Diagnostics& diagnostics,
+                         const RowBlockCallback<base::Label>& take) {
   TableReader<base::Label>(form, data, scope, diagnostics).run(take);
 }
 

@@ -34,13 +34,13 @@ struct BulkRowFormat {
 template <class Value> using RowBlockCallback = std::function<void(const BulkTableBlock<Value>&)>;
 
 /// Reads `label v1 .. vn` lines of a data block. Bad lines are reported and left out.
-void parse_coordinates(const BulkRowFormat& form, base::SourceSpan data,
-                       const ExpressionScope& scope, base::Diagnostics& diagnostics,
-                       const RowBlockCallback<double>& take);
-/// Reads lines `label label1 .. labeln` of elements, as parse_coordinates those of nodes.
-void parse_connectivity(const BulkRowFormat& form, base::SourceSpan data,
-                        const ExpressionScope& scope, base::Diagnostics& diagnostics,
-                        const RowBlockCallback<base::Label>& take);
+void parse_node_lines(const BulkRowFormat& form, base::SourceSpan data,
+                      const ExpressionScope& scope, base::Diagnostics& diagnostics,
+                      const RowBlockCallback<double>& take);
+/// Reads lines `label label1 .. labeln` of elements, as parse_node_lines those of nodes.
+void parse_element_lines(const BulkRowFormat& form, base::SourceSpan data,
+                         const ExpressionScope& scope, base::Diagnostics& diagnostics,
+                         const RowBlockCallback<base::Label>& take);
 
 /// At least as many as the rows of a data block: its lines.
 std::size_t count_lines(const base::SourceTexts& sources, base::SourceSpan data);

@@ -223,9 +223,10 @@ std::vector<DataRow> parse_data_rows(const base::SourceTexts& sources, base::Sou
   return rows;
 }
 
-std::vector<Assignment> parse_assignments(const base::SourceTexts& sources, base::SourceSpan data,
-                                          base::Diagnostics& diagnostics) {
-  std::vector<Assignment> assignments;
+std::vector<ParameterAssignment> parse_parameter_assignments(const base::SourceTexts& sources,
+                                                             base::SourceSpan data,
+                                                             base::Diagnostics& diagnostics) {
+  std::vector<ParameterAssignment> assignments;
   const char* const origin = sources.text(data.file).data();
   for_each_line(sources, data, [&](const char* begin, const char* end) {
     SyntaxBuilder builder(data.file, origin);
@@ -233,7 +234,7 @@ std::vector<Assignment> parse_assignments(const base::SourceTexts& sources, base
     if (parse_rule(assigning, p, end, builder)) {
       assignments.push_back(std::move(builder.assignment));
     } else {
-      builder.errors.fail_expected(begin, end, "NAME = expression");
+      builder.errors.record_expected(begin, end, "NAME = expression");
       builder.assignment.value = {};
       if (!builder.assignment.name.empty()) {
         assignments.push_back(std::move(builder.assignment)); // without a value
@@ -256,7 +257,7 @@ std::optional<ParsedExpression> parse_expression(const base::SourceTexts& source
     if (skip_blanks_and_comments(p, last) == last) {
       return builder.take_expression(begin);
     }
-    builder.errors.fail_expected(p, last, "the end of the expression");
+    builder.errors.record_expected(p, last, "the end of the expression");
   }
   builder.errors.report(diagnostics);
   return std::nullopt;

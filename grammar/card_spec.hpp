@@ -66,7 +66,7 @@ struct ValueLimits {
   bool high_open = false;
 
   /// Whether a value lies within the limits.
-  [[nodiscard]] bool holds(double v) const {
+  [[nodiscard]] bool contains(double v) const {
     return (low_open ? v > low : v >= low) && (high_open ? v < high : v <= high);
   }
   /// ">0", "2..3", "-1<..<0.5"; empty when unbounded.
@@ -91,7 +91,7 @@ enum class DataLineForm { none, table, assignments, rows };
 
 /// Where KEY is one of some words (without words: where KEY is given): the keys that must and must
 /// not be there.
-struct KeyCondition {
+struct KeyPresenceRule {
   std::string_view key;
   std::string_view words;        ///< "AXI|SOLID"
   std::string_view needs = {};   ///< "C M"
@@ -107,7 +107,7 @@ struct CardSpec {
   bool once = false;               ///< at most one in a deck
   std::string_view data_form = {}; ///< of one data line
   std::string_view exclusive = {}; ///< of these keys at most one
-  std::span<const KeyCondition> when = {};
+  std::span<const KeyPresenceRule> when = {};
   std::string_view doc = {};
   std::string_view notes = {};   ///< sentences for the help, beyond doc
   std::string_view example = {}; ///< as a deck would hold it, with its data lines

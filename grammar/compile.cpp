@@ -303,8 +303,9 @@ std::optional<base::CompiledExpression> compile_expression(const ParsedExpressio
   return Compiler(scope, fields, diagnostics).run(expression);
 }
 
-std::optional<double> evaluate(const ParsedExpression& expression, const ExpressionScope& scope,
-                               base::Diagnostics& diagnostics) {
+std::optional<double> evaluate_constant(const ParsedExpression& expression,
+                                        const ExpressionScope& scope,
+                                        base::Diagnostics& diagnostics) {
   const auto compiled = compile_expression(expression, scope, AllowedVariables::none, diagnostics);
   if (!compiled) {
     return std::nullopt;

@@ -54,8 +54,9 @@ std::optional<base::CompiledExpression> compile_expression(const ParsedExpressio
                                                            base::Diagnostics& diagnostics);
 
 /// compile_expression() of an expression without fields, as its value.
-std::optional<double> evaluate(const ParsedExpression& expression, const ExpressionScope& scope,
-                               base::Diagnostics& diagnostics);
+std::optional<double> evaluate_constant(const ParsedExpression& expression,
+                                        const ExpressionScope& scope,
+                                        base::Diagnostics& diagnostics);
 
 /// The unit that the whole value is given in: `0.084[mm]`, `(E/2)[GPa]`; invalid for a bare one.
 base::SourceSpan explicit_unit_span(const ParsedExpression& expression);

@@ -158,13 +158,13 @@ BOOST_SPIRIT_DEFINE(expression, comparison, sum, product, factor, primary, argum
 bool read_expression(const char*& p, const char* last, SyntaxBuilder& builder) {
   const char* begin = p = skip_blanks_and_comments(p, last);
   if (!parse_rule(expression, p, last, builder)) {
-    builder.errors.fail_expected(begin, last, "an expression");
+    builder.errors.record_expected(begin, last, "an expression");
     return false;
   }
   if (is_word(p, last, "AND") || is_word(p, last, "OR")) {
     const char* end = scan_name(p, last);
-    return builder.errors.fail(builder.errors.span(p, end), "E102",
-                               "'and' and 'or' stand on one level: set parentheses");
+    return builder.errors.record_error(builder.errors.span(p, end), "E102",
+                                       "'and' and 'or' stand on one level: set parentheses");
   }
   return true;
 }

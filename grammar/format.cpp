@@ -210,7 +210,7 @@ std::optional<std::string> format_deck(const base::SourceTexts& sources, std::in
     if (spec != nullptr && spec->data == DataLineForm::rows) {
       parse_data_rows(sources, card.data, diagnostics);
     } else if (spec != nullptr && spec->data == DataLineForm::assignments) {
-      parse_assignments(sources, card.data, diagnostics);
+      parse_parameter_assignments(sources, card.data, diagnostics);
     }
   }
   if (diagnostics.error_count() > before) {

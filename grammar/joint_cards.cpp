@@ -21,8 +21,8 @@ constexpr std::array load_keys{
 };
 
 constexpr std::array load_when{
-    KeyCondition{"TYPE", "FORCE|RESULTANT|TRACTION|PRESSURE|BODY|DISP|TEMPERATURE|FACES", "",
-                 "SHAPE"},
+    KeyPresenceRule{"TYPE", "FORCE|RESULTANT|TRACTION|PRESSURE|BODY|DISP|TEMPERATURE|FACES", "",
+                    "SHAPE"},
 };
 
 constexpr std::array contact_keys{
@@ -51,8 +51,8 @@ constexpr std::array contact_keys{
 };
 
 constexpr std::array contact_when{
-    KeyCondition{"TYPE", "BONDED", "", "MU"}, // no slip, so nothing to rub
-    KeyCondition{"PAIRING", "NODE", "", "MULTIPLIER"},
+    KeyPresenceRule{"TYPE", "BONDED", "", "MU"}, // no slip, so nothing to rub
+    KeyPresenceRule{"PAIRING", "NODE", "", "MULTIPLIER"},
 };
 
 constexpr std::array rigid_keys{
@@ -78,12 +78,12 @@ constexpr std::array rigid_keys{
 };
 
 constexpr std::array rigid_when{
-    KeyCondition{"SHAPE", "LINE", "X0 Y0 X1 Y1", "R R1 Z0 Z1"},
-    KeyCondition{"SHAPE", "ARC", "X0 Y0 R", "X1 Y1 Z0 Z1 R1"},
-    KeyCondition{"SHAPE", "PLANE", "X0 Y0 Z0 X1 Y1 Z1", "R R1"},
-    KeyCondition{"SHAPE", "CYLINDER", "X0 Y0 Z0 X1 Y1 Z1 R", "R1"},
-    KeyCondition{"SHAPE", "CONE", "X0 Y0 Z0 X1 Y1 Z1 R R1", ""},
-    KeyCondition{"SHAPE", "SPHERE", "X0 Y0 Z0 R", "X1 Y1 Z1 R1"},
+    KeyPresenceRule{"SHAPE", "LINE", "X0 Y0 X1 Y1", "R R1 Z0 Z1"},
+    KeyPresenceRule{"SHAPE", "ARC", "X0 Y0 R", "X1 Y1 Z0 Z1 R1"},
+    KeyPresenceRule{"SHAPE", "PLANE", "X0 Y0 Z0 X1 Y1 Z1", "R R1"},
+    KeyPresenceRule{"SHAPE", "CYLINDER", "X0 Y0 Z0 X1 Y1 Z1 R", "R1"},
+    KeyPresenceRule{"SHAPE", "CONE", "X0 Y0 Z0 X1 Y1 Z1 R R1", ""},
+    KeyPresenceRule{"SHAPE", "SPHERE", "X0 Y0 Z0 R", "X1 Y1 Z1 R1"},
 };
 
 constexpr std::array crack_keys{
@@ -126,22 +126,22 @@ constexpr std::array crack_keys{
 };
 
 constexpr std::array crack_when{
-    KeyCondition{"PATH", "", "A0", "ANGLE FRONT NORMAL A X0"},
-    KeyCondition{"FRONT", "", "", "PATH ANGLE A0 A X0"},
-    KeyCondition{"ANGLE", "", "A0", "PATH FRONT A X0"},
-    KeyCondition{"NET", "", "", "PATH FRONT"},
-    KeyCondition{"LINE", "SMOOTH", "", "PATH FRONT ANGLE A"},
-    KeyCondition{"A", "", "X0 Y0 Z0", "PATH FRONT ANGLE A0 CLOSED"},
-    KeyCondition{"C", "", "A", ""},
-    KeyCondition{"NORMAL", "", "A", "X1"},
-    KeyCondition{"X1", "", "Y1 Z1", ""},
-    KeyCondition{"Y1", "", "X1", ""},
-    KeyCondition{"Z1", "", "X1", ""},
-    KeyCondition{"X2", "", "Y2 Z2", ""},
-    KeyCondition{"Y2", "", "X2", ""},
-    KeyCondition{"Z2", "", "X2", ""},
-    KeyCondition{"CLOSED", "YES", "", "X0"},
-    KeyCondition{"FACES", "FREE", "", "MU"},
+    KeyPresenceRule{"PATH", "", "A0", "ANGLE FRONT NORMAL A X0"},
+    KeyPresenceRule{"FRONT", "", "", "PATH ANGLE A0 A X0"},
+    KeyPresenceRule{"ANGLE", "", "A0", "PATH FRONT A X0"},
+    KeyPresenceRule{"NET", "", "", "PATH FRONT"},
+    KeyPresenceRule{"LINE", "SMOOTH", "", "PATH FRONT ANGLE A"},
+    KeyPresenceRule{"A", "", "X0 Y0 Z0", "PATH FRONT ANGLE A0 CLOSED"},
+    KeyPresenceRule{"C", "", "A", ""},
+    KeyPresenceRule{"NORMAL", "", "A", "X1"},
+    KeyPresenceRule{"X1", "", "Y1 Z1", ""},
+    KeyPresenceRule{"Y1", "", "X1", ""},
+    KeyPresenceRule{"Z1", "", "X1", ""},
+    KeyPresenceRule{"X2", "", "Y2 Z2", ""},
+    KeyPresenceRule{"Y2", "", "X2", ""},
+    KeyPresenceRule{"Z2", "", "X2", ""},
+    KeyPresenceRule{"CLOSED", "YES", "", "X0"},
+    KeyPresenceRule{"FACES", "FREE", "", "MU"},
 };
 
 constexpr std::array tipnet_keys{
@@ -180,8 +180,8 @@ constexpr std::array tipnet_keys{
 };
 
 constexpr std::array tipnet_when{
-    KeyCondition{"PATCH", "NO", "", "RADIUS SIZE SECTORS FINER JOIN TUBE"},
-    KeyCondition{"TUBE", "NO", "", "SECTORS JOIN"},
+    KeyPresenceRule{"PATCH", "NO", "", "RADIUS SIZE SECTORS FINER JOIN TUBE"},
+    KeyPresenceRule{"TUBE", "NO", "", "SECTORS JOIN"},
 };
 
 constexpr std::array vce_keys{

@@ -65,10 +65,10 @@ constexpr std::array mesh_keys{
 };
 
 constexpr std::array mesh_when{
-    KeyCondition{"SHAPE", "BLOCK", "LX LY", "RI RO W L T0 T1 NR NT"},
-    KeyCondition{"SHAPE", "RING", "RI RO", "LX LY LZ Z0 W L NX NY NZ"},
-    KeyCondition{"SHAPE", "LUG", "RI W L", "LX LY LZ Z0 RO T0 T1 NX NY NZ BIAS"},
-    KeyCondition{"TYPE", "TRIM3|TRIMC6|QUAM4|QUAMC8|QUAMC9", "", "Z0 LZ NZ"},
+    KeyPresenceRule{"SHAPE", "BLOCK", "LX LY", "RI RO W L T0 T1 NR NT"},
+    KeyPresenceRule{"SHAPE", "RING", "RI RO", "LX LY LZ Z0 W L NX NY NZ"},
+    KeyPresenceRule{"SHAPE", "LUG", "RI W L", "LX LY LZ Z0 RO T0 T1 NX NY NZ BIAS"},
+    KeyPresenceRule{"TYPE", "TRIM3|TRIMC6|QUAM4|QUAMC8|QUAMC9", "", "Z0 LZ NZ"},
 };
 
 constexpr std::array coor_keys{
@@ -123,7 +123,7 @@ constexpr std::array property_keys{
 };
 
 constexpr std::array property_when{
-    KeyCondition{"STATE", "AXI|SOLID", "", "THICK"},
+    KeyPresenceRule{"STATE", "AXI|SOLID", "", "THICK"},
 };
 
 constexpr std::array freedom_keys{
@@ -142,9 +142,9 @@ constexpr std::array mpc_keys{
 };
 
 constexpr std::array mpc_when{
-    KeyCondition{"TYPE", "TRANSITION", "SLAVE MASTER", "RHS"},
-    KeyCondition{"TYPE", "RIGID", "SLAVE", "MASTER RHS"},
-    KeyCondition{"TYPE", "EQUATION", "", "SLAVE MASTER"},
+    KeyPresenceRule{"TYPE", "TRANSITION", "SLAVE MASTER", "RHS"},
+    KeyPresenceRule{"TYPE", "RIGID", "SLAVE", "MASTER RHS"},
+    KeyPresenceRule{"TYPE", "EQUATION", "", "SLAVE MASTER"},
 };
 
 constexpr std::array symmetry_keys{

@@ -21,8 +21,9 @@ std::vector<DataRow> parse_data_rows(const base::SourceTexts& sources, base::Sou
 
 /// Data lines of the form NAME = expression. A bad line whose name could be read is there with an
 /// empty expression.
-std::vector<Assignment> parse_assignments(const base::SourceTexts& sources, base::SourceSpan data,
-                                          base::Diagnostics& diagnostics);
+std::vector<ParameterAssignment> parse_parameter_assignments(const base::SourceTexts& sources,
+                                                             base::SourceSpan data,
+                                                             base::Diagnostics& diagnostics);
 
 /// A whole text as one expression (a definition on the command line).
 std::optional<ParsedExpression> parse_expression(const base::SourceTexts& sources,

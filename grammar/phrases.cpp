@@ -32,7 +32,7 @@ std::string_view article(std::string_view word) {
   return std::string_view("aeiou").find(word.front()) == std::string_view::npos ? "a" : "an";
 }
 
-std::string sentence(const KeyCondition& clause) {
+std::string sentence(const KeyPresenceRule& clause) {
   const std::vector<std::string> needs = split_words(clause.needs);
   const std::vector<std::string> forbids = split_words(clause.forbids);
   std::string out(clause.key);

@@ -60,7 +60,7 @@ Json key_of(const KeySpec& key) {
   return out;
 }
 
-Json clause_of(const KeyCondition& clause, std::string_view word) {
+Json clause_of(const KeyPresenceRule& clause, std::string_view word) {
   Json out;
   out["key"] = clause.key;
   add_text(out, "word", word);
@@ -86,7 +86,7 @@ Json card_of(const CardSpec& card) {
   }
   out["at_most_one_of"] = split_words(card.exclusive);
   out["when"] = Json::array();
-  for (const KeyCondition& clause : card.when) {
+  for (const KeyPresenceRule& clause : card.when) {
     const std::vector<std::string> words = split_words(clause.words);
     if (words.empty()) {
       out["when"].push_back(clause_of(clause, {}));

@@ -44,15 +44,15 @@ base::SourceSpan FirstSyntaxError::span(const char* begin, const char* end) cons
           static_cast<std::uint32_t>(end - origin_)};
 }
 
-bool FirstSyntaxError::fail(base::SourceSpan place, std::string code, std::string text,
-                            std::string hint) {
+bool FirstSyntaxError::record_error(base::SourceSpan place, std::string code, std::string text,
+                                    std::string hint) {
   if (!failure_) {
     failure_ = SyntaxErrorRecord{place, std::move(code), std::move(text), std::move(hint)};
   }
   return false;
 }
 
-void FirstSyntaxError::fail_expected(const char* at, const char* last, std::string_view what) {
+void FirstSyntaxError::record_expected(const char* at, const char* last, std::string_view what) {
   const char* const before = at;
   at = skip_blanks_and_comments(at, last);
   if (at >= last || *at == '\n') {
@@ -62,8 +62,8 @@ void FirstSyntaxError::fail_expected(const char* at, const char* last, std::stri
     while (at > origin_ && is_blank(at[-1])) {
       --at;
     }
-    fail(span(at, at), "E101", fmt::format("expected {}, the line ends early", what),
-         not_equal ? "! starts a comment" : "");
+    record_error(span(at, at), "E101", fmt::format("expected {}, the line ends early", what),
+                 not_equal ? "! starts a comment" : "");
     return;
   }
   const char* end = scan_token(at, last);
@@ -71,8 +71,9 @@ void FirstSyntaxError::fail_expected(const char* at, const char* last, std::stri
     ++end;
   }
   const std::string slip(foreign_syntax_hint(origin_, at, last));
-  fail(span(at, end), "E101", fmt::format("expected {}, not '{}'", what, std::string_view(at, end)),
-       slip.empty() ? hint_for(*at, what) : slip);
+  record_error(span(at, end), "E101",
+               fmt::format("expected {}, not '{}'", what, std::string_view(at, end)),
+               slip.empty() ? hint_for(*at, what) : slip);
 }
 
 void FirstSyntaxError::report(base::Diagnostics& diagnostics) const {
@@ -81,24 +82,25 @@ void FirstSyntaxError::report(base::Diagnostics& diagnostics) const {
   }
 }
 
-bool FirstSyntaxError::fail_number(const char* begin, const char* end, const char* last,
-                                   NumberError error) {
+bool FirstSyntaxError::record_bad_number(const char* begin, const char* end, const char* last,
+                                         NumberError error) {
   const std::string_view token(begin, end);
   switch (error) {
   case NumberError::fortran_exponent:
-    return fail(span(begin, end), "E103", fmt::format("'{}': a Fortran exponent", token),
-                "write 1.0e-3, not 1.0d-3 or 1.0-3");
+    return record_error(span(begin, end), "E103", fmt::format("'{}': a Fortran exponent", token),
+                        "write 1.0e-3, not 1.0d-3 or 1.0-3");
   case NumberError::too_large:
-    return fail(span(begin, end), "E103",
-                fmt::format("'{}' lies outside the range of double precision", token));
+    return record_error(span(begin, end), "E103",
+                        fmt::format("'{}' lies outside the range of double precision", token));
   default:
     break;
   }
   const std::string slip(foreign_syntax_hint(origin_, end, last));
-  return fail(span(begin, end), "E103", fmt::format("'{}' is not a number", token),
-              !slip.empty() ? slip
-                            : "a number is digits with a point and an exponent; a name starts with "
-                              "a letter");
+  return record_error(span(begin, end), "E103", fmt::format("'{}' is not a number", token),
+                      !slip.empty()
+                          ? slip
+                          : "a number is digits with a point and an exponent; a name starts with "
+                            "a letter");
 }
 
 bool FirstSyntaxError::check_field_end(const char* p, const char* last, const CardField& field) {
@@ -112,14 +114,14 @@ bool FirstSyntaxError::check_field_end(const char* p, const char* last, const Ca
                        field.kind == CardField::CardFieldKind::number;
   if (fortran) {
     const char* begin = origin_ + field.span.begin;
-    return fail(span(begin, end), "E103",
-                fmt::format("'{}': a Fortran exponent, or two numbers without a blank",
-                            std::string_view(begin, end)),
-                "write 1.5e-3, or 1.5 -3, or (1.5-3)");
+    return record_error(span(begin, end), "E103",
+                        fmt::format("'{}': a Fortran exponent, or two numbers without a blank",
+                                    std::string_view(begin, end)),
+                        "write 1.5e-3, or 1.5 -3, or (1.5-3)");
   }
   const std::string slip(foreign_syntax_hint(origin_, p, last));
-  return fail(span(p, p + rest.size()), "E102", fmt::format("unexpected '{}'", rest),
-              arithmetic ? "an expression stands in parentheses" : slip);
+  return record_error(span(p, p + rest.size()), "E102", fmt::format("unexpected '{}'", rest),
+                      arithmetic ? "an expression stands in parentheses" : slip);
 }
 
 } // namespace spricka::grammar

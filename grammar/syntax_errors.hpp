@@ -22,11 +22,12 @@ public:
   [[nodiscard]] base::SourceSpan span(const char* begin, const char* end) const;
 
   /// Keeps the first failure only.
-  bool fail(base::SourceSpan place, std::string code, std::string text, std::string hint = {});
+  bool record_error(base::SourceSpan place, std::string code, std::string text,
+                    std::string hint = {});
   /// "expected ..." at `at`, with the carets under the token there.
-  void fail_expected(const char* at, const char* last, std::string_view what);
+  void record_expected(const char* at, const char* last, std::string_view what);
   /// What scan_number() did not accept.
-  bool fail_number(const char* begin, const char* end, const char* last, NumberError error);
+  bool record_bad_number(const char* begin, const char* end, const char* last, NumberError error);
   /// Whether a field may end at `p`; a failure that says how to write it if not.
   bool check_field_end(const char* p, const char* last, const CardField& field);
 

@@ -59,7 +59,7 @@ bool parse_rule(const Rule& start, const char*& p, const char* last, SyntaxBuild
   try {
     return x3::parse(p, last, x3::with<builder_tag>(std::ref(builder))[start]);
   } catch (const x3::expectation_failure<const char*>& failure) {
-    builder.errors.fail_expected(failure.where(), last, failure.which());
+    builder.errors.record_expected(failure.where(), last, failure.which());
     return false;
   }
 }

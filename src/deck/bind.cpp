@@ -81,7 +81,7 @@ private:
       return fail(field.span, "E108",
                   fmt::format("{}: a whole number is expected, not {}", key_.name, *found));
     }
-    if (!key_.range.holds(*found)) {
+    if (!key_.range.contains(*found)) {
       return fail(field.span, "E109", fmt::format("{}: {} is out of range", key_.name, *found),
                   fmt::format("{} is {}{}", key_.name, key_.range.text(),
                               key_.quantity == grammar::QuantityKind::angle
@@ -153,7 +153,7 @@ private:
   }
 
   bool expression(const CardField& field, CheckedValue& value) {
-    if (!field.has_value()) {
+    if (!field.is_number_or_expression()) {
       return fail(field.span, "E108",
                   fmt::format("{}: an expression in parentheses is expected", key_.name),
                   fmt::format("write {}=(...) with x y z rho theta", key_.name));
@@ -268,7 +268,7 @@ private:
   }
 
   void when() {
-    for (const grammar::KeyCondition& clause : spec_.when) {
+    for (const grammar::KeyPresenceRule& clause : spec_.when) {
       const std::vector<std::string> words = grammar::split_words(clause.words);
       const std::string_view word = bound_.word_value(clause.key);
       if (words.empty() ? !bound_.has_key(clause.key)
@@ -310,7 +310,7 @@ private:
         grammar::ExpressionScope constants;
         constants.sources = &own;
         const auto parsed = grammar::parse_expression(own, all, none);
-        value.number = grammar::evaluate(parsed.value(), constants, none).value();
+        value.number = grammar::evaluate_constant(parsed.value(), constants, none).value();
       }
       bound_.values.push_back(std::move(value));
     }
@@ -357,7 +357,7 @@ std::optional<double> read_field_number(const grammar::CardField& field,
                                         grammar::QuantityKind quantity, std::string_view what,
                                         const grammar::ExpressionScope& scope,
                                         base::Diagnostics& diagnostics) {
-  if (!field.has_value()) {
+  if (!field.is_number_or_expression()) {
     const std::string_view written = scope.sources->text(field.span);
     const bool parameter = field.is_name() && scope.values.contains(field.text);
     const bool call = field.kind == CardField::CardFieldKind::quantity;
@@ -371,7 +371,7 @@ std::optional<double> read_field_number(const grammar::CardField& field,
                                 : grammar::unknown_function_hint(field.text));
     return std::nullopt;
   }
-  const auto value = grammar::evaluate(field.expression, scope, diagnostics);
+  const auto value = grammar::evaluate_constant(field.expression, scope, diagnostics);
   const bool fits = value && check_field_unit(field, grammar::quantity_dimension(quantity),
                                               fmt::format("is not the unit of {}",
                                                           grammar::display_name(quantity)),

@@ -207,8 +207,8 @@ private:
 
   void parameters(const grammar::CardHeader& card) {
     const std::size_t before = c_.diagnostics.error_count();
-    for (const grammar::Assignment& a :
-         grammar::parse_assignments(c_.sources, card.data, c_.diagnostics)) {
+    for (const grammar::ParameterAssignment& a :
+         grammar::parse_parameter_assignments(c_.sources, card.data, c_.diagnostics)) {
       if (grammar::is_reserved_name(a.name)) {
         c_.error(a.name_span, "E208", fmt::format("'{}' is a word of the language", a.written),
                  "choose another name");
@@ -217,7 +217,7 @@ private:
       } else {
         const auto value = a.value.terms.empty()
                                ? std::nullopt
-                               : grammar::evaluate(a.value, c_.scope, c_.diagnostics);
+                               : grammar::evaluate_constant(a.value, c_.scope, c_.diagnostics);
         const bool overridden = overrides_.contains(a.name);
         set(a.name, a.written, overridden ? overrides_.value(c_, a.name) : value);
         if (overridden && value) {

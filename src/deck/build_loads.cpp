@@ -106,8 +106,8 @@ bool load_set(DeckContext& c, const NameReference& reference, model::Load& load)
 
 bool load_value(DeckContext& c, const LoadForm& form, const grammar::CardField& field,
                 model::Load& load) {
-  if (!field.has_value()) {
-    c.read_number(field, grammar::Quantity::number,
+  if (!field.is_number_or_expression()) {
+    c.read_number(field, grammar::QuantityKind::number,
                   "a number or (expression)"); // says what is wrong
     return false;
   }

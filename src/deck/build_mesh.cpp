@@ -92,7 +92,7 @@ void coordinates(DeckContext& c, const CheckedCard& card) {
       }
     }
   };
-  grammar::parse_coordinates(form, card.data, c.scope, c.diagnostics, take);
+  grammar::parse_node_lines(form, card.data, c.scope, c.diagnostics, take);
   // a number that stands twice is known all the same
   labels.complete = labels.complete && c.diagnostics.error_count() == errors + twice;
 }
@@ -161,7 +161,7 @@ void elements(DeckContext& c, const CheckedCard& card) {
       }
     }
   };
-  grammar::parse_connectivity(form, card.data, c.scope, c.diagnostics, take);
+  grammar::parse_element_lines(form, card.data, c.scope, c.diagnostics, take);
   origin.count = mesh.element_count() - origin.first;
   c.origins.push_back(origin);
 }

@@ -221,10 +221,11 @@ std::string swept_parameter(DeckContext& c, const CheckedCard& card, std::string
 
 // A parameter's value may have any unit.
 std::optional<double> sweep_value(DeckContext& c, const CardField& field, const std::string& name) {
-  if (!field.has_value()) {
-    return c.read_number(field, grammar::Quantity::number, "a value");
+  if (!field.is_number_or_expression()) {
+    return c.read_number(field, grammar::QuantityKind::number, "a value");
   }
-  const std::optional<double> value = grammar::evaluate(field.expression, c.scope, c.diagnostics);
+  const std::optional<double> value =
+      grammar::evaluate_constant(field.expression, c.scope, c.diagnostics);
   const auto unit = c.scope.units_of.find(grammar::to_upper(name));
   if (value && unit != c.scope.units_of.end() && !grammar::has_unit(field.expression, c.scope) &&
       is_foreign_unit(c, unit->second)) {

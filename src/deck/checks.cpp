@@ -266,7 +266,7 @@ private:
 
   bool argument(char letter, const grammar::ParsedExpression& expression) {
     if (letter == 'a' || letter == 'z') {
-      const auto value = grammar::evaluate(expression, c_.scope, c_.diagnostics);
+      const auto value = grammar::evaluate_constant(expression, c_.scope, c_.diagnostics);
       check_.arguments.emplace_back(value.value_or(0.0));
       if (value && check_.quantity.ends_with(".PHI")) {
         warn_of_whole_radians(c_, expression.span, check_.quantity, *value);

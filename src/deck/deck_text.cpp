@@ -181,7 +181,7 @@ bool replace_parameter(DeckCardList& text, std::string_view name, std::string_vi
     base::SourceTexts sources;
     base::Diagnostics read_before;
     const std::int32_t file = sources.add_text("parameters", card.data);
-    for (const grammar::Assignment& line : grammar::parse_assignments(
+    for (const grammar::ParameterAssignment& line : grammar::parse_parameter_assignments(
              sources, {file, 0, static_cast<std::uint32_t>(card.data.size())}, read_before)) {
       if (line.name == name) {
         const base::SourceSpan old = line.value.span;

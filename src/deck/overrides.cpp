@@ -13,7 +13,7 @@
 namespace spricka::deck {
 
 void ParameterOverrides::warn_of_missing_unit(DeckContext& context,
-                                              const grammar::Assignment& deck) const {
+                                              const grammar::ParameterAssignment& deck) const {
   const ParameterOverride& entry = table_.at(deck.name);
   if (!entry.expression || grammar::has_unit(*entry.expression, context.scope)) {
     return;
@@ -87,7 +87,7 @@ std::optional<double> ParameterOverrides::value(DeckContext& context, const std:
     }
   }
   if (!entry.evaluated) {
-    entry.value = grammar::evaluate(*entry.expression, context.scope, context.diagnostics);
+    entry.value = grammar::evaluate_constant(*entry.expression, context.scope, context.diagnostics);
     entry.evaluated = true;
   }
   return entry.value;
@@ -99,7 +99,7 @@ base::SourceSpan ParameterOverrides::unit_span(const std::string& name) const {
 }
 
 bool ParameterOverrides::has_unit(const DeckContext& context,
-                                  const grammar::Assignment& own) const {
+                                  const grammar::ParameterAssignment& own) const {
   const std::optional<grammar::ParsedExpression>& expression = table_.at(own.name).expression;
   return grammar::has_unit(expression ? *expression : own.value, context.scope);
 }

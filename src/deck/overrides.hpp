@@ -28,10 +28,11 @@ public:
 
   /// Warns when a bare number takes the place of a value that the deck gives with a unit: the
   /// number counts in the deck's own units.
-  void warn_of_missing_unit(DeckContext& context, const grammar::Assignment& deck) const;
+  void warn_of_missing_unit(DeckContext& context, const grammar::ParameterAssignment& deck) const;
   /// Whether a unit went into it: in a sweep, whose values are in deck units, one of the deck's
   /// own.
-  [[nodiscard]] bool has_unit(const DeckContext& context, const grammar::Assignment& own) const;
+  [[nodiscard]] bool has_unit(const DeckContext& context,
+                              const grammar::ParameterAssignment& own) const;
 
   /// Reports the overrides of parameters that the deck does not have.
   void report_unknown_parameters(DeckContext& context, const std::set<std::string>& defined) const;

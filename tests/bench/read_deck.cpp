@@ -148,12 +148,12 @@ void tables_alone(const base::SourceTexts& sources, const Deck& deck) {
   flat.node.reserve(10 * deck.elements);
   grammar::BulkRowFormat form;
   form.columns = 3;
-  grammar::parse_coordinates(form, deck.node_data, scope, diagnostics, [&](const auto& rows) {
+  grammar::parse_node_lines(form, deck.node_data, scope, diagnostics, [&](const auto& rows) {
     flat.label.insert(flat.label.end(), rows.label.begin(), rows.label.end());
     flat.x.insert(flat.x.end(), rows.value.begin(), rows.value.end());
   });
   form.columns = 10;
-  grammar::parse_connectivity(form, deck.element_data, scope, diagnostics, [&](const auto& rows) {
+  grammar::parse_element_lines(form, deck.element_data, scope, diagnostics, [&](const auto& rows) {
     flat.label.insert(flat.label.end(), rows.label.begin(), rows.label.end());
     flat.node.insert(flat.node.end(), rows.value.begin(), rows.value.end());
   });

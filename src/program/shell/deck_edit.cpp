@@ -149,20 +149,21 @@ base::OptionalFailure set_parameter(const std::string& line, DeckCardList& text)
   base::Diagnostics diagnostics;
   const auto read = [&](const std::string& data) {
     const std::int32_t file = sources.add_text("line", data);
-    return grammar::parse_assignments(sources, {file, 0, static_cast<std::uint32_t>(data.size())},
-                                      diagnostics);
+    return grammar::parse_parameter_assignments(
+        sources, {file, 0, static_cast<std::uint32_t>(data.size())}, diagnostics);
   };
-  const std::vector<grammar::Assignment> typed = read(line + "\n");
+  const std::vector<grammar::ParameterAssignment> typed = read(line + "\n");
   if (diagnostics.has_errors() || typed.size() != 1) {
     return located_failure(base::Outcome::usage, sources, diagnostics);
   }
-  const grammar::Assignment& wanted = typed.front();
+  const grammar::ParameterAssignment& wanted = typed.front();
   if (deck::replace_parameter(text, wanted.name, sources.text(wanted.value.span))) {
     return {};
   }
   std::vector<std::string> names;
   for (const DeckCard& card : cards_named(text, "PARAMETER")) {
-    std::ranges::transform(read(card.data), std::back_inserter(names), &grammar::Assignment::name);
+    std::ranges::transform(read(card.data), std::back_inserter(names),
+                           &grammar::ParameterAssignment::name);
   }
   return invalid_input(fmt::format("the deck has no parameter '{}'", wanted.written),
                        base::make_spelling_hint(wanted.name, names));

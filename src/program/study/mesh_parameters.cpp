@@ -204,9 +204,10 @@ void multiply_counts(const StudiedDeck& deck, double fineness, deck::DeckCard& c
   }
   for (const grammar::HeaderParameter& parameter : card.card.parameters) {
     base::Diagnostics ignored;
-    const auto count = is_element_sizing_key(parameter.key) && parameter.key != "BIAS"
-                           ? grammar::evaluate(parameter.values.front().expression, scope, ignored)
-                           : std::nullopt;
+    const auto count =
+        is_element_sizing_key(parameter.key) && parameter.key != "BIAS"
+            ? grammar::evaluate_constant(parameter.values.front().expression, scope, ignored)
+            : std::nullopt;
     if (count) {
       const double least = parameter.key == "NT" ? 3.0 : 1.0;
       card.set(parameter.key,
@@ -335,8 +336,8 @@ parameter_dependencies(const deck::DeckCardList& text, const base::SourceTexts& 
   std::map<std::string, std::set<std::string>> made_of;
   base::Diagnostics ignored;
   for (const deck::DeckCard& card : cards_named(text, "PARAMETER")) {
-    for (const grammar::Assignment& line :
-         grammar::parse_assignments(sources, card.card.data, ignored)) {
+    for (const grammar::ParameterAssignment& line :
+         grammar::parse_parameter_assignments(sources, card.card.data, ignored)) {
       std::set<std::string>& all = made_of[line.name];
       for (const std::string& word : names_in(sources.text(line.value.span))) {
         const auto known = made_of.find(word); // defined before, with all of its own

@@ -64,16 +64,16 @@ TEST(Catalogue, DefaultsAreValuesOfTheirKeys) {
       const auto parsed = parse_expression(
           sources, {file, 0, static_cast<std::uint32_t>(key.default_value.size())}, diagnostics);
       ASSERT_TRUE(parsed) << card.name << ' ' << key.name;
-      const auto value = evaluate(*parsed, scope, diagnostics);
+      const auto value = evaluate_constant(*parsed, scope, diagnostics);
       ASSERT_TRUE(value) << card.name << ' ' << key.name;
-      EXPECT_TRUE(key.range.holds(*value)) << card.name << ' ' << key.name;
+      EXPECT_TRUE(key.range.contains(*value)) << card.name << ' ' << key.name;
     }
   }
 }
 
 TEST(Catalogue, ClausesSpeakOfKeysThatExist) {
   for (const CardSpec& card : card_catalogue()) {
-    for (const KeyCondition& clause : card.when) {
+    for (const KeyPresenceRule& clause : card.when) {
       const KeySpec* key = card.find(clause.key);
       ASSERT_NE(key, nullptr) << card.name << ' ' << clause.key;
       for (const auto& word : split_words(clause.words)) {
@@ -101,9 +101,9 @@ TEST(Catalogue, ClausesSpeakOfKeysThatExist) {
 TEST(Catalogue, RangesSpeak) {
   EXPECT_EQ((ValueLimits{0.0, k_unbounded, true, false}.text()), ">0");
   EXPECT_EQ((ValueLimits{-1.0, 0.5, true, true}.text()), "-1<..<0.5");
-  EXPECT_TRUE((ValueLimits{-1.0, 0.5, true, true}.holds(0.3)));
-  EXPECT_FALSE((ValueLimits{-1.0, 0.5, true, true}.holds(0.5)));
-  EXPECT_TRUE((ValueLimits{2.0, 3.0, false, false}.holds(2.0)));
+  EXPECT_TRUE((ValueLimits{-1.0, 0.5, true, true}.contains(0.3)));
+  EXPECT_FALSE((ValueLimits{-1.0, 0.5, true, true}.contains(0.5)));
+  EXPECT_TRUE((ValueLimits{2.0, 3.0, false, false}.contains(2.0)));
 }
 
 } // namespace

@@ -50,7 +50,8 @@ private:
     if (spec == nullptr || spec->data == DataLineForm::table || spec->data == DataLineForm::none) {
       words(card.data);
     } else if (spec->data == DataLineForm::assignments) {
-      for (const Assignment& a : parse_assignments(sources_, card.data, diagnostics)) {
+      for (const ParameterAssignment& a :
+           parse_parameter_assignments(sources_, card.data, diagnostics)) {
         out_ << "  " << a.written << " = ";
         expression(a.value);
         out_ << '\n';

@@ -93,8 +93,8 @@ TEST(Parse, AssignmentsKeepTheNameAsWritten) {
   Reader r;
   const std::string text = "K_ref = 2*pi ! mean\nbad = 2 *\n";
   const auto file = r.sources.add_text("parameters", text);
-  const auto all = parse_assignments(r.sources, {file, 0, static_cast<std::uint32_t>(text.size())},
-                                     r.diagnostics);
+  const auto all = parse_parameter_assignments(
+      r.sources, {file, 0, static_cast<std::uint32_t>(text.size())}, r.diagnostics);
   ASSERT_EQ(all.size(), 2U);
   EXPECT_EQ(all[0].name, "K_REF");
   EXPECT_EQ(all[0].written, "K_ref");

@@ -30,12 +30,12 @@ struct Reader {
   }
   BulkTableBlock<double> coordinates() {
     BulkTableBlock<double> all;
-    parse_coordinates(form, data, scope, diagnostics, gather(all));
+    parse_node_lines(form, data, scope, diagnostics, gather(all));
     return all;
   }
   BulkTableBlock<base::Label> nodes() {
     BulkTableBlock<base::Label> all;
-    parse_connectivity(form, data, scope, diagnostics, gather(all));
+    parse_element_lines(form, data, scope, diagnostics, gather(all));
     return all;
   }
   template <class Value> static RowBlockCallback<Value> gather(BulkTableBlock<Value>& all) {
