@@ -56,7 +56,7 @@ struct CheckedCard {
     return value != nullptr && value->given;
   }
   /// Of the value of a key that is given in the deck, else of the card.
-  [[nodiscard]] base::SourceSpan key_span(std::string_view key) const {
+  [[nodiscard]] base::SourceSpan value_span(std::string_view key) const {
     return has_key(key) ? find(key)->span : span;
   }
   /// Number of a key that is given or has a default.
@@ -75,7 +75,7 @@ struct CheckedCard {
     return value == nullptr ? std::string_view() : std::string_view(value->text);
   }
   /// Whether the value of a key is this word.
-  [[nodiscard]] bool has_word(std::string_view key, std::string_view word_) const {
+  [[nodiscard]] bool key_has_word(std::string_view key, std::string_view word_) const {
     return word_value(key) == word_;
   }
   /// The name a key refers to, with the net whose sets come first.

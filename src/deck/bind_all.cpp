@@ -347,7 +347,7 @@ const NameDefinition* find_referenced_definition(DeckContext& context, EntityKin
     context.error(reference.span, "E301",
                   fmt::format("there is no {} '{}'", grammar::display_name(kind), reference.name),
                   base::is_below_hint_error_limit(context.diagnostics)
-                      ? context.names.hint(kinds, reference.name)
+                      ? context.names.similar_name_hint(kinds, reference.name)
                       : "");
   }
   return nullptr;

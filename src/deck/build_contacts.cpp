@@ -54,7 +54,7 @@ constexpr std::array rigid_shapes{
 
 void rigid(DeckContext& c, const CheckedCard& card) {
   const auto shape = std::ranges::find_if(
-      rigid_shapes, [&](const ShapeWord& s) { return card.has_word("SHAPE", s.word); });
+      rigid_shapes, [&](const ShapeWord& s) { return card.key_has_word("SHAPE", s.word); });
   model::RigidTarget rigid;
   rigid.name = card.word_value("NAME");
   rigid.shape = shape->shape;
@@ -107,20 +107,21 @@ void build_contacts(DeckContext& context) {
   context.for_each_sound_card("CONTACT", [&](const CheckedCard& card) {
     model::Contact contact;
     contact.name = card.word_value("NAME");
-    contact.type = card.has_word("TYPE", "BONDED") ? model::ContactType::bonded
-                                                   : model::ContactType::unilateral;
+    contact.type = card.key_has_word("TYPE", "BONDED") ? model::ContactType::bonded
+                                                       : model::ContactType::unilateral;
     contact.gap = declared_gap(card);
     contact.mu = card.number_value("MU");
-    contact.pairing = card.has_word("PAIRING", "NODE") ? model::PairingMethod::node
-                                                       : model::PairingMethod::segment;
-    contact.multiplier = card.has_word("MULTIPLIER", "CORNER") ? model::MultiplierNodes::corners
-                                                               : model::MultiplierNodes::nodes;
+    contact.pairing = card.key_has_word("PAIRING", "NODE") ? model::PairingMethod::node
+                                                           : model::PairingMethod::segment;
+    contact.multiplier = card.key_has_word("MULTIPLIER", "CORNER") ? model::MultiplierNodes::corners
+                                                                   : model::MultiplierNodes::nodes;
     if (contact.multiplier == model::MultiplierNodes::corners && context.is_certainly_plane()) {
       context.error(card.find("MULTIPLIER")->span, "E313",
                     "MULTIPLIER=CORNER is one of contacts between solids");
     }
-    contact.recovery = card.has_word("RECOVERY", "CONSISTENT") ? model::PressureRecovery::consistent
-                                                               : model::PressureRecovery::lumped;
+    contact.recovery = card.key_has_word("RECOVERY", "CONSISTENT")
+                           ? model::PressureRecovery::consistent
+                           : model::PressureRecovery::lumped;
     contact.span = card.span;
     contact.slave =
         resolve_face_set(context, card.name_reference("SLAVE")).value_or(base::FaceSetId());

@@ -105,11 +105,11 @@ void crack(DeckContext& c, const CheckedCard& card) {
   crack.name = card.word_value("NAME");
   crack.a0 = card.optional_number("A0");
   crack.angle = card.optional_number("ANGLE");
-  crack.state = card.has_word("STATE", "STRESS")   ? model::CrackTipPlaneState::stress
-                : card.has_word("STATE", "STRAIN") ? model::CrackTipPlaneState::strain
-                                                   : model::CrackTipPlaneState::automatic;
-  crack.smooth = card.has_word("LINE", "SMOOTH");
-  crack.faces_in_contact = card.has_word("FACES", "CONTACT");
+  crack.state = card.key_has_word("STATE", "STRESS")   ? model::CrackTipPlaneState::stress
+                : card.key_has_word("STATE", "STRAIN") ? model::CrackTipPlaneState::strain
+                                                       : model::CrackTipPlaneState::automatic;
+  crack.smooth = card.key_has_word("LINE", "SMOOTH");
+  crack.faces_in_contact = card.key_has_word("FACES", "CONTACT");
   crack.mu = card.number_value("MU");
   crack.span = card.span;
   if (card.has_key("PATH")) {
@@ -170,11 +170,11 @@ void tip_net(DeckContext& c, const CheckedCard& card, std::set<std::size_t>& see
   };
   tip.rings = count("RINGS", rules.tip_rings);
   tip.sectors = count("SECTORS", rules.tip_sectors);
-  tip.quarter_point = card.has_word("QUARTER", "YES");
-  tip.join = card.has_word("JOIN", "TRANSITION") ? model::PatchCoupling::transition
-                                                 : model::PatchCoupling::conforming;
-  tip.patch = card.has_word("PATCH", "YES");
-  tip.tube = card.has_word("TUBE", "YES");
+  tip.quarter_point = card.key_has_word("QUARTER", "YES");
+  tip.join = card.key_has_word("JOIN", "TRANSITION") ? model::PatchCoupling::transition
+                                                     : model::PatchCoupling::conforming;
+  tip.patch = card.key_has_word("PATCH", "YES");
+  tip.tube = card.key_has_word("TUBE", "YES");
   if (!tip.tube && c.is_certainly_plane()) {
     c.error(card.find("TUBE")->span, "E313", "TUBE=NO means nothing in the plane",
             "round a tip in the plane stands a rosette; QUARTER=NO has ordinary elements in it");
@@ -196,7 +196,7 @@ void vce(DeckContext& c, const CheckedCard& card, std::set<std::size_t>& seen) {
   model::VirtualCrackExtensionSettings vce;
   vce.crack = crack_of(c, card, seen);
   vce.shift = card.optional_number("SHIFT");
-  vce.opening = card.has_word("CHECK", "OPENING");
+  vce.opening = card.key_has_word("CHECK", "OPENING");
   vce.span = card.span;
   if (card.has_key("DOMAINS")) {
     for (const double rings : card.find("DOMAINS")->numbers) {

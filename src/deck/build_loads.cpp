@@ -133,8 +133,8 @@ void load_row(DeckContext& c, const CheckedCard& card, const grammar::DataRow& r
   const LoadForm& form = form_of(card.word_value("TYPE"));
   model::Load load;
   load.type = form.type;
-  load.shape = card.has_word("SHAPE", "UNIFORM") ? model::BearingShape::uniform
-                                                 : model::BearingShape::cosine;
+  load.shape = card.key_has_word("SHAPE", "UNIFORM") ? model::BearingShape::uniform
+                                                     : model::BearingShape::cosine;
   load.span = row.span;
   const auto reference = read_set_name_field(c, card, row.fields.front());
   const NameDefinition* crack = reference && form.of_crack

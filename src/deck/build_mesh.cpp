@@ -49,7 +49,7 @@ Set* table_set(DeckContext& c, const CheckedCard& card, std::string_view key,
 }
 
 grammar::BulkRowFormat coordinate_form(const CheckedCard& card) {
-  const std::string columns = card.has_word("SYSTEM", "CYL") ? "r theta" : "x y";
+  const std::string columns = card.key_has_word("SYSTEM", "CYL") ? "r theta" : "x y";
   grammar::BulkRowFormat form;
   form.columns = static_cast<std::size_t>(card.integer_value("DIM"));
   form.missing = form.columns == 3 ? fmt::format("a line is id {} z; DIM=2 has no z", columns)
@@ -60,7 +60,7 @@ grammar::BulkRowFormat coordinate_form(const CheckedCard& card) {
 }
 
 void coordinates(DeckContext& c, const CheckedCard& card) {
-  const bool polar = card.has_word("SYSTEM", "CYL");
+  const bool polar = card.key_has_word("SYSTEM", "CYL");
   const grammar::BulkRowFormat form = coordinate_form(card);
   LabelMap& labels = c.node_labels[card.net_id.index()];
   model::Mesh& mesh = c.model.mesh;
@@ -177,7 +177,7 @@ void generate(DeckContext& c, const CheckedCard& card) {
   if (times > 1) {
     c.remeshed.insert(card.net);
   }
-  if (card.has_word("SHAPE", "BLOCK")) {
+  if (card.key_has_word("SHAPE", "BLOCK")) {
     mesh::BlockSpec spec;
     spec.type = type;
     spec.origin = {card.number_value("X0"), card.number_value("Y0"), card.number_value("Z0")};
@@ -187,7 +187,7 @@ void generate(DeckContext& c, const CheckedCard& card) {
     spec.nz = times * card.integer_value("NZ");
     spec.bias = card.number_value("BIAS");
     block_generators.at(base::element_info(type).dim)(mesh, card.net_id, prefix, spec);
-  } else if (card.has_word("SHAPE", "RING")) {
+  } else if (card.key_has_word("SHAPE", "RING")) {
     mesh::RingSpec spec;
     spec.type = type;
     spec.x0 = card.number_value("X0");
@@ -217,7 +217,7 @@ void generate(DeckContext& c, const CheckedCard& card) {
 // Sizes that only together make a shape.
 bool sizes_fit(DeckContext& c, const CheckedCard& card) {
   const DimensionRules& rules = dimension_rules.at(base::element_info(type_of(card)).dim);
-  if (!rules.mesh_shape.empty() && !card.has_word("SHAPE", rules.mesh_shape)) {
+  if (!rules.mesh_shape.empty() && !card.key_has_word("SHAPE", rules.mesh_shape)) {
     c.error(card.find("TYPE")->span, "E110",
             fmt::format("{} is for SHAPE={} only", card.word_value("TYPE"), rules.mesh_shape));
     return false;
@@ -231,7 +231,7 @@ bool sizes_fit(DeckContext& c, const CheckedCard& card) {
   const auto wrong = [&](std::string_view key, std::string text) {
     c.error(card.find(key)->span, "E109", std::move(text));
   };
-  if (card.has_word("SHAPE", "RING")) {
+  if (card.key_has_word("SHAPE", "RING")) {
     const double turn = card.number_value("T1") - card.number_value("T0");
     if (card.number_value("RO") <= card.number_value("RI")) {
       wrong("RO", "RO: the outer radius is larger than RI");
@@ -239,7 +239,7 @@ bool sizes_fit(DeckContext& c, const CheckedCard& card) {
     if (turn <= 0.0 || turn > 2.0 * std::acos(-1.0) * (1.0 + 1e-12)) {
       wrong("T1", "T1: the ring goes from T0 to a larger T1, at most once round");
     }
-  } else if (card.has_word("SHAPE", "LUG")) {
+  } else if (card.key_has_word("SHAPE", "LUG")) {
     const double radius = card.number_value("RI");
     if (radius <= 0.0) {
       wrong("RI", "RI: a lug has a bore");

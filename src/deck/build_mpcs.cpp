@@ -135,7 +135,7 @@ void tie(DeckContext& c, const CheckedCard& card) {
             fmt::format("TYPE={} takes no data lines", card.word_value("TYPE")));
   }
   const auto slave = resolve_node_set(c, card.name_reference("SLAVE")).value_or(base::NodeSetId());
-  if (card.has_word("TYPE", "RIGID")) {
+  if (card.key_has_word("TYPE", "RIGID")) {
     c.model.mpcs.emplace_back(model::RigidTie{slave, card.span});
     return;
   }
@@ -148,7 +148,7 @@ void tie(DeckContext& c, const CheckedCard& card) {
 
 void build_mpcs(DeckContext& context) {
   context.for_each_sound_card("MPC", [&](const CheckedCard& card) {
-    if (card.has_word("TYPE", "EQUATION")) {
+    if (card.key_has_word("TYPE", "EQUATION")) {
       context.model.mpcs.emplace_back(EquationReader(context, card).run());
     } else {
       tie(context, card);

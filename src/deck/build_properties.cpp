@@ -86,9 +86,9 @@ void freedom(DeckContext& c, const CheckedCard& card) {
   }
   const std::string_view dof = card.word_value("DOF");
   model::FreedomAssignment freedom;
-  freedom.cls = card.has_word("CLASS", "SUPPRESSED")   ? model::FreedomRole::suppressed
-                : card.has_word("CLASS", "PRESCRIBED") ? model::FreedomRole::prescribed
-                                                       : model::FreedomRole::external;
+  freedom.cls = card.key_has_word("CLASS", "SUPPRESSED")   ? model::FreedomRole::suppressed
+                : card.key_has_word("CLASS", "PRESCRIBED") ? model::FreedomRole::prescribed
+                                                           : model::FreedomRole::external;
   freedom.dof = {dof.find('X') != std::string_view::npos, dof.find('Y') != std::string_view::npos,
                  dof.find('Z') != std::string_view::npos};
   freedom.nodes = base::NodeSetId(c.model.mesh.node_sets.size());
@@ -103,7 +103,7 @@ void freedom(DeckContext& c, const CheckedCard& card) {
 void symmetry(DeckContext& c, const CheckedCard& card) {
   model::MirrorPlane plane;
   plane.axis = card.word_value("NORMAL").front() - 'X';
-  plane.above = card.has_word("KEEP", "ABOVE");
+  plane.above = card.key_has_word("KEEP", "ABOVE");
   plane.span = card.span;
   const base::SourceSpan at = card.find("NORMAL")->span;
   if (plane.axis == 2 && c.is_certainly_plane()) {

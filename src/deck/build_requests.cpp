@@ -69,9 +69,9 @@ std::string why_not(const DeckContext& c, const model::OutputFileRequest& output
 void output(DeckContext& c, const CheckedCard& card) {
   model::OutputFileRequest output;
   output.file = card.word_value("FILE");
-  output.format = card.has_word("FORMAT", "VTU")   ? model::OutputFormat::vtu
-                  : card.has_word("FORMAT", "CSV") ? model::OutputFormat::csv
-                                                   : model::OutputFormat::json;
+  output.format = card.key_has_word("FORMAT", "VTU")   ? model::OutputFormat::vtu
+                  : card.key_has_word("FORMAT", "CSV") ? model::OutputFormat::csv
+                                                       : model::OutputFormat::json;
   const std::string name =
       std::filesystem::path(output.file).lexically_normal().filename().string();
   const std::string why = card.bad ? std::string() : why_not(c, output, name);
@@ -81,9 +81,9 @@ void output(DeckContext& c, const CheckedCard& card) {
   } else {
     output.file = name;
   }
-  output.every = card.has_word("EVERY", "STEP")        ? model::OutputFrequency::step
-                 : card.has_word("EVERY", "INCREMENT") ? model::OutputFrequency::increment
-                                                       : model::OutputFrequency::end;
+  output.every = card.key_has_word("EVERY", "STEP")        ? model::OutputFrequency::step
+                 : card.key_has_word("EVERY", "INCREMENT") ? model::OutputFrequency::increment
+                                                           : model::OutputFrequency::end;
   output.span = card.span;
   for (const grammar::DataRow& row : card.rows) {
     const auto* const it = std::ranges::find_if(requests, [&](const Request& r) {

@@ -126,7 +126,7 @@ bool has_whole_place(DeckContext& c, const CheckedCard& card) {
 
 void drawn_front(DeckContext& c, const CheckedCard& card, model::CrackDefinition& crack) {
   crack.kind = model::CrackDefinitionKind::drawn;
-  crack.plane.closed = card.has_word("CLOSED", "YES");
+  crack.plane.closed = card.key_has_word("CLOSED", "YES");
   for (const char* key : {"X1", "X2"}) {
     if (card.has_key(key)) {
       c.error(card.find(key)->span, "E110",

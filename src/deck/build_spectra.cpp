@@ -22,7 +22,7 @@ public:
 
   void read() {
     spectrum_.name = card_.word_value("NAME");
-    spectrum_.sequence = card_.has_word("TYPE", "SEQUENCE");
+    spectrum_.sequence = card_.key_has_word("TYPE", "SEQUENCE");
     spectrum_.span = card_.span;
     const NameDefinition* path =
         find_referenced_definition(c_, EntityKind::path, card_.name_reference("PATH"));

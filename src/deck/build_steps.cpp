@@ -187,7 +187,7 @@ void stops(const CheckedCard& card, double tolerance, model::CrackGrowthSettings
   growth.cycles = card.optional_number("CYCLES");
   growth.tolerance = card.optional_number("TOL").value_or(tolerance);
   growth.flow_stress = card.optional_number("SFLOW");
-  growth.corrected = card.has_word("CORRECT", "YES");
+  growth.corrected = card.key_has_word("CORRECT", "YES");
 }
 
 void law(DeckContext& c, const CheckedCard& card, model::CrackGrowthSettings& growth) {
@@ -226,9 +226,9 @@ void cycles_of(DeckContext& c, const CheckedCard& card, model::CrackGrowthSettin
 void grow(DeckContext& c, const CheckedCard& card) {
   model::CrackGrowthSettings growth;
   growth.law = law_of(card.word_value("LAW"));
-  growth.direction = card.has_word("DIRECTION", "HOOP")     ? model::GrowthDirection::hoop
-                     : card.has_word("DIRECTION", "K2ZERO") ? model::GrowthDirection::k2_zero
-                                                            : model::GrowthDirection::path;
+  growth.direction = card.key_has_word("DIRECTION", "HOOP")     ? model::GrowthDirection::hoop
+                     : card.key_has_word("DIRECTION", "K2ZERO") ? model::GrowthDirection::k2_zero
+                                                                : model::GrowthDirection::path;
   if (card.has_key("CRACKS")) {
     for (const NameReference& name : card.find("CRACKS")->names) {
       if (const NameDefinition* found = find_referenced_definition(c, EntityKind::crack, name)) {
@@ -236,15 +236,15 @@ void grow(DeckContext& c, const CheckedCard& card) {
       }
     }
   }
-  growth.history = card.has_word("HISTORY", "CONTINUE") ? model::SlipHistoryOverGrowth::carry_on
-                                                        : model::SlipHistoryOverGrowth::restart;
+  growth.history = card.key_has_word("HISTORY", "CONTINUE") ? model::SlipHistoryOverGrowth::carry_on
+                                                            : model::SlipHistoryOverGrowth::restart;
   // a part that keeps what it has slipped keeps what it was mounted with
-  growth.mounted =
-      card.has_word("MOUNTED", "FIRST") || growth.history == model::SlipHistoryOverGrowth::carry_on
-          ? model::ContactMountingPolicy::first
-          : model::ContactMountingPolicy::each;
-  growth.shape = card.has_word("SHAPE", "ELLIPSE") ? model::FrontShapeRule::ellipse
-                                                   : model::FrontShapeRule::free;
+  growth.mounted = card.key_has_word("MOUNTED", "FIRST") ||
+                           growth.history == model::SlipHistoryOverGrowth::carry_on
+                       ? model::ContactMountingPolicy::first
+                       : model::ContactMountingPolicy::each;
+  growth.shape = card.key_has_word("SHAPE", "ELLIPSE") ? model::FrontShapeRule::ellipse
+                                                       : model::FrontShapeRule::free;
   growth.span = card.span;
   cycles_of(c, card, growth);
   law(c, card, growth);

@@ -27,15 +27,15 @@ public:
 
   void read() {
     test_.name = card_.word_value("NAME");
-    test_.method = card_.has_word("METHOD", "SECANT")   ? model::TestRateMethod::secant
-                   : card_.has_word("METHOD", "E647")   ? model::TestRateMethod::e647
-                   : card_.has_word("METHOD", "SPLINE") ? model::TestRateMethod::spline
-                                                        : model::TestRateMethod::polynomial;
+    test_.method = card_.key_has_word("METHOD", "SECANT")   ? model::TestRateMethod::secant
+                   : card_.key_has_word("METHOD", "E647")   ? model::TestRateMethod::e647
+                   : card_.key_has_word("METHOD", "SPLINE") ? model::TestRateMethod::spline
+                                                            : model::TestRateMethod::polynomial;
     test_.window = card_.integer_value("POINTS");
     test_.ratio = card_.optional_number("RATIO");
     test_.reference.k_unit = c_.key_unit_factor(card_, "KUNIT");
     test_.reference.a_unit = c_.key_unit_factor(card_, "AUNIT");
-    test_.on_c = card_.has_word("AXIS", "C");
+    test_.on_c = card_.key_has_word("AXIS", "C");
     test_.span = card_.span;
     if (const NameDefinition* crack =
             find_referenced_definition(c_, EntityKind::crack, card_.name_reference("CRACK"));

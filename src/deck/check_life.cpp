@@ -96,7 +96,7 @@ void exchanged_steps(DeckContext& c, const CheckedCard& card,
     apart = std::max(apart, std::abs(high[i] - r * low[i]));
   }
   if (r >= 0.0 && r < 1.0 && apart <= 1e-12 * std::sqrt(square)) {
-    c.error(card.key_span("KMAX"), "E453",
+    c.error(card.value_span("KMAX"), "E453",
             fmt::format("the loads at KMAX are {:.4g} times those at KMIN: nothing could grow", r),
             "KMAX names the step with the largest K, KMIN that with the smallest");
   }
@@ -106,27 +106,27 @@ void odd_constants(DeckContext& c, const CheckedCard& card) {
   const model::CrackGrowthSettings& growth = *c.model.growth;
   const model::GrowthLawConstants& law = growth.constants;
   if (law.k_c && *law.k_c <= law.threshold) {
-    c.error(card.key_span("KC"), "E454",
+    c.error(card.value_span("KC"), "E454",
             fmt::format("KC = {:.4g} is not above DKTH = {:.4g} (in KUNIT): nothing could grow",
                         *law.k_c / law.k_unit, law.threshold / law.k_unit),
             "numbers without a unit are in KUNIT");
   }
   if (growth.law == model::CrackGrowthLaw::walker && (law.p < 0.0 || law.p > 1.0)) {
     c.warning(
-        card.key_span("P"), "W455",
+        card.value_span("P"), "W455",
         fmt::format("P = {:.4g} is not within 0 and 1: da/dN = C (delta K / (1-R)^(1-P))^M", law.p),
         "P = 1 is Paris' law, P = 0 knows K_max alone, metals have 0.3 to 0.8; other books write "
         "(1-R)^P or M*(1-P) as the exponent");
   }
   if (growth.law == model::CrackGrowthLaw::nasgro && (law.p < 0.0 || law.q < 0.0)) {
-    c.warning(card.key_span(law.p < 0.0 ? "P" : "Q"), "W455",
+    c.warning(card.value_span(law.p < 0.0 ? "P" : "Q"), "W455",
               "a negative P or Q makes the law slower towards KC, or faster towards "
               "DKTH",
               "P and Q of NASGRO are 0 to 1");
   }
   const bool has_M = growth.law != model::CrackGrowthLaw::table;
   if (has_M && (law.m < 1.0 || law.m > 15.0)) {
-    c.warning(card.key_span("M"), "W455",
+    c.warning(card.value_span("M"), "W455",
               fmt::format("M = {:.4g}: exponents of growth laws are 2 to 5", law.m),
               law.C > 1.0 ? "are C and M exchanged?" : "");
   }

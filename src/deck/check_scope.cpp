@@ -130,7 +130,7 @@ void cracks_in_reach(DeckContext& c) {
 void loads_in_reach(DeckContext& c) {
   const bool axial = model::axisymmetric(c.model);
   c.for_each_sound_card("LOAD", [&](const CheckedCard& card) {
-    if (card.has_word("TYPE", "BEARING") && axial) {
+    if (card.key_has_word("TYPE", "BEARING") && axial) {
       c.error(card.span, "E313",
               "TYPE=BEARING pushes to one side: it means nothing with STATE=AXI");
     }

@@ -94,7 +94,7 @@ private:
           fmt::format("contact {} pairs {} that contact {} in line {} pairs already ({}): "
                       "displacements and K are those of one, how the two share the pressure is "
                       "left open",
-                      second.name, count_of(faces), first.name, c_.line_of(first.span),
+                      second.name, count_of(faces), first.name, c_.line_number(first.span),
                       surfaces_of(first)),
           "take one of them away");
     } else if (faces > 0) {
@@ -102,7 +102,7 @@ private:
       c_.error(second.span, "E351",
                fmt::format("contact {} pairs {} that contact {} in line {} pairs already "
                            "({}){}",
-                           second.name, count_of(faces), first.name, c_.line_of(first.span),
+                           second.name, count_of(faces), first.name, c_.line_number(first.span),
                            surfaces_of(first), types ? ": one bonds what the other lets part" : ""),
                "take one of them away; for one after the other DISMOUNT the first in the step that "
                "says MOUNT for the second");
@@ -112,7 +112,7 @@ private:
   void say_tied(const model::Contact& contact, base::SourceSpan tie, std::size_t faces) {
     c_.error(contact.span, "E352",
              fmt::format("contact {} pairs {} that the $MPC in line {} ties already ({})",
-                         contact.name, count_of(faces), c_.line_of(tie), surfaces_of(contact)),
+                         contact.name, count_of(faces), c_.line_number(tie), surfaces_of(contact)),
              "tied surfaces cannot press or part: take the $CONTACT away, or the $MPC");
   }
 
@@ -170,8 +170,8 @@ private:
       spans.emplace(high, tie->span);
     }
     for (std::size_t i = 0; i < pairs_.size() && !ties.empty(); ++i) {
-      const std::set<base::NodeId> one = corners_of(mesh_, pairs_[i].one);
-      const std::set<base::NodeId> two = corners_of(mesh_, pairs_[i].two);
+      const std::set<base::NodeId> one = face_corner_nodes(mesh_, pairs_[i].one);
+      const std::set<base::NodeId> two = face_corner_nodes(mesh_, pairs_[i].two);
       std::set<base::NodeId> tied;
       for (const auto& [nodes, dofs] : ties) {
         const bool across = (one.contains(nodes.first) && two.contains(nodes.second)) ||

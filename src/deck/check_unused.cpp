@@ -73,7 +73,7 @@ void doubled_loads(DeckContext& c) {
       if (first != last && !none && !reported && first->span.begin != loads[i].span.begin) {
         c.warning(loads[i].span, "W358",
                   fmt::format("case {} has this load twice, first in line {}: it acts twice",
-                              load_case.name, c.line_of(first->span)),
+                              load_case.name, c.line_number(first->span)),
                   "lines of one case add up; take one of them away, or write twice the load");
       }
     }

@@ -56,7 +56,7 @@ void odd_flow_stress(DeckContext& c, const CheckedCard& card) {
   const std::optional<double>& flow = c.model.growth->flow_stress;
   if (flow && *flow > most * stiffest) {
     c.warning(
-        card.key_span("SFLOW"), "W360",
+        card.value_span("SFLOW"), "W360",
         fmt::format("SFLOW = {:.4g} {} is {:.3g} times the largest modulus: it would never end a "
                     "growth",
                     *flow, c.model.units.stress_name(), *flow / stiffest),
@@ -77,7 +77,7 @@ void odd_toughness(DeckContext& c, const CheckedCard& card) {
   const double bound = stiffest * std::sqrt(most / c.model.units.metre_per_length);
   if (*k_c > bound) {
     c.warning(
-        card.key_span("KC"), "W371",
+        card.value_span("KC"), "W371",
         fmt::format("KC = {:.4g} {}: no material of such a modulus is tougher than {:.2g}, so that "
                     "it would never end a growth",
                     *k_c, c.model.units.stress_intensity_name(), bound),

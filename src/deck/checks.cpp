@@ -201,7 +201,7 @@ private:
     if (!c_.mesh_sound) {
       return true;
     }
-    const DimensionRules& other = other_rules(c_.model.mesh.dim);
+    const DimensionRules& other = other_dimension_rules(c_.model.mesh.dim);
     if (!is_of_these_cracks(spec.name, quantity)) {
       return false;
     }
@@ -232,9 +232,10 @@ private:
     if (!of_crack || rules.ends_in_fronts == front) {
       return true;
     }
-    c_.error(quantity.span, "E313",
-             fmt::format("{} is of a crack in {}", name, other_rules(c_.model.mesh.dim).where),
-             fmt::format(fmt::runtime(rules.crack_results), of == "K" ? rules.mode_one : of));
+    c_.error(
+        quantity.span, "E313",
+        fmt::format("{} is of a crack in {}", name, other_dimension_rules(c_.model.mesh.dim).where),
+        fmt::format(fmt::runtime(rules.crack_results), of == "K" ? rules.mode_one : of));
     return false;
   }
 

@@ -17,7 +17,7 @@ void DeckContext::report_duplicate_name(const NameDefinition& second, std::strin
                                         const NameDefinition& first) {
   error(second.span, "E302",
         fmt::format("{} {} is defined twice", grammar::display_name(second.kind), name),
-        fmt::format("first in line {}", line_of(first.span)));
+        fmt::format("first in line {}", line_number(first.span)));
 }
 
 bool DeckContext::has_bad_card(std::string_view name) const {

@@ -79,7 +79,7 @@ struct DeckContext {
   /// One unit of a key, as KUNIT, in those of the deck; 1 where it is not given.
   [[nodiscard]] double key_unit_factor(const CheckedCard& card, std::string_view key) const;
   /// The line of its file, from 1, that a place begins in.
-  [[nodiscard]] std::size_t line_of(base::SourceSpan span) const {
+  [[nodiscard]] std::size_t line_number(base::SourceSpan span) const {
     return sources.locate(span.file, span.begin).line;
   }
   /// The first card of a name; null: the deck has none.

@@ -44,7 +44,7 @@ template <class Change> void change_file_names(DeckCard& card, const Change& cha
     const std::string* value = reads_file(card.name) ? card.find(key) : nullptr;
     if (value != nullptr && is_text(*value)) {
       const fs::path file = change(fs::path(without_quotes(*value)));
-      card.set(key, "'" + file.string() + "'");
+      card.set_key(key, "'" + file.string() + "'");
     }
   }
 }
@@ -106,7 +106,7 @@ std::string DeckCard::word_value(std::string_view key) const {
   return value == nullptr ? std::string() : grammar::to_upper(without_quotes(*value));
 }
 
-void DeckCard::set(std::string_view key, std::string value) {
+void DeckCard::set_key(std::string_view key, std::string value) {
   const auto found = std::ranges::find(keys, key, &std::pair<std::string, std::string>::first);
   if (found == keys.end()) {
     keys.emplace_back(key, std::move(value));
@@ -146,8 +146,8 @@ std::optional<DeckCardList> read_deck_card_list(const fs::path& deck, base::Sour
   return text;
 }
 
-std::string write_deck(DeckCardList text, const fs::path& folder,
-                       const std::vector<std::string>& head) {
+std::string format_deck_card_list(DeckCardList text, const fs::path& folder,
+                                  const std::vector<std::string>& head) {
   std::string out;
   for (const std::string& line : head) {
     out += line.empty() ? "!\n" : "! " + line + "\n";

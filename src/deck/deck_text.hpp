@@ -31,7 +31,7 @@ struct DeckCard {
   /// The value of a key in upper case, quotes taken off; empty without it.
   [[nodiscard]] std::string word_value(std::string_view key) const;
   /// Gives a key a value, in its place or behind the others.
-  void set(std::string_view key, std::string value);
+  void set_key(std::string_view key, std::string value);
   /// Takes a key and its value off the card, if it has it.
   void erase(std::string_view key);
 };
@@ -47,8 +47,8 @@ std::optional<DeckCardList> read_deck_card_list(const std::filesystem::path& dec
 
 /// The deck in canonical layout, to stand in `folder`: names of files that cards read count from
 /// there. `head` are comment lines without their !, in front of the first card.
-std::string write_deck(DeckCardList text, const std::filesystem::path& folder,
-                       const std::vector<std::string>& head = {});
+std::string format_deck_card_list(DeckCardList text, const std::filesystem::path& folder,
+                                  const std::vector<std::string>& head = {});
 
 /// A new card; `data` is empty or ended by a newline.
 DeckCard make_card(std::string name, std::vector<std::pair<std::string, std::string>> keys = {},

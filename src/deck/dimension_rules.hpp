@@ -75,7 +75,7 @@ inline constexpr base::ByDimension<DimensionRules> dimension_rules{
      .mode_one = "K1"}};
 
 /// What models of the other dimension have.
-constexpr const DimensionRules& other_rules(int dim) {
+constexpr const DimensionRules& other_dimension_rules(int dim) {
   return dimension_rules.at(5 - dim);
 }
 

@@ -106,7 +106,7 @@ Faces faces_with_all_corners_in(const model::Mesh& mesh, const Faces& faces,
   return within;
 }
 
-std::set<base::NodeId> corners_of(const model::Mesh& mesh, const Faces& faces) {
+std::set<base::NodeId> face_corner_nodes(const model::Mesh& mesh, const Faces& faces) {
   std::set<base::NodeId> nodes;
   for (const SideCorners& side : sides_of(mesh, faces)) {
     nodes.insert(side.nodes.begin(), side.nodes.end());

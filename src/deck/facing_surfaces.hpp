@@ -24,7 +24,7 @@ Faces common_faces(const Faces& a, const Faces& b);
 Faces faces_with_all_corners_in(const model::Mesh& mesh, const Faces& faces,
                                 const std::set<base::NodeId>& nodes);
 /// The corners of all faces.
-std::set<base::NodeId> corners_of(const model::Mesh& mesh, const Faces& faces);
+std::set<base::NodeId> face_corner_nodes(const model::Mesh& mesh, const Faces& faces);
 
 /// How many faces of one pair lie opposite the same faces in another as well: of the faces that
 /// both have, those whose nearest partner of either pair belongs to both.

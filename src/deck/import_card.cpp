@@ -53,10 +53,10 @@ void import_mesh_file(DeckContext& c, const CheckedCard& card) {
   request.file = std::filesystem::path(c.sources.file_name(card.span.file)).parent_path() /
                  std::string(card.word_value("FILE"));
   request.format =
-      card.has_word("FORMAT", "GEO") ? mesh::ImportFormat::geo : mesh::ImportFormat::msh;
+      card.key_has_word("FORMAT", "GEO") ? mesh::ImportFormat::geo : mesh::ImportFormat::msh;
   request.scale = card.number_value("SCALE");
-  request.quadratic = card.has_word("TYPE", "QUADRATIC");
-  request.skip_loads = card.has_word("SKIP", "LOADS");
+  request.quadratic = card.key_has_word("TYPE", "QUADRATIC");
+  request.skip_loads = card.key_has_word("SKIP", "LOADS");
   request.prefix = card.net.empty() ? "" : card.net + ".";
   request.net = card.net_id;
   request.parameters = c.parameters;
@@ -81,7 +81,7 @@ void import_mesh_file(DeckContext& c, const CheckedCard& card) {
                                      : std::string(c.sources.text(row.fields[0].span)),
                                  row.fields[1].text);
   }
-  if (request.skip_loads && !card.has_word("FORMAT", "INP")) {
+  if (request.skip_loads && !card.key_has_word("FORMAT", "INP")) {
     c.error(card.find("SKIP")->span, "E110", "SKIP=LOADS is for FORMAT=INP",
             "meshes of gmsh hold no loads");
     return;
@@ -91,9 +91,9 @@ void import_mesh_file(DeckContext& c, const CheckedCard& card) {
   if (!std::filesystem::is_regular_file(request.file, unknown)) {
     c.error(card.find("FILE")->span, "E308",
             fmt::format("there is no file '{}'", request.file.string()));
-  } else if (!card.has_word("FORMAT", "INP") && took_too_long(c)) {
+  } else if (!card.key_has_word("FORMAT", "INP") && took_too_long(c)) {
     return; // one file has taken all the time there is: the others wait until it is mended
-  } else if (!card.has_word("FORMAT", "INP")) {
+  } else if (!card.key_has_word("FORMAT", "INP")) {
     std::vector<mesh::GeometryScriptConstant> constants =
         mesh::import_gmsh_mesh_or_script(c.model.mesh, request, c.diagnostics);
     if (request.format == mesh::ImportFormat::geo) {

@@ -35,7 +35,7 @@ double nodes_per_cell(const base::ElementInfo& info) {
 
 // Cells of the generator's grid: at least as many as it will make.
 double cells_of(const CheckedCard& card, const base::ElementInfo& info) {
-  if (card.has_word("SHAPE", "BLOCK")) {
+  if (card.key_has_word("SHAPE", "BLOCK")) {
     double cells = 1.0;
     for (int axis = 0; axis < info.dim; ++axis) {
       cells *= card.number_value(std::string{'N', "XYZ"[axis]});
@@ -44,11 +44,11 @@ double cells_of(const CheckedCard& card, const base::ElementInfo& info) {
   }
   const double round = std::max(card.number_value("NT"), 8.0);
   double cells = card.number_value("NR") * round;
-  if (card.has_word("SHAPE", "RING") && card.number_value("RI") == 0.0) {
+  if (card.key_has_word("SHAPE", "RING") && card.number_value("RI") == 0.0) {
     cells += 0.25 * round * round; // the core of a disc
   }
-  if (card.has_word("SHAPE",
-                    "LUG")) { // the shank, in squares as wide as those at the back of the eye
+  if (card.key_has_word("SHAPE",
+                        "LUG")) { // the shank, in squares as wide as those at the back of the eye
     const double across = 0.25 * round + 1.0;
     cells += across * (across * card.number_value("L") / card.number_value("W") + 1.0);
   }
@@ -64,9 +64,9 @@ bool check_requested_mesh_size(DeckContext& context, const CheckedCard& card) {
   const auto present = static_cast<double>(context.model.mesh.nodes.size());
   const double room = static_cast<double>(context.largest_mesh) - present;
   if (!(elements * info.nodes <= room)) {
-    const std::string_view hint = card.has_word("SHAPE", "BLOCK") ? "see NX, NY and NZ"
-                                  : card.has_word("SHAPE", "LUG") ? "see NR, NT and L over W"
-                                                                  : "see NR and NT";
+    const std::string_view hint = card.key_has_word("SHAPE", "BLOCK") ? "see NX, NY and NZ"
+                                  : card.key_has_word("SHAPE", "LUG") ? "see NR, NT and L over W"
+                                                                      : "see NR and NT";
     context.error(card.span, "E321",
                   fmt::format("about {:.3g} elements of type {} are too many, there is room for "
                               "{:.3g}",

@@ -106,7 +106,8 @@ std::string NameTable::describe_other_kind(const std::vector<EntityKind>& kinds,
   return {};
 }
 
-std::string NameTable::hint(const std::vector<EntityKind>& kinds, const std::string& name) const {
+std::string NameTable::similar_name_hint(const std::vector<EntityKind>& kinds,
+                                         const std::string& name) const {
   std::vector<std::string> valid;
   std::vector<std::string> same_word;
   for (const auto& [key, definition] : table_) {

@@ -52,8 +52,8 @@ public:
   [[nodiscard]] bool is_poisoned(const std::vector<EntityKind>& kinds, const std::string& name,
                                  const std::string& net) const;
   /// "did you mean ..": the nearest name, or one of another net with the same last part.
-  [[nodiscard]] std::string hint(const std::vector<EntityKind>& kinds,
-                                 const std::string& name) const;
+  [[nodiscard]] std::string similar_name_hint(const std::vector<EntityKind>& kinds,
+                                              const std::string& name) const;
 
   /// "'PLATE' is an element set" where the name stands for something of another kind.
   [[nodiscard]] std::string describe_other_kind(const std::vector<EntityKind>& kinds,

@@ -138,7 +138,7 @@ base::OptionalFailure set_card_keys(const std::string& header, DeckCardList& tex
       }
     }
     if (name != key) {
-      card.set(name, value);
+      card.set_key(name, value);
     }
   }
   return {};
@@ -170,7 +170,7 @@ base::OptionalFailure set_parameter(const std::string& line, DeckCardList& text)
 }
 
 void comment_out_card(DeckCardList& text, std::size_t card) {
-  const std::string lines = deck::write_deck({text[card]}, ".");
+  const std::string lines = deck::format_deck_card_list({text[card]}, ".");
   for (std::size_t at = 0; at < lines.size();) {
     const std::size_t end = std::min(lines.find('\n', at), lines.size() - 1);
     text[card - 1].data += "! " + lines.substr(at, end + 1 - at);
@@ -236,9 +236,9 @@ void append_steps(const model::Model& model, const std::vector<model::Step>& ste
   for (std::size_t s = 0; s < steps.size(); ++s) {
     DeckCard card;
     card.name = "STEP";
-    card.set("NAME", free_name(model, steps.size() - 1 - s));
+    card.set_key("NAME", free_name(model, steps.size() - 1 - s));
     if (steps[s].substeps > 1) {
-      card.set("SUBSTEPS", std::to_string(steps[s].substeps));
+      card.set_key("SUBSTEPS", std::to_string(steps[s].substeps));
     }
     for (const model::StepAction& action : steps[s].actions) {
       add_row(card, action);

@@ -310,7 +310,7 @@ std::string cards_reply(const ShellSession& session, const std::string& name) {
   deck::DeckCardList text = *session.changes().text;
   append_steps(session.model(), session.changes().applied, text);
   std::erase_if(text, [&](const deck::DeckCard& card) { return card.name != name; });
-  return deck::write_deck(std::move(text), ".");
+  return deck::format_deck_card_list(std::move(text), ".");
 }
 
 } // namespace spricka::program

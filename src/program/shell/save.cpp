@@ -21,10 +21,10 @@ void set_grown_lengths(const model::Model& model, deck::DeckCardList& text) {
   for (const model::CrackDefinition& crack : model.cracks) {
     deck::DeckCard* const card = find_card_with_key_value(text, "CRACK", "NAME", crack.name);
     if (crack.kind == model::CrackDefinitionKind::ellipse) {
-      card->set("A", fmt::format("{}", crack.plane.a));
-      card->set("C", fmt::format("{}", crack.plane.c));
+      card->set_key("A", fmt::format("{}", crack.plane.a));
+      card->set_key("C", fmt::format("{}", crack.plane.c));
     } else if (crack.a0) {
-      card->set("A0", fmt::format("{}", *crack.a0));
+      card->set_key("A0", fmt::format("{}", *crack.a0));
     }
   }
 }
@@ -91,7 +91,7 @@ base::OptionalFailure make_saved_deck_text(const ShellSession& session,
       ++i;
     }
   }
-  text = deck::write_deck(std::move(cards), folder);
+  text = deck::format_deck_card_list(std::move(cards), folder);
   return {};
 }
 

@@ -40,7 +40,7 @@ base::OptionalFailure ShellSession::read_again(SessionDeckChanges to) {
   deck::DeckReadOptions options;
   if (changed) {
     options.own_lengths = to.cracks;
-    options.text = deck::write_deck(*to.text, files_.front().parent_path() / ".");
+    options.text = deck::format_deck_card_list(*to.text, files_.front().parent_path() / ".");
   } else {
     options.defines = options_.defines;
   }

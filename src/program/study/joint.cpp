@@ -268,13 +268,13 @@ private:
     for (DeckCard& card : cards_named(text, "PROPERTY")) {
       if (stiff.contains(net_prefix(*card.find("ESET")))) {
         made.insert(card.word_value("MATERIAL"));
-        card.set("MATERIAL", card.word_value("MATERIAL") + "_RIGID");
+        card.set_key("MATERIAL", card.word_value("MATERIAL") + "_RIGID");
       }
     }
     for (const std::string& name : made) {
       DeckCard card = *find_card_with_key_value(text, "MATERIAL", "NAME", name);
-      card.set("NAME", name + "_RIGID");
-      card.set("E", fmt::format("({}*{})", times, *card.find("E")));
+      card.set_key("NAME", name + "_RIGID");
+      card.set_key("E", fmt::format("({}*{})", times, *card.find("E")));
       append_card(text, std::move(card));
     }
     return !made.empty();
@@ -308,8 +308,8 @@ private:
     }
     const std::string other = *card->find(slave ? "MASTER" : "SLAVE");
     DeckCard replaced = *card;
-    replaced.set("SLAVE", other);
-    replaced.set("MASTER", target);
+    replaced.set_key("SLAVE", other);
+    replaced.set_key("MASTER", target);
     replaced.erase("MULTIPLIER");
     remove_nets_with_dependents(text, {slave ? contact.slave_net : contact.master_net});
     append_card(text, *surface);

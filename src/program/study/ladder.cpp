@@ -187,15 +187,15 @@ void fill_folder(VariantRuns& runs, const ModelHierarchy& ladder) {
     if (result.variant.text) {
       runs.folder().add_file(
           result.variant.deck.filename(),
-          write_deck(*result.variant.text, runs.place(), {result.variant.words}));
+          format_deck_card_list(*result.variant.text, runs.place(), {result.variant.words}));
     }
   }
   if (ladder.cheapest) {
     const ModelVariantResult& cheapest = ladder.variants[*ladder.cheapest];
-    runs.folder().add_file(
-        "cheapest.deck",
-        write_deck(deck_with_checks(ladder, cheapest), runs.place(),
-                   {fmt::format("{}: {}", cheapest.variant.name, cheapest.variant.words)}));
+    runs.folder().add_file("cheapest.deck",
+                           format_deck_card_list(deck_with_checks(ladder, cheapest), runs.place(),
+                                                 {fmt::format("{}: {}", cheapest.variant.name,
+                                                              cheapest.variant.words)}));
   }
   runs.folder().add_file("ladder.csv", hierarchy_csv(ladder));
   runs.folder().add_file("ladder.html",

@@ -210,8 +210,8 @@ void multiply_counts(const StudiedDeck& deck, double fineness, deck::DeckCard& c
             : std::nullopt;
     if (count) {
       const double least = parameter.key == "NT" ? 3.0 : 1.0;
-      card.set(parameter.key,
-               fmt::format("{}", std::lround(std::max(least, std::round(*count * fineness)))));
+      card.set_key(parameter.key,
+                   fmt::format("{}", std::lround(std::max(least, std::round(*count * fineness)))));
     }
   }
 }
@@ -308,7 +308,7 @@ ParameterDefinitions merge_defines(ParameterDefinitions defines, const Parameter
 CheckedDeck read_trial_deck(const deck::DeckCardList& text, const ParameterDefinitions& defines,
                             const fs::path& folder) {
   const fs::path file = folder / "probe.deck";
-  report::write_file(file, write_deck(text, folder));
+  report::write_file(file, format_deck_card_list(text, folder));
   CheckedDeck ready = read_deck_silently(file, {.defines = defines});
   fs::remove(file);
   return ready;
@@ -323,7 +323,7 @@ void import_script_with_added_line(deck::DeckCard& card, const std::string& suff
   const fs::path file = file_of(card);
   const fs::path copy = folder / fmt::format("{}_{}.geo", file.stem().string(), suffix);
   report::write_file(copy, base::read_file(file, base::largest_mesh_file) + "\n" + line + "\n");
-  card.set("FILE", "'" + fs::absolute(copy).lexically_normal().string() + "'");
+  card.set_key("FILE", "'" + fs::absolute(copy).lexically_normal().string() + "'");
 }
 
 bool is_element_sizing_key(std::string_view key) {

@@ -52,7 +52,7 @@ DeckCardList with_net(DeckCardList text, const std::set<std::string>& contacts) 
     if (contacts.contains(card.word_value("NAME"))) {
       card.erase("INTERFERENCE");
       card.erase("DIAMETRAL");
-      card.set("GAP", "0");
+      card.set_key("GAP", "0");
     }
   }
   filter_step_actions(text, [&](const std::string& action, const std::string& contact) {
@@ -63,7 +63,7 @@ DeckCardList with_net(DeckCardList text, const std::set<std::string>& contacts) 
 
 DeckCardList with_bonds(DeckCardList text) {
   for (DeckCard& card : cards_named(text, "CONTACT")) {
-    card.set("TYPE", "BONDED");
+    card.set_key("TYPE", "BONDED");
     card.erase("MU");
   }
   return text;
@@ -140,7 +140,7 @@ private:
     variant.words = words;
     variant.simpler = variant.section || !name.starts_with("plane");
     if (variant.text) {
-      report::write_file(variant.deck, write_deck(*variant.text, folder_));
+      report::write_file(variant.deck, format_deck_card_list(*variant.text, folder_));
     }
   }
 
@@ -209,7 +209,7 @@ private:
     for (DeckCard& card : text) {
       const bool body = card.name == "PROPERTY";
       if ((body || card.name == "CRACK") && card.word_value("STATE") == from) {
-        card.set("STATE", to);
+        card.set_key("STATE", to);
         changed = changed || body;
       }
     }

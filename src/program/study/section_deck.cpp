@@ -101,9 +101,9 @@ private:
       return std::nullopt;
     }
     if (card.name == "PROPERTY") {
-      card.set("STATE", state_);
+      card.set_key("STATE", state_);
       if (!plane().round) {
-        card.set("THICK", format_twelve_digits(plane().depth()));
+        card.set_key("THICK", format_twelve_digits(plane().depth()));
       }
     } else if (card.name == "LOAD") {
       project_load_onto_section(card, plane(), made_.reason);

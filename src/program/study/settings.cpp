@@ -53,15 +53,15 @@ void make_tips_finer(DeckCardList& text, double fineness) {
   }
   set_tip_nets(text, [&](DeckCard& card) {
     const std::string* own = card.find("FINER");
-    card.set("FINER", own == nullptr ? fmt::format("{:.6g}", fineness)
-                                     : fmt::format("({}*{:.6g})", *own, fineness));
+    card.set_key("FINER", own == nullptr ? fmt::format("{:.6g}", fineness)
+                                         : fmt::format("({}*{:.6g})", *own, fineness));
   });
 }
 
 // An edit that gives every crack's $TIPNET a key.
 auto tip_key(const char* key, const std::string& value) {
   return [=](DeckCardList& text) {
-    set_tip_nets(text, [&](DeckCard& card) { card.set(key, value); });
+    set_tip_nets(text, [&](DeckCard& card) { card.set_key(key, value); });
   };
 }
 
@@ -76,7 +76,7 @@ bool make_linear(DeckCardList& text, const fs::path& folder) {
   for (DeckCard& card : text) {
     const auto linear_type = linear.find(card.word_value("TYPE"));
     if (card.name == "MESH" && linear_type != linear.end()) {
-      card.set("TYPE", linear_type->second);
+      card.set_key("TYPE", linear_type->second);
       changed = true;
     } else if (imports_geometry_script(card)) {
       import_script_with_added_line(card, "linear", "Mesh.ElementOrder = 1;", folder);
@@ -121,7 +121,7 @@ private:
   void add(const std::string& name, SettingFamily family, double fineness, const DeckCardList& text,
            const ParameterDefinitions& defines) {
     const fs::path deck = folder_ / fmt::format("{:02}.deck", settings_.size() + 1);
-    report::write_file(deck, write_deck(text, folder_, {name}));
+    report::write_file(deck, format_deck_card_list(text, folder_, {name}));
     settings_.push_back({.name = name,
                          .deck = deck,
                          .defines = merge_defines(deck_.defines, defines),
@@ -288,7 +288,7 @@ private:
       set_tip_nets(text, [](DeckCard& card) {
         card.erase("SECTORS");
         card.erase("JOIN");
-        card.set("TUBE", "NO");
+        card.set_key("TUBE", "NO");
       });
       add("TUBE=NO", SettingFamily::tube, 1.0, text, {});
     }

@@ -58,7 +58,7 @@ std::string far_field(int body, const char* sign) {
       body, sign, body == 1 ? " - a^2/rs" : "");
 }
 
-void write_deck(Balls& balls, unsigned seed, BallDice& dice) {
+void format_deck_card_list(Balls& balls, unsigned seed, BallDice& dice) {
   static constexpr std::array methods{1, 5, 6};
   std::string deck = "$DECK VERSION=1 LENGTH=mm FORCE=N\n$PARAMETER\n";
   for (int b = 1; b <= 2; ++b) {
@@ -117,7 +117,7 @@ Balls random_balls(unsigned seed) {
   }
   balls.modulus = 1.0 / balls.modulus;
   balls.radius = 1.0 / balls.radius;
-  write_deck(balls, seed, dice);
+  format_deck_card_list(balls, seed, dice);
   return balls;
 }
 

@@ -41,8 +41,8 @@ TEST(Bind, ValuesAndDefaults) {
   EXPECT_EQ(card.word_value("NAME"), "FIT");
   EXPECT_EQ(card.name_reference("SLAVE").name, "PIN.OUTER");
   EXPECT_EQ(card.number_value("DIAMETRAL"), 0.168);
-  EXPECT_TRUE(card.has_word("PAIRING", "NODE"));
-  EXPECT_TRUE(card.has_word("RECOVERY", "LUMPED"));
+  EXPECT_TRUE(card.key_has_word("PAIRING", "NODE"));
+  EXPECT_TRUE(card.key_has_word("RECOVERY", "LUMPED"));
   EXPECT_FALSE(card.has_key("RECOVERY"));
   EXPECT_FALSE(card.optional_number("GAP"));
   EXPECT_EQ(b.bind("$MESH SHAPE=RING TYPE=QUAM4 RI=1 RO=2").number_value("T1"),

@@ -43,9 +43,10 @@ TEST(NameTable, ASecondDefinitionDoesNotCount) {
 TEST(NameTable, HintsKnowOtherNets) {
   NameTable names;
   names.define("HUB.BODY", of(EntityKind::element_set, 0));
-  EXPECT_EQ(names.hint({EntityKind::element_set}, "BODY"), "did you mean 'HUB.BODY'?");
+  EXPECT_EQ(names.similar_name_hint({EntityKind::element_set}, "BODY"), "did you mean 'HUB.BODY'?");
   names.define("PIN.BODY", of(EntityKind::element_set, 1));
-  EXPECT_EQ(names.hint({EntityKind::element_set}, "BODY"), "one of: HUB.BODY, PIN.BODY");
+  EXPECT_EQ(names.similar_name_hint({EntityKind::element_set}, "BODY"),
+            "one of: HUB.BODY, PIN.BODY");
 }
 
 TEST(LabelMap, NearAndFarNumbers) {

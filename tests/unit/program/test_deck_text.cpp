@@ -37,7 +37,7 @@ protected:
   }
   fs::path written(const deck::DeckCardList& text) {
     fs::path file = folder_ / "written.deck";
-    std::ofstream(file) << deck::write_deck(text, folder_, {"a comment"});
+    std::ofstream(file) << deck::format_deck_card_list(text, folder_, {"a comment"});
     return file;
   }
   fs::path folder_;

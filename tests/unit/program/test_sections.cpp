@@ -57,7 +57,7 @@ program::DeckVariant section_of(const std::string& deck, const std::string& stat
 
 std::string written(const program::DeckVariant& section) {
   EXPECT_TRUE(section.text) << section.reason;
-  return deck::write_deck(section.text.value_or(deck::DeckCardList{}), "/");
+  return deck::format_deck_card_list(section.text.value_or(deck::DeckCardList{}), "/");
 }
 
 // Largest difference of displacements at nodes of one number, to the largest of the solid.
