@@ -128,7 +128,8 @@ CrackFaceWeights crack_face_weights(const TipContext& tip, const VirtualExtensio
               const base::Vec2 x = p.x + into_body * (p.x - tip.tip.x).norm() * inward;
               for (std::size_t mode = 1; mode <= 2; ++mode) {
                 at->second[mode - 1] -=
-                    weight * (auxiliary_field_gradient(tip, polar(tip.tip, x), mode) * tip.tip.e1);
+                    weight * (auxiliary_field_gradient(tip, polar_coordinates(tip.tip, x), mode) *
+                              tip.tip.e1);
               }
             });
   return weights;

@@ -88,20 +88,20 @@ private:
 // constant, and there the gradients of the shape functions of an element sum to zero.
 void add_tip_element_terms(const TipAuxiliaryFields& fields, const base::Vector& u,
                            InteractionConfigurationalForces<2>& out) {
-  const TipContext& set = fields.set();
+  const TipContext& set = fields.context();
   const std::vector<BodyForceField> body =
       body_force_fields(set.model, set.mesh, set.loads, LoadScaleScope::whole_set);
   const auto add = [&](base::ElementId e, bool strained) {
     const SectionHeat heat(set, e);
     ElementConfigurationalForces<TipAuxiliaryFields, SectionHeat>(fields, heat, body, e, u)
-        .add(strained, out);
+        .add_element_terms(strained, out);
   };
-  for (const base::ElementId e : fields.strained()) {
+  for (const base::ElementId e : fields.strained_elements()) {
     add(e, true);
   }
   // About an axis also elements that q moves as one come to other radii.
   if (set.loads.has_element_loads() || set.is_axisymmetric()) {
-    for (const base::ElementId e : fields.rigid()) {
+    for (const base::ElementId e : fields.rigid_elements()) {
       add(e, false);
     }
   }

@@ -47,14 +47,14 @@ public:
         elasticity_(source.elasticity(e)) {}
 
   /// Adds all terms; `strained`: the extension is not constant in the element.
-  void add(bool strained, InteractionConfigurationalForces<dim>& out) const {
+  void add_element_terms(bool strained, InteractionConfigurationalForces<dim>& out) const {
     OfNodes P;
     const auto nodes = static_cast<std::size_t>(element_.nodes);
     for (std::size_t n = 0; n < nodes; ++n) {
       P[n].fill(shape::Point<dim>::Zero());
     }
     std::size_t number = 0;
-    for (const auto& point : source_.rule(e_)) {
+    for (const auto& point : source_.element_quadrature(e_)) {
       add_point(point, number++, strained, P);
     }
     add_body_forces(P);
@@ -73,14 +73,14 @@ private:
       std::array<typename InteractionConfigurationalForces<dim>::OfNode, shape::most_nodes<dim>>;
   using Vector = shape::Point<dim>;
 
-  [[nodiscard]] const model::Mesh& mesh() const { return source_.set().mesh; }
+  [[nodiscard]] const model::Mesh& mesh() const { return source_.context().mesh; }
 
   void add_point(const shape::QuadraturePoint<dim>& point, std::size_t number, bool strained,
                  OfNodes& P) const {
     const fe::Jacobian<fe::AnyElement<dim>> at = fe::jacobian(element_, X_, point.r);
     const fe::NodeValues<fe::AnyElement<dim>> N = element_.N(point.r);
     const Vector x = X_ * N;
-    const double weight = point.weight * at.det * source_.set().relative_depth(x);
+    const double weight = point.weight * at.det * source_.context().relative_depth(x);
     const ThermoelasticState<dim> own = solution(at, point.r, N, x);
     // Auxiliary fields may meet another temperature than G (crack.34).
     const ThermoelasticState<dim>& met = heat_.met(own, x);
@@ -92,13 +92,13 @@ private:
         M = own_momentum(own);
         c = own.heated_dilatation * own.beta_grad_T;
       } else {
-        const AuxiliaryField<dim> v = source_.field(e_, number, x, k, elasticity_);
+        const AuxiliaryField<dim> v = source_.auxiliary_field(e_, number, x, k, elasticity_);
         M = momentum_of_both(met, v);
         c = v.dilatation() * met.beta_grad_T;
         c += met.nodal.transpose() * v.divergence;
       }
       // About an axis the way outwards (crack.37).
-      c += source_.set().hoop_body_force(M.hoop, x);
+      c += source_.context().hoop_body_force(M.hoop, x);
       for (int n = 0; n < element_.nodes; ++n) {
         Vector& P_n = P[static_cast<std::size_t>(n)][k];
         const Vector gradient = at.dNdx.row(n).transpose();
@@ -117,10 +117,11 @@ private:
                                                  const Vector& x) const {
     ThermoelasticState<dim> here;
     here.nodal = here.H = here.strained = U_.lazyProduct(at.dNdx);
-    here.hoop = source_.set().hoop(U_ * N, x);
+    here.hoop = source_.context().hoop_strain(U_ * N, x);
     here.heated_dilatation = here.dilatation();
     heat_.heat(at, r, x, here);
-    static_cast<GradientStressState<dim>&>(here) = elasticity_.state(here.H, here.hoop);
+    static_cast<GradientStressState<dim>&>(here) =
+        elasticity_.state_from_gradient(here.H, here.hoop);
     heat_.cool(here, here.beta_T);
     return here;
   }
@@ -148,11 +149,12 @@ private:
       const fe::Jacobian<fe::AnyElement<dim>> at = fe::jacobian(element_, X_, r);
       const fe::NodeValues<fe::AnyElement<dim>> N = element_.N(r);
       const Vector x = X_ * N;
-      const typename Source::Place place = source_.locate(x);
+      const typename Source::Place place = source_.locate_in_element(x);
       for (std::size_t k = 0; k < auxiliary_field_count<dim>; ++k) {
         const Tensor<dim> H =
-            k == 0 ? Tensor<dim>(U_.lazyProduct(at.dNdx)) : source_.gradient(place, k);
-        const Vector c = weight * at.det * source_.set().relative_depth(x) * (H.transpose() * b);
+            k == 0 ? Tensor<dim>(U_.lazyProduct(at.dNdx)) : source_.auxiliary_gradient(place, k);
+        const Vector c =
+            weight * at.det * source_.context().relative_depth(x) * (H.transpose() * b);
         for (int n = 0; n < element_.nodes; ++n) {
           P[static_cast<std::size_t>(n)][k] -= N[n] * c;
         }

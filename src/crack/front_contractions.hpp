@@ -77,17 +77,18 @@ public:
   /// Elements in which a displacement is contracted: about an axis also those that a domain moves
   /// as one.
   [[nodiscard]] std::vector<base::ElementId> contracted_elements() const {
-    std::vector<base::ElementId> all(source_.strained().begin(), source_.strained().end());
+    std::vector<base::ElementId> all(source_.strained_elements().begin(),
+                                     source_.strained_elements().end());
     if (source_.contracts_rigid_elements()) {
-      all.insert(all.end(), source_.rigid().begin(), source_.rigid().end());
+      all.insert(all.end(), source_.rigid_elements().begin(), source_.rigid_elements().end());
     }
     return all;
   }
 
   /// The motion of some nodes [dim, node] with a point of the front; false: they rest.
   template <class Motion>
-  [[nodiscard]] bool gather(std::size_t point, std::span<const base::NodeId> nodes,
-                            Motion& q) const {
+  [[nodiscard]] bool gather_node_motions(std::size_t point, std::span<const base::NodeId> nodes,
+                                         Motion& q) const {
     bool moves = false;
     q.setZero(dim, static_cast<Eigen::Index>(nodes.size()));
     for (std::size_t n = 0; n < nodes.size(); ++n) {
@@ -117,7 +118,7 @@ public:
     MovingPoints moved;
     for (const std::size_t i : points_of_.at(e)) {
       fe::AnyNodeVectors<dim> q;
-      if (gather(i, mesh().element_nodes(e), q)) {
+      if (gather_node_motions(i, mesh().element_nodes(e), q)) {
         moved.emplace_back(i, q);
       }
     }
@@ -134,20 +135,20 @@ public:
     const auto& elasticity = source_.elasticity(e);
     ContractionPoint at;
     at.tensors.resize(moved.size() * auxiliary_fields_.size());
-    for (const auto& point : source_.rule(e)) {
+    for (const auto& point : source_.element_quadrature(e)) {
       at.r = point.r;
       at.map = fe::jacobian(element, X, point.r);
       at.N = element.N(point.r);
       at.x = X * at.N;
-      const double weight = point.weight * at.map.det * source_.set().relative_depth(at.x);
+      const double weight = point.weight * at.map.det * source_.context().relative_depth(at.x);
       for (std::size_t k = 0; k < auxiliary_fields_.size(); ++k) {
         const AuxiliaryField<dim> v =
-            source_.field(e, at.number, at.x, auxiliary_fields_[k], elasticity);
+            source_.auxiliary_field(e, at.number, at.x, auxiliary_fields_[k], elasticity);
         for (std::size_t j = 0; j < moved.size(); ++j) {
           const Tensor<dim> grad = moved[j].second.lazyProduct(at.map.dNdx);
           const Vector q = moved[j].second * at.N;
           const GradientWeightTensor<dim> c =
-              contracted(elasticity, v, grad, q, source_.set().hoop(q, at.x));
+              contracted(elasticity, v, grad, q, source_.context().hoop_strain(q, at.x));
           at.tensors[auxiliary_fields_.size() * j + k] = {weight * c.M, weight * c.hoop};
         }
       }
@@ -159,7 +160,7 @@ public:
 private:
   using Vector = shape::Point<dim>;
 
-  [[nodiscard]] const model::Mesh& mesh() const { return source_.set().mesh; }
+  [[nodiscard]] const model::Mesh& mesh() const { return source_.context().mesh; }
 
   // What the gradient H of a displacement is contracted with: s(A - (div q) H_v) + sigma_v (grad
   // q)^T + div sigma_v (x) q, A = H_v grad q, with the components round an axis (crack.37);
@@ -170,7 +171,7 @@ private:
              const Vector& q, double round) {
     const double div = grad.trace() + round;
     const GradientStressState<dim> A =
-        elasticity.state(v.H * grad - div * v.H, (round - div) * v.hoop);
+        elasticity.state_from_gradient(v.H * grad - div * v.H, (round - div) * v.hoop);
     return {A.sigma + v.sigma * grad.transpose() + v.divergence * q.transpose(),
             A.sigma_hoop + v.sigma_hoop * round};
   }

@@ -341,7 +341,7 @@ FrontIntegralDomains build_front_domains(const mesh::CrackedMesh& cracked,
   }
   FrontIntegralDomains fields = builder.take();
   for (const ElementId e : strained_by(fields.points)) {
-    fields.degree.emplace(e, rule_degree(cracked.mesh, e, *front.curve));
+    fields.degree.emplace(e, front_quadrature_degree(cracked.mesh, e, *front.curve));
   }
   fields.auxiliary_cache = std::make_shared<AuxiliaryFieldCache>();
   return fields;

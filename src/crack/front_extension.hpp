@@ -34,7 +34,7 @@ struct FrontIntegralDomains {
   std::vector<OmittedDomain> left_out = {};
   /// Of a tip: one ring of elements more than its largest domain, if that fits.
   std::optional<VirtualExtensionField> beyond = std::nullopt;
-  /// Of the rule over each element that some domain strains (rule_degree).
+  /// Of the rule over each element that some domain strains (front_quadrature_degree).
   std::map<base::ElementId, int> degree = {};
   std::shared_ptr<AuxiliaryFieldCache> auxiliary_cache =
       nullptr; ///< what was made of them in these domains

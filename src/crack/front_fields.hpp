@@ -27,32 +27,35 @@ public:
     }
   }
 
-  [[nodiscard]] const FrontContext& set() const { return set_; }
+  [[nodiscard]] const FrontContext& context() const { return set_; }
   /// All elements of all domains, ascending.
-  [[nodiscard]] const std::vector<base::ElementId>& strained() const { return strained_; }
+  [[nodiscard]] const std::vector<base::ElementId>& strained_elements() const { return strained_; }
   /// Elements that a domain moves as one are among the others.
-  [[nodiscard]] static std::span<const base::ElementId> rigid() { return {}; }
+  [[nodiscard]] static std::span<const base::ElementId> rigid_elements() { return {}; }
   [[nodiscard]] static bool contracts_rigid_elements() { return false; }
   /// Free sides with a node that some domain moves.
-  [[nodiscard]] const std::vector<MovedFreeSide>& sides() const { return fields_.sides; }
+  [[nodiscard]] const std::vector<MovedFreeSide>& moved_free_sides() const { return fields_.sides; }
   /// Degree of the rule over an element.
-  [[nodiscard]] int degree(base::ElementId e) const { return fields_.degree.at(e); }
+  [[nodiscard]] int quadrature_degree(base::ElementId e) const { return fields_.degree.at(e); }
 
   /// The points of an element of a domain.
-  [[nodiscard]] std::span<const shape::QuadraturePoint<3>> rule(base::ElementId e) const {
+  [[nodiscard]] std::span<const shape::QuadraturePoint<3>>
+  element_quadrature(base::ElementId e) const {
     return table().quadrature_rule(shape::reference_element<3>(set_.mesh.type[e.index()]), e);
   }
   /// The body, which is one in all domains.
   [[nodiscard]] const FrontBody& elasticity(base::ElementId /*e*/) const { return set_.body; }
   /// Auxiliary field 1 to 4 at a point of the rule.
-  [[nodiscard]] AuxiliaryField<3> field(base::ElementId e, std::size_t number,
-                                        const base::Vec3& /*x*/, std::size_t auxiliary,
-                                        const FrontBody& /*body*/) const {
+  [[nodiscard]] AuxiliaryField<3> auxiliary_field(base::ElementId e, std::size_t number,
+                                                  const base::Vec3& /*x*/, std::size_t auxiliary,
+                                                  const FrontBody& /*body*/) const {
     return table().at(e, number, auxiliary);
   }
-  [[nodiscard]] Place locate(const base::Vec3& x) const { return Place(set_.axes.locate_point(x)); }
+  [[nodiscard]] Place locate_in_element(const base::Vec3& x) const {
+    return Place(set_.axes.locate_point(x));
+  }
   /// Gradient of an auxiliary field at a place.
-  [[nodiscard]] Tensor<3> gradient(const Place& at, std::size_t auxiliary) const {
+  [[nodiscard]] Tensor<3> auxiliary_gradient(const Place& at, std::size_t auxiliary) const {
     return front_auxiliary_field(auxiliary, at, set_.body).H;
   }
 
@@ -63,22 +66,23 @@ public:
     return known == moved_.end() ? std::nullopt : std::optional(known->second);
   }
   [[nodiscard]] static std::span<const shape::QuadraturePoint<2>>
-  side_rule(const geometry::ElementSide& side) {
+  side_quadrature(const geometry::ElementSide& side) {
     return shape::quadrature<2>(side.domain(), front_degree);
   }
   /// A point of a side; nothing on the front itself.
-  [[nodiscard]] std::optional<Place> place(const geometry::ElementSide& side, const base::Vec2& r,
-                                           UpperOrLowerFace on) const {
+  [[nodiscard]] std::optional<Place> locate_on_side(const geometry::ElementSide& side,
+                                                    const base::Vec2& r,
+                                                    UpperOrLowerFace on) const {
     const FrontCoordinates at = set_.axes.locate_point(side.position(r), on);
     return at.r > 0.0 ? std::optional(Place(at)) : std::nullopt;
   }
   /// Gradient of an auxiliary field on a side.
-  [[nodiscard]] Tensor<3> side_gradient(const Place& at, std::size_t auxiliary) const {
-    return gradient(at, auxiliary);
+  [[nodiscard]] Tensor<3> auxiliary_side_gradient(const Place& at, std::size_t auxiliary) const {
+    return auxiliary_gradient(at, auxiliary);
   }
   /// Force of an auxiliary field's stress on a side; `area`: normal as long as the area.
-  [[nodiscard]] base::Vec3 traction(const Place& at, std::size_t auxiliary,
-                                    const base::Vec3& area) const {
+  [[nodiscard]] base::Vec3 auxiliary_traction(const Place& at, std::size_t auxiliary,
+                                              const base::Vec3& area) const {
     return front_auxiliary_field(auxiliary, at, set_.body).sigma * area;
   }
 

@@ -107,15 +107,15 @@ private:
 
 void add_front_element_terms(const FrontAuxiliaryFields& fields, const FrontLoads& loads,
                              const base::Vector& u, InteractionConfigurationalForces<3>& out) {
-  const FrontContext& set = fields.set();
+  const FrontContext& set = fields.context();
   const std::vector<BodyForceField> body =
       body_force_fields(set.model, set.mesh, loads, LoadScaleScope::near_front);
   const std::optional<LinearTemperature> linear =
-      exact_linear_temperature(set.mesh, fields.strained(), loads.temperature);
-  for (const base::ElementId e : fields.strained()) {
+      exact_linear_temperature(set.mesh, fields.strained_elements(), loads.temperature);
+  for (const base::ElementId e : fields.strained_elements()) {
     const SolidHeat heat(set, loads, linear, e);
     ElementConfigurationalForces<FrontAuxiliaryFields, SolidHeat>(fields, heat, body, e, u)
-        .add(true, out);
+        .add_element_terms(true, out);
   }
 }
 

@@ -37,7 +37,7 @@ SparseLinearFunctionals front_intensity_functionals(const model::Model& model,
     return tip_intensity_functionals(model, cracked, front, domains.points.front(), state);
   }
   return made_rows(model, cracked, front, domains, cracked.mesh.node_count(),
-                   [](Builder& builder) { return builder.rows(); });
+                   [](Builder& builder) { return builder.displacement_functionals(); });
 }
 
 SparseLinearFunctionals supplementary_K_functionals(const model::Model& model,
@@ -46,7 +46,7 @@ SparseLinearFunctionals supplementary_K_functionals(const model::Model& model,
                                                     const FrontIntegralDomains& fields,
                                                     const SupplementaryFunctions& others) {
   return made_rows(model, cracked, front, fields, static_cast<std::size_t>(others.count),
-                   [&](Builder& builder) { return builder.supplementary_rows(others); });
+                   [&](Builder& builder) { return builder.supplementary_functionals(others); });
 }
 
 SparseLinearFunctionals face_force_front_functionals(const model::Model& model,
@@ -59,7 +59,7 @@ SparseLinearFunctionals face_force_front_functionals(const model::Model& model,
     count += place.points.size();
   }
   return made_rows(model, cracked, front, fields, count,
-                   [&](Builder& builder) { return builder.force_rows(places); });
+                   [&](Builder& builder) { return builder.face_force_functionals(places); });
 }
 
 } // namespace spricka::crack

@@ -55,7 +55,8 @@ double distance_by_width(const model::Mesh& mesh, base::ElementId e,
 
 } // namespace
 
-int rule_degree(const model::Mesh& mesh, base::ElementId e, const mesh::FrontCurve& curve) {
+int front_quadrature_degree(const model::Mesh& mesh, base::ElementId e,
+                            const mesh::FrontCurve& curve) {
   const double distance = distance_by_width(mesh, e, curve);
   int degree = front_degree;
   for (const FarRule& rule : far_rules) {

@@ -13,6 +13,7 @@ inline constexpr int front_degree = 9;
 
 /// Degree of the rule over an element of the domains: front_degree at the front, less where the
 /// front is far away for the element's size (manual, crack_space.16).
-int rule_degree(const model::Mesh& mesh, base::ElementId e, const mesh::FrontCurve& curve);
+int front_quadrature_degree(const model::Mesh& mesh, base::ElementId e,
+                            const mesh::FrontCurve& curve);
 
 } // namespace spricka::crack

@@ -28,7 +28,9 @@ struct FrontContext {
   [[nodiscard]] double E_effective() const; ///< E / (1 - nu^2)
   /// What a tip in the plane has about an axis: nothing is there.
   [[nodiscard]] static double relative_depth(const base::Vec3& /*x*/) { return 1.0; }
-  [[nodiscard]] static double hoop(const base::Vec3& /*v*/, const base::Vec3& /*x*/) { return 0.0; }
+  [[nodiscard]] static double hoop_strain(const base::Vec3& /*v*/, const base::Vec3& /*x*/) {
+    return 0.0;
+  }
   [[nodiscard]] static base::Vec3 hoop_body_force(double /*stress*/, const base::Vec3& /*x*/) {
     return base::Vec3::Zero();
   }

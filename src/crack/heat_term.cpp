@@ -37,7 +37,7 @@ struct Swelling {
   double hoop = 0.0;
 };
 Swelling swelling(const TipContext& set, const Vec2& x, std::size_t auxiliary) {
-  const PolarCoordinates at = polar(set.tip, x);
+  const PolarCoordinates at = polar_coordinates(set.tip, x);
   Swelling s{section_slope(set, at, auxiliary), 0.0};
   if (set.is_axisymmetric()) {
     s.hoop = auxiliary_field_displacement(set, at, auxiliary).x() / x.x();
@@ -103,7 +103,7 @@ public:
   void add_to_K(const shape::Point<2>& r, double area, double D,
                 std::array<double, auxiliary_field_count<2>>& sum) const {
     const Vec2 at = x(r);
-    const PolarCoordinates place = polar(set_.tip, at);
+    const PolarCoordinates place = polar_coordinates(set_.tip, at);
     const double q = extension(r);
     const double round = extension_round(r);
     const Vec2 grad = strained_ ? Vec2(map(r).dNdx.transpose() * moved_) : Vec2(Vec2::Zero());

@@ -26,11 +26,11 @@ public:
 
   /// Rows of the nodal displacements, from the domains and the free sides that move with them.
   /// [dim * node, K]
-  [[nodiscard]] SparseLinearFunctionals rows() {
+  [[nodiscard]] SparseLinearFunctionals displacement_functionals() {
     for (const base::ElementId e : front_.contracted_elements()) {
       add_element(e);
     }
-    for (const MovedFreeSide& side : source_.sides()) {
+    for (const MovedFreeSide& side : source_.moved_free_sides()) {
       add_side(side);
     }
     return made(dim * static_cast<Eigen::Index>(mesh().node_count()));
@@ -38,11 +38,12 @@ public:
 
   /// Rows of what multiplies other functions, in place of the nodal ones.
   /// [dim * count, K]
-  [[nodiscard]] SparseLinearFunctionals supplementary_rows(const SupplementaryFunctions& others) {
+  [[nodiscard]] SparseLinearFunctionals
+  supplementary_functionals(const SupplementaryFunctions& others) {
     for (const base::ElementId e : front_.contracted_elements()) {
       add_others(e, others);
     }
-    for (const MovedFreeSide& side : source_.sides()) {
+    for (const MovedFreeSide& side : source_.moved_free_sides()) {
       add_others_on(side, others);
     }
     return made(dim * others.count);
@@ -50,7 +51,8 @@ public:
 
   /// Rows of forces at points on sides, in the order of `places`; forces on sides that no domain
   /// moves have zero rows. [dim * point of a side, K]
-  [[nodiscard]] SparseLinearFunctionals force_rows(const std::vector<FacePointForces>& places) {
+  [[nodiscard]] SparseLinearFunctionals
+  face_force_functionals(const std::vector<FacePointForces>& places) {
     Eigen::Index first = 0;
     for (const FacePointForces& place : places) {
       if (const std::optional<UpperOrLowerFace> known =
@@ -68,7 +70,7 @@ private:
   /// Coefficients of functions. [dim, function]
   using Coefficients = Eigen::Matrix<double, dim, Eigen::Dynamic>;
 
-  [[nodiscard]] const model::Mesh& mesh() const { return source_.set().mesh; }
+  [[nodiscard]] const model::Mesh& mesh() const { return source_.context().mesh; }
 
   [[nodiscard]] SparseLinearFunctionals made(Eigen::Index count) const {
     SparseLinearFunctionals rows(count, layout_.count());
@@ -97,7 +99,7 @@ private:
     for (std::size_t j = 0; j < moved.size(); ++j) {
       for (std::size_t k = 0; k < width; ++k) {
         take(moved[j].first, k,
-             source_.set().intensity_conversion_factor(front_.auxiliary_fields()[k]) *
+             source_.context().intensity_conversion_factor(front_.auxiliary_fields()[k]) *
                  sums[width * j + k]);
       }
     }
@@ -147,24 +149,25 @@ private:
                      const SlopesAt& slopes_at, const Take& take) const {
     for (const std::size_t i : front_.front_points_moving_element(side.face.element)) {
       SideVectors<dim> q;
-      if (!front_.gather(i, own.nodes, q)) {
+      if (!front_.gather_node_motions(i, own.nodes, q)) {
         continue;
       }
-      for (const auto& point : source_.side_rule(own)) {
-        const std::optional<typename Source::Place> place = source_.place(own, point.r, side.on);
+      for (const auto& point : source_.side_quadrature(own)) {
+        const std::optional<typename Source::Place> place =
+            source_.locate_on_side(own, point.r, side.on);
         if (!place) {
           continue;
         }
         const geometry::SideValues N = own.N(point.r);
         const Vector x = (own.X * N).template head<dim>();
-        const Vector area = (point.weight * source_.set().relative_depth(x)) *
+        const Vector area = (point.weight * source_.context().relative_depth(x)) *
                             own.area_vector(point.r).template head<dim>();
         const Vector moved = q * N;
         const Eigen::RowVectorXd along = (slopes_at(point.r) * moved).transpose();
         for (std::size_t k = 0; k < front_.auxiliary_fields().size(); ++k) {
           const std::size_t auxiliary = front_.auxiliary_fields()[k];
-          const Vector t = source_.set().intensity_conversion_factor(auxiliary) *
-                           source_.traction(*place, auxiliary, area);
+          const Vector t = source_.context().intensity_conversion_factor(auxiliary) *
+                           source_.auxiliary_traction(*place, auxiliary, area);
           take(i, k, Coefficients(-t * along));
         }
       }
@@ -215,9 +218,9 @@ private:
   const std::vector<Eigen::MatrixX3d>& slope_table(base::ElementId e,
                                                    const SupplementaryFunctions& others) {
     const base::ElementType type = mesh().type[e.index()];
-    std::vector<Eigen::MatrixX3d>& table = slopes_[{type, source_.degree(e)}];
+    std::vector<Eigen::MatrixX3d>& table = slopes_[{type, source_.quadrature_degree(e)}];
     if (table.empty()) {
-      for (const auto& point : source_.rule(e)) {
+      for (const auto& point : source_.element_quadrature(e)) {
         table.push_back(others.slopes(type, point.r));
       }
     }
@@ -240,12 +243,12 @@ private:
     const geometry::ElementSide own = model::element_side(mesh(), on.face);
     for (const std::size_t i : front_.front_points_moving_element(on.face.element)) {
       SideVectors<dim> q;
-      if (!front_.gather(i, own.nodes, q)) {
+      if (!front_.gather_node_motions(i, own.nodes, q)) {
         continue;
       }
       for (std::size_t p = 0; p < on.points.size(); ++p) {
         const base::Vec2 r = on.points[p].r.template head<2>();
-        const std::optional<typename Source::Place> place = source_.place(own, r, side);
+        const std::optional<typename Source::Place> place = source_.locate_on_side(own, r, side);
         if (!place) {
           continue; // the front itself, a line without an area
         }
@@ -253,8 +256,8 @@ private:
         for (std::size_t k = 0; k < front_.auxiliary_fields().size(); ++k) {
           const std::size_t auxiliary = front_.auxiliary_fields()[k];
           put(first + dim * static_cast<Eigen::Index>(p), i, k,
-              -source_.set().intensity_conversion_factor(auxiliary) *
-                  (source_.side_gradient(*place, auxiliary) * moved));
+              -source_.context().intensity_conversion_factor(auxiliary) *
+                  (source_.auxiliary_side_gradient(*place, auxiliary) * moved));
         }
       }
     }

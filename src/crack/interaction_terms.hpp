@@ -61,21 +61,21 @@ void add_face_load_terms(const Source& source, const std::vector<FacePointForces
     if (!known) {
       continue;
     }
-    const geometry::ElementSide side = model::element_side(source.set().mesh, on.face);
+    const geometry::ElementSide side = model::element_side(source.context().mesh, on.face);
     const SideVectors<dim> U = side_displacements<dim>(side, u);
     for (const fe::LoadPoint& point : on.points) {
       const base::Vec2 r = point.r.head<2>();
-      const std::optional<typename Source::Place> place = source.place(side, r, *known);
+      const std::optional<typename Source::Place> place = source.locate_on_side(side, r, *known);
       if (!place) {
         continue; // the front itself, without an area
       }
       const geometry::SideValues N = side.N(r);
       const shape::Point<dim> x = (side.X * N).template head<dim>();
       const shape::Point<dim> force =
-          source.set().relative_depth(x) * point.force.template head<dim>();
+          source.context().relative_depth(x) * point.force.template head<dim>();
       for (std::size_t k = 0; k < auxiliary_field_count<dim>; ++k) {
         const Tensor<dim> H = k == 0 ? Tensor<dim>(U.lazyProduct(surface_gradients<dim>(side, r)))
-                                     : source.side_gradient(*place, k);
+                                     : source.auxiliary_side_gradient(*place, k);
         subtract_configurational_forces<dim>(side, N, k, H.transpose() * force, out);
       }
     }
@@ -89,22 +89,23 @@ template <class Source>
 void add_auxiliary_tractions(const Source& source, const base::Vector& u,
                              InteractionConfigurationalForces<Source::dim>& out) {
   constexpr int dim = Source::dim;
-  for (const MovedFreeSide& moved : source.sides()) {
-    const geometry::ElementSide side = model::element_side(source.set().mesh, moved.face);
+  for (const MovedFreeSide& moved : source.moved_free_sides()) {
+    const geometry::ElementSide side = model::element_side(source.context().mesh, moved.face);
     const SideVectors<dim> U = side_displacements<dim>(side, u);
-    for (const auto& point : source.side_rule(side)) {
-      const std::optional<typename Source::Place> place = source.place(side, point.r, moved.on);
+    for (const auto& point : source.side_quadrature(side)) {
+      const std::optional<typename Source::Place> place =
+          source.locate_on_side(side, point.r, moved.on);
       if (!place) {
         continue;
       }
       const geometry::SideValues N = side.N(point.r);
       const shape::Point<dim> x = (side.X * N).template head<dim>();
-      const shape::Point<dim> area = (point.weight * source.set().relative_depth(x)) *
+      const shape::Point<dim> area = (point.weight * source.context().relative_depth(x)) *
                                      side.area_vector(point.r).template head<dim>();
       const Tensor<dim> H = U.lazyProduct(surface_gradients<dim>(side, point.r));
       for (std::size_t k = 1; k < auxiliary_field_count<dim>; ++k) {
-        subtract_configurational_forces<dim>(side, N, k,
-                                             H.transpose() * source.traction(*place, k, area), out);
+        subtract_configurational_forces<dim>(
+            side, N, k, H.transpose() * source.auxiliary_traction(*place, k, area), out);
       }
     }
   }

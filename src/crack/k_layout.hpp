@@ -26,7 +26,7 @@ public:
     return first_mode_index(point) + mode - 1;
   }
   /// The columns of a block [.., count()] that are K of a point.
-  template <class Block> [[nodiscard]] auto columns(Block&& block, std::size_t point) const {
+  template <class Block> [[nodiscard]] auto point_columns(Block&& block, std::size_t point) const {
     return block.middleCols(first_mode_index(point), modes_);
   }
   /// The entries of a vector [count() ..] that are K of a point.

@@ -124,7 +124,7 @@ double heat_invalid_reason(const TipContext& set, const VirtualExtensionField& f
 
 } // namespace
 
-double G_uncertainty(const TipContext& set, const VirtualExtensionField& field) {
+double load_jump_G_uncertainty(const TipContext& set, const VirtualExtensionField& field) {
   double sum = 0.0;
   for_discontinuous_sides(
       set, field, [&](const model::Face& /*face*/, const Roughness& r) { sum += r.discontinuous; });

@@ -12,7 +12,7 @@ namespace spricka::crack {
 /// follow neither: what they miss of the energy changes as nodes move past the jump, and what they
 /// find there is not the strain that G needs (manual, crack.20, crack.35). Domains inside feel it,
 /// too.
-double G_uncertainty(const TipContext& set, const VirtualExtensionField& field);
+double load_jump_G_uncertainty(const TipContext& set, const VirtualExtensionField& field);
 
 /// Part of G that such jumps may make up before G is left to K: a tenth of what two ways to K part
 /// by on sound meshes.

@@ -15,15 +15,16 @@ struct FrontBody {
   double unit = 1.0;
 
   /// Of the fields in the section: that of plane strain.
-  [[nodiscard]] SectionBody section() const { return {mu, 3.0 - 4.0 * nu, unit}; }
+  [[nodiscard]] SectionBody plane_strain_section() const { return {mu, 3.0 - 4.0 * nu, unit}; }
   /// With the stress of a gradient; nothing is round an axis.
-  [[nodiscard]] GradientStressState<3> state(const Tensor<3>& H, double hoop = 0.0) const;
+  [[nodiscard]] GradientStressState<3> state_from_gradient(const Tensor<3>& H,
+                                                           double hoop = 0.0) const;
 };
 
 /// Of auxiliary field 1 to 4 in the section across a front.
 inline SectionField section_field(std::size_t auxiliary, const SectionPolarPoint& at,
                                   const FrontBody& body) {
-  return section_field(auxiliary, at, body.section());
+  return section_field(auxiliary, at, body.plane_strain_section());
 }
 
 /// The axes at a place as matrices with columns m, b, t and their derivatives, and the gradients of
@@ -60,7 +61,8 @@ inline Tensor<3> isotropic_stress(const FrontBody& body, const Tensor<3>& A) {
   return sigma;
 }
 
-inline GradientStressState<3> FrontBody::state(const Tensor<3>& H, double hoop) const {
+inline GradientStressState<3> FrontBody::state_from_gradient(const Tensor<3>& H,
+                                                             double hoop) const {
   return {.H = H, .hoop = hoop, .sigma = isotropic_stress(*this, H), .sigma_hoop = 0.0};
 }
 

@@ -51,7 +51,8 @@ all_of_domains(const std::vector<VirtualExtensionField>& fields,
 
 } // namespace
 
-GradientStressState<2> SectionElasticity::state(const Tensor<2>& H, double hoop) const {
+GradientStressState<2> SectionElasticity::state_from_gradient(const Tensor<2>& H,
+                                                              double hoop) const {
   GradientStressState<2> state{
       .H = H, .hoop = hoop, .sigma = stress_from_gradient<2>(D, H), .sigma_hoop = 0.0};
   if (law.axisymmetric) {
@@ -87,7 +88,8 @@ TipAuxiliaryFields::TipAuxiliaryFields(const TipContext& set,
   }
 }
 
-std::vector<shape::QuadraturePoint<2>> TipAuxiliaryFields::rule(base::ElementId e) const {
+std::vector<shape::QuadraturePoint<2>>
+TipAuxiliaryFields::element_quadrature(base::ElementId e) const {
   const PlaneElement& element = plane_reference_element(set_.mesh, e);
   const std::array<base::NodeId, 1> tips{set_.tip_node};
   const int corner = set_.is_axisymmetric() ? fe::find_tip_corner(set_.mesh, e, tips) : -1;
@@ -104,19 +106,19 @@ std::vector<shape::QuadraturePoint<2>> TipAuxiliaryFields::rule(base::ElementId 
   return points;
 }
 
-AuxiliaryField<2> TipAuxiliaryFields::field(base::ElementId /*e*/, std::size_t /*number*/,
-                                            const base::Vec2& x, std::size_t auxiliary,
-                                            const SectionElasticity& k) const {
-  const PolarCoordinates at = polar(set_.tip, x);
+AuxiliaryField<2> TipAuxiliaryFields::auxiliary_field(base::ElementId /*e*/, std::size_t /*number*/,
+                                                      const base::Vec2& x, std::size_t auxiliary,
+                                                      const SectionElasticity& k) const {
+  const PolarCoordinates at = polar_coordinates(set_.tip, x);
   const Tensor<2> H = auxiliary_field_gradient(set_, at, auxiliary);
   if (!set_.is_axisymmetric()) {
-    return {k.state(H, 0.0), base::Vec2::Zero()};
+    return {k.state_from_gradient(H, 0.0), base::Vec2::Zero()};
   }
   const double hoop = auxiliary_field_displacement(set_, at, auxiliary).x() / x.x();
   // (crack.39): in the section alone it is at rest.
   const base::Vec2 divergence((k.law.lambda + 2.0 * k.law.mu) * (H(0, 0) - hoop),
                               k.law.lambda * H(0, 1) + k.law.mu * (H(0, 1) + H(1, 0)));
-  return {k.state(H, hoop), divergence / x.x()};
+  return {k.state_from_gradient(H, hoop), divergence / x.x()};
 }
 
 // Towards the tip 1 + xi = 2 t^2.
@@ -138,9 +140,9 @@ std::vector<shape::QuadraturePoint<2>> tip_side_quadrature(const TipContext& set
 
 // Of points much nearer to the tip than sixteen digits of their coordinates tell, as a rule has
 // them where a load jumps at the tip, the distance is right even so: nodes are seen from the tip.
-std::optional<TipPlace> TipAuxiliaryFields::place(const geometry::ElementSide& side,
-                                                  const base::Vec2& r,
-                                                  UpperOrLowerFace /*on*/) const {
+std::optional<TipPlace> TipAuxiliaryFields::locate_on_side(const geometry::ElementSide& side,
+                                                           const base::Vec2& r,
+                                                           UpperOrLowerFace /*on*/) const {
   const Eigen::Matrix2Xd R = side.X.topRows<2>().colwise() - set_.tip.x;
   const base::Vec2 from = R * side.N(r);
   const base::Vec2 along = R * side.dN(r).col(0); // the body on the left
@@ -149,12 +151,12 @@ std::optional<TipPlace> TipAuxiliaryFields::place(const geometry::ElementSide& s
   }
   const base::Vec2 tangent = along.normalized();
   const base::Vec2 normal(tangent.y(), -tangent.x());
-  return TipPlace{polar_on_face({{0.0, 0.0}, set_.tip.e1, set_.tip.e2}, from, normal),
+  return TipPlace{polar_coordinates_on_face({{0.0, 0.0}, set_.tip.e1, set_.tip.e2}, from, normal),
                   set_.tip.x + from, tangent, side.element};
 }
 
-base::Vec2 TipAuxiliaryFields::traction(const Place& at, std::size_t auxiliary,
-                                        const base::Vec2& area) const {
+base::Vec2 TipAuxiliaryFields::auxiliary_traction(const Place& at, std::size_t auxiliary,
+                                                  const base::Vec2& area) const {
   const double outwards = auxiliary_field_displacement(set_, at.polar, auxiliary).x();
   return elasticity(at.element).law.lambda * outwards / at.x.x() * area;
 }

@@ -19,7 +19,7 @@ struct SectionElasticity {
   SectionElasticity(const TipContext& set, base::ElementId e)
       : D(set.elasticity(e)), law(fe::constitutive_law(set.model, set.mesh, e)) {}
   /// With the stress of a gradient.
-  [[nodiscard]] GradientStressState<2> state(const Tensor<2>& H, double hoop) const;
+  [[nodiscard]] GradientStressState<2> state_from_gradient(const Tensor<2>& H, double hoop) const;
 };
 
 /// A point as seen from the tip; on a face with the unit tangent of that.
@@ -46,28 +46,32 @@ public:
 
   TipAuxiliaryFields(const TipContext& set, const std::vector<VirtualExtensionField>& fields);
 
-  [[nodiscard]] const TipContext& set() const { return set_; }
+  [[nodiscard]] const TipContext& context() const { return set_; }
   /// Elements where q of some domain varies, ascending.
-  [[nodiscard]] const std::vector<base::ElementId>& strained() const { return strained_; }
+  [[nodiscard]] const std::vector<base::ElementId>& strained_elements() const { return strained_; }
   /// Others where q is not zero, ascending.
-  [[nodiscard]] const std::vector<base::ElementId>& rigid() const { return rigid_; }
+  [[nodiscard]] const std::vector<base::ElementId>& rigid_elements() const { return rigid_; }
   /// The sides that auxiliary fields press on, of the crack's faces.
-  [[nodiscard]] const std::vector<MovedFreeSide>& sides() const { return sides_; }
+  [[nodiscard]] const std::vector<MovedFreeSide>& moved_free_sides() const { return sides_; }
 
-  /// Whether a displacement counts in rigid() as well: about an axis these come to other radii.
+  /// Whether a displacement counts in rigid_elements() as well: about an axis these come to other
+  /// radii.
   [[nodiscard]] bool contracts_rigid_elements() const { return set_.is_axisymmetric(); }
 
   /// The points of an element of a domain. About an axis the elements at the tip count as well
   /// (crack.37), where auxiliary fields are singular: by charts collapsed into it.
-  [[nodiscard]] std::vector<shape::QuadraturePoint<2>> rule(base::ElementId e) const;
+  [[nodiscard]] std::vector<shape::QuadraturePoint<2>> element_quadrature(base::ElementId e) const;
   [[nodiscard]] SectionElasticity elasticity(base::ElementId e) const { return {set_, e}; }
   /// Auxiliary field 1 to 3 at a point x of an element, off the tip, stress by the element's own
   /// elasticity; the divergence is zero in the plane (crack.39). `number`: of the point.
-  [[nodiscard]] AuxiliaryField<2> field(base::ElementId e, std::size_t number, const base::Vec2& x,
-                                        std::size_t auxiliary, const SectionElasticity& k) const;
-  [[nodiscard]] Place locate(const base::Vec2& x) const { return {polar(set_.tip, x), x}; }
+  [[nodiscard]] AuxiliaryField<2> auxiliary_field(base::ElementId e, std::size_t number,
+                                                  const base::Vec2& x, std::size_t auxiliary,
+                                                  const SectionElasticity& k) const;
+  [[nodiscard]] Place locate_in_element(const base::Vec2& x) const {
+    return {polar_coordinates(set_.tip, x), x};
+  }
   /// Gradient of an auxiliary field at a place.
-  [[nodiscard]] Tensor<2> gradient(const Place& at, std::size_t auxiliary) const {
+  [[nodiscard]] Tensor<2> auxiliary_gradient(const Place& at, std::size_t auxiliary) const {
     return auxiliary_field_gradient(set_, at.polar, auxiliary);
   }
 
@@ -77,19 +81,19 @@ public:
     return UpperOrLowerFace::none;
   }
   [[nodiscard]] std::vector<shape::QuadraturePoint<2>>
-  side_rule(const geometry::ElementSide& side) const {
+  side_quadrature(const geometry::ElementSide& side) const {
     return tip_side_quadrature(set_, side);
   }
   /// A point of a side; nothing at the tip itself and where the side has no length.
-  [[nodiscard]] std::optional<Place> place(const geometry::ElementSide& side, const base::Vec2& r,
-                                           UpperOrLowerFace on) const;
+  [[nodiscard]] std::optional<Place> locate_on_side(const geometry::ElementSide& side,
+                                                    const base::Vec2& r, UpperOrLowerFace on) const;
   /// The part of the gradient that is along a side: faces are straight.
-  [[nodiscard]] Tensor<2> side_gradient(const Place& at, std::size_t auxiliary) const {
-    return gradient(at, auxiliary) * at.tangent * at.tangent.transpose();
+  [[nodiscard]] Tensor<2> auxiliary_side_gradient(const Place& at, std::size_t auxiliary) const {
+    return auxiliary_gradient(at, auxiliary) * at.tangent * at.tangent.transpose();
   }
   /// Force of an auxiliary field's stress on a face; `area`: normal as long as the face's length.
-  [[nodiscard]] base::Vec2 traction(const Place& at, std::size_t auxiliary,
-                                    const base::Vec2& area) const;
+  [[nodiscard]] base::Vec2 auxiliary_traction(const Place& at, std::size_t auxiliary,
+                                              const base::Vec2& area) const;
 
 private:
   const TipContext& set_;

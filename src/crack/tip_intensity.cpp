@@ -111,7 +111,7 @@ StressIntensity tip_intensity(const model::Model& model, const mesh::CrackedMesh
   double analytic = 0.0;
   double invalid_reason = 0.0; // what is rough in one domain is so for the displacements in all
   for (const VirtualExtensionField& field : fields) {
-    invalid_reason = std::max(invalid_reason, set.halves * G_uncertainty(set, field));
+    invalid_reason = std::max(invalid_reason, set.halves * load_jump_G_uncertainty(set, field));
   }
   for (const VirtualExtensionField& field : fields) {
     std::array<double, auxiliary_field_count<2>> sum = forces.released_energies(field);
@@ -168,7 +168,8 @@ SparseLinearFunctionals tip_intensity_functionals(const model::Model& model,
   }
   const TipAuxiliaryFields source(set, fields);
   return restated(set, state) *
-         IntensityFunctionalBuilder<TipAuxiliaryFields>({source, front, {fields}}).rows();
+         IntensityFunctionalBuilder<TipAuxiliaryFields>({source, front, {fields}})
+             .displacement_functionals();
 }
 
 std::vector<KFunctionalQuadraturePoint> functional_quadrature_points(

@@ -60,7 +60,7 @@ struct TipContext {
     return is_axisymmetric() ? x.x() / tip.x.x() : 1.0;
   }
   /// Of a displacement v at x the strain round the axis; 0 in the plane.
-  [[nodiscard]] double hoop(const base::Vec2& v, const base::Vec2& x) const {
+  [[nodiscard]] double hoop_strain(const base::Vec2& v, const base::Vec2& x) const {
     return is_axisymmetric() ? v.x() / x.x() : 0.0;
   }
   /// A stress round the axis at x as a force per volume: along the radius; 0 in the plane.

@@ -58,15 +58,16 @@ AngularParts line_force(const SectionPolarPoint& at, const SectionBody& body) {
 
 } // namespace
 
-PolarCoordinates polar(const TipFrame& tip, const base::Vec2& at) {
+PolarCoordinates polar_coordinates(const TipFrame& tip, const base::Vec2& at) {
   const base::Vec2 d = at - tip.x;
   const double x1 = d.dot(tip.e1);
   const double x2 = d.dot(tip.e2);
   return {std::hypot(x1, x2), std::atan2(x2, x1)};
 }
 
-PolarCoordinates polar_on_face(const TipFrame& tip, const base::Vec2& at, const base::Vec2& n) {
-  const PolarCoordinates p = polar(tip, at);
+PolarCoordinates polar_coordinates_on_face(const TipFrame& tip, const base::Vec2& at,
+                                           const base::Vec2& n) {
+  const PolarCoordinates p = polar_coordinates(tip, at);
   // On the faces theta is pi or -pi by round-off: the side that the body lies on decides.
   return {p.r, std::copysign(p.theta, -n.dot(tip.e2))};
 }

@@ -20,10 +20,11 @@ struct PolarCoordinates {
   double r = 0.0, theta = 0.0;
 };
 /// Polar coordinates of a point about a tip: distance [length] and angle [rad] from e1.
-PolarCoordinates polar(const TipFrame& tip, const base::Vec2& at);
+PolarCoordinates polar_coordinates(const TipFrame& tip, const base::Vec2& at);
 /// The same of a point of a face whose outer normal is n: round-off does not take a point of one
 /// crack face to the other.
-PolarCoordinates polar_on_face(const TipFrame& tip, const base::Vec2& at, const base::Vec2& n);
+PolarCoordinates polar_coordinates_on_face(const TipFrame& tip, const base::Vec2& at,
+                                           const base::Vec2& n);
 
 /// Kolosov's constant: 3 - 4 nu in plane strain, (3 - nu)/(1 + nu) in plane stress.
 double kolosov_constant(double nu, model::StressState state);

@@ -136,9 +136,10 @@ void TipErrorBars::prepare() {
   goals_.resize(enrichment_->freedoms(), layout.count());
   for (std::size_t t = 0; t < scene_.cracked.fronts.size(); ++t) {
     const mesh::CrackFront& front = scene_.cracked.fronts[t];
-    layout.columns(goals_, t) = enrichment_->mode_functional(crack::functional_quadrature_points(
-        model_, scene_.cracked, front, scene_.domains[t].points.front(),
-        model_.cracks[front.crack.index()].state));
+    layout.point_columns(goals_, t) =
+        enrichment_->mode_functional(crack::functional_quadrature_points(
+            model_, scene_.cracked, front, scene_.domains[t].points.front(),
+            model_.cracks[front.crack.index()].state));
   }
 }
 

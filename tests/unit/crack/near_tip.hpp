@@ -8,7 +8,8 @@ namespace spricka::test {
 inline Eigen::Matrix2d near_tip_gradient(const crack::TipFrame& tip, const base::Vec2& at, int mode,
                                          const model::ElasticMaterial& material,
                                          model::StressState state) {
-  return crack::near_tip_gradient(tip, crack::polar(tip, at), static_cast<std::size_t>(mode),
+  return crack::near_tip_gradient(tip, crack::polar_coordinates(tip, at),
+                                  static_cast<std::size_t>(mode),
                                   crack::make_section_body(material, state));
 }
 
@@ -16,7 +17,8 @@ inline Eigen::Matrix2d near_tip_gradient(const crack::TipFrame& tip, const base:
 inline base::Vec2 near_tip_displacement(const crack::TipFrame& tip, const base::Vec2& at, int mode,
                                         const model::ElasticMaterial& material,
                                         model::StressState state) {
-  return crack::near_tip_displacement(tip, crack::polar(tip, at), static_cast<std::size_t>(mode),
+  return crack::near_tip_displacement(tip, crack::polar_coordinates(tip, at),
+                                      static_cast<std::size_t>(mode),
                                       crack::make_section_body(material, state));
 }
 

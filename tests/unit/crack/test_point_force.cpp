@@ -29,7 +29,7 @@ class PointForce : public testing::TestWithParam<model::StressState> {
 protected:
   [[nodiscard]] Eigen::Matrix2d stress(const TipFrame& tip, const base::Vec2& x) const {
     const Eigen::Matrix2d H =
-        crack::near_tip_gradient(tip, crack::polar(tip, x), crack::line_force_auxiliary,
+        crack::near_tip_gradient(tip, crack::polar_coordinates(tip, x), crack::line_force_auxiliary,
                                  crack::make_section_body(material, GetParam()));
     const fe::Strain<2> s = fe::elasticity<2>(material, GetParam()) * fe::strain<2>(H);
     return fe::stress_tensor<2>(s);
@@ -40,13 +40,14 @@ protected:
 TEST_P(PointForce, GradientIsTheDerivativeOfTheDisplacement) {
   const TipFrame tip = turned(0.7);
   const auto u = [&](const base::Vec2& x) {
-    return crack::near_tip_displacement(tip, crack::polar(tip, x), crack::line_force_auxiliary,
+    return crack::near_tip_displacement(tip, crack::polar_coordinates(tip, x),
+                                        crack::line_force_auxiliary,
                                         crack::make_section_body(material, GetParam()));
   };
   for (const double angle : {-2.9, -1.0, 0.2, 1.7, 3.0}) {
     const base::Vec2 x = tip.x + 0.8 * (std::cos(angle) * tip.e1 + std::sin(angle) * tip.e2);
     const Eigen::Matrix2d H =
-        crack::near_tip_gradient(tip, crack::polar(tip, x), crack::line_force_auxiliary,
+        crack::near_tip_gradient(tip, crack::polar_coordinates(tip, x), crack::line_force_auxiliary,
                                  crack::make_section_body(material, GetParam()));
     const double h = 1e-6;
     for (int j = 0; j < 2; ++j) {
