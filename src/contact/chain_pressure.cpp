@@ -156,7 +156,7 @@ NodeArea node_areas(const PairConstraints& pair, const std::vector<RecoveryNode>
   }
   const auto add = [&](const Edge& edge, double xi, double weight) {
     const std::array<double, 3> N = edge_shape_functions(edge, xi);
-    const std::array<double, 3> hat = edge_hats(edge, xi);
+    const std::array<double, 3> hat = edge_hat_values(edge, xi);
     const Vec2 here = surface_normal(surface, edge, xi);
     const double w = weight * edge_tangent(edge, xi).norm() *
                      out_of_plane_depth(surface, pair.target, point_on_edge(edge, xi));
@@ -323,10 +323,10 @@ double recover_chain_pressure(const PairConstraints& pair, const ContactRowValue
   const double area = contact_area(pair, result.nodes);
   ContactArc arc = find_longest_closed_arc(pair.contact, result.nodes, pair.segments);
   if (std::ranges::any_of(result.nodes, &NodePressure::closed)) {
-    to_slave_coordinates(pair, result.nodes, arc);
+    convert_to_slave_coordinates(pair, result.nodes, arc);
   } else {
     ContactArc nothing;
-    to_slave_coordinates(pair, result.nodes, nothing);
+    convert_to_slave_coordinates(pair, result.nodes, nothing);
   }
   result.arc_from = arc.from;
   result.arc_to = arc.to;

@@ -40,8 +40,8 @@ public:
   CondensedBody(std::vector<std::int32_t> freedom, UncondensedBody whole,
                 const base::Matrix& modes);
 
-  [[nodiscard]] const std::vector<std::int32_t>& freedom() const { return freedom_; }
-  [[nodiscard]] const base::Matrix& modes() const { return Q_; } ///< [m, r] orthonormal
+  [[nodiscard]] const std::vector<std::int32_t>& external_freedoms() const { return freedom_; }
+  [[nodiscard]] const base::Matrix& rigid_modes() const { return Q_; } ///< [m, r] orthonormal
   [[nodiscard]] bool is_factorised() const {
     return layered_ ? layered_->L.is_positive_definite() : factor_.is_positive_definite();
   }

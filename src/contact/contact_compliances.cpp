@@ -43,7 +43,7 @@ public:
       : bodies_(bodies), rows_(entries) {
     mode_start_.push_back(0);
     for (const CondensedBody* body : bodies) {
-      mode_start_.push_back(mode_start_.back() + body->modes().cols());
+      mode_start_.push_back(mode_start_.back() + body->rigid_modes().cols());
     }
     const auto n = index(entries.size());
     made_.W = base::Matrix::Zero(n, n);
@@ -121,7 +121,7 @@ void ComplianceAssembly::add_body(std::size_t body, const PersistentRowSet& last
     return;
   }
   // Rows that do not last: half compliances anew; Y^T Y is symmetric to the last bit.
-  const base::Matrix Y = own.compliance_root(as_columns(moving, own.freedom().size()));
+  const base::Matrix Y = own.compliance_root(as_columns(moving, own.external_freedoms().size()));
   add_compliance(move, move, solve::gram_matrix(Y));
   add_modes(body, move, moving);
   if (stay.empty()) {
@@ -137,7 +137,7 @@ void ComplianceAssembly::add_body(std::size_t body, const PersistentRowSet& last
           early.forward_substitute(as_columns(staying, static_cast<std::size_t>(early.count())));
       kept.late_load = early.second_block_load_reduction(kept.Y);
     } else {
-      kept.Y = own.compliance_root(as_columns(staying, own.freedom().size()));
+      kept.Y = own.compliance_root(as_columns(staying, own.external_freedoms().size()));
     }
     kept.W = solve::gram_matrix(kept.Y);
     kept.rows = std::move(staying);
@@ -169,7 +169,7 @@ void ComplianceAssembly::add_compliance(const std::vector<std::size_t>& r,
 
 void ComplianceAssembly::add_modes(std::size_t body, const std::vector<std::size_t>& list,
                                    const std::vector<std::vector<RowCoefficient>>& shares) {
-  const base::Matrix& Q = bodies_[body]->modes();
+  const base::Matrix& Q = bodies_[body]->rigid_modes();
   const double motion = Q.size() > 0 ? Q.cwiseAbs().maxCoeff() : 0.0;
   for (std::size_t k = 0; k < list.size() && Q.cols() > 0; ++k) {
     auto row = made_.B.block(index(list[k]), mode_start_[body], 1, Q.cols());

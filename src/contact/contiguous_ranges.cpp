@@ -3,7 +3,7 @@
 
 namespace spricka::contact {
 
-SequenceLinks SequenceLinks::in_order(std::size_t count, bool ring) {
+SequenceLinks SequenceLinks::link_consecutive(std::size_t count, bool ring) {
   SequenceLinks links(count);
   for (std::size_t i = 0; i + 1 < count; ++i) {
     links.join(i, i + 1);

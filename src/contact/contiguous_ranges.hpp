@@ -13,7 +13,7 @@ struct SequenceLinks {
 
   explicit SequenceLinks(std::size_t count) : next(count), last(count) {}
   /// Places in the order of their numbers; `ring`: the first follows the last.
-  static SequenceLinks in_order(std::size_t count, bool ring);
+  static SequenceLinks link_consecutive(std::size_t count, bool ring);
   void join(std::size_t a, std::size_t b) {
     next[a] = b;
     last[b] = a;

@@ -18,15 +18,15 @@ ResponseWithoutContact response_without_contact(const ContactSystem& system,
                      load.empty() ? 0 : load.front().cols());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     out.u.push_back(bodies[b]->displacements_under_forces(load[b]));
-    const base::Matrix& Q = bodies[b]->modes();
+    const base::Matrix& Q = bodies[b]->rigid_modes();
     out.on_mode.middleRows(system.first_mode(b), Q.cols()) = Q.transpose() * load[b];
   }
-  out.opening = system.openings(out.u);
+  out.opening = system.row_openings(out.u);
   return out;
 }
 
 FixedActiveSet::FixedActiveSet(const ContactSystem& system, std::vector<std::size_t> rows)
-    : system_(system), rows_(std::move(rows)), held_(system.equality_problem(rows_)) {}
+    : system_(system), rows_(std::move(rows)), held_(system.make_equality_problem(rows_)) {}
 
 FixedActiveSet::ActiveSetResponse
 FixedActiveSet::solve_response(const base::Matrix& gap, const base::Matrix& on_mode) const {
@@ -49,22 +49,23 @@ FixedActiveSet::solve_response(const base::Matrix& gap, const base::Matrix& on_m
   return out;
 }
 
-std::vector<base::Matrix> FixedActiveSet::displacement(const std::vector<base::Matrix>& load,
-                                                       const ActiveSetResponse& response) const {
+std::vector<base::Matrix>
+FixedActiveSet::external_displacements(const std::vector<base::Matrix>& load,
+                                       const ActiveSetResponse& response) const {
   std::vector<base::Matrix> force = load;
   for (const std::size_t row : rows_) {
     system_.add_row_force(row, response.force.row(index(row)), force);
   }
   std::vector<base::Matrix> u;
   for (std::size_t b = 0; b < force.size(); ++b) {
-    const base::Matrix& Q = system_.bodies()[b]->modes();
+    const base::Matrix& Q = system_.bodies()[b]->rigid_modes();
     u.push_back(system_.bodies()[b]->displacements_under_forces(force[b]) +
                 Q * response.mode.middleRows(system_.first_mode(b), Q.cols()));
   }
   return u;
 }
 
-base::Vector FixedActiveSet::pivots(const std::vector<std::size_t>& candidates) const {
+base::Vector FixedActiveSet::row_pivots(const std::vector<std::size_t>& candidates) const {
   const auto count = index(candidates.size());
   const base::Matrix& W = system_.row_compliance_matrix();
   const base::Matrix& B = system_.openings_by_rigid_modes();

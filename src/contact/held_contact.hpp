@@ -24,7 +24,7 @@ public:
   /// `system` must outlive it; `rows` of the system, each once.
   FixedActiveSet(const ContactSystem& system, std::vector<std::size_t> rows);
 
-  [[nodiscard]] const std::vector<std::size_t>& rows() const { return rows_; }
+  [[nodiscard]] const std::vector<std::size_t>& held_rows() const { return rows_; }
   [[nodiscard]] bool is_consistent() const {
     return held_.is_solvable();
   } ///< false: the rows contradict each other
@@ -39,13 +39,14 @@ public:
   [[nodiscard]] ActiveSetResponse solve_response(const base::Matrix& gap,
                                                  const base::Matrix& on_mode) const;
   /// External displacements [body][m, k] under condensed loads and a response to them.
-  [[nodiscard]] std::vector<base::Matrix> displacement(const std::vector<base::Matrix>& load,
-                                                       const ActiveSetResponse& response) const;
+  [[nodiscard]] std::vector<base::Matrix>
+  external_displacements(const std::vector<base::Matrix>& load,
+                         const ActiveSetResponse& response) const;
 
   /// Pivots of single rows of the system [candidate]: of a row that is not held the gap that a unit
   /// of its own force opens, of a held one the force that a unit of its gap takes (manual,
   /// solve.29). Zero where there is none: redundant rows. Only where is_consistent().
-  [[nodiscard]] base::Vector pivots(const std::vector<std::size_t>& candidates) const;
+  [[nodiscard]] base::Vector row_pivots(const std::vector<std::size_t>& candidates) const;
 
 private:
   const ContactSystem& system_;

@@ -47,7 +47,7 @@ ContactArc longest_marked_arc(std::vector<ContactArcNode> nodes, bool round) {
   ContactArc best;
   std::size_t longest = 0;
   for (const std::vector<std::size_t>& places :
-       contiguous_marked_ranges(SequenceLinks::in_order(n, round), in)) {
+       contiguous_marked_ranges(SequenceLinks::link_consecutive(n, round), in)) {
     if (places.size() <= longest) {
       continue;
     }

@@ -54,13 +54,13 @@ geometry::SideValues shape_areas(const geometry::ElementSide& facet, const PairC
 geometry::SideValues hat_areas(const geometry::ElementSide& face) {
   geometry::SideValues area = geometry::SideValues::Zero(index(face.nodes.size()));
   for (const HatNodes& t : hat_elements(face)) {
-    for_hat_quadrature_points(face, t, node_degree,
-                              [&](const Vec3& hat, const Vec2& r, double weight) {
-                                const Vec3 areas = weight * face.area_vector(r).norm() * hat;
-                                for (std::size_t i = 0; i < t.size(); ++i) {
-                                  area[t[i]] += areas[index(i)];
-                                }
-                              });
+    visit_hat_quadrature_points(face, t, node_degree,
+                                [&](const Vec3& hat, const Vec2& r, double weight) {
+                                  const Vec3 areas = weight * face.area_vector(r).norm() * hat;
+                                  for (std::size_t i = 0; i < t.size(); ++i) {
+                                    area[t[i]] += areas[index(i)];
+                                  }
+                                });
   }
   return area;
 }

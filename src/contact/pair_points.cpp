@@ -129,7 +129,7 @@ private:
   [[nodiscard]] Vec3 whole_hats(const HatElement& element) const {
     const geometry::ElementSide& edge = pair_.contact.facets[element.facet];
     Vec3 whole = Vec3::Zero();
-    for_hat_quadrature_points(
+    visit_hat_quadrature_points(
         edge, element.node, degree_, [&](const Vec3& hat, const Vec2& r, double weight) {
           const geometry::SidePoint at = edge.point(r);
           whole += weight * at.area_vector().norm() *
@@ -148,18 +148,18 @@ OppositePointsOfElement sample_triangle(const ContactSurface& own, const Surface
                                         const HatElement& triangle) {
   const geometry::ElementSide& face = own.facets[triangle.facet];
   OppositePointsOfElement found;
-  for_hat_quadrature_points(face, triangle.node, triangle_sampling_degree,
-                            [&](const Vec3& hat, const Vec2& r, double weight) {
-                              const geometry::SidePoint here = face.point(r);
-                              if (std::optional<PairPoint> met = target.project_along_normal(
-                                      here.x, surface_normal(own, triangle.facet, here))) {
-                                met->facet = triangle.facet;
-                                met->hat = hat;
-                                met->r = r;
-                                met->weight = weight * here.area_vector().norm();
-                                found.points.push_back(*met);
-                              }
-                            });
+  visit_hat_quadrature_points(face, triangle.node, triangle_sampling_degree,
+                              [&](const Vec3& hat, const Vec2& r, double weight) {
+                                const geometry::SidePoint here = face.point(r);
+                                if (std::optional<PairPoint> met = target.project_along_normal(
+                                        here.x, surface_normal(own, triangle.facet, here))) {
+                                  met->facet = triangle.facet;
+                                  met->hat = hat;
+                                  met->r = r;
+                                  met->weight = weight * here.area_vector().norm();
+                                  found.points.push_back(*met);
+                                }
+                              });
   return found;
 }
 
@@ -203,7 +203,7 @@ std::vector<MortarSegment> find_mortar_segments(const PairConstraints& pair) {
 
 std::optional<double> gap_to_rigid_target(const PairConstraints& pair, const Vec3& x) {
   if (pair.rigid_shape) {
-    return pair.rigid_shape->sense * distance_to(*pair.rigid_shape, x);
+    return pair.rigid_shape->sense * signed_distance(*pair.rigid_shape, x);
   }
   const std::optional<RigidProjection> foot = normal_projection(*pair.rigid, x.head<2>());
   return foot && !foot->beyond ? std::optional(foot->gap) : std::nullopt;

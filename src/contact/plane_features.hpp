@@ -20,7 +20,7 @@ using mesh::point_on_edge;
 
 /// Hats on half edges: piecewise linear, non-negative, sum 1; [node of the edge], those behind its
 /// last node zero.
-inline std::array<double, 3> edge_hats(const Edge& edge, double xi) {
+inline std::array<double, 3> edge_hat_values(const Edge& edge, double xi) {
   if (edge.count == 2) {
     return {0.5 * (1.0 - xi), 0.5 * (1.0 + xi), 0.0};
   }

@@ -75,7 +75,7 @@ bool target_ends(const PairConstraints& pair, const std::vector<EdgeEnds>& targe
 }
 
 std::vector<base::NodeId> nodes_at(const Edge& edge, double xi) {
-  const std::array<double, 3> phi = edge_hats(edge, xi);
+  const std::array<double, 3> phi = edge_hat_values(edge, xi);
   std::vector<base::NodeId> nodes;
   for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count); ++i) {
     if (phi[i] > at_node) {

@@ -181,8 +181,8 @@ std::vector<double> chain_start_lengths(const ContactSurface& surface) {
   return starts;
 }
 
-void to_slave_coordinates(const PairConstraints& pair, std::vector<NodePressure>& nodes,
-                          ContactArc& arc) {
+void convert_to_slave_coordinates(const PairConstraints& pair, std::vector<NodePressure>& nodes,
+                                  ContactArc& arc) {
   if (!pair.swapped || nodes.size() < 2) {
     return;
   }

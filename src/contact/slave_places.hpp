@@ -21,7 +21,7 @@ std::vector<double> chain_start_lengths(const ContactSurface& surface);
 /// Turns theta and arc of the nodes, and the ends of `arc`, from those of the surface with the
 /// multipliers into those of the slave: of its nearest point; beyond its
 /// first start and last end along the tangent.
-void to_slave_coordinates(const PairConstraints& pair, std::vector<NodePressure>& nodes,
-                          ContactArc& arc);
+void convert_to_slave_coordinates(const PairConstraints& pair, std::vector<NodePressure>& nodes,
+                                  ContactArc& arc);
 
 } // namespace spricka::contact

@@ -22,11 +22,11 @@ ContactSystem::ContactSystem(std::vector<const CondensedBody*> bodies,
   std::vector<std::pair<std::int32_t, std::int32_t>> place(freedoms, {-1, -1});
   mode_start_.push_back(0);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const std::vector<std::int32_t>& freedom = bodies_[b]->freedom();
+    const std::vector<std::int32_t>& freedom = bodies_[b]->external_freedoms();
     for (std::size_t i = 0; i < freedom.size(); ++i) {
       place[at(freedom[i])] = {static_cast<std::int32_t>(b), static_cast<std::int32_t>(i)};
     }
-    mode_start_.push_back(mode_start_.back() + bodies_[b]->modes().cols());
+    mode_start_.push_back(mode_start_.back() + bodies_[b]->rigid_modes().cols());
   }
   for (std::size_t r = 0; r < rows.size(); ++r) {
     for (const RowEntry& entry : rows[r]->entries) {
@@ -55,7 +55,7 @@ void ContactSystem::let_slide(const std::vector<ContactRowSurfaces>& sliding, in
       if (body < 0) {
         continue; // held by a support: no mode moves it
       }
-      const base::Matrix& Q = bodies_[at(body)]->modes();
+      const base::Matrix& Q = bodies_[at(body)]->rigid_modes();
       if (!found) {
         found = RigidModesAtNode{at(body), base::Matrix::Zero(dim, Q.cols())};
       }
@@ -78,13 +78,13 @@ std::vector<base::Vector> ContactSystem::resting_force(const std::vector<std::si
   }
   std::vector<base::Vector> force;
   for (std::size_t b = 0; b < bodies_.size() && !on_mode.isZero(0.0); ++b) {
-    const base::Matrix& Q = bodies_[b]->modes();
+    const base::Matrix& Q = bodies_[b]->rigid_modes();
     force.emplace_back(Q * on_mode.segment(mode_start_[b], Q.cols()));
   }
   return force;
 }
 
-double ContactSystem::opening(std::size_t row, const std::vector<base::Vector>& u) const {
+double ContactSystem::row_opening(std::size_t row, const std::vector<base::Vector>& u) const {
   double sum = 0.0;
   for (const BodyRowEntry& e : rows_[row]) {
     sum += e.weight * u[e.body][e.at];
@@ -106,25 +106,26 @@ base::Vector ContactSystem::motion_of(const IncrementProblem& problem, std::size
                : base::Vector(bodies_[body]->displacements_under_forces(problem.load[body]));
 }
 
-solve::ContactProblem ContactSystem::condensed(const IncrementProblem& problem) const {
+solve::ContactProblem ContactSystem::condense_problem(const IncrementProblem& problem) const {
   const auto n = index(problem.rows.size());
   std::vector<base::Vector> u(bodies_.size());
-  solve::ContactProblem small = equality_problem(problem.rows);
+  solve::ContactProblem small = make_equality_problem(problem.rows);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     // b and h of (solve.11): gaps as the loads alone leave them, and the loads on the modes.
     u[b] = motion_of(problem, b);
-    small.h.segment(mode_start_[b], bodies_[b]->modes().cols()) =
-        bodies_[b]->modes().transpose() * problem.load[b];
+    small.h.segment(mode_start_[b], bodies_[b]->rigid_modes().cols()) =
+        bodies_[b]->rigid_modes().transpose() * problem.load[b];
   }
   for (Eigen::Index i = 0; i < n; ++i) {
-    small.b[i] = problem.gap[i] + opening(problem.rows[at(i)], u);
+    small.b[i] = problem.gap[i] + row_opening(problem.rows[at(i)], u);
   }
   small.equality = problem.equality;
   small.load_scale = problem.load_scale;
   return small;
 }
 
-solve::ContactProblem ContactSystem::equality_problem(const std::vector<std::size_t>& rows) const {
+solve::ContactProblem
+ContactSystem::make_equality_problem(const std::vector<std::size_t>& rows) const {
   const auto n = index(rows.size());
   solve::ContactProblem small;
   small.W.resize(n, n);
@@ -143,7 +144,7 @@ solve::ContactProblem ContactSystem::equality_problem(const std::vector<std::siz
   return small;
 }
 
-base::Matrix ContactSystem::openings(const std::vector<base::Matrix>& u) const {
+base::Matrix ContactSystem::row_openings(const std::vector<base::Matrix>& u) const {
   base::Matrix out = base::Matrix::Zero(index(rows_.size()), u.empty() ? 0 : u.front().cols());
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     for (const BodyRowEntry& e : rows_[r]) {
@@ -160,11 +161,11 @@ void ContactSystem::add_row_force(std::size_t row, const Eigen::RowVectorXd& for
   }
 }
 
-solve::UniquenessResult ContactSystem::unique(const IncrementProblem& problem) const {
+solve::UniquenessResult ContactSystem::prove_uniqueness(const IncrementProblem& problem) const {
   if (solve::has_round_cones(problem.friction)) {
     return {}; // the test is one of signs
   }
-  return solve::check_uniqueness({condensed(problem), problem.friction, {}});
+  return solve::check_uniqueness({condense_problem(problem), problem.friction, {}});
 }
 
 ContactSystem::IncrementSolution
@@ -172,10 +173,10 @@ ContactSystem::solve(const IncrementProblem& problem,
                      const solve::ContactSettings& settings) const {
   IncrementSolution solution;
   if (problem.friction.empty()) {
-    solution.contact = solve::solve_contact(condensed(problem), settings, problem.start);
+    solution.contact = solve::solve_contact(condense_problem(problem), settings, problem.start);
   } else {
     solve::FrictionSolution found = solve::solve_friction(
-        {condensed(problem), problem.friction, problem.alpha, problem.expected}, settings,
+        {condense_problem(problem), problem.friction, problem.alpha, problem.expected}, settings,
         problem.touch);
     solution.contact = std::move(found.contact);
     solution.touch = std::move(found.touch);
@@ -199,8 +200,8 @@ ContactSystem::solve(const IncrementProblem& problem,
   }
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     solution.u.push_back(bodies_[b]->displacements_under_forces(force[b]) +
-                         bodies_[b]->modes() *
-                             s.alpha.segment(mode_start_[b], bodies_[b]->modes().cols()));
+                         bodies_[b]->rigid_modes() *
+                             s.alpha.segment(mode_start_[b], bodies_[b]->rigid_modes().cols()));
     if (b < problem.motion.size() && problem.motion[b].size() > 0) {
       solution.u.back() += problem.motion[b];
     }

@@ -51,25 +51,28 @@ public:
   [[nodiscard]] IncrementSolution solve(const IncrementProblem& problem,
                                         const solve::ContactSettings& settings) const;
   /// What is left of a problem once the bodies are condensed: compliances and gaps of its rows.
-  [[nodiscard]] solve::ContactProblem condensed(const IncrementProblem& problem) const;
+  [[nodiscard]] solve::ContactProblem condense_problem(const IncrementProblem& problem) const;
 
   /// W and B of some rows, b and h zero, all of them equalities.
-  [[nodiscard]] solve::ContactProblem equality_problem(const std::vector<std::size_t>& rows) const;
+  [[nodiscard]] solve::ContactProblem
+  make_equality_problem(const std::vector<std::size_t>& rows) const;
 
   /// Whether a sufficient test finds that an increment with these rows has only one solution.
-  [[nodiscard]] solve::UniquenessResult unique(const IncrementProblem& problem) const;
+  [[nodiscard]] solve::UniquenessResult prove_uniqueness(const IncrementProblem& problem) const;
 
   /// sum weight . u for a row, from external displacements; other freedoms count as zero.
-  [[nodiscard]] double opening(std::size_t row, const std::vector<base::Vector>& u) const;
+  [[nodiscard]] double row_opening(std::size_t row, const std::vector<base::Vector>& u) const;
   /// The same of all rows for several displacements [body][m, k]: [row, k].
-  [[nodiscard]] base::Matrix openings(const std::vector<base::Matrix>& u) const;
+  [[nodiscard]] base::Matrix row_openings(const std::vector<base::Matrix>& u) const;
   [[nodiscard]] const base::Matrix& row_compliance_matrix() const {
     return compliances_.W;
   } ///< [row, row] compliance
   [[nodiscard]] const base::Matrix& openings_by_rigid_modes() const {
     return compliances_.B;
-  }                                                                     ///< [row, mode]
-  [[nodiscard]] double row_flops() const { return compliances_.flops; } ///< of rows on whole bodies
+  } ///< [row, mode]
+  [[nodiscard]] double compliance_flops() const {
+    return compliances_.flops;
+  } ///< of rows on whole bodies
   /// Adds what forces [k] of a row load the bodies with [body][m, k].
   void add_row_force(std::size_t row, const Eigen::RowVectorXd& force,
                      std::vector<base::Matrix>& load) const;

@@ -69,7 +69,7 @@ double error_of_faces(const contact::FacetSurface& surface) {
         r += at[i] * face.node_local_coordinates(triangle.node[i]);
       }
       const base::Vec3 x = face.position(r);
-      most = std::max(most, std::abs(contact::distance_to(*round, x)));
+      most = std::max(most, std::abs(contact::signed_distance(*round, x)));
     }
   }
   return most;

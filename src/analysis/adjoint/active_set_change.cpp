@@ -130,7 +130,7 @@ ContactEdgeKChange active_set_K_changes(const Discretisation& scene, const StepS
   for (const ActiveSetCandidate& c : candidates) {
     rows.push_back(c.row);
   }
-  const base::Vector pivot = held->pivots(rows);
+  const base::Vector pivot = held->row_pivots(rows);
   std::array<double, 2> largest{}; // of the pivots of open and closed rows, which differ in unit
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     double& most = largest[candidates[i].closed ? 1 : 0];

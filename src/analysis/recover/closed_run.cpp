@@ -39,7 +39,7 @@ std::pair<double, double> LongestClosedContactRange::find(const std::vector<bool
   std::size_t best = 0;
   std::size_t length = 0;
   for (const std::vector<std::size_t>& places : contact::contiguous_marked_ranges(
-           contact::SequenceLinks::in_order(n, round_), in_order, first)) {
+           contact::SequenceLinks::link_consecutive(n, round_), in_order, first)) {
     if (places.size() > length) {
       length = places.size();
       best = places.front() < first ? places.front() + n : places.front();

@@ -33,7 +33,7 @@ LoadPathFunctionals::condense_functionals(const StepSolver& solver) const {
   const contact::ContactSystem& system = *solver.contact_system();
   Eigen::Index modes = 0;
   for (const std::size_t b : solver.condensed_body_indices()) {
-    modes += bodies_[b].condensed->modes().cols();
+    modes += bodies_[b].condensed->rigid_modes().cols();
   }
   const auto rows = static_cast<Eigen::Index>(scene_.table.size());
   out.of_row.resize(all, rows);
@@ -55,12 +55,13 @@ LoadPathFunctionals::condense_functionals(const StepSolver& solver) const {
       std::vector<base::Vector> u;
       for (std::size_t i = 0; i < moved.size(); ++i) {
         u.emplace_back(moved[i].col(k));
-        const base::Matrix& Q = bodies_[solver.condensed_body_indices()[i]].condensed->modes();
+        const base::Matrix& Q =
+            bodies_[solver.condensed_body_indices()[i]].condensed->rigid_modes();
         out.of_mode.row(first + k).segment(system.first_mode(i), Q.cols()) =
             external[i].col(k).transpose() * Q;
       }
       for (Eigen::Index r = 0; r < rows; ++r) {
-        out.of_row(first + k, r) = system.opening(static_cast<std::size_t>(r), u);
+        out.of_row(first + k, r) = system.row_opening(static_cast<std::size_t>(r), u);
       }
     }
     first += nodal.cols();

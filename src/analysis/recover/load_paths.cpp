@@ -182,8 +182,8 @@ LoadPathSolver::parametric_path_problem(const model::LoadPathDefinition& card,
     p.of_mode.resize(p.f0.size(), 0);
     return p;
   }
-  p.at_zero = solver.contact_system()->condensed(from.problem);
-  const solve::ContactProblem at_one = solver.contact_system()->condensed(to.problem);
+  p.at_zero = solver.contact_system()->condense_problem(from.problem);
+  const solve::ContactProblem at_one = solver.contact_system()->condense_problem(to.problem);
   p.db = at_one.b - p.at_zero.b;
   p.dh = at_one.h - p.at_zero.h;
   // One end may be without load: the larger scale serves all of the path.

@@ -32,13 +32,13 @@ Motions motions_of(const Discretisation& scene, const std::vector<SubstructuredB
   const solve::ContactSolution& s = solved.solution.contact;
   for (std::size_t i = 0; i < solved.condensed.size(); ++i) {
     const contact::CondensedBody& body = *bodies[solved.condensed[i]].condensed;
-    const base::Vector moved =
-        body.modes() * s.alpha.segment(solved.system.first_mode(i), body.modes().cols());
+    const base::Vector moved = body.rigid_modes() * s.alpha.segment(solved.system.first_mode(i),
+                                                                    body.rigid_modes().cols());
     base::Vector& rigid = out.rigid.emplace_back(base::Vector::Zero(
         static_cast<Eigen::Index>(scene.cracked.mesh.node_count()) * scene.cracked.mesh.dim));
-    for (std::size_t k = 0; k < body.freedom().size(); ++k) {
+    for (std::size_t k = 0; k < body.external_freedoms().size(); ++k) {
       const auto at = static_cast<Eigen::Index>(k);
-      rigid[body.freedom()[k]] = moved[at];
+      rigid[body.external_freedoms()[k]] = moved[at];
       out.sound = std::max(out.sound, std::abs(solved.solution.u[i][at] - moved[at]));
     }
   }

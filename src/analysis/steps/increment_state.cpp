@@ -117,7 +117,7 @@ void IncrementState::accept_solved_increment(
   for (const std::size_t row : problem.rows) {
     if (history_.has_friction(row)) {
       offset_[static_cast<Eigen::Index>(row)] =
-          -system.opening(row, solution.u) -
+          -system.row_opening(row, solution.u) -
           row_opening(scene_.contact_row(row), scene_.cracked.mesh.dim, fixed);
     }
   }

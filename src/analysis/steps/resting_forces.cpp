@@ -14,7 +14,7 @@ base::Vector sliding_mode_residual_force(const std::vector<SubstructuredBody>& b
   }
   base::Vector resting = base::Vector::Zero(size);
   for (std::size_t i = 0; i < solution.resting_force.size(); ++i) {
-    const std::vector<std::int32_t>& freedom = bodies[condensed[i]].condensed->freedom();
+    const std::vector<std::int32_t>& freedom = bodies[condensed[i]].condensed->external_freedoms();
     for (std::size_t k = 0; k < freedom.size(); ++k) {
       resting[freedom[k]] = solution.resting_force[i][static_cast<Eigen::Index>(k)];
     }

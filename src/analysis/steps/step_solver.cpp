@@ -81,13 +81,13 @@ void note_unresisted(const solve::ContactSolution& s, std::vector<results::Note>
 // The condensed body's orthonormal modes are combinations of the free rigid modes: the same
 // combination on all nodes tells which way it goes. [dim * node]
 base::Vector rigid_motion(const SubstructuredBody& body, const base::Vector& mode) {
-  const std::vector<std::int32_t>& freedom = body.condensed->freedom();
+  const std::vector<std::int32_t>& freedom = body.condensed->external_freedoms();
   base::Matrix at_externals(static_cast<Eigen::Index>(freedom.size()),
                             body.free_rigid_modes.cols());
   for (std::size_t i = 0; i < freedom.size(); ++i) {
     at_externals.row(static_cast<Eigen::Index>(i)) = body.free_rigid_modes.row(freedom[i]);
   }
-  const base::Vector shape = body.condensed->modes() * mode;
+  const base::Vector shape = body.condensed->rigid_modes() * mode;
   return body.free_rigid_modes * base::least_squares(at_externals, shape);
 }
 
@@ -119,7 +119,8 @@ std::string StepSolver::describe_unsupported_motion(const base::Vector& mode, bo
   mode.cwiseAbs().maxCoeff(&most);
   const std::size_t at = system_->body_of_mode(most);
   const SubstructuredBody& body = bodies_[condensed_[at]];
-  const base::Vector own = mode.segment(system_->first_mode(at), body.condensed->modes().cols());
+  const base::Vector own =
+      mode.segment(system_->first_mode(at), body.condensed->rigid_modes().cols());
   return fmt::format("body {} {}: {}{}", body.name,
                      slides ? "slides, friction does not hold it" : "is loaded but not held",
                      describe_rigid_motion(scene_.cracked.mesh, body.body, rigid_motion(body, own)),
@@ -269,11 +270,12 @@ void StepSolver::note_uniqueness(const StepIncrementation& walk, StepState& stat
     // The test depends on the rows in force alone (solve.27): once for each set of mounted
     // contacts.
     tested_ = factors().mounted;
-    certain_ = system_->unique(walk.problem()).certain;
+    certain_ = system_->prove_uniqueness(walk.problem()).certain;
   }
   if (!certain_ && walk.problem().rows.size() <= most_rows_tested &&
-      solve::has_other_solutions({system_->condensed(walk.problem()), walk.problem().friction, {}},
-                                 {walk.solution().contact, walk.solution().touch, false})) {
+      solve::has_other_solutions(
+          {system_->condense_problem(walk.problem()), walk.problem().friction, {}},
+          {walk.solution().contact, walk.solution().touch, false})) {
     state.notes.push_back(results::questionable_input_note(
         "with this much friction the end of the step is one of several solutions: shear, pressures "
         "and K are those of one of them"));

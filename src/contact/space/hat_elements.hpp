@@ -26,8 +26,8 @@ std::span<const HatNodes> corner_hat_elements(const geometry::ElementSide& face)
 /// Calls f(hats, r, weight) for the points of the rule of some degree on a piece of a facet: the
 /// hats of its nodes and the place on the facet there, the weight in the facet's local coordinates.
 template <class F>
-void for_hat_quadrature_points(const geometry::ElementSide& facet, const HatNodes& nodes,
-                               int degree, F&& f) {
+void visit_hat_quadrature_points(const geometry::ElementSide& facet, const HatNodes& nodes,
+                                 int degree, F&& f) {
   const Vec2 first = facet.node_local_coordinates(nodes[0]);
   const Vec2 a = facet.node_local_coordinates(nodes[1]) - first;
   if (facet.is_edge()) {

@@ -50,7 +50,7 @@ OppositePointsOfElement project_triangle_onto_rigid(const FacetSurface& contact,
   const geometry::ElementSide& face = contact.facets[triangle.facet];
   const double reach = farthest_opposite * contact.extent;
   OppositePointsOfElement projection;
-  for_hat_quadrature_points(
+  visit_hat_quadrature_points(
       face, triangle.node, triangle_degree, [&](const Vec3& hat, const Vec2& r, double weight) {
         PairPoint p;
         p.facet = triangle.facet;
@@ -63,7 +63,7 @@ OppositePointsOfElement project_triangle_onto_rigid(const FacetSurface& contact,
         // A motion along the normal closes the gap.
         p.normal = -outer_normal(target, p.x);
         p.turn = here.area_vector().normalized().dot(p.normal);
-        p.gap = zero_gap_below_round_off(target.sense * distance_to(target, p.x),
+        p.gap = zero_gap_below_round_off(target.sense * signed_distance(target, p.x),
                                          p.x.cwiseAbs().maxCoeff());
         p.round_gap = p.gap;
         if (const std::optional<AnalyticShape>& own = contact.analytic_shape(triangle.facet);

@@ -32,7 +32,7 @@ AboutAxis about(const AnalyticShape& round, const Vec3& x) {
 
 } // namespace
 
-double distance_to(const AnalyticShape& round, const Vec3& x) {
+double signed_distance(const AnalyticShape& round, const Vec3& x) {
   switch (round.kind) {
   case AnalyticShapeKind::plane:
     return (x - round.point).dot(round.axis);
@@ -73,7 +73,7 @@ std::optional<double> distance_along_direction(const AnalyticShape& round, const
     if (std::abs(along) < 0.5) {
       return std::nullopt;
     }
-    const double step = distance_to(round, y) / along;
+    const double step = signed_distance(round, y) / along;
     g -= step;
     if (std::abs(step) <= 1e-15 * (std::abs(round.radius) + y.norm())) {
       break;

@@ -25,7 +25,7 @@ struct AnalyticShape {
 
 /// Distance of x from the shape, positive outside [length]; exact near it and on all of it but a
 /// cone's tip.
-double distance_to(const AnalyticShape& round, const base::Vec3& x);
+double signed_distance(const AnalyticShape& round, const base::Vec3& x);
 /// Gradient of that distance, unit; zero on an axis or in a centre.
 base::Vec3 distance_gradient(const AnalyticShape& round, const base::Vec3& x);
 /// Unit normal that leaves the body whose surface the shape is.

@@ -51,7 +51,7 @@ Vec3 snapped(const Vec3& x, double extent) {
 double farthest_off(const AnalyticShape& round, const std::vector<Vec3>& points) {
   double most = 0.0;
   for (const Vec3& p : points) {
-    most = std::max(most, std::abs(distance_to(round, p)));
+    most = std::max(most, std::abs(signed_distance(round, p)));
   }
   return most;
 }

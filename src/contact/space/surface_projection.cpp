@@ -209,10 +209,10 @@ OppositePointsOfElement SurfaceProjector::project_triangle(const HatElement& tri
   const Frame frame(contact_, triangle);
   OppositePointsOfElement projection;
   projection.flat_area = 0.5 * frame.area2;
-  for_hat_quadrature_points(frame.face, triangle.node, piece_degree,
-                            [&](const Vec3& hat, const Vec2& r, double weight) {
-                              projection.whole += weight * frame.face.area_vector(r).norm() * hat;
-                            });
+  visit_hat_quadrature_points(frame.face, triangle.node, piece_degree,
+                              [&](const Vec3& hat, const Vec2& r, double weight) {
+                                projection.whole += weight * frame.face.area_vector(r).norm() * hat;
+                              });
   // The prism over the triangle, as far as a target may lie off.
   const Vec3 up = reach_ * frame.n.cwiseAbs();
   geometry::Box<3> box = geometry::Box<3>::around(frame.x);

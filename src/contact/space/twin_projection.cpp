@@ -90,23 +90,23 @@ OppositePointsOfElement project_triangle_on_matching_face(const FacetSurface& ow
   const geometry::ElementSide& face = own.facets[triangle.facet];
   const std::size_t corners = corner_count(face);
   OppositePointsOfElement projection;
-  for_hat_quadrature_points(face, triangle.node, twin_degree,
-                            [&](const Vec3& hat, const Vec2& r, double weight) {
-                              PairPoint point;
-                              point.facet = triangle.facet;
-                              point.target = twin.face;
-                              point.r = r;
-                              point.s = place_on_twin(twin, corners, r);
-                              point.hat = hat;
-                              const geometry::SidePoint at = face.point(point.r);
-                              point.x = at.x;
-                              point.normal = surface_normal(own, triangle.facet, at);
-                              point.turn = 1.0;
-                              point.weight = weight * at.area_vector().norm();
-                              projection.whole += point.weight * point.hat;
-                              projection.flat_area += point.weight;
-                              projection.points.push_back(point);
-                            });
+  visit_hat_quadrature_points(face, triangle.node, twin_degree,
+                              [&](const Vec3& hat, const Vec2& r, double weight) {
+                                PairPoint point;
+                                point.facet = triangle.facet;
+                                point.target = twin.face;
+                                point.r = r;
+                                point.s = place_on_twin(twin, corners, r);
+                                point.hat = hat;
+                                const geometry::SidePoint at = face.point(point.r);
+                                point.x = at.x;
+                                point.normal = surface_normal(own, triangle.facet, at);
+                                point.turn = 1.0;
+                                point.weight = weight * at.area_vector().norm();
+                                projection.whole += point.weight * point.hat;
+                                projection.flat_area += point.weight;
+                                projection.points.push_back(point);
+                              });
   projection.flat_seen = projection.flat_area;
   return projection;
 }

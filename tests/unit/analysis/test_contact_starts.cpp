@@ -38,7 +38,7 @@ std::string deck_with(const std::string& name,
 solve::ContactProblem first_problem(const std::string& deck) {
   test::SolvedScene scene(deck);
   EXPECT_TRUE(scene.solve(0));
-  return scene.solver->contact_system()->condensed(scene.solver->contact_problem());
+  return scene.solver->contact_system()->condense_problem(scene.solver->contact_problem());
 }
 
 // None, all, and twenty at random.

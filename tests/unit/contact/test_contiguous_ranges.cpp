@@ -10,20 +10,25 @@ using Places = std::vector<std::vector<std::size_t>>;
 
 TEST(Stretch, ALineEndsWhatGoesRoundARing) {
   const std::vector<bool> marked{true, false, true, true, false, true};
-  EXPECT_EQ(contact::contiguous_marked_ranges(contact::SequenceLinks::in_order(6, false), marked),
-            (Places{{0}, {2, 3}, {5}}));
-  EXPECT_EQ(contact::contiguous_marked_ranges(contact::SequenceLinks::in_order(6, true), marked),
-            (Places{{2, 3}, {5, 0}}));
-  EXPECT_EQ(contact::contiguous_marked_ranges(contact::SequenceLinks::in_order(6, true), marked, 4),
+  EXPECT_EQ(
+      contact::contiguous_marked_ranges(contact::SequenceLinks::link_consecutive(6, false), marked),
+      (Places{{0}, {2, 3}, {5}}));
+  EXPECT_EQ(
+      contact::contiguous_marked_ranges(contact::SequenceLinks::link_consecutive(6, true), marked),
+      (Places{{2, 3}, {5, 0}}));
+  EXPECT_EQ(contact::contiguous_marked_ranges(contact::SequenceLinks::link_consecutive(6, true),
+                                              marked, 4),
             (Places{{5, 0}, {2, 3}}));
 }
 
 TEST(Stretch, ARingMarkedAllRoundBeginsNowhere) {
   const std::vector<bool> all(4, true);
   EXPECT_TRUE(
-      contact::contiguous_marked_ranges(contact::SequenceLinks::in_order(4, true), all).empty());
-  EXPECT_EQ(contact::contiguous_marked_ranges(contact::SequenceLinks::in_order(4, false), all),
-            (Places{{0, 1, 2, 3}}));
+      contact::contiguous_marked_ranges(contact::SequenceLinks::link_consecutive(4, true), all)
+          .empty());
+  EXPECT_EQ(
+      contact::contiguous_marked_ranges(contact::SequenceLinks::link_consecutive(4, false), all),
+      (Places{{0, 1, 2, 3}}));
 }
 
 // Two lines of three places, the second followed by the first: a surface cut by a mouth.

@@ -74,10 +74,10 @@ TEST_P(Fit, FindsTheShapeOfItsPoints) {
   EXPECT_EQ(found->kind, kind);
   EXPECT_TRUE(found->exact);
   for (const PointNormal& at : samples.normals) {
-    EXPECT_LT(std::abs(distance_to(*found, at.x)), 1e-11);
+    EXPECT_LT(std::abs(signed_distance(*found, at.x)), 1e-11);
     EXPECT_LT((outer_normal(*found, at.x) - at.normal).norm(), 1e-10);
     const Vec3 off = at.x + 0.1 * at.normal; // the distance of a plane may have either sign
-    EXPECT_NEAR(std::abs(distance_to(*found, off)), 0.1, 1e-10);
+    EXPECT_NEAR(std::abs(signed_distance(*found, off)), 0.1, 1e-10);
   }
 }
 
@@ -120,7 +120,8 @@ TEST_P(DistancesFromCrack, GradientIsItsSlope) {
     const Vec3 x = shape.point + Vec3(at(random), at(random), at(random));
     for (int c = 0; c < 3; ++c) {
       const Vec3 step = h * Vec3::Unit(c);
-      const double slope = (distance_to(shape, x + step) - distance_to(shape, x - step)) / (2 * h);
+      const double slope =
+          (signed_distance(shape, x + step) - signed_distance(shape, x - step)) / (2 * h);
       EXPECT_NEAR(distance_gradient(shape, x)[c], slope, 1e-7);
     }
   }

@@ -179,8 +179,8 @@ TEST(ContactSystem, PivotsOfHeldRowsAreInversesOfThoseOfOpenOnes) {
   for (const std::size_t i : {std::size_t{1}, std::size_t{3}}) {
     std::vector<std::size_t> without;
     std::ranges::copy_if(held, std::back_inserter(without), [&](std::size_t r) { return r != i; });
-    const base::Vector closed = contact::FixedActiveSet(system, held).pivots({i});
-    const base::Vector open = contact::FixedActiveSet(system, without).pivots({i});
+    const base::Vector closed = contact::FixedActiveSet(system, held).row_pivots({i});
+    const base::Vector open = contact::FixedActiveSet(system, without).row_pivots({i});
     ASSERT_EQ(closed.size(), 1);
     ASSERT_EQ(open.size(), 1);
     EXPECT_GT(open[0], 0.0);
@@ -196,8 +196,9 @@ TEST(ContactSystem, PivotsOfHeldRowsAreInversesOfThoseOfOpenOnes) {
   const std::vector<base::Matrix> load{force, on_other};
   const contact::ResponseWithoutContact free = contact::response_without_contact(system, load);
   const std::vector<base::Matrix> moved =
-      fixed.displacement(load, fixed.solve_response(free.opening, free.on_mode));
-  EXPECT_NEAR(system.opening(2, {moved[0].col(0), moved[1].col(0)}), fixed.pivots({2})[0], 1e-12);
+      fixed.external_displacements(load, fixed.solve_response(free.opening, free.on_mode));
+  EXPECT_NEAR(system.row_opening(2, {moved[0].col(0), moved[1].col(0)}), fixed.row_pivots({2})[0],
+              1e-12);
 }
 
 } // namespace
