@@ -40,7 +40,7 @@ EdgeIndex index_boundary_edges(const EdgeTable& table) {
   return index;
 }
 
-std::optional<std::size_t> find_edge(const EdgeIndex& index, const contact::Edge& edge) {
+std::optional<std::size_t> find_mesh_edge(const EdgeIndex& index, const contact::Edge& edge) {
   if (edge.count < 3) {
     return std::nullopt;
   }
@@ -60,7 +60,7 @@ std::vector<ContactEdge> contact_edges_of_pair(const EdgeTable& table,
   for (std::size_t i = 0; i < result.size(); ++i) {
     const bool target = i >= own.size();
     const contact::Edge& edge = target ? others[i - own.size()] : own[i];
-    if (const std::optional<std::size_t> at = find_edge(index, edge)) {
+    if (const std::optional<std::size_t> at = find_mesh_edge(index, edge)) {
       known[i] = true;
       result[i].edge = *at;
       result[i].shape = &edge;

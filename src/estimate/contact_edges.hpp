@@ -28,7 +28,7 @@ using EdgeIndex = std::map<std::array<base::NodeId, 3>, std::size_t>;
 /// Index of the edges that only one element has, by their three nodes as in the table.
 EdgeIndex index_boundary_edges(const EdgeTable& table);
 /// The one that a quadratic contact edge is.
-std::optional<std::size_t> find_edge(const EdgeIndex& index, const contact::Edge& edge);
+std::optional<std::size_t> find_mesh_edge(const EdgeIndex& index, const contact::Edge& edge);
 
 /// The edges of both surfaces of a pair, which they point into. Edges that match end to end to a
 /// hundredth of their length are opposite each other.

@@ -21,7 +21,7 @@ std::vector<ContactModeWeight> target_mode_weights(const EdgeTable& table,
     const std::vector<base::NodeId>& nodes = pair.contact.facets[element.facet].nodes;
     for (const contact::PairPoint& p : project(element).points) {
       const contact::Edge& target = pair.target.plane.edges[p.target];
-      const std::optional<std::size_t> at = find_edge(index, target);
+      const std::optional<std::size_t> at = find_mesh_edge(index, target);
       if (!at) {
         continue;
       }

@@ -145,7 +145,7 @@ private:
 
   // Stiffness that other bodies add to modes of contact surfaces.
   void add_support(base::Matrix& K) const {
-    const std::vector<base::Vec3>& blocks = request_.enrichment.diagonal();
+    const std::vector<base::Vec3>& blocks = request_.enrichment.diagonal_blocks();
     for (const auto& [freedom, part] : request_.map.support) {
       const auto found = modes_.find(request_.map.unknown[freedom]);
       if (found != modes_.end()) {

@@ -8,7 +8,7 @@
 
 namespace spricka::estimate {
 
-EdgeTable find_edges(const model::Mesh& mesh) {
+EdgeTable make_edge_table(const model::Mesh& mesh) {
   struct Side {
     std::array<base::NodeId, 3> nodes;
     std::size_t at = 0; ///< in of_side

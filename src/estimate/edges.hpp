@@ -27,7 +27,7 @@ struct EdgeTable {
 };
 /// Numbers the edges of a plane mesh of quadratic elements; edges are the same where all three
 /// nodes are, so that the faces of a crack keep edges of their own.
-EdgeTable find_edges(const model::Mesh& mesh);
+EdgeTable make_edge_table(const model::Mesh& mesh);
 
 /// 1 where a side runs from the lower to the higher of its corners, else -1: the sign of a side's
 /// mode in the edge's.

@@ -76,7 +76,7 @@ public:
   [[nodiscard]] base::Vector stiffness_product(const base::Vector& x) const;
   /// Diagonal blocks of K_ee: for each direction pair 2 i, 2 i + 1 the entries (0,0), (1,0), (1,1).
   /// [freedoms / 2]
-  [[nodiscard]] const std::vector<base::Vec3>& diagonal() const { return diagonal_; }
+  [[nodiscard]] const std::vector<base::Vec3>& diagonal_blocks() const { return diagonal_; }
   /// r - K_ep u, by columns. u [dim * node, k], r [freedoms, k]
   void subtract_nodal_coupling(const base::Matrix& u, base::Matrix& r) const;
   /// The functional of some points on the modes. [freedoms, 2]

@@ -17,7 +17,7 @@ class Preconditioner {
 public:
   Preconditioner(const CubicEnrichment& enrichment, const ModeFreedomMap& map)
       : diagonal_(base::Vector::Zero(map.unknowns)) {
-    const std::vector<base::Vec3>& blocks = enrichment.diagonal();
+    const std::vector<base::Vec3>& blocks = enrichment.diagonal_blocks();
     const std::size_t edges = enrichment.edges().edges.size();
     std::vector<int> users(static_cast<std::size_t>(map.unknowns), 0);
     for (const std::int32_t u : map.unknown) {

@@ -26,7 +26,7 @@ struct TriangleModes {
     return {1.0 - r[0] - r[1], r[0], r[1]};
   }
   /// Gradients of the area coordinates by the reference coordinates, the same at all points.
-  static const Eigen::Matrix<double, 3, 2>& slopes() {
+  static const Eigen::Matrix<double, 3, 2>& area_coordinate_gradients() {
     static const Eigen::Matrix<double, 3, 2> d{{-1.0, -1.0}, {1.0, 0.0}, {0.0, 1.0}};
     return d;
   }
@@ -45,7 +45,7 @@ struct TriangleModes {
   /// Derivatives of the modes by the reference coordinates. [count, 2]
   static Eigen::Matrix<double, count, 2> dpsi(const shape::Point<2>& r) {
     const Eigen::Vector3d L = area_coordinates(r);
-    const Eigen::Matrix<double, 3, 2>& d = slopes();
+    const Eigen::Matrix<double, 3, 2>& d = area_coordinate_gradients();
     Eigen::Matrix<double, count, 2> slope;
     for (int s = 0; s < sides; ++s) {
       const int j = (s + 1) % 3;
@@ -63,7 +63,7 @@ struct TriangleModes {
   }
   /// Gradient of the side coordinate by the reference coordinates, the same at all points.
   static Eigen::RowVector2d side_coordinate_gradient(int s) {
-    return slopes().row((s + 1) % 3) - slopes().row(s);
+    return area_coordinate_gradients().row((s + 1) % 3) - area_coordinate_gradients().row(s);
   }
 };
 

@@ -30,7 +30,7 @@ SolidEnrichment::SolidEnrichment(const model::Model& model, const model::Mesh& m
                                  const std::vector<model::FreedomRole>& cls,
                                  const fe::ConstraintTransformation& ties)
     : model_(model), mesh_(mesh), operator_(model, mesh, number_solid_modes(mesh, cls, ties)) {
-  std::vector<Eigen::Matrix3d> block = operator_.diagonal();
+  std::vector<Eigen::Matrix3d> block = operator_.diagonal_blocks();
   for (std::size_t m = 0; m < block.size(); ++m) {
     // A direction that is held has no part in the block's inverse.
     for (Eigen::Index c = 0; c < 3; ++c) {
@@ -45,7 +45,7 @@ SolidEnrichment::SolidEnrichment(const model::Model& model, const model::Mesh& m
   }
 }
 
-base::Vector SolidEnrichment::precondition(const base::Vector& r) const {
+base::Vector SolidEnrichment::apply_preconditioner(const base::Vector& r) const {
   base::Vector y(r.size());
   for (std::size_t m = 0; m < inverse_.size(); ++m) {
     const Eigen::Index at = 3 * static_cast<Eigen::Index>(m);
@@ -73,7 +73,7 @@ void SolidEnrichment::add_inside(base::ElementId e, const Vec3& r, const Vec3& f
                                  base::Vector& f) const {
   const base::Vector psi = SolidModes::for_type(mesh_.type[e.index()]).psi(r);
   const std::span<const std::int32_t> mode = element_modes(e);
-  const std::span<const double> sign = signs(e);
+  const std::span<const double> sign = element_mode_signs(e);
   for (std::size_t m = 0; m < mode.size(); ++m) {
     f.segment<3>(3 * static_cast<Eigen::Index>(mode[m])) +=
         sign[m] * psi[static_cast<Eigen::Index>(m)] * force;
@@ -111,7 +111,7 @@ void SolidEnrichment::add_thermal(base::ElementId e, const fe::CaseTemperature& 
     F += w * modes.dpsi(point.r).lazyProduct(inverse);
   }
   const std::span<const std::int32_t> mode = element_modes(e);
-  const std::span<const double> sign = signs(e);
+  const std::span<const double> sign = element_mode_signs(e);
   for (std::size_t m = 0; m < mode.size(); ++m) {
     f.segment<3>(3 * static_cast<Eigen::Index>(mode[m])) +=
         sign[m] * F.row(static_cast<Eigen::Index>(m)).transpose();

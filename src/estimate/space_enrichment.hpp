@@ -38,7 +38,7 @@ public:
     return {of.mode.data() + of.first[e.index()], of.mode.data() + of.first[e.index() + 1]};
   }
   /// Whether the element's own function is the mode or its negative.
-  [[nodiscard]] std::span<const double> signs(base::ElementId e) const {
+  [[nodiscard]] std::span<const double> element_mode_signs(base::ElementId e) const {
     const SolidModeNumbers& of = operator_.mode_numbers();
     return {of.sign.data() + of.first[e.index()], of.sign.data() + of.first[e.index() + 1]};
   }
@@ -51,7 +51,7 @@ public:
   void stiffness_product(const base::Vector& x, base::Vector& on_nodes,
                          base::Vector& on_modes) const;
   /// The inverse of the 3 by 3 diagonal blocks of K_ee, times r on free ones.
-  [[nodiscard]] base::Vector precondition(const base::Vector& r) const;
+  [[nodiscard]] base::Vector apply_preconditioner(const base::Vector& r) const;
   /// Zero where held. [freedoms]
   [[nodiscard]] const base::Vector& free_mode_mask() const { return operator_.mode_numbers().free; }
 

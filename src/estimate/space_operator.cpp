@@ -263,7 +263,7 @@ void SolidModeStiffness::add_forces(const NodalAndModeDisplacements& motion,
   }
 }
 
-std::vector<Eigen::Matrix3d> SolidModeStiffness::diagonal() const {
+std::vector<Eigen::Matrix3d> SolidModeStiffness::diagonal_blocks() const {
   std::size_t modes = 0;
   for (const std::int32_t mode : numbers_.mode) {
     modes = std::max(modes, static_cast<std::size_t>(mode) + 1);

@@ -48,7 +48,7 @@ public:
   void add_forces(const NodalAndModeDisplacements& motion, const NodalAndModeForces& forces) const;
 
   /// The 3 by 3 blocks on the diagonal of K_ee. [mode]
-  [[nodiscard]] std::vector<Eigen::Matrix3d> diagonal() const;
+  [[nodiscard]] std::vector<Eigen::Matrix3d> diagonal_blocks() const;
 
 private:
   void add_diagonal(const ElementBlock& block, std::vector<Eigen::Matrix3d>& diagonal) const;

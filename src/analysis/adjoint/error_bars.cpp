@@ -114,7 +114,7 @@ void TipErrorBars::prepare() {
   if (!why_not_.empty()) {
     return;
   }
-  estimate::EdgeTable edges = estimate::find_edges(mesh);
+  estimate::EdgeTable edges = estimate::make_edge_table(mesh);
   std::vector<bool> framed(edges.edges.size(), false);
   for (const contact::PairConstraints& pair : scene_.pairs) {
     contact_edges_.push_back(estimate::contact_edges_of_pair(edges, pair));

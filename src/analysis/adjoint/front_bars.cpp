@@ -46,7 +46,7 @@ crack::SparseLinearFunctionals goal_rows(const model::Model& model, const Discre
   crack::SupplementaryFunctions others;
   others.count = enrichment.freedoms() / 3;
   others.of_element = [&](base::ElementId e) { return enrichment.element_modes(e); };
-  others.signs = [&](base::ElementId e) { return enrichment.signs(e); };
+  others.signs = [&](base::ElementId e) { return enrichment.element_mode_signs(e); };
   others.slopes = [](base::ElementType type, const base::Vec3& r) {
     return estimate::SolidModes::for_type(type).dpsi(r);
   };
@@ -151,7 +151,7 @@ std::optional<base::Vector> FrontErrorBars::solve(const FrozenContactStep& step,
                                                   base::Vector r) const {
   const estimate::SolidEnrichment& modes = *enrichment_;
   base::Vector eta = base::Vector::Zero(K.rows.cols());
-  base::Vector s = modes.precondition(r);
+  base::Vector s = modes.apply_preconditioner(r);
   base::Vector p = s;
   double rs = r.dot(s);
   for (int i = 0; i < most_steps && rs > 0.0; ++i) {
@@ -172,7 +172,7 @@ std::optional<base::Vector> FrontErrorBars::solve(const FrozenContactStep& step,
       break;
     }
     r -= alpha * Sp;
-    s = modes.precondition(r);
+    s = modes.apply_preconditioner(r);
     const double next = r.dot(s);
     p = s + (next / rs) * p;
     rs = next;

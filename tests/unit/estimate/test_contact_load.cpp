@@ -23,7 +23,7 @@ TEST(ContactLoad, ALinearPressureWorksOnTheModesAsInTheIntegral) {
     const contact::PairConstraints pair =
         contact::build_pair_constraints(model, model.mesh, model.contacts[0]);
     ASSERT_FALSE(pair.swapped);
-    const estimate::EdgeTable table = estimate::find_edges(model.mesh);
+    const estimate::EdgeTable table = estimate::make_edge_table(model.mesh);
     std::map<std::size_t, double> force; // by freedom
     for (const estimate::ContactModeWeight& w : estimate::target_mode_weights(table, pair)) {
       force[w.freedom] += w.weight * model.mesh.x[pair.normal[w.row].node.index()].x();

@@ -149,7 +149,7 @@ struct Found {
 };
 
 Found estimate_of(const StripTriangle& s, const model::LoadCase& load) {
-  estimate::EdgeTable edges = estimate::find_edges(s.cracked.mesh);
+  estimate::EdgeTable edges = estimate::make_edge_table(s.cracked.mesh);
   const std::size_t count = edges.edges.size();
   const estimate::CubicEnrichment modes(s.model, s.cracked.mesh, std::move(edges),
                                         std::vector<bool>(count, false));
@@ -262,7 +262,7 @@ std::vector<std::int32_t> freedoms_of_straight_elements(const model::Mesh& mesh,
 // nothing is left to correct.
 TEST_P(GoalError, IsNothingWhereTheMeshIsExact) {
   StripTriangle strip(GetParam(), 0.0, 1.0, false);
-  estimate::EdgeTable edges = estimate::find_edges(strip.cracked.mesh);
+  estimate::EdgeTable edges = estimate::make_edge_table(strip.cracked.mesh);
   const std::size_t count = edges.edges.size();
   const estimate::CubicEnrichment modes(strip.model, strip.cracked.mesh, std::move(edges),
                                         std::vector<bool>(count, false));

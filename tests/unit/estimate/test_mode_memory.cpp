@@ -35,7 +35,7 @@ TEST_P(ModeMatrixCache, KeptMatricesAreThoseMadeAnew) {
     host.push_back(e + 3 < mesh.element_count() ? base::ElementId(e) : base::ElementId());
   }
   estimate::ModeMatrixCache memory;
-  const estimate::EdgeTable edges = estimate::find_edges(mesh);
+  const estimate::EdgeTable edges = estimate::make_edge_table(mesh);
   std::vector<bool> framed(edges.edges.size(), false);
   const auto differs = [&] {
     const estimate::CubicEnrichment kept(model, mesh, edges, framed, {&memory, &host});

@@ -109,7 +109,7 @@ TYPED_TEST(CubicModes, AreContinuousAcrossEdges) {
   spec.nr = 2;
   spec.nt = 8;
   mesh::generate_ring(mesh, base::NetId(std::size_t{0}), "", spec);
-  const estimate::EdgeTable table = estimate::find_edges(mesh);
+  const estimate::EdgeTable table = estimate::make_edge_table(mesh);
   struct Seen {
     std::array<base::Vec2, 2> slope; ///< du/dt by the edge's two freedoms, at t = 0.3 of the edge
   };

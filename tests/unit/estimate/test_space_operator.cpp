@@ -167,7 +167,7 @@ TEST_P(SpaceOperatorOf, RestsUnderRigidMotions) {
 }
 
 TEST_P(SpaceOperatorOf, HasItsDiagonal) {
-  const std::vector<Eigen::Matrix3d> diagonal = op.diagonal();
+  const std::vector<Eigen::Matrix3d> diagonal = op.diagonal_blocks();
   ASSERT_EQ(static_cast<Eigen::Index>(3 * diagonal.size()), block.modal());
   for (Eigen::Index m = 0; m < block.modal() / 3; m += 37) {
     for (Eigen::Index c = 0; c < 3; ++c) {
