@@ -83,8 +83,8 @@ int main(int argc, char** argv) {
   length->number_freedoms();
   results::CrackLengthPreview told;
   program::CostForecast(*model, 1, rate)
-      .forecast_crack_length(length->request(), length->bodies(), length->discretisation(), 0.0,
-                             told);
+      .forecast_crack_length(length->condensation_request(), length->bodies(),
+                             length->discretisation(), 0.0, told);
   fmt::print("{} equations, {} rows, {:.0f} MB foretold\n", told.unknowns,
              length->discretisation().table.size(), 1e-6 * told.memory);
   analysis::CondensationStatistics log;

@@ -20,8 +20,9 @@ IntensityAdjointSolver::IntensityAdjointSolver(const model::Model& model,
                                                const std::vector<SubstructuredBody>& bodies)
     : model_(model), scene_(scene), bodies_(bodies) {}
 
-StressIntensityAdjoints IntensityAdjointSolver::solve_closed_set(const FrozenContactSystem& system,
-                                                                 const std::vector<bool>& closed) {
+StressIntensityAdjoints
+IntensityAdjointSolver::solve_with_closed_rows(const FrozenContactSystem& system,
+                                               const std::vector<bool>& closed) {
   if (rows_.size() == 0) {
     rows_ = displacement_K_functionals(model_, scene_);
     by_force_ = contact_force_K_functionals(model_, scene_).transpose();
@@ -47,7 +48,7 @@ IntensityAdjointSolver::solve_adjoint_of_last_step(const StepSolver& solver) {
     last_->why_not = depends_on_history;
   } else if (!last_ || !last_->is_available() || last_->closed != closed) {
     held_.emplace(solver, scene_, bodies_, closed);
-    last_ = solve_closed_set(*held_, closed);
+    last_ = solve_with_closed_rows(*held_, closed);
   }
   return *last_;
 }

@@ -34,13 +34,13 @@ public:
   /// rows closed share the answer.
   const StressIntensityAdjoints& solve_adjoint_of_last_step(const StepSolver& solver);
   /// The contact of that answer; null where there is none or contacts rub.
-  [[nodiscard]] const contact::FixedActiveSet* held_contact() const {
-    return held_ ? held_->held_contact() : nullptr;
+  [[nodiscard]] const contact::FixedActiveSet* fixed_active_set() const {
+    return held_ ? held_->fixed_active_set() : nullptr;
   }
 
   /// With these rows of the table closed, which `system` holds.
-  StressIntensityAdjoints solve_closed_set(const FrozenContactSystem& system,
-                                           const std::vector<bool>& closed);
+  StressIntensityAdjoints solve_with_closed_rows(const FrozenContactSystem& system,
+                                                 const std::vector<bool>& closed);
 
 private:
   const model::Model& model_;

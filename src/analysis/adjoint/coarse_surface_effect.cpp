@@ -230,7 +230,7 @@ CoarseNeighbourEffect estimate_coarse_neighbour_effect(const SolvedMeshState& se
   return all;
 }
 
-std::vector<bool> tied_nodes(const SolvedMeshState& set) {
+std::vector<bool> nodes_held_by_other_bodies(const SolvedMeshState& set) {
   std::vector<bool> tied(set.scene.cracked.mesh.node_count(), false);
   for (std::size_t c = 0; c < set.scene.pairs.size(); ++c) {
     if (!set.state.mounted[c] || set.scene.contacts[c].type != model::ContactType::bonded) {

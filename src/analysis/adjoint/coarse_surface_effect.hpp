@@ -35,6 +35,6 @@ CoarseNeighbourEffect estimate_coarse_neighbour_effect(const SolvedMeshState& se
                                                        const mesh::CrackFront& front);
 
 /// Nodes that another body or a rigid one holds by a BONDED contact, TRANSITION or RIGID. [node]
-std::vector<bool> tied_nodes(const SolvedMeshState& set);
+std::vector<bool> nodes_held_by_other_bodies(const SolvedMeshState& set);
 
 } // namespace spricka::analysis

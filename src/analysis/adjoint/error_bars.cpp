@@ -58,7 +58,7 @@ estimate::PointSupportRefinementChange
 add_corners(const model::Model& model, const Discretisation& scene, const StepState& state,
             const estimate::CornerErrorRequest& request, std::vector<estimate::GoalError>& errors) {
   const std::vector<base::NodeId> front_nodes = scene.cracked.front_nodes();
-  const std::vector<bool> tied = tied_nodes({model, scene, state});
+  const std::vector<bool> tied = nodes_held_by_other_bodies({model, scene, state});
   const estimate::CornerSearchInput setting{.model = model,
                                             .mesh = scene.cracked.mesh,
                                             .edges = request.enrichment.edges(),
@@ -105,7 +105,7 @@ std::string why_no_limit(const Discretisation& scene,
 
 TipErrorBars::TipErrorBars(const model::Model& model, const Discretisation& scene,
                            estimate::ModeMatrixCache* memory)
-    : ErrorBarAnalysis(model, scene), memory_(memory) {}
+    : ErrorBarsBase(model, scene), memory_(memory) {}
 
 void TipErrorBars::prepare() {
   prepared_ = true;

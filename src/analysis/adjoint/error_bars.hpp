@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "analysis/adjoint/adjoints.hpp"
-#include "analysis/adjoint/error_bar_analysis.hpp"
+#include "analysis/adjoint/error_bars_base.hpp"
 #include "analysis/scene/scene.hpp"
 #include "analysis/steps/step_state.hpp"
 #include "contact/held_contact.hpp"
@@ -15,7 +15,7 @@
 /// Processor ESTIMATE in the plane: error bars of K from its adjoints.
 namespace spricka::analysis {
 
-class TipErrorBars : private ErrorBarAnalysis {
+class TipErrorBars : private ErrorBarsBase {
 public:
   /// All must outlive it; nothing is computed before the first step that needs it. `memory`: what
   /// one length leaves for the next, or null.

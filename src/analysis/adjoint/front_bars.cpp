@@ -91,7 +91,7 @@ bool hangs_on_an_edge(const ContactEdgeKChange& edges, Eigen::Index first,
 } // namespace
 
 FrontErrorBars::FrontErrorBars(const model::Model& model, const Discretisation& scene)
-    : ErrorBarAnalysis(model, scene) {}
+    : ErrorBarsBase(model, scene) {}
 
 void FrontErrorBars::prepare() {
   prepared_ = true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "analysis/adjoint/edge_changes.hpp"
-#include "analysis/adjoint/error_bar_analysis.hpp"
+#include "analysis/adjoint/error_bars_base.hpp"
 #include "analysis/adjoint/frozen_step.hpp"
 #include "estimate/space_enrichment.hpp"
 #include "results/results.hpp"
@@ -14,7 +14,7 @@ namespace spricka::analysis {
 
 /// Processor ESTIMATE in space: error bars of K along fronts, from the solution that cubic elements
 /// would have (manual, estimate.20 to 24).
-class FrontErrorBars : private ErrorBarAnalysis {
+class FrontErrorBars : private ErrorBarsBase {
 public:
   /// All must outlive it; nothing is computed before the first step that needs it.
   FrontErrorBars(const model::Model& model, const Discretisation& scene);

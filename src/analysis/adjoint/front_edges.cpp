@@ -156,7 +156,7 @@ Trials trials_of(const Discretisation& scene, const FrozenContactStep& step,
   for (const RowLine& line : lines) {
     rows.insert(rows.end(), line.rows.begin(), line.rows.end());
   }
-  const base::Vector pivot = step.system.held_contact()->pivots(rows);
+  const base::Vector pivot = step.system.fixed_active_set()->row_pivots(rows);
   const Eigen::Index count = index(lines.size());
   Trials trials{.alone = base::Matrix::Zero(index(scene.table.size()), count),
                 .gaps = base::Matrix::Zero(index(scene.table.size()), count),
@@ -208,8 +208,8 @@ ContactEdgeKChange contact_edge_K_changes(const Discretisation& scene,
                                           const FrontKFunctionals& K) {
   ContactEdgeKChange changes{base::Vector::Zero(K.rows.cols()), base::Vector::Zero(K.rows.cols())};
   const std::vector<RowLine> lines = lines_of(scene, step.state);
-  if (lines.empty() || step.system.held_contact() == nullptr ||
-      !step.system.held_contact()->is_consistent()) {
+  if (lines.empty() || step.system.fixed_active_set() == nullptr ||
+      !step.system.fixed_active_set()->is_consistent()) {
     return changes;
   }
   const Trials trials = trials_of(scene, step, lines);

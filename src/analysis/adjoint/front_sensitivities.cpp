@@ -85,10 +85,10 @@ void FrontSensitivityAnalysis::solve(const FrozenContactStep& step, const FrontK
   add_sensitivity_parameters(causes, result);
   // Without contact there is nothing to end any range.
   LinearRanges reach = unbounded_ranges(causes.size());
-  if (step.system.held_contact() != nullptr) {
+  if (step.system.fixed_active_set() != nullptr) {
     rates.free = change.free;
     std::ranges::copy(FrozenContact(step.solver, scene_, step.state)
-                          .linear_ranges(*step.system.held_contact(), rates),
+                          .linear_ranges(*step.system.fixed_active_set(), rates),
                       reach.begin());
     for (std::size_t i = 0; i < causes.size(); ++i) {
       if (causes[i].is.cause == results::SensitivityParameter::modulus) {

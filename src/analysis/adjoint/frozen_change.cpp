@@ -120,7 +120,7 @@ FrozenContactResponse FrozenContactSystem::solve_response(CondensedLoads& loads,
   out.u = base::Matrix::Zero(loads.freedoms, loads.columns);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     // A change of displacements: constants of ties have no part in it.
-    recover_body(bodies_[b], external[b], loads.of_body[b], 0.0, out.u);
+    recover_body_displacements(bodies_[b], external[b], loads.of_body[b], 0.0, out.u);
   }
   return out;
 }

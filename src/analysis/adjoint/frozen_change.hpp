@@ -65,7 +65,7 @@ public:
                                                      const base::Matrix& gaps,
                                                      const UnheldLoadLimit& unheld) const;
   /// The closed rows held; null where no body has externals.
-  [[nodiscard]] const contact::FixedActiveSet* held_contact() const { return held_.get(); }
+  [[nodiscard]] const contact::FixedActiveSet* fixed_active_set() const { return held_.get(); }
 
 private:
   const StepSolver& solver_;

@@ -168,12 +168,13 @@ void TipSensitivityAnalysis::one_sided(const StepSolver& solver, const FrozenCon
       Side& side = sides[*closed];
       if (!side.system) {
         side.system.emplace(solver, scene_, bodies_, *closed);
-        side.adjoint = adjoints.solve_closed_set(*side.system, *closed);
+        side.adjoint = adjoints.solve_with_closed_rows(*side.system, *closed);
       }
       if (!side.adjoint.is_available()) {
         continue;
       }
-      range[up ? 1 : 0] += contact.linear_ranges(*side.system->held_contact(), all)[i][up ? 1 : 0];
+      range[up ? 1 : 0] +=
+          contact.linear_ranges(*side.system->fixed_active_set(), all)[i][up ? 1 : 0];
       store_one_sided_derivative(scene_.k_layout(), slopes(scene_, causes[i], side.adjoint), i,
                                  up ? &Sensitivity::above : &Sensitivity::below, result);
     }
@@ -225,7 +226,7 @@ void TipSensitivityAnalysis::add_to_tips(const StepSolver& solver, const StepSta
     // Those of moduli and lengths are not computed.
     reach.assign(causes.size(), std::nullopt);
     std::ranges::copy(
-        contact.linear_ranges(*adjoints.held_contact(), rates(solver, causes, with_range)),
+        contact.linear_ranges(*adjoints.fixed_active_set(), rates(solver, causes, with_range)),
         reach.begin());
   }
   base::Matrix dK(K.of_loads.rows(), static_cast<Eigen::Index>(causes.size()));

@@ -112,7 +112,7 @@ std::unique_ptr<Discretisation> VirtualTipExtension::moved_by(double steps) cons
   side->domains = scene_.domains;
   side->case_temperature = scene_.case_temperature;
   for (std::size_t c = 0; c < model_.cases.size(); ++c) {
-    side->case_heat.push_back(case_temperature_of_scene(model_, *side, model_.cases[c]));
+    side->case_heat.push_back(scene_case_temperature(model_, *side, model_.cases[c]));
     if (const base::Vector& T = side->case_heat.back()->temperature; T.size() > 0) {
       side->case_temperature.col(static_cast<Eigen::Index>(c)) = T;
     }

@@ -334,8 +334,8 @@ std::vector<SubstructuredBody> condense_bodies(const CondensationRequest& reques
   return bodies;
 }
 
-void recover_body(const SubstructuredBody& body, const base::Matrix& u_external,
-                  const CondensedLoad& load, double constant, base::Matrix& u) {
+void recover_body_displacements(const SubstructuredBody& body, const base::Matrix& u_external,
+                                const CondensedLoad& load, double constant, base::Matrix& u) {
   const base::Matrix own =
       body.is_uncondensed() ? u_external : body.region.factor->recover(u_external, load.region);
   for (std::size_t i = 0; i < body.region.map.freedom.size(); ++i) {
@@ -369,8 +369,8 @@ void recover_body(const SubstructuredBody& body, const base::Matrix& u_external,
   }
 }
 
-void recover_body(const SubstructuredBody& body, const base::Vector& u_external,
-                  const base::Vector& case_factors, base::Vector& u) {
+void recover_body_displacements(const SubstructuredBody& body, const base::Vector& u_external,
+                                const base::Vector& case_factors, base::Vector& u) {
   CondensedLoad load;
   load.region = body.region_load * case_factors;
   for (const base::Matrix& part : body.part_load) {
@@ -378,8 +378,8 @@ void recover_body(const SubstructuredBody& body, const base::Vector& u_external,
   }
   base::Matrix all = u;
   // Where ties have constants the last column is theirs; else there is nothing that it could scale.
-  recover_body(body, u_external, load, case_factors.size() > 0 ? case_factors.tail(1)[0] : 0.0,
-               all);
+  recover_body_displacements(body, u_external, load,
+                             case_factors.size() > 0 ? case_factors.tail(1)[0] : 0.0, all);
   u = all.col(0);
 }
 

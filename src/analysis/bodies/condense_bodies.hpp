@@ -137,12 +137,12 @@ CondensedLoad condense_load(const SubstructuredBody& body, const fe::ConstraintT
 
 /// Writes what a load moves in one body into u [dim * node, k]: from its external displacements
 /// [externals, k]. u holds the prescribed displacements; constants of ties count `constant` times.
-void recover_body(const SubstructuredBody& body, const base::Matrix& u_external,
-                  const CondensedLoad& load, double constant, base::Matrix& u);
+void recover_body_displacements(const SubstructuredBody& body, const base::Matrix& u_external,
+                                const CondensedLoad& load, double constant, base::Matrix& u);
 
 /// Writes the displacements of one body into a nodal vector that holds the prescribed ones: from
 /// its external displacements and the case factors.
-void recover_body(const SubstructuredBody& body, const base::Vector& u_external,
-                  const base::Vector& case_factors, base::Vector& u);
+void recover_body_displacements(const SubstructuredBody& body, const base::Vector& u_external,
+                                const base::Vector& case_factors, base::Vector& u);
 
 } // namespace spricka::analysis

@@ -249,7 +249,7 @@ private:
     for (std::size_t s = 0; s < last.steps.size(); ++s) {
       // Which station is the last is known only now.
       if (pictured[s] && last.steps[s].stress.empty()) {
-        add_stress(model_, last.mesh, last.steps[s]);
+        add_stress_fields(model_, last.mesh, last.steps[s]);
       }
     }
     run_.growth = growth_records(model_, integrator, measure_);

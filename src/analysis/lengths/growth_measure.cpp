@@ -183,9 +183,9 @@ void GrowthRateEvaluator::look_at_front(const SolvedCrackState& at, const Growin
     found.plastic = at.plastic[place.front];
   }
   if (model_.growth->corrected) {
-    warnings_.warn_of_no_bar(front.name, front.no_bar);
+    warnings_.warn_of_missing_error_bar(front.name, front.no_bar);
   }
-  const base::Vec3 K = smooth_K_at(front, place, model_.growth->corrected);
+  const base::Vec3 K = interpolate_smooth_K(front, place, model_.growth->corrected);
   warnings_.warn_of_invalid_result(front, K[0]);
   warnings_.note_neglected_shear_K(to.front, K);
 }
@@ -194,10 +194,10 @@ base::Vec2 GrowthRateEvaluator::intensity(const results::FrontResult& front,
                                           const PlaceOnFront& place) {
   const bool corrected = model_.growth->corrected;
   if (!front.is_tip()) {
-    return smooth_K_at(front, place, corrected).head<2>();
+    return interpolate_smooth_K(front, place, corrected).head<2>();
   }
   if (corrected) {
-    warnings_.warn_of_no_bar(front);
+    warnings_.warn_of_missing_error_bar(front);
   }
   const results::FrontPointResult& tip = front.tip();
   return corrected && front.has_error_bar() ? base::Vec2(tip.bar[0].best, tip.bar[1].best)

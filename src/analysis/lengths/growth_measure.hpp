@@ -75,7 +75,7 @@ public:
   [[nodiscard]] GrowthWarnings& warnings() { return warnings_; }
   [[nodiscard]] const life::GrowthRateLaw& law() const { return law_; }
   [[nodiscard]] const std::optional<life::CountedSpectrum>& spectrum() const { return spectrum_; }
-  [[nodiscard]] bool counted_on_K() const { return counted_on_K_; }
+  [[nodiscard]] bool counts_cycles_on_K() const { return counted_on_K_; }
 
   /// What it remembers of earlier states, as arrays "growth..." for a restart file.
   void save_state(results::NamedArrays& arrays) const {

@@ -96,9 +96,9 @@ results::GrowthResult growth_records(const model::Model& model,
   if (measure.spectrum()) {
     out.cycles_per_pass = measure.spectrum()->count();
     out.ranges = ranges_of(*measure.spectrum());
-    out.counted = depends_on_load_order(model) ? "K, followed through the loads in their order"
-                  : measure.counted_on_K()     ? "K, which turns within the loads"
-                                               : "loads";
+    out.counted = depends_on_load_order(model)   ? "K, followed through the loads in their order"
+                  : measure.counts_cycles_on_K() ? "K, which turns within the loads"
+                                                 : "loads";
   }
   for (const growth::TrackedTip& tip : integrator.tips()) {
     out.point_names.push_back(tip.name);

@@ -29,7 +29,7 @@ void GrowthWarnings::keep_first_mesh_warning(const std::string& code, const std:
   }
 }
 
-void GrowthWarnings::warn_of_no_bar(const std::string& name, const std::string& why) {
+void GrowthWarnings::warn_of_missing_error_bar(const std::string& name, const std::string& why) {
   if (!why.empty()) {
     warnings_.insert(
         {"W456", fmt::format("CORRECT=YES, but {} has no error bar everywhere ({}): there K is "
@@ -45,10 +45,10 @@ void GrowthWarnings::warn_of_invalid_result(const results::FrontResult& front, d
   }
 }
 
-void GrowthWarnings::warn_of_no_bar(const results::FrontResult& end) {
+void GrowthWarnings::warn_of_missing_error_bar(const results::FrontResult& end) {
   // A tip whose faces touch there needs none.
   if (!end.is_tip() || !end.tip().closed) {
-    warn_of_no_bar(end.name, end.no_bar);
+    warn_of_missing_error_bar(end.name, end.no_bar);
   }
 }
 
@@ -92,7 +92,7 @@ void GrowthWarnings::warn_of_closing_faces(const std::string& name, double a) {
                            name, a)});
 }
 
-void GrowthWarnings::warn_of_history(const LoadHistoryKResult& loads, double a) {
+void GrowthWarnings::warn_of_load_history(const LoadHistoryKResult& loads, double a) {
   if (!(loads.change <= repeats_to)) {
     warnings_.insert(
         {"W507",

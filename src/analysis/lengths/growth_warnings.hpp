@@ -30,9 +30,9 @@ public:
   /// Of a tip or crack whose faces close at length `a`, with no K below that.
   void warn_of_closing_faces(const std::string& name, double a);
   /// `why` there is no error bar to correct K by; empty: there is one.
-  void warn_of_no_bar(const std::string& name, const std::string& why);
+  void warn_of_missing_error_bar(const std::string& name, const std::string& why);
   /// The same of the ends of the spectrum's path.
-  void warn_of_no_bar(const results::FrontResult& end);
+  void warn_of_missing_error_bar(const results::FrontResult& end);
   /// Of K at KMAX, where K1 is open.
   void warn_of_invalid_result(const results::FrontResult& front, double K1);
   /// Of K2 at KMAX of a tip that grows along its path; K1 and K2.
@@ -40,7 +40,7 @@ public:
   /// Notes K2 and K3 at KMAX that the growth of a crack does not follow; the largest part counts.
   void note_neglected_shear_K(const std::string& crack, const base::Vec3& K);
   /// Of loads that do not repeat themselves, and of K that is apart by two ways, at length `a`.
-  void warn_of_history(const LoadHistoryKResult& loads, double a);
+  void warn_of_load_history(const LoadHistoryKResult& loads, double a);
 
   /// As arrays "growth.warnings", "growth.shear" for a restart file.
   void save_state(results::NamedArrays& arrays) const;

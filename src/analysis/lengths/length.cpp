@@ -45,7 +45,7 @@ double CrackLengthAnalysis::first_crack_size() const {
   return scene_.cracked.fronts.empty() ? 0.0 : scene_.cracked.fronts.front().a;
 }
 
-CondensationRequest CrackLengthAnalysis::request() const {
+CondensationRequest CrackLengthAnalysis::condensation_request() const {
   return {.model = parts_.model,
           .mesh = scene_.cracked.mesh,
           .cls = scene_.cls,
@@ -59,12 +59,12 @@ CondensationRequest CrackLengthAnalysis::request() const {
 
 void CrackLengthAnalysis::number_freedoms() {
   processors_.reset();
-  bodies_ = partition_bodies(request());
+  bodies_ = partition_bodies(condensation_request());
 }
 
 bool CrackLengthAnalysis::condense(CondensationStatistics& figures) {
   processors_.reset();
-  CondensationRequest asked = request();
+  CondensationRequest asked = condensation_request();
   // Prescribed displacements are loads on what is free, before anything is condensed.
   asked.case_load = reduced_case_loads(parts_.model, scene_);
   bodies_ = condense_bodies(asked, parts_.cache, figures);
@@ -116,7 +116,7 @@ bool CrackLengthAnalysis::add_error_bars_and_sensitivities(const StepSolver& sol
   if (!ended("ADJOINT", fmt::format("{} tips", scene_.cracked.fronts.size()))) {
     return false;
   }
-  processors_->bars.add_to_tips(state, of_K, processors_->adjoints.held_contact(), result);
+  processors_->bars.add_to_tips(state, of_K, processors_->adjoints.fixed_active_set(), result);
   if (!ended("ESTIMATE", "error bars of K")) {
     return false;
   }

@@ -59,7 +59,7 @@ public:
   [[nodiscard]] double first_crack_size() const;
 
   /// What condense() is going to ask for, without loads.
-  [[nodiscard]] CondensationRequest request() const;
+  [[nodiscard]] CondensationRequest condensation_request() const;
   /// Bodies and nets, their freedoms numbered, nothing assembled: enough to be looked at.
   void number_freedoms();
   /// Condenses all bodies; false: a net is singular, `figures.trouble` says which.

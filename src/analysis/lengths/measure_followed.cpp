@@ -91,8 +91,10 @@ bool GrowthRateEvaluator::by_history(const SolvedCrackState& at, const GrowingPl
   const LoadHistoryKResult& loads = *at.followed;
   const results::LoadStepResult& step = at.increment.steps[largest_load_step(model_)];
   const results::FrontResult& front = step.fronts[place.front];
-  const auto K_of = [K1 = K_at(step, place, 1), K2 = K_at(step, place, 2)](
-                        const base::Vector& all) { return base::Vec2(K1(all), K2(all)); };
+  const auto K_of = [K1 = make_K_interpolator(step, place, 1),
+                     K2 = make_K_interpolator(step, place, 2)](const base::Vector& all) {
+    return base::Vec2(K1(all), K2(all));
+  };
   const base::Vec2 grown = K_of(loads.last.marks[loads.grow_at]);
   // The turn of the last pass holds for the first as well: both are told of one kink. In space the
   // front turns by K of the steps.
@@ -108,7 +110,7 @@ bool GrowthRateEvaluator::by_history(const SolvedCrackState& at, const GrowingPl
       note_order(to.name, found.K_min > found.K_max);
       warnings_.warn_of_K2(to.name, K);
     }
-    warnings_.warn_of_history(loads, at.increment.a);
+    warnings_.warn_of_load_history(loads, at.increment.a);
   } else {
     found.K2_max = grown[1];
     // Only faces that touch have K1 = 0 to the last bit.
@@ -118,7 +120,7 @@ bool GrowthRateEvaluator::by_history(const SolvedCrackState& at, const GrowingPl
     if (!spectrum_) {
       note_order(to.name, found.K_min > found.K_max && found.K_min > 0.0);
     }
-    warnings_.warn_of_history(loads, front.a);
+    warnings_.warn_of_load_history(loads, front.a);
   }
   return !std::isnan(found.rate) ||
          no_rate(fmt::format("the growth of a pass of the loads is not a number at {}", to.name));

@@ -22,7 +22,7 @@ void warn_of_bars_on_path(const model::Model& model, const results::CrackLengthR
     for (const results::FrontResult& end : increment.steps[step.index()].fronts) {
       // In space look_at_front() has told of the largest load.
       if (end.is_tip() ? end.name == name : step == path.from) {
-        warnings.warn_of_no_bar(end);
+        warnings.warn_of_missing_error_bar(end);
       }
     }
   }

@@ -56,7 +56,7 @@ base::PiecewiseLinear correct_K(const base::PiecewiseLinear& K, double at_zero, 
   return {K.knots(), std::move(value), std::move(slope)};
 }
 
-double estimated_error(const results::FrontResult& front, std::size_t i, std::size_t mode) {
+double estimated_K_error(const results::FrontResult& front, std::size_t i, std::size_t mode) {
   const std::size_t last = front.points.size() - 1;
   const std::size_t near = !front.points[i].at_surface ? i : i == 0 ? 1 : i == last ? last - 1 : i;
   const results::FrontPointResult& point = front.points[near];
@@ -73,8 +73,8 @@ results::LoadPathResult correct_path_K(results::LoadPathResult path,
     for (std::size_t i = 0; i < path.fronts[f].points.size(); ++i) {
       results::LoadPathFrontPoint& point = path.fronts[f].points[i];
       for (std::size_t mode = 0; mode < modes; ++mode) {
-        const double low = estimated_error(from.fronts.at(f), i, mode);
-        const double high = estimated_error(to.fronts.at(f), i, mode);
+        const double low = estimated_K_error(from.fronts.at(f), i, mode);
+        const double high = estimated_K_error(to.fronts.at(f), i, mode);
         point.K[mode] = correct_K(point.K[mode], low, high);
         point.smooth[mode] = correct_K(point.smooth[mode], low, high);
       }

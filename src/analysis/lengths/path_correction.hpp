@@ -23,6 +23,6 @@ results::LoadPathResult correct_path_K(results::LoadPathResult path,
 
 /// The estimated error of K1 (mode 0), K2 or K3 at point i of a front, at the surface that of the
 /// next point; 0 where there is no bar, or where faces touch. [K]
-double estimated_error(const results::FrontResult& front, std::size_t i, std::size_t mode);
+double estimated_K_error(const results::FrontResult& front, std::size_t i, std::size_t mode);
 
 } // namespace spricka::analysis

@@ -127,11 +127,12 @@ base::Vec3 point_on_front_curve(const results::FrontResult& front, const PlaceOn
   return x;
 }
 
-base::Vec3 smooth_K_at(const results::FrontResult& front, const PlaceOnFront& at, bool corrected) {
+base::Vec3 interpolate_smooth_K(const results::FrontResult& front, const PlaceOnFront& at,
+                                bool corrected) {
   base::Vec3 K = base::Vec3::Zero();
   for (const auto& [i, weight] : weights_at(front, at)) {
     K += weight * base::Vec3::Map(front.points[i].smooth.data());
-    K[0] += corrected ? weight * estimated_error(front, i, 0) : 0.0;
+    K[0] += corrected ? weight * estimated_K_error(front, i, 0) : 0.0;
   }
   return K;
 }
@@ -154,8 +155,8 @@ base::PiecewiseLinear combined_K_over_path(const results::LoadPathFront& front,
   return {from.knots(), std::move(value), std::move(slope)};
 }
 
-std::function<double(const base::Vector&)> K_at(const results::LoadStepResult& step,
-                                                const PlaceOnFront& place, int mode) {
+std::function<double(const base::Vector&)>
+make_K_interpolator(const results::LoadStepResult& step, const PlaceOnFront& place, int mode) {
   std::size_t first = 0; // of the front's points
   std::size_t points = 0;
   for (std::size_t f = 0; f < step.fronts.size(); ++f) {

@@ -38,7 +38,8 @@ base::Vec3 point_on_front_curve(const results::FrontResult& front, const PlaceOn
 
 /// K1, K2, K3 as smooth functions along the front; `corrected`: with the estimated error of K1
 /// taken out.
-base::Vec3 smooth_K_at(const results::FrontResult& front, const PlaceOnFront& at, bool corrected);
+base::Vec3 interpolate_smooth_K(const results::FrontResult& front, const PlaceOnFront& at,
+                                bool corrected);
 
 /// part[0] K1 + part[1] K2 on the path, smooth along the front.
 base::PiecewiseLinear combined_K_over_path(const results::LoadPathFront& front,
@@ -46,8 +47,8 @@ base::PiecewiseLinear combined_K_over_path(const results::LoadPathFront& front,
 
 /// K1 (mode 1) or K2 at a place of a step's fronts out of the K of all points of all its fronts
 /// [crack::KLayout].
-std::function<double(const base::Vector&)> K_at(const results::LoadStepResult& step,
-                                                const PlaceOnFront& place, int mode);
+std::function<double(const base::Vector&)> make_K_interpolator(const results::LoadStepResult& step,
+                                                               const PlaceOnFront& place, int mode);
 
 /// K1 on a load path at the place of all fronts that is nearest to x; empty: there is none.
 std::optional<base::PiecewiseLinear> path_K1_at_nearest_place(const results::LoadPathResult& path,

@@ -66,7 +66,8 @@ void add_face_sets_as_node_sets(const model::Model& model, model::Mesh& mesh) {
   }
 }
 
-void add_stress(const model::Model& model, const model::Mesh& mesh, results::LoadStepResult& step) {
+void add_stress_fields(const model::Model& model, const model::Mesh& mesh,
+                       results::LoadStepResult& step) {
   const fe::DisplacementTemperatureField field{step.u, step.temperature};
   std::vector<fe::Stress> nodal =
       fe::nodal_stress(model, mesh, fe::element_node_stress(model, mesh, field));
@@ -81,7 +82,7 @@ void add_shown_results(const model::Model& model, Discretisation& scene,
       std::ranges::count_if(scene.cracked.host, [](base::ElementId e) { return e.valid(); }));
   increment.mesh = std::move(scene.cracked.mesh);
   increment.surface = outer_faces_by_nodes(increment.mesh);
-  const std::vector<RemovedNodePlace> gone = removed_nodes(model.mesh, increment.mesh);
+  const std::vector<RemovedNodePlace> gone = locate_removed_nodes(model.mesh, increment.mesh);
   for (results::LoadStepResult& step : increment.steps) {
     fill_removed_node_displacements(increment.mesh, gone, step.u);
   }

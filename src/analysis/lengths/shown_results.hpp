@@ -10,7 +10,8 @@
 namespace spricka::analysis {
 
 /// Stresses at nodes and of elements, from the step's own displacements.
-void add_stress(const model::Model& model, const model::Mesh& mesh, results::LoadStepResult& step);
+void add_stress_fields(const model::Model& model, const model::Mesh& mesh,
+                       results::LoadStepResult& step);
 
 /// Face sets that outputs name become node sets of the results' mesh, once.
 void add_face_sets_as_node_sets(const model::Model& model, model::Mesh& mesh);

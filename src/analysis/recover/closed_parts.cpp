@@ -94,7 +94,7 @@ std::array<double, 2> normal(std::array<double, 2> part, bool round) {
 
 } // namespace
 
-std::vector<std::array<double, 2>> closed_parts(const results::ContactResult& contact) {
+std::vector<std::array<double, 2>> closed_contact_parts(const results::ContactResult& contact) {
   std::vector<std::array<double, 2>> parts;
   if (contact.closed == 0 || contact.points.empty()) {
     return parts;
@@ -143,7 +143,7 @@ bool is_between_surface_pieces(const results::ContactResult& contact, double pla
 
 std::string describe_closed_parts(const results::ContactResult& contact) {
   constexpr std::size_t most = 6;
-  const std::vector<std::array<double, 2>> parts = closed_parts(contact);
+  const std::vector<std::array<double, 2>> parts = closed_contact_parts(contact);
   if (parts.size() < 2) {
     return {};
   }

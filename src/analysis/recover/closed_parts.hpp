@@ -10,7 +10,7 @@ namespace spricka::analysis {
 
 /// All closed parts [from, to] of a contact surface, one after another along it, counted as its arc
 /// is (which is the longest of them); empty where nothing is closed. Ends by (contact.11).
-std::vector<std::array<double, 2>> closed_parts(const results::ContactResult& contact);
+std::vector<std::array<double, 2>> closed_contact_parts(const results::ContactResult& contact);
 
 /// Whether a place along a straight slave lies between two pieces of the surface with the
 /// pressures: nothing is opposite.

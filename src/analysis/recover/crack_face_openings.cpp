@@ -36,7 +36,7 @@ CrackFaceOpenings::CrackFaceOpenings(const model::Model& model, const Discretisa
   }
 }
 
-base::Matrix CrackFaceOpenings::columns(Eigen::Index first, Eigen::Index count) const {
+base::Matrix CrackFaceOpenings::opening_functionals(Eigen::Index first, Eigen::Index count) const {
   const auto size =
       static_cast<Eigen::Index>(scene_.cracked.mesh.node_count()) * scene_.cracked.mesh.dim;
   base::Matrix nodal = base::Matrix::Zero(size, count);
@@ -56,7 +56,7 @@ base::Matrix CrackFaceOpenings::columns(Eigen::Index first, Eigen::Index count) 
   return nodal;
 }
 
-base::Vector CrackFaceOpenings::values(const base::Vector& u) const {
+base::Vector CrackFaceOpenings::evaluate_openings(const base::Vector& u) const {
   base::Vector values = base::Vector::Zero(count());
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     const WatchedFaceNodePair& nodes = pairs_[p];

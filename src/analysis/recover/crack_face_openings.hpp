@@ -16,9 +16,9 @@ public:
 
   [[nodiscard]] Eigen::Index count() const { return 2 * static_cast<Eigen::Index>(pairs_.size()); }
   /// From displacements [dim * node]. [opening]
-  [[nodiscard]] base::Vector values(const base::Vector& u) const;
+  [[nodiscard]] base::Vector evaluate_openings(const base::Vector& u) const;
   /// The functions from `first` on, so many. [dim * node, opening]
-  [[nodiscard]] base::Matrix columns(Eigen::Index first, Eigen::Index count) const;
+  [[nodiscard]] base::Matrix opening_functionals(Eigen::Index first, Eigen::Index count) const;
   /// Adds crack lines to `lines` whose faces overlap by these values [opening], each once.
   void add_overlapping_crack_lines(const base::Vector& value,
                                    std::vector<std::size_t>& lines) const;

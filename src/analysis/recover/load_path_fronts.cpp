@@ -194,9 +194,9 @@ results::LoadPathFront follow_front(const Discretisation& scene, std::size_t f, 
 
 } // namespace
 
-void follow_fronts(const model::Model& model, const Discretisation& scene,
-                   const solve::SolutionPath& found, const LoadPathEndStep& from,
-                   const LoadPathEndStep& to, results::LoadPathResult& path) {
+void add_front_K_to_path(const model::Model& model, const Discretisation& scene,
+                         const solve::SolutionPath& found, const LoadPathEndStep& from,
+                         const LoadPathEndStep& to, results::LoadPathResult& path) {
   double size = 0.0;
   double apart = 0.0;
   const crack::KLayout layout = scene.k_layout();
@@ -248,7 +248,7 @@ void follow_fronts(const model::Model& model, const Discretisation& scene,
 
 // What the mesh finds a little below 0 for faces in contact is 0, as in steps
 // (judge_K_by_faces_and_materials).
-void smooth_fronts(const Discretisation& scene, base::Vector& value) {
+void smooth_K_on_all_fronts(const Discretisation& scene, base::Vector& value) {
   const crack::KLayout layout = scene.k_layout();
   std::size_t first = 0;
   for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {

@@ -19,12 +19,12 @@ struct LoadPathEndStep {
 };
 
 /// Adds K of all fronts to a path, and how far it is from that of the steps at the path's ends.
-void follow_fronts(const model::Model& model, const Discretisation& scene,
-                   const solve::SolutionPath& found, const LoadPathEndStep& from,
-                   const LoadPathEndStep& to, results::LoadPathResult& path);
+void add_front_K_to_path(const model::Model& model, const Discretisation& scene,
+                         const solve::SolutionPath& found, const LoadPathEndStep& from,
+                         const LoadPathEndStep& to, results::LoadPathResult& path);
 
 /// Smooth values along the fronts in space of those in `value` [K ..], in their place.
-void smooth_fronts(const Discretisation& scene, base::Vector& value);
+void smooth_K_on_all_fronts(const Discretisation& scene, base::Vector& value);
 
 /// K1 = 0 of `value` [K ..] at points behind which the faces touch, by which rows in force are
 /// closed.

@@ -15,7 +15,8 @@ constexpr Eigen::Index most_columns = 64;
 
 } // namespace
 
-const ContactAndRigidModeFunctionals& LoadPathFunctionals::of_contact(const StepSolver& solver) {
+const ContactAndRigidModeFunctionals&
+LoadPathFunctionals::contact_functionals(const StepSolver& solver) {
   if (!of_contact_) {
     of_contact_ = condense_functionals(solver);
   }
@@ -42,7 +43,7 @@ LoadPathFunctionals::condense_functionals(const StepSolver& solver) const {
     const bool of_K = first < K_count();
     const Eigen::Index columns = std::min(most_columns, (of_K ? K_count() : all) - first);
     base::Matrix nodal = of_K ? base::Matrix(K.middleCols(first, columns))
-                              : openings_.columns(first - K_count(), columns);
+                              : openings_.opening_functionals(first - K_count(), columns);
     // A functional is condensed as a load is (solve.32).
     scene_.ties->transfer_forces_to_masters(nodal);
     std::vector<base::Matrix> external;
@@ -71,33 +72,33 @@ LoadPathFunctionals::condense_functionals(const StepSolver& solver) const {
   return out;
 }
 
-base::Vector LoadPathFunctionals::of_loads(const base::Vector& case_factor) const {
+base::Vector LoadPathFunctionals::evaluate_without_contact(const base::Vector& case_factor) const {
   base::Vector u = scene_.case_displacement * case_factor;
   for (const SubstructuredBody& body : bodies_) {
     base::Vector external;
     if (body.condensed) {
       external = body.condensed->displacements_under_forces(body.external_load * case_factor);
     }
-    recover_body(body, external, case_factor, u);
+    recover_body_displacements(body, external, case_factor, u);
   }
   base::Vector values(count());
   values.head(K_count()) = evaluate_K_values(model_, scene_, u, case_factor);
-  values.tail(openings_.count()) = openings_.values(u);
+  values.tail(openings_.count()) = openings_.evaluate_openings(u);
   return values;
 }
 
 base::Vector
-LoadPathFunctionals::of_increment(const contact::ContactSystem::IncrementProblem& problem,
-                                  const contact::ContactSystem::IncrementSolution& solution,
-                                  const StepSolver& solver) {
+LoadPathFunctionals::evaluate_increment(const contact::ContactSystem::IncrementProblem& problem,
+                                        const contact::ContactSystem::IncrementSolution& solution,
+                                        const StepSolver& solver) {
   if (of_case_.cols() == 0) {
     of_case_.resize(count(), scene_.case_load.cols());
     for (Eigen::Index c = 0; c < of_case_.cols(); ++c) {
       // Bodies alone are linear in the factors: unit cases now, a product in each increment.
-      of_case_.col(c) = of_loads(base::Vector::Unit(of_case_.cols(), c));
+      of_case_.col(c) = evaluate_without_contact(base::Vector::Unit(of_case_.cols(), c));
     }
   }
-  const ContactAndRigidModeFunctionals& by = of_contact(solver);
+  const ContactAndRigidModeFunctionals& by = contact_functionals(solver);
   base::Vector value = of_case_ * solver.factors().case_factor;
   value += by.of_mode * solution.contact.alpha;
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {

@@ -24,13 +24,14 @@ public:
       : model_(model), scene_(scene), bodies_(bodies), openings_(model, scene) {}
 
   /// Of the bodies alone, without contact forces and rigid motions. [functional]
-  [[nodiscard]] base::Vector of_loads(const base::Vector& case_factor) const;
+  [[nodiscard]] base::Vector evaluate_without_contact(const base::Vector& case_factor) const;
   /// By one back-substitution for each functional; made once.
-  [[nodiscard]] const ContactAndRigidModeFunctionals& of_contact(const StepSolver& solver);
+  [[nodiscard]] const ContactAndRigidModeFunctionals& contact_functionals(const StepSolver& solver);
   /// Of a solved increment. [functional]
-  [[nodiscard]] base::Vector of_increment(const contact::ContactSystem::IncrementProblem& problem,
-                                          const contact::ContactSystem::IncrementSolution& solution,
-                                          const StepSolver& solver);
+  [[nodiscard]] base::Vector
+  evaluate_increment(const contact::ContactSystem::IncrementProblem& problem,
+                     const contact::ContactSystem::IncrementSolution& solution,
+                     const StepSolver& solver);
   /// Adds crack lines to `lines` whose faces overlap by these values [functional], each once.
   void add_overlapping_crack_lines(const base::Vector& value,
                                    std::vector<std::size_t>& lines) const {

@@ -173,8 +173,8 @@ LoadPathSolver::parametric_path_problem(const model::LoadPathDefinition& card,
   const LoadPathEndStep& from = ends_.at(card.from.index());
   const LoadPathEndStep& to = ends_.at(card.to.index());
   solve::ParametricProblem p;
-  p.f0 = functionals_.of_loads(from.case_factor);
-  p.df = functionals_.of_loads(to.case_factor) - p.f0;
+  p.f0 = functionals_.evaluate_without_contact(from.case_factor);
+  p.df = functionals_.evaluate_without_contact(to.case_factor) - p.f0;
   if (solver.contact_system() == nullptr) {
     p.at_zero.W.resize(0, 0);
     p.at_zero.B.resize(0, 0);
@@ -190,7 +190,7 @@ LoadPathSolver::parametric_path_problem(const model::LoadPathDefinition& card,
   p.at_zero.load_scale = std::max(from.problem.load_scale, to.problem.load_scale);
   const auto n = static_cast<Eigen::Index>(from.problem.rows.size());
   p.of_force.resize(p.f0.size(), n);
-  const ContactAndRigidModeFunctionals& by = functionals_.of_contact(solver);
+  const ContactAndRigidModeFunctionals& by = functionals_.contact_functionals(solver);
   p.of_mode = by.of_mode;
   if (p.f0.size() == 0) {
     p.of_mode.resize(0, p.dh.size());
@@ -249,7 +249,7 @@ results::LoadPathResult LoadPathSolver::path(const model::LoadPathDefinition& ca
     functionals_.add_overlapping_crack_lines(s.value, overlapping_);
     functionals_.add_overlapping_crack_lines(s.value + (s.to - s.from) * s.slope, overlapping_);
   }
-  follow_fronts(model_, scene_, found, from, to, out);
+  add_front_K_to_path(model_, scene_, found, from, to, out);
   follow_contacts(scene_, found, from, out);
   return out;
 }
@@ -258,12 +258,12 @@ base::Vector
 LoadPathSolver::evaluate_increment_K(const contact::ContactSystem::IncrementProblem& problem,
                                      const contact::ContactSystem::IncrementSolution& solution,
                                      const StepSolver& solver) {
-  base::Vector value = functionals_.of_increment(problem, solution, solver);
+  base::Vector value = functionals_.evaluate_increment(problem, solution, solver);
   functionals_.add_overlapping_crack_lines(value, overlapping_);
   base::Vector free; // without the forces between faces of cracks, all others as they are
   if (scene_.has_tips() && continues_K_below_closing(model_)) {
     free = value;
-    const base::Matrix& of_row = functionals_.of_contact(solver).of_row;
+    const base::Matrix& of_row = functionals_.contact_functionals(solver).of_row;
     for (std::size_t i = 0; i < problem.rows.size(); ++i) {
       if (between_faces(scene_, problem.rows[i])) {
         free -= of_row.col(static_cast<Eigen::Index>(problem.rows[i])) *
@@ -271,7 +271,7 @@ LoadPathSolver::evaluate_increment_K(const contact::ContactSystem::IncrementProb
       }
     }
   }
-  smooth_fronts(scene_, value);
+  smooth_K_on_all_fronts(scene_, value);
   zero_K1_at_closed_points(scene_, problem.rows, solution.contact.closed, value);
   const crack::KLayout layout = scene_.k_layout();
   for (std::size_t t = 0; t < layout.points() && free.size() > 0; ++t) {

@@ -258,7 +258,8 @@ std::string RefinementPlan::refine_fronts(const model::Model& model,
   return fmt::format("{}", fmt::join(made, "; "));
 }
 
-std::string RefinementPlan::refine(const model::Model& model, const results::RunResult& run) {
+std::string RefinementPlan::refine_from_errors(const model::Model& model,
+                                               const results::RunResult& run) {
   if (std::ranges::none_of(model.cracks, &model::CrackDefinition::is_line)) {
     return refine_fronts(model, run);
   }
@@ -303,7 +304,7 @@ std::string RefinementPlan::refine(const model::Model& model, const results::Run
   return fmt::format("{}", fmt::join(moved, "; "));
 }
 
-void RefinementPlan::apply(model::Model& model) const {
+void RefinementPlan::apply_to_model(model::Model& model) const {
   for (model::TipMeshSettings& tip : model.tip_nets) {
     tip.finer = finer_[tip.crack.index()];
   }

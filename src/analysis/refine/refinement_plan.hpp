@@ -19,16 +19,16 @@ public:
 
   /// Takes the errors of a solution into account. Returns what is made finer, in words; empty if
   /// nothing is left that would help.
-  std::string refine(const model::Model& model, const results::RunResult& run);
+  std::string refine_from_errors(const model::Model& model, const results::RunResult& run);
 
   /// For deck::read_deck.
   [[nodiscard]] const std::map<std::string, deck::NetRefinement>& refinements() const {
     return nets_;
   }
   /// Writes what patches are to have into a model that was read anew.
-  void apply(model::Model& model) const;
+  void apply_to_model(model::Model& model) const;
 
-  /// How many times as many elements the last `refine` gives patches, at most.
+  /// How many times as many elements the last `refine_from_errors` gives patches, at most.
   [[nodiscard]] double patch_element_growth() const { return patch_growth_; }
 
 private:

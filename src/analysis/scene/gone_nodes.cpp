@@ -117,7 +117,8 @@ void add_second_side_nodes(const model::Mesh& host, model::Mesh& cracked) {
   }
 }
 
-std::vector<RemovedNodePlace> removed_nodes(const model::Mesh& host, const model::Mesh& cracked) {
+std::vector<RemovedNodePlace> locate_removed_nodes(const model::Mesh& host,
+                                                   const model::Mesh& cracked) {
   const std::vector<NodeId> gone = gone_nodes(host, cracked);
   if (gone.empty()) {
     return {};
@@ -181,7 +182,7 @@ void fill_removed_node_displacements(const model::Mesh& cracked,
 void fill_removed_node_stresses(const model::Model& model, const model::Mesh& cracked,
                                 const fe::DisplacementTemperatureField& field,
                                 std::vector<fe::Stress>& nodal) {
-  for (const RemovedNodePlace& place : removed_nodes(model.mesh, cracked)) {
+  for (const RemovedNodePlace& place : locate_removed_nodes(model.mesh, cracked)) {
     nodal[place.node.index()] = fe::stress_of_element_group(model, cracked, field, place.side);
   }
 }

@@ -20,8 +20,9 @@ struct RemovedNodePlace {
 void add_second_side_nodes(const model::Mesh& host, model::Mesh& cracked);
 
 /// The places of all such nodes in the mesh with cracks, ascending by node. Needs
-/// add_second_sides.
-std::vector<RemovedNodePlace> removed_nodes(const model::Mesh& host, const model::Mesh& cracked);
+/// add_second_side_nodes.
+std::vector<RemovedNodePlace> locate_removed_nodes(const model::Mesh& host,
+                                                   const model::Mesh& cracked);
 
 /// Says in the listing how many of them named sets have.
 void note_removed_nodes(const model::Model& model, Discretisation& scene);

@@ -8,8 +8,8 @@
 namespace spricka::analysis {
 
 std::shared_ptr<const fe::CaseTemperature>
-case_temperature_of_scene(const model::Model& model, const Discretisation& scene,
-                          const model::LoadCase& load_case) {
+scene_case_temperature(const model::Model& model, const Discretisation& scene,
+                       const model::LoadCase& load_case) {
   fe::PatchedMesh patched{scene.cracked.mesh, model.mesh, nullptr, scene.cracked.front_nodes()};
   if (scene.cracked.host.size() == scene.cracked.mesh.element_count()) {
     patched.host = &scene.cracked.host;

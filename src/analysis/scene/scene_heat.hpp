@@ -9,9 +9,9 @@
 namespace spricka::analysis {
 
 /// Temperatures of one case on the mesh of a scene.
-std::shared_ptr<const fe::CaseTemperature>
-case_temperature_of_scene(const model::Model& model, const Discretisation& scene,
-                          const model::LoadCase& load_case);
+std::shared_ptr<const fe::CaseTemperature> scene_case_temperature(const model::Model& model,
+                                                                  const Discretisation& scene,
+                                                                  const model::LoadCase& load_case);
 
 /// The case but for its temperatures.
 model::LoadCase without_temperature_loads(const model::LoadCase& load_case);

@@ -98,7 +98,7 @@ bool make_case_loads(const model::Model& model, Discretisation& scene,
         scene.case_displacement(i, c) = 0.0;
       }
     }
-    scene.case_heat.push_back(case_temperature_of_scene(model, scene, load_case));
+    scene.case_heat.push_back(scene_case_temperature(model, scene, load_case));
     const fe::CaseTemperature& heat = *scene.case_heat.back();
     if (heat.temperature.size() > 0) {
       if (scene.case_temperature.size() == 0) {

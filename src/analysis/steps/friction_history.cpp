@@ -35,7 +35,7 @@ void FrictionHistory::add_friction(contact::ContactSystem::IncrementProblem& pro
   }
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
     const std::size_t row = problem.rows[i];
-    if (!has_friction(row)) {
+    if (!is_friction_row(row)) {
       continue;
     }
     // A second tangent of a normal row follows the first: the two are a vector.

@@ -33,7 +33,7 @@ public:
   explicit FrictionHistory(const Discretisation& scene);
 
   /// Whether this row of the table is the slip of a pair with friction.
-  [[nodiscard]] bool has_friction(std::size_t row) const { return normal_of_[row] >= 0; }
+  [[nodiscard]] bool is_friction_row(std::size_t row) const { return normal_of_[row] >= 0; }
 
   /// Adds to a problem whose rows are there what friction needs: pairs of rows and first states.
   void add_friction(contact::ContactSystem::IncrementProblem& problem) const;

@@ -142,9 +142,9 @@ std::optional<FailedIncrement> refine_friction_increments(const Discretisation& 
                                                           IncrementState& state,
                                                           StepIncrementation& incrementation,
                                                           std::vector<results::Note>& notes) {
-  const StepSolverState start = state.store();
+  const StepSolverState start = state.solver_state();
   const auto walk = [&](int increments) -> std::optional<FailedIncrement> {
-    state.restore(start);
+    state.restore_state(start);
     const std::optional<int> failed = incrementation.solve_increments(increments);
     return failed ? std::optional(FailedIncrement{*failed, increments}) : std::nullopt;
   };
@@ -162,7 +162,7 @@ std::optional<FailedIncrement> refine_friction_increments(const Discretisation& 
   }
   for (;;) {
     const contact::ContactSystem::IncrementSolution last = incrementation.take_solution();
-    const FrictionState slipped = state.history().friction_state();
+    const FrictionState slipped = state.friction_history().friction_state();
     if (const std::optional<FailedIncrement> failed = walk(cut.now)) {
       return failed;
     }
@@ -170,7 +170,7 @@ std::optional<FailedIncrement> refine_friction_increments(const Discretisation& 
       cut.change =
           friction_change(scene, incrementation.problem(), last, incrementation.solution());
       cut.slip = slip_change(scene, incrementation.problem(), incrementation.solution(), slipped,
-                             state.history().friction_state());
+                             state.friction_history().friction_state());
     }
     const bool settled = cut.change <= shear_tolerance && cut.slip <= work_tolerance;
     if (given || settled || cut.now >= most_increments) {

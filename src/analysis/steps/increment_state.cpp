@@ -18,7 +18,7 @@ IncrementState::IncrementState(const model::Model& model, const Discretisation& 
       offset_(base::Vector::Zero(static_cast<Eigen::Index>(scene.table.size()))), history_(scene),
       memory_(memory) {
   if (memory_ != nullptr) {
-    memory_->restart();
+    memory_->begin_new_length();
   }
 }
 
@@ -38,8 +38,8 @@ bool IncrementState::mount(std::size_t contact, const base::Vector& u) {
                                    scene_, contact, scene_.contacts[contact].mu > 0.0, offset_);
 }
 
-bool IncrementState::act(const model::Step& step, const base::Vector& u,
-                         base::OptionalFailure& trouble) {
+bool IncrementState::carry_out_actions(const model::Step& step, const base::Vector& u,
+                                       base::OptionalFailure& trouble) {
   const MountChanges changes = apply_step_actions(step, factors_);
   for (const std::size_t contact : changes.mounted) {
     if (!mount(contact, u)) {
@@ -58,13 +58,13 @@ bool IncrementState::act(const model::Step& step, const base::Vector& u,
   return true;
 }
 
-base::Vector IncrementState::prescribed() const {
+base::Vector IncrementState::prescribed_displacements() const {
   return scene_.case_displacement * factors_.case_factor;
 }
 
 contact::ContactSystem::IncrementProblem IncrementState::contact_problem() const {
   contact::ContactSystem::IncrementProblem d;
-  const base::Vector fixed = prescribed();
+  const base::Vector fixed = prescribed_displacements();
   const int dim = scene_.cracked.mesh.dim;
   std::vector<double> gap;
   for (std::size_t c = 0; c < scene_.contacts.size(); ++c) {
@@ -113,9 +113,9 @@ void IncrementState::accept_solved_increment(
     const contact::ContactSystem& system, const contact::ContactSystem::IncrementProblem& problem,
     const contact::ContactSystem::IncrementSolution& solution) {
   history_.accept_increment(problem, solution);
-  const base::Vector fixed = prescribed();
+  const base::Vector fixed = prescribed_displacements();
   for (const std::size_t row : problem.rows) {
-    if (history_.has_friction(row)) {
+    if (history_.is_friction_row(row)) {
       offset_[static_cast<Eigen::Index>(row)] =
           -system.row_opening(row, solution.u) -
           row_opening(scene_.contact_row(row), scene_.cracked.mesh.dim, fixed);
@@ -123,11 +123,11 @@ void IncrementState::accept_solved_increment(
   }
 }
 
-StepSolverState IncrementState::store() const {
+StepSolverState IncrementState::solver_state() const {
   return {factors_, offset_, closed_, history_.friction_state()};
 }
 
-void IncrementState::restore(const StepSolverState& place) {
+void IncrementState::restore_state(const StepSolverState& place) {
   factors_ = place.factors;
   offset_ = place.offset;
   closed_ = place.closed;

@@ -31,24 +31,25 @@ public:
 
   /// Carries out the actions of a step that begins at displacements u [dim * node]; false: a
   /// contact cannot be mounted.
-  bool act(const model::Step& step, const base::Vector& u, base::OptionalFailure& trouble);
+  bool carry_out_actions(const model::Step& step, const base::Vector& u,
+                         base::OptionalFailure& trouble);
   /// Takes a solved increment: where rows stand tangentially now.
   void accept_solved_increment(const contact::ContactSystem& system,
                                const contact::ContactSystem::IncrementProblem& problem,
                                const contact::ContactSystem::IncrementSolution& solution);
 
   [[nodiscard]] contact::ContactSystem::IncrementProblem contact_problem() const;
-  [[nodiscard]] base::Vector prescribed() const; ///< [dim * node]
+  [[nodiscard]] base::Vector prescribed_displacements() const; ///< [dim * node]
   [[nodiscard]] const StepActionFactors& factors() const { return factors_; }
-  [[nodiscard]] const base::Vector& offset() const { return offset_; }      ///< [row] since MOUNT
-  [[nodiscard]] const std::vector<bool>& closed() const { return closed_; } ///< [row] or empty
-  [[nodiscard]] const FrictionHistory& history() const { return history_; }
+  [[nodiscard]] const base::Vector& gap_offset() const { return offset_; } ///< [row] since MOUNT
+  [[nodiscard]] const std::vector<bool>& closed_rows() const { return closed_; } ///< [row] or empty
+  [[nodiscard]] const FrictionHistory& friction_history() const { return history_; }
   void set_factors(StepActionFactors factors) { factors_ = std::move(factors); }
-  void set_closed(std::vector<bool> closed) { closed_ = std::move(closed); }
+  void set_closed_rows(std::vector<bool> closed) { closed_ = std::move(closed); }
 
-  [[nodiscard]] StepSolverState store() const;
-  /// Puts back what store() has given, so that the next increment starts from there.
-  void restore(const StepSolverState& place);
+  [[nodiscard]] StepSolverState solver_state() const;
+  /// Puts back what solver_state() has given, so that the next increment starts from there.
+  void restore_state(const StepSolverState& place);
 
 private:
   [[nodiscard]] bool mount(std::size_t contact, const base::Vector& u);

@@ -13,7 +13,7 @@ namespace spricka::analysis {
 class MountOffsetMemory {
 public:
   /// A new length begins: mountings are counted anew.
-  void restart() { next_ = 0; }
+  void begin_new_length() { next_ = 0; }
 
   /// At the first length keeps the offsets of the rows of a contact; later replaces them by those
   /// kept for the same mounting. Slips of pairs with friction begin anew at each length. False if

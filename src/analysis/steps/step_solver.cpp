@@ -160,7 +160,7 @@ bool StepSolver::accept(const contact::ContactSystem::IncrementSolution& solutio
   }
   if (base::OptionalFailure far =
           find_excessive_rigid_motion(scene_, bodies_, {*system_, condensed_, problem, solution},
-                                      increment_state_.prescribed())) {
+                                      increment_state_.prescribed_displacements())) {
     trouble = std::move(far);
     return false;
   }
@@ -177,10 +177,10 @@ bool StepSolver::accept(const contact::ContactSystem::IncrementSolution& solutio
     }
     closed[row] = s.closed[i];
   }
-  increment_state_.set_closed(std::move(closed));
+  increment_state_.set_closed_rows(std::move(closed));
   state.resting = sliding_mode_residual_force(bodies_, condensed_, solution, u_.size());
   for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
-    state.friction.push_back(increment_state_.history().pair_friction_state(c));
+    state.friction.push_back(increment_state_.friction_history().pair_friction_state(c));
   }
   warn_of_facet_gaps(scene_, *system_, problem, solution, state.notes);
   return true;
@@ -191,7 +191,7 @@ void StepSolver::adopt_earlier_step(const model::Step& step, const base::Vector&
   StepActionFactors factors = increment_state_.factors();
   apply_step_actions(step, factors);
   increment_state_.set_factors(std::move(factors));
-  increment_state_.set_closed(closed);
+  increment_state_.set_closed_rows(closed);
   u_ = u;
 }
 
@@ -202,7 +202,7 @@ bool StepSolver::complete(std::vector<base::Vector> external, StepState& state,
     of_body[condensed_[i]] = std::move(external[i]);
   }
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    recover_body(bodies_[b], of_body[b], factors().case_factor, state.u);
+    recover_body_displacements(bodies_[b], of_body[b], factors().case_factor, state.u);
   }
   add_nodal_forces(model_, scene_, factors().case_factor, state);
   if (state.imbalance <= worst_imbalance) {
@@ -256,7 +256,7 @@ StepSolver::solve_increments(const StepActionFactors& to, int increments, const 
 std::optional<StepState>
 StepSolver::recover_state(contact::ContactSystem::IncrementSolution solution,
                           base::OptionalFailure& trouble) {
-  StepState state = begin_state(scene_, factors(), increment_state_.prescribed());
+  StepState state = begin_state(scene_, factors(), increment_state_.prescribed_displacements());
   if (!accept(solution, contact_problem(), state, trouble) ||
       !complete(std::move(solution.u), state, trouble)) {
     return std::nullopt;
@@ -285,10 +285,10 @@ void StepSolver::note_uniqueness(const StepIncrementation& walk, StepState& stat
 std::optional<StepState> StepSolver::solve(const model::Step& step,
                                            base::OptionalFailure& trouble) {
   const StepActionFactors before = factors();
-  if (!increment_state_.act(step, u_, trouble)) {
+  if (!increment_state_.carry_out_actions(step, u_, trouble)) {
     return std::nullopt;
   }
-  StepState state = begin_state(scene_, factors(), increment_state_.prescribed());
+  StepState state = begin_state(scene_, factors(), increment_state_.prescribed_displacements());
   std::vector<base::Vector> external;
   if (system_) {
     std::optional<contact::ContactSystem::IncrementSolution> solution =

@@ -29,9 +29,9 @@ public:
   /// Carries out the actions of a step and solves for its end. Steps are called in deck order.
   std::optional<StepState> solve(const model::Step& step, base::OptionalFailure& trouble);
 
-  [[nodiscard]] StepSolverState solver_state() const { return increment_state_.store(); }
+  [[nodiscard]] StepSolverState solver_state() const { return increment_state_.solver_state(); }
   /// Puts back a state that solver_state has given, so that the next increment starts from there.
-  void restore_state(const StepSolverState& place) { increment_state_.restore(place); }
+  void restore_state(const StepSolverState& place) { increment_state_.restore_state(place); }
   /// Loads and fits go in a straight line to others in equal increments, contacts as they are:
   /// nothing is recovered. Empty: refused.
   std::optional<contact::ContactSystem::IncrementSolution>
@@ -46,10 +46,12 @@ public:
                           const std::vector<bool>& closed);
   /// Rows [row] closed at the end of the last step; empty: not known.
   [[nodiscard]] const std::vector<bool>& closed_contact_rows() const {
-    return increment_state_.closed();
+    return increment_state_.closed_rows();
   }
   /// Where the next step without friction begins to look for its closed rows, if it mounts nothing.
-  void set_start_rows(std::vector<bool> closed) { increment_state_.set_closed(std::move(closed)); }
+  void set_initial_closed_rows(std::vector<bool> closed) {
+    increment_state_.set_closed_rows(std::move(closed));
+  }
 
   /// What the last step asked of the contact system, with the closed rows it ended with.
   [[nodiscard]] contact::ContactSystem::IncrementProblem contact_problem() const {
@@ -69,7 +71,7 @@ public:
   [[nodiscard]] const StepActionFactors& factors() const { return increment_state_.factors(); }
   /// [row] since MOUNT
   [[nodiscard]] const base::Vector& gap_offset_at_mounting() const {
-    return increment_state_.offset();
+    return increment_state_.gap_offset();
   }
 
 private:

@@ -120,7 +120,7 @@ double value_near(const results::ContactResult& contact, PointValue value, const
 
 // ARC.PART.FROM (end 0) or ARC.PART.TO (1): of the closed part of that number, along the surface.
 double arc_end(const results::ContactResult& contact, double number, std::size_t end) {
-  const std::vector<std::array<double, 2>> parts = analysis::closed_parts(contact);
+  const std::vector<std::array<double, 2>> parts = analysis::closed_contact_parts(contact);
   const auto count = static_cast<double>(parts.size());
   if (!(number >= 1.0 && number <= count) || number != std::floor(number)) {
     throw MissingQuantity(
@@ -170,7 +170,7 @@ template <std::size_t end> double part_end(const Question& q) {
   return arc_end(q.contact, q.at, end);
 }
 double count_of_parts(const Question& q) {
-  return static_cast<double>(analysis::closed_parts(q.contact).size());
+  return static_cast<double>(analysis::closed_contact_parts(q.contact).size());
 }
 double force(const Question& q) {
   return q.contact.force_on_slave[q.axis];

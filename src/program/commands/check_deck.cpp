@@ -115,8 +115,8 @@ public:
       results::CrackLengthPreview figures = preview_mesh_at_crack_length(model_, scene);
       figures.number = static_cast<int>(i) + 1;
       if (forecast) {
-        future.forecast_crack_length(length->request(), length->bodies(), scene, scene_cpu,
-                                     figures);
+        future.forecast_crack_length(length->condensation_request(), length->bodies(), scene,
+                                     scene_cpu, figures);
       }
       preview.lengths.push_back(std::move(figures));
     }

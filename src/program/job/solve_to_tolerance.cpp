@@ -186,7 +186,7 @@ RefinedRun solve_to_tolerance(const CheckedDeck& deck, const RefinedDeckReader& 
     if (!out.why_not.empty()) {
       break;
     }
-    round.next = plan.refine(model, *out.run);
+    round.next = plan.refine_from_errors(model, *out.run);
     if (round.next.empty() || number == most_rounds) {
       out.why_not = round.next.empty() ? "no finer mesh would help"
                                        : fmt::format("{} rounds were not enough", most_rounds);
@@ -203,7 +203,7 @@ RefinedRun solve_to_tolerance(const CheckedDeck& deck, const RefinedDeckReader& 
       break;
     }
     // The deck read again knows nothing of the patches' own factors.
-    plan.apply(*finer->model);
+    plan.apply_to_model(*finer->model);
   }
   if (!rounds.empty()) {
     rounds.back().next = out.why_not.empty() ? "inside" : out.why_not;

@@ -150,7 +150,7 @@ base::OptionalFailure InteractiveSolver::reach(const std::vector<model::Step>& w
                                                ReachedShellState& reached) {
   while (true) {
     if (parts_.memory != nullptr) {
-      parts_.memory->restart();
+      parts_.memory->begin_new_length();
     }
     // A copy: the compliances of the rows are computed once, each way begins as a run does.
     reached = {std::make_unique<analysis::StepSolver>(*fresh_), {}, {}};
@@ -172,8 +172,8 @@ results::LoadStepResult InteractiveSolver::gather(const ReachedShellState& reach
   step.name = name;
   results::LoadStepResult out = length_->recover_step(step, *reached.state);
   const model::Mesh& mesh = length_->discretisation().cracked.mesh;
-  analysis::fill_removed_node_displacements(mesh, analysis::removed_nodes(parts_.model.mesh, mesh),
-                                            out.u);
+  analysis::fill_removed_node_displacements(
+      mesh, analysis::locate_removed_nodes(parts_.model.mesh, mesh), out.u);
   return out;
 }
 

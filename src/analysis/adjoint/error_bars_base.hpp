@@ -12,10 +12,10 @@ namespace spricka::analysis {
 
 /// Processor ESTIMATE: what error bars of K at the ends of the steps of one crack length have in
 /// common in the plane and in space.
-class ErrorBarAnalysis {
+class ErrorBarsBase {
 protected:
   /// Both must outlive it.
-  ErrorBarAnalysis(const model::Model& model, const Discretisation& scene);
+  ErrorBarsBase(const model::Model& model, const Discretisation& scene);
 
   /// Gives the fronts of a step their bars, or says why they have none: `why_not`, where it is not
   /// empty, or what `estimate` writes into the front. That has the front's place among those of the

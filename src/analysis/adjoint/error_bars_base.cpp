@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/adjoint/error_bar_analysis.hpp"
+#include "analysis/adjoint/error_bars_base.hpp"
 
 #include "model/model.hpp"
 
@@ -10,10 +10,10 @@
 
 namespace spricka::analysis {
 
-ErrorBarAnalysis::ErrorBarAnalysis(const model::Model& model, const Discretisation& scene)
+ErrorBarsBase::ErrorBarsBase(const model::Model& model, const Discretisation& scene)
     : model_(model), scene_(scene), case_load_(model.cases.size()) {}
 
-void ErrorBarAnalysis::assign_error_bars(
+void ErrorBarsBase::assign_error_bars(
     const std::string& why_not, results::LoadStepResult& step,
     const std::function<void(std::size_t, std::size_t, results::FrontResult&)>& estimate) {
   std::size_t first = 0;
@@ -33,8 +33,8 @@ void ErrorBarAnalysis::assign_error_bars(
 }
 
 base::Vector
-ErrorBarAnalysis::sum_case_loads(const base::Vector& case_factor, Eigen::Index freedoms,
-                                 const std::function<base::Vector(std::size_t)>& of_case) {
+ErrorBarsBase::sum_case_loads(const base::Vector& case_factor, Eigen::Index freedoms,
+                              const std::function<base::Vector(std::size_t)>& of_case) {
   base::Vector f = base::Vector::Zero(freedoms);
   for (std::size_t c = 0; c < case_load_.size(); ++c) {
     const double factor = case_factor[static_cast<Eigen::Index>(c)];
@@ -50,7 +50,7 @@ ErrorBarAnalysis::sum_case_loads(const base::Vector& case_factor, Eigen::Index f
   return f;
 }
 
-void ErrorBarAnalysis::add_note_once(results::Note note, results::LoadStepResult& step) {
+void ErrorBarsBase::add_note_once(results::Note note, results::LoadStepResult& step) {
   if (std::ranges::find(reported_, note) == reported_.end()) {
     reported_.push_back(note);
     step.notes.push_back(std::move(note));
