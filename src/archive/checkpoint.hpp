@@ -67,7 +67,7 @@ public:
   /// Called with all that is told, so far and from now on.
   void set_report_listener(Listener listener);
   /// What was passed over or left out, each with its code.
-  [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& reported() const {
+  [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& reported_problems() const {
     return reported_;
   }
 
@@ -77,7 +77,7 @@ public:
   [[nodiscard]] bool has_stored_increment(int number) const;
   /// The crack length that increment was asked for.
   [[nodiscard]] double requested_length_of_increment(int number) const;
-  /// The increment of this round, which has(number). Throws FileFailure.
+  /// The increment of this round, which has_stored_increment(number). Throws FileFailure.
   [[nodiscard]] StoredIncrement read_stored_increment(int number) const;
   /// It stands for what a run from the start would have solved: it is listed again.
   void accept_increment(int number);
@@ -95,8 +95,8 @@ public:
   [[nodiscard]] const std::filesystem::path& restart_source_file() const { return place_.read; }
   /// Seconds and increments of the limit in words, for messages.
   [[nodiscard]] std::string run_limit_text() const;
-  [[nodiscard]] bool writes() const { return writer_.has_value(); }
-  [[nodiscard]] const std::filesystem::path& file() const { return place_.write; }
+  [[nodiscard]] bool writes_increments() const { return writer_.has_value(); }
+  [[nodiscard]] const std::filesystem::path& written_file() const { return place_.write; }
 
 private:
   [[nodiscard]] CheckpointList read_newest();

@@ -12,14 +12,15 @@ namespace spricka::analysis {
 
 /// What the steps' actions have set so far.
 struct StepActionFactors {
-  base::Vector case_factor;  ///< [case], and 1 for what ties always ask for (Scene::case_load)
+  /// [case], and 1 for what ties always ask for (Discretisation::case_load)
+  base::Vector case_factor;
   std::vector<double> fit;   ///< [contact]
   std::vector<bool> mounted; ///< [contact]
 };
 
 /// Before the first step: no loads; a contact is absent if some step mounts it, its fit is 0 if
-/// some step names it. `columns` are those of Scene::case_load; `contacts` behind the deck's are in
-/// force from the first step on.
+/// some step names it. `columns` are those of Discretisation::case_load; `contacts` behind the
+/// deck's are in force from the first step on.
 StepActionFactors initial_step_factors(const model::Model& model, Eigen::Index columns,
                                        std::size_t contacts);
 

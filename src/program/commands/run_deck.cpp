@@ -56,7 +56,7 @@ base::Outcome run_once(const RunOptions& options, const CheckedDeck& deck, const
       tell_of_k(folder->abandon(true), signal_name(signal), log);
     }
     std::optional<base::Outcome> kept;
-    if (opened.checkpoint && opened.checkpoint->writes()) {
+    if (opened.checkpoint && opened.checkpoint->writes_increments()) {
       kept = stop_with_checkpoint(*opened.checkpoint, signal_name(signal), log);
     }
     return kept ? base::exit_code(*kept) : 128 + signal;

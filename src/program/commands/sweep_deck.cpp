@@ -341,7 +341,7 @@ private:
       folder_->abandon();
     }
     std::optional<base::Outcome> kept;
-    if (current_ != nullptr && current_->writes()) {
+    if (current_ != nullptr && current_->writes_increments()) {
       kept = stop_with_checkpoint(*current_, signal_name(signal), log_);
     }
     [[maybe_unused]] const bool whole = tables_guard_.try_lock_for(10s);

@@ -116,7 +116,7 @@ void finish_checkpoint(archive::Checkpoint* checkpoint, results::RunResult& run)
   }
   // Increments that EVERY has held back are written now.
   checkpoint->flush();
-  for (const auto& [code, text] : checkpoint->reported()) {
+  for (const auto& [code, text] : checkpoint->reported_problems()) {
     run.log.push_back({"RESTART", text, 0.0, 0.0});
   }
   if (checkpoint->reused_increment_count() > 0) {
@@ -135,7 +135,7 @@ std::optional<base::Outcome> stop_with_checkpoint(archive::Checkpoint& checkpoin
     const std::string what =
         kept == 0 ? "no increment is finished yet, so nothing is kept"
                   : fmt::format("{} increment{} kept in {}, run --restart goes on", kept,
-                                kept == 1 ? " is" : "s are", checkpoint.file().string());
+                                kept == 1 ? " is" : "s are", checkpoint.written_file().string());
     log.message(base::Severity::note, "E566", fmt::format("stopped by {}: {}", by, what));
     return kept == 0 ? std::nullopt : std::optional(base::Outcome::stopped);
   } catch (const archive::FileFailure& trouble) {
