@@ -46,7 +46,7 @@ struct CheckpointOptions {
   base::Stopwatch since; ///< from here on
 };
 
-/// Why a state does not fit the deck: shown at its place, Outcome::deck_error.
+/// Why a state does not fit the deck: shown at its place, ProgramOutcome::deck_error.
 struct CheckpointMismatch {
   std::string code;
   base::SourceSpan span;

@@ -9,7 +9,7 @@
 namespace spricka::archive {
 
 /// Trouble with a file, with the code that names it (program/commands/code_texts.cpp): the program
-/// ends with Outcome::file_trouble.
+/// ends with ProgramOutcome::file_trouble.
 class FileFailure : public std::runtime_error {
 public:
   FileFailure(std::string code, const std::string& what)

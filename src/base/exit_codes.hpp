@@ -13,36 +13,37 @@
 namespace spricka::base {
 
 struct ExitCodeEntry {
-  Outcome outcome;
+  ProgramOutcome outcome;
   int code;
   std::string_view meaning;
 };
 
-/// [Outcome]
+/// [ProgramOutcome]
 inline constexpr std::array exit_code_table{
-    ExitCodeEntry{Outcome::done, 0, "done; every $CHECK passed"},
-    ExitCodeEntry{Outcome::check_failed, 1,
+    ExitCodeEntry{ProgramOutcome::done, 0, "done; every $CHECK passed"},
+    ExitCodeEntry{ProgramOutcome::check_failed, 1,
                   "done, but a $CHECK failed; format --check: the layout would change"},
-    ExitCodeEntry{Outcome::usage, 2, "the command line is wrong"},
-    ExitCodeEntry{Outcome::deck_error, 3, "the deck has mistakes; each is printed with its place"},
-    ExitCodeEntry{Outcome::not_solvable, 4,
+    ExitCodeEntry{ProgramOutcome::usage, 2, "the command line is wrong"},
+    ExitCodeEntry{ProgramOutcome::deck_error, 3,
+                  "the deck has mistakes; each is printed with its place"},
+    ExitCodeEntry{ProgramOutcome::not_solvable, 4,
                   "the model cannot be solved, or has a card this version does not have"},
-    ExitCodeEntry{Outcome::not_converged, 5, "the solution did not converge"},
-    ExitCodeEntry{Outcome::stopped, 6,
+    ExitCodeEntry{ProgramOutcome::not_converged, 5, "the solution did not converge"},
+    ExitCodeEntry{ProgramOutcome::stopped, 6,
                   "stopped by --time or a signal, what is finished is kept; run --restart goes on"},
-    ExitCodeEntry{Outcome::file_trouble, 7,
+    ExitCodeEntry{ProgramOutcome::file_trouble, 7,
                   "trouble with a file: the deck itself, the run folder or a restart file"},
-    ExitCodeEntry{Outcome::defect, 70, // EX_SOFTWARE
+    ExitCodeEntry{ProgramOutcome::defect, 70, // EX_SOFTWARE
                   "a defect of the program: please report it, with the deck"},
 };
 
 /// The exit status of the process for an outcome.
-constexpr int exit_code(Outcome outcome) {
+constexpr int exit_code(ProgramOutcome outcome) {
   return exit_code_table.at(static_cast<std::size_t>(outcome)).code;
 }
 
 /// Empty: a number with which the program does not end.
-constexpr std::optional<Outcome> outcome_of_exit_code(int code) {
+constexpr std::optional<ProgramOutcome> outcome_of_exit_code(int code) {
   const auto* const found = std::ranges::find(exit_code_table, code, &ExitCodeEntry::code);
   return found == exit_code_table.end() ? std::nullopt : std::optional(found->outcome);
 }

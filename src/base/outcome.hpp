@@ -13,7 +13,7 @@
 namespace spricka::base {
 
 /// How the program ends, from best to worst; what scripts see of it is in exit_codes.hpp.
-enum class Outcome : std::uint8_t {
+enum class ProgramOutcome : std::uint8_t {
   done,
   check_failed,
   usage,
@@ -27,7 +27,7 @@ enum class Outcome : std::uint8_t {
 
 /// Why there is no answer: of what kind, in words, and at which place of the deck.
 struct OperationFailure {
-  Outcome kind = Outcome::not_solvable;
+  ProgramOutcome kind = ProgramOutcome::not_solvable;
   std::string why = {};
   SourceSpan span = {};  ///< may be no place
   std::string hint = {}; ///< what was probably meant; may be empty

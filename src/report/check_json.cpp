@@ -127,7 +127,7 @@ json of(const results::ReportedScriptConstant& c) {
 
 } // namespace
 
-std::string deck_preview_json(const results::DeckPreview& p, base::Outcome outcome) {
+std::string deck_preview_json(const results::DeckPreview& p, base::ProgramOutcome outcome) {
   const auto make = [](const auto& entry) { return of(entry); };
   const json out{
       {"spricka", SPRICKA_VERSION},

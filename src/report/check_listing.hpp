@@ -11,6 +11,6 @@ namespace spricka::report {
 std::string deck_preview_listing(const results::DeckPreview& preview);
 
 /// The same as one JSON object; memory in bytes, angles in degrees, lengths in deck units.
-std::string deck_preview_json(const results::DeckPreview& preview, base::Outcome outcome);
+std::string deck_preview_json(const results::DeckPreview& preview, base::ProgramOutcome outcome);
 
 } // namespace spricka::report

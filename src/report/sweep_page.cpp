@@ -281,7 +281,7 @@ std::string sweep_page(const base::SourceTexts& sources, const model::Model& mod
   page.add_html(fmt::format("<h1>{}</h1>\n", escape_xml(title)));
   const auto failed =
       std::count_if(sweep.points.begin(), sweep.points.end(),
-                    [](const SweepPoint& p) { return p.outcome != base::Outcome::done; });
+                    [](const SweepPoint& p) { return p.outcome != base::ProgramOutcome::done; });
   page.add_html(
       fmt::format("<p class=\"{}\">Sweep of {} over {}: {} of {} points were run, {} of them "
                   "failed. Computed by spricka {}.</p>\n",

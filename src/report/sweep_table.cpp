@@ -133,9 +133,9 @@ std::string table(const model::Model& model, const results::SweepResult& sweep,
 } // namespace
 
 std::string sweep_point_status(const SweepPoint& point) {
-  return point.outcome == base::Outcome::done           ? "done"
-         : point.outcome == base::Outcome::check_failed ? "check failed"
-                                                        : "failed";
+  return point.outcome == base::ProgramOutcome::done           ? "done"
+         : point.outcome == base::ProgramOutcome::check_failed ? "check failed"
+                                                               : "failed";
 }
 
 void write_sweep_csv(const std::filesystem::path& file, const model::Model& model,

@@ -33,7 +33,7 @@ struct SweepPoint {
   std::size_t number = 1;     ///< from 1, in the order of the sweep
   std::string folder;         ///< "001", in the sweep's run folder
   std::vector<double> values; ///< [parameter]
-  base::Outcome outcome = base::Outcome::done;
+  base::ProgramOutcome outcome = base::ProgramOutcome::done;
   std::string error; ///< why there is no result, or which checks failed; empty normally
   int checks = 0;
   int passed = 0;

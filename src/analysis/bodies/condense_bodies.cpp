@@ -100,7 +100,8 @@ base::OptionalFailure trouble_of(const model::Mesh& mesh, const std::string& bod
                                  const Substructure& net) {
   const solve::FactorReport& report = net.factor->report();
   const auto not_solvable = [](std::string why) {
-    return base::OperationFailure{.kind = base::Outcome::not_solvable, .why = std::move(why)};
+    return base::OperationFailure{.kind = base::ProgramOutcome::not_solvable,
+                                  .why = std::move(why)};
   };
   switch (report.status) {
   case solve::FactorStatus::ok:
@@ -315,7 +316,7 @@ std::vector<SubstructuredBody> condense_bodies(const CondensationRequest& reques
     if (bodies[b].condensed) {
       if (!bodies[b].condensed->is_factorised() && !log.trouble) {
         log.trouble = base::OperationFailure{
-            .kind = base::Outcome::not_solvable,
+            .kind = base::ProgramOutcome::not_solvable,
             .why = fmt::format("{}: the condensed stiffness is singular (a mechanism?)",
                                bodies[b].name)};
       }

@@ -89,8 +89,9 @@ GrowthRateEvaluator::GrowthRateEvaluator(const model::Model& model)
       around_(model.mesh), warnings_(*model.growth) {}
 
 bool GrowthRateEvaluator::no_rate(std::string why) {
-  trouble_ = base::OperationFailure{
-      .kind = base::Outcome::not_solvable, .why = std::move(why), .span = model_.growth->span};
+  trouble_ = base::OperationFailure{.kind = base::ProgramOutcome::not_solvable,
+                                    .why = std::move(why),
+                                    .span = model_.growth->span};
   return false;
 }
 

@@ -75,8 +75,8 @@ bool is_time_up(const archive::Checkpoint* checkpoint, base::OptionalFailure& tr
   if (checkpoint == nullptr || !checkpoint->would_exceed_time_limit()) {
     return false;
   }
-  trouble =
-      base::OperationFailure{.kind = base::Outcome::stopped, .why = checkpoint->run_limit_text()};
+  trouble = base::OperationFailure{.kind = base::ProgramOutcome::stopped,
+                                   .why = checkpoint->run_limit_text()};
   return true;
 }
 

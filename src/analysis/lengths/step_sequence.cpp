@@ -37,7 +37,7 @@ void log_paths(const std::vector<results::LoadPathResult>& paths, LogWriter& log
 
 void log_compliances(const StepSolver& solver, LogWriter& log) {
   const double row_flops =
-      solver.contact_system() == nullptr ? 0.0 : solver.contact_system()->row_flops();
+      solver.contact_system() == nullptr ? 0.0 : solver.contact_system()->compliance_flops();
   log.add_line("CONTACT",
                fmt::format("compliances of the contact rows{}",
                            row_flops > 0.0 ? fmt::format(", {:.3g} flops", row_flops) : ""),
@@ -51,7 +51,7 @@ base::OptionalFailure unsound_numbers(const results::LoadStepResult& result,
   if (what.empty()) {
     return std::nullopt;
   }
-  return base::OperationFailure{.kind = base::Outcome::not_solvable,
+  return base::OperationFailure{.kind = base::ProgramOutcome::not_solvable,
                                 .why = fmt::format("step {}: {}", step.name, what),
                                 .span = step.span};
 }
@@ -59,7 +59,7 @@ base::OptionalFailure unsound_numbers(const results::LoadStepResult& result,
 base::OptionalFailure unsound_numbers(const std::vector<results::LoadPathResult>& paths) {
   for (const results::LoadPathResult& path : paths) {
     if (const std::string what = find_nonfinite_result(path); !what.empty()) {
-      return base::OperationFailure{.kind = base::Outcome::not_solvable,
+      return base::OperationFailure{.kind = base::ProgramOutcome::not_solvable,
                                     .why = fmt::format("load path {}: {}", path.name, what)};
     }
   }
@@ -143,7 +143,7 @@ std::optional<StepState> StepSequence::solve_contact(std::size_t s) {
   if (std::vector<bool> start =
           context_.contact.guess_closed_rows(scene, s, solver_->closed_contact_rows());
       !start.empty()) {
-    solver_->set_start_rows(std::move(start));
+    solver_->set_initial_closed_rows(std::move(start));
   }
   base::OptionalFailure trouble;
   std::optional<StepState> state = solver_->solve(step, trouble);
@@ -203,7 +203,7 @@ void StepSequence::add_estimates(std::size_t s, const StepState& state,
   if (!context_.pictured[s] && !repeated_.stresses_needed_later(s)) {
     return;
   }
-  add_stress(context_.model, length_.discretisation().cracked.mesh, result);
+  add_stress_fields(context_.model, length_.discretisation().cracked.mesh, result);
   log.add_line("RECOVER", fmt::format("step {}: stresses", step.name));
   trouble_ = unsound_numbers(result, step);
   if (trouble_) {

@@ -87,7 +87,7 @@ std::optional<StepSolverState> InheritedContactState::put(const Discretisation& 
     if (!is_there || pair.key != key_of(scene, c) ||
         pair.offset.size() != scene.table.first[c + 1] - scene.table.first[c]) {
       trouble = base::OperationFailure{
-          .kind = base::Outcome::not_solvable,
+          .kind = base::ProgramOutcome::not_solvable,
           .why = fmt::format("HISTORY=CONTINUE: the surfaces of contact {} are meshed differently "
                              "at this length, so that what slipped at the last one cannot be "
                              "carried over",

@@ -97,7 +97,7 @@ base::OptionalFailure find_excessive_rigid_motion(const Discretisation& scene,
       continue;
     }
     return base::OperationFailure{
-        .kind = base::Outcome::not_solvable,
+        .kind = base::ProgramOutcome::not_solvable,
         .why = fmt::format(
             "body {} would move as a rigid body by {:.3g} ({}), {:.2g} times the gaps and the "
             "displacements by deformation ({:.3g}): next to nothing holds this motion",

@@ -44,7 +44,7 @@ bool IncrementState::carry_out_actions(const model::Step& step, const base::Vect
   for (const std::size_t contact : changes.mounted) {
     if (!mount(contact, u)) {
       trouble = base::OperationFailure{
-          .kind = base::Outcome::not_solvable,
+          .kind = base::ProgramOutcome::not_solvable,
           .why = fmt::format("MOUNTED=FIRST: the surfaces of contact {} are meshed differently at "
                              "this length, so that what it took on at the first one cannot be kept",
                              scene_.contacts[contact].name),

@@ -135,15 +135,15 @@ StepSolver::trouble_of(const contact::ContactSystem::IncrementSolution& solution
   case solve::ContactStatus::solved:
     break;
   case solve::ContactStatus::unheld_mode:
-    return base::OperationFailure{.kind = base::Outcome::not_solvable,
+    return base::OperationFailure{.kind = base::ProgramOutcome::not_solvable,
                                   .why = describe_unsupported_motion(s.unheld, solution.slides)};
   case solve::ContactStatus::inconsistent:
     return base::OperationFailure{
-        .kind = base::Outcome::not_solvable,
+        .kind = base::ProgramOutcome::not_solvable,
         .why = "bonded contacts, supports and prescribed displacements contradict each other"};
   case solve::ContactStatus::max_iterations:
     return base::OperationFailure{
-        .kind = base::Outcome::not_converged,
+        .kind = base::ProgramOutcome::not_converged,
         .why = fmt::format("the contact solution did not end ({} iterations, {} pivots)",
                            s.block_iterations, s.pivots)};
   }
@@ -209,7 +209,7 @@ bool StepSolver::complete(std::vector<base::Vector> external, StepState& state,
     return true;
   }
   trouble = base::OperationFailure{
-      .kind = base::Outcome::not_converged,
+      .kind = base::ProgramOutcome::not_converged,
       .why = fmt::format("the solution is not in equilibrium: {:.1e} of the load is left over (the "
                          "stiffness is close to singular)",
                          state.imbalance)};

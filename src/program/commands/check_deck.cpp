@@ -149,21 +149,22 @@ private:
   int threads_;
 };
 
-base::Outcome verdict(const base::SourceTexts& sources, const Previewer& found, const Log& log) {
+base::ProgramOutcome verdict(const base::SourceTexts& sources, const Previewer& found,
+                             const Log& log) {
   base::Diagnostics all = found.diagnostics;
   for (const base::OperationFailure& load : found.unheld) {
     all.error(load.span, "E510", load.why, failure_remedy(load));
   }
   log.diagnostics(sources, all);
-  return found.diagnostics.has_errors() ? base::Outcome::deck_error
-         : !found.unheld.empty()        ? base::Outcome::not_solvable
-                                        : base::Outcome::done;
+  return found.diagnostics.has_errors() ? base::ProgramOutcome::deck_error
+         : !found.unheld.empty()        ? base::ProgramOutcome::not_solvable
+                                        : base::ProgramOutcome::done;
 }
 
 // The points of a sweep, read and put together one after another.
-base::Outcome check_points(const RunOptions& options, const CheckedDeck& deck, const Log& log,
-                           results::DeckPreview& preview) {
-  base::Outcome worst = base::Outcome::done;
+base::ProgramOutcome check_points(const RunOptions& options, const CheckedDeck& deck,
+                                  const Log& log, results::DeckPreview& preview) {
+  base::ProgramOutcome worst = base::ProgramOutcome::done;
   if (deck.model->sweeps.empty()) {
     return worst;
   }
@@ -176,13 +177,13 @@ base::Outcome check_points(const RunOptions& options, const CheckedDeck& deck, c
     for (const base::Diagnostic& d : point.diagnostics.messages()) {
       reported.warning(d.span, d.code, d.text); // of whatever severity
     }
-    base::Outcome outcome = point.refusal.kind;
+    base::ProgramOutcome outcome = point.refusal.kind;
     if (point.model) {
       Previewer look(*point.model, 1);
       look.look(false);
       outcome = verdict(point.sources, look, log);
     }
-    if (outcome != base::Outcome::done) {
+    if (outcome != base::ProgramOutcome::done) {
       log.message(
           base::Severity::error, "E550",
           fmt::format("point {:03} ({}): exit code {}", i + 1, words, base::exit_code(outcome)));
@@ -221,12 +222,13 @@ void add_late_contacts(const model::Model& model, results::DeckPreview& preview)
 
 } // namespace
 
-base::Outcome check_deck(const RunOptions& options, const CheckedDeck& deck, const Log& log) {
+base::ProgramOutcome check_deck(const RunOptions& options, const CheckedDeck& deck,
+                                const Log& log) {
   const double read_cpu = base::cpu_seconds();
   const model::Model& model = *deck.model;
   Previewer look(model, thread_count(options, model));
   look.look(true);
-  const base::Outcome own = verdict(deck.sources, look, log);
+  const base::ProgramOutcome own = verdict(deck.sources, look, log);
   results::DeckPreview& preview = look.preview;
   preview.deck = base::make_printable(options.deck.string());
   preview.title = model.title;
@@ -248,17 +250,17 @@ base::Outcome check_deck(const RunOptions& options, const CheckedDeck& deck, con
     }
   }
   add_sums(read_cpu, look.stations, preview);
-  const base::Outcome points =
-      own == base::Outcome::done ? check_points(options, deck, log, preview) : own;
-  const base::Outcome outcome = std::max(own, points);
+  const base::ProgramOutcome points =
+      own == base::ProgramOutcome::done ? check_points(options, deck, log, preview) : own;
+  const base::ProgramOutcome outcome = std::max(own, points);
   if (options.json) {
     write_to_stdout(report::deck_preview_json(preview, outcome));
   } else if (!options.quiet && !preview.lengths.empty()) {
     write_to_stdout(report::deck_preview_listing(preview));
     write_to_stdout(growth_words(model, look.stations));
-    write_to_stdout(
-        fmt::format("\n{}: {}\n", base::make_printable(options.deck.string()),
-                    outcome == base::Outcome::done ? "no mistakes found" : "see the messages"));
+    write_to_stdout(fmt::format("\n{}: {}\n", base::make_printable(options.deck.string()),
+                                outcome == base::ProgramOutcome::done ? "no mistakes found"
+                                                                      : "see the messages"));
   }
   return outcome;
 }

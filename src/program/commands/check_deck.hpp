@@ -10,6 +10,6 @@ namespace spricka::program {
 /// rigid modes, cracks of all lengths, memory and time of the run. The table goes to stdout (JSON
 /// with options.json), mistakes to stderr. Every point of a sweep is read and put together, too.
 /// Returns deck_error for what a card can be blamed for, not_solvable for loads that nothing holds.
-base::Outcome check_deck(const RunOptions& options, const CheckedDeck& deck, const Log& log);
+base::ProgramOutcome check_deck(const RunOptions& options, const CheckedDeck& deck, const Log& log);
 
 } // namespace spricka::program

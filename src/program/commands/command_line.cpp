@@ -73,7 +73,7 @@ base::OperationFailure explain(CommandTree& tree, const CLI::ParseError& error) 
   return invalid_input(error.what());
 }
 
-base::Outcome report(CommandTree& tree, const CLI::ParseError& error) {
+base::ProgramOutcome report(CommandTree& tree, const CLI::ParseError& error) {
   const base::OperationFailure answer = explain(tree, error);
   const std::string called = tree.parsed_command() == nullptr
                                  ? "spricka"
@@ -90,12 +90,12 @@ base::Outcome report(CommandTree& tree, const CLI::ParseError& error) {
 
 namespace {
 
-base::Outcome act(CommandTree& tree, int argc, const char* const* argv) {
+base::ProgramOutcome act(CommandTree& tree, int argc, const char* const* argv) {
   try {
     tree.app().parse(argc, argv);
   } catch (const CLI::Success& asked) { // --help, --version
     tree.app().exit(asked);
-    return base::Outcome::done;
+    return base::ProgramOutcome::done;
   } catch (const CLI::ParseError& error) {
     return report(tree, error);
   }
@@ -104,10 +104,10 @@ base::Outcome act(CommandTree& tree, int argc, const char* const* argv) {
   } catch (const std::exception& e) {
     if (is_out_of_memory(e)) {
       Log(tree.log_format()).message(base::Severity::error, "E466", out_of_memory_message());
-      return base::Outcome::not_solvable;
+      return base::ProgramOutcome::not_solvable;
     }
     write_to_stderr(fmt::format("spricka: internal error: {}\n", e.what()));
-    return base::Outcome::defect;
+    return base::ProgramOutcome::defect;
   }
 }
 
@@ -117,10 +117,11 @@ int run_command_line(int argc, const char* const* argv) {
   ensure_standard_streams_open();
   std::signal(SIGXFSZ, SIG_IGN); // the limit on the size of files: the write fails, and is told
   CommandTree tree;
-  const base::Outcome outcome = act(tree, argc, argv);
+  const base::ProgramOutcome outcome = act(tree, argc, argv);
   const bool whole = check_streams_written(tree.log_format());
-  return base::exit_code(outcome == base::Outcome::done && !whole ? base::Outcome::file_trouble
-                                                                  : outcome);
+  return base::exit_code(outcome == base::ProgramOutcome::done && !whole
+                             ? base::ProgramOutcome::file_trouble
+                             : outcome);
 }
 
 } // namespace spricka::program

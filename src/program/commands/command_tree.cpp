@@ -99,7 +99,7 @@ CommandTree::CommandTree() : app_(fmt::format("spricka: {}", k_about), "spricka"
 }
 
 CLI::App& CommandTree::add(const std::string& name, const std::string& doc, std::string examples,
-                           std::function<base::Outcome()> act) {
+                           std::function<base::ProgramOutcome()> act) {
   CLI::App* command = app_.add_subcommand(name, doc);
   command->get_help_ptr()->description("this text");
   command->footer("Examples:\n" + examples);
@@ -254,7 +254,7 @@ void CommandTree::add_for_the_system() {
           "  spricka completion bash > ~/.local/share/bash-completion/completions/spricka",
           [this] {
             write_to_stdout(bash_completion(describe_program()));
-            return base::Outcome::done;
+            return base::ProgramOutcome::done;
           });
   completion.add_option("SHELL", shell_, "bash")
       ->required()
@@ -262,7 +262,7 @@ void CommandTree::add_for_the_system() {
       ->type_name("");
   add("man", "print the man page", "  spricka man | man -l -", [this] {
     write_to_stdout(man_page(describe_program()));
-    return base::Outcome::done;
+    return base::ProgramOutcome::done;
   });
 }
 
@@ -277,9 +277,9 @@ const CLI::App* CommandTree::parsed_command() const {
   return command != nullptr ? command->app : nullptr;
 }
 
-base::Outcome CommandTree::execute_command() const {
+base::ProgramOutcome CommandTree::execute_command() const {
   const Command* command = find_parsed();
-  return command != nullptr ? command->act() : base::Outcome::usage;
+  return command != nullptr ? command->act() : base::ProgramOutcome::usage;
 }
 
 ProgramText CommandTree::describe_program() const {

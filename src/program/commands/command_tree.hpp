@@ -29,7 +29,7 @@ public:
   /// The command that was parsed; null without one.
   [[nodiscard]] const CLI::App* parsed_command() const;
   /// Runs it.
-  [[nodiscard]] base::Outcome execute_command() const;
+  [[nodiscard]] base::ProgramOutcome execute_command() const;
   /// How messages are wanted, as far as the command line has been read.
   [[nodiscard]] LogFormat log_format() const { return run_.log_format; }
   /// Everything in words, for completion and man page.
@@ -39,13 +39,13 @@ private:
   struct Command {
     CLI::App* app = nullptr;
     std::string examples;
-    std::function<base::Outcome()> act;
+    std::function<base::ProgramOutcome()> act;
   };
 
   /// The command that was parsed; null without one.
   [[nodiscard]] const Command* find_parsed() const;
   CLI::App& add(const std::string& name, const std::string& doc, std::string examples,
-                std::function<base::Outcome()> act);
+                std::function<base::ProgramOutcome()> act);
   void add_run();
   void add_check();
   void add_shell();

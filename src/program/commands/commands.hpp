@@ -16,7 +16,7 @@ struct HelpOptions {
 };
 /// Prints the help on a topic, as plain text or markdown; on an unknown word where it stands in the
 /// texts, else a hint.
-base::Outcome help_command(const HelpOptions& options, const ProgramText& program);
+base::ProgramOutcome help_command(const HelpOptions& options, const ProgramText& program);
 
 struct FormatOptions {
   std::filesystem::path deck; ///< "-": standard input
@@ -24,12 +24,12 @@ struct FormatOptions {
   bool check = false;
 };
 /// Prints a deck in the standard layout, writes it in place, or checks that it has that layout.
-base::Outcome format_command(const FormatOptions& options);
+base::ProgramOutcome format_command(const FormatOptions& options);
 
 /// Prints all cards, keys and results of the language as JSON.
-base::Outcome schema_command();
+base::ProgramOutcome schema_command();
 
 /// Prints the syntax file for an editor: `editor` is "vim" or "vscode".
-base::Outcome editor_command(const std::string& editor);
+base::ProgramOutcome editor_command(const std::string& editor);
 
 } // namespace spricka::program

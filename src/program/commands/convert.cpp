@@ -103,8 +103,8 @@ void refuse_to_replace_output(const ConvertOptions& options) {
   }
 }
 
-base::Outcome write(const ConvertOptions& options, const base::SourceTexts& sources,
-                    const model::Model& model, const Log& log) {
+base::ProgramOutcome write(const ConvertOptions& options, const base::SourceTexts& sources,
+                           const model::Model& model, const Log& log) {
   const std::string kind = extension(options.out);
   if (kind == ".msh") {
     report::write_file(options.out, mesh::write_msh(model.mesh));
@@ -115,7 +115,7 @@ base::Outcome write(const ConvertOptions& options, const base::SourceTexts& sour
     const std::string text = abaqus_input_text(model, refusals);
     log.diagnostics(sources, refusals);
     if (refusals.has_errors()) {
-      return base::Outcome::not_solvable;
+      return base::ProgramOutcome::not_solvable;
     }
     report::write_file(options.out, text);
     if (model.steps.size() > 1) {
@@ -124,25 +124,25 @@ base::Outcome write(const ConvertOptions& options, const base::SourceTexts& sour
                   options.out.string());
     }
   }
-  return base::Outcome::done;
+  return base::ProgramOutcome::done;
 }
 
 } // namespace
 
-base::Outcome convert(const ConvertOptions& options) {
+base::ProgramOutcome convert(const ConvertOptions& options) {
   const Log log(options.log_format);
   const std::string kind = extension(options.out);
   if (kind != ".msh" && kind != ".vtu" && kind != ".inp") {
     write_to_stderr(fmt::format("spricka convert: OUT ends with .msh, .vtu or .inp, not '{}'\n",
                                 options.out.string()));
-    return base::Outcome::usage;
+    return base::ProgramOutcome::usage;
   }
   return run_reporting_file_failures(log, [&] {
     std::error_code unknown;
     if (!std::filesystem::is_regular_file(options.in, unknown)) {
       log.message(base::Severity::error, "E530",
                   fmt::format("there is no file '{}'", options.in.string()));
-      return base::Outcome::file_trouble;
+      return base::ProgramOutcome::file_trouble;
     }
     base::SourceTexts sources;
     base::Diagnostics diagnostics;
@@ -157,7 +157,7 @@ base::Outcome convert(const ConvertOptions& options) {
     }
     log.diagnostics(sources, diagnostics);
     if (!model || diagnostics.has_errors()) {
-      return base::Outcome::deck_error;
+      return base::ProgramOutcome::deck_error;
     }
     refuse_to_replace_input(options, sources, *model);
     refuse_to_replace_output(options);

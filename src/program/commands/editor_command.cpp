@@ -8,14 +8,14 @@
 
 namespace spricka::program {
 
-base::Outcome schema_command() {
+base::ProgramOutcome schema_command() {
   write_to_stdout(grammar::card_catalogue_json());
-  return base::Outcome::done;
+  return base::ProgramOutcome::done;
 }
 
-base::Outcome editor_command(const std::string& editor) {
+base::ProgramOutcome editor_command(const std::string& editor) {
   write_to_stdout(editor == "vim" ? grammar::vim_syntax() : grammar::textmate_grammar());
-  return base::Outcome::done;
+  return base::ProgramOutcome::done;
 }
 
 } // namespace spricka::program

@@ -47,7 +47,7 @@ void replace(const fs::path& path, const std::string& text) {
   fs::permissions(file, permissions);
 }
 
-base::Outcome format(const FormatOptions& options, const Log& log) {
+base::ProgramOutcome format(const FormatOptions& options, const Log& log) {
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
   const bool standard_input = options.deck == "-";
@@ -56,7 +56,7 @@ base::Outcome format(const FormatOptions& options, const Log& log) {
   const auto formatted = grammar::format_deck(sources, file, diagnostics);
   log.diagnostics(sources, diagnostics);
   if (!formatted) {
-    return base::Outcome::deck_error;
+    return base::ProgramOutcome::deck_error;
   }
   const bool same = *formatted == sources.text(file);
   if (options.check) {
@@ -64,7 +64,7 @@ base::Outcome format(const FormatOptions& options, const Log& log) {
       write_to_stderr(fmt::format("{}: the layout would change\n",
                                   base::make_printable(options.deck.string())));
     }
-    return same ? base::Outcome::done : base::Outcome::check_failed;
+    return same ? base::ProgramOutcome::done : base::ProgramOutcome::check_failed;
   }
   if (options.in_place && !standard_input) {
     if (!same) {
@@ -73,18 +73,18 @@ base::Outcome format(const FormatOptions& options, const Log& log) {
   } else {
     write_to_stdout(*formatted);
   }
-  return base::Outcome::done;
+  return base::ProgramOutcome::done;
 }
 
 } // namespace
 
-base::Outcome format_command(const FormatOptions& options) {
+base::ProgramOutcome format_command(const FormatOptions& options) {
   const Log log(LogFormat::text);
   try {
     return format(options, log);
   } catch (const std::system_error& trouble) {
     log.message(base::Severity::error, "E530", trouble.what());
-    return base::Outcome::file_trouble;
+    return base::ProgramOutcome::file_trouble;
   }
 }
 

@@ -166,34 +166,34 @@ std::string nearest(const std::string& topic, const ProgramText& program) {
 
 } // namespace
 
-base::Outcome help_command(const HelpOptions& options, const ProgramText& program) {
+base::ProgramOutcome help_command(const HelpOptions& options, const ProgramText& program) {
   const std::size_t width = text_columns();
   std::string topic = grammar::to_upper(options.topic);
   topic.erase(0, topic.starts_with('$') ? 1 : 0);
   if (options.markdown && (topic.empty() || topic == "CODES")) {
     write_to_stdout(topic.empty() ? grammar::card_reference_markdown() : codes_markdown());
-    return base::Outcome::done;
+    return base::ProgramOutcome::done;
   }
   if (topic.empty()) {
     write_to_stdout(overview(width));
-    return base::Outcome::done;
+    return base::ProgramOutcome::done;
   }
   if (const std::string text = help_or_field_help(topic, program, width); !text.empty()) {
     write_to_stdout(text);
-    return base::Outcome::done;
+    return base::ProgramOutcome::done;
   }
   if (const std::string found =
           grammar::search_help_texts(options.topic, width) + codes_with(topic, width);
       !found.empty()) {
     fmt::print("'{}' is no word of the language; it stands in the texts of\n{}", options.topic,
                found);
-    return base::Outcome::done;
+    return base::ProgramOutcome::done;
   }
   const std::string hint = nearest(topic, program);
   write_to_stderr(fmt::format("spricka help: nothing is known about '{}'\n{}", options.topic,
                               hint.empty() ? "       = spricka help lists the cards\n"
                                            : fmt::format("       = {}\n", hint)));
-  return base::Outcome::usage;
+  return base::ProgramOutcome::usage;
 }
 
 } // namespace spricka::program

@@ -42,7 +42,7 @@ void tell_of_k(const std::optional<std::filesystem::path>& table, const std::str
   }
 }
 
-base::Outcome run_once(const RunOptions& options, const CheckedDeck& deck, const Log& log) {
+base::ProgramOutcome run_once(const RunOptions& options, const CheckedDeck& deck, const Log& log) {
   reject_state_in_run_folder(options, *deck.model);
   const CheckpointOrRefusal opened = open_checkpoint(options, deck, {}, log);
   if (opened.refusal) {
@@ -55,7 +55,7 @@ base::Outcome run_once(const RunOptions& options, const CheckedDeck& deck, const
     if (folder) {
       tell_of_k(folder->abandon(true), signal_name(signal), log);
     }
-    std::optional<base::Outcome> kept;
+    std::optional<base::ProgramOutcome> kept;
     if (opened.checkpoint && opened.checkpoint->writes_increments()) {
       kept = stop_with_checkpoint(*opened.checkpoint, signal_name(signal), log);
     }
@@ -73,7 +73,7 @@ base::Outcome run_once(const RunOptions& options, const CheckedDeck& deck, const
     throw;
   }
   if (!outcome.run) {
-    if (outcome.kind == base::Outcome::stopped) {
+    if (outcome.kind == base::ProgramOutcome::stopped) {
       tell_of_k(folder->retain_interim_k(), "--time", log);
     }
     tell_of_earlier(options, *folder, log);
@@ -94,7 +94,7 @@ CheckedDeck read_recorded(const RunOptions& options, const Log& log) {
 
 } // namespace
 
-base::Outcome run_deck(const RunOptions& given) {
+base::ProgramOutcome run_deck(const RunOptions& given) {
   RunOptions options = given;
   const Log log(options.log_format);
   if (options.out.empty()) {
@@ -112,7 +112,7 @@ base::Outcome run_deck(const RunOptions& given) {
       return check_deck(options, deck, log);
     }
     if (reject_restart_without_state(options, *deck.model, log)) {
-      return base::Outcome::usage;
+      return base::ProgramOutcome::usage;
     }
     return deck.model->sweeps.empty() ? run_once(options, deck, log)
                                       : run_sweep(options, deck, log);

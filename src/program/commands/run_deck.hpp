@@ -7,6 +7,6 @@ namespace spricka::program {
 
 /// Reads, checks and (unless check_only) solves a deck and writes its run folder; messages go to
 /// stderr, the table of results to stdout. Returns how it ended.
-base::Outcome run_deck(const RunOptions& given);
+base::ProgramOutcome run_deck(const RunOptions& given);
 
 } // namespace spricka::program

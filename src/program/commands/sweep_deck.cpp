@@ -118,26 +118,26 @@ public:
     }
   }
 
-  base::Outcome run() {
+  base::ProgramOutcome run() {
     out_.open();
     const InterruptHandler interrupt([this](int signal) { return last_words(signal); });
     return run_points();
   }
 
 private:
-  base::Outcome run_points() {
+  base::ProgramOutcome run_points() {
     // Else it is of an earlier sweep, until there is a point.
     if (!fs::exists(out_.path() / sweep_table_name)) {
       write_tables();
     }
-    base::Outcome worst = base::Outcome::done;
+    base::ProgramOutcome worst = base::ProgramOutcome::done;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       SweepPoint point = take_over(i);
       if (!point.reused) {
         compute(i, point);
       }
-      if (point.outcome == base::Outcome::stopped) {
-        return base::Outcome::stopped;
+      if (point.outcome == base::ProgramOutcome::stopped) {
+        return base::ProgramOutcome::stopped;
       }
       worst = std::max(worst, point.outcome);
       tell(point, points_[i]);
@@ -181,14 +181,14 @@ private:
       open_point(point);
       solve_point(i, point);
     } catch (const archive::FileFailure& trouble) {
-      point.outcome = base::Outcome::file_trouble;
+      point.outcome = base::ProgramOutcome::file_trouble;
       point.error = fmt::format("{}: {}", trouble.code(), trouble.what());
     } catch (const std::system_error& trouble) {
-      point.outcome = base::Outcome::file_trouble;
+      point.outcome = base::ProgramOutcome::file_trouble;
       point.error = trouble.what();
     } catch (const std::exception& trouble) {
       const bool memory = is_out_of_memory(trouble);
-      point.outcome = memory ? base::Outcome::not_solvable : base::Outcome::defect;
+      point.outcome = memory ? base::ProgramOutcome::not_solvable : base::ProgramOutcome::defect;
       point.error = memory ? "E466: " + out_of_memory_message()
                            : fmt::format("internal error: {}", trouble.what());
     }
@@ -298,7 +298,7 @@ private:
   void tell(const SweepPoint& point, const SweepPointValues& values) const {
     const std::string head =
         fmt::format("{} of {}: {}", point.folder, points_.size(), sweep_point_text(values));
-    if (point.outcome != base::Outcome::done) {
+    if (point.outcome != base::ProgramOutcome::done) {
       log_.message(base::Severity::error, "E550",
                    fmt::format("point {}: {} ({}): {}", head, report::sweep_point_status(point),
                                base::exit_code(point.outcome), point.error));
@@ -340,7 +340,7 @@ private:
     if (folder_) {
       folder_->abandon();
     }
-    std::optional<base::Outcome> kept;
+    std::optional<base::ProgramOutcome> kept;
     if (current_ != nullptr && current_->writes_increments()) {
       kept = stop_with_checkpoint(*current_, signal_name(signal), log_);
     }
@@ -384,7 +384,7 @@ std::vector<SweepPointValues> sweep_points(const model::Model& model) {
   return points;
 }
 
-base::Outcome run_sweep(const RunOptions& options, const CheckedDeck& deck, const Log& log) {
+base::ProgramOutcome run_sweep(const RunOptions& options, const CheckedDeck& deck, const Log& log) {
   return SweepRun(options, deck, log).run();
 }
 

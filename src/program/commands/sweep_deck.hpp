@@ -22,6 +22,6 @@ std::vector<SweepPointValues> sweep_points(const model::Model& model);
 /// values and program are taken over. Returns the worst outcome of all points. SIGINT and
 /// SIGTERM end the program with 130 and 143; finished points stay. Throws std::system_error when
 /// OUT cannot be used.
-base::Outcome run_sweep(const RunOptions& options, const CheckedDeck& deck, const Log& log);
+base::ProgramOutcome run_sweep(const RunOptions& options, const CheckedDeck& deck, const Log& log);
 
 } // namespace spricka::program

@@ -16,8 +16,8 @@
 
 namespace spricka::program {
 
-base::Outcome run_reporting_file_failures(const Log& log,
-                                          const std::function<base::Outcome()>& work) {
+base::ProgramOutcome
+run_reporting_file_failures(const Log& log, const std::function<base::ProgramOutcome()>& work) {
   try {
     return work();
   } catch (const archive::FileFailure& failure) {
@@ -25,7 +25,7 @@ base::Outcome run_reporting_file_failures(const Log& log,
   } catch (const std::system_error& failure) {
     log.message(base::Severity::error, "E530", failure.what());
   }
-  return base::Outcome::file_trouble;
+  return base::ProgramOutcome::file_trouble;
 }
 
 bool is_out_of_memory(const std::exception& trouble) {
@@ -42,7 +42,7 @@ std::string out_of_memory_message() {
 }
 
 std::string failure_remedy(const base::OperationFailure& answer) {
-  if (answer.kind == base::Outcome::not_converged) {
+  if (answer.kind == base::ProgramOutcome::not_converged) {
     return "with friction more SUBSTEPS or a smaller MU; spricka help E520 says more";
   }
   using Remedy = std::pair<std::string_view, std::string_view>;

@@ -12,11 +12,11 @@ namespace spricka::program {
 
 /// Does `work` and gives its outcome. A failure of a file that it throws (FileFailure with its own
 /// code, std::system_error as E530) goes to the log and gives file_trouble.
-base::Outcome run_reporting_file_failures(const Log& log,
-                                          const std::function<base::Outcome()>& work);
+base::ProgramOutcome run_reporting_file_failures(const Log& log,
+                                                 const std::function<base::ProgramOutcome()>& work);
 
 /// Whether an exception says that memory is at its end: no defect of the program, but
-/// Outcome::not_solvable.
+/// ProgramOutcome::not_solvable.
 bool is_out_of_memory(const std::exception& trouble);
 
 /// "out of memory: 480 MiB were in use, 488 MiB are allowed (..); .."

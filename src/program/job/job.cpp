@@ -98,7 +98,7 @@ struct Solved {
 };
 
 bool is_stopped(const base::OptionalFailure& trouble) {
-  return trouble && trouble->kind == base::Outcome::stopped;
+  return trouble && trouble->kind == base::ProgramOutcome::stopped;
 }
 
 // Once, or as often as K needs to come within its tolerance.
@@ -125,7 +125,7 @@ Solved solve_deck(const RunOptions& options, const CheckedDeck& deck, RunFolder&
     };
     std::optional<results::RunResult> run = analysis::solve_run(model, solve, own, trouble);
     if (!run && !trouble) {
-      trouble = base::OperationFailure{.kind = base::Outcome::deck_error,
+      trouble = base::OperationFailure{.kind = base::ProgramOutcome::deck_error,
                                        .why = first_error_text(deck.sources, own)};
     }
     // A later round that fails leaves the answer of the one before: what it says of itself is not
@@ -164,10 +164,11 @@ std::string missed_tolerance(const Solved& solved) {
 
 // Mistakes of the deck are told already.
 void tell_of(const base::OperationFailure& answer, base::Diagnostics& diagnostics) {
-  if (answer.kind == base::Outcome::deck_error) {
+  if (answer.kind == base::ProgramOutcome::deck_error) {
     return;
   }
-  diagnostics.error(answer.span, answer.kind == base::Outcome::not_converged ? "E520" : "E510",
+  diagnostics.error(answer.span,
+                    answer.kind == base::ProgramOutcome::not_converged ? "E520" : "E510",
                     answer.why, failure_remedy(answer));
 }
 
@@ -176,15 +177,15 @@ RunOutcomeWithResults judged(const Solved& solved, const results::RunResult& run
   const int failed = report_checks(run, log);
   RunOutcomeWithResults outcome;
   if (failed > 0) {
-    outcome.kind = base::Outcome::check_failed;
+    outcome.kind = base::ProgramOutcome::check_failed;
     outcome.error = fmt::format("{} of {} checks failed", failed, run.checks.size());
   } else if (!solved.why_not.empty()) {
-    outcome.kind = base::Outcome::not_converged;
+    outcome.kind = base::ProgramOutcome::not_converged;
     outcome.error = missed_tolerance(solved);
   }
-  if (outcome.kind == base::Outcome::done && run.growth &&
+  if (outcome.kind == base::ProgramOutcome::done && run.growth &&
       results::growth_could_not_continue(*run.growth)) {
-    outcome.kind = base::Outcome::not_solvable;
+    outcome.kind = base::ProgramOutcome::not_solvable;
     outcome.error = run.growth->reason;
     log.message(base::Severity::error, "E510", outcome.error);
   }
@@ -214,7 +215,7 @@ RunOutcomeWithResults solve_and_write(const RunOptions& options, const CheckedDe
   Solved solved = solve_deck(options, deck, folder, checkpoint, diagnostics);
   if (is_stopped(solved.trouble)) {
     const std::string by = solved.trouble->why;
-    return {stop_with_checkpoint(*checkpoint, by, log).value_or(base::Outcome::stopped),
+    return {stop_with_checkpoint(*checkpoint, by, log).value_or(base::ProgramOutcome::stopped),
             "stopped by " + by,
             {}};
   }

@@ -42,7 +42,7 @@ std::vector<SweepResultValue> cells_from(const json& list) {
 
 // Empty: it ends with a number that no outcome has.
 std::optional<SweepPoint> point_from(const json& record) {
-  const std::optional<base::Outcome> outcome =
+  const std::optional<base::ProgramOutcome> outcome =
       base::outcome_of_exit_code(record.at("exit_code").get<int>());
   if (!outcome) {
     return std::nullopt;

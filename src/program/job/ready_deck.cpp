@@ -99,7 +99,7 @@ std::string first_error_text(const base::SourceTexts& sources,
 }
 
 RunOutcomeWithResults report_refusal(const base::SourceTexts& sources,
-                                     const base::Diagnostics& list, base::Outcome kind,
+                                     const base::Diagnostics& list, base::ProgramOutcome kind,
                                      const Log& log, const base::Diagnostics* reported) {
   log.diagnostics(sources, news_of(list, reported));
   return {kind, first_error_text(sources, list), {}};
@@ -128,7 +128,7 @@ CheckedDeck read_and_check_deck(const std::filesystem::path& deck,
     base::Diagnostics missing = unavailable(*model);
     if (missing.has_errors()) {
       ready.refusal =
-          report_refusal(ready.sources, missing, base::Outcome::not_solvable, log, reported);
+          report_refusal(ready.sources, missing, base::ProgramOutcome::not_solvable, log, reported);
       return ready;
     }
     if (model->steps.empty()) {
@@ -137,8 +137,8 @@ CheckedDeck read_and_check_deck(const std::filesystem::path& deck,
     }
   }
   if (!model || ready.diagnostics.has_errors()) {
-    ready.refusal =
-        report_refusal(ready.sources, ready.diagnostics, base::Outcome::deck_error, log, reported);
+    ready.refusal = report_refusal(ready.sources, ready.diagnostics,
+                                   base::ProgramOutcome::deck_error, log, reported);
     return ready;
   }
   log.diagnostics(ready.sources, news_of(ready.diagnostics, reported));

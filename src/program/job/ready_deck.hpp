@@ -18,7 +18,7 @@ namespace spricka::program {
 
 /// How one deck has ended, with its results where there are some.
 struct RunOutcomeWithResults {
-  base::Outcome kind = base::Outcome::done;
+  base::ProgramOutcome kind = base::ProgramOutcome::done;
   std::string error; ///< the first one, with its place, or how many checks failed
   std::optional<results::RunResult> run;
   std::string profile = {}; ///< the table of --profile, where it is asked for
@@ -49,7 +49,7 @@ CheckedDeck read_deck_silently(const std::filesystem::path& deck,
 /// What is wrong goes to the log, but for what was `reported` before, and the first error into the
 /// outcome.
 RunOutcomeWithResults report_refusal(const base::SourceTexts& sources,
-                                     const base::Diagnostics& list, base::Outcome kind,
+                                     const base::Diagnostics& list, base::ProgramOutcome kind,
                                      const Log& log, const base::Diagnostics* reported = nullptr);
 
 /// "lug.deck:12:18: E108: text" of the first error; empty without one.

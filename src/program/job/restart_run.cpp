@@ -94,7 +94,7 @@ CheckpointOrRefusal open_checkpoint(const RunOptions& options, const CheckedDeck
     list.error(misfit->span, misfit->code, misfit->text,
                "start from the beginning, or take the deck that wrote the file");
     log.diagnostics(deck.sources, list);
-    out.refusal = RunOutcomeWithResults{base::Outcome::deck_error, misfit->text, {}};
+    out.refusal = RunOutcomeWithResults{base::ProgramOutcome::deck_error, misfit->text, {}};
     return out;
   }
   out.checkpoint = std::move(checkpoint);
@@ -128,8 +128,8 @@ void finish_checkpoint(archive::Checkpoint* checkpoint, results::RunResult& run)
   }
 }
 
-std::optional<base::Outcome> stop_with_checkpoint(archive::Checkpoint& checkpoint,
-                                                  const std::string& by, const Log& log) {
+std::optional<base::ProgramOutcome> stop_with_checkpoint(archive::Checkpoint& checkpoint,
+                                                         const std::string& by, const Log& log) {
   try {
     const std::size_t kept = checkpoint.flush();
     const std::string what =
@@ -137,10 +137,10 @@ std::optional<base::Outcome> stop_with_checkpoint(archive::Checkpoint& checkpoin
                   : fmt::format("{} increment{} kept in {}, run --restart goes on", kept,
                                 kept == 1 ? " is" : "s are", checkpoint.written_file().string());
     log.message(base::Severity::note, "E566", fmt::format("stopped by {}: {}", by, what));
-    return kept == 0 ? std::nullopt : std::optional(base::Outcome::stopped);
+    return kept == 0 ? std::nullopt : std::optional(base::ProgramOutcome::stopped);
   } catch (const archive::FileFailure& trouble) {
     log.message(base::Severity::error, trouble.code(), trouble.what());
-    return base::Outcome::file_trouble;
+    return base::ProgramOutcome::file_trouble;
   }
 }
 

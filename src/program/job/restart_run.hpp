@@ -37,8 +37,8 @@ void finish_checkpoint(archive::Checkpoint* checkpoint, results::RunResult& run)
 
 /// Puts what is finished on disk and says so: how a run ends that is stopped by a signal or its
 /// time limit. Empty: nothing is finished yet. From any thread.
-std::optional<base::Outcome> stop_with_checkpoint(archive::Checkpoint& checkpoint,
-                                                  const std::string& by, const Log& log);
+std::optional<base::ProgramOutcome> stop_with_checkpoint(archive::Checkpoint& checkpoint,
+                                                         const std::string& by, const Log& log);
 
 /// Name of a signal, "SIGTERM"; "signal 65" where it has none.
 std::string signal_name(int signal);

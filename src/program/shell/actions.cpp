@@ -167,7 +167,7 @@ base::OptionalFailure list_pressure(const ShellCall& call) {
   const results::ContactResult* contact =
       results::find_contact(call.session.current_result(), name);
   if (contact == nullptr) {
-    return base::OperationFailure{.kind = base::Outcome::check_failed,
+    return base::OperationFailure{.kind = base::ProgramOutcome::check_failed,
                                   .why = fmt::format("the faces of {} touch nowhere", name)};
   }
   call.reply.out = contact_reply(call.session, *contact);
@@ -272,13 +272,13 @@ base::OptionalFailure file_to_write(const ShellCall& call, std::size_t word,
   }
   const fs::file_status status = fs::symlink_status(file, ignored);
   if (fs::exists(status) && !fs::is_regular_file(status)) {
-    return base::OperationFailure{.kind = base::Outcome::file_trouble,
+    return base::OperationFailure{.kind = base::ProgramOutcome::file_trouble,
                                   .why = fmt::format("{} is not a file", name),
                                   .hint = "take another name"};
   }
   if (fs::exists(status) && !forced) {
     return base::OperationFailure{
-        .kind = base::Outcome::file_trouble,
+        .kind = base::ProgramOutcome::file_trouble,
         .why = fmt::format("there is a file {} already, and it is left as it is", name),
         .hint = "take another name, or write replace behind it"};
   }

@@ -25,7 +25,7 @@ base::OptionalFailure add_load_step(const model::Model& model, const std::string
   std::optional<model::Step> step = deck::read_step_line(
       model, fmt::format("LOAD {} {}", load_case, value), sources, diagnostics);
   if (!step) {
-    return located_failure(base::Outcome::usage, sources, diagnostics);
+    return located_failure(base::ProgramOutcome::usage, sources, diagnostics);
   }
   factor = std::get<model::ApplyLoad>(step->actions.front()).factor;
   step->name = fmt::format("{} {:.6g}", load_case, factor);

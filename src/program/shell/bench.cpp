@@ -21,7 +21,7 @@ constexpr std::size_t path_from = 0; // steps of `shown_`, which give a path's e
 constexpr std::size_t path_to = 1;
 
 base::OperationFailure interrupted() {
-  return {.kind = base::Outcome::stopped, .why = "stopped; everything is as it was before"};
+  return {.kind = base::ProgramOutcome::stopped, .why = "stopped; everything is as it was before"};
 }
 
 // The deck with three steps of no content in the place of its own: the ends of a path, and NOW.
@@ -81,7 +81,7 @@ base::OptionalFailure advance(const analysis::CrackLengthAnalysis& length,
     numbers.u = reached.state->u;
     numbers.reaction = reached.state->reaction;
     if (const std::string what = analysis::find_nonfinite_result(numbers); !what.empty()) {
-      return base::OperationFailure{.kind = base::Outcome::not_solvable,
+      return base::OperationFailure{.kind = base::ProgramOutcome::not_solvable,
                                     .why = fmt::format("step {}: {}", step.name, what)};
     }
     // Overlap in any step counts: all of them are solved anew with the faces as a pair.

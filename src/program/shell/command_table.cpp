@@ -191,7 +191,8 @@ ShellReply run_shell_line(ShellSession& session, const ShellHistory& history,
   try {
     trouble = act(session, history, line, reply);
   } catch (const std::system_error& file) {
-    trouble = base::OperationFailure{.kind = base::Outcome::file_trouble, .why = file.what()};
+    trouble =
+        base::OperationFailure{.kind = base::ProgramOutcome::file_trouble, .why = file.what()};
   }
   if (trouble) {
     reply.outcome = trouble->kind;

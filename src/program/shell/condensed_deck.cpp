@@ -89,7 +89,7 @@ base::OptionalFailure CondensedDeck::open(const SessionDeckChanges& changes) {
     plan_ =
         analysis::plan_crack_region(model, growth::growth_loop_crack_lengths(model), diagnostics);
     if (diagnostics.has_errors()) {
-      return located_failure(base::Outcome::deck_error, deck_.sources, diagnostics);
+      return located_failure(base::ProgramOutcome::deck_error, deck_.sources, diagnostics);
     }
   }
   if (keeps_first_mounting(model) &&
@@ -126,7 +126,7 @@ base::OptionalFailure CondensedDeck::make_solver(bool first,
                                     .stopped = controls_.stopped},
                                    plan_, diagnostics, trouble);
   return diagnostics.has_errors()
-             ? located_failure(base::Outcome::deck_error, deck_.sources, diagnostics)
+             ? located_failure(base::ProgramOutcome::deck_error, deck_.sources, diagnostics)
              : trouble;
 }
 

@@ -79,7 +79,7 @@ base::OptionalFailure add_action(const model::Model& model, const analysis::Step
   base::Diagnostics diagnostics;
   const std::optional<model::Step> step = deck::read_step_line(model, line, sources, diagnostics);
   if (!step) {
-    return located_failure(base::Outcome::usage, sources, diagnostics);
+    return located_failure(base::ProgramOutcome::usage, sources, diagnostics);
   }
   const model::StepAction& action = step->actions.front();
   const auto* fit = std::get_if<model::ApplyFit>(&action);

@@ -76,7 +76,7 @@ read_checked_deck_cards(const std::filesystem::path& deck,
   base::Diagnostics diagnostics;
   std::optional<DeckCardList> found = deck::read_deck_card_list(deck, sources, diagnostics);
   if (!found) {
-    return located_failure(base::Outcome::deck_error, sources, diagnostics);
+    return located_failure(base::ProgramOutcome::deck_error, sources, diagnostics);
   }
   text = std::move(*found);
   for (std::int32_t f = 0; f < static_cast<std::int32_t>(sources.count()); ++f) {
@@ -113,7 +113,7 @@ base::OptionalFailure set_card_keys(const std::string& header, DeckCardList& tex
   const std::int32_t file = sources.add_text("line", header + "\n");
   const std::vector<grammar::CardHeader> cards = grammar::parse_cards(sources, file, diagnostics);
   if (diagnostics.has_errors()) {
-    return located_failure(base::Outcome::usage, sources, diagnostics);
+    return located_failure(base::ProgramOutcome::usage, sources, diagnostics);
   }
   const grammar::CardSpec* spec =
       cards.size() == 1 ? grammar::find_card(cards.front().name) : nullptr;
@@ -154,7 +154,7 @@ base::OptionalFailure set_parameter(const std::string& line, DeckCardList& text)
   };
   const std::vector<grammar::ParameterAssignment> typed = read(line + "\n");
   if (diagnostics.has_errors() || typed.size() != 1) {
-    return located_failure(base::Outcome::usage, sources, diagnostics);
+    return located_failure(base::ProgramOutcome::usage, sources, diagnostics);
   }
   const grammar::ParameterAssignment& wanted = typed.front();
   if (deck::replace_parameter(text, wanted.name, sources.text(wanted.value.span))) {

@@ -11,7 +11,7 @@ namespace spricka::program {
 struct ShellReply {
   std::string out;      ///< data
   std::string messages; ///< notes, warnings and errors
-  base::Outcome outcome = base::Outcome::done;
+  base::ProgramOutcome outcome = base::ProgramOutcome::done;
   double cpu = 0.0; ///< [s]
   bool quit = false;
 };

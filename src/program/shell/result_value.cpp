@@ -22,7 +22,7 @@ base::OptionalFailure read_result_request(const model::Model& model, const std::
   std::optional<model::ResultCheck> found =
       deck::read_result_request_line(model, line, sources, diagnostics);
   if (!found) {
-    return located_failure(base::Outcome::usage, sources, diagnostics);
+    return located_failure(base::ProgramOutcome::usage, sources, diagnostics);
   }
   check = std::move(*found);
   if (check.quantity == "N" || check.quantity == "LIFE" || check.quantity.starts_with("TEST.")) {
@@ -68,7 +68,7 @@ base::OptionalFailure evaluate_result(ShellSession& session, const model::Result
   }
   const results::CheckResult found = evaluate_check(model, check, session.run_results());
   if (!found.trouble.empty()) {
-    return base::OperationFailure{.kind = base::Outcome::check_failed, .why = found.trouble};
+    return base::OperationFailure{.kind = base::ProgramOutcome::check_failed, .why = found.trouble};
   }
   value = found.found;
   return {};

@@ -30,7 +30,7 @@ class Shell {
 public:
   explicit Shell(const ShellOptions& options) : options_(options), log_(options.deck.log_format) {}
 
-  base::Outcome run() {
+  base::ProgramOutcome run() {
     // Prompts and the line being typed go to stderr, so that stdout can be a file.
     const bool terminal = isatty(STDIN_FILENO) != 0 && isatty(STDERR_FILENO) != 0;
     std::optional<LineEditor> editor;
@@ -56,11 +56,11 @@ public:
       if (reply.quit) {
         break;
       }
-      if (reply.outcome != base::Outcome::done && options_.strict) {
+      if (reply.outcome != base::ProgramOutcome::done && options_.strict) {
         return reply.outcome;
       }
     }
-    return base::Outcome::done;
+    return base::ProgramOutcome::done;
   }
 
 private:
@@ -153,12 +153,12 @@ private:
 
 } // namespace
 
-base::Outcome run_shell(const ShellOptions& options) {
+base::ProgramOutcome run_shell(const ShellOptions& options) {
   try {
     return Shell(options).run();
   } catch (const std::system_error& trouble) {
     Log(options.deck.log_format).message(base::Severity::error, "E530", trouble.what());
-    return base::Outcome::file_trouble;
+    return base::ProgramOutcome::file_trouble;
   }
 }
 

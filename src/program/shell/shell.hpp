@@ -13,6 +13,6 @@ struct ShellOptions {
 /// Reads commands about a deck until they end: from a terminal with line editing, else plain lines
 /// from stdin. Data goes to stdout, messages to stderr. Returns 0, or with `strict` the code of the
 /// first command that failed, behind which nothing is read; or why the deck cannot be opened.
-base::Outcome run_shell(const ShellOptions& options);
+base::ProgramOutcome run_shell(const ShellOptions& options);
 
 } // namespace spricka::program

@@ -11,11 +11,12 @@ namespace spricka::program {
 
 /// What was typed cannot be done so.
 inline base::OperationFailure invalid_input(std::string why, std::string hint = {}) {
-  return {.kind = base::Outcome::usage, .why = std::move(why), .hint = std::move(hint)};
+  return {.kind = base::ProgramOutcome::usage, .why = std::move(why), .hint = std::move(hint)};
 }
 
 /// Mistakes with their places, as a run shows them.
-inline base::OperationFailure located_failure(base::Outcome kind, const base::SourceTexts& sources,
+inline base::OperationFailure located_failure(base::ProgramOutcome kind,
+                                              const base::SourceTexts& sources,
                                               const base::Diagnostics& diagnostics) {
   return {.kind = kind, .why = base::format_messages(sources, diagnostics), .complete = true};
 }

@@ -108,7 +108,7 @@ void judge_variant(const ModelHierarchy& ladder, ModelVariantResult& variant) {
 // It was ended before it had an answer, or fell: what it would have said is not known.
 bool was_stopped(const ModelVariantResult& variant) {
   const bool ended = variant.end.signal != 0 || variant.end.late || variant.end.exit_code > 128 ||
-                     variant.end.exit_code == base::exit_code(base::Outcome::stopped);
+                     variant.end.exit_code == base::exit_code(base::ProgramOutcome::stopped);
   return variant.variant.text && variant.readings.empty() && ended;
 }
 
@@ -202,7 +202,8 @@ void fill_folder(VariantRuns& runs, const ModelHierarchy& ladder) {
                          hierarchy_page(runs.deck().ready->sources, runs.model(), ladder));
 }
 
-base::Outcome run_ladder(const HierarchyOptions& options, VariantRuns& runs, std::string& summary) {
+base::ProgramOutcome run_ladder(const HierarchyOptions& options, VariantRuns& runs,
+                                std::string& summary) {
   ModelHierarchy ladder;
   ladder.tolerance = options.tolerance;
   for (DeckVariant& variant : simpler_models(runs.deck(), runs.scratch())) {
@@ -210,9 +211,9 @@ base::Outcome run_ladder(const HierarchyOptions& options, VariantRuns& runs, std
     result.trouble = variant.reason;
     result.variant = std::move(variant);
   }
-  const base::Outcome outcome =
+  const base::ProgramOutcome outcome =
       runs.run_original_deck(ladder.variants.front(), choose_hierarchy_answers);
-  if (outcome != base::Outcome::done) {
+  if (outcome != base::ProgramOutcome::done) {
     return outcome;
   }
   ladder.answers = runs.answers();
@@ -224,7 +225,7 @@ base::Outcome run_ladder(const HierarchyOptions& options, VariantRuns& runs, std
   }
   runs.run_other_variants(chosen, options.jobs);
   if (runs.process_runs().stopped()) {
-    return base::Outcome::stopped;
+    return base::ProgramOutcome::stopped;
   }
   compare(ladder);
   fill_folder(runs, ladder);
@@ -235,7 +236,7 @@ base::Outcome run_ladder(const HierarchyOptions& options, VariantRuns& runs, std
 
 } // namespace
 
-base::Outcome run_hierarchy(const HierarchyOptions& options) {
+base::ProgramOutcome run_hierarchy(const HierarchyOptions& options) {
   return run_variants_of(options.deck, ".ladder", [&](VariantRuns& runs, std::string& summary) {
     return run_ladder(options, runs, summary);
   });

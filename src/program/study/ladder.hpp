@@ -66,6 +66,6 @@ struct HierarchyOptions {
 /// names the cheapest that is within the tolerance. Writes ladder.csv, ladder.html, the decks of
 /// all variants, and that of the cheapest with the deck's answers as checks, into a folder. The
 /// outcome is that of the deck itself where it cannot be solved.
-base::Outcome run_hierarchy(const HierarchyOptions& given);
+base::ProgramOutcome run_hierarchy(const HierarchyOptions& given);
 
 } // namespace spricka::program

@@ -194,14 +194,15 @@ void add_affordable_trials(const std::vector<DeckVariant>& settings, double budg
   }
 }
 
-base::Outcome run_study(const StudyOptions& options, VariantRuns& runs, std::string& summary) {
+base::ProgramOutcome run_study(const StudyOptions& options, VariantRuns& runs,
+                               std::string& summary) {
   Study study;
   const std::vector<DeckVariant> settings =
       plan_study_settings(runs.deck(), options.requests, runs.scratch(), study.notes);
   study.trials.push_back({.variant = settings.front()});
-  const base::Outcome outcome =
+  const base::ProgramOutcome outcome =
       runs.run_original_deck(study.trials.front(), collect_answer_requests);
-  if (outcome != base::Outcome::done) {
+  if (outcome != base::ProgramOutcome::done) {
     return outcome;
   }
   study.answers = runs.answers();
@@ -214,7 +215,7 @@ base::Outcome run_study(const StudyOptions& options, VariantRuns& runs, std::str
   runs.run_other_variants(others, options.jobs, options.budget);
   run_calculix(runs, options.budget, study);
   if (runs.process_runs().stopped()) {
-    return base::Outcome::stopped;
+    return base::ProgramOutcome::stopped;
   }
   assess_trials(study);
   runs.folder().add_file("study.csv", study_csv(study));
@@ -225,7 +226,7 @@ base::Outcome run_study(const StudyOptions& options, VariantRuns& runs, std::str
 
 } // namespace
 
-base::Outcome study_deck(const StudyOptions& options) {
+base::ProgramOutcome study_deck(const StudyOptions& options) {
   return run_variants_of(options.deck, ".study", [&](VariantRuns& runs, std::string& summary) {
     return run_study(options, runs, summary);
   });

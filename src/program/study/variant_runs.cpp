@@ -44,8 +44,8 @@ ChildRun child_of(const DeckVariant& variant, double cpu_seconds) {
 // The results in the folder of a run; empty: it has none.
 std::optional<results::RunResult> read_results(const fs::path& folder,
                                                const ChildProcessResult& end) {
-  const std::optional<base::Outcome> outcome = base::outcome_of_exit_code(end.exit_code);
-  if ((outcome != base::Outcome::done && outcome != base::Outcome::check_failed) ||
+  const std::optional<base::ProgramOutcome> outcome = base::outcome_of_exit_code(end.exit_code);
+  if ((outcome != base::ProgramOutcome::done && outcome != base::ProgramOutcome::check_failed) ||
       !fs::exists(folder / results_name)) {
     return std::nullopt;
   }
@@ -89,17 +89,18 @@ bool VariantRuns::read_trial(const ChildRun& child, const ChildProcessResult& en
   return true;
 }
 
-base::Outcome VariantRuns::run_original_deck(StudyTrial& given, const AnswerChoice& choose) {
-  base::Outcome outcome = base::Outcome::stopped;
+base::ProgramOutcome VariantRuns::run_original_deck(StudyTrial& given, const AnswerChoice& choose) {
+  base::ProgramOutcome outcome = base::ProgramOutcome::stopped;
   const ChildRun child = child_of(given.variant, 0.0);
   runs_.run_all_children({&child, 1}, 1, [&](std::size_t, const ChildProcessResult& end) {
     const bool solved = read_trial(child, end, choose, given);
-    outcome = solved ? base::Outcome::done
-                     : base::outcome_of_exit_code(end.exit_code).value_or(base::Outcome::done);
+    outcome = solved
+                  ? base::ProgramOutcome::done
+                  : base::outcome_of_exit_code(end.exit_code).value_or(base::ProgramOutcome::done);
     if (!answers_.empty()) {
       return;
     }
-    outcome = outcome == base::Outcome::done ? base::Outcome::not_solvable : outcome;
+    outcome = outcome == base::ProgramOutcome::done ? base::ProgramOutcome::not_solvable : outcome;
     write_to_stderr(solved ? "" : end.messages);
     log_.message(
         base::Severity::error, "E555",
@@ -125,9 +126,9 @@ void VariantRuns::run_other_variants(const std::vector<StudyTrial*>& trials, int
   });
 }
 
-base::Outcome
-run_variants_of(const RunOptions& given, const char* extension,
-                const std::function<base::Outcome(VariantRuns&, std::string& summary)>& work) {
+base::ProgramOutcome run_variants_of(
+    const RunOptions& given, const char* extension,
+    const std::function<base::ProgramOutcome(VariantRuns&, std::string& summary)>& work) {
   RunOptions options = given;
   const Log log(options.log_format);
   if (options.out.empty()) {
@@ -140,11 +141,11 @@ run_variants_of(const RunOptions& given, const char* extension,
     }
     VariantRuns runs(options, ready, log);
     std::string summary;
-    const base::Outcome outcome = work(runs, summary);
+    const base::ProgramOutcome outcome = work(runs, summary);
     if (runs.process_runs().stopped()) { // the interrupt ends the program
-      return base::Outcome::stopped;
+      return base::ProgramOutcome::stopped;
     }
-    if (outcome == base::Outcome::done) {
+    if (outcome == base::ProgramOutcome::done) {
       runs.folder().commit();
       write_to_stdout(fmt::format("{} in {}\n", summary, options.out.string()));
     }

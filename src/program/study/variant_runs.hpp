@@ -52,7 +52,7 @@ public:
   /// Runs the deck itself, which decides by `choose` what is asked for. Where it has no results, or
   /// nothing to be asked for, it is told (E555), and the outcome is that of the run, or
   /// not_solvable.
-  base::Outcome run_original_deck(StudyTrial& given, const AnswerChoice& choose);
+  base::ProgramOutcome run_original_deck(StudyTrial& given, const AnswerChoice& choose);
 
   /// Runs others, at most `at_once` at a time and each with `cpu_seconds` at most, or with 0 as
   /// long as it takes; tells of each that has ended. What is not run, as all are stopped, stays.
@@ -76,8 +76,8 @@ private:
 /// Reads the deck and lets `work` run variants of it: without a folder in `given` into one of the
 /// deck's name with `extension`. Where the work is done the folder is put in place and `summary`,
 /// which the work has filled, goes to stdout; a signal ends all and leaves nothing.
-base::Outcome
-run_variants_of(const RunOptions& given, const char* extension,
-                const std::function<base::Outcome(VariantRuns&, std::string& summary)>& work);
+base::ProgramOutcome run_variants_of(
+    const RunOptions& given, const char* extension,
+    const std::function<base::ProgramOutcome(VariantRuns&, std::string& summary)>& work);
 
 } // namespace spricka::program

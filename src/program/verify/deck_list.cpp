@@ -102,7 +102,7 @@ std::vector<ListedDeck> select_decks(const std::vector<ListedDeck>& decks,
       for (const ListedDeck& deck : decks) {
         names.push_back(deck.name);
       }
-      trouble = base::OperationFailure{.kind = base::Outcome::usage,
+      trouble = base::OperationFailure{.kind = base::ProgramOutcome::usage,
                                        .why = fmt::format("there is no deck '{}'", word),
                                        .hint = base::make_spelling_hint(word, names)};
       return {};

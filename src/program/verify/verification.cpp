@@ -155,12 +155,13 @@ VerificationCounts count(const Verification& verification) {
   return counts;
 }
 
-base::Outcome worst_outcome(const Verification& verification) {
-  base::Outcome worst = base::Outcome::done;
+base::ProgramOutcome worst_outcome(const Verification& verification) {
+  base::ProgramOutcome worst = base::ProgramOutcome::done;
   for (const VerifiedDeck& deck : verification.decks) {
-    const base::Outcome own = deck.late ? base::Outcome::stopped
-                                        : base::outcome_of_exit_code(deck.exit_code)
-                                              .value_or(base::Outcome::defect); // a signal
+    const base::ProgramOutcome own = deck.late
+                                         ? base::ProgramOutcome::stopped
+                                         : base::outcome_of_exit_code(deck.exit_code)
+                                               .value_or(base::ProgramOutcome::defect); // a signal
     worst = std::max(worst, own);
   }
   return worst;

@@ -67,7 +67,7 @@ struct VerificationCounts {
 VerificationCounts count(const Verification& verification);
 
 /// The worst end of a deck: check_failed if some value has missed its tolerance and that is all.
-base::Outcome worst_outcome(const Verification& verification);
+base::ProgramOutcome worst_outcome(const Verification& verification);
 
 /// "110 decks, 146 runs, 1312 checks with a reference: 1310 passed, 2 missed", and what counts
 /// apart, a sentence each.

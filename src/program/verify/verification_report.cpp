@@ -52,8 +52,8 @@ std::string check_count(const DeckRunChecks& point) {
 std::string passed_count(const VerifiedDeck& deck, const DeckRunChecks& point) {
   const auto passed = std::ranges::count_if(point.checks, &results::CheckResult::passed);
   const auto missed = static_cast<std::ptrdiff_t>(point.checks.size()) - passed;
-  const bool broken =
-      deck.failed() && base::outcome_of_exit_code(deck.exit_code) != base::Outcome::check_failed;
+  const bool broken = deck.failed() && base::outcome_of_exit_code(deck.exit_code) !=
+                                           base::ProgramOutcome::check_failed;
   return fmt::format("{}{}{}", passed, missed > 0 ? fmt::format(", {} MISSED", missed) : "",
                      broken ? ", " + end_of(deck) : "");
 }
@@ -369,7 +369,7 @@ std::string verification_page(const Verification& verification,
                               const std::vector<BenchmarkProblem>& problems,
                               const std::optional<VerificationComparison>& comparison) {
   report::HtmlPage page;
-  const bool failed = worst_outcome(verification) != base::Outcome::done;
+  const bool failed = worst_outcome(verification) != base::ProgramOutcome::done;
   page.add_html("<h1>Verification</h1>\n");
   page.add_paragraph(machine_words(verification), "about");
   for (const std::string& line : summary(verification)) {

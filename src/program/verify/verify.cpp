@@ -55,7 +55,7 @@ public:
     verification_.at_once = options.at_once > 0 ? options.at_once : core_count();
   }
 
-  base::Outcome run() {
+  base::ProgramOutcome run() {
     base::OptionalFailure trouble;
     chosen_ = select_decks(all_, verification_.asked, trouble);
     if (trouble) {
@@ -67,7 +67,7 @@ public:
     }
     if (options_.list) {
       print_list();
-      return base::Outcome::done;
+      return base::ProgramOutcome::done;
     }
     warn_of_costs();
     verification_.program =
@@ -77,7 +77,7 @@ public:
     before_ = read_verification_csv(options_.before.empty() ? options_.out / table_name
                                                             : options_.before);
     if (!run_decks()) {
-      return base::Outcome::stopped;
+      return base::ProgramOutcome::stopped;
     }
     write();
     return worst_outcome(verification_);
@@ -231,14 +231,14 @@ private:
 
 } // namespace
 
-base::Outcome verify_decks(const VerifyOptions& options) {
+base::ProgramOutcome verify_decks(const VerifyOptions& options) {
   const Log log(LogFormat::text);
   return run_reporting_file_failures(log, [&] {
     const fs::path decks = options.decks.empty() ? shipped_deck_folder() : options.decks;
     if (decks.empty()) {
       log.message(base::Severity::error, "E530",
                   "the decks are not installed beside spricka; --decks FOLDER names another place");
-      return base::Outcome::file_trouble;
+      return base::ProgramOutcome::file_trouble;
     }
     return VerifyRun(options, decks).run();
   });

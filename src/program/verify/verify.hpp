@@ -23,6 +23,6 @@ struct VerifyOptions {
 
 /// Runs decks against their references and writes verification.html and verification.csv. Returns
 /// the worst end of a deck: check_failed where a tolerance is missed.
-base::Outcome verify_decks(const VerifyOptions& options);
+base::ProgramOutcome verify_decks(const VerifyOptions& options);
 
 } // namespace spricka::program

@@ -79,7 +79,7 @@ TEST(ContactMountingPolicy, FirstNeedsTheSameRowsAtAllLengths) {
   base::OptionalFailure trouble;
   EXPECT_FALSE(analysis::solve_run(*ready.model, {}, diagnostics, trouble));
   ASSERT_TRUE(trouble);
-  EXPECT_EQ(trouble->kind, base::Outcome::not_solvable);
+  EXPECT_EQ(trouble->kind, base::ProgramOutcome::not_solvable);
   EXPECT_NE(trouble->why.find("GLUE"), std::string::npos) << trouble->why;
 }
 

@@ -136,7 +136,7 @@ void expect_conditions(const results::LoadStepResult& step, double pressure) {
 // The body that nothing holds, and no other reason.
 void expect_named(const base::OptionalFailure& trouble) {
   ASSERT_TRUE(trouble.has_value());
-  EXPECT_EQ(trouble->kind, base::Outcome::not_solvable) << trouble->why;
+  EXPECT_EQ(trouble->kind, base::ProgramOutcome::not_solvable) << trouble->why;
   EXPECT_NE(trouble->why.find("body "), std::string::npos) << trouble->why;
 }
 

@@ -286,7 +286,7 @@ $END
   options.deck = file;
   options.check_only = true;
   testing::internal::CaptureStdout();
-  EXPECT_EQ(program::run_deck(options), base::Outcome::done);
+  EXPECT_EQ(program::run_deck(options), base::ProgramOutcome::done);
   const std::string text = testing::internal::GetCapturedStdout();
   EXPECT_NE(text.find("dependent"), std::string::npos) << text;
   std::istringstream lines(text);

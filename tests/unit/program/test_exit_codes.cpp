@@ -209,7 +209,7 @@ TEST(ExitCode, MissingDeckIsFileTrouble) {
   options.deck = "no_such.deck";
   options.out = "no_such_out";
   testing::internal::CaptureStderr();
-  EXPECT_EQ(program::run_deck(options), base::Outcome::file_trouble);
+  EXPECT_EQ(program::run_deck(options), base::ProgramOutcome::file_trouble);
   EXPECT_NE(testing::internal::GetCapturedStderr().find("no_such.deck"), std::string::npos);
 }
 
@@ -237,7 +237,7 @@ TEST(ExitCode, OldResultsOutliveAFailedRun) {
 TEST(ExitCode, OfEachOutcomeIsThatOfTheManual) {
   const std::string page = test::slurp(test::source_folder() + "/manual/exit_codes.md");
   for (std::size_t i = 0; i < base::exit_code_table.size(); ++i) {
-    const auto outcome = static_cast<base::Outcome>(i);
+    const auto outcome = static_cast<base::ProgramOutcome>(i);
     const int code = base::exit_code(outcome);
     EXPECT_EQ(base::exit_code_table.at(i).outcome, outcome) << i;
     EXPECT_EQ(base::outcome_of_exit_code(code), outcome) << code;
@@ -246,7 +246,7 @@ TEST(ExitCode, OfEachOutcomeIsThatOfTheManual) {
       EXPECT_GT(code, base::exit_code_table.at(i - 1).code);
     }
   }
-  EXPECT_EQ(base::exit_code_table.back().outcome, base::Outcome::defect);
+  EXPECT_EQ(base::exit_code_table.back().outcome, base::ProgramOutcome::defect);
   EXPECT_EQ(base::outcome_of_exit_code(8), std::nullopt);
 }
 

@@ -48,7 +48,7 @@ TEST(ShellCommands, LeavingTakesNoMoreWords) {
   for (const char* line : {"quit now please", "exit 1"}) {
     const ShellReply reply = type(shell, line);
     EXPECT_FALSE(reply.quit) << line;
-    EXPECT_EQ(reply.outcome, base::Outcome::usage) << line;
+    EXPECT_EQ(reply.outcome, base::ProgramOutcome::usage) << line;
   }
   EXPECT_TRUE(type(shell, "exit").quit);
 }
@@ -57,14 +57,14 @@ TEST(ShellCommands, EveryWordIsCarriedOut) {
   for (const program::ShellCommand& command : program::shell_commands()) {
     const ShellOnText shell(cracked_hub());
     const ShellReply help = type(shell, fmt::format("help {}", command.word));
-    EXPECT_EQ(help.outcome, base::Outcome::done);
+    EXPECT_EQ(help.outcome, base::ProgramOutcome::done);
     EXPECT_NE(help.out.find(command.doc), std::string::npos);
     const ShellReply reply = type(shell, std::string(command.word)); // without arguments
     EXPECT_EQ(reply.messages.find("there is no command"), std::string::npos) << command.word;
     EXPECT_EQ(reply.quit, command.word == "quit");
     const bool needs = (!command.arguments.empty() && command.arguments.front() != '[') ||
                        command.word == "undo"; // nothing has been changed
-    EXPECT_EQ(reply.outcome, needs ? base::Outcome::usage : base::Outcome::done)
+    EXPECT_EQ(reply.outcome, needs ? base::ProgramOutcome::usage : base::ProgramOutcome::done)
         << command.word << reply.messages;
   }
 }
@@ -72,10 +72,10 @@ TEST(ShellCommands, EveryWordIsCarriedOut) {
 TEST(ShellCommands, ASession) {
   const ShellOnText shell(cracked_hub());
   EXPECT_EQ(program::shell_prompt(*shell), "PULLED> ");
-  EXPECT_EQ(type(shell, "load pull (2*1)").outcome, base::Outcome::done);
+  EXPECT_EQ(type(shell, "load pull (2*1)").outcome, base::ProgramOutcome::done);
   EXPECT_EQ(program::shell_prompt(*shell), "PULLED*> ");
   const ShellReply K = type(shell, "list k c");
-  EXPECT_EQ(K.outcome, base::Outcome::done) << K.messages;
+  EXPECT_EQ(K.outcome, base::ProgramOutcome::done) << K.messages;
   EXPECT_NE(K.out.find(fmt::format("{:.6g}", shell.K1())), std::string::npos) << K.out;
   EXPECT_EQ(program::shell_prompt(*shell), "PULLED+> ");
   const ShellReply asked = type(shell, "K1(C, NOW)");
@@ -87,7 +87,7 @@ TEST(ShellCommands, ASession) {
         "list CRACK", "list $STEP", "K1.BAR(C,NOW)", "ENERGY(*,PRESS)", "ERROR(HUB,NOW)",
         "$CRACK NAME=C A0=5", "$contact name=seat interference=0.02[mm]", "T = 8", "undo"}) {
     const ShellReply reply = type(shell, line);
-    EXPECT_EQ(reply.outcome, base::Outcome::done) << line << "\n" << reply.messages;
+    EXPECT_EQ(reply.outcome, base::ProgramOutcome::done) << line << "\n" << reply.messages;
     EXPECT_NE(reply.out, "") << line;
   }
 }
@@ -115,7 +115,7 @@ TEST(ShellCommands, MistakesAreAnswered) {
       {"$NET", "2 cards $NET"}};
   for (const auto& [line, answer] : mistakes) {
     const ShellReply reply = type(shell, line);
-    EXPECT_NE(reply.outcome, base::Outcome::done) << line;
+    EXPECT_NE(reply.outcome, base::ProgramOutcome::done) << line;
     EXPECT_NE(reply.messages.find(answer), std::string::npos) << line << ": " << reply.messages;
     EXPECT_EQ(reply.out, "") << line;
   }
@@ -124,22 +124,23 @@ TEST(ShellCommands, MistakesAreAnswered) {
 TEST(ShellCommands, PicturesAndDeck) {
   const ShellOnText shell(cracked_hub());
   const auto at = [&](const char* name) { return (shell.folder.path() / name).string(); };
-  EXPECT_NE(type(shell, "plot k " + at("k.svg")).outcome, base::Outcome::done); // one length only
+  EXPECT_NE(type(shell, "plot k " + at("k.svg")).outcome,
+            base::ProgramOutcome::done); // one length only
   type(shell, "$CRACK NAME=C A0=5");
   type(shell, "map PULL 0 2");
   for (const char* kind : {"k", "pressure", "mesh", "path"}) {
     const std::string file = at(fmt::format("{}.svg", kind).c_str());
     const ShellReply reply = type(shell, fmt::format("plot {} '{}'", kind, file));
-    EXPECT_EQ(reply.outcome, base::Outcome::done) << reply.messages;
+    EXPECT_EQ(reply.outcome, base::ProgramOutcome::done) << reply.messages;
     const std::string svg = test::slurp(file);
     EXPECT_TRUE(svg.starts_with("<svg xmlns")) << kind;
     EXPECT_TRUE(svg.ends_with("</svg>\n")) << kind;
   }
-  EXPECT_EQ(type(shell, "save " + at("new.deck")).outcome, base::Outcome::done);
+  EXPECT_EQ(type(shell, "save " + at("new.deck")).outcome, base::ProgramOutcome::done);
   EXPECT_TRUE(std::filesystem::exists(at("new.deck")));
   EXPECT_NE(type(shell, "save " + shell.file.string()).outcome,
-            base::Outcome::done); // the deck itself
-  EXPECT_EQ(type(shell, "save /no/such/folder/x.deck").outcome, base::Outcome::file_trouble);
+            base::ProgramOutcome::done); // the deck itself
+  EXPECT_EQ(type(shell, "save /no/such/folder/x.deck").outcome, base::ProgramOutcome::file_trouble);
 }
 
 TEST(ShellCommands, Completion) {

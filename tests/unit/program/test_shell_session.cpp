@@ -210,11 +210,11 @@ TEST(ShellSession, FailuresLeaveEverything) {
   const double before = shell.K1();
   const base::OptionalFailure unknown = shell->add_step_line("LOAD PUL 1.0");
   ASSERT_TRUE(unknown);
-  EXPECT_EQ(unknown->kind, base::Outcome::usage);
+  EXPECT_EQ(unknown->kind, base::ProgramOutcome::usage);
   EXPECT_NE(unknown->why.find("PULL"), std::string::npos);
   const base::OptionalFailure long_one = shell->change_card("$CRACK NAME=C A0=200");
   ASSERT_TRUE(long_one);
-  EXPECT_EQ(long_one->kind, base::Outcome::deck_error);
+  EXPECT_EQ(long_one->kind, base::ProgramOutcome::deck_error);
   testing::internal::CaptureStderr();
   EXPECT_TRUE(shell->change_card("$CRACK NAME=C A0=-1.0"));
   EXPECT_NE(testing::internal::GetCapturedStderr(), "");
@@ -237,7 +237,7 @@ TEST(ShellSession, LooseBodyIsNamedAndTheStateStays) {
   good(shell->add_step_line("DISMOUNT SEAT")); // nothing holds the pin
   const base::OptionalFailure loose = shell->solve();
   ASSERT_TRUE(loose);
-  EXPECT_EQ(loose->kind, base::Outcome::not_solvable);
+  EXPECT_EQ(loose->kind, base::ProgramOutcome::not_solvable);
   EXPECT_NE(loose->why.find("PIN"), std::string::npos) << loose->why;
   EXPECT_EQ(shell->current_result().energy, small);
 }
@@ -248,7 +248,7 @@ TEST(ShellSession, StopsWhenAsked) {
   shell.stop = true;
   const base::OptionalFailure stopped = shell->change_card("$CRACK NAME=C A0=6.0");
   ASSERT_TRUE(stopped);
-  EXPECT_EQ(stopped->kind, base::Outcome::stopped);
+  EXPECT_EQ(stopped->kind, base::ProgramOutcome::stopped);
   EXPECT_TRUE(shell->go_to_step("PRESS"));
   EXPECT_TRUE(shell->follow_load_case_range("PULL", "0", "1"));
   shell.stop = false;

@@ -111,7 +111,7 @@ TEST(ShellSolid, SavedDeckHasTheSameK) {
   const ShellOnText shell(buried("A=1 C=(r) X0=0 Y0=0 Z0=0 NORMAL=Z"));
   const auto type = [&](const std::string& line) {
     const program::ShellReply reply = program::run_shell_line(*shell, {}, line);
-    EXPECT_EQ(reply.outcome, base::Outcome::done) << line << ": " << reply.messages;
+    EXPECT_EQ(reply.outcome, base::ProgramOutcome::done) << line << ": " << reply.messages;
     return reply.out;
   };
   type("$CRACK NAME=C A=1.1 C=1.4");

@@ -72,7 +72,7 @@ TEST(Sweep, PointsAreThoseOfSingleRunsToTheLastBit) {
     options.defines = {{"a", points[i][0]}, {"s", points[i][1]}, {"h", points[i][2]}};
     options.quiet = true;
     testing::internal::CaptureStderr();
-    EXPECT_EQ(program::run_deck(options), base::Outcome::done);
+    EXPECT_EQ(program::run_deck(options), base::ProgramOutcome::done);
     testing::internal::GetCapturedStderr();
     const fs::path point = out(folder) / ("00" + std::to_string(i + 1));
     EXPECT_EQ(slurp(point / "k.csv"), slurp(out(single) / "k.csv")) << i;

@@ -72,7 +72,7 @@ TEST(Verification, CountsWhatProvesSomethingApartFromWhatDoesNot) {
   EXPECT_EQ(counts.unchecked, 1U);
   EXPECT_EQ(counts.bars, 2U);
   EXPECT_EQ(counts.within_bars, 1U);
-  EXPECT_EQ(worst_outcome(sample()), base::Outcome::done);
+  EXPECT_EQ(worst_outcome(sample()), base::ProgramOutcome::done);
 }
 
 // A reference is off by something itself, and may say so.
@@ -100,11 +100,11 @@ TEST(Verification, FormulasAreTextsInItsTable) {
 TEST(Verification, EndsAsItsWorstDeckDoes) {
   Verification v = sample();
   v.decks[3] = deck_of("zone", 4.0, {check_of("U.X.AT(0,0,PULL)", 0.02, "exact")});
-  EXPECT_EQ(worst_outcome(v), base::Outcome::check_failed);
+  EXPECT_EQ(worst_outcome(v), base::ProgramOutcome::check_failed);
   v.decks[1].exit_code = 3;
-  EXPECT_EQ(worst_outcome(v), base::Outcome::deck_error);
+  EXPECT_EQ(worst_outcome(v), base::ProgramOutcome::deck_error);
   v.decks[2].exit_code = 128 + 11; // a signal
-  EXPECT_EQ(worst_outcome(v), base::Outcome::defect);
+  EXPECT_EQ(worst_outcome(v), base::ProgramOutcome::defect);
 }
 
 TEST(Verification, TheTableIsReadAsItWasWritten) {
@@ -256,7 +256,7 @@ TEST_F(Tiers, QuickAreTheCheapestThatFitTheBudget) {
   EXPECT_FALSE(trouble);
   EXPECT_TRUE(select_decks(decks, {"chep"}, trouble).empty());
   ASSERT_TRUE(trouble);
-  EXPECT_EQ(trouble->kind, base::Outcome::usage);
+  EXPECT_EQ(trouble->kind, base::ProgramOutcome::usage);
   EXPECT_NE(trouble->hint.find("cheap"), std::string::npos) << trouble->hint;
 }
 

@@ -262,7 +262,7 @@ TEST(SweepPage, HasErrorBarsStepChecksAndUnits) {
     point.values = {delta};
     point.checks = 4;
     point.passed = 3;
-    point.outcome = base::Outcome::check_failed;
+    point.outcome = base::ProgramOutcome::check_failed;
     point.warnings = delta > 0.15 ? 7 : 0;
     results::RunResult run = sample.run;
     run.increments.resize(1);
@@ -271,7 +271,7 @@ TEST(SweepPage, HasErrorBarsStepChecksAndUnits) {
   }
   results::SweepPoint failed;
   failed.values = {0.3};
-  failed.outcome = base::Outcome::not_solvable;
+  failed.outcome = base::ProgramOutcome::not_solvable;
   failed.error = "it is singular";
   sweep.points.push_back(failed);
   const std::string page = sweep_page(sample.sources, sample.model, sweep);
