@@ -115,7 +115,7 @@ struct PartBoundaryEdge {
 
 PartBoundaryEdge boundary_edge(const FacetSurface& surface, std::size_t f, int corner) {
   const geometry::ElementSide& face = surface.facets[f];
-  const int corners = face.corners();
+  const int corners = face.corner_count();
   const int next = (corner + 1) % corners;
   PartBoundaryEdge edge;
   edge.face = f;
@@ -128,7 +128,7 @@ PartBoundaryEdge boundary_edge(const FacetSurface& surface, std::size_t f, int c
       0.5 * (face.node_local_coordinates(corner) + face.node_local_coordinates(next));
   edge.x = {face.X.col(corner), face.position(middle), face.X.col(next)};
   edge.length = (edge.x[2] - edge.x[0]).norm();
-  const geometry::SidePoint at = face.point(middle + lifted * (face.centre() - middle));
+  const geometry::SidePoint at = face.point(middle + lifted * (face.domain_centre() - middle));
   edge.inside = at.x;
   edge.normal = surface_normal(surface, f, at);
   return edge;
@@ -139,7 +139,7 @@ std::vector<PartBoundaryEdge> part_boundary(const FacetSurface& surface) {
   std::map<std::tuple<std::size_t, base::NodeId, base::NodeId>, int> met;
   const auto each_side = [&](const auto& visit) {
     for (std::size_t f = 0; f < surface.facets.size(); ++f) {
-      const int corners = surface.facets[f].corners();
+      const int corners = surface.facets[f].corner_count();
       for (int i = 0; i < corners; ++i) {
         const auto [a, b] =
             std::minmax(surface.facets[f].nodes[static_cast<std::size_t>(i)],

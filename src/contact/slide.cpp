@@ -18,7 +18,7 @@ using base::index;
 namespace {
 
 int dimension_of(const geometry::ElementSide& facet) {
-  return facet.dim() + 1;
+  return facet.local_dim() + 1;
 }
 
 // The displacement of a point of a facet.
@@ -59,7 +59,7 @@ double largest_displacement(const base::Vector& u) {
 
 // The length that an area of facets stands for in space, its root.
 double size_of_measure(double measure, const geometry::ElementSide& facet) {
-  return std::pow(measure, 1.0 / facet.dim());
+  return std::pow(measure, 1.0 / facet.local_dim());
 }
 
 double facet_size(const geometry::ElementSide& facet) {

@@ -16,7 +16,7 @@ namespace {
 // edge that leaves the front (a quarter point), that of a middle on the front across the face.
 void find_behind(const geometry::ElementSide& face, const std::set<base::NodeId>& front,
                  NodesBehindFront& behind) {
-  const auto corners = static_cast<std::size_t>(face.corners());
+  const auto corners = static_cast<std::size_t>(face.corner_count());
   const bool quadratic = face.nodes.size() > corners;
   const auto on_front = [&](std::size_t n) { return front.contains(face.nodes[n]); };
   for (std::size_t c = 0; c < corners; ++c) {

@@ -106,7 +106,7 @@ public:
 
 private:
   [[nodiscard]] std::size_t corners_of(std::size_t f) const {
-    return static_cast<std::size_t>(pair_.contact.facets[f].corners());
+    return static_cast<std::size_t>(pair_.contact.facets[f].corner_count());
   }
 
   void look_at(std::size_t f, const std::vector<bool>& closed) {
@@ -117,7 +117,7 @@ private:
       return closed[i] && !own.joined && own.area >= all_covered * own.whole &&
              !sharp_.contains(own.node);
     });
-    const base::Vec3 normal = face.area_vector(face.centre());
+    const base::Vec3 normal = face.area_vector(face.domain_centre());
     for (std::size_t c = 0; c < corners_of(f); ++c) {
       const std::size_t corner = faces_[f][c];
       sound_[corner] = sound_[corner] && all;

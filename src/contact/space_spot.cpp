@@ -17,7 +17,7 @@ constexpr double no_edge = std::numeric_limits<double>::infinity();
 bool has_middle_rows(const PairConstraints& pair) {
   const std::vector<std::vector<std::size_t>> faces = functions_by_facet(pair);
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    const auto corners = static_cast<std::size_t>(pair.contact.facets[f].corners());
+    const auto corners = static_cast<std::size_t>(pair.contact.facets[f].corner_count());
     if (faces[f].size() > corners) {
       return true;
     }

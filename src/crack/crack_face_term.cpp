@@ -63,7 +63,7 @@ NodeAreas areas_of(const std::vector<ElementSide>& edges, const TipContext& tip)
 
 // Where a middle node has all of an edge's pressure at the axis: its end there has no area.
 bool is_on_axis(const ElementSide& edge, Eigen::Index end) {
-  return edge.quadratic() && edge.X(0, end) <= 1e-9 * edge.X(0, 1 - end);
+  return edge.is_quadratic() && edge.X(0, end) <= 1e-9 * edge.X(0, 1 - end);
 }
 
 // Where the pressure of a node acts on an edge: its own function, with that of the tip added to its
@@ -73,7 +73,7 @@ SideValues pressed(const ElementSide& edge, const SideValues& N, const TipContex
   for (const Eigen::Index end : {Eigen::Index{0}, Eigen::Index{1}}) {
     if (edge.nodes[static_cast<std::size_t>(end)] == tip.tip_node ||
         (tip.is_axisymmetric() && is_on_axis(edge, end))) {
-      own[edge.quadratic() ? 2 : 1 - end] += N[end];
+      own[edge.is_quadratic() ? 2 : 1 - end] += N[end];
       own[end] = 0.0;
     }
   }

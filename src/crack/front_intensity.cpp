@@ -62,7 +62,7 @@ private:
     if (at == own.nodes.end()) {
       return;
     }
-    const shape::Point<2> centre = own.centre();
+    const shape::Point<2> centre = own.domain_centre();
     const shape::Point<2> r = (1.0 - beside_front) * own.node_local_coordinates(
                                                          static_cast<int>(at - own.nodes.begin())) +
                               beside_front * centre;

@@ -33,7 +33,7 @@ SurfaceNodeMotion::SurfaceNodeMotion(const model::Mesh& mesh, const std::vector<
         continue;
       }
       const shape::Point<2> at =
-          (1.0 - into_side) * side.node_local_coordinates(i) + into_side * side.centre();
+          (1.0 - into_side) * side.node_local_coordinates(i) + into_side * side.domain_centre();
       const Vec3 n = side.area_vector(at).normalized();
       std::vector<Vec3>& known = normals_[node];
       const auto alike = std::ranges::find_if(

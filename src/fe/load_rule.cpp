@@ -17,8 +17,8 @@ template <class F>
 void with_part(const model::Mesh& mesh, const model::Load& load,
                const std::vector<base::ElementId>& elements, std::size_t part, F&& f) {
   if (load.faces.valid()) {
-    geometry::with_reference(model::element_side(mesh, mesh.set_with_id(load.faces).faces[part]),
-                             f);
+    geometry::with_reference_element(
+        model::element_side(mesh, mesh.set_with_id(load.faces).faces[part]), f);
   } else {
     with_any_element(mesh, elements[part], [&]<int dim>(const AnyElement<dim>& element) {
       f(element, embed_nodes_in_space<dim>(coordinates(element, mesh, elements[part])));
@@ -70,8 +70,8 @@ FieldAdaptedRule<dim> load_rule(const AnyElement<dim>& element, const SpaceNodes
 FieldAdaptedRule<2> load_rule(const geometry::ElementSide& side, const model::Load& load,
                               const FieldMagnitude& scale) {
   FieldAdaptedRule<2> rule;
-  geometry::with_reference(side, [&]<int dim>(const shape::ReferenceElement<dim>& reference,
-                                              const geometry::SidePositions& X) {
+  geometry::with_reference_element(side, [&]<int dim>(const shape::ReferenceElement<dim>& reference,
+                                                      const geometry::SidePositions& X) {
     const FieldAdaptedRule<dim> found = load_rule<dim>(reference, X, load, scale);
     rule = {{}, found.missed, found.amount, found.jumps};
     for (const auto& [r, weight] : found.points) {

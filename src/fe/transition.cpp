@@ -101,7 +101,7 @@ Hit hit_of(const model::Mesh& mesh, const model::Face& face, const Vec3& x) {
   hit.face = face;
   const geometry::ElementSide side = model::element_side(mesh, face);
   hit.nodes = side.nodes;
-  const geometry::SideValues N = side.N(side.nearest_point(x));
+  const geometry::SideValues N = side.N(side.nearest_local_coordinates(x));
   const Vec3 off = x - side.X * N;
   hit.distance = off.norm();
   hit.size = (side.X.colwise() - side.X.col(0)).colwise().norm().maxCoeff();
@@ -110,7 +110,7 @@ Hit hit_of(const model::Mesh& mesh, const model::Face& face, const Vec3& x) {
   for (Eigen::Index i = 0; i < N.size(); ++i) {
     hit.weight.middleCols(dim * i, dim).diagonal().setConstant(N[i]);
   }
-  const Eigen::Index corners = side.corners();
+  const Eigen::Index corners = side.corner_count();
   const auto A = rotation_of(side.X.leftCols(corners), mesh.dim);
   for (Eigen::Index i = 0; i < corners; ++i) {
     // omega x off = - off x omega (fe.31).

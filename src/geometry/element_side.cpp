@@ -89,7 +89,7 @@ Vec2 ElementSide::node_local_coordinates(int node) const {
                    : face_->node_local_coordinates(node);
 }
 
-Vec2 ElementSide::centre() const {
+Vec2 ElementSide::domain_centre() const {
   return is_edge() ? Vec2(edge_->centre()[0], 0.0) : face_->centre();
 }
 
@@ -97,7 +97,7 @@ double ElementSide::distance_outside(const Vec2& r) const {
   return is_edge() ? edge_->distance_outside(r.head<1>()) : face_->distance_outside(r);
 }
 
-Vec2 ElementSide::clamp(const Vec2& r) const {
+Vec2 ElementSide::clamp_to_side(const Vec2& r) const {
   return clamp_to_domain<2>(domain(), r);
 }
 
@@ -140,7 +140,7 @@ double ElementSide::area(int degree) const {
   return area;
 }
 
-Vec2 ElementSide::nearest_point(const Vec3& x, ClampedFootPolicy border) const {
+Vec2 ElementSide::nearest_local_coordinates(const Vec3& x, ClampedFootPolicy border) const {
   if (is_edge()) {
     return {foot_of_perpendicular<1>(*edge_, X, x, longest_step)[0], 0.0};
   }
@@ -150,13 +150,13 @@ Vec2 ElementSide::nearest_point(const Vec3& x, ClampedFootPolicy border) const {
                              ? longest_step
                              : std::numeric_limits<double>::infinity();
   double least = stands ? (x - position(best)).norm() : std::numeric_limits<double>::max();
-  const shape::ReferenceElement<1>& edge = shape::reference_line(quadratic() ? 3 : 2);
-  for (int i = 0; i < corners(); ++i) {
+  const shape::ReferenceElement<1>& edge = shape::reference_line(is_quadratic() ? 3 : 2);
+  for (int i = 0; i < corner_count(); ++i) {
     SidePositions E(3, edge.nodes);
     E.col(0) = X.col(i);
-    E.col(1) = X.col((i + 1) % corners());
-    if (quadratic()) {
-      E.col(2) = X.col(corners() + i);
+    E.col(1) = X.col((i + 1) % corner_count());
+    if (is_quadratic()) {
+      E.col(2) = X.col(corner_count() + i);
     }
     const Vec2 r = edge_coordinates(i, foot_of_perpendicular<1>(edge, E, x, longest)[0]);
     const double distance = (x - position(r)).norm();
@@ -171,10 +171,10 @@ Vec2 ElementSide::nearest_point(const Vec3& x, ClampedFootPolicy border) const {
 // Corners, twice the mid nodes less the middle of the edge's ends, and of quadrilaterals one for
 // the centre.
 Box<3> ElementSide::bounding_box() const {
-  const Eigen::Index count = corners();
+  const Eigen::Index count = corner_count();
   Box<3> box{X.leftCols(count).rowwise().minCoeff(), X.leftCols(count).rowwise().maxCoeff()};
   const auto take = [&](const Vec3& x) { box.extend({x, x}); };
-  if (!quadratic()) {
+  if (!is_quadratic()) {
     return box;
   }
   Vec3 mids = Vec3::Zero();

@@ -58,15 +58,17 @@ struct ElementSide {
 
   /// An edge of a plane element, not a face of a solid.
   [[nodiscard]] bool is_edge() const { return edge_ != nullptr; }
-  [[nodiscard]] int dim() const { return is_edge() ? 1 : 2; }
-  [[nodiscard]] int corners() const { return is_edge() ? 2 : face_->corners; }
-  [[nodiscard]] bool quadratic() const { return is_edge() ? edge_->quadratic : face_->quadratic; }
+  [[nodiscard]] int local_dim() const { return is_edge() ? 1 : 2; }
+  [[nodiscard]] int corner_count() const { return is_edge() ? 2 : face_->corners; }
+  [[nodiscard]] bool is_quadratic() const {
+    return is_edge() ? edge_->quadratic : face_->quadratic;
+  }
   /// What the local coordinates run over.
   [[nodiscard]] shape::ReferenceDomain domain() const {
     return is_edge() ? edge_->domain : face_->domain;
   }
-  /// The shape with points of d coordinates; d must be dim().
-  template <int d> [[nodiscard]] const shape::ReferenceElement<d>& reference() const {
+  /// The shape with points of d coordinates; d must be local_dim().
+  template <int d> [[nodiscard]] const shape::ReferenceElement<d>& reference_element() const {
     if constexpr (d == 1) {
       return *edge_;
     } else {
@@ -77,12 +79,12 @@ struct ElementSide {
   /// Local coordinates of a node; the second of an edge's is 0.
   [[nodiscard]] base::Vec2 node_local_coordinates(int node) const;
   /// The middle of the domain.
-  [[nodiscard]] base::Vec2 centre() const;
+  [[nodiscard]] base::Vec2 domain_centre() const;
   /// How far r lies outside the domain, in local coordinates; negative inside.
   [[nodiscard]] double distance_outside(const base::Vec2& r) const;
   /// r moved into the domain: to its nearest point, but beside the slanted edge of triangles
   /// straight back to that edge, then along it.
-  [[nodiscard]] base::Vec2 clamp(const base::Vec2& r) const;
+  [[nodiscard]] base::Vec2 clamp_to_side(const base::Vec2& r) const;
   /// Local coordinates at t [-1,1] on the edge of a face from corner i to the next.
   [[nodiscard]] base::Vec2 edge_coordinates(int i, double t) const;
 
@@ -122,7 +124,8 @@ struct ElementSide {
   /// perpendicular, or the nearest point of the edges. Exact for points on the side and for those
   /// off it by a small share of the radius of curvature. Without area the centre.
   [[nodiscard]] base::Vec2
-  nearest_point(const base::Vec3& x, ClampedFootPolicy border = ClampedFootPolicy::compared) const;
+  nearest_local_coordinates(const base::Vec3& x,
+                            ClampedFootPolicy border = ClampedFootPolicy::compared) const;
 
   /// A box round the side, curved as it may be: that of its Bezier points (Farin 2002).
   [[nodiscard]] Box<3> bounding_box() const;
@@ -139,11 +142,11 @@ std::vector<base::NodeId> side_nodes(base::ElementType type, int side,
 
 /// Calls f(reference element, X) for what is compiled for each dimension; f is a generic lambda
 /// `[&]<int dim>(const shape::ReferenceElement<dim>& side, const SidePositions& X)`.
-template <class F> void with_reference(const ElementSide& side, F&& f) {
+template <class F> void with_reference_element(const ElementSide& side, F&& f) {
   if (side.is_edge()) {
-    f(side.reference<1>(), side.X);
+    f(side.reference_element<1>(), side.X);
   } else {
-    f(side.reference<2>(), side.X);
+    f(side.reference_element<2>(), side.X);
   }
 }
 

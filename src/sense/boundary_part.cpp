@@ -34,7 +34,7 @@ BoundaryPart::BoundaryPart(const model::Mesh& mesh, std::vector<model::Face> fac
     size_.push_back(box.diagonal());
     boxes.push_back(box.grown(bulge * size_.back()));
     const geometry::ElementSide side = model::element_side(mesh, face);
-    samples_.push_back(side.position(side.centre()));
+    samples_.push_back(side.position(side.domain_centre()));
   }
   for (const base::NodeId n : mesh::nodes_of_faces(mesh, faces_)) {
     samples_.push_back(mesh.x[n.index()]);
@@ -56,7 +56,7 @@ bool BoundaryPart::contains_point(const base::Vec3& x) const {
     } else {
       allowed = same_side * size_[i];
       const geometry::ElementSide side = model::element_side(mesh_, faces_[i]);
-      off = (x - side.position(side.nearest_point(x))).norm();
+      off = (x - side.position(side.nearest_local_coordinates(x))).norm();
     }
     if (off <= allowed) {
       return true;

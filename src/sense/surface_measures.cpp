@@ -147,7 +147,7 @@ std::vector<double> facet_lengths_or_areas(const contact::ContactSurface& surfac
 
 base::Vec3 facet_centroid(const contact::ContactSurface& surface, std::size_t facet) {
   const geometry::ElementSide& side = surface.facets[facet];
-  return side.position(side.centre());
+  return side.position(side.domain_centre());
 }
 
 } // namespace spricka::sense

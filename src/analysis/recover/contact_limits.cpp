@@ -44,7 +44,7 @@ double facets(const contact::PairConstraints& pair, double facet) {
   const std::optional<contact::AnalyticShape>& round = surface.rounds.front();
   const bool curved = surface.circle || (round && round->kind != contact::AnalyticShapeKind::plane);
   const double radius = surface.circle ? surface.circle->radius : round ? round->radius : 0.0;
-  return curved && !surface.facets.front().quadratic() ? facet * facet / (4.0 * radius) : 0.0;
+  return curved && !surface.facets.front().is_quadratic() ? facet * facet / (4.0 * radius) : 0.0;
 }
 
 /// What contact of the bodies as drawn leaves out of one pair, as it has moved.

@@ -23,7 +23,7 @@ std::optional<AnalyticShape> shape_of(const model::Mesh& mesh, const FacetSurfac
     if (surface.part[f] == part) {
       const geometry::ElementSide& face = surface.facets[f];
       nodes.insert(face.nodes.begin(), face.nodes.end());
-      const geometry::SidePoint centre = face.point(face.centre());
+      const geometry::SidePoint centre = face.point(face.domain_centre());
       normals.push_back({centre.x, centre.area_vector().normalized()});
     }
   }
@@ -55,7 +55,7 @@ FacetSurface make_facet_surface(const model::Mesh& mesh, const std::vector<model
   surface.dim = mesh.dim;
   size /= static_cast<double>(surface.facets.size());
   surface.extent = box.diagonal();
-  surface.mean_size = std::pow(size, 1.0 / surface.facets.front().dim());
+  surface.mean_size = std::pow(size, 1.0 / surface.facets.front().local_dim());
   if (surface.facets.front().is_edge()) {
     surface.part.assign(surface.facets.size(), 0);
     surface.rounds.resize(1);

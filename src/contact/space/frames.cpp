@@ -12,7 +12,7 @@ SurfaceFrames::SurfaceFrames(const FacetSurface& surface) {
   std::vector<Vec3> most(surface.rounds.size(), Vec3::Zero()); // |n| along x, y, z
   for (std::size_t f = 0; f < surface.facets.size(); ++f) {
     const geometry::ElementSide& face = surface.facets[f];
-    const geometry::SidePoint centre = face.point(face.centre());
+    const geometry::SidePoint centre = face.point(face.domain_centre());
     Vec3& part = most[surface.part[f]];
     part = part.cwiseMax(surface_normal(surface, f, centre).cwiseAbs());
   }

@@ -20,7 +20,7 @@ constexpr std::array<HatNodes, 8> triangles_of_9{
 
 std::span<const HatNodes> hat_elements(const geometry::ElementSide& facet) {
   if (facet.is_edge()) {
-    return facet.quadratic() ? std::span<const HatNodes>(halves_of_3) : edge_of_2;
+    return facet.is_quadratic() ? std::span<const HatNodes>(halves_of_3) : edge_of_2;
   }
   switch (facet.nodes.size()) {
   case 6:
@@ -35,7 +35,7 @@ std::span<const HatNodes> hat_elements(const geometry::ElementSide& facet) {
 }
 
 std::span<const HatNodes> corner_hat_elements(const geometry::ElementSide& face) {
-  if (face.corners() == 3) {
+  if (face.corner_count() == 3) {
     return corners_of_triangle;
   }
   return corners_of_quadrilateral;

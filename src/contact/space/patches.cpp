@@ -33,7 +33,7 @@ std::vector<std::size_t> smooth_part_numbers(const std::vector<geometry::Element
   };
   std::map<Edge3, Side> met;
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    const int corners = faces[f].corners();
+    const int corners = faces[f].corner_count();
     for (int i = 0; i < corners; ++i) {
       const int next = (i + 1) % corners;
       const base::NodeId a = faces[f].nodes[static_cast<std::size_t>(i)];

@@ -13,7 +13,7 @@ namespace {
 constexpr int twin_degree = 5;
 
 std::size_t corner_count(const geometry::ElementSide& face) {
-  return static_cast<std::size_t>(face.corners());
+  return static_cast<std::size_t>(face.corner_count());
 }
 
 // How far nodes that lie on one another may be apart by round-off, over the size of faces.

@@ -151,7 +151,7 @@ SurfaceChart::FacePointAtParameters SurfaceChart::flat_on(std::size_t face, Vec2
     if (!step.allFinite()) {
       break;
     }
-    const Vec2 next = f.clamp(r + step);
+    const Vec2 next = f.clamp_to_side(r + step);
     const double moved = (next - r).norm();
     r = next;
     if (moved < 1e-15) {
@@ -175,7 +175,7 @@ SurfaceChart::FacePointAtParameters SurfaceChart::flat_place(std::size_t face, c
     near.insert(net_.facets()[f].face);
   }
   for (const std::size_t other : near) {
-    const FacePointAtParameters there = flat_on(other, surface_.face(other).centre(), u);
+    const FacePointAtParameters there = flat_on(other, surface_.face(other).domain_centre(), u);
     best = there.off < best.off - same ? there : best;
   }
   return best;
@@ -185,7 +185,7 @@ SurfacePlace SurfaceChart::map_to_surface(const Vec2& u) const {
   const BarycentricPoint spot = find(u);
   const FacetTriangulation::SurfaceFacet& facet = net_.facets()[spot.facet];
   Vec2 r = spot.hat[0] * facet.r[0] + spot.hat[1] * facet.r[1] + spot.hat[2] * facet.r[2];
-  r = surface_.face(facet.face).clamp(r);
+  r = surface_.face(facet.face).clamp_to_side(r);
   if (!flat_) {
     return surface_.place_at_coordinates(facet.face, r);
   }

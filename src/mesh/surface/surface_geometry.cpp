@@ -28,7 +28,7 @@ public:
   [[nodiscard]] double distance() const { return distance_; }
   void look_at(std::size_t face) {
     const geometry::ElementSide& f = surface_.face(face);
-    const Vec2 r = f.nearest_point(x_, geometry::ClampedFootPolicy::replaced);
+    const Vec2 r = f.nearest_local_coordinates(x_, geometry::ClampedFootPolicy::replaced);
     const double distance = (f.position(r) - x_).norm();
     const double same = 1e-12 * surface_.diagonal();
     if (distance < distance_ - same || (distance < distance_ + same && face < face_)) {
@@ -109,7 +109,8 @@ SurfacePlace SurfaceGeometry::nearest_place(const Vec3& x,
 namespace {
 
 NodeId mid_of_side(const geometry::ElementSide& face, int i) {
-  return face.quadratic() ? face.nodes[static_cast<std::size_t>(face.corners() + i)] : NodeId();
+  return face.is_quadratic() ? face.nodes[static_cast<std::size_t>(face.corner_count() + i)]
+                             : NodeId();
 }
 
 /// Walks along feature edges from node to node.
@@ -172,9 +173,9 @@ void SurfaceGeometry::find_edges() {
   std::map<std::pair<NodeId, NodeId>, std::size_t> known;
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const geometry::ElementSide& face = faces_[f];
-    for (int i = 0; i < face.corners(); ++i) {
+    for (int i = 0; i < face.corner_count(); ++i) {
       const NodeId a = face.nodes[static_cast<std::size_t>(i)];
-      const NodeId b = face.nodes[static_cast<std::size_t>((i + 1) % face.corners())];
+      const NodeId b = face.nodes[static_cast<std::size_t>((i + 1) % face.corner_count())];
       const auto [at, fresh] = known.try_emplace(std::minmax(a, b), edges_.size());
       if (fresh) {
         edges_.push_back({{std::min(a, b), std::max(a, b)}, mid_of_side(face, i)});
@@ -313,7 +314,7 @@ FacetTriangulation::FacetTriangulation(const SurfaceGeometry& surface,
 }
 
 int FacetTriangulation::steps(const geometry::ElementSide& face) const {
-  return (face.quadratic() ? divisions : 1) * finer_;
+  return (face.is_quadratic() ? divisions : 1) * finer_;
 }
 
 int FacetTriangulation::corner(const geometry::ElementSide& face, int i) {
@@ -330,7 +331,7 @@ int FacetTriangulation::on_side(const SurfaceGeometry& surface, std::size_t face
   const geometry::ElementSide& f = surface.face(face);
   const int n = steps(f);
   if (k == 0 || k == n) {
-    return corner(f, (i + k / n) % f.corners());
+    return corner(f, (i + k / n) % f.corner_count());
   }
   const std::size_t e = surface.face_edge_index(face, i);
   const bool along = f.nodes[static_cast<std::size_t>(i)] == surface.edges()[e].ends[0];
@@ -344,14 +345,14 @@ int FacetTriangulation::on_side(const SurfaceGeometry& surface, std::size_t face
 
 void FacetTriangulation::add_face(const SurfaceGeometry& surface, std::size_t face) {
   const geometry::ElementSide& f = surface.face(face);
-  const FaceGrid grid{f.corners() == 3, steps(f)};
+  const FaceGrid grid{f.corner_count() == 3, steps(f)};
   const int n = grid.n;
   const auto points = static_cast<std::size_t>(n + 1);
   std::vector<std::vector<int>> vertex(points, std::vector<int>(points, -1));
   const auto at = [&](int i, int j) -> int& {
     return vertex[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)];
   };
-  for (int s = 0; s < f.corners(); ++s) {
+  for (int s = 0; s < f.corner_count(); ++s) {
     const std::size_t e = surface.face_edge_index(face, s);
     const bool along = f.nodes[static_cast<std::size_t>(s)] == surface.edges()[e].ends[0];
     for (int k = 0; k <= n; ++k) {

@@ -74,7 +74,7 @@ std::optional<SurfaceCrossing> refine_crossing(const SurfaceGeometry& surface,
   if (!(face.distance_outside(r) <= on_face)) {
     return std::nullopt;
   }
-  const SurfacePlace place = surface.place_at_coordinates(guess.face, face.clamp(r));
+  const SurfacePlace place = surface.place_at_coordinates(guess.face, face.clamp_to_side(r));
   const bool met = (place.x - curve(s).x).norm() <= 1e-8 * surface.diagonal();
   return met ? std::optional(SurfaceCrossing{s, place, tangent}) : std::nullopt;
 }

@@ -27,7 +27,7 @@ SmoothSurfacePatches::SmoothSurfacePatches(const SurfaceGeometry& surface,
   }
   base::DisjointSets smooth(all_.size());
   for (const auto& [face, i] : patch_) {
-    for (int s = 0; s < surface_.face(face).corners(); ++s) {
+    for (int s = 0; s < surface_.face(face).corner_count(); ++s) {
       const auto next = patch_.find(across(face, s));
       if (next != patch_.end() && !surface_.edges()[surface_.face_edge_index(face, s)].feature) {
         smooth.join_sets(i, next->second);
@@ -62,7 +62,7 @@ void SmoothSurfacePatches::sort_edges() {
   std::set<std::size_t> features;
   std::set<std::size_t> rim;
   for (const std::size_t face : all_) {
-    for (int s = 0; s < surface_.face(face).corners(); ++s) {
+    for (int s = 0; s < surface_.face(face).corner_count(); ++s) {
       const std::size_t e = surface_.face_edge_index(face, s);
       if (surface_.edges()[e].count != 2) {
         trouble_ = {"more than two faces of the body meet in one edge",
@@ -86,13 +86,13 @@ bool SmoothSurfacePatches::is_border(std::size_t face, int side) const {
 /// The next side of the border: round the node at the end of this one, over the faces of the patch.
 PatchBorderSide SmoothSurfacePatches::side_after(const PatchBorderSide& at) const {
   std::size_t face = at.face;
-  int side = (at.side + 1) % surface_.face(face).corners();
+  int side = (at.side + 1) % surface_.face(face).corner_count();
   while (!is_border(face, side)) {
     const std::size_t e = surface_.face_edge_index(face, side);
     const SurfaceEdge& edge = surface_.edges()[e];
     const std::size_t way = edge.faces[0] == face ? 1 : 0;
     face = edge.faces[way];
-    side = (edge.side[way] + 1) % surface_.face(face).corners();
+    side = (edge.side[way] + 1) % surface_.face(face).corner_count();
   }
   return {face, side, surface_.face_edge_index(face, side), !patch_.contains(across(face, side))};
 }
@@ -100,7 +100,7 @@ PatchBorderSide SmoothSurfacePatches::side_after(const PatchBorderSide& at) cons
 void SmoothSurfacePatches::string_loops(std::size_t patch) {
   std::set<std::pair<std::size_t, int>> used;
   for (const std::size_t face : faces_[patch]) {
-    for (int s = 0; s < surface_.face(face).corners(); ++s) {
+    for (int s = 0; s < surface_.face(face).corner_count(); ++s) {
       if (!is_border(face, s) || used.contains({face, s})) {
         continue;
       }

@@ -26,7 +26,7 @@ Vec2 onto_plane(const geometry::ElementSide& face, const CrackReferencePlane& pl
     if (!(g.squaredNorm() > 0.0) || std::abs(height) <= 1e-15 * plane.length) {
       break;
     }
-    r = face.clamp(r - height / g.squaredNorm() * g);
+    r = face.clamp_to_side(r - height / g.squaredNorm() * g);
   }
   return r;
 }
@@ -130,7 +130,7 @@ private:
     for (std::size_t f = 0; f < surface.faces().size() && plane.relief; ++f) {
       const geometry::Box<3> box = surface.face(f).bounding_box();
       if (plane.relief->box().meets(box)) {
-        const double own = surface.face(f).quadratic() ? FacetTriangulation::divisions : 1;
+        const double own = surface.face(f).is_quadratic() ? FacetTriangulation::divisions : 1;
         longest = std::max(longest, box.diagonal() / own);
       }
     }
@@ -243,7 +243,7 @@ public:
     PlaneLine::Side side = sides[along.dot(towards) > 0.0 ? 1 : 0];
     std::size_t at = first;
     Vec2 r = surface_.face(line_.facet(at).face)
-                 .nearest_point(from.x, geometry::ClampedFootPolicy::replaced);
+                 .nearest_local_coordinates(from.x, geometry::ClampedFootPolicy::replaced);
     // In its own stretch the end may lie behind the start; one that is entered is all ahead.
     bool ends = at == last && (to.x - from.x).dot(line_.x(side) - from.x) > 0.0;
     while (!ends) {
@@ -262,7 +262,7 @@ public:
     }
     add(at, r, {to, nowhere, 0.0},
         surface_.face(line_.facet(at).face)
-            .nearest_point(to.x, geometry::ClampedFootPolicy::replaced));
+            .nearest_local_coordinates(to.x, geometry::ClampedFootPolicy::replaced));
     if (points_.size() < 2) {
       return {{}, {"the crack's mouth has no length", from.x}};
     }

@@ -45,7 +45,7 @@ public:
   void add_removed_face(std::size_t face) {
     const geometry::ElementSide& own = geometry_.face(face);
     const double edge = (own.X.col(1) - own.X.col(0)).norm();
-    for (int s = 0; s < own.corners(); ++s) {
+    for (int s = 0; s < own.corner_count(); ++s) {
       const SurfaceEdge& side = geometry_.edges()[geometry_.face_edge_index(face, s)];
       const std::size_t other = side.faces[0] == face ? side.faces[1] : side.faces[0];
       if (!side.feature && other != nowhere) {
@@ -265,7 +265,7 @@ private:
   void take_removed_edges() {
     std::set<std::size_t> removed;
     for (const std::size_t face : region_.faces) {
-      for (int s = 0; s < geometry_.face(face).corners(); ++s) {
+      for (int s = 0; s < geometry_.face(face).corner_count(); ++s) {
         const std::size_t e = geometry_.face_edge_index(face, s);
         if (geometry_.edges()[e].feature && !geometry_.node_sets(e).empty()) {
           removed.insert(e);
@@ -319,7 +319,7 @@ private:
   /// Edges of the region that are features only as borders of sets.
   [[nodiscard]] bool has_borders() const {
     return std::ranges::any_of(region_.faces, [&](std::size_t face) {
-      for (int s = 0; s < geometry_.face(face).corners(); ++s) {
+      for (int s = 0; s < geometry_.face(face).corner_count(); ++s) {
         if (geometry_.edges()[geometry_.face_edge_index(face, s)].border) {
           return true;
         }

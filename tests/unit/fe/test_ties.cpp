@@ -117,7 +117,7 @@ public:
       for (const double a : {0.13, 0.4}) {
         for (const double b : {0.21, 0.55}) {
           const Vec2 r = triangle ? Vec2(a, b) : Vec2(2.0 * a - 1.0, 2.0 * b - 1.0);
-          f(side, face, side.dim() == 1 ? Vec2(r[0], 0.0) : r);
+          f(side, face, side.local_dim() == 1 ? Vec2(r[0], 0.0) : r);
         }
       }
     }

@@ -61,7 +61,7 @@ constexpr std::array one_of_each{ElementType::trim3,  ElementType::trimc6, Eleme
 ElementSide distorted_side(ElementType type, Random& random) {
   ElementSide side = LoneElement(type).side(0);
   const Vec3 across(2.0 * random.number(), 0.6, 0.4 * random.number());
-  const Vec3 bend(1.0, 1.0, side.dim() == 1 ? 0.0 : 1.0);
+  const Vec3 bend(1.0, 1.0, side.local_dim() == 1 ? 0.0 : 1.0);
   for (Eigen::Index i = 0; i < side.X.cols(); ++i) {
     const Vec2 r = side.node_local_coordinates(static_cast<int>(i));
     side.X.col(i) =
@@ -72,18 +72,18 @@ ElementSide distorted_side(ElementType type, Random& random) {
 
 // Local coordinates, up to a little outside the domain.
 Vec2 some_coordinates(const ElementSide& side, Random& random) {
-  const Vec2 r = 1.2 * Vec2(random.number(), side.dim() == 1 ? 0.0 : random.number());
+  const Vec2 r = 1.2 * Vec2(random.number(), side.local_dim() == 1 ? 0.0 : random.number());
   return side.domain() == shape::ReferenceDomain::triangle ? Vec2(0.5 * (r + Vec2::Ones())) : r;
 }
 
 double raster_distance(const ElementSide& side, const Vec3& x) {
-  const int n = side.dim() == 1 ? 4000 : 300;
+  const int n = side.local_dim() == 1 ? 4000 : 300;
   double best = 1e300;
   for (int i = 0; i <= n; ++i) {
     const double a = static_cast<double>(i) / n;
-    for (int j = 0; j <= (side.dim() == 1 ? 0 : n); ++j) {
+    for (int j = 0; j <= (side.local_dim() == 1 ? 0 : n); ++j) {
       const double b = static_cast<double>(j) / n;
-      Vec2 r(2.0 * a - 1.0, side.dim() == 1 ? 0.0 : 2.0 * b - 1.0);
+      Vec2 r(2.0 * a - 1.0, side.local_dim() == 1 ? 0.0 : 2.0 * b - 1.0);
       if (side.domain() == shape::ReferenceDomain::triangle) {
         r = {a * (1.0 - b), b};
       }
@@ -117,7 +117,7 @@ TEST_P(EverySide, differentiates_as_differences_do) {
     const SideDerivatives dN = side.dN(r);
     const SidePoint point = side.point(r);
     EXPECT_LT(dN.colwise().sum().norm(), 1e-13);
-    for (int c = 0; c < side.dim(); ++c) {
+    for (int c = 0; c < side.local_dim(); ++c) {
       const Vec2 step = h * Vec2::Unit(c);
       EXPECT_LT((dN.col(c) - (side.N(r + step) - side.N(r - step)) / (2.0 * h)).norm(), 1e-8);
       const Vec3 tangent = (side.position(r + step) - side.position(r - step)) / (2.0 * h);
@@ -133,14 +133,14 @@ TEST_P(EverySide, clamps_to_its_domain) {
   const ElementSide side = LoneElement(GetParam()).side(0);
   for (int trial = 0; trial < 200; ++trial) {
     const Vec2 r = some_coordinates(side, random);
-    const Vec2 in = side.clamp(r);
+    const Vec2 in = side.clamp_to_side(r);
     EXPECT_LE(side.distance_outside(in), 1e-15);
-    EXPECT_LT((side.clamp(in) - in).norm(), 1e-15);
+    EXPECT_LT((side.clamp_to_side(in) - in).norm(), 1e-15);
     if (side.distance_outside(r) <= 0.0) {
       EXPECT_EQ(in, r);
     }
   }
-  EXPECT_LT(side.distance_outside(side.centre()), 0.0);
+  EXPECT_LT(side.distance_outside(side.domain_centre()), 0.0);
 }
 
 // Points off a side and beyond its edges and corners by as much as a tie allows.
@@ -148,14 +148,15 @@ TEST_P(EverySide, finds_its_nearest_point) {
   for (int trial = 0; trial < 40; ++trial) {
     const ElementSide side = distorted_side(GetParam(), random);
     const double size = (side.X.colwise() - side.X.col(0)).colwise().norm().maxCoeff();
-    const Vec3 off = random.vector().cwiseProduct(Vec3(1.0, 1.0, side.dim() == 1 ? 0.0 : 1.0));
-    const Vec3 x =
-        side.position(side.clamp(some_coordinates(side, random))) + 0.1 * size * off.normalized();
+    const Vec3 off =
+        random.vector().cwiseProduct(Vec3(1.0, 1.0, side.local_dim() == 1 ? 0.0 : 1.0));
+    const Vec3 x = side.position(side.clamp_to_side(some_coordinates(side, random))) +
+                   0.1 * size * off.normalized();
     const double raster = raster_distance(side, x);
     for (const ClampedFootPolicy border :
          {ClampedFootPolicy::compared, ClampedFootPolicy::replaced}) {
-      const Vec2 r = side.nearest_point(x, border);
-      EXPECT_LT((side.clamp(r) - r).norm(), 1e-14);
+      const Vec2 r = side.nearest_local_coordinates(x, border);
+      EXPECT_LT((side.clamp_to_side(r) - r).norm(), 1e-14);
       EXPECT_LT((x - side.position(r)).norm(), raster + 1e-9 * size) << trial;
     }
   }
@@ -164,16 +165,16 @@ TEST_P(EverySide, finds_its_nearest_point) {
 TEST_P(EverySide, finds_its_own_points) {
   for (int trial = 0; trial < 40; ++trial) {
     const ElementSide side = distorted_side(GetParam(), random);
-    const Vec2 r = side.clamp(some_coordinates(side, random));
-    EXPECT_LT((side.nearest_point(side.position(r)) - r).norm(), 1e-9);
+    const Vec2 r = side.clamp_to_side(some_coordinates(side, random));
+    EXPECT_LT((side.nearest_local_coordinates(side.position(r)) - r).norm(), 1e-9);
   }
 }
 
 TEST_P(EverySide, without_area_is_met_in_its_centre) {
   ElementSide side = LoneElement(GetParam()).side(0);
   side.X.setZero();
-  EXPECT_EQ(side.nearest_point(Vec3::UnitX()), side.centre());
-  EXPECT_EQ(side.point(side.centre()).normal(), Vec3::Zero());
+  EXPECT_EQ(side.nearest_local_coordinates(Vec3::UnitX()), side.domain_centre());
+  EXPECT_EQ(side.point(side.domain_centre()).normal(), Vec3::Zero());
   EXPECT_EQ(side.area(), 0.0);
 }
 
@@ -182,7 +183,7 @@ TEST_P(EverySide, lies_in_its_box) {
     const ElementSide side = distorted_side(GetParam(), random);
     const Box<3> box = side.bounding_box().grown(1e-14);
     for (int k = 0; k < 50; ++k) {
-      EXPECT_TRUE(box.contains(side.position(side.clamp(some_coordinates(side, random)))));
+      EXPECT_TRUE(box.contains(side.position(side.clamp_to_side(some_coordinates(side, random)))));
     }
   }
 }
@@ -212,8 +213,8 @@ TEST(ElementSide, SidesOfAnElementEncloseIt) {
       double enclosed = 0.0;
       for (int s = 0; s < base::element_info(type).sides; ++s) {
         const ElementSide side = element.side(s);
-        EXPECT_EQ(side.dim(), dim - 1);
-        EXPECT_EQ(side.corners(), static_cast<int>(shape::side_corners(type, s)));
+        EXPECT_EQ(side.local_dim(), dim - 1);
+        EXPECT_EQ(side.corner_count(), static_cast<int>(shape::side_corners(type, s)));
         side.for_quadrature_points(9, [&](const Vec2& r, double weight) {
           sum += weight * side.area_vector(r);
           enclosed += weight * side.area_vector(r).dot(side.position(r)) / dim;
@@ -255,15 +256,16 @@ TEST(ElementSide, EdgesOfFacesHaveTheirNodes) {
   Random random;
   for (const ElementType type : one_of_each) {
     const ElementSide face = distorted_side(type, random);
-    for (int i = 0; i < face.corners() && face.dim() == 2; ++i) {
+    for (int i = 0; i < face.corner_count() && face.local_dim() == 2; ++i) {
       EXPECT_LT((face.position(face.edge_coordinates(i, -1.0)) - face.X.col(i)).norm(), 1e-14);
       EXPECT_LT(
-          (face.position(face.edge_coordinates(i, 1.0)) - face.X.col((i + 1) % face.corners()))
+          (face.position(face.edge_coordinates(i, 1.0)) - face.X.col((i + 1) % face.corner_count()))
               .norm(),
           1e-14);
-      if (face.quadratic()) {
+      if (face.is_quadratic()) {
         EXPECT_LT(
-            (face.position(face.edge_coordinates(i, 0.0)) - face.X.col(face.corners() + i)).norm(),
+            (face.position(face.edge_coordinates(i, 0.0)) - face.X.col(face.corner_count() + i))
+                .norm(),
             1e-14);
       }
     }

@@ -65,8 +65,8 @@ inline std::vector<std::size_t> faces_round(const mesh::SurfaceGeometry& surface
     const geometry::Box<3> box = surface.face(f).bounding_box();
     double edge = 0.0;
     const auto& X = surface.face(f).X;
-    for (int i = 0; i < surface.face(f).corners(); ++i) {
-      edge = std::max(edge, (X.col(i) - X.col((i + 1) % surface.face(f).corners())).norm());
+    for (int i = 0; i < surface.face(f).corner_count(); ++i) {
+      edge = std::max(edge, (X.col(i) - X.col((i + 1) % surface.face(f).corner_count())).norm());
     }
     const bool coarse = edge > size(surface.place_at_coordinates(f, {1.0 / 3.0, 1.0 / 3.0}).x);
     const bool near =
