@@ -43,7 +43,7 @@ AuxiliaryFieldTable::AuxiliaryFieldTable(const FrontContext& set,
     degree_.push_back(fields.degree.at(e));
     places_.push_back(places_of(set.mesh, e));
     const fe::AnyElement<3>& element = shape::reference_element<3>(set.mesh.type[e.index()]);
-    const fe::AnyNodeVectors<3> X = fe::coordinates(element, set.mesh, e);
+    const fe::AnyNodeVectors<3> X = fe::element_coordinates(element, set.mesh, e);
     for (const auto& point : quadrature_rule(element, e)) {
       const FrontAxesDerivatives axes(set.axes.locate_point(X * element.N(point.r)));
       AllowedVariables& at = fields_.emplace_back();

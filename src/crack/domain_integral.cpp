@@ -15,7 +15,7 @@ class SectionHeat {
 public:
   SectionHeat(const TipContext& set, base::ElementId e)
       : set_(set), element_(plane_reference_element(set.mesh, e)),
-        X_(fe::coordinates(element_, set.mesh, e)),
+        X_(fe::element_coordinates(element_, set.mesh, e)),
         law_(fe::constitutive_law(set.model, set.mesh, e)),
         T_(fe::CornerValues<2>::Zero(element_.corners)) {
     if (set.loads.temperature.size() > 0) {

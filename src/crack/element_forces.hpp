@@ -43,8 +43,8 @@ public:
                                const base::Vector& u)
       : source_(source), heat_(heat), body_(body), e_(e),
         element_(shape::reference_element<dim>(mesh().type[e.index()])),
-        X_(fe::coordinates(element_, mesh(), e)), U_(fe::gather(element_, mesh(), e, u)),
-        elasticity_(source.elasticity(e)) {}
+        X_(fe::element_coordinates(element_, mesh(), e)),
+        U_(fe::gather_element_values(element_, mesh(), e, u)), elasticity_(source.elasticity(e)) {}
 
   /// Adds all terms; `strained`: the extension is not constant in the element.
   void add_element_terms(bool strained, InteractionConfigurationalForces<dim>& out) const {

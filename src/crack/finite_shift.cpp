@@ -32,8 +32,8 @@ struct ShiftedElement {
 
   ShiftedElement(const Shift& shift, base::ElementId e_)
       : e(e_), element(plane_reference_element(shift.set.mesh, e)),
-        X(fe::coordinates(element, shift.set.mesh, e)),
-        U(fe::gather(element, shift.set.mesh, e, shift.u)),
+        X(fe::element_coordinates(element, shift.set.mesh, e)),
+        U(fe::gather_element_values(element, shift.set.mesh, e, shift.u)),
         law(fe::constitutive_law(shift.set.model, shift.set.mesh, e)) {
     const PlaneValues moved = extension_at_element_nodes(shift.set.mesh, e, shift.q);
     X += (shift.s * shift.set.tip.e1) * moved.transpose();
@@ -66,7 +66,7 @@ double strain_energy(const TipContext& set, const ShiftedElement& at, const Plan
 double heated_energy(const Shift& shift, const ShiftedElement& moved) {
   const auto& [e, element, X, U, law] = moved;
   const TipContext& set = shift.set;
-  const PlaneVectors before = fe::coordinates(element, set.mesh, e);
+  const PlaneVectors before = fe::element_coordinates(element, set.mesh, e);
   const fe::CornerValues<2> T =
       fe::gather_corner_temperatures(element, set.mesh, e, set.loads.temperature);
   const double beta = law.expansion * (law.heated_direction_count() * law.lambda + 2.0 * law.mu);

@@ -131,7 +131,7 @@ public:
   void visit_contraction_points(base::ElementId e, const MovingPoints& moved,
                                 const Visit& visit) const {
     const fe::AnyElement<dim>& element = shape::reference_element<dim>(mesh().type[e.index()]);
-    const fe::AnyNodeVectors<dim> X = fe::coordinates(element, mesh(), e);
+    const fe::AnyNodeVectors<dim> X = fe::element_coordinates(element, mesh(), e);
     const auto& elasticity = source_.elasticity(e);
     ContractionPoint at;
     at.tensors.resize(moved.size() * auxiliary_fields_.size());

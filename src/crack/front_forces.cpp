@@ -24,7 +24,7 @@ public:
       : loads_(loads), linear_(linear), e_(e) {
     if (loads.temperature.size() > 0) {
       const auto& element = shape::reference_element<3>(set.mesh.type[e.index()]);
-      X_ = fe::coordinates(element, set.mesh, e);
+      X_ = fe::element_coordinates(element, set.mesh, e);
       T_ = fe::gather_corner_temperatures(element, set.mesh, e, loads.temperature);
       beta_ = fe::thermal_modulus(fe::constitutive_law(set.model, set.mesh, e));
       if (!linear) {
@@ -84,7 +84,7 @@ private:
   // Whether a field acts that varies in the element, and none that jumps.
   [[nodiscard]] bool known_inside() const {
     const auto varies = [&](const fe::ScaledTemperature& acting) {
-      return acting.heat->field.varies(e_);
+      return acting.heat->field.may_vary_inside(e_);
     };
     const auto jumps = [&](const fe::ScaledTemperature& acting) {
       return varies(acting) && !acting.heat->is_known_inside(e_);

@@ -55,7 +55,8 @@ public:
   HeatTermElement(const TipContext& set, ElementId e, const std::map<base::NodeId, double>& q,
                   const base::Vector& u)
       : set_(set), e_(e), element_(plane_reference_element(set.mesh, e)),
-        X_(fe::coordinates(element_, set.mesh, e)), U_(fe::gather(element_, set.mesh, e, u)),
+        X_(fe::element_coordinates(element_, set.mesh, e)),
+        U_(fe::gather_element_values(element_, set.mesh, e, u)),
         law_(fe::constitutive_law(set.model, set.mesh, e)),
         T_(fe::gather_corner_temperatures(element_, set.mesh, e, set.loads.temperature)),
         carried_(fe::FreeExpansion::must_remove_beforehand(element_, X_, law_)),

@@ -233,7 +233,7 @@ private:
     const base::ElementType type = mesh().type[face.element.index()];
     const fe::AnyElement<dim>& element = shape::reference_element<dim>(type);
     const shape::Point<3> at = shape::side_to_solid_point(type, face.side, r);
-    const fe::AnyNodeVectors<dim> X = fe::coordinates(element, mesh(), face.element);
+    const fe::AnyNodeVectors<dim> X = fe::element_coordinates(element, mesh(), face.element);
     const Tensor<dim> J = X.lazyProduct(element.dN(at));
     const Tensor<dim> inverse = J.inverse();
     return others.slopes(type, at).lazyProduct(inverse);

@@ -16,7 +16,7 @@ std::vector<BodyForceField> body_force_fields(const model::Model& model, const m
     }
     BodyForceField field{&acting, {}, {}};
     if (acting.load->elements.valid()) {
-      field.shares = fe::set_shares(model, mesh, acting.load->elements);
+      field.shares = fe::find_set_coverage(model, mesh, acting.load->elements);
       field.scale = fe::load_scale(mesh, *acting.load,
                                    scale == LoadScaleScope::whole_set ? field.shares.elements
                                                                       : acting.elements);

@@ -104,7 +104,7 @@ private:
     const fe::ConstitutiveLaw law = fe::constitutive_law(request_.enrichment.model(), mesh, e);
     base::Matrix Ke;
     with_mode_shape(mesh.type[e.index()], [&]<shape::PlaneShape S>(S) {
-      const fe::NodeVectors<S> X = fe::coordinates<S>(mesh, e);
+      const fe::NodeVectors<S> X = fe::element_coordinates<S>(mesh, e);
       const EnrichedStiffness<S> modes(X, law, request_.enrichment.element_side_frames(e));
       const Eigen::Index m = modes.ee.rows();
       const Eigen::Index p = modes.ep.cols();

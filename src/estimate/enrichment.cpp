@@ -113,8 +113,8 @@ void CubicEnrichment::add_matrix(base::ElementId e, const ModeMatrixLookup& kept
   double* at = next_own;
   if (host.valid()) {
     ModeMatrixCache::CachedModeMatrix& entry = kept.memory->at(host);
-    std::vector<double> of =
-        all_that_counts(fe::coordinates(shape::reference_element<2>(type), mesh_, e), law, side);
+    std::vector<double> of = all_that_counts(
+        fe::element_coordinates(shape::reference_element<2>(type), mesh_, e), law, side);
     matrix_.push_back(entry.numbers.data());
     // Equal to the last bit, so that a kept matrix is the one that would be made.
     if (entry.type == type && entry.of == of) {
@@ -128,7 +128,7 @@ void CubicEnrichment::add_matrix(base::ElementId e, const ModeMatrixLookup& kept
     next_own += matrix_numbers(type);
   }
   with_mode_shape(type, [&]<shape::PlaneShape S>(S) {
-    const EnrichedStiffness<S> K(fe::coordinates<S>(mesh_, e), law, side);
+    const EnrichedStiffness<S> K(fe::element_coordinates<S>(mesh_, e), law, side);
     std::copy_n(K.ee.data(), K.ee.size(), at);
     std::copy_n(K.ep.data(), K.ep.size(), at + K.ee.size());
   });
@@ -218,7 +218,7 @@ base::Matrix CubicEnrichment::mode_functional(
     const std::span<const std::int32_t> freedom = element_freedoms(e);
     const fe::AnyElement<2>& element = shape::reference_element<2>(mesh_.type[e.index()]);
     const PlaneModes& modes = PlaneModes::for_type(mesh_.type[e.index()]);
-    const fe::AnyNodeVectors<2> X = fe::coordinates(element, mesh_, e);
+    const fe::AnyNodeVectors<2> X = fe::element_coordinates(element, mesh_, e);
     const Eigen::Matrix2d J = X.lazyProduct(element.dN(point.r));
     const ModeGradients G = mode_gradients(modes, X, point.r, J, element_side_frames(e));
     for (int mode = 0; mode < 2; ++mode) {

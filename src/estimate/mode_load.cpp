@@ -24,8 +24,8 @@ struct ModeElement {
   ModeElement(const CubicEnrichment& enrichment, base::ElementId e)
       : shape(shape::reference_element<2>(enrichment.mesh().type[e.index()])),
         modes(PlaneModes::for_type(enrichment.mesh().type[e.index()])),
-        X(fe::coordinates(shape, enrichment.mesh(), e)), sides(enrichment.element_side_frames(e)),
-        freedom(enrichment.element_freedoms(e)) {}
+        X(fe::element_coordinates(shape, enrichment.mesh(), e)),
+        sides(enrichment.element_side_frames(e)), freedom(enrichment.element_freedoms(e)) {}
 
   /// A force along the axes of a side's mode at t.
   [[nodiscard]] Vec2 along(std::size_t side, double t, const Vec3& force) const {

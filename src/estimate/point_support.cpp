@@ -26,7 +26,7 @@ HeldNode hold(const CornerSearchInput& setting, const SingularCorner& corner,
     const fe::AnyElement<2>& element = shape::reference_element<2>(mesh.type[e.index()]);
     const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
     // On an axis a ring as wide as the elements stands for the point.
-    const fe::AnyNodeVectors<2> X = fe::coordinates(element, mesh, e);
+    const fe::AnyNodeVectors<2> X = fe::element_coordinates(element, mesh, e);
     const double x = std::max(mesh.x[corner.node.index()].x(), X.row(0).mean());
     // E' of (fe.4) by Lame's constants; with the reduced lambda of plane stress it is E.
     held.modulus =

@@ -91,11 +91,11 @@ void SolidEnrichment::add_thermal(base::ElementId e, const fe::CaseTemperature& 
                                   base::Vector& f) const {
   const fe::AnyElement<3>& element = shape::reference_element<3>(mesh_.type[e.index()]);
   const fe::CornerValues<3> T = fe::gather_corner_temperatures(element, mesh_, e, heat.temperature);
-  const bool varies = heat.field.varies(e);
+  const bool varies = heat.field.may_vary_inside(e);
   if ((T.array() == 0.0).all() && !varies) {
     return;
   }
-  const fe::AnyNodeVectors<3> X = fe::coordinates(element, mesh_, e);
+  const fe::AnyNodeVectors<3> X = fe::element_coordinates(element, mesh_, e);
   const fe::ConstitutiveLaw law = fe::constitutive_law(model_, mesh_, e);
   const fe::ThermalStress<3> thermal(element, X, law, T);
   const SolidModes& modes = SolidModes::for_type(mesh_.type[e.index()]);

@@ -95,16 +95,16 @@ base::SymmetricCsc assemble_stiffness(const model::Model& model, const model::Me
   std::array<std::int32_t, max_element_freedoms> freedoms{};
   // Blocks must come in the order in which their rows were added.
   std::size_t block_number = 0;
-  for_shape_blocks(
-      mesh, elements, [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-        for (const base::ElementId e : block) {
-          const ElementMatrix<S> Ke =
-              element_stiffness<S>(coordinates<S>(mesh, e), constitutive_law(model, mesh, e));
-          add_coefficients(element_freedoms(mesh, e, freedoms), dofs, Ke,
-                           blocks.rows_of_block(block_number), K);
-          ++block_number;
-        }
-      });
+  for_shape_blocks(mesh, elements,
+                   [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+                     for (const base::ElementId e : block) {
+                       const ElementMatrix<S> Ke = element_stiffness<S>(
+                           element_coordinates<S>(mesh, e), constitutive_law(model, mesh, e));
+                       add_coefficients(element_freedoms(mesh, e, freedoms), dofs, Ke,
+                                        blocks.rows_of_block(block_number), K);
+                       ++block_number;
+                     }
+                   });
   for (const Superelement& super : supers) {
     add_coefficients(super.freedom, dofs, *super.stiffness, blocks.rows_of_block(block_number), K);
     ++block_number;

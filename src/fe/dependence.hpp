@@ -57,7 +57,7 @@ public:
 
   [[nodiscard]] const std::vector<DependentRow>& rows() const { return rows_; }
   [[nodiscard]] const std::vector<FullyGivenTie>& fully_given_ties() const { return demands_; }
-  [[nodiscard]] int redundant() const { return redundant_; }
+  [[nodiscard]] int redundant_tie_count() const { return redundant_; }
   [[nodiscard]] bool has_constants() const;
   /// The row of a dependent freedom; null for the others.
   [[nodiscard]] const DependentRow* find_row(std::int32_t freedom) const;

@@ -44,11 +44,11 @@ auto ProjectedDilatation<S>::project_displacement_dilatation(const NodeVectors<S
       }
     }
   }
-  return project(integrals);
+  return coefficients_from_integrals(integrals);
 }
 
 template <shape::Element S>
-auto ProjectedDilatation<S>::project(const Modes& integrals) const -> Modes {
+auto ProjectedDilatation<S>::coefficients_from_integrals(const Modes& integrals) const -> Modes {
   if (integrals.size() == 1) {
     return (1.0 / G(0, 0)) * integrals;
   }

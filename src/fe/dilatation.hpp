@@ -14,13 +14,14 @@ namespace spricka::fe {
 template <shape::Element S> struct ProjectedDilatation {
   /// Number of functions phi of an element with so many corners: 1 + dim on quadratic
   /// quadrilaterals and hexahedra, else 1.
-  static constexpr int modes_for(int corners, bool quadratic) {
+  static constexpr int mode_count_by_corners(int corners, bool quadratic) {
     return corners == 1 << S::dim && quadratic ? 1 + S::dim : 1;
   }
   /// Number of functions phi, or Eigen::Dynamic.
   static constexpr int modes = [] {
     if constexpr (shape::ElementShape<S>) {
-      return modes_for(base::element_info(S::type).corners, base::element_info(S::type).quadratic);
+      return mode_count_by_corners(base::element_info(S::type).corners,
+                                   base::element_info(S::type).quadratic);
     } else {
       return Eigen::Dynamic;
     }
@@ -41,7 +42,7 @@ template <shape::Element S> struct ProjectedDilatation {
     if constexpr (shape::ElementShape<S>) {
       return modes;
     } else {
-      return modes_for(element.corners, element.quadratic);
+      return mode_count_by_corners(element.corners, element.quadratic);
     }
   }
   /// Values of the functions phi at a reference point: 1, then its coordinates where they belong to
@@ -60,7 +61,7 @@ template <shape::Element S> struct ProjectedDilatation {
   ProjectedDilatation(const S& element, const NodeVectors<S>& X, const ConstitutiveLaw& law);
 
   /// Coefficients of the function whose integrals with phi these are.
-  [[nodiscard]] Modes project(const Modes& integrals) const;
+  [[nodiscard]] Modes coefficients_from_integrals(const Modes& integrals) const;
   /// Of the volume change of displacements U [dim, nodes].
   [[nodiscard]] Modes project_displacement_dilatation(const NodeVectors<S>& U) const;
 };

@@ -48,7 +48,7 @@ struct DofMap {
   std::shared_ptr<const ConstraintTransformation> ties;
 
   [[nodiscard]] std::int64_t size() const { return static_cast<std::int64_t>(freedom.size()); }
-  [[nodiscard]] std::int64_t externals() const { return size() - locals; }
+  [[nodiscard]] std::int64_t external_count() const { return size() - locals; }
 };
 
 /// Numbers the free freedoms of some nodes: locals in node order, then externals in node order.

@@ -121,7 +121,7 @@ public:
     // Linear elements have one sample each, too few for terms of degree 2.
     const int degree = quadratic ? 2 : 1;
     FittedStressPolynomial fitted(samples_, r_.mesh.dim, degree);
-    for (int ring = 1; ring < most_rings && !fitted.complete(); ++ring) {
+    for (int ring = 1; ring < most_rings && !fitted.has_all_terms(); ++ring) {
       const std::size_t before = elements_.size();
       for (std::size_t i = 0; i < before; ++i) {
         for (std::size_t c = 0; c < corner_count(r_.mesh, elements_[i]); ++c) {

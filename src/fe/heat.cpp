@@ -41,7 +41,7 @@ void for_rest(const model::Model& model, const model::Mesh& mesh, const CaseTemp
       continue;
     }
     const AnyElement<2>& shape = shape::reference_element<2>(mesh.type[i]);
-    use(RestElement{e, shape, coordinates(shape, mesh, e), constitutive_law(model, mesh, e),
+    use(RestElement{e, shape, element_coordinates(shape, mesh, e), constitutive_law(model, mesh, e),
                     points});
   }
 }
@@ -54,9 +54,9 @@ void add_points(const model::Model& model, const PatchedMesh& patched, const Fie
     const ElementId e(i);
     const ConstitutiveLaw law = constitutive_law(model, mesh, e);
     if (has_residual_temperature(law, mesh.dim, base::element_info(mesh.type[i]).quadratic) &&
-        heat.field.varies(e)) {
+        heat.field.may_vary_inside(e)) {
       const AnyElement<2>& element = shape::reference_element<2>(mesh.type[i]);
-      const AnyNodeVectors<2> X = coordinates(element, mesh, e);
+      const AnyNodeVectors<2> X = element_coordinates(element, mesh, e);
       SampledTemperature sampled = sample_temperature(
           element, X, heat.field, e, scale, find_tip_corner(mesh, e, patched.front_nodes));
       std::vector<ResidualTemperaturePoint>& points = sampled.points;
@@ -161,7 +161,7 @@ void add_residual_temperature_energy(const model::Model& model, const model::Mes
                                      const base::Vector& u, std::vector<double>& energy) {
   for (const ScaledTemperature& one : acting) {
     for_rest(model, mesh, *one.heat, [&](const RestElement& own) {
-      const AnyNodeVectors<2> U = gather(own.shape, mesh, own.e, u);
+      const AnyNodeVectors<2> U = gather_element_values(own.shape, mesh, own.e, u);
       const double beta = one.factor * own.law.thickness * thermal_modulus(own.law);
       const double square = 0.5 * own.law.expansion * own.law.heated_direction_count();
       for (const ResidualTemperaturePoint& p : own.points) {

@@ -30,7 +30,7 @@ struct CaseTemperature {
   /// Whether the temperature is known inside an element by the field: it varies there, and does not
   /// jump.
   [[nodiscard]] bool is_known_inside(base::ElementId e) const {
-    return field.varies(e) && (discontinuous.empty() || !discontinuous[e.index()]);
+    return field.may_vary_inside(e) && (discontinuous.empty() || !discontinuous[e.index()]);
   }
   /// Points of the residual temperature inside an element; empty where it leaves no rest.
   [[nodiscard]] std::span<const ResidualTemperaturePoint>

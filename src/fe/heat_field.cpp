@@ -49,7 +49,7 @@ TemperatureField::TemperatureField(const PatchedMesh& patched, const model::Load
   }
 }
 
-bool TemperatureField::varies(ElementId e) const {
+bool TemperatureField::may_vary_inside(ElementId e) const {
   return std::ranges::any_of(parts_, [&](const HeatedSet& part) {
     return (part.by_place && is_new_[e.index()]) ||
            (part.member[e.index()] && !part.value.is_constant());

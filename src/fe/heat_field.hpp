@@ -17,7 +17,7 @@ public:
 
   [[nodiscard]] bool empty() const { return parts_.empty(); }
   /// Whether an element may be heated at all, by a temperature that may be more than a constant.
-  [[nodiscard]] bool varies(base::ElementId e) const;
+  [[nodiscard]] bool may_vary_inside(base::ElementId e) const;
   /// At x in element e. Elements of a patch in the plane are heated where the host is.
   [[nodiscard]] double operator()(base::ElementId e, const base::Vec3& x) const;
   [[nodiscard]] double operator()(base::ElementId e, const base::Vec2& x) const {

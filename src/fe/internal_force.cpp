@@ -11,15 +11,15 @@ template <class Use>
 void for_element_forces(const model::Model& model, const model::Mesh& mesh,
                         std::span<const base::ElementId> elements, const base::Vector& u,
                         Use&& use) {
-  for_shape_blocks(
-      mesh, elements, [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-        for (const base::ElementId e : block) {
-          const NodeVectors<S> U = gather<S>(mesh, e, u);
-          const NodeVectors<S> F =
-              element_force<S>(coordinates<S>(mesh, e), constitutive_law(model, mesh, e), U);
-          use(e, U, F);
-        }
-      });
+  for_shape_blocks(mesh, elements,
+                   [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+                     for (const base::ElementId e : block) {
+                       const NodeVectors<S> U = gather_element_values<S>(mesh, e, u);
+                       const NodeVectors<S> F = element_force<S>(
+                           element_coordinates<S>(mesh, e), constitutive_law(model, mesh, e), U);
+                       use(e, U, F);
+                     }
+                   });
 }
 
 } // namespace

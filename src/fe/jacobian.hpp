@@ -45,7 +45,7 @@ using ElementMatrix = Eigen::Matrix<double, S::dim * S::nodes, S::dim * S::nodes
 
 /// Coordinates of the nodes of an element [dim, nodes].
 template <shape::Element S>
-NodeVectors<S> coordinates(const S& element, const model::Mesh& mesh, base::ElementId e) {
+NodeVectors<S> element_coordinates(const S& element, const model::Mesh& mesh, base::ElementId e) {
   const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
   assert(nodes.size() == static_cast<std::size_t>(element.nodes));
   NodeVectors<S> X(S::dim, element.nodes);
@@ -56,14 +56,14 @@ NodeVectors<S> coordinates(const S& element, const model::Mesh& mesh, base::Elem
 }
 /// The nodal coordinates [dim, nodes] for an element type known when compiled.
 template <shape::ElementShape S>
-NodeVectors<S> coordinates(const model::Mesh& mesh, base::ElementId e) {
-  return coordinates(S{}, mesh, e);
+NodeVectors<S> element_coordinates(const model::Mesh& mesh, base::ElementId e) {
+  return element_coordinates(S{}, mesh, e);
 }
 
 /// The part of a nodal vector [dim * node] that belongs to an element [dim, nodes].
 template <shape::Element S>
-NodeVectors<S> gather(const S& element, const model::Mesh& mesh, base::ElementId e,
-                      const base::Vector& u) {
+NodeVectors<S> gather_element_values(const S& element, const model::Mesh& mesh, base::ElementId e,
+                                     const base::Vector& u) {
   const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
   NodeVectors<S> U(S::dim, element.nodes);
   for (int i = 0; i < element.nodes; ++i) {
@@ -74,8 +74,9 @@ NodeVectors<S> gather(const S& element, const model::Mesh& mesh, base::ElementId
 }
 /// The nodal vectors [dim, nodes] for an element type known when compiled.
 template <shape::ElementShape S>
-NodeVectors<S> gather(const model::Mesh& mesh, base::ElementId e, const base::Vector& u) {
-  return gather(S{}, mesh, e, u);
+NodeVectors<S> gather_element_values(const model::Mesh& mesh, base::ElementId e,
+                                     const base::Vector& u) {
+  return gather_element_values(S{}, mesh, e, u);
 }
 
 /// Adds vectors at the nodes of an element [dim, nodes] to their places in a nodal vector

@@ -73,12 +73,12 @@ void for_face_points(const Spread& spread, const FaceDensity& density,
 void for_body_points(const Spread& spread, const BodyDensity& density,
                      const LoadPointVisitor::BodyVisit& visit) {
   const model::Mesh& mesh = spread.mesh;
-  const ElementSetCoverage shares = set_shares(spread.model, mesh, spread.load.elements);
+  const ElementSetCoverage shares = find_set_coverage(spread.model, mesh, spread.load.elements);
   const FieldMagnitude scale = load_scale(mesh, spread.load, shares.elements);
   std::vector<LoadPoint> points;
   for (const base::ElementId e : shares.elements) {
     with_any_element(mesh, e, [&]<int dim>(const AnyElement<dim>& element) {
-      const AnyNodeVectors<dim> X = coordinates(element, mesh, e);
+      const AnyNodeVectors<dim> X = element_coordinates(element, mesh, e);
       const ConstitutiveLaw law = constitutive_law(spread.model, mesh, e);
       const CutElementShareFunction* share = shares.find_cut_share_function(e);
       const FieldAdaptedRule<dim> rule =

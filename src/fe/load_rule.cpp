@@ -21,7 +21,7 @@ void with_part(const model::Mesh& mesh, const model::Load& load,
         model::element_side(mesh, mesh.set_with_id(load.faces).faces[part]), f);
   } else {
     with_any_element(mesh, elements[part], [&]<int dim>(const AnyElement<dim>& element) {
-      f(element, embed_nodes_in_space<dim>(coordinates(element, mesh, elements[part])));
+      f(element, embed_nodes_in_space<dim>(element_coordinates(element, mesh, elements[part])));
     });
   }
 }

@@ -56,7 +56,7 @@ std::optional<ElementHit> hit_in(const model::Mesh& mesh, ElementId e, const Vec
   }
   with_any_element(mesh, e, [&]<int dim>(const AnyElement<dim>& element) {
     const shape::Point<dim> x = point.head<dim>();
-    if (const auto r = inverse_map<dim>(element, coordinates(element, mesh, e), x)) {
+    if (const auto r = inverse_map<dim>(element, element_coordinates(element, mesh, e), x)) {
       const double outside = element.distance_outside(*r);
       if (outside <= boundary_tolerance) {
         found = ElementHit{e, Vec3::Zero(), outside};
@@ -132,7 +132,8 @@ Vec3 displacement_at(const model::Mesh& mesh, const base::Vector& u,
   const ElementHit& hit = *std::ranges::min_element(side, {}, &ElementHit::outside);
   Vec3 value = Vec3::Zero();
   with_any_element(mesh, hit.element, [&]<int dim>(const AnyElement<dim>& element) {
-    value.head<dim>() = gather(element, mesh, hit.element, u) * element.N(hit.r.head<dim>());
+    value.head<dim>() =
+        gather_element_values(element, mesh, hit.element, u) * element.N(hit.r.head<dim>());
   });
   return value;
 }

@@ -36,7 +36,7 @@ public:
         error += s.error;
       }
     }
-    return gather(heap, error);
+    return collect_points(heap, error);
   }
 
   [[nodiscard]] const ValueRange& value_range() const { return lines_.value_range(); }
@@ -117,7 +117,7 @@ private:
     return amount;
   }
 
-  FieldAdaptedRule<dim> gather(std::vector<HalvedCell>& heap, double error) {
+  FieldAdaptedRule<dim> collect_points(std::vector<HalvedCell>& heap, double error) {
     FieldAdaptedRule<dim> rule;
     rule.amount = amount_of(heap);
     const double room = tolerance_ * std::max(rule.amount, least_amount_);

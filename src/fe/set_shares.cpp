@@ -99,7 +99,7 @@ Vec3 common_moments(const std::vector<Triangle>& one, const std::vector<Triangle
 Eigen::Matrix3d mass_of(const model::Mesh& mesh, ElementId e, const Vec2& at) {
   Eigen::Matrix3d mass = Eigen::Matrix3d::Zero();
   const AnyElement<2>& element = shape::reference_element<2>(mesh.type[e.index()]);
-  const AnyNodeVectors<2> X = coordinates(element, mesh, e).colwise() - at;
+  const AnyNodeVectors<2> X = element_coordinates(element, mesh, e).colwise() - at;
   for (const auto& point : shape::quadrature<2>(element.domain, moment_degree)) {
     const Eigen::Matrix2d J = X.lazyProduct(element.dN(point.r));
     const Vec2 x = X * element.N(point.r);
@@ -245,8 +245,8 @@ const CutElementShareFunction* ElementSetCoverage::find_cut_share_function(Eleme
   return at != cut.end() && at->element == e ? &*at : nullptr;
 }
 
-ElementSetCoverage set_shares(const model::Model& model, const model::Mesh& mesh,
-                              base::ElementSetId set) {
+ElementSetCoverage find_set_coverage(const model::Model& model, const model::Mesh& mesh,
+                                     base::ElementSetId set) {
   ElementSetCoverage result{mesh.set_with_id(set).elements, {}};
   const model::Mesh& host = model.mesh;
   if (&host == &mesh || mesh.dim != 2 || set.index() >= host.element_sets.size()) {

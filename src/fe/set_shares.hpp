@@ -36,7 +36,7 @@ struct ElementSetCoverage {
 /// elements stand in the place of some of the deck's (mesh/cut/patch.hpp). Integrals of the shares
 /// add up to the area of what the set covers on the deck's mesh, and to its first moments but for
 /// curved rims.
-ElementSetCoverage set_shares(const model::Model& model, const model::Mesh& mesh,
-                              base::ElementSetId set);
+ElementSetCoverage find_set_coverage(const model::Model& model, const model::Mesh& mesh,
+                                     base::ElementSetId set);
 
 } // namespace spricka::fe

@@ -7,7 +7,7 @@ template <shape::ElementShape S>
 ElementStressEvaluator<S>::ElementStressEvaluator(const model::Model& model,
                                                   const model::Mesh& mesh, base::ElementId e,
                                                   const DisplacementTemperatureField& field)
-    : X(coordinates<S>(mesh, e)), U(gather<S>(mesh, e, field.u)),
+    : X(element_coordinates<S>(mesh, e)), U(gather_element_values<S>(mesh, e, field.u)),
       law(constitutive_law(model, mesh, e)), change(S{}, X, law, U),
       thermal(shape::as_reference_element<S>(), X, law, held_temperature(mesh, e, field)) {}
 

@@ -24,7 +24,7 @@ public:
   FittedStressPolynomial(std::span<const StressSample* const> samples, int dim, int degree);
 
   /// Whether no term of the degree asked for is left out.
-  [[nodiscard]] bool complete() const { return complete_; }
+  [[nodiscard]] bool has_all_terms() const { return complete_; }
   /// The fitted stress [stress] at a place, which may lie beyond the samples.
   [[nodiscard]] Stress at(const base::Vec3& x) const;
 

@@ -105,8 +105,8 @@ base::Vector corner_temperatures_of_case(const model::Model& model, const model:
     for (const base::ElementId e : elements) {
       with_any_element(mesh, e, [&]<int dim>(const AnyElement<dim>& element) {
         temperature.segment(mesh.first[e.index()], element.corners) +=
-            taken_by<dim>(element, coordinates(element, mesh, e), constitutive_law(model, mesh, e),
-                          load, scale, news);
+            taken_by<dim>(element, element_coordinates(element, mesh, e),
+                          constitutive_law(model, mesh, e), load, scale, news);
       });
       if (news.jumps && jumps != nullptr) {
         jumps->resize(mesh.element_count(), false);
@@ -128,7 +128,7 @@ base::Vector thermal_load(const model::Model& model, const model::Mesh& mesh,
       mesh, temperature,
       [&]<int dim>(const AnyElement<dim>& element, base::ElementId e, const CornerValues<dim>& T) {
         add_at_nodes(mesh, e,
-                     thermal_forces<dim>(element, coordinates(element, mesh, e),
+                     thermal_forces<dim>(element, element_coordinates(element, mesh, e),
                                          constitutive_law(model, mesh, e), T),
                      f);
       });
@@ -141,12 +141,13 @@ void add_thermal_energy(const model::Model& model, const model::Mesh& mesh,
   for_heated(
       mesh, temperature,
       [&]<int dim>(const AnyElement<dim>& element, base::ElementId e, const CornerValues<dim>& T) {
-        const AnyNodeVectors<dim> X = coordinates(element, mesh, e);
+        const AnyNodeVectors<dim> X = element_coordinates(element, mesh, e);
         const ConstitutiveLaw law = constitutive_law(model, mesh, e);
         // 1/2 (eps - eps_T) D (eps - eps_T) = 1/2 u K u - u f + 1/2 eps_T D eps_T (fe.27).
-        energy[e.index()] +=
-            held_energy<dim>(element, X, law, T) -
-            thermal_forces<dim>(element, X, law, T).cwiseProduct(gather(element, mesh, e, u)).sum();
+        energy[e.index()] += held_energy<dim>(element, X, law, T) -
+                             thermal_forces<dim>(element, X, law, T)
+                                 .cwiseProduct(gather_element_values(element, mesh, e, u))
+                                 .sum();
       });
 }
 

@@ -139,7 +139,7 @@ ThermalStress<dim>::ThermalStress(const AnyElement<dim>& element, const AnyNodeV
     right += (w * temperature(point.r)) * Volume::phi(element, point.r);
   }
   // As the volume change (fe.12): what drives it must be of the same functions.
-  projected_ = Volume(element, X, law).project(right);
+  projected_ = Volume(element, X, law).coefficients_from_integrals(right);
 }
 
 template <int dim>

@@ -13,8 +13,8 @@ namespace {
 template <int dim>
 void add_element(const fe::AnyElement<dim>& element, const model::Model& model, base::ElementId e,
                  const base::Vector& u, const ExactField& exact, ErrorNorms& square) {
-  const fe::AnyNodeVectors<dim> X = fe::coordinates(element, model.mesh, e);
-  const fe::AnyNodeVectors<dim> U = fe::gather(element, model.mesh, e, u);
+  const fe::AnyNodeVectors<dim> X = fe::element_coordinates(element, model.mesh, e);
+  const fe::AnyNodeVectors<dim> U = fe::gather_element_values(element, model.mesh, e, u);
   const fe::ConstitutiveLaw law = fe::constitutive_law(model, model.mesh, e);
   for (const auto& point : shape::quadrature<dim>(element.domain, dim == 3 ? 7 : 10)) {
     const auto at = fe::jacobian(element, X, point.r);

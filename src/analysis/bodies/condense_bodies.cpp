@@ -72,9 +72,9 @@ void factorise(const CondensationRequest& request, std::vector<Task>& tasks,
     task.work.stiffness_cpu = solve::thread_cpu_seconds() - cpu;
     task.work.assembled = base::steady_clock_seconds();
     task.net->factor =
-        stacked ? std::make_shared<solve::Condensation>(K, map.externals(), blocks,
+        stacked ? std::make_shared<solve::Condensation>(K, map.external_count(), blocks,
                                                         task.layered ? &task.early : nullptr)
-                : std::make_shared<solve::Condensation>(std::move(K), map.externals(),
+                : std::make_shared<solve::Condensation>(std::move(K), map.external_count(),
                                                         solve::OrderingMethod::automatic,
                                                         contact_solution_memory(request.rows));
     task.work.end = base::steady_clock_seconds();
@@ -182,12 +182,12 @@ std::vector<std::int64_t> equation_numbers(const fe::DofMap& map,
 
 bool keeps_parts_as_dense_blocks(const fe::DofMap& map,
                                  std::span<const solve::CondensedNetBlock> blocks) {
-  return !map.ties && solve::is_two_level_cheaper(blocks, map.size(), map.externals());
+  return !map.ties && solve::is_two_level_cheaper(blocks, map.size(), map.external_count());
 }
 
 bool externals_can_stay_factorised(const SubstructuredBody& body) {
   return body.parts.size() == 1 && body.free_rigid_modes.cols() == 0 &&
-         body.region.map.externals() > 0;
+         body.region.map.external_count() > 0;
 }
 
 CondensedLoad condense_load(const SubstructuredBody& body, const fe::ConstraintTransformation& ties,

@@ -51,7 +51,7 @@ struct SubstructuredBody {
   [[nodiscard]] bool is_uncondensed() const { return !region.weighed.empty(); }
   /// Unknowns that contact sees.
   [[nodiscard]] std::int64_t contact_unknown_count() const {
-    return is_uncondensed() ? region.map.size() : region.map.externals();
+    return is_uncondensed() ? region.map.size() : region.map.external_count();
   }
 };
 

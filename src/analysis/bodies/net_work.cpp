@@ -37,7 +37,7 @@ std::string substructure_name(const model::Model& model, const model::Mesh& mesh
 void add_factor_sizes(const fe::DofMap& map, const solve::FactorReport& report,
                       results::NetCost& work) {
   work.freedoms = map.size();
-  work.externals = map.externals();
+  work.externals = map.external_count();
   work.entries = counted(report.factor_entries);
   if (!work.reused) {
     work.flops = counted(report.flops);

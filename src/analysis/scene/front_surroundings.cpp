@@ -90,8 +90,9 @@ crack::ActingLoad acting_near(const model::Model& model, const model::Mesh& mesh
     }
   } else if (fills(load)) {
     const bool heats = load.type == model::LoadType::temperature;
-    for (const base::ElementId e : heats ? mesh.set_with_id(load.elements).elements
-                                         : fe::set_shares(model, mesh, load.elements).elements) {
+    for (const base::ElementId e :
+         heats ? mesh.set_with_id(load.elements).elements
+               : fe::find_set_coverage(model, mesh, load.elements).elements) {
       if (near.elements.contains(e)) {
         acting.elements.push_back(e);
       }

@@ -131,7 +131,7 @@ bool eliminate_ties(const model::Model& model, Discretisation& scene,
   if (!ties.empty()) {
     scene.notes.push_back(fmt::format("{} freedoms follow others by {} ties ({} redundant)",
                                       scene.ties->rows().size(), ties.size(),
-                                      scene.ties->redundant()));
+                                      scene.ties->redundant_tie_count()));
   }
   return good;
 }

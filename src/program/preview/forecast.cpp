@@ -27,7 +27,7 @@ constexpr std::size_t sample_size = 4000;
 constexpr double number = 8.0; // bytes
 
 double externals_of(const analysis::Substructure& net) {
-  return static_cast<double>(net.map.externals());
+  return static_cast<double>(net.map.external_count());
 }
 
 // What contact rows weigh of the unknowns of a net, without the weights.
@@ -117,9 +117,9 @@ const solve::FactorReport& CostForecast::report_of(const analysis::CondensationR
   base::SymmetricCsc pattern = fe::stiffness_pattern(request.mesh, net.elements, supers, net.map);
   const solve::FactorReport report =
       apart ? solve::Condensation::forecast(
-                  pattern, net.map.externals(), blocks,
+                  pattern, net.map.external_count(), blocks,
                   analysis::externals_can_stay_factorised(*body) ? &early_[*first_part] : nullptr)
-            : solve::Condensation::forecast(std::move(pattern), net.map.externals(),
+            : solve::Condensation::forecast(std::move(pattern), net.map.external_count(),
                                             solve::OrderingMethod::automatic,
                                             net.weighed.empty() ? nullptr : &rows);
   ++needs.condensed;

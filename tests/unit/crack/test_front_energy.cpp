@@ -104,8 +104,8 @@ private:
   [[nodiscard]] double element(const model::Mesh& mesh, base::ElementId e,
                                const base::Vector& u) const {
     const fe::AnyElement<3>& shape = shape::reference_element<3>(mesh.type[e.index()]);
-    const fe::AnyNodeVectors<3> X = fe::coordinates(shape, mesh, e);
-    const fe::AnyNodeVectors<3> U = fe::gather(shape, mesh, e, u);
+    const fe::AnyNodeVectors<3> X = fe::element_coordinates(shape, mesh, e);
+    const fe::AnyNodeVectors<3> U = fe::gather_element_values(shape, mesh, e, u);
     const fe::Elasticity<3> D =
         fe::elasticity<3>(tube_.model.materials[0], model::StressState::solid);
     const double beta = fe::thermal_modulus(fe::constitutive_law(tube_.model, mesh, e));

@@ -117,7 +117,7 @@ TYPED_TEST(CubicModes, AreContinuousAcrossEdges) {
   int shared = 0;
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
     const base::ElementId e(i);
-    const fe::NodeVectors<S> X = fe::coordinates<S>(mesh, e);
+    const fe::NodeVectors<S> X = fe::element_coordinates<S>(mesh, e);
     const auto nodes = mesh.element_nodes(e);
     SideModeFrames sides;
     for (int s = 0; s < Modes<S>::sides; ++s) {
@@ -166,7 +166,7 @@ TYPED_TEST(CubicModes, FollowACurvedSideInItsFrame) {
   spec.nr = 1;
   spec.nt = 8;
   mesh::generate_ring(mesh, base::NetId(std::size_t{0}), "", spec);
-  const fe::NodeVectors<S> X = fe::coordinates<S>(mesh, base::ElementId(std::size_t{0}));
+  const fe::NodeVectors<S> X = fe::element_coordinates<S>(mesh, base::ElementId(std::size_t{0}));
   for (int s = 0; s < Modes<S>::sides; ++s) {
     SideModeFrames sides;
     sides.framed[static_cast<std::size_t>(s)] = true;
@@ -203,7 +203,7 @@ TYPED_TEST(CubicModes, HaveTheSameStiffnessInTheFrameOfAStraightSide) {
   spec.type = S::type;
   spec.size = {1.3, 0.8, 1.0};
   mesh::generate_block(mesh, base::NetId(std::size_t{0}), "", spec);
-  const fe::NodeVectors<S> X = fe::coordinates<S>(mesh, base::ElementId(std::size_t{0}));
+  const fe::NodeVectors<S> X = fe::element_coordinates<S>(mesh, base::ElementId(std::size_t{0}));
   fe::ConstitutiveLaw law;
   law.lambda = 3.0;
   law.mu = 2.0;

@@ -97,7 +97,7 @@ private:
       at.push_back(nodal() + 3 * static_cast<Eigen::Index>(numbers.mode[m]));
       sign.push_back(numbers.sign[m]);
     }
-    const fe::AnyNodeVectors<3> X = fe::coordinates(element, model.mesh, e);
+    const fe::AnyNodeVectors<3> X = fe::element_coordinates(element, model.mesh, e);
     const fe::ConstitutiveLaw law = fe::constitutive_law(model, model.mesh, e);
     const int degree = type == ElementType::tet10 ? 5 : 7;
     for (const auto& point : shape::quadrature<3>(element.domain, degree)) {

@@ -121,7 +121,7 @@ void expect_solved(const System& system, const ConstraintTransformation& ties, R
   lu.setThreshold(1e-9);
   EXPECT_EQ(static_cast<Eigen::Index>(ties.rows().size()), lu.rank());
   EXPECT_EQ(ties.rows().size() + ties.fully_given_ties().size() +
-                static_cast<std::size_t>(ties.redundant()),
+                static_cast<std::size_t>(ties.redundant_tie_count()),
             system.ties.size());
   for (const ConstraintTransformation::DependentRow& row : ties.rows()) {
     for (const FreedomTerm& t : row.terms) {

@@ -53,7 +53,7 @@ TEST(number_freedoms, counts_locals_first_then_externals) {
   EXPECT_EQ(dofs.freedom, (std::vector<std::int32_t>{1, 3, 4, 7, 0, 6}));
   EXPECT_EQ(dofs.row, (std::vector<std::int32_t>{4, 0, -1, 1, 2, -1, 5, 3}));
   EXPECT_EQ(dofs.locals, 4);
-  EXPECT_EQ(dofs.externals(), 2);
+  EXPECT_EQ(dofs.external_count(), 2);
 }
 
 TEST(number_freedoms, leaves_out_nodes_not_given) {

@@ -155,7 +155,7 @@ TEST(Heat, TheRootOfTheDistanceFromATipIsSmooth) {
     }
     double sum = 0.0;
     const auto& element = shape::as_reference_element<shape::Trimc6>();
-    const auto X = fe::coordinates(element, mesh, e);
+    const auto X = fe::element_coordinates(element, mesh, e);
     const fe::ConstitutiveLaw law = fe::constitutive_law(plate.model, mesh, e);
     const auto T = fe::gather_corner_temperatures(element, mesh, e, heat.temperature);
     for (const fe::ResidualTemperaturePoint& p : heat.residual_points_in_element(e)) {

@@ -146,7 +146,7 @@ TEST_P(QuarterSolids, have_six_rigid_modes_and_no_other_zero) {
                      [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
                        for (const base::ElementId e : block) {
                          const Eigen::MatrixXd K =
-                             element_stiffness<S>(coordinates<S>(model.mesh, e), law);
+                             element_stiffness<S>(element_coordinates<S>(model.mesh, e), law);
                          const Eigen::VectorXd values =
                              Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K).eigenvalues();
                          const double largest = values[values.size() - 1];
