@@ -31,7 +31,7 @@ struct CrackGeometry {
   std::vector<std::size_t> fronts{};
 
   /// In space: the crack of the front that a tip is on.
-  [[nodiscard]] const model::CrackDefinition& crack_of(std::size_t tip) const {
+  [[nodiscard]] const model::CrackDefinition& solid_crack_at_tip(std::size_t tip) const {
     return solids[fronts[tip]];
   }
 };
@@ -67,7 +67,8 @@ public:
                                                    double share, double ds) const = 0;
   /// Turns an advance [tip] into the one that a front makes which takes the shape it tends to;
   /// false: there is no such front.
-  virtual bool smooth_front(const GrowthState& /*state*/, std::vector<double>& /*by*/) const {
+  virtual bool smooth_front_advances(const GrowthState& /*state*/,
+                                     std::vector<double>& /*by*/) const {
     return false;
   }
   /// What is left of `deferred_advance` [tip] when the last station's tips have advanced `by`

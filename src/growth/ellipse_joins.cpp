@@ -219,7 +219,7 @@ std::optional<EllipticalFront::Ellipses> EllipticalFront::joined(Ellipses from, 
   return from;
 }
 
-bool EllipticalFront::joins(std::size_t tip, const NeighbourCrack& other) const {
+bool EllipticalFront::coalesces_with(std::size_t tip, const NeighbourCrack& other) const {
   return joined(now_, now_.arms[tip].crack, other.crack).has_value();
 }
 

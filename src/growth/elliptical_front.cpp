@@ -161,7 +161,7 @@ CrackGeometry EllipticalFront::current_cracks() {
   return geometry_of(around_, trial_);
 }
 
-double EllipticalFront::behind(std::size_t tip) const {
+double EllipticalFront::crack_depth_behind_tip(std::size_t tip) const {
   const model::PlanarCrack& plane = now_.cracks[now_.arms[tip].crack].plane;
   return now_.arms[tip].on_a ? plane.a : plane.c;
 }
@@ -193,7 +193,7 @@ std::optional<LigamentDepths> EllipticalFront::ligament(std::size_t tip) const {
   if (!left) {
     return std::nullopt;
   }
-  return LigamentDepths{.behind = behind(tip), .left = left->distance};
+  return LigamentDepths{.behind = crack_depth_behind_tip(tip), .left = left->distance};
 }
 
 namespace {
@@ -226,7 +226,7 @@ std::vector<bool> places_reached(const model::CrackDefinition& crack, const Soli
 
 } // namespace
 
-std::optional<LigamentDepths> EllipticalFront::left_in_corner(std::size_t tip) const {
+std::optional<LigamentDepths> EllipticalFront::longest_ligament_in_corner(std::size_t tip) const {
   constexpr int places = 3600; // what is left may be small
   const std::size_t number = now_.arms[tip].crack;
   for (std::size_t other = 0; other < now_.arms.size(); ++other) {
@@ -236,7 +236,7 @@ std::optional<LigamentDepths> EllipticalFront::left_in_corner(std::size_t tip) c
   }
   const model::CrackDefinition& crack = now_.cracks[number];
   const std::vector<bool> reached = places_reached(crack, around_, places);
-  LigamentDepths longest{.behind = behind(tip), .left = 0.0};
+  LigamentDepths longest{.behind = crack_depth_behind_tip(tip), .left = 0.0};
   for (int k = 0; k < places; ++k) {
     const double phi = 2.0 * std::numbers::pi * k / places;
     const Vec3 x = crack.plane.ellipse_point(phi);
@@ -250,7 +250,8 @@ std::optional<LigamentDepths> EllipticalFront::left_in_corner(std::size_t tip) c
   return longest;
 }
 
-bool EllipticalFront::goes_on_behind(std::size_t tip, const LigamentDepths& before) const {
+bool EllipticalFront::continues_beyond_surface(std::size_t tip,
+                                               const LigamentDepths& before) const {
   const PartMovedByTip& arm = now_.arms[tip];
   model::CrackDefinition crack = now_.cracks[arm.crack];
   (arm.on_a ? crack.plane.a : crack.plane.c) =
@@ -316,7 +317,7 @@ std::optional<CrackGeometry> EllipticalFront::advance_cracks(const GrowthState& 
       axis += by;
     }
   }
-  if (advance.is(GrowthEventKind::coalescence)) {
+  if (advance.leads_through(GrowthEventKind::coalescence)) {
     const std::size_t other = advance.passage->crack;
     auto both = joined(trial_, trial_.arms[advance.passage->tip].crack, other);
     if (!both) {

@@ -150,8 +150,8 @@ FreeFrontShape::FreeFrontShape(const model::Model& model)
       }
     }
   }
-  kinks_.begin(tips_.size());
-  ligaments_.measure(now_, tips_.size());
+  kinks_.start_without_turns(tips_.size());
+  ligaments_.measure_ligaments(now_, tips_.size());
 }
 
 void FreeFrontShape::resume_from(const GrowthState& state) {
@@ -170,8 +170,8 @@ void FreeFrontShape::resume_from(const GrowthState& state) {
       now_.growing.push_back({c, std::move(tips[i]), std::move(arcs[i])});
     }
   }
-  kinks_.update(state);
-  ligaments_.measure(now_, tips_.size());
+  kinks_.take_turns_of_last_stations(state);
+  ligaments_.measure_ligaments(now_, tips_.size());
 }
 
 CrackGeometry FreeFrontShape::current_cracks() {
@@ -180,25 +180,27 @@ CrackGeometry FreeFrontShape::current_cracks() {
   return state_of(trial_, tips_.size());
 }
 
-double FreeFrontShape::behind(std::size_t tip) const {
-  const TipOnFront at = now_.place_of(tip);
+double FreeFrontShape::crack_depth_behind_tip(std::size_t tip) const {
+  const TipOnFront at = now_.find_tip_on_front(tip);
   return (at.tip_frame().x - now_.cracks[at.of.crack].plane.place).norm();
 }
 
 double FreeFrontShape::longest_advance(std::size_t tip) const {
-  return longest_part * behind(tip);
+  return longest_part * crack_depth_behind_tip(tip);
 }
 
-bool FreeFrontShape::goes_on_behind(std::size_t tip, const LigamentDepths& /*before*/) const {
-  const TipOnFront at = now_.place_of(tip);
+bool FreeFrontShape::continues_beyond_surface(std::size_t tip,
+                                              const LigamentDepths& /*before*/) const {
+  const TipOnFront at = now_.find_tip_on_front(tip);
   const double gap = passage_policy.left_out * surface_policy.passed;
-  const std::size_t fronts = ligaments_.staying(at.of, at.growing, gap, {}).size();
+  const std::size_t fronts =
+      ligaments_.find_remaining_point_runs(at.of, at.growing, gap, {}).size();
   return fronts == 1 ||
          (fronts > 1 && !can_kink()); // heights of a front history are those behind one
 }
 
 std::optional<FrontKinematics::NeighbourCrack> FreeFrontShape::neighbour(std::size_t tip) const {
-  const TipOnFront at = now_.place_of(tip);
+  const TipOnFront at = now_.find_tip_on_front(tip);
   const Vec3 x = at.tip_frame().x;
   std::optional<NeighbourCrack> nearest;
   for (const GrowingFront& other : now_.growing) {
@@ -212,7 +214,8 @@ std::optional<FrontKinematics::NeighbourCrack> FreeFrontShape::neighbour(std::si
   return nearest;
 }
 
-bool FreeFrontShape::smooth_front(const GrowthState& state, std::vector<double>& by) const {
+bool FreeFrontShape::smooth_front_advances(const GrowthState& state,
+                                           std::vector<double>& by) const {
   for (const GrowingFront& of : now_.growing) {
     const FrontGrowthRates front = rates_of(of, state, law_exponent(model_));
     double sum = 0.0;
@@ -267,7 +270,7 @@ std::optional<CrackGeometry> FreeFrontShape::advance_cracks(const GrowthState& /
       return std::nullopt;
     }
   }
-  if (advance.is(GrowthEventKind::coalescence) && !join(advance, drawing)) {
+  if (advance.leads_through(GrowthEventKind::coalescence) && !join(advance, drawing)) {
     const model::CrackDefinition& other = now_.cracks[advance.passage->crack];
     diagnostics.error(
         other.span, "E425",
@@ -301,8 +304,8 @@ void FreeFrontShape::evaluate_trial_tips(std::vector<TipStation>& found) const {
 
 void FreeFrontShape::accept_trial(GrowthState& state) {
   now_ = trial_;
-  kinks_.update(state);
-  ligaments_.measure(now_, tips_.size());
+  kinks_.take_turns_of_last_stations(state);
+  ligaments_.measure_ligaments(now_, tips_.size());
   for (const GrowingFront& of : now_.growing) {
     const std::vector<double> uncertain_fraction =
         rates_of(of, state, law_exponent(model_)).uncertain_fraction();
@@ -321,7 +324,7 @@ double FreeFrontShape::heading_mesh_scatter() const {
 
 AdvanceLimit FreeFrontShape::advance_limit(const GrowthState& state, std::size_t tip, double share,
                                            double ds) const {
-  const TipOnFront at = now_.place_of(tip);
+  const TipOnFront at = now_.find_tip_on_front(tip);
   const Vec3& normal = now_.cracks[at.of.crack].plane.normal;
   if (std::abs(kinks_.tip_growth_direction(at.tip_frame(), tip, 0.0).dot(normal)) >
       futility_policy.steepest) {
@@ -334,10 +337,10 @@ AdvanceLimit FreeFrontShape::advance_limit(const GrowthState& state, std::size_t
   return FrontKinematics::advance_limit(state, tip, share, ds);
 }
 
-std::optional<LigamentDepths> FreeFrontShape::left_in_corner(std::size_t tip) const {
-  const GrowingFront& of = now_.place_of(tip).of;
+std::optional<LigamentDepths> FreeFrontShape::longest_ligament_in_corner(std::size_t tip) const {
+  const GrowingFront& of = now_.find_tip_on_front(tip).of;
   if (of.arc.is_closed() || std::ranges::any_of(of.tips, [&](std::size_t other) {
-        return ligaments_.at_tip(other).has_value();
+        return ligaments_.ligament_before_tip(other).has_value();
       })) {
     return std::nullopt;
   }

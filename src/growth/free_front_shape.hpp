@@ -25,7 +25,7 @@ public:
 
   /// Takes the fronts and their history out of the state and finds their arcs in the body anew.
   void resume_from(const GrowthState& state) override;
-  [[nodiscard]] bool can_kink() const override { return kinks_.allowed(); }
+  [[nodiscard]] bool can_kink() const override { return kinks_.may_leave_plane(); }
   [[nodiscard]] double heading_mesh_scatter() const override;
   /// As of all fronts in space; it also ends a front that has turned too far out of its first
   /// plane.
@@ -34,7 +34,7 @@ public:
   [[nodiscard]] CrackGeometry current_cracks() override;
   /// Replaces the advances of each front by those of its smooth shape, with their mean kept. Fronts
   /// that do not grow, or without a bound, are left as they are. Always true.
-  bool smooth_front(const GrowthState& state, std::vector<double>& by) const override;
+  bool smooth_front_advances(const GrowthState& state, std::vector<double>& by) const override;
   /// Lets waves of the deferred advances along each front die away with its mean advance.
   void damp_deferred_advance(std::vector<double>& deferred_advance,
                              const std::vector<double>& by) const override;
@@ -51,13 +51,15 @@ public:
 
 private:
   [[nodiscard]] std::optional<LigamentDepths> ligament(std::size_t tip) const override {
-    return ligaments_.at_tip(tip);
+    return ligaments_.ligament_before_tip(tip);
   }
-  [[nodiscard]] std::optional<LigamentDepths> left_in_corner(std::size_t tip) const override;
-  [[nodiscard]] bool goes_on_behind(std::size_t tip, const LigamentDepths& before) const override;
+  [[nodiscard]] std::optional<LigamentDepths>
+  longest_ligament_in_corner(std::size_t tip) const override;
+  [[nodiscard]] bool continues_beyond_surface(std::size_t tip,
+                                              const LigamentDepths& before) const override;
   [[nodiscard]] std::optional<NeighbourCrack> neighbour(std::size_t tip) const override;
-  [[nodiscard]] bool joins(std::size_t tip, const NeighbourCrack& other) const override;
-  [[nodiscard]] double behind(std::size_t tip) const override;
+  [[nodiscard]] bool coalesces_with(std::size_t tip, const NeighbourCrack& other) const override;
+  [[nodiscard]] double crack_depth_behind_tip(std::size_t tip) const override;
   [[nodiscard]] double longest_advance(std::size_t tip) const override;
 
   /// The front of both where a tip meets another crack; empty: there is none.

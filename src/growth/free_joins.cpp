@@ -26,7 +26,7 @@ CoalescingFront coalescing_front(const GrowingFront& of, const GrowingFront& oth
 
 std::optional<CoalescedFront> FreeFrontShape::joined(std::size_t tip, const NeighbourCrack& other,
                                                      const AdvanceToNextStation& advance) const {
-  const GrowingFront& one = now_.place_of(tip).of;
+  const GrowingFront& one = now_.find_tip_on_front(tip).of;
   const auto two = std::ranges::find(now_.growing, other.crack, &GrowingFront::crack);
   const model::CrackDefinition& crack = now_.cracks[one.crack];
   const auto fronts_of = [&](std::size_t number) {
@@ -36,7 +36,8 @@ std::optional<CoalescedFront> FreeFrontShape::joined(std::size_t tip, const Neig
       !may_join(crack, now_.cracks[other.crack])) {
     return std::nullopt;
   }
-  const double reach = advance.lengthening * (other.gap + passage_policy.notch * behind(tip));
+  const double reach =
+      advance.lengthening * (other.gap + passage_policy.notch * crack_depth_behind_tip(tip));
   CoalescingFront here = coalescing_front(one, *two, reach, advance.by);
   CoalescingFront there = coalescing_front(*two, one, reach, advance.by);
   if (crack.plane.normal.dot(now_.cracks[other.crack].plane.normal) < 0.0) {
@@ -45,7 +46,7 @@ std::optional<CoalescedFront> FreeFrontShape::joined(std::size_t tip, const Neig
   return coalesce_fronts(here, there);
 }
 
-bool FreeFrontShape::joins(std::size_t tip, const NeighbourCrack& other) const {
+bool FreeFrontShape::coalesces_with(std::size_t tip, const NeighbourCrack& other) const {
   return joined(tip, other, {.by = {}}).has_value();
 }
 
@@ -59,13 +60,13 @@ bool FreeFrontShape::join(const AdvanceToNextStation& advance, FrontDrawing& dra
   if (!both) {
     return false;
   }
-  const TipOnFront at = now_.place_of(advance.passage->tip);
+  const TipOnFront at = now_.find_tip_on_front(advance.passage->tip);
   const auto one = std::ranges::find(trial_.growing, at.of.crack, &GrowingFront::crack);
   // Within both, where they met: what lies between counts as cracked.
   const mesh::FrontFrame tip = at.tip_frame();
   trial_.cracks[one->crack].plane.place = tip.x + 0.5 * other->gap * tip.m;
   one->tips = both->tips;
-  if (!drawing.draw({both->points, both->closed}, *one)) {
+  if (!drawing.draw_front({both->points, both->closed}, *one)) {
     return false;
   }
   mark_merged(trial_.cracks[other->crack]);

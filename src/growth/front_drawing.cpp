@@ -48,12 +48,13 @@ std::vector<std::vector<std::size_t>> shared_out(const std::vector<std::size_t>&
 std::vector<FrontDrawing::NextFront>
 FrontDrawing::next_fronts(std::size_t growing, const AdvanceToNextStation& advance) const {
   const GrowingFront& of = from_.growing[growing];
-  const bool through = advance.is(GrowthEventKind::breakthrough);
+  const bool through = advance.leads_through(GrowthEventKind::breakthrough);
   const double gap =
       through ? passage_policy.left_out * surface_policy.passed * advance.lengthening : -1.0;
-  const std::vector<FrontPointRun> runs =
-      ligaments_.staying(of, growing, gap, through ? advance.by : std::vector<double>());
-  if ((kinks_.allowed() && runs.size() > 1) || runs.size() * fewest_front_points > of.tips.size()) {
+  const std::vector<FrontPointRun> runs = ligaments_.find_remaining_point_runs(
+      of, growing, gap, through ? advance.by : std::vector<double>());
+  if ((kinks_.may_leave_plane() && runs.size() > 1) ||
+      runs.size() * fewest_front_points > of.tips.size()) {
     return {}; // heights of a front history are those behind one; and all have points
   }
   std::vector<std::size_t> tips = of.tips;
@@ -79,13 +80,13 @@ FrontDrawing::next_fronts(std::size_t growing, const AdvanceToNextStation& advan
   return fronts;
 }
 
-bool FrontDrawing::draw(const NextFrontPoints& next, GrowingFront& of) {
+bool FrontDrawing::draw_front(const NextFrontPoints& next, GrowingFront& of) {
   model::CrackDefinition& crack = to_.cracks[of.crack];
   std::optional<model::CrackDefinition> drawn;
   if (next.points.size() >= fewest_front_points) {
     drawn = make_crack_through_points(crack, next.points, next.closed, around_);
   }
-  if (drawn && kinks_.allowed()) {
+  if (drawn && kinks_.may_leave_plane()) {
     // Behind what its front has left since the last station that counts.
     const model::CrackDefinition& before = from_.cracks[of.crack];
     drawn->front_history = extend_front_history(
@@ -108,7 +109,7 @@ bool FrontDrawing::draw_successors(std::size_t growing, const AdvanceToNextStati
   const std::vector<NextFront> fronts = next_fronts(growing, advance);
   for (const NextFront& front : fronts) {
     GrowingFront of{before.crack, front.tips, before.arc};
-    if (!draw(front.next, of)) {
+    if (!draw_front(front.next, of)) {
       return false;
     }
     if (!advance.passage && front.next.points.size() == of.tips.size()) {
@@ -183,7 +184,7 @@ void FrontDrawing::go_round(const GrowingFront& from, const std::vector<double>&
       }
       next.points.emplace_back(behind.x + missed * behind.m);
     }
-    if (!draw(next, of)) {
+    if (!draw_front(next, of)) {
       return;
     }
   }

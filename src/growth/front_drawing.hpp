@@ -31,7 +31,7 @@ public:
   /// that is not outside.
   bool draw_crack_fronts_as_one(std::size_t crack);
   /// One front; false: it would be none, or several.
-  bool draw(const NextFrontPoints& next, GrowingFront& of);
+  bool draw_front(const NextFrontPoints& next, GrowingFront& of);
 
 private:
   /// A front that goes on, and the tips that it has.

@@ -38,11 +38,11 @@ AdvanceLimit FrontKinematics::advance_limit(const GrowthState& state, std::size_
     limit_advance_by_obstacle(
         front_policy,
         {.distance = other->gap,
-         .part = other->gap / behind(tip),
+         .part = other->gap / crack_depth_behind_tip(tip),
          .reason = fmt::format("{} meets crack {}: {:.3g} is left between them", tips_[tip].name,
                                model_.cracks[other->crack].name, other->gap),
          .crack = other->crack,
-         .goes_on = [&] { return joins(tip, *other); }},
+         .goes_on = [&] { return coalesces_with(tip, *other); }},
         share, must_break_through_early_, limit);
   }
   const std::optional<LigamentDepths> before = ligament(tip);
@@ -54,7 +54,7 @@ AdvanceLimit FrontKinematics::advance_limit(const GrowthState& state, std::size_
          .reason = fmt::format("{} reaches the surface: {:.3g} is left of the ligament, "
                                "in which K grows without bound",
                                tips_[tip].name, before->left),
-         .goes_on = [&] { return goes_on_behind(tip, *before); }},
+         .goes_on = [&] { return continues_beyond_surface(tip, *before); }},
         share, must_break_through_early_, limit);
   }
   return limit;
@@ -116,19 +116,20 @@ std::optional<GrowthEvent> FrontKinematics::handle_unmeshable_advance(bool passa
   bool meets = false;
   for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
     std::optional<LigamentDepths> before = ligament(tip);
-    before = before ? before : left_in_corner(tip);
+    before = before ? before : longest_ligament_in_corner(tip);
     if (before &&
         (!least || before->ligament_to_depth_ratio() < least->ligament_to_depth_ratio())) {
       least = before;
       at = tip;
     }
     const std::optional<NeighbourCrack> other = may_pass_early ? neighbour(tip) : std::nullopt;
-    meets = meets ||
-            (other && other->gap < front_policy.passed_early * behind(tip) && joins(tip, *other));
+    meets =
+        meets || (other && other->gap < front_policy.passed_early * crack_depth_behind_tip(tip) &&
+                  coalesces_with(tip, *other));
   }
   if (may_pass_early &&
       (meets || (least && least->ligament_to_depth_ratio() < surface_policy.passed_early &&
-                 goes_on_behind(at, *least)))) {
+                 continues_beyond_surface(at, *least)))) {
     must_break_through_early_ = true;
     return std::nullopt;
   }

@@ -56,16 +56,17 @@ protected:
   [[nodiscard]] virtual std::optional<LigamentDepths> ligament(std::size_t tip) const = 0;
   /// The longest way to any surface from places of a tip's front that has gone round a corner of
   /// the body, so that none of its tips has one ahead. Empty: it has not.
-  [[nodiscard]] virtual std::optional<LigamentDepths> left_in_corner(std::size_t tip) const = 0;
+  [[nodiscard]] virtual std::optional<LigamentDepths>
+  longest_ligament_in_corner(std::size_t tip) const = 0;
   /// Whether something of the front is left in the body once a tip has gone through the surface.
-  [[nodiscard]] virtual bool goes_on_behind(std::size_t tip,
-                                            const LigamentDepths& before) const = 0;
+  [[nodiscard]] virtual bool continues_beyond_surface(std::size_t tip,
+                                                      const LigamentDepths& before) const = 0;
   /// Empty: there is no other crack.
   [[nodiscard]] virtual std::optional<NeighbourCrack> neighbour(std::size_t tip) const = 0;
   /// Whether the two go on as one crack where a tip meets another one.
-  [[nodiscard]] virtual bool joins(std::size_t tip, const NeighbourCrack& other) const = 0;
+  [[nodiscard]] virtual bool coalesces_with(std::size_t tip, const NeighbourCrack& other) const = 0;
   /// From the crack's place to a tip [length].
-  [[nodiscard]] virtual double behind(std::size_t tip) const = 0;
+  [[nodiscard]] virtual double crack_depth_behind_tip(std::size_t tip) const = 0;
   /// The longest advance of a tip [length].
   [[nodiscard]] virtual double longest_advance(std::size_t tip) const = 0;
 

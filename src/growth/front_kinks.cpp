@@ -10,18 +10,18 @@ namespace spricka::growth {
 
 using base::Vec3;
 
-bool FrontKinks::allowed() const {
+bool FrontKinks::may_leave_plane() const {
   return model_.growth->direction != model::GrowthDirection::path;
 }
 
-void FrontKinks::begin(std::size_t tips) {
+void FrontKinks::start_without_turns(std::size_t tips) {
   turning_.assign(tips, {});
   part_.assign(tips, 0.0);
 }
 
-void FrontKinks::update(const GrowthState& state) {
+void FrontKinks::take_turns_of_last_stations(const GrowthState& state) {
   const std::size_t count = state.stations.size();
-  for (std::size_t tip = 0; allowed() && count > 0 && tip < turning_.size(); ++tip) {
+  for (std::size_t tip = 0; may_leave_plane() && count > 0 && tip < turning_.size(); ++tip) {
     const TipStation& here = state.stations.back().tips[tip];
     turning_[tip] = {.heading = here.heading, .turn = here.turn, .curvature = 0.0};
     // Over two advances, as headings scatter from mesh to mesh; the kink at the first front is no
@@ -38,7 +38,7 @@ void FrontKinks::reset_trial() {
 }
 
 void FrontKinks::set_trial_advances(const std::vector<double>& by) {
-  for (std::size_t tip = 0; allowed() && tip < turning_.size(); ++tip) {
+  for (std::size_t tip = 0; may_leave_plane() && tip < turning_.size(); ++tip) {
     part_[tip] = turning_[tip].heading - turning_[tip].turn + turn_on(tip, by[tip]);
   }
 }
@@ -50,7 +50,7 @@ double FrontKinks::turn_on(std::size_t tip, double by) const {
 
 Vec3 FrontKinks::tip_growth_direction(const mesh::FrontFrame& at, std::size_t tip,
                                       double by) const {
-  if (!allowed()) {
+  if (!may_leave_plane()) {
     return at.m;
   }
   const double angle = turn_on(tip, by);
@@ -59,7 +59,7 @@ Vec3 FrontKinks::tip_growth_direction(const mesh::FrontFrame& at, std::size_t ti
 
 // Turns without the scatter from mesh to mesh, as rates are.
 void FrontKinks::add_smoothed_turns(const GrowingFront& of, std::vector<TipStation>& found) const {
-  if (!allowed()) {
+  if (!may_leave_plane()) {
     return;
   }
   std::vector<double> turn;

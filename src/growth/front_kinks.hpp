@@ -16,11 +16,11 @@ public:
   explicit FrontKinks(const model::Model& model) : model_(model) {}
 
   /// Whether fronts may leave their planes.
-  [[nodiscard]] bool allowed() const;
+  [[nodiscard]] bool may_leave_plane() const;
   /// For so many tips, none of which has turned.
-  void begin(std::size_t tips);
+  void start_without_turns(std::size_t tips);
   /// Takes turns and curvatures out of the last stations.
-  void update(const GrowthState& state);
+  void take_turns_of_last_stations(const GrowthState& state);
   /// The cracks on trial are those of the last station, or have advanced from there by so much
   /// [tip] [length].
   void reset_trial();

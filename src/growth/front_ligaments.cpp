@@ -48,7 +48,7 @@ std::vector<std::vector<std::size_t>> staying_runs(const std::vector<bool>& stay
 
 } // namespace
 
-void FrontLigaments::measure(const MovingFronts& fronts, std::size_t tips) {
+void FrontLigaments::measure_ligaments(const MovingFronts& fronts, std::size_t tips) {
   at_tip_.assign(tips, {});
   between_.clear();
   for (const GrowingFront& of : fronts.growing) {
@@ -113,9 +113,9 @@ double FrontLigaments::reach_back(const model::CrackDefinition& crack, const Gro
   return met ? std::min(whole.norm(), back->distance) : whole.norm();
 }
 
-std::vector<FrontPointRun> FrontLigaments::staying(const GrowingFront& of, std::size_t number,
-                                                   double gap,
-                                                   const std::vector<double>& by) const {
+std::vector<FrontPointRun>
+FrontLigaments::find_remaining_point_runs(const GrowingFront& of, std::size_t number, double gap,
+                                          const std::vector<double>& by) const {
   const auto stays = [&](const std::optional<LigamentDepths>& before, double at) {
     return !before || (before->ligament_to_depth_ratio() > gap &&
                        (by.empty() || before->left > of.advance_between(at, by)));

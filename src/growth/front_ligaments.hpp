@@ -22,17 +22,18 @@ public:
 
   /// Looks ahead from each of so many tips; of a front that comes to a surface from places between
   /// them, too.
-  void measure(const MovingFronts& fronts, std::size_t tips);
+  void measure_ligaments(const MovingFronts& fronts, std::size_t tips);
   /// Before a tip; empty: no surface is ahead.
-  [[nodiscard]] const std::optional<LigamentDepths>& at_tip(std::size_t tip) const {
+  [[nodiscard]] const std::optional<LigamentDepths>& ligament_before_tip(std::size_t tip) const {
     return at_tip_[tip];
   }
   /// The runs of points of the front of this number, four at least, before which more than the part
   /// `gap` of their way to a surface is left, and more than they advance `by` [tip] (empty: not
   /// asked). Where few points stay, as of a wide crack, places between them, by what is left
   /// against the crack's depth.
-  [[nodiscard]] std::vector<FrontPointRun> staying(const GrowingFront& of, std::size_t number,
-                                                   double gap, const std::vector<double>& by) const;
+  [[nodiscard]] std::vector<FrontPointRun>
+  find_remaining_point_runs(const GrowingFront& of, std::size_t number, double gap,
+                            const std::vector<double>& by) const;
 
 private:
   using Ligaments = std::vector<std::optional<LigamentDepths>>;

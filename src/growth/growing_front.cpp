@@ -25,7 +25,7 @@ FrontKind GrowingFront::kind() const {
                                   : FrontKind::round;
 }
 
-TipOnFront MovingFronts::place_of(std::size_t tip) const {
+TipOnFront MovingFronts::find_tip_on_front(std::size_t tip) const {
   for (std::size_t g = 0; g < growing.size(); ++g) {
     const GrowingFront& of = growing[g];
     const auto at = std::ranges::find(of.tips, tip);

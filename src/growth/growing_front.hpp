@@ -44,7 +44,7 @@ struct MovingFronts {
   std::vector<model::CrackDefinition> cracks;
   std::vector<GrowingFront> growing;
 
-  [[nodiscard]] TipOnFront place_of(std::size_t tip) const;
+  [[nodiscard]] TipOnFront find_tip_on_front(std::size_t tip) const;
 };
 
 } // namespace spricka::growth

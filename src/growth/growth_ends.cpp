@@ -23,7 +23,8 @@ bool closed(const SolvedStation& station) {
 
 } // namespace
 
-GrowthEvent GrowthEndCriteria::at_last(GrowthEventKind kind, std::string reason) const {
+GrowthEvent GrowthEndCriteria::event_at_last_station(GrowthEventKind kind,
+                                                     std::string reason) const {
   return {.kind = kind, .reason = std::move(reason), .s = stations.back().s};
 }
 
@@ -64,15 +65,16 @@ std::optional<GrowthEvent> GrowthEndCriteria::find_crossing(const GrowthTrajecto
 std::optional<GrowthEvent>
 GrowthEndCriteria::find_growth_end(const GrowthTrajectory& between) const {
   if (stations.size() == 1) {
-    return at_start();
+    return find_end_at_first_station();
   }
   const model::CrackGrowthSettings& rules = *model.growth;
   const SolvedStation& here = stations.back();
   std::optional<GrowthEvent> end = find_crossing(between, stations[stations.size() - 2].s, here.s);
   for (std::size_t tip = 0; tip < tips.size() && rules.last_length && !end; ++tip) {
     if (here.tips[tip].a >= *rules.last_length * (1.0 - 1e-12)) {
-      end = at_last(GrowthEventKind::last_length, fmt::format("{} has its last length, {:.6g}",
-                                                              tips[tip].name, *rules.last_length));
+      end = event_at_last_station(
+          GrowthEventKind::last_length,
+          fmt::format("{} has its last length, {:.6g}", tips[tip].name, *rules.last_length));
     }
   }
   const double s_first = stations.front().s;
@@ -83,35 +85,38 @@ GrowthEndCriteria::find_growth_end(const GrowthTrajectory& between) const {
                         .s = *s};
     }
   }
-  return end ? end : of_futility();
+  return end ? end : find_futile_growth();
 }
 
 // The last tip of several is told.
-std::optional<GrowthEvent> GrowthEndCriteria::at_start() const {
+std::optional<GrowthEvent> GrowthEndCriteria::find_end_at_first_station() const {
   const model::CrackGrowthSettings& rules = *model.growth;
   const SolvedStation& here = stations.back();
   std::optional<GrowthEvent> end;
   for (std::size_t tip = 0; tip < tips.size(); ++tip) {
     if (rules.constants.k_c && here.tips[tip].K_max >= *rules.constants.k_c) {
-      end = at_last(GrowthEventKind::fracture,
-                    fmt::format("K of {} is KC or more from the start", tips[tip].name));
+      end = event_at_last_station(
+          GrowthEventKind::fracture,
+          fmt::format("K of {} is KC or more from the start", tips[tip].name));
     } else if (rules.flow_stress && here.tips[tip].plastic >= 1.0) {
-      end = at_last(GrowthEventKind::net_section,
-                    fmt::format("the ligament ahead of {} is at its plastic limit from the start",
-                                tips[tip].name));
+      end = event_at_last_station(
+          GrowthEventKind::net_section,
+          fmt::format("the ligament ahead of {} is at its plastic limit from the start",
+                      tips[tip].name));
     }
   }
   if (!end && !(here.growth_rate() > 0.0)) {
     const bool shut = closed(here);
-    end = at_last(shut ? GrowthEventKind::closed : GrowthEventKind::threshold,
-                  shut ? "no crack grows: none opens at the largest load, K1 is not above 0"
-                       : "no crack grows: delta K is not above the threshold");
+    end = event_at_last_station(
+        shut ? GrowthEventKind::closed : GrowthEventKind::threshold,
+        shut ? "no crack grows: none opens at the largest load, K1 is not above 0"
+             : "no crack grows: delta K is not above the threshold");
   }
   return end;
 }
 
 // All that a tip has turned by since the first station [rad], left positive.
-double GrowthEndCriteria::turned(std::size_t tip) const {
+double GrowthEndCriteria::total_turn_angle(std::size_t tip) const {
   double sum = 0.0;
   for (std::size_t i = 1; i < stations.size(); ++i) {
     sum += std::remainder(stations[i].tips[tip].heading - stations[i - 1].tips[tip].heading,
@@ -131,26 +136,27 @@ std::size_t GrowthEndCriteria::most_stations() const {
 }
 
 // Growth that goes on and leads nowhere.
-std::optional<GrowthEvent> GrowthEndCriteria::of_futility() const {
+std::optional<GrowthEvent> GrowthEndCriteria::find_futile_growth() const {
   double fastest = 0.0;
   for (const SolvedStation& station : stations) {
     fastest = std::max(fastest, station.growth_rate());
   }
   const double rate = stations.back().growth_rate();
   if (std::isfinite(fastest) && rate < futility_policy.rest * fastest) {
-    return at_last(
+    return event_at_last_station(
         GrowthEventKind::arrest,
         fmt::format("the growth has come to rest: it is {:.1e} of the fastest", rate / fastest));
   }
   for (std::size_t tip = 0; tip < tips.size(); ++tip) {
-    if (std::abs(turned(tip)) > 2.0 * std::numbers::pi) {
-      return at_last(GrowthEventKind::curl,
-                     fmt::format("{} has turned by a full circle", tips[tip].name));
+    if (std::abs(total_turn_angle(tip)) > 2.0 * std::numbers::pi) {
+      return event_at_last_station(GrowthEventKind::curl,
+                                   fmt::format("{} has turned by a full circle", tips[tip].name));
     }
   }
   if (stations.size() >= most_stations()) {
-    return at_last(GrowthEventKind::endless,
-                   fmt::format("the growth has not ended after {} stations", stations.size()));
+    return event_at_last_station(
+        GrowthEventKind::endless,
+        fmt::format("the growth has not ended after {} stations", stations.size()));
   }
   return std::nullopt;
 }

@@ -25,10 +25,10 @@ struct GrowthEndCriteria {
   [[nodiscard]] std::optional<GrowthEvent> find_growth_end(const GrowthTrajectory& between) const;
 
 private:
-  [[nodiscard]] std::optional<GrowthEvent> at_start() const;
-  [[nodiscard]] std::optional<GrowthEvent> of_futility() const;
-  [[nodiscard]] GrowthEvent at_last(GrowthEventKind kind, std::string reason) const;
-  [[nodiscard]] double turned(std::size_t tip) const;
+  [[nodiscard]] std::optional<GrowthEvent> find_end_at_first_station() const;
+  [[nodiscard]] std::optional<GrowthEvent> find_futile_growth() const;
+  [[nodiscard]] GrowthEvent event_at_last_station(GrowthEventKind kind, std::string reason) const;
+  [[nodiscard]] double total_turn_angle(std::size_t tip) const;
   [[nodiscard]] std::size_t most_stations() const;
 };
 

@@ -170,7 +170,9 @@ struct AdvanceToNextStation {
   std::optional<GrowthEvent> passage{}; ///< that it leads through
   double lengthening = 1.0;             ///< how much farther than needed a passage leads
 
-  [[nodiscard]] bool is(GrowthEventKind kind) const { return passage && passage->kind == kind; }
+  [[nodiscard]] bool leads_through(GrowthEventKind kind) const {
+    return passage && passage->kind == kind;
+  }
 };
 
 } // namespace spricka::growth

@@ -105,7 +105,7 @@ bool GrowthIntegrator::plan() {
     const double all = std::clamp(by + deferred_advance, 0.5 * by, 2.0 * by);
     advance_.push_back(to_the_end ? left : std::min(all, left));
   }
-  if (!passage_ && kinematics_->smooth_front(state_, advance_)) {
+  if (!passage_ && kinematics_->smooth_front_advances(state_, advance_)) {
     stop_at_last_length(to_last_length);
   }
   return true;
@@ -192,7 +192,7 @@ bool GrowthIntegrator::accept_or_reject_station(std::vector<TipStation> found) {
   state_.stations.push_back(std::move(station));
   // First, as the judgement counts what the advance is found to have missed.
   defer_advance_correction(*kinematics_, advance_, state_.stations);
-  if (!good_enough()) {
+  if (!judge_last_advance()) {
     state_.stations.pop_back();
     ++state_.rejected;
     return false;

@@ -35,7 +35,7 @@ public:
 
   [[nodiscard]] const std::vector<TrackedTip>& tips() const { return kinematics_->tips(); }
   [[nodiscard]] const GrowthState& growth_state() const { return state_; }
-  [[nodiscard]] const std::optional<GrowthEvent>& end() const { return end_; }
+  [[nodiscard]] const std::optional<GrowthEvent>& growth_end() const { return end_; }
   /// Functions between the stations; a view of this object.
   [[nodiscard]] GrowthTrajectory trajectory() const { return {state_.stations, law_, 4}; }
   /// Estimated error of the cycles, as a part of them.
@@ -49,7 +49,7 @@ private:
   bool plan();
   void stop_at_last_length(bool planned);
   std::optional<double> next_advance(const std::vector<double>& share);
-  [[nodiscard]] bool good_enough();
+  [[nodiscard]] bool judge_last_advance();
   [[nodiscard]] GrowthEndCriteria ends() const { return {model_, tips(), state_.stations}; }
   void end_at_station(GrowthEvent end);
 

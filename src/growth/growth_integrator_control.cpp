@@ -34,7 +34,7 @@ constexpr double first_look = 0.11;
 } // namespace
 
 // Judges the last advance and sets the next step.
-bool GrowthIntegrator::good_enough() {
+bool GrowthIntegrator::judge_last_advance() {
   const std::size_t n = state_.stations.size();
   if (n < 2) {
     return true;

@@ -68,14 +68,14 @@ public:
     }
     mark_.emplace(run_.log);
     tell_progress("read");
-    while (!integrator.end()) {
+    while (!integrator.growth_end()) {
       if (is_time_up(options_.checkpoint, trouble_)) {
         return false;
       }
       // Mistakes of a state that is tried count only if it is the first.
       trial_ = {};
       const std::optional<growth::CrackGeometry> next = next_state(integrator, region);
-      if (integrator.end()) {
+      if (integrator.growth_end()) {
         break;
       }
       if (!(next && station(*next, region, integrator))) {
@@ -85,7 +85,7 @@ public:
           trouble_ = trial_trouble_;
           return false;
         }
-        if (integrator.end()) {
+        if (integrator.growth_end()) {
           break;
         }
         const std::string why = why_not_solved();
@@ -141,7 +141,7 @@ private:
                                                   RecondensedGrowthRegion& region) {
     const ScopedProfileInterval span(options_.recorder, "GROW", "where to solve next");
     std::optional<growth::CrackGeometry> next = integrator.propose_next_cracks(trial_);
-    if (next && next->solids.empty() && !integrator.end()) { // bodies of solids stay whole
+    if (next && next->solids.empty() && !integrator.growth_end()) { // bodies of solids stay whole
       region.update_region(next->lines, integrator, run_.log);
     }
     return next;

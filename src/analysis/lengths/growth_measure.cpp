@@ -47,7 +47,7 @@ GrowingPlace growing_place(const growth::CrackGeometry& cracks,
   if (cracks.solids.empty()) {
     to.straight = cracks.lines[growing[i].line].symmetric_half;
   } else { // the crack that its own has become a part of
-    to.front = cracks.crack_of(i).name;
+    to.front = cracks.solid_crack_at_tip(i).name;
     to.aim = cracks.aims[i];
   }
   return to;

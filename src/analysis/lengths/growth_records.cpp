@@ -70,7 +70,7 @@ std::vector<results::LifeCurvePoint> life_curve(const growth::GrowthIntegrator& 
   constexpr int points = 16; // between two stations
   const std::vector<growth::SolvedStation>& stations = integrator.growth_state().stations;
   const growth::GrowthTrajectory between = integrator.trajectory();
-  const double end = integrator.end() ? integrator.end()->s : stations.back().s;
+  const double end = integrator.growth_end() ? integrator.growth_end()->s : stations.back().s;
   std::vector<results::LifeCurvePoint> curve;
   curve.push_back(point_at(between, stations.front().s, 0.0, tips));
   for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
@@ -130,9 +130,9 @@ results::GrowthResult growth_records(const model::Model& model,
     }
     out.stations.push_back(std::move(station));
   }
-  if (integrator.end()) {
-    out.ended = integrator.end()->word();
-    out.reason = integrator.end()->reason;
+  if (integrator.growth_end()) {
+    out.ended = integrator.growth_end()->word();
+    out.reason = integrator.growth_end()->reason;
   }
   out.error = integrator.cycle_error();
   return out;
@@ -148,7 +148,7 @@ void set_front_sizes_from_first_tips(const model::Model& model, const growth::Cr
   // Backwards, so that the first tip of a front is the one that stays.
   for (std::size_t t = tips.size(); t-- > 0;) {
     const double a = base::restore_short_decimal(here.tips[t].a);
-    const std::string& crack = cracks.crack_of(t).name;
+    const std::string& crack = cracks.solid_crack_at_tip(t).name;
     results::for_each_front(increment, [&](results::FrontResult& front) {
       if (front.name == crack || front.name.starts_with(crack + ".")) {
         front.a = a;

@@ -69,7 +69,7 @@ std::optional<results::ScaledKLife> life(const std::string& name,
                                          const growth::GrowthIntegrator& integrator,
                                          const growth::GrowthTrajectory& other) {
   const std::vector<growth::SolvedStation>& stations = integrator.growth_state().stations;
-  const double end = integrator.end() ? integrator.end()->s : stations.back().s;
+  const double end = integrator.growth_end() ? integrator.growth_end()->s : stations.back().s;
   const growth::GrowthTrajectory between = integrator.trajectory();
   results::ScaledKLife out;
   out.name = name;

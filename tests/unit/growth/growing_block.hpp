@@ -81,11 +81,11 @@ using KAt = std::function<double(const growth::CrackGeometry& cracks, const Vec3
 
 inline void run(growth::GrowthIntegrator& march, const KAt& K_at,
                 const growth::GrowthRateFunction& law = paris) {
-  for (int k = 0; k < 300 && !march.end(); ++k) {
+  for (int k = 0; k < 300 && !march.growth_end(); ++k) {
     base::Diagnostics diagnostics;
     const auto cracks = march.propose_next_cracks(diagnostics);
     if (!cracks) {
-      if (!march.end()) {
+      if (!march.growth_end()) {
         march.shorten_step("no front");
       }
       continue;
@@ -101,7 +101,7 @@ inline void run(growth::GrowthIntegrator& march, const KAt& K_at,
     }
     march.accept_or_reject_station(std::move(found));
   }
-  ASSERT_TRUE(march.end()) << "no end after 300 stations";
+  ASSERT_TRUE(march.growth_end()) << "no end after 300 stations";
 }
 
 } // namespace spricka::test

@@ -43,7 +43,7 @@ Grown grow(Block& block) {
   for (const growth::SolvedStation& station : march.growth_state().stations) {
     out.met += station.met > 0 ? 1 : 0;
   }
-  out.end = march.end()->word();
+  out.end = march.growth_end()->word();
   out.state = march.growth_state();
   return out;
 }

@@ -81,7 +81,7 @@ void grows_as(const HashStateDeleter& truth) {
         return exact.K_at(x);
       },
       law);
-  ASSERT_EQ(march.end()->word(), "AMAX");
+  ASSERT_EQ(march.growth_end()->word(), "AMAX");
   double a = 0.0;
   double c = 0.0;
   for (const Vec3& x : aims) {
@@ -89,7 +89,7 @@ void grows_as(const HashStateDeleter& truth) {
     c = std::max(c, std::abs(x.x()));
   }
   const double cycles =
-      march.trajectory().cycles(march.growth_state().stations.front().s, march.end()->s);
+      march.trajectory().cycles(march.growth_state().stations.front().s, march.growth_end()->s);
   EXPECT_NEAR(cycles / truth.cycles, 1.0, truth.of_cycles);
   EXPECT_NEAR(a / c / truth.shape, 1.0, truth.of_shape);
   EXPECT_LT(std::abs(cycles / truth.cycles - 1.0), march.cycle_error());

@@ -44,8 +44,8 @@ template <class Ways> Grown grown(Block block, double last_length) {
     out.last = cracks;
     return 1.0;
   });
-  out.end = march.end()->word();
-  out.reason = march.end()->reason;
+  out.end = march.growth_end()->word();
+  out.reason = march.growth_end()->reason;
   return out;
 }
 

@@ -81,7 +81,7 @@ using Measure =
 
 void run(growth::GrowthIntegrator& march, const Measure& measure) {
   base::Diagnostics diagnostics;
-  for (int k = 0; k < 200 && !march.end(); ++k) {
+  for (int k = 0; k < 200 && !march.growth_end(); ++k) {
     const auto lines = march.propose_next_cracks(diagnostics);
     if (!lines) {
       break;
@@ -91,7 +91,7 @@ void run(growth::GrowthIntegrator& march, const Measure& measure) {
     march.accept_or_reject_station(std::move(found));
   }
   EXPECT_FALSE(diagnostics.has_errors());
-  ASSERT_TRUE(march.end()) << "no end after 200 stations";
+  ASSERT_TRUE(march.growth_end()) << "no end after 200 stations";
 }
 
 double tip_x(const mesh::CrackLine& line) {
@@ -99,7 +99,7 @@ double tip_x(const mesh::CrackLine& line) {
 }
 
 double cycles_of(const growth::GrowthIntegrator& march) {
-  return march.trajectory().cycles(march.growth_state().stations.front().s, march.end()->s);
+  return march.trajectory().cycles(march.growth_state().stations.front().s, march.growth_end()->s);
 }
 
 // Benchmark G01: da/dN = 1e-11 dK^3, dS = 100, beta = 1.12, a from 1 to 10.
@@ -115,7 +115,7 @@ TEST(GrowthIntegrator, LifeOfTheBenchmark) {
     tips[0].K_max = 112.0 * std::sqrt(pi * tip_x(lines[0]));
     tips[0].rate = paris(tips[0].K_max, 0.0);
   });
-  EXPECT_EQ(march.end()->word(), "AMAX");
+  EXPECT_EQ(march.growth_end()->word(), "AMAX");
   EXPECT_NEAR(cycles_of(march) / 17480.85136, 1.0, 1e-6);
   EXPECT_LE(march.growth_state().stations.size(), 12U);
 }
@@ -169,7 +169,7 @@ TEST(GrowthIntegrator, TipsGrowAtTheirOwnRates) {
     tips[1].rate = 2e-4 * tip_x(lines[0]);
     tips[0].K_max = tips[1].K_max = 1.0;
   });
-  ASSERT_EQ(march.end()->word(), "AMAX");
+  ASSERT_EQ(march.growth_end()->word(), "AMAX");
   const growth::SolvedStation& last = march.growth_state().stations.back();
   EXPECT_NEAR(last.tips[1].a, 6.0, 1e-9);
   EXPECT_NEAR(cycles_of(march) / (std::log(6.0) / 2e-4), 1.0, 1e-3);
@@ -190,8 +190,8 @@ TEST(GrowthIntegrator, EndsAtToughness) {
     tips[0].K_max = 100.0 * std::sqrt(tip_x(lines[0]));
     tips[0].rate = forman(tips[0].K_max, 0.0);
   });
-  EXPECT_EQ(march.end()->word(), "KC");
-  EXPECT_NEAR(march.end()->s, 25.0, 1e-6);
+  EXPECT_EQ(march.growth_end()->word(), "KC");
+  EXPECT_NEAR(march.growth_end()->s, 25.0, 1e-6);
   // integral of (500 - 100 sqrt a) / (1e-9 1e6 a^1.5) da from 1 to 25
   EXPECT_NEAR(cycles_of(march) / (1e3 * (1000.0 * 0.8 - 100.0 * std::log(25.0))), 1.0, 1e-4);
 }
@@ -206,8 +206,8 @@ TEST(GrowthIntegrator, EndsAfterItsCycles) {
     tips[0].K_max = std::sqrt(tip_x(lines[0]));
     tips[0].rate = law(tips[0].K_max, 0.0);
   });
-  EXPECT_EQ(march.end()->word(), "CYCLES");
-  EXPECT_NEAR(march.end()->s, std::exp(1.0), 1e-6);
+  EXPECT_EQ(march.growth_end()->word(), "CYCLES");
+  EXPECT_NEAR(march.growth_end()->s, std::exp(1.0), 1e-6);
 }
 
 // K falls with the length, as behind a hole: growth stops where its range reaches the threshold.
@@ -222,8 +222,8 @@ TEST(GrowthIntegrator, EndsAtTheThreshold) {
     tips[0].K_max = 1.0 / tip_x(lines[0]);
     tips[0].rate = law(tips[0].K_max, 0.0);
   });
-  EXPECT_EQ(march.end()->word(), "THRESHOLD");
-  EXPECT_NEAR(march.end()->s, 2.0, 1e-5);
+  EXPECT_EQ(march.growth_end()->word(), "THRESHOLD");
+  EXPECT_NEAR(march.growth_end()->s, 2.0, 1e-5);
   EXPECT_NEAR(cycles_of(march) / 1.5e4, 1.0, 1e-3); // integral of a / 1e-4 from 1 to 2
 }
 
@@ -233,7 +233,7 @@ TEST(GrowthIntegrator, NothingGrows) {
   for (const double K : {1.0, 0.0}) {
     growth::GrowthIntegrator march(plate.model, {}, plate.kinematics(), {});
     run(march, [&](const auto&, const auto&, auto& tips) { tips[0].K_max = K; });
-    EXPECT_EQ(march.end()->word(), K > 0.0 ? "THRESHOLD" : "CLOSED");
+    EXPECT_EQ(march.growth_end()->word(), K > 0.0 ? "THRESHOLD" : "CLOSED");
     EXPECT_EQ(cycles_of(march), 0.0);
   }
 }
@@ -250,8 +250,8 @@ TEST(GrowthIntegrator, EndsWhereTheCrackCloses) {
     tips[0].K_max = std::max(0.0, 2.0 - tip_x(lines[0]));
     tips[0].rate = law(tips[0].K_max, 0.0);
   });
-  EXPECT_EQ(march.end()->word(), "CLOSED");
-  EXPECT_NEAR(march.end()->s, 2.0, 0.05);
+  EXPECT_EQ(march.growth_end()->word(), "CLOSED");
+  EXPECT_NEAR(march.growth_end()->s, 2.0, 0.05);
 }
 
 // Rates that fall without end and never to 0.
@@ -263,8 +263,8 @@ TEST(GrowthIntegrator, ComesToRest) {
     tips[0].K_max = 1.0;
     tips[0].rate = 1e-3 * std::exp(-10.0 * (tip_x(lines[0]) - 1.0));
   });
-  EXPECT_EQ(march.end()->word(), "ARREST");
-  EXPECT_NEAR(march.end()->s, 1.0 + 0.9 * std::log(10.0), 0.3);
+  EXPECT_EQ(march.growth_end()->word(), "ARREST");
+  EXPECT_NEAR(march.growth_end()->s, 1.0 + 0.9 * std::log(10.0), 0.3);
 }
 
 // Round and round a spiral from radius 20 inward: nothing but the turn ends it.
@@ -284,9 +284,9 @@ TEST(GrowthIntegrator, EndsWhereTheCrackCurls) {
     tips[0].K_max = 1.0;
     tips[0].rate = 1e-4;
   });
-  EXPECT_EQ(march.end()->word(), "CURL");
-  EXPECT_LT(march.end()->s, 42.0 + 2.0 * pi * 20.0);
-  EXPECT_GT(march.end()->s, 42.0 + 2.0 * pi * 20.0 * std::exp(-2.0 * pi * 0.05));
+  EXPECT_EQ(march.growth_end()->word(), "CURL");
+  EXPECT_LT(march.growth_end()->s, 42.0 + 2.0 * pi * 20.0);
+  EXPECT_GT(march.growth_end()->s, 42.0 + 2.0 * pi * 20.0 * std::exp(-2.0 * pi * 0.05));
 }
 
 TEST(GrowthIntegrator, MeetsTheEdge) {
@@ -303,9 +303,10 @@ TEST(GrowthIntegrator, MeetsTheEdge) {
     tips[0].K_max = 1.0;
     tips[0].rate = 1e-3 / (10.0 - tip_x(lines[0]));
   });
-  EXPECT_EQ(march.end()->word(), "EDGE");
-  EXPECT_NE(march.end()->reason.find("XMAX"), std::string::npos) << march.end()->reason;
-  EXPECT_GT(march.end()->s, 9.7);
+  EXPECT_EQ(march.growth_end()->word(), "EDGE");
+  EXPECT_NE(march.growth_end()->reason.find("XMAX"), std::string::npos)
+      << march.growth_end()->reason;
+  EXPECT_GT(march.growth_end()->s, 9.7);
 }
 
 // Two cracks on one line grow towards each other.
@@ -320,7 +321,7 @@ TEST(GrowthIntegrator, CracksLinkUp) {
       tip.rate = 1e-4;
     }
   });
-  EXPECT_EQ(march.end()->word(), "LINK-UP");
+  EXPECT_EQ(march.growth_end()->word(), "LINK-UP");
   const growth::SolvedStation& last = march.growth_state().stations.back();
   EXPECT_LT(last.tips[1].x - last.tips[0].x, 0.12);
   EXPECT_GT(last.tips[1].x, last.tips[0].x);
@@ -347,7 +348,7 @@ TEST(GrowthIntegrator, FollowsACurve) {
       tips[0].K_max = 1.0;
       tips[0].rate = 1e-4;
     });
-    ASSERT_EQ(march.end()->word(), "AMAX");
+    ASSERT_EQ(march.growth_end()->word(), "AMAX");
     const growth::TipStation& last = march.growth_state().stations.back().tips[0];
     off.push_back(std::abs(std::hypot(last.x - 2.0, last.y - 20.0) - 20.0));
   }

@@ -38,7 +38,8 @@ public:
                                                    double ds) const override {
     return {.ds = std::min(ds, remaining_growth_length(state, tip) / share)};
   }
-  bool smooth_front(const growth::GrowthState& state, std::vector<double>& by) const override {
+  bool smooth_front_advances(const growth::GrowthState& state,
+                             std::vector<double>& by) const override {
     by[0] = std::max(by[0], std::min(least_ * state.stations.back().tips[0].a,
                                      remaining_growth_length(state, 0)));
     return true;
@@ -96,7 +97,7 @@ Marched march_to_the_end(double least) {
     march.accept_or_reject_station(std::move(found));
     ++marched.solved;
   }
-  marched.ended = march.end().has_value();
+  marched.ended = march.growth_end().has_value();
   marched.stations = march.growth_state().stations.size();
   return marched;
 }

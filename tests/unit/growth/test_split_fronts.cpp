@@ -38,12 +38,12 @@ Grown grow(Block& block, double bend) {
     growth::GrowthIntegrator again(
         block.model, paris, std::make_unique<growth::FreeFrontShape>(block.model),
         growth::growth_state_from_arrays(growth::growth_state_to_arrays(state)));
-    while (!march.end()) {
+    while (!march.growth_end()) {
       const auto cracks = march.propose_next_cracks(none);
       const auto same = again.propose_next_cracks(none);
       EXPECT_EQ(cracks.has_value(), same.has_value());
       if (!cracks) {
-        if (march.end()) {
+        if (march.growth_end()) {
           break;
         }
         march.shorten_step("no front");
@@ -63,8 +63,8 @@ Grown grow(Block& block, double bend) {
       }
     }
     state = march.growth_state();
-    grown.end = march.end() ? march.end()->word() : "";
-    grown.reason = march.end() ? march.end()->reason : "";
+    grown.end = march.growth_end() ? march.growth_end()->word() : "";
+    grown.reason = march.growth_end() ? march.growth_end()->reason : "";
   }
   return grown;
 }

@@ -43,14 +43,14 @@ TEST(TurningFronts, APennyBecomesACone) {
   growth::GrowthIntegrator march(block.model, paris,
                                  std::make_unique<growth::FreeFrontShape>(block.model), {});
   growth::CrackGeometry last;
-  for (bool first = true; !march.end(); first = false) {
+  for (bool first = true; !march.growth_end(); first = false) {
     base::Diagnostics diagnostics;
     const auto cracks = march.propose_next_cracks(diagnostics);
     ASSERT_TRUE(cracks);
     last = *cracks;
     march.accept_or_reject_station(found_at(*cracks, first));
   }
-  EXPECT_EQ(march.end()->word(), "AMAX");
+  EXPECT_EQ(march.growth_end()->word(), "AMAX");
   for (const Vec3& x : last.aims) {
     EXPECT_NEAR(off_cone(x), 0.0, 1e-4);
     EXPECT_NEAR((x - x.normalized()).norm(), 0.5, 0.03); // from the first front
@@ -97,15 +97,15 @@ TEST(TurningFronts, EndWhereTheyStandOnTheirPlane) {
   const Block block = block_with_penny();
   growth::GrowthIntegrator march(block.model, paris,
                                  std::make_unique<growth::FreeFrontShape>(block.model), {});
-  for (int k = 0; k < 40 && !march.end(); ++k) {
+  for (int k = 0; k < 40 && !march.growth_end(); ++k) {
     base::Diagnostics diagnostics;
     const auto cracks = march.propose_next_cracks(diagnostics);
     if (cracks) {
       march.accept_or_reject_station(found_at(*cracks, true)); // further at each front
     }
   }
-  ASSERT_TRUE(march.end());
-  EXPECT_EQ(march.end()->word(), "CURL");
+  ASSERT_TRUE(march.growth_end());
+  EXPECT_EQ(march.growth_end()->word(), "CURL");
 }
 
 } // namespace
