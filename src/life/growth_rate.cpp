@@ -130,7 +130,7 @@ MeasuredGrowthRates splines(std::span<const CrackReading> readings) {
     // Readings of constant scatter scatter in ln a by 1/a of it.
     weight.push_back(reading.a);
   }
-  const SmoothedCurve curve = smoothing_spline(x, y, weight);
+  const SmoothedCurve curve = fit_smoothing_spline(x, y, weight);
   MeasuredGrowthRates found;
   found.scatter = curve.deviation;
   found.freedoms = curve.freedoms;

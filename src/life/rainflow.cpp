@@ -25,7 +25,7 @@ std::vector<double> from_the_peak(std::span<const double> history) {
 
 } // namespace
 
-std::vector<LoadCycle> rainflow(std::span<const double> history, bool repeated) {
+std::vector<LoadCycle> count_rainflow_cycles(std::span<const double> history, bool repeated) {
   if (history.empty()) {
     return {};
   }

@@ -14,6 +14,6 @@ struct LoadCycle {
 /// Rainflow count of a history of loads (ASTM E1049-85): half cycles where it does not close
 /// (5.4.4), or full cycles only of a history that repeats (5.4.5, begun at its highest peak).
 /// Points that do not turn are dropped; a history without a range has no cycles.
-std::vector<LoadCycle> rainflow(std::span<const double> history, bool repeated);
+std::vector<LoadCycle> count_rainflow_cycles(std::span<const double> history, bool repeated);
 
 } // namespace spricka::life

@@ -116,8 +116,8 @@ SmoothingFit best_fit(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
 
 } // namespace
 
-SmoothedCurve smoothing_spline(const std::vector<double>& x, const std::vector<double>& y,
-                               const std::vector<double>& weight) {
+SmoothedCurve fit_smoothing_spline(const std::vector<double>& x, const std::vector<double>& y,
+                                   const std::vector<double>& weight) {
   assert(x.size() >= 8 && y.size() == x.size() && weight.size() == x.size());
   disable_gsl_error_handler();
   const double length = x.back() - x.front();

@@ -16,8 +16,8 @@ struct SmoothedCurve {
 /// times the integral of f''^2, in cubic B-splines of fifty intervals at most, two points or more
 /// in each. lambda by generalised cross-validation (Craven, Wahba 1979), each freedom counted 1.4
 /// times, which keeps it from following scatter (Kim, Gu 2004); errors by Wahba 1983. (life.19)
-SmoothedCurve smoothing_spline(const std::vector<double>& x, const std::vector<double>& y,
-                               const std::vector<double>& weight);
+SmoothedCurve fit_smoothing_spline(const std::vector<double>& x, const std::vector<double>& y,
+                                   const std::vector<double>& weight);
 
 /// What 95 % of Student's t lie within, for that many degrees of freedom > 0.
 double two_sided_student_quantile_95(double freedoms);

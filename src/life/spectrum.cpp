@@ -131,7 +131,7 @@ CountedSpectrum CountedSpectrum::from_cycles(std::vector<LoadCycle> cycles) {
 
 CountedSpectrum CountedSpectrum::from_sequence(std::vector<double> history, bool repeated) {
   assert(!history.empty());
-  std::vector<LoadCycle> counted = rainflow(history, repeated);
+  std::vector<LoadCycle> counted = count_rainflow_cycles(history, repeated);
   if (counted.empty()) { // a constant load
     counted.push_back({.low = history.front(), .high = history.front(), .count = 0.0});
   }
@@ -145,7 +145,7 @@ CountedSpectrum CountedSpectrum::from_sequence(std::vector<double> history, bool
   return spectrum;
 }
 
-double CountedSpectrum::count() const {
+double CountedSpectrum::cycles_per_pass() const {
   double sum = 0.0;
   for (const LoadLevelCycle& cycle : cycles_) {
     sum += cycle.count;
@@ -163,7 +163,7 @@ std::vector<LoadCycle> CountedSpectrum::cycles() const {
 }
 
 bool CountedSpectrum::within(const base::PiecewiseLinear& K1) const {
-  return !K1.empty() && lowest() >= K1.knots().front() && highest() <= K1.knots().back();
+  return !K1.empty() && lowest_load() >= K1.knots().front() && highest_load() <= K1.knots().back();
 }
 
 bool CountedSpectrum::requires_counting_on_K(const base::PiecewiseLinear& K1) const {
@@ -172,7 +172,7 @@ bool CountedSpectrum::requires_counting_on_K(const base::PiecewiseLinear& K1) co
   for (std::size_t s = 0; s < K1.segment_count(); ++s) {
     // Only what the loads pass through: K may turn elsewhere on the path. Level pieces reverse
     // nothing.
-    if (K1.knots()[s] < highest() && K1.knots()[s + 1] > lowest()) {
+    if (K1.knots()[s] < highest_load() && K1.knots()[s + 1] > lowest_load()) {
       rises = rises || K1.slope(s) > 0.0;
       falls = falls || K1.slope(s) < 0.0;
     }
@@ -185,7 +185,7 @@ std::pair<double, double> CountedSpectrum::extreme_K(const base::PiecewiseLinear
     return {no_value, no_value};
   }
   // K is piecewise linear: extremes are at its turns, or at the ends of the loads.
-  const std::vector<double> way = KSequence(K1)({lowest(), highest()});
+  const std::vector<double> way = KSequence(K1)({lowest_load(), highest_load()});
   const auto [low, high] = std::minmax_element(way.begin(), way.end());
   return {*low, *high};
 }
@@ -193,14 +193,14 @@ std::pair<double, double> CountedSpectrum::extreme_K(const base::PiecewiseLinear
 std::vector<LoadCycle> CountedSpectrum::cycles_of_K(const base::PiecewiseLinear& K1) const {
   const KSequence way(K1);
   if (!history_.empty()) {
-    return rainflow(way(history_), repeated_);
+    return count_rainflow_cycles(way(history_), repeated_);
   }
   std::vector<LoadCycle> all;
   for (const LoadLevelCycle& cycle : cycles_) {
     const double low = levels_[cycle.low];
     const double high = levels_[cycle.high];
     // A block cycle is a closed way: up through the turns of K and down again.
-    for (LoadCycle part : rainflow(way({low, high, low}), true)) {
+    for (LoadCycle part : count_rainflow_cycles(way({low, high, low}), true)) {
       part.count *= cycle.count;
       all.push_back(part);
     }

@@ -31,9 +31,9 @@ public:
   /// Smallest and largest K of a pass.
   [[nodiscard]] std::pair<double, double> extreme_K(const base::PiecewiseLinear& K1) const;
 
-  [[nodiscard]] double lowest() const { return levels_.front(); }
-  [[nodiscard]] double highest() const { return levels_.back(); }
-  [[nodiscard]] double count() const; ///< cycles of a pass, halves included
+  [[nodiscard]] double lowest_load() const { return levels_.front(); }
+  [[nodiscard]] double highest_load() const { return levels_.back(); }
+  [[nodiscard]] double cycles_per_pass() const; ///< cycles of a pass, halves included
   /// The different cycles, sorted by low, then high load.
   [[nodiscard]] std::vector<LoadCycle> cycles() const;
 

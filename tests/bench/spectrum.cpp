@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
   fmt::print("{} reversals\n", count);
   std::vector<life::LoadCycle> cycles;
   fmt::print("rainflow {:.1f} ms\n",
-             1e3 * best_of(repeats, [&] { cycles = life::rainflow(history, true); }));
+             1e3 * best_of(repeats, [&] { cycles = life::count_rainflow_cycles(history, true); }));
   life::CountedSpectrum spectrum = life::CountedSpectrum::from_cycles(cycles);
   fmt::print(
       "rainflow and sorting {:.1f} ms, {} different cycles\n",

@@ -94,7 +94,7 @@ results::GrowthResult growth_records(const model::Model& model,
   out.corrected = model.growth->corrected;
   out.followed = depends_on_load_order(model);
   if (measure.spectrum()) {
-    out.cycles_per_pass = measure.spectrum()->count();
+    out.cycles_per_pass = measure.spectrum()->cycles_per_pass();
     out.ranges = ranges_of(*measure.spectrum());
     out.counted = depends_on_load_order(model)   ? "K, followed through the loads in their order"
                   : measure.counts_cycles_on_K() ? "K, which turns within the loads"

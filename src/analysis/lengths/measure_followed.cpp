@@ -49,7 +49,7 @@ void measure_pass(const life::GrowthRateLaw& law, const LoadPassResult& pass, co
       high = std::max(high, k);
     }
     // Counted on K itself: with friction it is no function of the load.
-    for (const life::LoadCycle& cycle : life::rainflow(along, true)) {
+    for (const life::LoadCycle& cycle : life::count_rainflow_cycles(along, true)) {
       if (cycle.high > 0.0 && cycle.high > cycle.low) {
         found.rate += times * cycle.count * law.growth_rate(cycle.high, cycle.low);
       }

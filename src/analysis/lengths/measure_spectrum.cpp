@@ -56,7 +56,7 @@ base::PiecewiseLinear GrowthRateEvaluator::on_path(const SolvedCrackState& at,
   std::optional<base::PiecewiseLinear> below;
   if (free != nullptr) {
     below = continue_K_with_overlapping_faces(K, combined_K_over_path(*free, place, part),
-                                              spectrum_->highest());
+                                              spectrum_->highest_load());
   }
   if (!below) {
     warnings_.warn_of_closing_faces(front.is.name, front.is.a);
@@ -69,10 +69,10 @@ bool GrowthRateEvaluator::by_spectrum(const SolvedCrackState& at, const GrowingP
   const model::SpectrumDefinition& card = model_.spectra[*model_.growth->spectrum];
   const results::LoadPathResult& path = *at.path;
   const PlaceOnFront place = nearest_place(path.fronts, to.front, to.aim);
-  if (!place.found() || path.t.empty() || path.t.back() < spectrum_->highest()) {
+  if (!place.found() || path.t.empty() || path.t.back() < spectrum_->highest_load()) {
     return no_rate(
         fmt::format("spectrum {}: there is no K up to t = {:.6g}, load path {} ends before: {}",
-                    card.name, spectrum_->highest(), path.name, path.stopped));
+                    card.name, spectrum_->highest_load(), path.name, path.stopped));
   }
   if (model_.growth->corrected) {
     warn_of_bars_on_path(model_, at.increment, to.front, warnings_);
@@ -87,7 +87,7 @@ bool GrowthRateEvaluator::by_spectrum(const SolvedCrackState& at, const GrowingP
   // kink (growth.8).
   const base::PiecewiseLinear K1 = combined_K_over_path(front, place, {1.0, 0.0});
   const base::PiecewiseLinear K2 = combined_K_over_path(front, place, {0.0, 1.0});
-  const double peak = locate_K1_maximum(K1, spectrum_->lowest(), spectrum_->highest());
+  const double peak = locate_K1_maximum(K1, spectrum_->lowest_load(), spectrum_->highest_load());
   const base::Vec2 part =
       kink_tip_and_get_K_factors(model_, {K1(peak), K2(peak)}, to.straight, found);
   const base::PiecewiseLinear K = on_path(at, front, place, part);

@@ -46,7 +46,7 @@ std::optional<std::vector<growth::SolvedStation>>
 on_line(const std::vector<results::LoadPathResult>& paths,
         std::vector<growth::SolvedStation> stations, const GrowthRateEvaluator& measure,
         bool through_zero) {
-  const double top = measure.spectrum()->highest();
+  const double top = measure.spectrum()->highest_load();
   for (std::size_t i = 0; i < stations.size(); ++i) {
     for (growth::TipStation& tip : stations[i].tips) {
       const std::optional<base::PiecewiseLinear> K1 =

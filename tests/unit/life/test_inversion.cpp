@@ -176,7 +176,7 @@ TEST(Smoothing, KeepsAStraightLine) {
     y.push_back(2.0 - 0.03 * x.back());
     weight.push_back(1.0 + i);
   }
-  const SmoothedCurve curve = smoothing_spline(x, y, weight);
+  const SmoothedCurve curve = fit_smoothing_spline(x, y, weight);
   for (std::size_t i = 0; i < x.size(); ++i) {
     EXPECT_NEAR(curve.value[i], y[i], 1e-9);
     EXPECT_NEAR(curve.slope[i], -0.03, 1e-10);

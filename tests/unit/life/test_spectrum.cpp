@@ -38,10 +38,10 @@ std::vector<double> random_history(std::size_t size, unsigned seed) {
 TEST(Spectrum, BlocksAddUp) {
   const CountedSpectrum blocks =
       CountedSpectrum::from_cycles({{0, 100, 60}, {0, 150, 10}, {100, 0, 40}, {0, 200, 1}});
-  EXPECT_EQ(blocks.count(), 111.0);
+  EXPECT_EQ(blocks.cycles_per_pass(), 111.0);
   EXPECT_EQ(blocks.cycles().size(), 3U); // the two rows of 0 to 100 are one
-  EXPECT_EQ(blocks.lowest(), 0.0);
-  EXPECT_EQ(blocks.highest(), 200.0);
+  EXPECT_EQ(blocks.lowest_load(), 0.0);
+  EXPECT_EQ(blocks.highest_load(), 200.0);
   const base::PiecewiseLinear K = map({0, 200}, {0, 600});
   EXPECT_NEAR(blocks.growth_per_pass(paris(3.0), K), 1e-11 * 27.0 * (100e6 + 10 * 3.375e6 + 8e6),
               1e-14);
@@ -56,7 +56,7 @@ TEST(Spectrum, EqualsTheSumOverItsCycles) {
   for (const bool repeated : {true, false}) {
     const CountedSpectrum spectrum = CountedSpectrum::from_sequence(history, repeated);
     double sum = 0.0;
-    for (const LoadCycle& cycle : rainflow(history, repeated)) {
+    for (const LoadCycle& cycle : count_rainflow_cycles(history, repeated)) {
       sum += cycle.count * 1e-11 * std::pow(K(cycle.high) - K(cycle.low), 3.0);
     }
     EXPECT_FALSE(spectrum.requires_counting_on_K(K));
