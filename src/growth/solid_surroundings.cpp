@@ -18,7 +18,7 @@ SolidBodyQuery::surface_ahead(const base::Vec3& x, const base::Vec3& way, base::
       host_.body_surface(*at).geometry(mesh::SetBorderPreservation::none);
   for (const mesh::SurfaceHit& hit :
        mesh::intersect_line_with_surface(surface, x, way, surface.diagonal())) {
-    if (hit.along > on_it * host_.extent(*at).edge) {
+    if (hit.along > on_it * host_.bounding_ball(*at).edge) {
       return SurfaceAhead{.distance = hit.along,
                           .piece = surface.smooth_piece_index(hit.place.face),
                           .sine = std::abs(hit.place.normal.dot(way))};

@@ -48,7 +48,7 @@ ClosestApproach closest_approach(const Vec2& a, const Vec2& b, const Vec2& c, co
   return best;
 }
 
-bool is_inside(const Vec2& p, const std::vector<Vec2>& polygon) {
+bool is_inside_polygon(const Vec2& p, const std::vector<Vec2>& polygon) {
   bool in = false;
   for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
     const Vec2& a = polygon[i];
@@ -73,7 +73,7 @@ double twice_area(const std::vector<Vec2>& points, const std::vector<int>& loop)
 double distance(const std::vector<Vec2>& polygon, const std::vector<Vec2>& polyline) {
   double least = std::numeric_limits<double>::max();
   for (const Vec2& p : polyline) {
-    if (is_inside(p, polygon)) {
+    if (is_inside_polygon(p, polygon)) {
       return 0.0;
     }
   }

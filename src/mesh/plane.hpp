@@ -27,7 +27,7 @@ ClosestApproach closest_approach(const base::Vec2& a, const base::Vec2& b, const
                                  const base::Vec2& d);
 
 /// Whether a point lies in a polygon (even-odd rule).
-bool is_inside(const base::Vec2& p, const std::vector<base::Vec2>& polygon);
+bool is_inside_polygon(const base::Vec2& p, const std::vector<base::Vec2>& polygon);
 
 /// Twice the area of a loop of points; negative if it runs clockwise.
 double twice_area(const std::vector<base::Vec2>& points, const std::vector<int>& loop);
@@ -41,6 +41,6 @@ double rounded(double x);
 base::Vec3 rounded(const base::Vec3& x);
 
 /// Room for round-off in comparisons of local coordinates.
-inline constexpr double same = 1e-7;
+inline constexpr double coordinate_tolerance = 1e-7;
 
 } // namespace spricka::mesh

@@ -175,7 +175,7 @@ private:
       // The given mouth may lie a little off the side that it is moved onto.
       const bool here =
           (!crack.net.valid() || mesh_.element_net[face.element.index()] == crack.net) &&
-          mesh::nearest_on(mesh_, edge, mouth.at).distance <= 1e-6 * length &&
+          mesh::nearest_point_on_edge(mesh_, edge, mouth.at).distance <= 1e-6 * length &&
           mouth.distance <= 1e-3 * length;
       if (!here) {
         continue;

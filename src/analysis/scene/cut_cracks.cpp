@@ -31,7 +31,7 @@ bool opens_into_contact(const model::Model& model, const mesh::CrackLine& line) 
              const mesh::EdgeEndAndMidNodes edge = mesh::element_edge_nodes(model.mesh, f);
              const double length =
                  (model.mesh.x[edge.b.index()] - model.mesh.x[edge.a.index()]).norm();
-             return mesh::nearest_on(model.mesh, edge, line.points.front()).distance <
+             return mesh::nearest_point_on_edge(model.mesh, edge, line.points.front()).distance <
                     on_it * length;
            });
   };

@@ -143,14 +143,14 @@ std::vector<RemovedNodePlace> locate_removed_nodes(const model::Mesh& host,
 }
 
 void note_removed_nodes(const model::Model& model, Discretisation& scene) {
-  if (scene.cracked.removed_nodes.empty()) {
+  if (scene.cracked.unreplaced_set_nodes.empty()) {
     return;
   }
   std::vector<bool> named(model.mesh.node_count(), false);
   for (std::size_t s = 0; s < model.mesh.node_sets.size(); ++s) {
     const bool removed =
-        s < scene.cracked.removed_nodes.size() && !model.mesh.node_sets[s].name.empty();
-    for (const NodeId n : removed ? scene.cracked.removed_nodes[s] : std::vector<NodeId>()) {
+        s < scene.cracked.unreplaced_set_nodes.size() && !model.mesh.node_sets[s].name.empty();
+    for (const NodeId n : removed ? scene.cracked.unreplaced_set_nodes[s] : std::vector<NodeId>()) {
       named[n.index()] = true;
     }
   }

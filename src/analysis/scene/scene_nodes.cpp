@@ -89,10 +89,11 @@ bool check_supports_survive_cut(const model::Model& model, const Discretisation&
                                 base::Diagnostics& diagnostics) {
   const auto keeps = [&](base::NodeSetId nodes, const base::SourceSpan& span, const char* what) {
     const std::size_t set = nodes.index();
-    if (set >= scene.cracked.removed_nodes.size() || scene.cracked.removed_nodes[set].empty()) {
+    if (set >= scene.cracked.unreplaced_set_nodes.size() ||
+        scene.cracked.unreplaced_set_nodes[set].empty()) {
       return true;
     }
-    const base::NodeId n = scene.cracked.removed_nodes[set].front();
+    const base::NodeId n = scene.cracked.unreplaced_set_nodes[set].front();
     diagnostics.error(span, "E419",
                       fmt::format("a crack has cut out node {}, which is {} here",
                                   model.mesh.node_label[n.index()], what),

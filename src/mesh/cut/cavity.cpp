@@ -154,10 +154,11 @@ private:
   [[nodiscard]] bool near(ElementId e) const {
     return std::ranges::any_of(places_, [&](const CrackPlacement* place) {
       // In the frame of each crack, where its length a is 1.
-      const std::vector<Vec2> shape = polygon(mesh_, e, place->frame);
-      return distance(shape, place->line) < reach_of_line + same ||
+      const std::vector<Vec2> shape = element_polygon_in_frame(mesh_, e, place->frame);
+      return distance(shape, place->line) < reach_of_line + coordinate_tolerance ||
              std::ranges::any_of(place->fronts, [&](const PlacedTip& tip) {
-               return distance(shape, {tip.at, tip.at}) < reach_of_tip * place->radius + same;
+               return distance(shape, {tip.at, tip.at}) <
+                      reach_of_tip * place->radius + coordinate_tolerance;
              });
     });
   }
@@ -191,7 +192,7 @@ private:
   }
 
   [[nodiscard]] std::vector<model::Face> outline() const {
-    return host_.outline(elements(), [&](ElementId e) { return has(e); });
+    return host_.sides_facing_outside(elements(), [&](ElementId e) { return has(e); });
   }
 
   const HostMesh& host_;
@@ -235,7 +236,7 @@ bool is_edge_longer_than_clearance(const model::Mesh& mesh, const CrackPlacement
   for (const PlacedTip& tip : placement.fronts) {
     room = std::min(room, geometry::distance_to_segment(tip.at, a, b) - placement.radius);
   }
-  return part * room < (b - a).norm() - same;
+  return part * room < (b - a).norm() - coordinate_tolerance;
 }
 
 Cavities find_cavities(const HostMesh& host, std::span<const CrackPlacement> placements) {

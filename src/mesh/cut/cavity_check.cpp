@@ -40,8 +40,8 @@ std::vector<Vec2> without_mouth(const std::vector<Vec2>& line) {
 std::vector<Vec2> fine_curve(const model::Mesh& mesh, const EdgeEndAndMidNodes& edge,
                              const CrackPlacement& placement) {
   std::vector<double> xi{-1.0, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75, 1.0};
-  const NearestEdgePoint mouth = nearest_on(mesh, edge, placement.frame.origin);
-  if (mouth.distance < same * placement.frame.a) {
+  const NearestEdgePoint mouth = nearest_point_on_edge(mesh, edge, placement.frame.origin);
+  if (mouth.distance < coordinate_tolerance * placement.frame.a) {
     xi.push_back(mouth.xi);
     // The edge may be many times longer than the crack: steps that halve towards the mouth leave
     // some points within a small part of the crack from it.
@@ -73,8 +73,8 @@ bool starts_inside(const HostMesh& host, const CrackPlacement& placement, const 
       const std::vector<Vec2> curve = fine_curve(host.mesh(), edge.edge, placement);
       points.insert(points.end(), curve.begin(), curve.end() - 1);
     }
-    const auto mouth =
-        std::find_if(points.begin(), points.end(), [](const Vec2& p) { return p.norm() < same; });
+    const auto mouth = std::find_if(points.begin(), points.end(),
+                                    [](const Vec2& p) { return p.norm() < coordinate_tolerance; });
     if (mouth != points.end()) {
       // The loop has the cavity on its left: from the mouth on it runs along the boundary ahead,
       // and comes back along the one before.
@@ -132,11 +132,11 @@ std::optional<ElementId> foreign_element(const HostMesh& host, const CrackPlacem
     }
   }
   for (const ElementId e : others) {
-    const std::vector<Vec2> shape = polygon(mesh, e, placement.frame);
+    const std::vector<Vec2> shape = element_polygon_in_frame(mesh, e, placement.frame);
     const bool near_tip = std::ranges::any_of(placement.fronts, [&](const PlacedTip& tip) {
       return distance(shape, {tip.at, tip.at}) < 1.1 * placement.radius;
     });
-    if (distance(shape, placement.line) < same || near_tip) {
+    if (distance(shape, placement.line) < coordinate_tolerance || near_tip) {
       return e;
     }
   }

@@ -42,7 +42,7 @@ std::size_t CoincidentPoints::GridCellHasher::operator()(const Cell& cell) const
   return h;
 }
 
-std::size_t CoincidentPoints::number_of(const Vec3& x) {
+std::size_t CoincidentPoints::find_or_add_number(const Vec3& x) {
   // The point met before may stand in the next cell: all cells that a box of `reach_` round x
   // touches are looked into.
   const Cell low = cell_of(x - Vec3::Constant(reach_));
@@ -91,7 +91,7 @@ std::vector<CoincidentFacePair> find_coincident_faces(const model::Mesh& mesh,
     std::vector<std::size_t> key;
     const FaceNodes nodes = face_nodes(mesh, face);
     for (const NodeId n : nodes.corner_nodes()) {
-      key.push_back(places.number_of(mesh.x[n.index()]));
+      key.push_back(places.find_or_add_number(mesh.x[n.index()]));
     }
     // Sides that lie on each other run against each other: the order of corners says nothing.
     std::ranges::sort(key);
@@ -121,7 +121,7 @@ find_coincident_elements(const model::Mesh& mesh) {
     // Elements on each other have one centre, which few others share: corners are compared for
     // those only.
     const auto [at, fresh] =
-        seen.try_emplace(places.number_of(model::element_corner_mean(mesh, id)), id);
+        seen.try_emplace(places.find_or_add_number(model::element_corner_mean(mesh, id)), id);
     if (fresh) {
       continue;
     }

@@ -21,7 +21,7 @@ public:
   explicit CoincidentPoints(double reach) : reach_(reach), width_(1e3 * reach) {}
 
   /// The number of the first point met within reach of x, which is x if there was none.
-  std::size_t number_of(const base::Vec3& x);
+  std::size_t find_or_add_number(const base::Vec3& x);
 
 private:
   using Cell = std::array<std::int64_t, 3>;

@@ -135,7 +135,7 @@ double room_at_end(const CrackLine& line, const std::vector<Vec3>& points,
 
 } // namespace
 
-double clearance_to_cracks(const CrackLine& line, std::span<const CrackLine> all) {
+double tip_clearance_to_cracks(const CrackLine& line, std::span<const CrackLine> all) {
   const double room = room_at_end(line, line.points, all);
   return line.embedded
              ? std::min(room, room_at_end(line, {line.points.rbegin(), line.points.rend()}, all))

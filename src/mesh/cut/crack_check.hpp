@@ -15,6 +15,6 @@ bool check_crack_lines(std::span<const CrackLine> lines, std::span<const base::S
 
 /// Room for a rosette at the tips of a crack as far as other cracks, and the crack's own earlier
 /// parts, leave it: the distance to them [deck length]. Infinite where there are none.
-double clearance_to_cracks(const CrackLine& line, std::span<const CrackLine> all);
+double tip_clearance_to_cracks(const CrackLine& line, std::span<const CrackLine> all);
 
 } // namespace spricka::mesh

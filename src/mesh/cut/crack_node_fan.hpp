@@ -18,15 +18,15 @@ public:
       : together_(elements), side_(elements, CrackFaceOfElement::unknown) {}
 
   /// An element has a side on the crack, at that face.
-  void mark(std::size_t element, CrackFaceOfElement side) {
+  void add_side_on_crack(std::size_t element, CrackFaceOfElement side) {
     side_[element] = merge(side_[element], side);
   }
   /// Two elements share a side that is not on the crack.
-  void join(std::size_t a, std::size_t b) { together_.join_sets(a, b); }
+  void join_elements(std::size_t a, std::size_t b) { together_.join_sets(a, b); }
 
   /// The face that each lies at [element]: `both` where elements at either face hang together,
   /// which the crack then does not part; `unknown` where it has no side on what hangs together.
-  [[nodiscard]] std::vector<CrackFaceOfElement> sides() {
+  [[nodiscard]] std::vector<CrackFaceOfElement> crack_face_of_each_element() {
     std::vector<CrackFaceOfElement> of_root(side_.size(), CrackFaceOfElement::unknown);
     for (std::size_t i = 0; i < side_.size(); ++i) {
       CrackFaceOfElement& side = of_root[together_.root(i)];

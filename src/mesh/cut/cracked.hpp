@@ -144,7 +144,7 @@ struct CrackedMesh {
   std::vector<HangingNodeTie> ties;  ///< of patches with a transition
   /// [node set] members that a cavity took and nothing stands in for: single nodes, as the new
   /// nodes of whole sides and of cavities take their place. Empty where no patch was cut.
-  std::vector<std::vector<base::NodeId>> removed_nodes;
+  std::vector<std::vector<base::NodeId>> unreplaced_set_nodes;
   std::vector<std::string> notes; ///< what was chosen, for the listing
 
   /// Nodes of the points of all fronts, one front after another.

@@ -113,7 +113,7 @@ private:
         PatchNode middle;
         const auto corners = static_cast<std::size_t>(base::element_info(element.type).corners);
         for (std::size_t i = 0; i < element.nodes.size(); ++i) {
-          nodes.push_back(placed_[g].node_of(element.nodes[i]));
+          nodes.push_back(placed_[g].node_in_mesh(element.nodes[i]));
           if (i < corners) {
             const PatchNode& corner = patch.nodes[static_cast<std::size_t>(element.nodes[i])];
             middle.x += corner.x / static_cast<double>(corners);
@@ -155,7 +155,7 @@ private:
         for (const std::vector<int>& piece : pieces) {
           std::vector<NodeId> corners;
           std::ranges::transform(piece, std::back_inserter(corners),
-                                 [&](int n) { return placed_[g].node_of(n); });
+                                 [&](int n) { return placed_[g].node_in_mesh(n); });
           // Not those of the patch of a neighbour, which may have the same nodes.
           std::ranges::copy_if(sides.find(corners), std::back_inserter(sides_there),
                                [&](const model::Face& side) {
@@ -196,7 +196,7 @@ private:
         heir.replace_held_edges(g);
         heir.replace_cavity(g);
       }
-      std::vector<NodeId>& removed = result_.removed_nodes.emplace_back();
+      std::vector<NodeId>& removed = result_.unreplaced_set_nodes.emplace_back();
       std::ranges::copy_if(old.nodes, std::back_inserter(removed), [&](NodeId n) {
         return had[n.index()] && !used_[n.index()] && !heir.replaced[n.index()];
       });
@@ -240,10 +240,10 @@ private:
           continue;
         }
         for (const int n : edge.ends) {
-          join(grafter.placed_[g].node_of(n));
+          join(grafter.placed_[g].node_in_mesh(n));
         }
         if (edge.mid >= 0) {
-          join(grafter.placed_[g].node_of(edge.mid));
+          join(grafter.placed_[g].node_in_mesh(edge.mid));
         }
         for (const NodeId n : edge.host) {
           if (n.valid()) {
@@ -330,13 +330,13 @@ GraftedMesh graft_patches(const model::Mesh& host, std::span<const PatchGraft> g
   return Grafter(host, grafts).graft();
 }
 
-void add_ties(const Patch& patch, const GraftedPatch& placed, base::CrackId crack,
-              CrackedMesh& cracked) {
+void add_patch_ties(const Patch& patch, const GraftedPatch& placed, base::CrackId crack,
+                    CrackedMesh& cracked) {
   for (const PatchTie& tie : patch.ties) {
     HangingNodeTie& made = cracked.ties.emplace_back();
-    made.slave = placed.node_of(tie.slave);
+    made.slave = placed.node_in_mesh(tie.slave);
     std::ranges::transform(tie.master, std::back_inserter(made.master),
-                           [&](int n) { return placed.node_of(n); });
+                           [&](int n) { return placed.node_in_mesh(n); });
     made.weight = tie.weight;
     made.crack = crack;
   }

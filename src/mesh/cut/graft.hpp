@@ -24,19 +24,19 @@ struct GraftedPatch {
   std::vector<base::NodeId> node;       ///< [patch node]
   std::vector<base::ElementId> element; ///< [patch element]
 
-  [[nodiscard]] base::NodeId node_of(int n) const { return node[static_cast<std::size_t>(n)]; }
+  [[nodiscard]] base::NodeId node_in_mesh(int n) const { return node[static_cast<std::size_t>(n)]; }
 };
 
 /// A host of plane or solid elements with its cavities filled.
 struct GraftedMesh {
-  CrackedMesh cracked; ///< mesh, `host`, `removed_nodes` and all sets
+  CrackedMesh cracked; ///< mesh, `host`, `unreplaced_set_nodes` and all sets
   std::vector<GraftedPatch> patches;
 };
 GraftedMesh graft_patches(const model::Mesh& host, std::span<const PatchGraft> grafts);
 
 /// Adds the ties of a patch to the mesh that it was put into, in the name of a crack.
-void add_ties(const Patch& patch, const GraftedPatch& placed, base::CrackId crack,
-              CrackedMesh& cracked);
+void add_patch_ties(const Patch& patch, const GraftedPatch& placed, base::CrackId crack,
+                    CrackedMesh& cracked);
 
 /// The faces of a crack, in the plane from the mouth (or first tip) to the tip; one side is empty
 /// where the crack lies on a symmetry line.

@@ -39,8 +39,8 @@ base::Vec2 point_on_edge(const model::Mesh& mesh, const CrackFrame& frame,
   return N[0] * a + N[1] * b + N[2] * m;
 }
 
-NearestEdgePoint nearest_on(const model::Mesh& mesh, const EdgeEndAndMidNodes& edge,
-                            const base::Vec3& p) {
+NearestEdgePoint nearest_point_on_edge(const model::Mesh& mesh, const EdgeEndAndMidNodes& edge,
+                                       const base::Vec3& p) {
   NearestEdgePoint best{0.0, std::numeric_limits<double>::max()};
   const auto meet = [&](double xi) {
     const double d = (point_on_edge(mesh, edge, xi) - p).norm();
@@ -73,8 +73,8 @@ bool is_edge_beyond_distance_of_point(const model::Mesh& mesh, const EdgeEndAndM
   return (a - p).norm() - 2.0 * (mesh.x[edge.b.index()] - a).norm() > distance;
 }
 
-std::vector<base::Vec2> polygon(const model::Mesh& mesh, base::ElementId e,
-                                const CrackFrame& frame) {
+std::vector<base::Vec2> element_polygon_in_frame(const model::Mesh& mesh, base::ElementId e,
+                                                 const CrackFrame& frame) {
   std::vector<base::Vec2> result;
   for (int s = 0; s < base::element_info(mesh.type[e.index()]).sides; ++s) {
     const EdgeEndAndMidNodes edge = element_edge_nodes(mesh, {e, s});
@@ -90,13 +90,13 @@ ElementOutlines::ElementOutlines(const model::Mesh& mesh, std::span<const base::
                                  const CrackFrame& frame) {
   std::vector<geometry::Box<2>> boxes;
   for (const base::ElementId e : elements) {
-    outlines_.push_back(polygon(mesh, e, frame));
+    outlines_.push_back(element_polygon_in_frame(mesh, e, frame));
     boxes.push_back(geometry::Box<2>::around(outlines_.back()));
   }
   boxes_ = geometry::BoxTree<2>(boxes);
 }
 
-std::size_t ElementOutlines::nearest(const base::Vec2& p) const {
+std::size_t ElementOutlines::nearest_element_index(const base::Vec2& p) const {
   return boxes_.nearest(p,
                         [&](std::size_t i) {
                           return distance(outlines_[i], {p, p});
@@ -133,8 +133,8 @@ HostMesh::HostMesh(const model::Mesh& mesh) : mesh_(mesh), elements_(mesh) {
 }
 
 std::vector<model::Face>
-HostMesh::outline(std::span<const base::ElementId> elements,
-                  const std::function<bool(base::ElementId)>& inside) const {
+HostMesh::sides_facing_outside(std::span<const base::ElementId> elements,
+                               const std::function<bool(base::ElementId)>& inside) const {
   std::vector<model::Face> result;
   for (const base::ElementId e : elements) {
     for (int s = 0; s < base::element_info(mesh_.type[e.index()]).sides; ++s) {

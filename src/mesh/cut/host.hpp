@@ -33,16 +33,16 @@ struct NearestEdgePoint {
   double xi = 0.0;
   double distance = 0.0;
 };
-NearestEdgePoint nearest_on(const model::Mesh& mesh, const EdgeEndAndMidNodes& edge,
-                            const base::Vec3& p);
+NearestEdgePoint nearest_point_on_edge(const model::Mesh& mesh, const EdgeEndAndMidNodes& edge,
+                                       const base::Vec3& p);
 
 /// Whether an edge is for certain farther from p than `distance`: a quick test.
 bool is_edge_beyond_distance_of_point(const model::Mesh& mesh, const EdgeEndAndMidNodes& edge,
                                       const base::Vec3& p, double distance);
 
 /// Corner and mid nodes of an element in the crack's frame, in order round it.
-std::vector<base::Vec2> polygon(const model::Mesh& mesh, base::ElementId e,
-                                const CrackFrame& frame);
+std::vector<base::Vec2> element_polygon_in_frame(const model::Mesh& mesh, base::ElementId e,
+                                                 const CrackFrame& frame);
 
 /// Finds of some elements the one that a point of the crack's frame lies in, or comes nearest to.
 class ElementOutlines {
@@ -51,7 +51,7 @@ public:
                   const CrackFrame& frame);
 
   /// The place of that element among them, of several the first.
-  [[nodiscard]] std::size_t nearest(const base::Vec2& p) const;
+  [[nodiscard]] std::size_t nearest_element_index(const base::Vec2& p) const;
 
 private:
   std::vector<std::vector<base::Vec2>> outlines_; ///< [element]
@@ -85,8 +85,8 @@ public:
 
   /// Sides of some elements, in their order, that have none for which `inside` holds beyond them.
   [[nodiscard]] std::vector<model::Face>
-  outline(std::span<const base::ElementId> elements,
-          const std::function<bool(base::ElementId)>& inside) const;
+  sides_facing_outside(std::span<const base::ElementId> elements,
+                       const std::function<bool(base::ElementId)>& inside) const;
 
 private:
   static constexpr std::size_t most_sides = 6;

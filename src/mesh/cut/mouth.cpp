@@ -24,7 +24,7 @@ NearestMouth find_crack_mouth(const HostMesh& host, const Vec3& start, base::Net
     if (is_edge_beyond_distance_of_point(mesh, edge, start, found.distance)) {
       continue;
     }
-    const NearestEdgePoint p = nearest_on(mesh, edge, start);
+    const NearestEdgePoint p = nearest_point_on_edge(mesh, edge, start);
     // At a node two edges are equally near: the first one counts, not the better by round-off.
     if (p.distance < found.distance - 1e-9 * chord) {
       found = {{face, p.xi, {}}, point_on_edge(mesh, edge, p.xi), p.distance, chord};
@@ -51,8 +51,9 @@ base::ElementId find_element_at(const model::Mesh& mesh, const Vec3& point, base
     const Vec3& first = mesh.x[mesh.element_nodes(e).front().index()];
     const double size = (mesh.x[mesh.element_nodes(e)[1].index()] - first).norm();
     // A frame at the point in sizes of the element, so that `same` is a part of the element.
-    const std::vector<Vec2> shape = polygon(mesh, e, {point, Eigen::Matrix3d::Identity(), size});
-    if (distance(shape, {Vec2::Zero(), Vec2::Zero()}) < same) {
+    const std::vector<Vec2> shape =
+        element_polygon_in_frame(mesh, e, {point, Eigen::Matrix3d::Identity(), size});
+    if (distance(shape, {Vec2::Zero(), Vec2::Zero()}) < coordinate_tolerance) {
       return e;
     }
   }

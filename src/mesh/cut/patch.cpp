@@ -102,7 +102,7 @@ private:
     bool good = true;
     for (const Work& work : work_) {
       const double room =
-          work.tip->patch ? clearance_to_cracks(*work.line, lines) : work.tip->radius;
+          work.tip->patch ? tip_clearance_to_cracks(*work.line, lines) : work.tip->radius;
       // Less than a half: two rosettes that face each other leave elements between them.
       if (work.tip->patch && work.tip->radius > 0.45 * room) {
         diagnostics_.error(
@@ -177,7 +177,7 @@ private:
     for (const Work& work : work_) {
       if (work.tip->patch && work.cavity == c) {
         // All in the frame of the patch, that of its first crack.
-        cracks.push_back({seen_from(placements_[work.place], filled.frame), work.tip});
+        cracks.push_back({placement_in_frame(placements_[work.place], filled.frame), work.tip});
         span = names.empty() ? work.span : span;
         names += (names.empty() ? "" : ", ") + work.line->display_name();
       }
@@ -208,7 +208,7 @@ private:
       const auto outlines = std::make_shared<ElementOutlines>(mesh_, elements, filled.frame);
       grafts.push_back({filled.patch, elements, [&elements, outlines](const PatchNode& middle) {
                           // Rounded coordinates: round-off does not choose between two elements.
-                          return elements[outlines->nearest(middle.local.head<2>())];
+                          return elements[outlines->nearest_element_index(middle.local.head<2>())];
                         }});
     }
     GraftedMesh grafted = graft_patches(mesh_, grafts);
@@ -220,7 +220,8 @@ private:
     for (const Work& work : work_) {
       // The rim of a patch that several cracks share is tied once, in the name of the first.
       if (work.tip->patch && work.member == 0) {
-        add_ties(cavities_[work.cavity].patch, placed_[work.cavity], work.line->crack, result_);
+        add_patch_ties(cavities_[work.cavity].patch, placed_[work.cavity], work.line->crack,
+                       result_);
       }
     }
   }
@@ -229,7 +230,7 @@ private:
     for (Work& work : work_) {
       if (work.tip->patch) {
         for (const int n : cavities_[work.cavity].patch.paths[work.member]) {
-          work.path.push_back(placed_[work.cavity].node_of(n));
+          work.path.push_back(placed_[work.cavity].node_in_mesh(n));
         }
       }
       if (work.line->symmetric_half) {

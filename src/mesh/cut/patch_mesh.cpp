@@ -85,7 +85,7 @@ private:
     const auto curve = [&](double t) { return local(edge.edge, t); };
     std::vector<double> xi{-1.0};
     const auto divide_to = [&](double end) {
-      const std::vector<double> part = divide(curve, xi.back(), end, size_);
+      const std::vector<double> part = divide_curve_by_size(curve, xi.back(), end, size_);
       xi.insert(xi.end(), part.begin() + 1, part.end());
     };
     // Divided from mouth to mouth, each of which so becomes a corner node.
@@ -100,8 +100,8 @@ private:
   /// host's displacements exactly, as both are parabolas on each part.
   std::vector<int> add_tied_parts(const CavityOutlineEdge& edge) {
     const auto curve = [&](double t) { return local(edge.edge, t); };
-    std::vector<double> xi = divide(curve, -1.0, 0.0, size_);
-    const std::vector<double> rest = divide(curve, 0.0, 1.0, size_);
+    std::vector<double> xi = divide_curve_by_size(curve, -1.0, 0.0, size_);
+    const std::vector<double> rest = divide_curve_by_size(curve, 0.0, 1.0, size_);
     xi.insert(xi.end(), rest.begin() + 1, rest.end());
     std::vector<int> inner = add_parts(edge, xi);
     const std::vector<std::vector<int>>& pieces = patch_.faces.back().second;
@@ -109,7 +109,7 @@ private:
       const std::vector<int>& piece = pieces[i - 1];
       // (mesh.12) for middle nodes of the parts and for corners between them; the host's own middle
       // node, at 0, needs no tie.
-      tie(net_.mid_node(piece[0], piece[1]), edge.edge, 0.5 * (xi[i - 1] + xi[i]));
+      tie(net_.find_or_add_mid_node(piece[0], piece[1]), edge.edge, 0.5 * (xi[i - 1] + xi[i]));
       if (i + 1 < xi.size() && xi[i] != 0.0) {
         tie(piece[1], edge.edge, xi[i]);
       }
@@ -167,7 +167,7 @@ private:
   /// New nodes strictly inside a stretch of the crack's line, from s0 to s1 of its length.
   std::vector<int> add_interval(const Vec2& from, const Vec2& to) {
     const auto curve = [&](double t) { return Vec2(from + t * (to - from)); };
-    const std::vector<double> t = divide(curve, 0.0, 1.0, size_);
+    const std::vector<double> t = divide_curve_by_size(curve, 0.0, 1.0, size_);
     std::vector<int> nodes;
     for (std::size_t i = 1; i + 1 < t.size(); ++i) {
       nodes.push_back(net_.add_node_at_local_position(base::embed_in_space(curve(t[i]))));
@@ -215,7 +215,7 @@ private:
     std::vector<int>& path = patch_.paths.emplace_back();
     for (std::size_t i = 0; i < corners.size(); ++i) {
       if (i > 0) {
-        path.push_back(net_.mid_node(corners[i - 1], corners[i]));
+        path.push_back(net_.find_or_add_mid_node(corners[i - 1], corners[i]));
       }
       path.push_back(corners[i]);
     }
@@ -224,8 +224,8 @@ private:
   /// A half: crack, rosette and ligament take the place of the host's edges on the line.
   void add_half_line(const PatchCrack& crack, const std::vector<int>& crack_face) {
     const Rosette& rosette = crack.rosettes.front();
-    const SymmetryLine::SymmetryLineEnd end = symmetry_line_.end();
-    if (end.x < 1.0 + crack.place.radius + same) {
+    const SymmetryLine::SymmetryLineEnd end = symmetry_line_.farthest_end();
+    if (end.x < 1.0 + crack.place.radius + coordinate_tolerance) {
       patch_.trouble = "the symmetry line ends inside the rosette";
       return;
     }

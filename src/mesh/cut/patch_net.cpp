@@ -44,7 +44,7 @@ std::optional<int> PatchMeshBuilder::find_mid_node(int a, int b) const {
   return at == mid_.end() ? std::nullopt : std::optional(at->second);
 }
 
-int PatchMeshBuilder::mid_node(int a, int b) {
+int PatchMeshBuilder::find_or_add_mid_node(int a, int b) {
   if (const auto known = find_mid_node(a, b)) {
     return *known;
   }
@@ -59,8 +59,8 @@ void PatchMeshBuilder::add_element(base::ElementType type, std::span<const int> 
   element.nodes.assign(corners.begin(), corners.end());
   for (int m = 0; m < shape::edge_count(type); ++m) {
     const auto [a, b] = shape::edge_corners(type, m);
-    element.nodes.push_back(
-        mid_node(corners[static_cast<std::size_t>(a)], corners[static_cast<std::size_t>(b)]));
+    element.nodes.push_back(find_or_add_mid_node(corners[static_cast<std::size_t>(a)],
+                                                 corners[static_cast<std::size_t>(b)]));
   }
 }
 

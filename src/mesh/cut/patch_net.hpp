@@ -75,7 +75,7 @@ public:
   int duplicate_node(int n);
 
   /// The node in the middle of an edge, made half way if the edge has none.
-  int mid_node(int a, int b);
+  int find_or_add_mid_node(int a, int b);
   [[nodiscard]] std::optional<int> find_mid_node(int a, int b) const;
   void set_mid_node(int a, int b, int node) { mid_.insert_or_assign(key(a, b), node); }
   /// Adds a quadratic element of these corners, with the nodes in the middle of its edges.

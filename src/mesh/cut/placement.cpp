@@ -26,7 +26,7 @@ constexpr double through = 1e-4;
 constexpr double shortest_part = 1e-5;
 
 bool on_axis(const Vec2& p) {
-  return std::abs(p.y()) < same;
+  return std::abs(p.y()) < coordinate_tolerance;
 }
 
 /// Which side of a crack along the boundary the body lies on.
@@ -35,8 +35,8 @@ int side_of_body(const HostMesh& host, const CrackFrame& frame) {
     const EdgeEndAndMidNodes edge = element_edge_nodes(host.mesh(), face);
     const Vec2 a = frame.rounded_local_coordinates(host.mesh().x[edge.a.index()]).head<2>();
     const Vec2 b = frame.rounded_local_coordinates(host.mesh().x[edge.b.index()]).head<2>();
-    if (on_axis(a) && on_axis(b) && std::max(a.x(), b.x()) > same &&
-        std::min(a.x(), b.x()) < 1.0 - same) {
+    if (on_axis(a) && on_axis(b) && std::max(a.x(), b.x()) > coordinate_tolerance &&
+        std::min(a.x(), b.x()) < 1.0 - coordinate_tolerance) {
       // Edges run with the body on their left: one that runs as the crack does has it on the
       // crack's left.
       return b.x() > a.x() ? 1 : -1;
@@ -54,7 +54,7 @@ double tip_clearance(const HostMesh& host, const CrackFrame& frame, const std::v
   const Vec2 along = (line.back() - line[line.size() - 2]).normalized();
   const auto is_ahead = [&](base::NodeId n) {
     const Vec2 x = frame.exact_local_coordinates(mesh.x[n.index()]).head<2>();
-    return std::abs(cross(along, x - line.back())) < same;
+    return std::abs(cross(along, x - line.back())) < coordinate_tolerance;
   };
   const auto on_line = [&](const EdgeEndAndMidNodes& edge) {
     return is_ahead(edge.a) && is_ahead(edge.b);
@@ -65,7 +65,7 @@ double tip_clearance(const HostMesh& host, const CrackFrame& frame, const std::v
     // The quick test first: the nearest point of a curved edge takes some steps.
     if (is_face_element_in_net(mesh, face, net) &&
         !is_edge_beyond_distance_of_point(mesh, edge, tip, least) && !(half && on_line(edge))) {
-      least = std::min(least, nearest_on(mesh, edge, tip).distance);
+      least = std::min(least, nearest_point_on_edge(mesh, edge, tip).distance);
     }
   }
   return least / frame.a;
@@ -293,7 +293,7 @@ std::optional<CrackPlacement> place_crack_in_host(const HostMesh& host, const Cr
   return result;
 }
 
-CrackPlacement seen_from(const CrackPlacement& placement, const CrackFrame& frame) {
+CrackPlacement placement_in_frame(const CrackPlacement& placement, const CrackFrame& frame) {
   CrackPlacement result = placement;
   const CrackFrame& own = placement.frame;
   if (own.origin == frame.origin && own.axes == frame.axes && own.a == frame.a) {

@@ -47,7 +47,7 @@ std::optional<CrackPlacement> place_crack_in_host(const HostMesh& host, const Cr
                                                   base::Diagnostics& diagnostics);
 
 /// The same crack in another frame; unchanged in its own.
-CrackPlacement seen_from(const CrackPlacement& placement, const CrackFrame& frame);
+CrackPlacement placement_in_frame(const CrackPlacement& placement, const CrackFrame& frame);
 
 /// Distance from the last point of a line to the net's boundary, but for the line itself of a
 /// symmetric half, and to borders of other properties [a].

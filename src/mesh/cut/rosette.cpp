@@ -55,10 +55,12 @@ Rosette add_rosette(PatchMeshBuilder& net, const CrackPlacement& placement, cons
       const double angle = at.direction + t;
       // On the axis without the round-off of sine and cosine: a straight crack and the line of a
       // half stay on one line to the last bit.
-      const bool axis = (at.direction == 0.0 || backward) &&
-                        (std::abs(t) < same || std::abs(std::abs(t) - pi) < same);
-      const base::Vec2 unit = axis ? base::Vec2((std::abs(t) < same) != backward ? 1.0 : -1.0, 0.0)
-                                   : base::Vec2(std::cos(angle), std::sin(angle));
+      const bool axis =
+          (at.direction == 0.0 || backward) &&
+          (std::abs(t) < coordinate_tolerance || std::abs(std::abs(t) - pi) < coordinate_tolerance);
+      const base::Vec2 unit =
+          axis ? base::Vec2((std::abs(t) < coordinate_tolerance) != backward ? 1.0 : -1.0, 0.0)
+               : base::Vec2(std::cos(angle), std::sin(angle));
       corner[k][j] = net.add_node_at_local_position(base::embed_in_space(at.at + radii[k] * unit));
     }
   }

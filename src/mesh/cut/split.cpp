@@ -30,15 +30,15 @@ right_of_path(const model::Mesh& mesh, NodeId node, const std::vector<ElementId>
       }
       // An edge has its element on the left: one that runs with the path belongs to the left face.
       if (cut.contains({edge.a, edge.b})) {
-        fan.mark(i, CrackFaceOfElement::left);
+        fan.add_side_on_crack(i, CrackFaceOfElement::left);
       } else if (cut.contains({edge.b, edge.a})) {
-        fan.mark(i, CrackFaceOfElement::right);
+        fan.add_side_on_crack(i, CrackFaceOfElement::right);
       } else {
-        fan.join(i, first.try_emplace(std::minmax(edge.a, edge.b), i).first->second);
+        fan.join_elements(i, first.try_emplace(std::minmax(edge.a, edge.b), i).first->second);
       }
     }
   }
-  const std::vector<CrackFaceOfElement> sides = fan.sides();
+  const std::vector<CrackFaceOfElement> sides = fan.crack_face_of_each_element();
   std::vector<ElementId> right;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     if (sides[i] == CrackFaceOfElement::both) {

@@ -13,11 +13,13 @@ using base::Vec2;
 bool SymmetryLine::contains(const CavityOutlineEdge& edge) const {
   // Ahead of the mouth only: the boundary may go on straight behind it.
   const auto local = [&](double xi) { return point_on_edge(host_, frame_, edge.edge, xi); };
-  return edge.free && std::abs(local(-1.0).y()) < same && std::abs(local(0.0).y()) < same &&
-         std::abs(local(1.0).y()) < same && std::max(local(-1.0).x(), local(1.0).x()) > same;
+  return edge.free && std::abs(local(-1.0).y()) < coordinate_tolerance &&
+         std::abs(local(0.0).y()) < coordinate_tolerance &&
+         std::abs(local(1.0).y()) < coordinate_tolerance &&
+         std::max(local(-1.0).x(), local(1.0).x()) > coordinate_tolerance;
 }
 
-SymmetryLine::SymmetryLineEnd SymmetryLine::end() const {
+SymmetryLine::SymmetryLineEnd SymmetryLine::farthest_end() const {
   SymmetryLineEnd result;
   for (const CavityOutlineEdge& edge : edges_) {
     for (const NodeId n : {edge.edge.a, edge.edge.b}) {
@@ -41,7 +43,8 @@ SymmetryLine::edge_replacements(const PatchMeshBuilder& net, const std::vector<i
       const double x =
           0.5 * (net.local_position(line[i]).x() + net.local_position(line[i + 1]).x());
       // Half-open: a piece whose middle meets the end of two host edges goes to one of them.
-      if (x >= std::min(x0, x1) - same && x < std::max(x0, x1) - same) {
+      if (x >= std::min(x0, x1) - coordinate_tolerance &&
+          x < std::max(x0, x1) - coordinate_tolerance) {
         pieces.push_back({line[i], line[i + 1]});
       }
     }

@@ -22,7 +22,7 @@ public:
     base::NodeId node;
     double x = 0.0;
   };
-  [[nodiscard]] SymmetryLineEnd end() const;
+  [[nodiscard]] SymmetryLineEnd farthest_end() const;
 
   /// The edges between nodes of the patch along the whole line, in the direction of growth: each
   /// belongs to the host edge that its middle lies on.

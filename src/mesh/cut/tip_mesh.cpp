@@ -47,7 +47,7 @@ TipMeshParameters choose_tip_mesh(const HostMesh& host, const CrackLine& line,
     for (const Vec3& p : line.points) {
       local.push_back(frame.rounded_local_coordinates(p).head<2>());
     }
-    double room = std::min(1.0, clearance_to_cracks(line, all) / frame.a);
+    double room = std::min(1.0, tip_clearance_to_cracks(line, all) / frame.a);
     for (int end = 0; end < (line.embedded ? 2 : 1); ++end) {
       // (crack.16): half of the only straight part where both its ends are tips.
       const double last = (local.back() - local[local.size() - 2]).norm();

@@ -220,7 +220,7 @@ private:
     std::array<NodeId, 3> corner;
     std::array<Point, 3> mid;
     for (std::size_t c = 0; c < 3; ++c) {
-      corner[c] = lattice.node_at(point(p[c]));
+      corner[c] = lattice.find_or_add_node(point(p[c]));
     }
     for (std::size_t c = 0; c < 3; ++c) {
       const std::size_t d = (c + 1) % 3;

@@ -19,7 +19,7 @@ Lattice::Lattice(model::Mesh& mesh, base::NetId net, ElementType type)
   assert(base::element_info(type).dim == 2);
 }
 
-NodeId Lattice::node_at(const KeyedPoint& point) {
+NodeId Lattice::find_or_add_node(const KeyedPoint& point) {
   const auto [at, fresh] = known_.try_emplace(point.key);
   if (fresh) {
     at->second = model::add_node(mesh_, point.x, next_node_++, net_);
@@ -36,8 +36,12 @@ base::ElementId Lattice::add_triangle(const std::array<NodeId, 3>& corner,
   if (!base::element_info(type_).quadratic) {
     return add(ElementType::trim3, corner);
   }
-  const std::array<NodeId, 6> nodes{corner[0],       corner[1],       corner[2],
-                                    node_at(mid[0]), node_at(mid[1]), node_at(mid[2])};
+  const std::array<NodeId, 6> nodes{corner[0],
+                                    corner[1],
+                                    corner[2],
+                                    find_or_add_node(mid[0]),
+                                    find_or_add_node(mid[1]),
+                                    find_or_add_node(mid[2])};
   return add(ElementType::trimc6, nodes);
 }
 
@@ -53,7 +57,7 @@ std::array<model::Face, 4> Lattice::add_cell(int i, int j, const Map& map) {
     std::array<NodeId, 9> nodes;
     const auto count = static_cast<std::size_t>(info.nodes);
     for (std::size_t k = 0; k < count; ++k) {
-      nodes[k] = node_at(p[k]);
+      nodes[k] = find_or_add_node(p[k]);
     }
     const base::ElementId e = add(type_, std::span(nodes).first(count));
     return {{{e, 0}, {e, 1}, {e, 2}, {e, 3}}};
@@ -64,7 +68,8 @@ std::array<model::Face, 4> Lattice::add_cell(int i, int j, const Map& map) {
   for (std::size_t k = 0; k < 4; ++k) {
     p[8].x += 0.5 * (p[4 + k].x - 0.5 * (p[k].x + p[(k + 1) % 4].x));
   }
-  const std::array<NodeId, 4> c{node_at(p[0]), node_at(p[1]), node_at(p[2]), node_at(p[3])};
+  const std::array<NodeId, 4> c{find_or_add_node(p[0]), find_or_add_node(p[1]),
+                                find_or_add_node(p[2]), find_or_add_node(p[3])};
   if (even) { // diagonals alternate, so that no direction is preferred
     const base::ElementId a = add_triangle({c[0], c[1], c[2]}, {p[4], p[5], p[8]});
     const base::ElementId b = add_triangle({c[0], c[2], c[3]}, {p[8], p[6], p[7]});

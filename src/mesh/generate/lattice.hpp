@@ -30,7 +30,7 @@ public:
   std::array<model::Face, 4> add_cell(int i, int j, const Map& map);
 
   /// The node of a point, made when first asked for.
-  base::NodeId node_at(const KeyedPoint& point);
+  base::NodeId find_or_add_node(const KeyedPoint& point);
 
   /// A triangle of the lattice's order; `mid` are the points opposite corners 2, 0, 1.
   base::ElementId add_triangle(const std::array<base::NodeId, 3>& corner,

@@ -66,11 +66,13 @@ protected:
 };
 
 // The reader of a keyword; empty for those that are not of this kind.
-std::unique_ptr<InpKeywordReader> inp_mesh_reader(InpReaderContext& shared, const InpKeyword& key);
+std::unique_ptr<InpKeywordReader> make_inp_mesh_reader(InpReaderContext& shared,
+                                                       const InpKeyword& key);
 /// The reader of *NSET, *ELSET or *SURFACE; null for other keywords.
-std::unique_ptr<InpKeywordReader> inp_set_reader(InpReaderContext& shared, const InpKeyword& key);
+std::unique_ptr<InpKeywordReader> make_inp_set_reader(InpReaderContext& shared,
+                                                      const InpKeyword& key);
 /// The reader of materials, sections and *EQUATION; null for other keywords.
-std::unique_ptr<InpKeywordReader> inp_material_and_equation_reader(InpReaderContext& shared,
-                                                                   const InpKeyword& key);
+std::unique_ptr<InpKeywordReader> make_material_and_equation_reader(InpReaderContext& shared,
+                                                                    const InpKeyword& key);
 
 } // namespace spricka::mesh

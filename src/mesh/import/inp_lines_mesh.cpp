@@ -157,7 +157,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<InpKeywordReader> inp_mesh_reader(InpReaderContext& shared, const InpKeyword& key) {
+std::unique_ptr<InpKeywordReader> make_inp_mesh_reader(InpReaderContext& shared,
+                                                       const InpKeyword& key) {
   if (key.name == "NODE") {
     return std::make_unique<NodeLines>(shared, key);
   }

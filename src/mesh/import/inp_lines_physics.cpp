@@ -149,8 +149,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<InpKeywordReader> inp_material_and_equation_reader(InpReaderContext& shared,
-                                                                   const InpKeyword& key) {
+std::unique_ptr<InpKeywordReader> make_material_and_equation_reader(InpReaderContext& shared,
+                                                                    const InpKeyword& key) {
   if (key.name == "MATERIAL") {
     return std::make_unique<NoLines>(shared, key);
   }

@@ -131,7 +131,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<InpKeywordReader> inp_set_reader(InpReaderContext& shared, const InpKeyword& key) {
+std::unique_ptr<InpKeywordReader> make_inp_set_reader(InpReaderContext& shared,
+                                                      const InpKeyword& key) {
   if (key.name == "NSET" || key.name == "ELSET") {
     return std::make_unique<SetLines>(shared, key, key.name == "NSET", key.name);
   }

@@ -134,7 +134,8 @@ private:
     if (passed_over(key)) {
       return nullptr;
     }
-    for (const auto make : {inp_mesh_reader, inp_set_reader, inp_material_and_equation_reader}) {
+    for (const auto make :
+         {make_inp_mesh_reader, make_inp_set_reader, make_material_and_equation_reader}) {
       if (auto lines = make(shared_, key)) {
         return lines;
       }

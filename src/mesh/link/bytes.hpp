@@ -17,9 +17,9 @@ class ByteWriter {
 public:
   /// Appends fields one after another, each by its type: the bytes of a value without pointers; of
   /// a text or a list the number of its members, then these; the coordinates of a point.
-  template <class... Field> void fields(const Field&... values) { (append(values), ...); }
+  template <class... Field> void exchange_fields(const Field&... values) { (append(values), ...); }
   /// Appends a list: its number of items, then of each what `write` appends.
-  template <class List, class Write> void items(const List& list, Write&& write) {
+  template <class List, class Write> void exchange_list(const List& list, Write&& write) {
     append(list.size());
     for (const auto& item : list) {
       write(item);
@@ -40,7 +40,7 @@ private:
   }
   template <class T> void append(const std::vector<T>& list) {
     if constexpr (!std::is_trivially_copyable_v<T>) {
-      items(list, [&](const T& item) { append(item); });
+      exchange_list(list, [&](const T& item) { append(item); });
     } else {
       append(list.size());
       if (!list.empty()) {
@@ -70,10 +70,10 @@ public:
   }
   /// Reads fields as ByteWriter appends them: values as read_value; texts and lists are empty where
   /// their length does not fit what is left, lists of lists, texts or points end there.
-  template <class... Field> void fields(Field&... values) { (read(values), ...); }
+  template <class... Field> void exchange_fields(Field&... values) { (read(values), ...); }
   /// Reads a list, of items that `read_item` fills one after another, as far as the bytes are
   /// sound.
-  template <class List, class ReadItem> void items(List& list, ReadItem&& read_item) {
+  template <class List, class ReadItem> void exchange_list(List& list, ReadItem&& read_item) {
     list.clear();
     for (auto count = read_value<std::size_t>(); count > 0 && sound_; --count) {
       read_item(list.emplace_back());
@@ -95,7 +95,7 @@ private:
   }
   template <class T> void read(std::vector<T>& list) {
     if constexpr (!std::is_trivially_copyable_v<T>) {
-      items(list, [&](T& item) { read(item); });
+      exchange_list(list, [&](T& item) { read(item); });
     } else {
       list.resize(read_count(sizeof(T)));
       if (!list.empty()) {

@@ -11,7 +11,8 @@ using base::Vec2;
 
 std::vector<double> divide_by_cumulative_count(const std::vector<double>& s,
                                                const std::vector<double>& N) {
-  const int count = std::max(1, static_cast<int>(std::floor(N.back() + 0.5 + same)));
+  const int count =
+      std::max(1, static_cast<int>(std::floor(N.back() + 0.5 + coordinate_tolerance)));
   std::vector<double> ends{s.front()};
   std::size_t k = 1;
   for (int i = 1; i < count; ++i) {
@@ -41,8 +42,8 @@ std::vector<double> divide_line_by_size(double s0, double s1,
   return divide_by_cumulative_count(s, N);
 }
 
-std::vector<double> divide(const std::function<Vec2(double)>& x, double t0, double t1,
-                           const Grading& size) {
+std::vector<double> divide_curve_by_size(const std::function<Vec2(double)>& x, double t0, double t1,
+                                         const Grading& size) {
   // N(t) = integral of ds / h, in steps that are short against h
   constexpr double part = 0.05;
   std::vector<double> t{t0};

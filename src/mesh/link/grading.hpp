@@ -63,7 +63,7 @@ std::vector<double> divide_line_by_size(double s0, double s1,
 
 /// Divides a curve x(t), from t0 to t1, into elements of the wanted sizes. Returns the values of t
 /// at their ends, both ends of the curve included.
-std::vector<double> divide(const std::function<base::Vec2(double)>& x, double t0, double t1,
-                           const Grading& size);
+std::vector<double> divide_curve_by_size(const std::function<base::Vec2(double)>& x, double t0,
+                                         double t1, const Grading& size);
 
 } // namespace spricka::mesh

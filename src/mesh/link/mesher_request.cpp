@@ -16,7 +16,7 @@ constexpr base::ByDimension filling_kind{MesherFrameKind::filling, MesherFrameKi
 
 ByteWriter frame(MesherFrameKind kind) {
   ByteWriter out;
-  out.fields(kind);
+  out.exchange_fields(kind);
   return out;
 }
 
@@ -24,38 +24,41 @@ ByteWriter frame(MesherFrameKind kind) {
 
 template <class Bytes, class Region, class Sources>
 void exchange_region(Bytes& bytes, Region& region, Sources& sources) {
-  bytes.fields(region.points, region.boundaries, region.embedded);
-  bytes.items(sources, [&](auto& source) {
-    bytes.fields(source.at, source.size, source.growth, source.radius);
+  bytes.exchange_fields(region.points, region.boundaries, region.embedded);
+  bytes.exchange_list(sources, [&](auto& source) {
+    bytes.exchange_fields(source.at, source.size, source.growth, source.radius);
   });
 }
 
 template <class Bytes, class Fill> void exchange_fill(Bytes& bytes, Fill& filling) {
-  bytes.fields(filling.added, filling.cells, filling.trouble);
+  bytes.exchange_fields(filling.added, filling.cells, filling.trouble);
 }
 
 template <class Bytes, class Import> void exchange_import(Bytes& bytes, Import& import) {
-  bytes.fields(import.name, import.text, import.script, import.quadratic, import.constants);
+  bytes.exchange_fields(import.name, import.text, import.script, import.quadratic,
+                        import.constants);
 }
 
 template <class Bytes, class Requests> void exchange_sizes(Bytes& bytes, Requests& requests) {
-  bytes.items(requests,
-              [&](auto& request) { bytes.fields(request.at, request.size, request.fresh); });
+  bytes.exchange_list(requests, [&](auto& request) {
+    bytes.exchange_fields(request.at, request.size, request.fresh);
+  });
 }
 
 template <class Bytes, class Model> void exchange_model(Bytes& bytes, Model& model) {
-  bytes.fields(model.dim, model.node_tags, model.x);
+  bytes.exchange_fields(model.dim, model.node_tags, model.x);
   for (auto* const blocks : {&model.elements, &model.sides}) {
-    bytes.items(*blocks, [&](auto& block) {
-      bytes.fields(block.entity, block.type, block.type_name, block.tags, block.nodes);
+    bytes.exchange_list(*blocks, [&](auto& block) {
+      bytes.exchange_fields(block.entity, block.type, block.type_name, block.tags, block.nodes);
     });
   }
-  bytes.items(model.groups, [&](auto& group) {
-    bytes.fields(group.dim, group.tag, group.name, group.entities, group.nodes);
+  bytes.exchange_list(model.groups, [&](auto& group) {
+    bytes.exchange_fields(group.dim, group.tag, group.name, group.entities, group.nodes);
   });
-  bytes.items(model.constants,
-              [&](auto& constant) { bytes.fields(constant.first, constant.second); });
-  bytes.fields(model.errors, model.warnings, model.gave_up);
+  bytes.exchange_list(model.constants, [&](auto& constant) {
+    bytes.exchange_fields(constant.first, constant.second);
+  });
+  bytes.exchange_fields(model.errors, model.warnings, model.gave_up);
 }
 
 /// The nodes of a block are as many as its elements have, and these are of the right dimension.
@@ -130,9 +133,9 @@ template bool decode_fill_answer(ByteReader&, const SolidRegion&, TetrahedronFil
 std::string encode_import_request(const MesherImportRequest& import) {
   ByteWriter out = frame(MesherFrameKind::import);
   exchange_import(out, import);
-  out.fields(static_cast<bool>(import.size));
+  out.exchange_fields(static_cast<bool>(import.size));
   if (import.size) {
-    out.fields(import.size.scale);
+    out.exchange_fields(import.size.scale);
     exchange_sizes(out, import.size.map->requests());
   }
   return out.release();
@@ -141,7 +144,7 @@ std::string encode_import_request(const MesherImportRequest& import) {
 bool decode_import_request(ByteReader& in, MesherImportRequest& import) {
   exchange_import(in, import);
   if (in.read_value<char>() != 0) {
-    in.fields(import.size.scale);
+    in.exchange_fields(import.size.scale);
     std::vector<SizeMap::SizeRequest> requests;
     exchange_sizes(in, requests);
     import.size.map = std::make_shared<const SizeMap>(std::move(requests));

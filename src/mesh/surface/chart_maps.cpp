@@ -139,7 +139,7 @@ private:
     // From the vertex nearest to angle 0, so that most of a patch keeps its angles.
     std::size_t first = 0;
     for (std::size_t v = 0; v < angle_.size(); ++v) {
-      first = std::abs(angle_[v]) < std::abs(angle_[first]) - same ? v : first;
+      first = std::abs(angle_[v]) < std::abs(angle_[first]) - coordinate_tolerance ? v : first;
     }
     std::vector<std::size_t> queue{first};
     known[first] = true;

@@ -15,7 +15,7 @@ struct MouthEnd {
 };
 
 struct SurfaceMouth {
-  DividedTrace line;           ///< of divide(); end places are those of the caps' corners
+  DividedTrace line; ///< of divide_trace_by_size(); end places are those of the caps' corners
   std::array<MouthEnd, 2> end; ///< of its first and last corner
   bool closed = false;         ///< its last corner is the first one again, both are free
 };

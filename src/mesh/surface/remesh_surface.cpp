@@ -223,7 +223,7 @@ private:
       }
       made_.fail("the crack's mouth leaves the surface that the cavity takes away", corner.place.x);
     }
-    if (std::abs(corner.t) >= 1.0 - same) {
+    if (std::abs(corner.t) >= 1.0 - coordinate_tolerance) {
       const NodeId node = edge.ends[corner.t < 0.0 ? 0 : 1];
       for (const std::size_t e : patches_.rim_edges()) {
         if (std::ranges::count(surface_.edges()[e].ends, node) > 0) {

@@ -166,7 +166,7 @@ SurfaceChart::FacePointAtParameters SurfaceChart::flat_on(std::size_t face, Vec2
 SurfaceChart::FacePointAtParameters SurfaceChart::flat_place(std::size_t face, const Vec2& r,
                                                              const Vec2& u) const {
   FacePointAtParameters best = flat_on(face, r, u);
-  if (best.off <= same) {
+  if (best.off <= coordinate_tolerance) {
     return best;
   }
   std::set<std::size_t> near;
@@ -176,7 +176,7 @@ SurfaceChart::FacePointAtParameters SurfaceChart::flat_place(std::size_t face, c
   }
   for (const std::size_t other : near) {
     const FacePointAtParameters there = flat_on(other, surface_.face(other).domain_centre(), u);
-    best = there.off < best.off - same ? there : best;
+    best = there.off < best.off - coordinate_tolerance ? there : best;
   }
   return best;
 }
@@ -237,10 +237,10 @@ bool clash(const PlaneRegion& region, const Line& one, const Line& two) {
   const Vec2& b = point_of(region, one.second);
   const Vec2& c = point_of(region, two.first);
   const Vec2& d = point_of(region, two.second);
-  if (std::max(a.x(), b.x()) + same < std::min(c.x(), d.x()) ||
-      std::max(c.x(), d.x()) + same < std::min(a.x(), b.x()) ||
-      std::max(a.y(), b.y()) + same < std::min(c.y(), d.y()) ||
-      std::max(c.y(), d.y()) + same < std::min(a.y(), b.y())) {
+  if (std::max(a.x(), b.x()) + coordinate_tolerance < std::min(c.x(), d.x()) ||
+      std::max(c.x(), d.x()) + coordinate_tolerance < std::min(a.x(), b.x()) ||
+      std::max(a.y(), b.y()) + coordinate_tolerance < std::min(c.y(), d.y()) ||
+      std::max(c.y(), d.y()) + coordinate_tolerance < std::min(a.y(), b.y())) {
     return false;
   }
   const bool first = one.first == two.first || one.first == two.second;
@@ -249,14 +249,14 @@ bool clash(const PlaneRegion& region, const Line& one, const Line& two) {
     return true; // the same line twice
   }
   if (!first && !second) {
-    return distance(a, b, c, d) <= same;
+    return distance(a, b, c, d) <= coordinate_tolerance;
   }
   const Vec2& common = first ? a : b;
   const Vec2& p = first ? b : a;
   const bool to_first = two.first == (first ? one.first : one.second);
   const Vec2& q = to_first ? d : c;
-  return geometry::distance_to_segment(p, common, q) <= same ||
-         geometry::distance_to_segment(q, common, p) <= same;
+  return geometry::distance_to_segment(p, common, q) <= coordinate_tolerance ||
+         geometry::distance_to_segment(q, common, p) <= coordinate_tolerance;
 }
 
 /// Wanted sizes where the lines' own do not yet ask for less, in cells that are halved until they
@@ -350,7 +350,8 @@ std::optional<LineIntersection> find_line_intersection(const PlaneRegion& region
       for (const int i : region.boundaries[other]) {
         polygon.push_back(point_of(region, i));
       }
-      in = in != (other != k && is_inside(point_of(region, region.boundaries[k].front()), polygon));
+      in = in != (other != k &&
+                  is_inside_polygon(point_of(region, region.boundaries[k].front()), polygon));
     }
     if (!in) {
       const Line at{region.boundaries[k][0], region.boundaries[k][1]};

@@ -124,7 +124,7 @@ std::vector<SurfaceHit> intersect_line_with_surface(const SurfaceGeometry& surfa
   return result;
 }
 
-bool is_inside(const SurfaceGeometry& surface, const Vec3& x) {
+bool is_inside_body(const SurfaceGeometry& surface, const Vec3& x) {
   // Three lines in no special direction: one of them may run through an edge.
   static const std::array<Vec3, 3> directions{Vec3(0.5377, 0.7210, 0.4369).normalized(),
                                               Vec3(-0.3188, 0.4129, -0.8531).normalized(),
@@ -245,7 +245,7 @@ private:
 
   InteriorFrontArcs closed_arcs() const {
     if (crossings_.empty()) {
-      if (!is_inside(surface_, x(0.0))) {
+      if (!is_inside_body(surface_, x(0.0))) {
         return trouble("the front lies outside of the body", x(0.0));
       }
       return {{InteriorFrontArc{{0.0, front_.length()}, {}, true}}, {}};
@@ -278,7 +278,7 @@ private:
           arcs, [&](const InteriorFrontArc& arc) { return arc.s[0] <= end && end <= arc.s[1]; });
       const bool near = std::ranges::any_of(
           crossings_, [&](const Crossing& c) { return std::abs(c.s - end) <= 1e-6 * L; });
-      if (!covered && !near && is_inside(surface_, x(end))) {
+      if (!covered && !near && is_inside_body(surface_, x(end))) {
         return trouble("the front ends in the body, away from its surface", x(end));
       }
     }

@@ -27,7 +27,7 @@ std::vector<SurfaceHit> intersect_line_with_surface(const SurfaceGeometry& surfa
                                                     double most);
 
 /// Whether x lies in the body (on the surface: either), by what lines from it pass.
-bool is_inside(const SurfaceGeometry& surface, const base::Vec3& x);
+bool is_inside_body(const SurfaceGeometry& surface, const base::Vec3& x);
 
 /// Where a segment passes the facets of curved faces, or misses them by a little: first guesses of
 /// where a line passes the faces themselves.

@@ -262,7 +262,7 @@ void FeatureLines::take_nodes() {
   for (auto& [e, points] : on_edge_) {
     const auto& ends = surface_.edges()[e].ends;
     std::erase_if(points, [&](const FeatureEdgePoint& point) {
-      const bool at_node = std::abs(point.t) >= 1.0 - same;
+      const bool at_node = std::abs(point.t) >= 1.0 - coordinate_tolerance;
       if (at_node) {
         on_node_.try_emplace(ends[point.t < 0.0 ? 0 : 1], point.point);
       }

@@ -22,7 +22,7 @@ Vec2 onto_plane(const geometry::ElementSide& face, const CrackReferencePlane& pl
   for (int i = 0; i < 8; ++i) {
     const geometry::SidePoint p = face.point(r);
     const Vec2 g = p.tangents.transpose() * plane.gradient_of_height_over_crack(p.x);
-    const double height = plane.height(p.x);
+    const double height = plane.height_over_crack(p.x);
     if (!(g.squaredNorm() > 0.0) || std::abs(height) <= 1e-15 * plane.length) {
       break;
     }
@@ -45,7 +45,7 @@ public:
       : surface_(surface), plane_(plane),
         net_(surface, faces_near(surface, plane), finer(surface, plane)) {
     for (const Vec3& x : net_.vertices()) {
-      height_.push_back(rounded(plane.height(x) / plane.length));
+      height_.push_back(rounded(plane.height_over_crack(x) / plane.length));
     }
     for (std::size_t f = 0; f < net_.facets().size(); ++f) {
       add(f);
@@ -66,7 +66,7 @@ public:
     for (std::size_t i = 0; i < passings_.size(); ++i) {
       const Vec3 a = x(passings_[i].sides[0]);
       const Vec3 b = x(passings_[i].sides[1]);
-      if (!((b - a).norm() > same * plane_.length)) {
+      if (!((b - a).norm() > coordinate_tolerance * plane_.length)) {
         continue;
       }
       const double away = rounded(geometry::distance_to_segment(p, a, b) / plane_.length);
@@ -190,7 +190,7 @@ private:
     const Vec2 r0 = r_of(facet, side.first);
     const Vec2 r1 = r_of(facet, side.second);
     const auto height = [&](double t) {
-      return plane_.height(face.position((1.0 - t) * r0 + t * r1));
+      return plane_.height_over_crack(face.position((1.0 - t) * r0 + t * r1));
     };
     double a = 0.0;
     double b = 1.0;
@@ -274,13 +274,13 @@ private:
     const auto& sides = line_.passings()[passing].sides;
     const double reach = (line_.x(sides[1]) - line_.x(sides[0])).norm();
     const double away = std::min((line_.x(sides[0]) - x).norm(), (line_.x(sides[1]) - x).norm());
-    return away <= 2.0 * reach + same * plane_.length;
+    return away <= 2.0 * reach + coordinate_tolerance * plane_.length;
   }
 
   /// A point of no length from the one before is not taken; its mark of an edge is.
   void add(std::size_t passing, const Vec2& r0, const TracePoint& point, const Vec2& r1) {
     TracePoint& before = points_.back();
-    if ((point.place.x - before.place.x).norm() > same * plane_.length) {
+    if ((point.place.x - before.place.x).norm() > coordinate_tolerance * plane_.length) {
       segments_.push_back({line_.facet(passing).face, r0, r1, 0.0});
       points_.push_back(point);
     } else if (point.edge != nowhere) {
@@ -369,7 +369,7 @@ std::vector<double> SurfaceTrace::kink_positions(double angle) const {
   return all;
 }
 
-DividedTrace divide(const SurfaceTrace& trace, const SizeFunction& size) {
+DividedTrace divide_trace_by_size(const SurfaceTrace& trace, const SizeFunction& size) {
   const auto size_of = [&](double at) { return size(trace.at(at).x); };
   DividedTrace line;
   double begin = 0.0;

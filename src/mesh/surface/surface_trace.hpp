@@ -38,7 +38,7 @@ struct CrackReferencePlane {
     return (x - (relief ? relief->fronts().points.front().front() : origin)).dot(normal);
   }
   /// Of a place over the crack.
-  [[nodiscard]] double height(const base::Vec3& x) const {
+  [[nodiscard]] double height_over_crack(const base::Vec3& x) const {
     return relief ? -relief->crack_height_over_plane(x) : signed_plane_distance(x);
   }
   /// How that height changes in space.
@@ -111,6 +111,6 @@ inline constexpr double bent = 0.03;
 
 /// Divides a trace into edges of the wanted sizes. Where it crosses feature edges or is bent there
 /// are corners.
-DividedTrace divide(const SurfaceTrace& trace, const SizeFunction& size);
+DividedTrace divide_trace_by_size(const SurfaceTrace& trace, const SizeFunction& size);
 
 } // namespace spricka::mesh

@@ -338,7 +338,7 @@ private:
     };
     for (std::size_t i = 0; i < around.size(); ++i) {
       if (const auto at = level_.find({node, around[i]}); at != level_.end()) {
-        fan.mark(i, at->second);
+        fan.add_side_on_crack(i, at->second);
       }
       for (std::size_t s = 0; s < 4; ++s) {
         const PatchTriangle corners = corners_of(tetrahedra_[around[i]], s);
@@ -348,11 +348,11 @@ private:
         const Sheet& sheet = sheets_.at(in_order(corners));
         for (const TetrahedronFace& side :
              sheet.crack ? std::vector<TetrahedronFace>() : sheet.sides) {
-          fan.join(i, number(side.tetrahedron));
+          fan.join_elements(i, number(side.tetrahedron));
         }
       }
     }
-    const std::vector<CrackFaceOfElement> sides = fan.sides();
+    const std::vector<CrackFaceOfElement> sides = fan.crack_face_of_each_element();
     const auto any = [&](CrackFaceOfElement side) { return std::ranges::count(sides, side) > 0; };
     if (any(CrackFaceOfElement::both)) {
       result_.trouble = "the two sides of a crack hang together";

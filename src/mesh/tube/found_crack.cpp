@@ -256,7 +256,7 @@ private:
     });
     CoincidentPoints places(at_one_place * found_.shortest);
     for (const NodeId n : nodes) {
-      place_.emplace(n, places.number_of(x(n)));
+      place_.emplace(n, places.find_or_add_number(x(n)));
     }
   }
 

@@ -36,8 +36,8 @@ CrackedMesh graft_groups(const SolidHostMesh& host, const std::vector<LocatedSol
   CrackedMesh result = std::move(grafted.cracked);
   for (std::size_t g = 0; g < groups.size(); ++g) {
     groups[g].placed = std::move(grafted.patches[g]);
-    add_ties(groups[g].patch, groups[g].placed, requests[groups[g].members.front()].crack->crack,
-             result);
+    add_patch_ties(groups[g].patch, groups[g].placed,
+                   requests[groups[g].members.front()].crack->crack, result);
   }
   return result;
 }
@@ -46,8 +46,8 @@ void add_faces(const CavityCrackGroup& group, std::size_t c, CrackedMesh& result
   const SolidPatch::OpenedPatchCrack& crack = group.patch.cracks[c];
   CrackFaceNodes& faces = result.faces.emplace_back();
   for (const auto& [upper, lower] : crack.twins) {
-    faces.left.push_back(group.placed.node_of(upper));
-    faces.right.push_back(group.placed.node_of(lower));
+    faces.left.push_back(group.placed.node_in_mesh(upper));
+    faces.right.push_back(group.placed.node_in_mesh(lower));
   }
   const auto side = [&](const SolidPatch::PatchElementSide& s) {
     return model::Face{group.placed.element[s.element], s.side};
@@ -73,7 +73,7 @@ void add_fronts(const LocatedSolidCrack& request, const CavityCrackGroup& group,
     const std::size_t n = tube.stations.size();
     for (std::size_t k = 0; k < n; ++k) {
       FrontPoint& point = front.points.emplace_back();
-      point.node = group.placed.node_of(group.patch.cracks[c].fronts[t][k]);
+      point.node = group.placed.node_in_mesh(group.patch.cracks[c].fronts[t][k]);
       point.x = result.mesh.x[point.node.index()];
       point.size = unit * tube.size[k];
       point.radius = unit * tube.radius[k];

@@ -117,12 +117,12 @@ public:
         return std::nullopt;
       }
       TubeSizes sizes =
-          tube_sizes(curve,
-                     {[&](double s) { return round.clearance(s * frame_.a) / frame_.a; },
-                      [&](double s) { return round.crack_width(s * frame_.a) / frame_.a; },
-                      {round.end_inclination(0), round.end_inclination(1)},
-                      straight(round)},
-                     mesh_);
+          choose_tube_sizes(curve,
+                            {[&](double s) { return round.clearance(s * frame_.a) / frame_.a; },
+                             [&](double s) { return round.crack_width(s * frame_.a) / frame_.a; },
+                             {round.end_inclination(0), round.end_inclination(1)},
+                             straight(round)},
+                            mesh_);
       if (!mesh_.tube) {
         sizes = tubeless_front_sizes(std::move(sizes), mesh_);
       }
@@ -250,13 +250,14 @@ private:
         return false;
       }
     }
-    if (sizes.count() > (mesh_.tube ? most_elements : most_free_elements)) {
+    if (sizes.element_count_along_front() > (mesh_.tube ? most_elements : most_free_elements)) {
       const auto narrow = std::ranges::min_element(sizes.radius) - sizes.radius.begin();
       const auto i = static_cast<std::size_t>(narrow);
       diagnostics_.error(request_.span, "E423",
                          fmt::format("{}: its front would take {:.0f} elements, as there is room "
                                      "for {} of radius {:.3g} only at {}, beside {}",
-                                     request_.crack->display_name(), sizes.count(),
+                                     request_.crack->display_name(),
+                                     sizes.element_count_along_front(),
                                      mesh_.tube ? "a tube" : "elements", sizes.radius[i] * frame_.a,
                                      coordinate_text(frame_.global(curve.at(sizes.s[i]).x)),
                                      what_is_near(curve.at(sizes.s[i]).x)),
@@ -308,7 +309,7 @@ bool divide_crack_mouths(const SolidHostMesh& host, const CrackFrame& frame,
     if (traced.trouble) {
       return fail(traced.trouble);
     }
-    crack.mouths.push_back({t, next, divide(traced.trace.front(), size)});
+    crack.mouths.push_back({t, next, divide_trace_by_size(traced.trace.front(), size)});
   }
   for (const BodyHoleInCrack& hole : request.holes) {
     const TraceResult traced = trace_crack_plane(surface, crack_reference_plane(*request.crack),
@@ -316,7 +317,7 @@ bool divide_crack_mouths(const SolidHostMesh& host, const CrackFrame& frame,
     if (traced.trouble) {
       return fail(traced.trouble);
     }
-    crack.holes.push_back(divide(traced.trace.front(), size));
+    crack.holes.push_back(divide_trace_by_size(traced.trace.front(), size));
   }
   return true;
 }

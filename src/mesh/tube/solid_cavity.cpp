@@ -53,7 +53,7 @@ private:
   using EdgeKey = std::pair<NodeId, NodeId>;
 
   [[nodiscard]] bool wanted(ElementId e) const {
-    const SolidHostMesh::ElementBoundingBall& extent = host_.extent(e);
+    const SolidHostMesh::ElementBoundingBall& extent = host_.bounding_ball(e);
     const Vec3 middle = frame_.rounded_local_coordinates(extent.middle);
     const double radius = extent.radius / frame_.a;
     const double edge = extent.edge / frame_.a;
@@ -64,8 +64,8 @@ private:
         return false;
       }
       const CrackDistanceField::DistancesFromCrack d = crack.distance(middle);
-      if (d.front < radius + clear_of_tube * d.radius + same ||
-          d.surface < radius + clear_of_faces * size_at_front_distance(d) + same) {
+      if (d.front < radius + clear_of_tube * d.radius + coordinate_tolerance ||
+          d.surface < radius + clear_of_faces * size_at_front_distance(d) + coordinate_tolerance) {
         return true;
       }
       double nearest = d.front;
@@ -73,7 +73,7 @@ private:
         nearest = std::min(
             nearest, crack.distance(frame_.rounded_local_coordinates(mesh_.x[n.index()])).front);
       }
-      return edge > nearest + d.radius + same;
+      return edge > nearest + d.radius + coordinate_tolerance;
     });
   }
 
@@ -113,7 +113,7 @@ private:
   void find_outline() {
     outline_.clear();
     for (const model::Face& face :
-         host_.outline(taken(), [&](ElementId e) { return in_[e.index()]; })) {
+         host_.sides_facing_outside(taken(), [&](ElementId e) { return in_[e.index()]; })) {
       outline_.push_back({face, !host_.neighbour(face)});
     }
     by_edge_.clear();
@@ -248,7 +248,8 @@ std::vector<SetCutByCavity> find_sets_cut_by_cavity(const SolidHostMesh& host,
         cavity.elements, [&](ElementId e) { return has[e.index()] != has[first.index()]; });
     if (other != cavity.elements.end()) {
       found.push_back(
-          {s, set.name, 0.5 * (host.extent(first).middle + host.extent(*other).middle)});
+          {s, set.name,
+           0.5 * (host.bounding_ball(first).middle + host.bounding_ball(*other).middle)});
     }
   }
   return found;

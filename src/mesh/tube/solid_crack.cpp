@@ -255,7 +255,8 @@ PlanePolygons::PlanePolygons(const SolidCrack& crack,
 
 bool PlanePolygons::contains(const Vec2& q) const {
   return std::ranges::count_if(
-             outlines_, [&](const std::vector<Vec2>& outline) { return is_inside(q, outline); }) %
+             outlines_,
+             [&](const std::vector<Vec2>& outline) { return is_inside_polygon(q, outline); }) %
              2 ==
          1;
 }
@@ -268,7 +269,7 @@ double PlanePolygons::area() const {
       own += 0.5 * cross(a - outline.front(), b - outline.front());
     });
     const auto round = std::ranges::count_if(outlines_, [&](const std::vector<Vec2>& other) {
-      return &other != &outline && is_inside(outline.front(), other);
+      return &other != &outline && is_inside_polygon(outline.front(), other);
     });
     sum += round % 2 == 0 ? std::abs(own) : -std::abs(own);
   }
@@ -285,7 +286,7 @@ double PlanePolygons::distance_to_outlines(const Vec2& q) const {
 
 double PlanePolygons::distance(const Vec3& x) const {
   const Vec2 q = plane_.project(x);
-  return std::hypot(plane_.height(x), contains(q) ? 0.0 : distance_to_outlines(q));
+  return std::hypot(plane_.height_over_crack(x), contains(q) ? 0.0 : distance_to_outlines(q));
 }
 
 std::vector<Vec3>
@@ -294,8 +295,8 @@ PlanePolygons::intersect_plane_with_triangle(const geometry::CornerPlaces& trian
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3& a = triangle[i];
     const Vec3& b = triangle[(i + 1) % 3];
-    const double ha = plane_.height(a);
-    const double hb = plane_.height(b);
+    const double ha = plane_.height_over_crack(a);
+    const double hb = plane_.height_over_crack(b);
     if ((ha < 0.0) != (hb < 0.0)) {
       ends.push_back(plane_.project(a + ha / (ha - hb) * (b - a)));
     }

@@ -82,7 +82,7 @@ struct PlaneBasis {
     return {u.dot(p - origin), v.dot(p - origin)};
   }
   /// Along the normal, above the crack.
-  [[nodiscard]] double height(const base::Vec3& p) const {
+  [[nodiscard]] double height_over_crack(const base::Vec3& p) const {
     return relief ? -relief->crack_height_over_plane(p) : normal.dot(p - origin);
   }
   /// On the crack.

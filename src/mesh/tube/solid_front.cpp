@@ -123,7 +123,7 @@ public:
     if (const std::optional<Vec3> other = place_in_other_body(surface)) {
       return fail(
           fmt::format("its front begins in the body round {} and lies in another one of its net",
-                      coordinate_text(host_.extent(request_.seed).middle)),
+                      coordinate_text(host_.bounding_ball(request_.seed).middle)),
           *other, "give each body a net of its own and name the cracked one with NET=");
     }
     if (const std::optional<Vec3> at = place_along_face(surface, crack_, whole_)) {

@@ -109,8 +109,8 @@ model::Face BodySurface::face(std::size_t index) const {
   return {elements_[own.element.index()], own.side};
 }
 
-void add_triangles(const model::Mesh& mesh, const model::Face& face,
-                   std::vector<geometry::CornerPlaces>& triangles) {
+void add_face_triangles(const model::Mesh& mesh, const model::Face& face,
+                        std::vector<geometry::CornerPlaces>& triangles) {
   const FaceNodes nodes = face_nodes(mesh, face);
   std::vector<Vec3> rim; // round the face, middles too
   Vec3 middle = Vec3::Zero();
@@ -176,11 +176,11 @@ void SolidHostMesh::find_skins() {
   for (std::size_t p = 0; p < members_.size(); ++p) {
     std::vector<geometry::CornerPlaces> triangles;
     std::vector<geometry::CornerPlaces> between;
-    for (const model::Face& face :
-         outline(members_[p], [&](ElementId e) { return property_part_index(e) == p; })) {
-      add_triangles(mesh(), face, triangles);
+    for (const model::Face& face : sides_facing_outside(
+             members_[p], [&](ElementId e) { return property_part_index(e) == p; })) {
+      add_face_triangles(mesh(), face, triangles);
       if (neighbour(face)) {
-        add_triangles(mesh(), face, between);
+        add_face_triangles(mesh(), face, between);
       }
     }
     skin_.emplace_back(std::move(triangles));
@@ -283,7 +283,7 @@ ElementId SolidHostMesh::nearest_element(std::span<const ElementId> elements, co
   ElementId best = elements.front();
   double least = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < elements.size() && least > 0.0; ++i) {
-    const ElementBoundingBall& own = extent(elements[i]);
+    const ElementBoundingBall& own = bounding_ball(elements[i]);
     if ((x - own.middle).norm() > beyond * own.radius) {
       continue;
     }

@@ -90,7 +90,7 @@ public:
     double radius = 0.0;
     double edge = 0.0;
   };
-  [[nodiscard]] const ElementBoundingBall& extent(base::ElementId e) const {
+  [[nodiscard]] const ElementBoundingBall& bounding_ball(base::ElementId e) const {
     return extent_[e.index()];
   }
 
@@ -122,7 +122,7 @@ private:
 double distance_outside(const model::Mesh& mesh, base::ElementId e, const base::Vec3& x);
 
 /// Triangles between all nodes of a face: its shape, for distances.
-void add_triangles(const model::Mesh& mesh, const model::Face& face,
-                   std::vector<geometry::CornerPlaces>& triangles);
+void add_face_triangles(const model::Mesh& mesh, const model::Face& face,
+                        std::vector<geometry::CornerPlaces>& triangles);
 
 } // namespace spricka::mesh

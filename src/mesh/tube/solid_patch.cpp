@@ -63,7 +63,7 @@ std::vector<std::vector<int>> with_holes(const std::vector<int>& loop,
   }
   std::vector<std::vector<int>> loops{loop};
   std::ranges::copy_if(holes, std::back_inserter(loops), [&](const std::vector<int>& hole) {
-    return is_inside(plane.project(net.local_position(hole.front())), polygon);
+    return is_inside_polygon(plane.project(net.local_position(hole.front())), polygon);
   });
   return loops;
 }
@@ -203,7 +203,7 @@ private:
     for (const Tube& tube : cracks_[c].tubes) {
       const std::size_t first = net_.elements.size();
       std::vector<PatchTriangle> shell;
-      laid.push_back({add_tube(tube, net_, shell), first});
+      laid.push_back({add_tube_to_patch(tube, net_, shell), first});
       if (tube.closed && !tube.free) {
         shells_.push_back(std::move(shell));
       } else {
@@ -341,9 +341,10 @@ private:
         for (std::size_t i = 0; i < 3; ++i) {
           const int a = t[i];
           const int b = t[(i + 1) % 3];
-          const int upper = net_.mid_node(a, b);
+          const int upper = net_.find_or_add_mid_node(a, b);
           if (known.insert(upper).second) {
-            patch_.cracks[c].twins.emplace_back(upper, net_.mid_node(below(a), below(b)));
+            patch_.cracks[c].twins.emplace_back(upper,
+                                                net_.find_or_add_mid_node(below(a), below(b)));
           }
         }
       }

@@ -281,8 +281,8 @@ std::vector<PatchTriangle> triangulate_cavity_shell(const SolidHostMesh& host,
   return shell;
 }
 
-std::vector<int> add_tube(const Tube& tube, PatchMeshBuilder& net,
-                          std::vector<PatchTriangle>& shell) {
+std::vector<int> add_tube_to_patch(const Tube& tube, PatchMeshBuilder& net,
+                                   std::vector<PatchTriangle>& shell) {
   std::vector<int> node;
   for (const Vec3& place : tube.x) {
     node.push_back(net.add_node_at_local_position(place));

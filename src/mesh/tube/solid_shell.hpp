@@ -23,7 +23,7 @@ std::vector<PatchTriangle> triangulate_cavity_shell(const SolidHostMesh& host,
 
 /// Puts a tube into a patch: returns its nodes there; its outside is added to `shell`, two
 /// triangles for each quadrilateral, the middle of the diagonal tied. A free front has none.
-std::vector<int> add_tube(const Tube& tube, PatchMeshBuilder& net,
-                          std::vector<PatchTriangle>& shell);
+std::vector<int> add_tube_to_patch(const Tube& tube, PatchMeshBuilder& net,
+                                   std::vector<PatchTriangle>& shell);
 
 } // namespace spricka::mesh

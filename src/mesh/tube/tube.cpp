@@ -92,7 +92,7 @@ double TubeSizes::radius_at(double at) const {
   return (1.0 - part) * radius[i] + part * radius[i + 1];
 }
 
-std::vector<double> TubeSizes::numbers() const {
+std::vector<double> TubeSizes::cumulative_element_counts() const {
   std::vector<double> number{0.0};
   for (std::size_t i = 1; i < s.size(); ++i) {
     number.push_back(number.back() +
@@ -102,8 +102,8 @@ std::vector<double> TubeSizes::numbers() const {
 }
 
 std::vector<double> TubeSizes::stations(bool closed) const {
-  const std::vector<double> number = numbers();
-  const auto wanted = static_cast<std::size_t>(std::ceil(number.back() - same));
+  const std::vector<double> number = cumulative_element_counts();
+  const auto wanted = static_cast<std::size_t>(std::ceil(number.back() - coordinate_tolerance));
   const std::size_t elements =
       std::max<std::size_t>(wanted, closed ? fewest_of_closed : fewest_of_open);
   std::vector<double> result{s.front()};
@@ -122,8 +122,8 @@ std::vector<double> TubeSizes::stations(bool closed) const {
   return result;
 }
 
-TubeSizes tube_sizes(const FrontCurve& curve, const TubeClearanceAlongFront& room,
-                     const TubeMeshParameters& given) {
+TubeSizes choose_tube_sizes(const FrontCurve& curve, const TubeClearanceAlongFront& room,
+                            const TubeMeshParameters& given) {
   TubeSizes sizes;
   const double step = curve.length() / static_cast<double>(samples);
   for (std::size_t i = 0; i <= samples; ++i) {
@@ -167,8 +167,9 @@ TubeSizes tube_sizes(const FrontCurve& curve, const TubeClearanceAlongFront& roo
           std::clamp(sizes.length[i], least * sizes.radius[i], longest * sizes.radius[i]);
       if (room.straight) { // thin for its bends
         const double all_bends = curve.at(sizes.s[i]).dt.norm();
-        sizes.length[i] = std::min(sizes.length[i], std::sqrt(length_of_arc * sizes.radius[i] /
-                                                              std::max(all_bends, same)));
+        sizes.length[i] =
+            std::min(sizes.length[i], std::sqrt(length_of_arc * sizes.radius[i] /
+                                                std::max(all_bends, coordinate_tolerance)));
       }
     }
   }

@@ -26,8 +26,10 @@ struct TubeSizes {
   /// wanted; of an open front at least two elements, of a closed one its end is not repeated.
   [[nodiscard]] std::vector<double> stations(bool closed) const;
   /// Elements along the front up to each of `s`.
-  [[nodiscard]] std::vector<double> numbers() const;
-  [[nodiscard]] double count() const { return numbers().back(); } ///< of them in all
+  [[nodiscard]] std::vector<double> cumulative_element_counts() const;
+  [[nodiscard]] double element_count_along_front() const {
+    return cumulative_element_counts().back();
+  } ///< of them in all
 };
 
 /// What limits a tube at a length along the front: distance from the surface of the body and from
@@ -46,8 +48,8 @@ struct TubeClearanceAlongFront {
 /// the first two, and 0.5 to 3 radii, shorter towards the ends of an open front. Near leaning ends
 /// the radius leaves room for the shear onto the surface where the front turns. Given sizes
 /// (`given`, in the lengths of the curve) stand as they are, all divided by `finer`.
-TubeSizes tube_sizes(const FrontCurve& curve, const TubeClearanceAlongFront& room,
-                     const TubeMeshParameters& given);
+TubeSizes choose_tube_sizes(const FrontCurve& curve, const TubeClearanceAlongFront& room,
+                            const TubeMeshParameters& given);
 
 /// A quadrilateral with middle nodes, as a side of an element in space: corners in order, then the
 /// middles of the edges that follow them.

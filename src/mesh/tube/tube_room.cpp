@@ -123,11 +123,12 @@ double TubeClearance::across_section(const FrontFrame& at) const {
     const Vec3 d = std::cos(angle) * at.m + std::sin(angle) * at.b;
     for (const SurfaceHit& hit : intersect_line_with_surface(surface, at.x, d, least)) {
       // What the front's end lies far beside of is another surface, however near the end is.
-      const bool other = !front_.curve->closed() && hit.along > same * surface.diagonal() &&
+      const bool other = !front_.curve->closed() &&
+                         hit.along > coordinate_tolerance * surface.diagonal() &&
                          std::abs(hit.place.normal.dot(front_.end[first ? 0 : 1].x - hit.place.x)) >
                              other_surface * hit.along;
       // At the end itself lines along the surface pass it at once, a little before or behind.
-      if (other || to_end > beside_end * std::max(hit.along, 0.0) + same * least) {
+      if (other || to_end > beside_end * std::max(hit.along, 0.0) + coordinate_tolerance * least) {
         least = std::min(least, hit.along);
       }
     }
@@ -152,7 +153,7 @@ double TubeClearance::crack_width(double s) const {
   bool at_mouth = false;
   request_.for_each_mouth_segment([&](const Vec3& from, const Vec3& to) {
     const double away = geometry::distance_to_segment(end, plane.project(from), plane.project(to));
-    at_mouth = at_mouth || away < same * *along;
+    at_mouth = at_mouth || away < coordinate_tolerance * *along;
   });
   return at_mouth ? 2.0 * *along : *along;
 }

@@ -76,8 +76,8 @@ inline void expect_sound(const SurfaceGeometry& surface, const SurfaceCut& cut) 
     EXPECT_LT((surface.nearest_place(e.mid.x).x - e.mid.x).norm(), 1e-9);
     EXPECT_LT((surface.place_at_coordinates(e.mid.face, e.mid.r).x - e.mid.x).norm(), 1e-12);
     if (e.kind == RemeshedEdgeKind::mouth) {
-      EXPECT_LT(std::abs(cut.region.plane.height(e.mid.x)), 1e-9);
-      EXPECT_LT(std::abs(cut.region.plane.height(a.place.x)), 1e-9);
+      EXPECT_LT(std::abs(cut.region.plane.height_over_crack(e.mid.x)), 1e-9);
+      EXPECT_LT(std::abs(cut.region.plane.height_over_crack(a.place.x)), 1e-9);
     }
   }
   const SmoothSurfacePatches patches(surface, cut.region.faces);

@@ -140,7 +140,8 @@ inline SurfaceCut cut_surface(const mesh::SurfaceGeometry& surface, const Ellips
       cut.trouble = traced.trouble.why;
       return cut;
     }
-    region.mouths.push_back({divide(traced.trace[0], region.size), {{{cap, 0}, {cap + 1, 0}}}});
+    region.mouths.push_back(
+        {divide_trace_by_size(traced.trace[0], region.size), {{{cap, 0}, {cap + 1, 0}}}});
     for (int k = 0; k <= 100; ++k) {
       line.push_back(traced.trace[0].at(traced.trace[0].length() * k / 100.0).x);
     }

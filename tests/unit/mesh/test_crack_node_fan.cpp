@@ -10,22 +10,23 @@ using mesh::CrackFaceOfElement;
 
 TEST(CrackNodeFan, ElementsFollowThoseTheyHangTogetherWith) {
   mesh::CrackNodeFan fan(5);
-  fan.mark(0, CrackFaceOfElement::left);
-  fan.mark(3, CrackFaceOfElement::right);
-  fan.join(0, 1);
-  fan.join(3, 2);
-  EXPECT_EQ(fan.sides(), (std::vector{CrackFaceOfElement::left, CrackFaceOfElement::left,
-                                      CrackFaceOfElement::right, CrackFaceOfElement::right,
-                                      CrackFaceOfElement::unknown}));
+  fan.add_side_on_crack(0, CrackFaceOfElement::left);
+  fan.add_side_on_crack(3, CrackFaceOfElement::right);
+  fan.join_elements(0, 1);
+  fan.join_elements(3, 2);
+  EXPECT_EQ(
+      fan.crack_face_of_each_element(),
+      (std::vector{CrackFaceOfElement::left, CrackFaceOfElement::left, CrackFaceOfElement::right,
+                   CrackFaceOfElement::right, CrackFaceOfElement::unknown}));
 }
 
 TEST(CrackNodeFan, ACrackThatEndsThereDoesNotPartThem) {
   mesh::CrackNodeFan fan(3);
-  fan.mark(0, CrackFaceOfElement::left);
-  fan.mark(2, CrackFaceOfElement::right);
-  fan.join(0, 1);
-  fan.join(1, 2);
-  EXPECT_EQ(fan.sides(), std::vector(3, CrackFaceOfElement::both));
+  fan.add_side_on_crack(0, CrackFaceOfElement::left);
+  fan.add_side_on_crack(2, CrackFaceOfElement::right);
+  fan.join_elements(0, 1);
+  fan.join_elements(1, 2);
+  EXPECT_EQ(fan.crack_face_of_each_element(), std::vector(3, CrackFaceOfElement::both));
 }
 
 } // namespace

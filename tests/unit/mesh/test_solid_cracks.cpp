@@ -188,7 +188,7 @@ TEST(SolidCracks, SetsAndNeighbours) {
     }
     EXPECT_GT(middle.x(), -1e-9);
   }
-  EXPECT_TRUE(cracked->removed_nodes[0].empty());
+  EXPECT_TRUE(cracked->unreplaced_set_nodes[0].empty());
   std::set<NodeId> used(mesh.nodes.begin(), mesh.nodes.end());
   std::set<NodeId> members(mesh.node_sets[0].nodes.begin(), mesh.node_sets[0].nodes.end());
   for (const NodeId n : used) {

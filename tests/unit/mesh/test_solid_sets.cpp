@@ -115,7 +115,7 @@ TEST(SolidSets, NodesHeldAlongEdgesAreHeldAlongNewOnes) {
           std::vector<mesh::TubeMeshParameters>(1), std::vector<base::SourceSpan>(1), diagnostics);
       ASSERT_TRUE(cracked);
       EXPECT_TRUE(diagnostics.messages().empty());
-      EXPECT_TRUE(cracked->removed_nodes[0].empty())
+      EXPECT_TRUE(cracked->unreplaced_set_nodes[0].empty())
           << base::element_info(type).name << line.from.transpose();
       const std::vector<NodeId>& now = cracked->mesh.node_sets[0].nodes;
       std::set<NodeId> there = on_line(cracked->mesh, line.from, line.to);
@@ -148,7 +148,7 @@ TEST(SolidSets, SingleNodesHeldOnEdgesStay) {
   ASSERT_TRUE(cracked);
   const std::vector<bool> used = model::mark_nodes_in_use(cracked->mesh);
   for (std::size_t s = 0; s < 3; ++s) {
-    EXPECT_TRUE(cracked->removed_nodes[s].empty()) << s;
+    EXPECT_TRUE(cracked->unreplaced_set_nodes[s].empty()) << s;
     EXPECT_EQ(cracked->mesh.node_sets[s].nodes, host.node_sets[s].nodes) << s;
     EXPECT_TRUE(used[host.node_sets[s].nodes.front().index()]) << s;
   }

@@ -162,7 +162,7 @@ TEST(SurfaceHits, InsideIsWhereTheBodyIs) {
     const Vec3 x(wide(random), wide(random), deep(random));
     const bool body = x.head<2>().norm() > 1.0 && x.head<2>().cwiseAbs().maxCoeff() < 4.0 &&
                       x.z() > 0.0 && x.z() < 1.0;
-    EXPECT_EQ(is_inside(surface, x), body) << x.transpose();
+    EXPECT_EQ(is_inside_body(surface, x), body) << x.transpose();
     in += body ? 1 : 0;
   }
   EXPECT_GT(in, 50);

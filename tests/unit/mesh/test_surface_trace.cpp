@@ -35,7 +35,7 @@ void expect_on_plane_and_faces(const SurfaceGeometry& surface, const CrackRefere
                                const SurfaceTrace& trace) {
   for (int i = 0; i <= 50; ++i) {
     const SurfacePlace place = trace.at(trace.length() * i / 50.0);
-    EXPECT_LT(std::abs(plane.height(place.x)), 1e-12);
+    EXPECT_LT(std::abs(plane.height_over_crack(place.x)), 1e-12);
     EXPECT_LT((surface.place_at_coordinates(place.face, place.r).x - place.x).norm(), 1e-14);
   }
 }
@@ -138,7 +138,8 @@ TEST(SurfaceTrace, DividedLinesHaveTheWantedSizesAndCornersAtEdges) {
       trace_crack_plane(surface, plane, surface.nearest_place({0.4, 0.813, 2.0}),
                         surface.nearest_place({2.0, 0.813, 1.3}), Vec3::UnitX());
   ASSERT_FALSE(traced.trouble);
-  const DividedTrace line = divide(traced.trace.front(), [](const Vec3&) { return 0.1; });
+  const DividedTrace line =
+      divide_trace_by_size(traced.trace.front(), [](const Vec3&) { return 0.1; });
   ASSERT_EQ(line.corners.size(), 16U + 7U + 1U);
   ASSERT_EQ(line.mids.size() + 1, line.corners.size());
   EXPECT_NE(line.corners[16].edge, nowhere);

@@ -33,7 +33,7 @@ struct Penny {
 // such a length.
 TEST(TubeSizes, ElementsAlongAPennyAreAQuarterOfItsRadiusLong) {
   const Penny penny;
-  const mesh::TubeSizes sizes = mesh::tube_sizes(penny.front, penny.room, {});
+  const mesh::TubeSizes sizes = mesh::choose_tube_sizes(penny.front, penny.room, {});
   const std::vector<double> stations = sizes.stations(true);
   const double around = 2.0 * std::numbers::pi / 0.25;
   EXPECT_GE(static_cast<double>(stations.size()), around);
@@ -49,7 +49,7 @@ TEST(TubeSizes, GivenLengthIsNotExceededAndFinerDividesIt) {
     mesh::TubeMeshParameters given;
     given.length = 0.3;
     given.finer = finer;
-    const mesh::TubeSizes sizes = mesh::tube_sizes(penny.front, penny.room, given);
+    const mesh::TubeSizes sizes = mesh::choose_tube_sizes(penny.front, penny.room, given);
     EXPECT_EQ(static_cast<double>(sizes.stations(true).size()),
               std::ceil(penny.front.length() * finer / 0.3 - 1e-9));
   }
