@@ -120,7 +120,7 @@ ContactSurface make_contact_surface(const model::Model& model, const model::Mesh
   for (const Edge& edge : surface.plane.edges) {
     points.insert(points.end(), edge.x.begin(), edge.x.begin() + edge.count);
   }
-  surface.axial = model::axisymmetric(model);
+  surface.axial = model::is_axisymmetric(model);
   surface.circle = fit_circle(points, surface.extent);
   return surface;
 }

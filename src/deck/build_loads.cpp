@@ -175,7 +175,7 @@ struct NodeConstraints {
 
 // A body has no way to leave its axis.
 bool on_axis(const model::Model& model, base::NodeId node, std::size_t direction) {
-  return model::axisymmetric(model) && direction == 0 &&
+  return model::is_axisymmetric(model) && direction == 0 &&
          model.mesh.x[node.index()].x() <= model::axis_tolerance(model.mesh);
 }
 

@@ -61,7 +61,7 @@ void property(DeckContext& c, const CheckedCard& card) {
       c.property_sound = false;
       break;
     }
-    if (base::element_info(mesh.type[e.index()]).dim != model::dimension_of(property.state)) {
+    if (base::element_info(mesh.type[e.index()]).dim != model::element_dimension(property.state)) {
       c.error(card.find("STATE")->span, "E313",
               fmt::format("STATE={} does not fit element {}, a {}", card.word_value("STATE"),
                           mesh.element_label[e.index()],

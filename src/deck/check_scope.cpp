@@ -96,7 +96,7 @@ void solid_cracks_in_reach(DeckContext& c) {
 }
 
 void cracks_in_reach(DeckContext& c) {
-  const bool axial = model::axisymmetric(c.model);
+  const bool axial = model::is_axisymmetric(c.model);
   for (const model::CrackDefinition& crack : c.model.cracks) {
     if (axial && crack.state == model::CrackTipPlaneState::stress) {
       c.record_unavailable_analysis(
@@ -128,7 +128,7 @@ void cracks_in_reach(DeckContext& c) {
 }
 
 void loads_in_reach(DeckContext& c) {
-  const bool axial = model::axisymmetric(c.model);
+  const bool axial = model::is_axisymmetric(c.model);
   c.for_each_sound_card("LOAD", [&](const CheckedCard& card) {
     if (card.key_has_word("TYPE", "BEARING") && axial) {
       c.error(card.span, "E313",

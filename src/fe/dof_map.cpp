@@ -53,7 +53,7 @@ std::vector<FreedomRole> classify_freedoms(const model::Model& model, const mode
       }
     }
   }
-  if (model::axisymmetric(model)) {
+  if (model::is_axisymmetric(model)) {
     hold_axis(mesh, cls);
   }
   return cls;

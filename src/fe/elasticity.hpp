@@ -29,7 +29,7 @@ LameConstants lame_constants(const model::ElasticMaterial& material, model::Stre
 /// D of sigma = D eps [stress]; dim 2 for plane stress and plane strain, 3 for a solid.
 template <int dim>
 Elasticity<dim> elasticity(const model::ElasticMaterial& material, model::StressState state) {
-  assert(dim == model::dimension_of(state) && state != model::StressState::axisymmetric);
+  assert(dim == model::element_dimension(state) && state != model::StressState::axisymmetric);
   const LameConstants k = lame_constants(material, state);
   Elasticity<dim> D = Elasticity<dim>::Zero();
   D.template topLeftCorner<dim, dim>().setConstant(k.lambda);

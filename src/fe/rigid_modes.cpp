@@ -93,7 +93,7 @@ base::Matrix forbidden(const model::Mesh& mesh, const base::Matrix& modes,
 
 int rigid_mode_count(const model::Model& model) {
   const int dim = model.mesh.dim;
-  return model::axisymmetric(model) ? 1 : dim * (dim + 1) / 2;
+  return model::is_axisymmetric(model) ? 1 : dim * (dim + 1) / 2;
 }
 
 base::Matrix rigid_modes(const model::Model& model, const model::Mesh& mesh,

@@ -85,7 +85,7 @@ bool on_symmetry_line(const model::Model& model, const std::vector<base::NodeId>
     return false;
   }
   // About an axis a cylinder is no mirror, and the axis itself is held along the radius by nature.
-  if (across == 0 && model::axisymmetric(model)) {
+  if (across == 0 && model::is_axisymmetric(model)) {
     return false;
   }
   const auto dim = static_cast<std::size_t>(mesh.dim);

@@ -21,7 +21,7 @@ struct ElasticMaterial {
 enum class StressState { plane_stress, plane_strain, axisymmetric, solid };
 
 /// The dimension of the elements that are in a state.
-constexpr int dimension_of(StressState state) {
+constexpr int element_dimension(StressState state) {
   return state == StressState::solid ? 3 : 2;
 }
 

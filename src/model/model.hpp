@@ -81,7 +81,7 @@ struct Model {
 };
 
 /// Whether the mesh is a section through bodies about the axis x = 0; then all of it is.
-inline bool axisymmetric(const Model& model) {
+inline bool is_axisymmetric(const Model& model) {
   return !model.properties.empty() && model.properties.front().state == StressState::axisymmetric;
 }
 

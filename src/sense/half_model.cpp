@@ -129,7 +129,7 @@ Chosen choose(const model::Model& model, const model::MirrorPlane& request) {
   Chosen chosen;
   chosen.mirror = symmetry_plane_across(model, request.axis);
   chosen.plane = make_half_model_plane(model.mesh, request, chosen.mirror.at);
-  if (model::axisymmetric(model) && request.axis == 0) {
+  if (model::is_axisymmetric(model) && request.axis == 0) {
     chosen.against = "x is the radius";
   } else if (!chosen.mirror.against.empty()) {
     chosen.against = chosen.mirror.against + " mirrored by it";

@@ -23,7 +23,7 @@ namespace {
 results::LoadTotal total_of(const model::Model& model, const model::Mesh& mesh,
                             const base::Vector& f) {
   results::LoadTotal total;
-  const bool axial = model::axisymmetric(model);
+  const bool axial = model::is_axisymmetric(model);
   for (std::size_t n = 0; n < mesh.node_count(); ++n) {
     base::Vec3 force = base::Vec3::Zero();
     force.head(mesh.dim) = f.segment(mesh.dim * static_cast<Eigen::Index>(n), mesh.dim);

@@ -328,7 +328,7 @@ std::vector<results::SymmetryPlanePreview> find_symmetry_planes(const model::Mod
   std::vector<results::SymmetryPlanePreview> found;
   const NodeBoundingBox box = extent_of(model.mesh);
   const Looks looks(model);
-  for (int axis = axisymmetric(model) ? 1 : 0; axis < model.mesh.dim; ++axis) {
+  for (int axis = is_axisymmetric(model) ? 1 : 0; axis < model.mesh.dim; ++axis) {
     const Reflection mirror = middle_across(box, axis);
     if (looks.bodies_mirrored(mirror)) {
       found.push_back({.axis = axis, .at = mirror.at, .against = looks.against(mirror)});

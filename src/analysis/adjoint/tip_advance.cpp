@@ -45,7 +45,7 @@ VirtualTipExtension::VirtualTipExtension(const model::Model& model, const Discre
           scene.cracked, tip,
           scene.domains[tip].beyond.value_or(scene.domains[tip].points.front().back()))),
       strained_(motion_.field.elements) {
-  if (model::axisymmetric(model)) {
+  if (model::is_axisymmetric(model)) {
     strained_.insert(strained_.end(), motion_.field.inside.begin(), motion_.field.inside.end());
     std::ranges::sort(strained_);
   }
@@ -60,7 +60,7 @@ VirtualTipExtension::VirtualTipExtension(const model::Model& model, const Discre
   row_rate_.resize(scene.domains.size());
   for (std::size_t t = 0; t < scene.domains.size(); ++t) {
     // About an axis what moves as one comes to other radii.
-    if (model::axisymmetric(model) ||
+    if (model::is_axisymmetric(model) ||
         !estimate::moves_domains_rigidly(scene.cracked.mesh, motion_,
                                          scene.domains[t].points.front())) {
       row_rate_[t] = base::Matrix(front_displacement_K_functionals(model, *ahead_, t) -

@@ -25,7 +25,7 @@ template <class No> bool ligament_can_yield(const model::Model& model, const No&
     return std::ranges::any_of(
         c.loads, [](const model::Load& load) { return load.type == model::LoadType::temperature; });
   });
-  return !model.growth->flow_stress || (!heated && !model::axisymmetric(model)) ||
+  return !model.growth->flow_stress || (!heated && !model::is_axisymmetric(model)) ||
          no("SFLOW: the plastic limit of a ligament is not known with temperatures, nor round an "
             "axis");
 }

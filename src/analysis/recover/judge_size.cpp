@@ -98,8 +98,8 @@ double volume_of_plane(const model::Model& model, const model::Mesh& mesh, base:
     area += 0.5 * (a.x() * b.y() - a.y() * b.x());
     middle += a.x() / static_cast<double>(corners);
   }
-  return area * (model::axisymmetric(model) ? 2.0 * std::numbers::pi * middle
-                                            : model.element_property(mesh, e).thickness);
+  return area * (model::is_axisymmetric(model) ? 2.0 * std::numbers::pi * middle
+                                               : model.element_property(mesh, e).thickness);
 }
 
 /// What an element fills, its edges straight.

@@ -33,7 +33,7 @@ double energy_of_round_off(const model::Model& model, const model::Mesh& mesh,
     size = std::max(size, (x - mesh.x.front()).norm());
   }
   // Force over displacement is E times a length: that of the body, in the plane the thickness.
-  const base::ByDimension<double> length{model::axisymmetric(model) ? size : 1.0, size};
+  const base::ByDimension<double> length{model::is_axisymmetric(model) ? size : 1.0, size};
   double stiff = 0.0;
   for (const model::ElementProperty& property : model.properties) {
     const base::ByDimension<double> thickness{property.thickness, 1.0};

@@ -42,7 +42,7 @@ void gather_bodies(const model::Model& model, const Discretisation& scene,
     for (const base::ElementId e : body.body.elements) {
       balance.energy += state.energy[e.index()];
     }
-    if (model::axisymmetric(model)) {
+    if (model::is_axisymmetric(model)) {
       drop_radial(balance);
     }
     out.balance.push_back(balance);
@@ -63,7 +63,7 @@ void gather_targets(const model::Model& model, const results::LoadStepResult& fo
       }
     }
     balance.reaction = -balance.contact;
-    if (model::axisymmetric(model)) {
+    if (model::is_axisymmetric(model)) {
       drop_radial(balance);
     }
     if (used) {
@@ -86,7 +86,7 @@ void gather_nets(const model::Model& model, const Discretisation& scene, const S
   }
   for (std::size_t n = 0; n < nets.size(); ++n) {
     nets[n].body = model.nets[n].name.empty() ? "(deck)" : model.nets[n].name;
-    if (model::axisymmetric(model)) {
+    if (model::is_axisymmetric(model)) {
       drop_radial(nets[n]);
     }
     if (used[n]) {

@@ -162,7 +162,7 @@ void limit_at_tip(const model::Model& model, const model::Mesh& mesh, const mesh
       held[n] = false;
     }
   }
-  if (model::axisymmetric(model)) {
+  if (model::is_axisymmetric(model)) {
     // Partners are carried round the axis with the section (crack.38): they have no place there.
     for (std::size_t n = 0; n < mesh.node_count(); ++n) {
       held[n] = held[n] || mesh.x[n].x() < near_axis * front.tip_point().x.x();

@@ -23,7 +23,7 @@ using Directions = std::vector<Eigen::Index>;
 
 /// Directions that a resultant has: about an axis radial forces balance, whatever they are.
 Directions directions(const model::Model& model, const results::CrackLengthResult& increment) {
-  if (model::axisymmetric(model)) {
+  if (model::is_axisymmetric(model)) {
     return {1};
   }
   Directions all(static_cast<std::size_t>(increment.mesh.dim));
@@ -272,7 +272,7 @@ ReportTable energy_error_table(const results::CrackLengthResult& increment) {
 }
 
 std::string force_direction_note(const model::Model& model) {
-  return model::axisymmetric(model)
+  return model::is_axisymmetric(model)
              ? "forces and energies are of the full circumference; radial forces balance round it "
                "and are not shown"
              : "";
