@@ -29,7 +29,7 @@ public:
 
   /// The next argument, which must be a name. Throws MissingQuantity "... expects `what` as
   /// argument n".
-  std::string next_name(const char* what) {
+  std::string required_name(const char* what) {
     if (next_ >= check_.arguments.size() ||
         !std::holds_alternative<std::string>(check_.arguments[next_])) {
       throw MissingQuantity(
@@ -38,16 +38,16 @@ public:
     return std::get<std::string>(check_.arguments[next_++]);
   }
   /// The next argument if it is a number; empty, and nothing is taken, if it is not.
-  std::optional<double> next_number() {
+  std::optional<double> optional_number() {
     if (next_ < check_.arguments.size() &&
         std::holds_alternative<double>(check_.arguments[next_])) {
       return std::get<double>(check_.arguments[next_++]);
     }
     return std::nullopt;
   }
-  /// The next argument, which must be a number. Throws MissingQuantity as next_name does.
+  /// The next argument, which must be a number. Throws MissingQuantity as required_name does.
   double required_number(const char* what) {
-    const std::optional<double> value = next_number();
+    const std::optional<double> value = optional_number();
     if (!value) {
       throw MissingQuantity(
           fmt::format("{} expects {} as argument {}", check_.quantity, what, next_ + 1));
@@ -87,8 +87,8 @@ CheckedStep find_checked_increment_and_step(const results::RunResult& run, const
 
 /// The same, of a step and length that come next among the arguments.
 inline CheckedStep read_step_argument(CheckLine& line) {
-  const std::string step = line.args.next_name("a step");
-  return find_checked_increment_and_step(line.run, step, line.args.next_number());
+  const std::string step = line.args.required_name("a step");
+  return find_checked_increment_and_step(line.run, step, line.args.optional_number());
 }
 
 /// Nodes of the node, face or element set of that name, perhaps several times.

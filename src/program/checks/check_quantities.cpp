@@ -20,10 +20,10 @@ namespace {
 
 double reaction(CheckLine& line) {
   auto& [model, run, word, args] = line;
-  const std::string set = args.next_name("a set");
-  const std::string step = args.next_name("a step");
-  const Eigen::Index axis = axis_index(args.next_name("X, Y or Z"));
-  const CheckedStep at = find_checked_increment_and_step(run, step, args.next_number());
+  const std::string set = args.required_name("a set");
+  const std::string step = args.required_name("a step");
+  const Eigen::Index axis = axis_index(args.required_name("X, Y or Z"));
+  const CheckedStep at = find_checked_increment_and_step(run, step, args.optional_number());
   if (const auto missing = analysis::find_removed_held_node(model, at.increment->mesh, set)) {
     throw MissingQuantity(
         fmt::format("the patch of a crack has replaced node {} of the support: ask for a "
@@ -42,7 +42,7 @@ double reaction(CheckLine& line) {
 }
 
 double energy(CheckLine& line) {
-  const std::string net = line.args.next_name("a net or *");
+  const std::string net = line.args.required_name("a net or *");
   const results::LoadStepResult& at = *read_step_argument(line).step;
   if (net == "*") {
     return at.energy;
@@ -55,7 +55,7 @@ double energy(CheckLine& line) {
 }
 
 double estimated_error(CheckLine& line) {
-  const std::string net = line.args.next_name("a net or *");
+  const std::string net = line.args.required_name("a net or *");
   const results::LoadStepResult& at = *read_step_argument(line).step;
   const auto found = std::ranges::find(at.errors, net, &results::NetErrorEstimate::net);
   if (found == at.errors.end()) {
@@ -76,7 +76,7 @@ double cycles(CheckLine& line) {
   if (word == "LIFE") {
     return run.growth->final_cycles();
   }
-  const std::optional<double> a = args.next_number();
+  const std::optional<double> a = args.optional_number();
   double first = std::numeric_limits<double>::infinity();
   for (std::size_t tip = 0; a && tip < run.growth->point_names.size(); ++tip) {
     const double at = results::cycles_at_length(*run.growth, tip, *a);

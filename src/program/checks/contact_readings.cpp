@@ -260,10 +260,10 @@ double evaluate_contact_quantity(CheckLine& line) {
   const Word* const asked = find_word(word);
   const Argument argument = asked != nullptr ? asked->argument : Argument::none;
   const bool shear = word.starts_with("SHEAR.");
-  const std::string name = args.next_name("a contact");
+  const std::string name = args.required_name("a contact");
   const base::Vec3 point =
       argument == Argument::point ? args.required_point(model.mesh.dim) : base::Vec3::Zero();
-  const std::string step = args.next_name("a step");
+  const std::string step = args.required_name("a step");
   double at = 0.0;
   Eigen::Index axis = 0;
   if (argument == Argument::place) {
@@ -271,10 +271,10 @@ double evaluate_contact_quantity(CheckLine& line) {
   } else if (argument == Argument::part) {
     at = args.required_number("a number");
   } else if (argument == Argument::axis) {
-    axis = axis_index(args.next_name("X, Y or Z"));
+    axis = axis_index(args.required_name("X, Y or Z"));
   }
   const results::LoadStepResult& found =
-      *find_checked_increment_and_step(run, step, args.next_number()).step;
+      *find_checked_increment_and_step(run, step, args.optional_number()).step;
   const results::ContactResult contact = contact_of(model, found, name);
   if (contact.space && plane_only(argument, word)) {
     throw MissingQuantity(

@@ -167,7 +167,7 @@ double evaluate_field_quantity(CheckLine& line) {
     }
     return stress_component(*s, field.component);
   }
-  const std::string set = args.next_name("a set");
+  const std::string set = args.required_name("a set");
   const CheckedStep at = read_step_argument(line);
   std::vector<double> values;
   if (field.what == "S") {

@@ -250,17 +250,17 @@ Asked asked_of(const std::string& text, CheckArguments& args, const results::Run
   Asked asked;
   asked.word = front_word(text);
   const FrontWord& word = asked.word;
-  const std::string crack = args.next_name("a crack");
+  const std::string crack = args.required_name("a crack");
   if (word.where == "AT") {
     asked.x = args.required_point(3);
   }
-  const std::string name = args.next_name(word.on_path ? "a load path" : "a step");
+  const std::string name = args.required_name(word.on_path ? "a load path" : "a step");
   const double t = word.on_path ? args.required_number("a place t") : 0.0;
   const bool named = word.by && !is_of_crack(*word.by);
   // K of a tip has a derivative by the length of each tip; empty: that of the crack.
-  const std::string by = named ? args.next_name("a name") : word.where.empty() ? crack : "";
+  const std::string by = named ? args.required_name("a name") : word.where.empty() ? crack : "";
   asked.phi = word.where == "PHI" ? args.required_number("an angle") : 0.0;
-  const std::optional<double> a = args.next_number();
+  const std::optional<double> a = args.optional_number();
   asked.fronts =
       word.on_path
           ? fronts_of(fronts_at(find_load_path(run, name, t, a), t), word, crack)

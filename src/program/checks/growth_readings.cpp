@@ -322,7 +322,7 @@ std::vector<results::GrowthTestResult> find_K_from_growth_tests(const model::Mod
 
 double evaluate_growth_test_quantity(CheckLine& line) {
   auto& [model, run, quantity, args] = line;
-  const results::GrowthTestResult& test = test_of(run, args.next_name("a test"));
+  const results::GrowthTestResult& test = test_of(run, args.required_name("a test"));
   if (quantity == "TEST.SCATTER") {
     return test.scatter;
   }
@@ -341,8 +341,8 @@ double evaluate_growth_test_quantity(CheckLine& line) {
     }
     return test.life_ratio();
   }
-  const double from = args.next_number().value_or(0.0);
-  const double to = args.next_number().value_or(std::numeric_limits<double>::infinity());
+  const double from = args.optional_number().value_or(0.0);
+  const double to = args.optional_number().value_or(std::numeric_limits<double>::infinity());
   const results::GrowthTestComparison found = results::compare_test_k(test, from, to);
   if (found.points == 0) {
     throw MissingQuantity(

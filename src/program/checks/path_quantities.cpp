@@ -43,10 +43,10 @@ void refuse_overlap(const results::LoadPathFront& tip, double t) {
 
 // dK1/dt, at a knot that behind it.
 double slope_at(CheckArguments& args, const results::RunResult& run) {
-  const std::string tip_name = args.next_name("a crack");
-  const std::string path_name = args.next_name("a load path");
+  const std::string tip_name = args.required_name("a crack");
+  const std::string path_name = args.required_name("a load path");
   const double t = args.required_number("a place t");
-  const results::LoadPathResult& path = find_load_path(run, path_name, t, args.next_number());
+  const results::LoadPathResult& path = find_load_path(run, path_name, t, args.optional_number());
   const results::LoadPathFront& tip = tip_of(path, tip_name);
   refuse_overlap(tip, t);
   const base::PiecewiseLinear& K1 = tip.tip().K[0];
@@ -56,11 +56,11 @@ double slope_at(CheckArguments& args, const results::RunResult& run) {
 }
 
 double of_two(CheckArguments& args, const results::RunResult& run) {
-  const std::string tip_name = args.next_name("a crack");
-  const std::string path_name = args.next_name("a load path");
+  const std::string tip_name = args.required_name("a crack");
+  const std::string path_name = args.required_name("a load path");
   const double from = args.required_number("a factor of FROM");
   const double to = args.required_number("a factor of TO");
-  const results::LoadPathResult& path = path_of(run, path_name, args.next_number());
+  const results::LoadPathResult& path = path_of(run, path_name, args.optional_number());
   const results::LoadPathFront& tip = tip_of(path, tip_name);
   const std::optional<double> K1 = results::k_at_load_combination(path, tip.tip(), 1, from, to);
   if (!K1) {
@@ -110,13 +110,13 @@ double evaluate_path_quantity(CheckLine& line) {
     return of_two(args, run);
   }
   if (quantity == "PATH.KNOTS") {
-    const std::string name = args.next_name("a load path");
-    return static_cast<double>(path_of(run, name, args.next_number()).t.size()) - 2.0;
+    const std::string name = args.required_name("a load path");
+    return static_cast<double>(path_of(run, name, args.optional_number()).t.size()) - 2.0;
   }
   if (quantity == "PATH.OPENING") {
-    const std::string contact_name = args.next_name("a contact");
-    const std::string name = args.next_name("a load path");
-    const results::LoadPathResult& path = path_of(run, name, args.next_number());
+    const std::string contact_name = args.required_name("a contact");
+    const std::string name = args.required_name("a load path");
+    const results::LoadPathResult& path = path_of(run, name, args.optional_number());
     const results::LoadPathContact* contact = results::find_contact(path, contact_name);
     if (contact == nullptr) {
       throw MissingQuantity(fmt::format("contact {} is not mounted", contact_name));

@@ -155,7 +155,7 @@ base::ProgramOutcome verdict(const base::SourceTexts& sources, const Previewer& 
   for (const base::OperationFailure& load : found.unheld) {
     all.error(load.span, "E510", load.why, failure_remedy(load));
   }
-  log.diagnostics(sources, all);
+  log.report_diagnostics(sources, all);
   return found.diagnostics.has_errors() ? base::ProgramOutcome::deck_error
          : !found.unheld.empty()        ? base::ProgramOutcome::not_solvable
                                         : base::ProgramOutcome::done;
@@ -184,7 +184,7 @@ base::ProgramOutcome check_points(const RunOptions& options, const CheckedDeck& 
       outcome = verdict(point.sources, look, log);
     }
     if (outcome != base::ProgramOutcome::done) {
-      log.message(
+      log.report_message(
           base::Severity::error, "E550",
           fmt::format("point {:03} ({}): exit code {}", i + 1, words, base::exit_code(outcome)));
     }

@@ -103,7 +103,7 @@ base::ProgramOutcome act(CommandTree& tree, int argc, const char* const* argv) {
     return tree.execute_command();
   } catch (const std::exception& e) {
     if (is_out_of_memory(e)) {
-      Log(tree.log_format()).message(base::Severity::error, "E466", out_of_memory_message());
+      Log(tree.log_format()).report_message(base::Severity::error, "E466", out_of_memory_message());
       return base::ProgramOutcome::not_solvable;
     }
     write_to_stderr(fmt::format("spricka: internal error: {}\n", e.what()));

@@ -65,7 +65,7 @@ void add_verify_options(CLI::App& command, VerifyOptions& options) {
   add_path_option(command, "--before", options.before,
                   "table to compare with (default: the one that is in the folder)", "FILE");
   command.add_option("--jobs", options.at_once, "decks at a time (default: as many as cores)")
-      ->check(whole_number())
+      ->check(whole_number_validator())
       ->type_name("NUMBER");
   add_path_option(command, "--decks", options.decks, "another folder of decks", "FOLDER");
   add_path_option(command, "--markdown", options.markdown,
@@ -172,7 +172,7 @@ void CommandTree::add_convert() {
                             convert_.in = run_.deck;
                             convert_.defines = run_.defines;
                             convert_.log_format = run_.log_format;
-                            return convert(convert_);
+                            return convert_mesh_or_deck(convert_);
                           });
   add_deck_options(command, run_);
   command.get_option("DECK")->description("a deck, or a mesh .msh, .geo or .inp");
@@ -243,7 +243,7 @@ void CommandTree::add_for_editors() {
                          [this] { return editor_command(editor_); });
   editor.add_option("EDITOR", editor_, "vim or vscode")
       ->required()
-      ->check(one_of({"vim", "vscode"}))
+      ->check(one_of_words_validator({"vim", "vscode"}))
       ->type_name("");
 }
 
@@ -258,7 +258,7 @@ void CommandTree::add_for_the_system() {
           });
   completion.add_option("SHELL", shell_, "bash")
       ->required()
-      ->check(one_of({"bash"}))
+      ->check(one_of_words_validator({"bash"}))
       ->type_name("");
   add("man", "print the man page", "  spricka man | man -l -", [this] {
     write_to_stdout(man_page(describe_program()));

@@ -113,15 +113,15 @@ base::ProgramOutcome write(const ConvertOptions& options, const base::SourceText
   } else {
     base::Diagnostics refusals;
     const std::string text = abaqus_input_text(model, refusals);
-    log.diagnostics(sources, refusals);
+    log.report_diagnostics(sources, refusals);
     if (refusals.has_errors()) {
       return base::ProgramOutcome::not_solvable;
     }
     report::write_file(options.out, text);
     if (model.steps.size() > 1) {
-      log.message(base::Severity::warning, "W540",
-                  fmt::format("only the first of {} steps is written", model.steps.size()),
-                  options.out.string());
+      log.report_message(base::Severity::warning, "W540",
+                         fmt::format("only the first of {} steps is written", model.steps.size()),
+                         options.out.string());
     }
   }
   return base::ProgramOutcome::done;
@@ -129,7 +129,7 @@ base::ProgramOutcome write(const ConvertOptions& options, const base::SourceText
 
 } // namespace
 
-base::ProgramOutcome convert(const ConvertOptions& options) {
+base::ProgramOutcome convert_mesh_or_deck(const ConvertOptions& options) {
   const Log log(options.log_format);
   const std::string kind = extension(options.out);
   if (kind != ".msh" && kind != ".vtu" && kind != ".inp") {
@@ -140,8 +140,8 @@ base::ProgramOutcome convert(const ConvertOptions& options) {
   return run_reporting_file_failures(log, [&] {
     std::error_code unknown;
     if (!std::filesystem::is_regular_file(options.in, unknown)) {
-      log.message(base::Severity::error, "E530",
-                  fmt::format("there is no file '{}'", options.in.string()));
+      log.report_message(base::Severity::error, "E530",
+                         fmt::format("there is no file '{}'", options.in.string()));
       return base::ProgramOutcome::file_trouble;
     }
     base::SourceTexts sources;
@@ -155,7 +155,7 @@ base::ProgramOutcome convert(const ConvertOptions& options) {
         sense::reduce_to_half_model(*model, diagnostics);
       }
     }
-    log.diagnostics(sources, diagnostics);
+    log.report_diagnostics(sources, diagnostics);
     if (!model || diagnostics.has_errors()) {
       return base::ProgramOutcome::deck_error;
     }

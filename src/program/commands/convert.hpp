@@ -21,6 +21,6 @@ struct ConvertOptions {
 /// Reads a mesh or a deck and writes it in another form, as the name of the output says. Messages
 /// go to stderr. Returns deck_error for mistakes in the input, not_solvable for what the output's
 /// form cannot say (each card is named). See manual/meshes.md.
-base::ProgramOutcome convert(const ConvertOptions& options);
+base::ProgramOutcome convert_mesh_or_deck(const ConvertOptions& options);
 
 } // namespace spricka::program

@@ -54,13 +54,15 @@ void add_deck_options(CLI::App& command, RunOptions& options) {
             options.log_format = word == "json" ? LogFormat::json : LogFormat::text;
           },
           "messages as text, or as JSON, one object a line")
-      ->check(one_of({"text", "json"}))
+      ->check(one_of_words_validator({"text", "json"}))
       ->type_name("text|json");
   add_mesh_limits(command);
 }
 
 void add_threads_option(CLI::App& command, int& threads, const std::string& doc) {
-  command.add_option("--threads", threads, doc)->check(whole_number())->type_name("NUMBER");
+  command.add_option("--threads", threads, doc)
+      ->check(whole_number_validator())
+      ->type_name("NUMBER");
 }
 
 } // namespace spricka::program

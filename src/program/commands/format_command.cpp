@@ -54,7 +54,7 @@ base::ProgramOutcome format(const FormatOptions& options, const Log& log) {
   const std::int32_t file =
       sources.add_text(standard_input ? "<stdin>" : options.deck.string(), read_text(options.deck));
   const auto formatted = grammar::format_deck(sources, file, diagnostics);
-  log.diagnostics(sources, diagnostics);
+  log.report_diagnostics(sources, diagnostics);
   if (!formatted) {
     return base::ProgramOutcome::deck_error;
   }
@@ -83,7 +83,7 @@ base::ProgramOutcome format_command(const FormatOptions& options) {
   try {
     return format(options, log);
   } catch (const std::system_error& trouble) {
-    log.message(base::Severity::error, "E530", trouble.what());
+    log.report_message(base::Severity::error, "E530", trouble.what());
     return base::ProgramOutcome::file_trouble;
   }
 }

@@ -24,7 +24,7 @@ CLI::Validator positive_validator() {
           ""};
 }
 
-CLI::Validator one_of(std::vector<std::string> words) {
+CLI::Validator one_of_words_validator(std::vector<std::string> words) {
   return {[words = std::move(words)](const std::string& given) {
             const bool known = std::find(words.begin(), words.end(), given) != words.end();
             const std::string hint = base::make_spelling_hint(given, words);
@@ -33,7 +33,7 @@ CLI::Validator one_of(std::vector<std::string> words) {
           ""};
 }
 
-CLI::Validator whole_number() {
+CLI::Validator whole_number_validator() {
   return {[](const std::string& given) {
             const bool digits = !given.empty() && given.size() < 7 &&
                                 given.find_first_not_of("0123456789") == std::string::npos;

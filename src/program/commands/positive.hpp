@@ -12,9 +12,9 @@ namespace spricka::program {
 CLI::Validator positive_validator();
 /// It is one of these words. Any other is refused with a suggestion; CLI11's own check would show
 /// its list in every help.
-CLI::Validator one_of(std::vector<std::string> words);
+CLI::Validator one_of_words_validator(std::vector<std::string> words);
 /// It is a whole number from 0, of six digits at most.
-CLI::Validator whole_number();
+CLI::Validator whole_number_validator();
 
 /// An option that sets `value`, a finite number above 0; `unit` stands for the number in the help.
 /// `value` must live as long as the command.

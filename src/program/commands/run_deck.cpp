@@ -25,8 +25,9 @@ namespace {
 // Nothing old is taken for a new result without a word.
 void tell_of_earlier(const RunOptions& options, const RunFolder& folder, const Log& log) {
   if (folder.replaces_earlier_run()) {
-    log.message(base::Severity::note, "E467",
-                fmt::format("{} still holds the results of an earlier run", options.out.string()));
+    log.report_message(
+        base::Severity::note, "E467",
+        fmt::format("{} still holds the results of an earlier run", options.out.string()));
   }
 }
 
@@ -34,7 +35,7 @@ void tell_of_earlier(const RunOptions& options, const RunFolder& folder, const L
 void tell_of_k(const std::optional<std::filesystem::path>& table, const std::string& by,
                const Log& log) {
   if (table) {
-    log.message(
+    log.report_message(
         base::Severity::note, "E566",
         fmt::format("stopped by {}: K that was found until then is in {}; the next run into "
                     "the same folder removes it",

@@ -213,9 +213,9 @@ private:
                             archive::compute_deck_digest(deck.sources, *deck.model, points_[i])));
       folder_->commit();
     } else if (folder_->replaces_earlier_run()) {
-      log_.message(base::Severity::note, "E467",
-                   fmt::format("{} still holds the results of an earlier run",
-                               (out_.path() / point.folder).string()));
+      log_.report_message(base::Severity::note, "E467",
+                          fmt::format("{} still holds the results of an earlier run",
+                                      (out_.path() / point.folder).string()));
     }
   }
 
@@ -299,9 +299,10 @@ private:
     const std::string head =
         fmt::format("{} of {}: {}", point.folder, points_.size(), sweep_point_text(values));
     if (point.outcome != base::ProgramOutcome::done) {
-      log_.message(base::Severity::error, "E550",
-                   fmt::format("point {}: {} ({}): {}", head, report::sweep_point_status(point),
-                               base::exit_code(point.outcome), point.error));
+      log_.report_message(base::Severity::error, "E550",
+                          fmt::format("point {}: {} ({}): {}", head,
+                                      report::sweep_point_status(point),
+                                      base::exit_code(point.outcome), point.error));
     }
     if (options_.quiet) {
       return;
@@ -346,9 +347,10 @@ private:
     }
     [[maybe_unused]] const bool whole = tables_guard_.try_lock_for(10s);
     out_.close();
-    log_.message(base::Severity::note, "E551",
-                 fmt::format("stopped by {}; {} of {} points are finished, run again to go on",
-                             signal_name(signal), done_.load(), points_.size()));
+    log_.report_message(
+        base::Severity::note, "E551",
+        fmt::format("stopped by {}; {} of {} points are finished, run again to go on",
+                    signal_name(signal), done_.load(), points_.size()));
     return kept ? base::exit_code(*kept) : 128 + signal;
   }
 

@@ -21,9 +21,9 @@ run_reporting_file_failures(const Log& log, const std::function<base::ProgramOut
   try {
     return work();
   } catch (const archive::FileFailure& failure) {
-    log.message(base::Severity::error, failure.code(), failure.what());
+    log.report_message(base::Severity::error, failure.code(), failure.what());
   } catch (const std::system_error& failure) {
-    log.message(base::Severity::error, "E530", failure.what());
+    log.report_message(base::Severity::error, "E530", failure.what());
   }
   return base::ProgramOutcome::file_trouble;
 }

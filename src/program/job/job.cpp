@@ -38,7 +38,7 @@ int report_checks(const results::RunResult& run, const Log& log) {
   for (const results::CheckResult& check : run.checks) {
     if (!check.passed) {
       ++failed;
-      log.failed_check(check);
+      log.report_failed_check(check);
     }
   }
   return failed;
@@ -187,7 +187,7 @@ RunOutcomeWithResults judged(const Solved& solved, const results::RunResult& run
       results::growth_could_not_continue(*run.growth)) {
     outcome.kind = base::ProgramOutcome::not_solvable;
     outcome.error = run.growth->reason;
-    log.message(base::Severity::error, "E510", outcome.error);
+    log.report_message(base::Severity::error, "E510", outcome.error);
   }
   return outcome;
 }
@@ -239,7 +239,7 @@ RunOutcomeWithResults solve_and_write(const RunOptions& options, const CheckedDe
   if (!solved.why_not.empty()) {
     diagnostics.warning({}, "W506", missed_tolerance(solved));
   }
-  log.diagnostics(deck.sources, diagnostics);
+  log.report_diagnostics(deck.sources, diagnostics);
   run.warnings = all_warnings(deck.diagnostics, diagnostics);
   finish_checkpoint(checkpoint, run);
   run.checks = evaluate_checks(*used.model, run);
@@ -248,7 +248,7 @@ RunOutcomeWithResults solve_and_write(const RunOptions& options, const CheckedDe
   {
     const analysis::ScopedProfileInterval span(options.recorder.get(), "OUTPUT",
                                                "tables, pictures, report");
-    folder.write(deck.sources, *used.model, run, list_script_constants(deck));
+    folder.write_results(deck.sources, *used.model, run, list_script_constants(deck));
   }
   RunOutcomeWithResults outcome = judged(solved, run, log);
   outcome.profile = write_profile(options, deck.sources, *used.model, folder);

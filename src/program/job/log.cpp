@@ -52,8 +52,8 @@ Json record_of(const base::SourceTexts& sources, base::SourceIndex& places,
 
 Log::Log(LogFormat format) : format_(format), colour_(message_colour()) {}
 
-void Log::diagnostics(const base::SourceTexts& sources,
-                      const base::Diagnostics& diagnostics) const {
+void Log::report_diagnostics(const base::SourceTexts& sources,
+                             const base::Diagnostics& diagnostics) const {
   if (format_ == LogFormat::text) {
     write_to_stderr(base::format_messages(sources, diagnostics, colour_));
     return;
@@ -64,8 +64,8 @@ void Log::diagnostics(const base::SourceTexts& sources,
   }
 }
 
-void Log::message(base::Severity severity, std::string_view code, std::string_view text,
-                  std::string_view file) const {
+void Log::report_message(base::Severity severity, std::string_view code, std::string_view text,
+                         std::string_view file) const {
   if (format_ == LogFormat::text) {
     base::Diagnostics one;
     const auto add = severity == base::Severity::error     ? &base::Diagnostics::error
@@ -84,7 +84,7 @@ void Log::message(base::Severity severity, std::string_view code, std::string_vi
   write_record(record);
 }
 
-void Log::failed_check(const results::CheckResult& check) const {
+void Log::report_failed_check(const results::CheckResult& check) const {
   if (format_ == LogFormat::json) {
     Json record{{"type", "check"}, {"passed", false}, {"quantity", check.text}};
     if (check.trouble.empty()) {
@@ -113,7 +113,8 @@ bool check_streams_written(LogFormat format) {
       std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || std::cout.fail() || std::cout.bad();
   if (missing) {
     const std::string why = errno != 0 ? fmt::format(": {}", std::strerror(errno)) : "";
-    Log(format).message(base::Severity::error, "E468", "standard output is incomplete" + why);
+    Log(format).report_message(base::Severity::error, "E468",
+                               "standard output is incomplete" + why);
   }
   const bool silent = std::ferror(stderr) != 0;
   return !missing && !silent;

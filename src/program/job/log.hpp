@@ -18,12 +18,13 @@ public:
   explicit Log(LogFormat format);
 
   /// Text: with source line and carets, at most 20 errors. JSON: all of them.
-  void diagnostics(const base::SourceTexts& sources, const base::Diagnostics& diagnostics) const;
+  void report_diagnostics(const base::SourceTexts& sources,
+                          const base::Diagnostics& diagnostics) const;
   /// A message without a place in a deck; `file` may be empty.
-  void message(base::Severity severity, std::string_view code, std::string_view text,
-               std::string_view file = {}) const;
+  void report_message(base::Severity severity, std::string_view code, std::string_view text,
+                      std::string_view file = {}) const;
   /// A check that has failed: value found and wanted with the tolerance, or why there is no value.
-  void failed_check(const results::CheckResult& check) const;
+  void report_failed_check(const results::CheckResult& check) const;
 
 private:
   LogFormat format_;

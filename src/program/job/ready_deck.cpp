@@ -101,7 +101,7 @@ std::string first_error_text(const base::SourceTexts& sources,
 RunOutcomeWithResults report_refusal(const base::SourceTexts& sources,
                                      const base::Diagnostics& list, base::ProgramOutcome kind,
                                      const Log& log, const base::Diagnostics* reported) {
-  log.diagnostics(sources, news_of(list, reported));
+  log.report_diagnostics(sources, news_of(list, reported));
   return {kind, first_error_text(sources, list), {}};
 }
 
@@ -141,7 +141,7 @@ CheckedDeck read_and_check_deck(const std::filesystem::path& deck,
                                    base::ProgramOutcome::deck_error, log, reported);
     return ready;
   }
-  log.diagnostics(ready.sources, news_of(ready.diagnostics, reported));
+  log.report_diagnostics(ready.sources, news_of(ready.diagnostics, reported));
   ready.model = std::move(model);
   return ready;
 }

@@ -57,9 +57,9 @@ bool reject_restart_without_state(const RunOptions& options, const model::Model&
   if (writes || (!options.restart && options.seconds <= 0.0)) {
     return false;
   }
-  log.message(base::Severity::error, "E567",
-              fmt::format("{} needs a card $RESTART WRITE='file.rst' in the deck",
-                          options.restart ? "--restart" : "--time"));
+  log.report_message(base::Severity::error, "E567",
+                     fmt::format("{} needs a card $RESTART WRITE='file.rst' in the deck",
+                                 options.restart ? "--restart" : "--time"));
   return true;
 }
 
@@ -93,7 +93,7 @@ CheckpointOrRefusal open_checkpoint(const RunOptions& options, const CheckedDeck
     base::Diagnostics list;
     list.error(misfit->span, misfit->code, misfit->text,
                "start from the beginning, or take the deck that wrote the file");
-    log.diagnostics(deck.sources, list);
+    log.report_diagnostics(deck.sources, list);
     out.refusal = RunOutcomeWithResults{base::ProgramOutcome::deck_error, misfit->text, {}};
     return out;
   }
@@ -106,7 +106,8 @@ void start_reporting_skipped_state(archive::Checkpoint* checkpoint, const Log& l
     return;
   }
   checkpoint->set_report_listener([&log](const std::string& code, const std::string& text) {
-    log.message(code.front() == 'W' ? base::Severity::warning : base::Severity::note, code, text);
+    log.report_message(code.front() == 'W' ? base::Severity::warning : base::Severity::note, code,
+                       text);
   });
 }
 
@@ -136,10 +137,10 @@ std::optional<base::ProgramOutcome> stop_with_checkpoint(archive::Checkpoint& ch
         kept == 0 ? "no increment is finished yet, so nothing is kept"
                   : fmt::format("{} increment{} kept in {}, run --restart goes on", kept,
                                 kept == 1 ? " is" : "s are", checkpoint.written_file().string());
-    log.message(base::Severity::note, "E566", fmt::format("stopped by {}: {}", by, what));
+    log.report_message(base::Severity::note, "E566", fmt::format("stopped by {}: {}", by, what));
     return kept == 0 ? std::nullopt : std::optional(base::ProgramOutcome::stopped);
   } catch (const archive::FileFailure& trouble) {
-    log.message(base::Severity::error, trouble.code(), trouble.what());
+    log.report_message(base::Severity::error, trouble.code(), trouble.what());
     return base::ProgramOutcome::file_trouble;
   }
 }

@@ -242,9 +242,9 @@ std::optional<fs::path> RunFolder::retain_interim_k() {
   return part_ / k_table_name;
 }
 
-void RunFolder::write(const base::SourceTexts& sources, const model::Model& model,
-                      results::RunResult& run,
-                      const std::vector<results::ReportedScriptConstant>& scripts) {
+void RunFolder::write_results(const base::SourceTexts& sources, const model::Model& model,
+                              results::RunResult& run,
+                              const std::vector<results::ReportedScriptConstant>& scripts) {
   const base::Stopwatch watch;
   using Table = void (*)(const fs::path&, const model::Model&, const results::RunResult&);
   constexpr std::array<std::pair<const char*, Table>, 9> tables{

@@ -45,10 +45,11 @@ public:
 
   /// Writes listing, k.csv, pressure.csv, pictures and requested files, and adds its own cost to
   /// the run's log before the listing is made. Throws std::system_error.
-  void write(const base::SourceTexts& sources, const model::Model& model, results::RunResult& run,
-             const std::vector<results::ReportedScriptConstant>& scripts);
+  void write_results(const base::SourceTexts& sources, const model::Model& model,
+                     results::RunResult& run,
+                     const std::vector<results::ReportedScriptConstant>& scripts);
   /// Writes k.csv of what is found so far into FOLDER.part, where it can be read while the run goes
-  /// on; write() replaces it. From one thread.
+  /// on; write_results() replaces it. From one thread.
   void write_interim_k(const model::Model& model, const results::RunResult& so_far);
   /// Leaves FOLDER.part with that table alone, for a run that ends without results; the next run
   /// removes it. The file; empty: no K was found, and nothing stays.

@@ -32,7 +32,7 @@ struct ReachedShellState {
 
 /// One set of crack lengths of a deck, condensed and ready to be asked: loads and fits change the
 /// contact solution only. Nothing in it prints or reads. An operation that fails leaves the state
-/// as it was, or the bench not ready().
+/// as it was, or the bench not is_ready().
 class InteractiveSolver {
 public:
   /// Cuts the cracks and condenses the nets. Mistakes that only show here go to `diagnostics`.
@@ -57,9 +57,11 @@ public:
   }
   /// The model as it is shown: its only step with results is NOW.
   [[nodiscard]] const model::Model& displayed_model() const { return shown_; }
-  [[nodiscard]] const analysis::StepActionFactors& factors() const { return solver_->factors(); }
+  [[nodiscard]] const analysis::StepActionFactors& step_action_factors() const {
+    return solver_->factors();
+  }
   /// False when an operation failed so late that nothing is left to ask: make a new bench.
-  [[nodiscard]] bool ready() const { return solver_ != nullptr; }
+  [[nodiscard]] bool is_ready() const { return solver_ != nullptr; }
   /// Figures of the last condensation.
   [[nodiscard]] const analysis::CondensationStatistics& condensation_figures() const {
     return condensed_;

@@ -42,7 +42,7 @@ public:
   [[nodiscard]] InteractiveSolver& solver() { return *solver_; }
   [[nodiscard]] const InteractiveSolver& solver() const { return *solver_; }
   /// All that K depends on but the sizes of cracks: cards, loads, fits, as a text to compare.
-  [[nodiscard]] std::string setting() const;
+  [[nodiscard]] std::string setting_to_compare() const;
 
 private:
   base::OptionalFailure make_solver(bool first, std::unique_ptr<InteractiveSolver>& solver);

@@ -79,7 +79,7 @@ std::vector<std::string> candidate_argument_names(char letter, const model::Mode
   return names;
 }
 
-bool is_of_crack(const std::string& tip, const std::string& crack) {
+bool is_tip_of_crack(const std::string& tip, const std::string& crack) {
   return crack.empty() || tip == crack || tip.starts_with(crack + ".");
 }
 

@@ -16,7 +16,7 @@ namespace spricka::program {
 std::vector<std::string> candidate_argument_names(char letter, const model::Model& model);
 
 /// Whether a tip or front belongs to the crack of that name, or is that tip; to any if it is empty.
-bool is_of_crack(const std::string& tip, const std::string& crack);
+bool is_tip_of_crack(const std::string& tip, const std::string& crack);
 
 /// The place of a name (upper case) in a list, or what it is not and which was meant.
 base::OptionalFailure find_name_index(const std::vector<std::string>& names, const char* what,

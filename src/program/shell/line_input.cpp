@@ -131,7 +131,7 @@ void LineEditor::set_completion_function(Complete complete) {
   completer = std::move(complete);
 }
 
-bool LineEditor::interrupted() {
+bool LineEditor::was_interrupted() {
   return pressed != 0;
 }
 

@@ -28,7 +28,7 @@ public:
   bool read(const std::string& prompt, std::string& line);
 
   /// Whether Ctrl-C was pressed since the last line was read.
-  static bool interrupted();
+  static bool was_interrupted();
 
 private:
   std::filesystem::path history_; ///< where lines are kept; empty: nowhere

@@ -140,7 +140,7 @@ results::CrackLengthResult present_state_of_crack(const ShellSession& session,
   results::LoadStepResult& step = alone.steps.emplace_back();
   step.step = "NOW";
   for (const FrontResult& front : session.current_result().fronts) {
-    if (is_of_crack(front.name, only)) {
+    if (is_tip_of_crack(front.name, only)) {
       step.fronts.push_back(front);
     }
   }

@@ -82,13 +82,13 @@ void ShellSession::take_state() {
   mapped_.clear();
   const results::LoadStepResult& state = current_result();
   if (!state.fronts.empty()) {
-    tried_.add(deck_->setting(),
+    tried_.add(deck_->setting_to_compare(),
                {run_results().increments.front().a, crack_size(model(), state, 0), state.fronts});
   }
 }
 
 base::OptionalFailure ShellSession::restore_after_failure() {
-  if (deck_->solver().ready()) {
+  if (deck_->solver().is_ready()) {
     return {};
   }
   base::OptionalFailure trouble = deck_->renew_solver(set_);
@@ -103,7 +103,8 @@ base::OptionalFailure ShellSession::go_to_step(const std::string& name) {
   names.erase(names.begin()); // NOW
   std::size_t index = 0;
   base::OptionalFailure trouble = find_name_index(names, "step", name, index);
-  trouble = trouble ? trouble : deck_->solver().solve_from_unloaded(steps_to(model(), index));
+  trouble =
+      trouble ? trouble : deck_->solver().solve_from_unloaded(steps_leading_to(model(), index));
   if (trouble) {
     return trouble;
   }
@@ -117,7 +118,8 @@ base::OptionalFailure ShellSession::go_to_step(const std::string& name) {
 
 base::OptionalFailure ShellSession::add_step_line(const std::string& line) {
   SessionDeckChanges to = set_;
-  base::OptionalFailure trouble = add_action(model(), solver().factors(), line, to.pending);
+  base::OptionalFailure trouble =
+      add_pending_action(model(), solver().step_action_factors(), line, to.pending);
   if (!trouble) {
     earlier_.push_back(std::exchange(set_, std::move(to)));
   }
@@ -162,7 +164,7 @@ base::OptionalFailure ShellSession::undo() {
   const SessionDeckChanges to = earlier_.back();
   const bool same_cards = to.text == set_.text;
   if (base::OptionalFailure trouble =
-          same_cards ? deck_->solver().solve_from_unloaded(steps_to(model(), to))
+          same_cards ? deck_->solver().solve_from_unloaded(steps_leading_to(model(), to))
                      : read_again(to)) {
     return trouble;
   }
@@ -183,7 +185,7 @@ base::OptionalFailure ShellSession::solve(int substeps) {
   const std::vector<model::Step> before = set_.applied;
   append_applied_step(model(), next, set_.applied);
   if (base::OptionalFailure trouble =
-          deck_->solver().solve_further_step(next, steps_to(model(), set_))) {
+          deck_->solver().solve_further_step(next, steps_leading_to(model(), set_))) {
     set_.applied = before;
     return trouble;
   }

@@ -91,7 +91,7 @@ public:
 
   /// States with the present loads and cards at all sizes of the cracks that were tried, by size.
   [[nodiscard]] std::vector<FrontsAtSize> fronts_by_size() const {
-    return tried_.at(deck_->setting());
+    return tried_.at(deck_->setting_to_compare());
   }
 
   [[nodiscard]] const model::Model& model() const { return deck_->model(); } ///< as it is now

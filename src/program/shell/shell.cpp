@@ -72,7 +72,7 @@ private:
   base::OptionalFailure open(bool terminal) {
     SessionOptions options;
     options.defines = options_.deck.defines;
-    options.stopped = terminal ? LineEditor::interrupted : std::function<bool()>();
+    options.stopped = terminal ? LineEditor::was_interrupted : std::function<bool()>();
     options.read = [this](const deck::DeckReadOptions& read) {
       CheckedDeck deck = read_and_check_deck(options_.deck.deck, read, log_, &reported_);
       if (deck.model) {
@@ -157,7 +157,7 @@ base::ProgramOutcome run_shell(const ShellOptions& options) {
   try {
     return Shell(options).run();
   } catch (const std::system_error& trouble) {
-    Log(options.deck.log_format).message(base::Severity::error, "E530", trouble.what());
+    Log(options.deck.log_format).report_message(base::Severity::error, "E530", trouble.what());
     return base::ProgramOutcome::file_trouble;
   }
 }

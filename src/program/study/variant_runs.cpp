@@ -102,7 +102,7 @@ base::ProgramOutcome VariantRuns::run_original_deck(StudyTrial& given, const Ans
     }
     outcome = outcome == base::ProgramOutcome::done ? base::ProgramOutcome::not_solvable : outcome;
     write_to_stderr(solved ? "" : end.messages);
-    log_.message(
+    log_.report_message(
         base::Severity::error, "E555",
         solved ? "the deck has no answer to compare"
                : fmt::format("the deck itself has no results to compare with: {}", given.trouble));

@@ -236,8 +236,9 @@ base::ProgramOutcome verify_decks(const VerifyOptions& options) {
   return run_reporting_file_failures(log, [&] {
     const fs::path decks = options.decks.empty() ? shipped_deck_folder() : options.decks;
     if (decks.empty()) {
-      log.message(base::Severity::error, "E530",
-                  "the decks are not installed beside spricka; --decks FOLDER names another place");
+      log.report_message(
+          base::Severity::error, "E530",
+          "the decks are not installed beside spricka; --decks FOLDER names another place");
       return base::ProgramOutcome::file_trouble;
     }
     return VerifyRun(options, decks).run();

@@ -14,7 +14,7 @@ Outcome convert(const Folder& folder, const std::string& in, const std::string& 
                 bool replace = true) {
   testing::internal::CaptureStderr();
   Outcome outcome;
-  outcome.exit_code = base::exit_code(program::convert(
+  outcome.exit_code = base::exit_code(program::convert_mesh_or_deck(
       {folder.path() / in, folder.path() / out, {}, program::LogFormat::text, replace}));
   outcome.messages = testing::internal::GetCapturedStderr();
   return outcome;
