@@ -65,7 +65,7 @@ private:
   ConvertOptions convert_;
   VerifyOptions verify_;
   StudyOptions study_;
-  HierarchyOptions ladder_;
+  SimplerModelRunOptions ladder_;
   HelpOptions help_;
   FormatOptions format_;
   std::string editor_;

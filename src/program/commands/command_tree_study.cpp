@@ -79,7 +79,7 @@ void CommandTree::add_ladder() {
           "  spricka run lug.ladder/cheapest.deck",
           [this] {
             ladder_.deck = run_;
-            return run_hierarchy(ladder_);
+            return run_simpler_models(ladder_);
           });
   add_variant_options(command, run_, ".ladder", ladder_.jobs);
   add_positive_option(command, "--tol", ladder_.tolerance,

@@ -27,7 +27,7 @@ class InSection {
 public:
   explicit InSection(const SectionMapping& view) : view_(view) {}
 
-  [[nodiscard]] AnswerCounterpart of(const AnswerRequest& answer) const {
+  [[nodiscard]] VariantCheckAndFactor of(const AnswerRequest& answer) const {
     switch (answer.group) {
     case AnswerGroup::K:
       return of_front(answer.check);
@@ -45,7 +45,7 @@ public:
 
 private:
   // All places of a front are one tip.
-  [[nodiscard]] AnswerCounterpart of_front(model::ResultCheck check) const {
+  [[nodiscard]] VariantCheckAndFactor of_front(model::ResultCheck check) const {
     const std::string place(last_word(check.quantity));
     const std::size_t from = check.quantity.starts_with("PATH.") ? 5 : 0;
     const std::string mode = check.quantity.substr(from, check.quantity.find('.', from) - from);
@@ -64,7 +64,7 @@ private:
     return {std::move(check), mode == "K2" ? sign->second : 1.0};
   }
 
-  [[nodiscard]] AnswerCounterpart of_contact(model::ResultCheck check) const {
+  [[nodiscard]] VariantCheckAndFactor of_contact(model::ResultCheck check) const {
     const std::string place(last_word(check.quantity));
     if (place == "NEAR") {
       put_place(check.arguments, 1);
@@ -75,7 +75,7 @@ private:
   }
 
   // "S.XX.AT", "U.Y.MAX": the word in the middle is of components.
-  [[nodiscard]] AnswerCounterpart of_field(model::ResultCheck check) const {
+  [[nodiscard]] VariantCheckAndFactor of_field(model::ResultCheck check) const {
     if (std::ranges::count(check.quantity, '.') != 2) {
       return {};
     }
@@ -151,7 +151,7 @@ bool is_odd_extreme(const AnswerRequest& answer, const std::string& mirrored) {
 
 // Of the whole from a part: its energy is the sum of that of all images; of contact arcs, which may
 // lie across, and of extremes that change their sign across a plane, nothing is told.
-AnswerCounterpart in_part(const AnswerRequest& answer, const std::string& mirrored) {
+VariantCheckAndFactor in_part(const AnswerRequest& answer, const std::string& mirrored) {
   if (!mirrored.empty() && (answer.group == AnswerGroup::arc || is_odd_extreme(answer, mirrored))) {
     return {};
   }
@@ -161,9 +161,9 @@ AnswerCounterpart in_part(const AnswerRequest& answer, const std::string& mirror
 
 } // namespace
 
-std::vector<AnswerCounterpart> answer_counterparts(const DeckVariant& variant,
-                                                   const std::vector<AnswerRequest>& answers) {
-  std::vector<AnswerCounterpart> found;
+std::vector<VariantCheckAndFactor>
+checks_asked_of_variant(const DeckVariant& variant, const std::vector<AnswerRequest>& answers) {
+  std::vector<VariantCheckAndFactor> found;
   for (const AnswerRequest& answer : answers) {
     found.push_back(variant.section ? InSection(*variant.section).of(answer)
                                     : in_part(answer, variant.mirrored));

@@ -158,19 +158,19 @@ std::vector<AnswerRequest> collect_answer_requests(const model::Model& model,
     add(questions_of_bodies(run), false);
   }
   std::erase_if(answers, [&](const AnswerRequest& answer) { // what the deck itself does not find
-    return !std::isfinite(found_value(model, answer.check, run));
+    return !std::isfinite(find_check_value(model, answer.check, run));
   });
   return answers;
 }
 
-double found_value(const model::Model& model, const model::ResultCheck& check,
-                   const results::RunResult& run) {
+double find_check_value(const model::Model& model, const model::ResultCheck& check,
+                        const results::RunResult& run) {
   const results::CheckResult result = evaluate_check(model, check, run);
   return result.trouble.empty() ? result.found : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::vector<AnswerReading> read_answers(const model::Model& model,
-                                        const std::vector<AnswerCounterpart>& asked,
+                                        const std::vector<VariantCheckAndFactor>& asked,
                                         const results::RunResult& run) {
   std::vector<AnswerReading> readings(asked.size());
   for (std::size_t a = 0; a < asked.size(); ++a) {
@@ -180,9 +180,9 @@ std::vector<AnswerReading> read_answers(const model::Model& model,
     const auto part_of_bar = [&](const char* part) {
       model::ResultCheck check = *asked[a].check;
       check.quantity = with_part(check.quantity, part);
-      return check.quantity.empty() ? AnswerReading().bar : found_value(model, check, run);
+      return check.quantity.empty() ? AnswerReading().bar : find_check_value(model, check, run);
     };
-    readings[a].value = found_value(model, *asked[a].check, run) / asked[a].factor;
+    readings[a].value = find_check_value(model, *asked[a].check, run) / asked[a].factor;
     readings[a].bar = part_of_bar("BAR") / std::abs(asked[a].factor);
     readings[a].best = part_of_bar("BEST") / asked[a].factor;
   }

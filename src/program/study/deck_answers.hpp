@@ -42,11 +42,11 @@ std::vector<AnswerRequest> collect_answer_requests(const model::Model& model,
                                                    const results::RunResult& run);
 
 /// What $CHECK finds of a line in a run; not a number where there is nothing.
-double found_value(const model::Model& model, const model::ResultCheck& check,
-                   const results::RunResult& run);
+double find_check_value(const model::Model& model, const model::ResultCheck& check,
+                        const results::RunResult& run);
 
 /// How the deck of a variant is asked for an answer.
-struct AnswerCounterpart {
+struct VariantCheckAndFactor {
   std::optional<model::ResultCheck> check; ///< empty: its model does not have it
   double factor = 1.0;                     ///< its value over that of the deck given
 };
@@ -54,13 +54,13 @@ struct AnswerCounterpart {
 /// How a variant is asked for each answer of the deck given: a section for what that plane model
 /// has, with the sign of K2 and the energy of the whole; a part by symmetry for its part of the
 /// energy, and not for what its images would change. [answer]
-std::vector<AnswerCounterpart> answer_counterparts(const DeckVariant& variant,
-                                                   const std::vector<AnswerRequest>& answers);
+std::vector<VariantCheckAndFactor>
+checks_asked_of_variant(const DeckVariant& variant, const std::vector<AnswerRequest>& answers);
 
 /// Values in a run of a `model` that is asked so, as those of the deck given, with error bar and
 /// corrected value of those that have them. [answer]
 std::vector<AnswerReading> read_answers(const model::Model& model,
-                                        const std::vector<AnswerCounterpart>& asked,
+                                        const std::vector<VariantCheckAndFactor>& asked,
                                         const results::RunResult& run);
 
 /// What errors of each answer are parts of: the amount of `found`, or where an answer may be zero

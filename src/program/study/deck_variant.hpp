@@ -68,7 +68,7 @@ struct DeckVariant {
 };
 
 /// No deck, and why.
-inline DeckVariant refused(std::string reason) {
+inline DeckVariant make_refused_variant(std::string reason) {
   return {.reason = std::move(reason)};
 }
 
@@ -87,7 +87,7 @@ DeckVariant make_section_deck(const model::Model& model, const deck::DeckCardLis
 /// once, fits but bonded, without interference, bonded, stiff or rigid pressing bodies, pressures
 /// in their place, the other plane state; of solids their sections. Their decks are written into
 /// `folder`.
-std::vector<DeckVariant> simpler_models(const StudiedDeck& deck,
-                                        const std::filesystem::path& folder);
+std::vector<DeckVariant> make_simpler_models(const StudiedDeck& deck,
+                                             const std::filesystem::path& folder);
 
 } // namespace spricka::program

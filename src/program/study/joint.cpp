@@ -233,7 +233,7 @@ public:
       changed = put_target(text, contact, reason) || changed;
     }
     if (!changed) {
-      return refused(reason);
+      return make_refused_variant(reason);
     }
     drop_undefined_loads(text);
     return {.text = std::move(text)};

@@ -32,7 +32,7 @@ std::string largest_step(const std::vector<AnswerRequest>& answers, const model:
   double most = -1.0;
   std::string largest = report::leading_step_name(model);
   for (const AnswerRequest& answer : answers) {
-    const double amount = std::abs(found_value(model, answer.check, run));
+    const double amount = std::abs(find_check_value(model, answer.check, run));
     for (const model::Step& step : model.steps) {
       if (amount > most && is_of_step(answer, step.name)) {
         most = amount;
@@ -75,7 +75,7 @@ bool lacks_answer(const ModelVariantResult& variant, std::size_t answer) {
 }
 
 // Fills difference, bar and verdict of a variant with answers: the largest of them all.
-void judge_variant(const ModelHierarchy& ladder, ModelVariantResult& variant) {
+void judge_variant(const SimplerModelComparison& ladder, ModelVariantResult& variant) {
   const ModelVariantResult& richest = ladder.variants[*ladder.richest];
   const auto finite_or_zero = [](double value) { return std::isfinite(value) ? value : 0.0; };
   variant.difference = std::numeric_limits<double>::quiet_NaN();
@@ -134,7 +134,7 @@ const char* display_name(ModelVariantVerdict verdict) {
   return names.at(static_cast<std::size_t>(verdict));
 }
 
-void compare(ModelHierarchy& ladder) {
+void judge_simpler_models(SimplerModelComparison& ladder) {
   const auto first = std::ranges::find_if(
       ladder.variants, [](const ModelVariantResult& variant) { return !variant.readings.empty(); });
   if (first == ladder.variants.end()) {
@@ -163,12 +163,12 @@ namespace {
 
 // The deck of a variant with the richest variant's answers as its checks, to the tolerance; of a
 // part by symmetry its part of energies; no answers that the variant's model does not have.
-deck::DeckCardList deck_with_checks(const ModelHierarchy& ladder,
+deck::DeckCardList deck_with_checks(const SimplerModelComparison& ladder,
                                     const ModelVariantResult& variant) {
   deck::DeckCard checks = deck::make_card("CHECK");
   const ModelVariantResult& richest = ladder.variants[*ladder.richest];
   for (std::size_t a = 0; a < ladder.answers.size(); ++a) {
-    const AnswerCounterpart& own = variant.asked[a];
+    const VariantCheckAndFactor& own = variant.asked[a];
     const double value = richest.readings[a].value * own.factor;
     if (std::isfinite(value) && ladder.scales[a] > 0.0 && !lacks_answer(variant, a)) {
       checks.data += fmt::format(
@@ -182,31 +182,32 @@ deck::DeckCardList deck_with_checks(const ModelHierarchy& ladder,
 }
 
 // Decks of all rungs, that of the cheapest with checks, table and page.
-void fill_folder(VariantRuns& runs, const ModelHierarchy& ladder) {
+void fill_folder(VariantRuns& runs, const SimplerModelComparison& ladder) {
   for (const ModelVariantResult& result : ladder.variants) {
     if (result.variant.text) {
-      runs.folder().add_file(
+      runs.run_folder().add_file(
           result.variant.deck.filename(),
-          format_deck_card_list(*result.variant.text, runs.place(), {result.variant.words}));
+          format_deck_card_list(*result.variant.text, runs.final_folder(), {result.variant.words}));
     }
   }
   if (ladder.cheapest) {
     const ModelVariantResult& cheapest = ladder.variants[*ladder.cheapest];
-    runs.folder().add_file("cheapest.deck",
-                           format_deck_card_list(deck_with_checks(ladder, cheapest), runs.place(),
-                                                 {fmt::format("{}: {}", cheapest.variant.name,
-                                                              cheapest.variant.words)}));
+    runs.run_folder().add_file(
+        "cheapest.deck",
+        format_deck_card_list(
+            deck_with_checks(ladder, cheapest), runs.final_folder(),
+            {fmt::format("{}: {}", cheapest.variant.name, cheapest.variant.words)}));
   }
-  runs.folder().add_file("ladder.csv", hierarchy_csv(ladder));
-  runs.folder().add_file("ladder.html",
-                         hierarchy_page(runs.deck().ready->sources, runs.model(), ladder));
+  runs.run_folder().add_file("ladder.csv", simpler_models_csv(ladder));
+  runs.run_folder().add_file("ladder.html",
+                             simpler_models_page(runs.deck().ready->sources, runs.model(), ladder));
 }
 
-base::ProgramOutcome run_ladder(const HierarchyOptions& options, VariantRuns& runs,
+base::ProgramOutcome run_ladder(const SimplerModelRunOptions& options, VariantRuns& runs,
                                 std::string& summary) {
-  ModelHierarchy ladder;
+  SimplerModelComparison ladder;
   ladder.tolerance = options.tolerance;
-  for (DeckVariant& variant : simpler_models(runs.deck(), runs.scratch())) {
+  for (DeckVariant& variant : make_simpler_models(runs.deck(), runs.scratch_folder())) {
     ModelVariantResult& result = ladder.variants.emplace_back();
     result.trouble = variant.reason;
     result.variant = std::move(variant);
@@ -216,7 +217,7 @@ base::ProgramOutcome run_ladder(const HierarchyOptions& options, VariantRuns& ru
   if (outcome != base::ProgramOutcome::done) {
     return outcome;
   }
-  ladder.answers = runs.answers();
+  ladder.answers = runs.requested_answers();
   std::vector<StudyTrial*> chosen;
   for (ModelVariantResult& result : ladder.variants) {
     if (result.variant.text && &result != &ladder.variants.front()) {
@@ -227,17 +228,17 @@ base::ProgramOutcome run_ladder(const HierarchyOptions& options, VariantRuns& ru
   if (runs.process_runs().stopped()) {
     return base::ProgramOutcome::stopped;
   }
-  compare(ladder);
+  judge_simpler_models(ladder);
   fill_folder(runs, ladder);
-  summary = hierarchy_text(runs.model(), ladder) +
+  summary = simpler_models_text(runs.model(), ladder) +
             "decks of all rungs, cheapest.deck, ladder.csv and ladder.html";
   return outcome;
 }
 
 } // namespace
 
-base::ProgramOutcome run_hierarchy(const HierarchyOptions& options) {
-  return run_variants_of(options.deck, ".ladder", [&](VariantRuns& runs, std::string& summary) {
+base::ProgramOutcome run_simpler_models(const SimplerModelRunOptions& options) {
+  return run_deck_variants(options.deck, ".ladder", [&](VariantRuns& runs, std::string& summary) {
     return run_ladder(options, runs, summary);
   });
 }

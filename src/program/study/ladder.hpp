@@ -30,7 +30,7 @@ struct ModelVariantResult : StudyTrial {
   ModelVariantVerdict verdict = ModelVariantVerdict::missing;
 };
 
-struct ModelHierarchy {
+struct SimplerModelComparison {
   double tolerance = 0.02;
   std::vector<AnswerRequest> answers; ///< of one group
   std::vector<double> scales;         ///< [answer] what differences are parts of
@@ -43,20 +43,20 @@ struct ModelHierarchy {
 };
 
 /// Fills differences, verdicts and the cheapest variant.
-void compare(ModelHierarchy& ladder);
+void judge_simpler_models(SimplerModelComparison& ladder);
 
 /// Tables and a closing sentence for the terminal: the variants, and what was left out.
-std::string hierarchy_text(const model::Model& model, const ModelHierarchy& ladder);
+std::string simpler_models_text(const model::Model& model, const SimplerModelComparison& ladder);
 
 /// A row for each variant and answer.
-std::string hierarchy_csv(const ModelHierarchy& ladder);
+std::string simpler_models_csv(const SimplerModelComparison& ladder);
 
 /// The HTML page: sentence, chart of differences against CPU time, tables.
-std::string hierarchy_page(const base::SourceTexts& sources, const model::Model& model,
-                           const ModelHierarchy& ladder);
+std::string simpler_models_page(const base::SourceTexts& sources, const model::Model& model,
+                                const SimplerModelComparison& ladder);
 
 /// What the command line asks of a ladder.
-struct HierarchyOptions {
+struct SimplerModelRunOptions {
   RunOptions deck;         ///< out empty: the deck's name with .ladder
   double tolerance = 0.02; ///< of the answers, as a part
   int jobs = 1;            ///< runs at once
@@ -66,6 +66,6 @@ struct HierarchyOptions {
 /// names the cheapest that is within the tolerance. Writes ladder.csv, ladder.html, the decks of
 /// all variants, and that of the cheapest with the deck's answers as checks, into a folder. The
 /// outcome is that of the deck itself where it cannot be solved.
-base::ProgramOutcome run_hierarchy(const HierarchyOptions& given);
+base::ProgramOutcome run_simpler_models(const SimplerModelRunOptions& given);
 
 } // namespace spricka::program

@@ -33,7 +33,8 @@ std::string unit_of(const model::Model& model, AnswerGroup group) {
   }
 }
 
-report::ReportTable variants_table(const model::Model& model, const ModelHierarchy& ladder) {
+report::ReportTable variants_table(const model::Model& model,
+                                   const SimplerModelComparison& ladder) {
   const std::string unit = unit_of(model, ladder.answers.front().group);
   const auto value_of = [](std::size_t answer) {
     return [answer](const ModelVariantResult& variant) {
@@ -68,14 +69,14 @@ report::ReportTable variants_table(const model::Model& model, const ModelHierarc
   return columns.table("Rungs", ladder.variants | std::views::filter(has_answers));
 }
 
-report::ReportTable left_out_table(const ModelHierarchy& ladder) {
+report::ReportTable left_out_table(const SimplerModelComparison& ladder) {
   return report::Columns<ModelVariantResult>()
       .words("rung", [](const ModelVariantResult& variant) { return variant.variant.name; })
       .words("why", &ModelVariantResult::trouble)
       .table("Left out", ladder.variants | std::views::filter(std::not_fn(has_answers)));
 }
 
-std::string ladder_sentence(const ModelHierarchy& ladder) {
+std::string ladder_sentence(const SimplerModelComparison& ladder) {
   const char* const what = display_name(ladder.answers.front().group);
   if (!ladder.stopped.empty()) {
     return fmt::format("nothing is concluded: '{}' {} stopped before an answer was there",
@@ -98,7 +99,7 @@ std::string ladder_sentence(const ModelHierarchy& ladder) {
                      cheapest.end.cpu, ladder.variants[*ladder.richest].end.cpu);
 }
 
-report::Plot ladder_plot(const ModelHierarchy& ladder) {
+report::Plot ladder_plot(const SimplerModelComparison& ladder) {
   report::Plot plot = empty_logarithmic_plot(
       "difference of each rung from the richest against CPU time", "CPU  [s]",
       fmt::format("largest difference of {}  [%]", display_name(ladder.answers.front().group)));
@@ -123,14 +124,14 @@ report::Plot ladder_plot(const ModelHierarchy& ladder) {
 
 } // namespace
 
-std::string hierarchy_text(const model::Model& model, const ModelHierarchy& ladder) {
+std::string simpler_models_text(const model::Model& model, const SimplerModelComparison& ladder) {
   std::string out = report::table_to_text(variants_table(model, ladder)) + "\n";
   const report::ReportTable left = left_out_table(ladder);
   out += left.rows.empty() ? "" : report::table_to_text(left) + "\n";
   return out + ladder_sentence(ladder) + "\n";
 }
 
-std::string hierarchy_csv(const ModelHierarchy& ladder) {
+std::string simpler_models_csv(const SimplerModelComparison& ladder) {
   return trials_csv(
       "rung,verdict,freedoms,cpu,wall,memory,exit_code,answer,value,bar,difference",
       ladder.variants, ladder.answers,
@@ -144,8 +145,8 @@ std::string hierarchy_csv(const ModelHierarchy& ladder) {
       });
 }
 
-std::string hierarchy_page(const base::SourceTexts& sources, const model::Model& model,
-                           const ModelHierarchy& ladder) {
+std::string simpler_models_page(const base::SourceTexts& sources, const model::Model& model,
+                                const SimplerModelComparison& ladder) {
   report::HtmlPage page;
   const std::string title = begin_titled_page(
       page, model, "ladder",

@@ -112,7 +112,7 @@ std::string name_of_file(const std::string& file) {
 }
 
 // Scripts that take one of the parameters, or have one of the constants, by file.
-std::set<std::string> reached_scripts(const MeshParameterSet& mesh_parameter,
+std::set<std::string> reached_scripts(const MeshRefinementControls& mesh_parameter,
                                       const CheckedDeck& ready) {
   std::set<std::string> reached;
   for (const deck::ImportedScript& script : ready.scripts) {
@@ -173,7 +173,7 @@ std::vector<MeshParameter> find_parameters(const StudiedDeck& deck,
 
 // Of scripts that no parameter of the deck reaches.
 std::vector<MeshParameter> find_constants(const StudiedDeck& deck,
-                                          const MeshParameterSet& mesh_parameter,
+                                          const MeshRefinementControls& mesh_parameter,
                                           const fs::path& folder) {
   const std::set<std::string> reached = reached_scripts(mesh_parameter, *deck.ready);
   std::vector<MeshParameter> found;
@@ -234,8 +234,8 @@ bool follows_factor(const StudiedDeck& deck, std::size_t card, const fs::path& f
 
 } // namespace
 
-MeshParameterSet find_mesh_parameters(const StudiedDeck& deck, const fs::path& folder) {
-  MeshParameterSet mesh_parameter;
+MeshRefinementControls find_mesh_parameters(const StudiedDeck& deck, const fs::path& folder) {
+  MeshRefinementControls mesh_parameter;
   const std::map<std::string, ParameterUse> uses =
       find_parameter_uses(deck.text, deck.ready->sources);
   mesh_parameter.parameters = find_parameters(deck, uses);
@@ -262,7 +262,7 @@ MeshParameterSet find_mesh_parameters(const StudiedDeck& deck, const fs::path& f
   return mesh_parameter;
 }
 
-DeckVariant refine_deck_mesh(const StudiedDeck& deck, const MeshParameterSet& mesh_parameter,
+DeckVariant refine_deck_mesh(const StudiedDeck& deck, const MeshRefinementControls& mesh_parameter,
                              double fineness, const deck::DeckCardList& text,
                              const fs::path& folder) {
   DeckVariant finer{.text = text};

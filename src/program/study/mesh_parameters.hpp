@@ -24,7 +24,7 @@ struct MeshParameter {
 };
 
 /// How the meshes of bodies are made finer; there may be nothing.
-struct MeshParameterSet {
+struct MeshRefinementControls {
   std::vector<MeshParameter> parameters;
   std::vector<MeshParameter> constants; ///< of geometry scripts that no such parameter reaches
   bool counts = false; ///< numbers of elements of $MESH cards that no such parameter reaches
@@ -41,12 +41,13 @@ struct MeshParameterSet {
 /// deck with twice its value: there must be more or fewer elements in the same sets of the same
 /// extent. Constants of scripts (DefineConstant) that the deck leaves alone are tried in the same
 /// way, then the factor of all sizes. Decks to try are written into `folder`.
-MeshParameterSet find_mesh_parameters(const StudiedDeck& deck, const std::filesystem::path& folder);
+MeshRefinementControls find_mesh_parameters(const StudiedDeck& deck,
+                                            const std::filesystem::path& folder);
 
 /// Changes cards of `text` and collects values of parameters (defines, and words: "fine=0.5",
 /// "elements*0.5") for elements of 1/fineness of their size. A fineness of 1 leaves the counts of
 /// $MESH cards and the scripts alone. Scripts are copied into `folder`.
-DeckVariant refine_deck_mesh(const StudiedDeck& deck, const MeshParameterSet& mesh_parameter,
+DeckVariant refine_deck_mesh(const StudiedDeck& deck, const MeshRefinementControls& mesh_parameter,
                              double fineness, const deck::DeckCardList& text,
                              const std::filesystem::path& folder);
 

@@ -30,7 +30,7 @@ using Obstacles = std::initializer_list<std::pair<bool, const char*>>;
 DeckVariant unless(Obstacles obstacles, const DeckCardList& text) {
   for (const auto& [there, reason] : obstacles) {
     if (there) {
-      return refused(reason);
+      return make_refused_variant(reason);
     }
   }
   return {.text = text};
@@ -151,8 +151,9 @@ private:
   [[nodiscard]] DeckVariant bearing(const char* shape) const {
     const std::set<std::string> nets = find_only_pressing_nets(joint_);
     if (nets.empty()) {
-      return refused(joint_.cracked.empty() ? "without a crack there is no body to keep"
-                                            : "no body presses on that with the crack");
+      return make_refused_variant(joint_.cracked.empty()
+                                      ? "without a crack there is no body to keep"
+                                      : "no body presses on that with the crack");
     }
     std::string surface;
     DeckCardList text = at_once_;
@@ -160,17 +161,17 @@ private:
       const bool slave = nets.contains(net_prefix(*card.find("SLAVE")));
       if (slave != nets.contains(net_prefix(*card.find("MASTER")))) {
         if (!surface.empty()) {
-          return refused("bodies press on more than one surface");
+          return make_refused_variant("bodies press on more than one surface");
         }
         surface = *card.find(slave ? "MASTER" : "SLAVE");
       }
     }
     if (surface.empty()) {
-      return refused("the surface that is pressed on belongs to no net of its own");
+      return make_refused_variant("the surface that is pressed on belongs to no net of its own");
     }
     std::vector<DeckCard> loads;
     if (const std::string reason = bearing_loads(nets, surface, shape, loads); !reason.empty()) {
-      return refused(reason);
+      return make_refused_variant(reason);
     }
     remove_nets_with_dependents(text, nets);
     for (DeckCard& load : loads) {
@@ -214,8 +215,8 @@ private:
       }
     }
     return changed ? DeckVariant{.text = std::move(text)}
-                   : refused(fmt::format("no body is in plane {}",
-                                         from == "STRESS" ? "stress" : "strain"));
+                   : make_refused_variant(fmt::format("no body is in plane {}",
+                                                      from == "STRESS" ? "stress" : "strain"));
   }
 
   const model::Model& model_;
@@ -264,8 +265,8 @@ DeckVariant reduce_by_symmetry(const model::Model& model, const DeckCardList& te
   return part;
 }
 
-std::vector<DeckVariant> simpler_models(const StudiedDeck& deck,
-                                        const std::filesystem::path& folder) {
+std::vector<DeckVariant> make_simpler_models(const StudiedDeck& deck,
+                                             const std::filesystem::path& folder) {
   return VariantMaker(deck, folder).run();
 }
 

@@ -16,7 +16,7 @@ namespace {
 // The error on the finest setting of the series of all sizes.
 double least_of_whole(const PlateauContext& view) {
   double error = std::numeric_limits<double>::infinity();
-  for (const std::size_t t : series_trials(view.study.trials, SettingFamily::whole)) {
+  for (const std::size_t t : find_trials_of_family(view.study.trials, SettingFamily::whole)) {
     const bool own = view.study.trials[t].variant.family == SettingFamily::whole;
     error = own && std::isfinite(view.group.errors[t].plain) ? view.group.errors[t].plain : error;
   }
@@ -35,7 +35,7 @@ struct PlateauAnswers {
 
 PlateauAnswers assess_answers(const PlateauContext& view) {
   const std::vector<StudyTrial>& trials = view.study.trials;
-  const std::vector<std::size_t> rows = series_trials(trials, view.series.family);
+  const std::vector<std::size_t> rows = find_trials_of_family(trials, view.series.family);
   std::optional<std::size_t> own_finest;
   for (const std::size_t t : rows) {
     own_finest = trials[t].variant.family == view.series.family ? t : own_finest;

@@ -243,7 +243,7 @@ private:
 DeckVariant make_section_deck(const model::Model& model, const DeckCardList& text,
                               const std::string& state) {
   if (model.mesh.dim != 3) {
-    return refused("the bodies are plane");
+    return make_refused_variant("the bodies are plane");
   }
   DeckVariant none;
   const bool round = state == "AXI";

@@ -302,7 +302,7 @@ private:
   int dim_ = 2;
   std::vector<double> sizes_of_bodies_;
   std::vector<std::string>& notes_;
-  MeshParameterSet varied_;
+  MeshRefinementControls varied_;
   std::vector<DeckVariant> settings_;
 };
 

@@ -63,7 +63,7 @@ std::vector<AnswerReading> peer_answers(const model::Model& model,
     } else {
       continue;
     }
-    readings[a].value = found_value(model, check, run);
+    readings[a].value = find_check_value(model, check, run);
   }
   return readings;
 }
@@ -117,7 +117,7 @@ StudyTrial run_calculix_on(VariantRuns& runs, const fs::path& program, const Stu
   } else if (trial.end.exit_code != 0 || !fields) {
     trial.trouble = fmt::format("CalculiX gave no result, exit code {}", trial.end.exit_code);
   } else {
-    trial.readings = peer_answers(*ready.model, runs.answers(), *fields);
+    trial.readings = peer_answers(*ready.model, runs.requested_answers(), *fields);
   }
   return trial;
 }
@@ -198,14 +198,14 @@ base::ProgramOutcome run_study(const StudyOptions& options, VariantRuns& runs,
                                std::string& summary) {
   Study study;
   const std::vector<DeckVariant> settings =
-      plan_study_settings(runs.deck(), options.requests, runs.scratch(), study.notes);
+      plan_study_settings(runs.deck(), options.requests, runs.scratch_folder(), study.notes);
   study.trials.push_back({.variant = settings.front()});
   const base::ProgramOutcome outcome =
       runs.run_original_deck(study.trials.front(), collect_answer_requests);
   if (outcome != base::ProgramOutcome::done) {
     return outcome;
   }
-  study.answers = runs.answers();
+  study.answers = runs.requested_answers();
   add_affordable_trials(settings, options.budget, runs.model().mesh.dim, study);
   std::vector<StudyTrial*> others;
   for (StudyTrial& trial : std::span(study.trials).subspan(1)) {
@@ -218,8 +218,9 @@ base::ProgramOutcome run_study(const StudyOptions& options, VariantRuns& runs,
     return base::ProgramOutcome::stopped;
   }
   assess_trials(study);
-  runs.folder().add_file("study.csv", study_csv(study));
-  runs.folder().add_file("study.html", study_page(runs.deck().ready->sources, runs.model(), study));
+  runs.run_folder().add_file("study.csv", study_csv(study));
+  runs.run_folder().add_file("study.html",
+                             study_page(runs.deck().ready->sources, runs.model(), study));
   summary = study_text(study) + "study.csv and study.html";
   return outcome;
 }
@@ -227,7 +228,7 @@ base::ProgramOutcome run_study(const StudyOptions& options, VariantRuns& runs,
 } // namespace
 
 base::ProgramOutcome study_deck(const StudyOptions& options) {
-  return run_variants_of(options.deck, ".study", [&](VariantRuns& runs, std::string& summary) {
+  return run_deck_variants(options.deck, ".study", [&](VariantRuns& runs, std::string& summary) {
     return run_study(options, runs, summary);
   });
 }

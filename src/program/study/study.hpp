@@ -31,7 +31,8 @@ std::vector<DeckVariant> plan_study_settings(const StudiedDeck& deck,
 
 /// Trials with results of one family, coarse to fine. The deck as it is belongs to the series of
 /// sizes: of all, of bodies, of tips, and of what is asked for.
-std::vector<std::size_t> series_trials(const std::vector<StudyTrial>& trials, SettingFamily family);
+std::vector<std::size_t> find_trials_of_family(const std::vector<StudyTrial>& trials,
+                                               SettingFamily family);
 
 /// What answers are compared with.
 struct AnswerReference {
@@ -50,7 +51,7 @@ struct AnswerGroupErrors {
   double bar = 0.0;
 
   /// The largest of the plain or of the corrected values.
-  [[nodiscard]] double of(bool corrected) const { return corrected ? best : plain; }
+  [[nodiscard]] double plain_or_corrected(bool corrected) const { return corrected ? best : plain; }
 };
 
 /// One series of a group.

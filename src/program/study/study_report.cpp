@@ -57,9 +57,9 @@ std::vector<report::DrawingPoint> curve_points(const Study& study, const AnswerG
                                                const CurveKind& curve, bool against_cpu) {
   std::vector<report::DrawingPoint> points;
   bool own = false;
-  for (const std::size_t row : series_trials(study.trials, curve.family)) {
+  for (const std::size_t row : find_trials_of_family(study.trials, curve.family)) {
     const StudyTrial& trial = study.trials[row];
-    const double error = group.errors[row].of(curve.corrected);
+    const double error = group.errors[row].plain_or_corrected(curve.corrected);
     const double x = against_cpu ? trial.end.cpu : static_cast<double>(trial.unknowns);
     own = own || trial.variant.family == curve.family;
     if (std::isfinite(error) && x > 0.0) {

@@ -81,7 +81,7 @@ bool VariantRuns::read_trial(const ChildRun& child, const ChildProcessResult& en
   for (const results::CrackLengthResult& increment : run->increments) {
     trial.unknowns = std::max(trial.unknowns, increment.unknowns);
   }
-  trial.asked = answer_counterparts(trial.variant, answers_);
+  trial.asked = checks_asked_of_variant(trial.variant, answers_);
   trial.readings = trial.variant.section
                        ? read_answers(read_deck_silently(trial.variant.deck, {}).model.value(),
                                       trial.asked, *run)
@@ -126,7 +126,7 @@ void VariantRuns::run_other_variants(const std::vector<StudyTrial*>& trials, int
   });
 }
 
-base::ProgramOutcome run_variants_of(
+base::ProgramOutcome run_deck_variants(
     const RunOptions& given, const char* extension,
     const std::function<base::ProgramOutcome(VariantRuns&, std::string& summary)>& work) {
   RunOptions options = given;
@@ -146,7 +146,7 @@ base::ProgramOutcome run_variants_of(
       return base::ProgramOutcome::stopped;
     }
     if (outcome == base::ProgramOutcome::done) {
-      runs.folder().commit();
+      runs.run_folder().commit();
       write_to_stdout(fmt::format("{} in {}\n", summary, options.out.string()));
     }
     return outcome;

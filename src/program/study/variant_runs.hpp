@@ -22,10 +22,10 @@ namespace spricka::program {
 struct StudyTrial {
   DeckVariant variant = {};
   ChildProcessResult end = {};
-  std::size_t unknowns = 0;                  ///< of its largest increment
-  std::vector<AnswerCounterpart> asked = {}; ///< [answer]; empty: the run has no results
-  std::vector<AnswerReading> readings = {};  ///< [answer]; empty: the run has no results
-  std::string trouble = {};                  ///< why there are no results, in one line
+  std::size_t unknowns = 0;                      ///< of its largest increment
+  std::vector<VariantCheckAndFactor> asked = {}; ///< [answer]; empty: the run has no results
+  std::vector<AnswerReading> readings = {};      ///< [answer]; empty: the run has no results
+  std::string trouble = {};                      ///< why there are no results, in one line
 };
 
 /// Which answers of the run of the deck itself all variants are asked for.
@@ -40,13 +40,13 @@ public:
   [[nodiscard]] const StudiedDeck& deck() const { return deck_; }
   [[nodiscard]] const model::Model& model() const { return *deck_.ready->model; }
   /// What all variants are asked for, from run_original_deck() on.
-  [[nodiscard]] const std::vector<AnswerRequest>& answers() const { return answers_; }
+  [[nodiscard]] const std::vector<AnswerRequest>& requested_answers() const { return answers_; }
   /// Where decks of variants are written; gone at the end.
-  [[nodiscard]] const std::filesystem::path& scratch() const { return runs_.folder(); }
+  [[nodiscard]] const std::filesystem::path& scratch_folder() const { return runs_.folder(); }
   /// The folder that is left at the end, absolute.
-  [[nodiscard]] const std::filesystem::path& place() const { return place_; }
+  [[nodiscard]] const std::filesystem::path& final_folder() const { return place_; }
   /// The same, to be filled.
-  RunFolder& folder() { return folder_; }
+  RunFolder& run_folder() { return folder_; }
   DeckRuns& process_runs() { return runs_; }
 
   /// Runs the deck itself, which decides by `choose` what is asked for. Where it has no results, or
@@ -76,7 +76,7 @@ private:
 /// Reads the deck and lets `work` run variants of it: without a folder in `given` into one of the
 /// deck's name with `extension`. Where the work is done the folder is put in place and `summary`,
 /// which the work has filled, goes to stdout; a signal ends all and leaves nothing.
-base::ProgramOutcome run_variants_of(
+base::ProgramOutcome run_deck_variants(
     const RunOptions& given, const char* extension,
     const std::function<base::ProgramOutcome(VariantRuns&, std::string& summary)>& work);
 

@@ -106,12 +106,12 @@ SettingFamily series_family(const StudyTrial& trial) {
 // Of a trial and all finer ones of its family.
 double lasting_error(const AnswerGroupVerdict& group, const std::vector<StudyTrial>& trials,
                      std::size_t t, bool corrected) {
-  double largest = group.errors[t].of(corrected);
+  double largest = group.errors[t].plain_or_corrected(corrected);
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const bool finer = series_family(trials[i]) == series_family(trials[t]) &&
                        trials[i].variant.fineness > trials[t].variant.fineness;
-    if (finer && std::isfinite(group.errors[i].of(corrected))) {
-      largest = std::max(largest, group.errors[i].of(corrected));
+    if (finer && std::isfinite(group.errors[i].plain_or_corrected(corrected))) {
+      largest = std::max(largest, group.errors[i].plain_or_corrected(corrected));
     }
   }
   return largest;
@@ -189,10 +189,10 @@ private:
   }
 
   void judge_series(SettingFamily family, bool corrected) {
-    const std::vector<std::size_t> rows = series_trials(trials_, family);
+    const std::vector<std::size_t> rows = find_trials_of_family(trials_, family);
     std::vector<MeshSizeAndError> points;
     for (const std::size_t row : rows) {
-      const double error = found_.errors[row].of(corrected);
+      const double error = found_.errors[row].plain_or_corrected(corrected);
       if (std::isfinite(error)) {
         points.push_back({1.0 / trials_[row].variant.fineness, error});
       }
@@ -231,7 +231,7 @@ private:
   // of the first step.
   void compare_with_peer() {
     std::optional<std::size_t> peer;
-    for (const std::size_t t : series_trials(trials_, SettingFamily::peer)) {
+    for (const std::size_t t : find_trials_of_family(trials_, SettingFamily::peer)) {
       if (std::isfinite(found_.errors[t].plain) &&
           (!peer || trials_[t].variant.fineness > trials_[*peer].variant.fineness)) {
         peer = t;
@@ -273,8 +273,8 @@ private:
 
 } // namespace
 
-std::vector<std::size_t> series_trials(const std::vector<StudyTrial>& trials,
-                                       SettingFamily family) {
+std::vector<std::size_t> find_trials_of_family(const std::vector<StudyTrial>& trials,
+                                               SettingFamily family) {
   constexpr std::array of_sizes{SettingFamily::whole, SettingFamily::host, SettingFamily::tip,
                                 SettingFamily::asked};
   const bool given = std::ranges::find(of_sizes, family) != of_sizes.end();
@@ -290,9 +290,9 @@ std::vector<std::size_t> series_trials(const std::vector<StudyTrial>& trials,
 }
 
 void assess_trials(Study& study) {
-  std::vector<std::size_t> series = series_trials(study.trials, SettingFamily::whole);
+  std::vector<std::size_t> series = find_trials_of_family(study.trials, SettingFamily::whole);
   if (series.size() < 2) {
-    series = series_trials(study.trials, SettingFamily::asked);
+    series = find_trials_of_family(study.trials, SettingFamily::asked);
   }
   if (series.empty()) {
     return;

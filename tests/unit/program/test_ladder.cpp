@@ -17,40 +17,40 @@ ModelVariantResult rung(const std::string& name, double K, double cpu, bool simp
   return result;
 }
 
-ModelHierarchy ladder_of(std::vector<ModelVariantResult> variants) {
-  ModelHierarchy ladder;
+SimplerModelComparison ladder_of(std::vector<ModelVariantResult> variants) {
+  SimplerModelComparison ladder;
   ladder.answers.resize(1);
   ladder.answers[0].check.relative = true;
   ladder.variants = std::move(variants);
   return ladder;
 }
 
-TEST(ModelHierarchy, TakesTheCheapestThatIsWithin) {
-  ModelHierarchy ladder =
+TEST(SimplerModelComparison, TakesTheCheapestThatIsWithin) {
+  SimplerModelComparison ladder =
       ladder_of({rung("as given", 100.0, 10.0, false), rung("bonded", 101.0, 2.0, true),
                  rung("uniform", 120.0, 1.0, true)});
-  compare(ladder);
+  judge_simpler_models(ladder);
   EXPECT_EQ(ladder.cheapest, std::optional<std::size_t>(1));
   EXPECT_TRUE(ladder.stopped.empty());
 }
 
 // What was ended before it had an answer may have been the cheapest, or shown that none will do.
-TEST(ModelHierarchy, ConcludesNothingWhereARungWasStopped) {
+TEST(SimplerModelComparison, ConcludesNothingWhereARungWasStopped) {
   for (const int signal : {0, 15}) {
     ModelVariantResult killed = rung("bonded", 0.0, 2.0, true);
     killed.readings.clear();
     killed.end.signal = signal;
     killed.end.exit_code = signal == 0 ? 6 : 128 + signal;
-    ModelHierarchy ladder = ladder_of({rung("as given", 100.0, 10.0, false), killed});
-    compare(ladder);
+    SimplerModelComparison ladder = ladder_of({rung("as given", 100.0, 10.0, false), killed});
+    judge_simpler_models(ladder);
     EXPECT_FALSE(ladder.cheapest);
     EXPECT_EQ(ladder.stopped, std::vector<std::string>{"bonded"});
   }
   ModelVariantResult refused = rung("bonded", 0.0, 2.0, true); // it has no answer of its own accord
   refused.readings.clear();
   refused.end.exit_code = 4;
-  ModelHierarchy ladder = ladder_of({rung("as given", 100.0, 10.0, false), refused});
-  compare(ladder);
+  SimplerModelComparison ladder = ladder_of({rung("as given", 100.0, 10.0, false), refused});
+  judge_simpler_models(ladder);
   EXPECT_EQ(ladder.cheapest, std::optional<std::size_t>(0));
 }
 
