@@ -163,7 +163,7 @@ ReportTable cracks(const DeckPreview& p) {
   listing.add(columns, unit);
   columns.number(listing.patch, unit, number_of(&results::FrontPreview::radius), four)
       .number("tip element", unit, number_of(&results::FrontPreview::size), four)
-      .where([](const CrackRow& row) { return &row.front == row.length.fronts.data(); })
+      .fill_only_if([](const CrackRow& row) { return &row.front == row.length.fronts.data(); })
       .number("elements cut", "", [](const CrackRow& row) { return row.length.replaced; })
       .number("elements new", "", [](const CrackRow& row) { return row.length.fresh; });
   std::vector<CrackRow> rows;

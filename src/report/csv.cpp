@@ -33,7 +33,8 @@ void write_k_csv(const std::filesystem::path& file, const model::Model& model,
   Columns<FrontPointRow> columns = step_columns<FrontPointRow>();
   columns.exact("crack", [](const FrontPointRow& row) { return row.front.name; });
   for (const results::KQuantity* const q : shown_k_quantities(model, results::in_k_csv)) {
-    columns.where([q](const FrontPointRow& row) { return q->is_given(row.front, row.point); });
+    columns.fill_only_if(
+        [q](const FrontPointRow& row) { return q->is_given(row.front, row.point); });
     columns.exact(q->name, [q](const FrontPointRow& row) {
       return q->extract_value(row.front, row.point) * printed_unit(q->kind);
     });

@@ -151,8 +151,9 @@ std::string check_text(const results::RunResult& run) {
 
 } // namespace
 
-std::string listing(const base::SourceTexts& sources, const model::Model& model,
-                    const results::RunResult& run, const std::vector<results::LoadTotal>& loads) {
+std::string listing_text(const base::SourceTexts& sources, const model::Model& model,
+                         const results::RunResult& run,
+                         const std::vector<results::LoadTotal>& loads) {
   std::string out = "spricka " SPRICKA_VERSION "\n";
   out += echo(sources) + model_summary(model, loads) + log_text(run);
   if (const ReportTable rounds = tolerance_rounds_table(run, true); !rounds.rows.empty()) {

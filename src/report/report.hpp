@@ -63,9 +63,9 @@ void write_pvd(const std::filesystem::path& file, const std::vector<PvdEntry>& e
 
 /// The listing: deck echo with line numbers, model summary with the totals of the load cases,
 /// processor log with times, tables.
-std::string listing(const base::SourceTexts& sources, const model::Model& model,
-                    const results::RunResult& run,
-                    const std::vector<results::LoadTotal>& loads = {});
+std::string listing_text(const base::SourceTexts& sources, const model::Model& model,
+                         const results::RunResult& run,
+                         const std::vector<results::LoadTotal>& loads = {});
 
 /// report.html: one page, inline SVG, no script, no network.
 std::string html_report(const base::SourceTexts& sources, const model::Model& model,

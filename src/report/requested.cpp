@@ -32,13 +32,13 @@ Columns<RequestedRow> requested_columns(int dim) {
   Columns<Row> columns = step_columns<Row>();
   columns.exact("quantity", [](const Row& row) { return row.request.quantity; })
       .exact("name", [](const Row& row) { return row.request.name; })
-      .where([](const Row& row) { return row.of.where.has_value(); })
+      .fill_only_if([](const Row& row) { return row.of.where.has_value(); })
       .exact("node", [](const Row& row) { return row.of.where->first; });
   for (int c = 0; c < dim; ++c) {
     columns.exact(std::string(1, "xyz"[c]),
                   [c](const Row& row) { return row.of.where->second[c]; });
   }
-  columns.where({});
+  columns.fill_only_if({});
   return columns.exact("component", [](const Row& row) { return row.of.component; })
       .exact("value", [](const Row& row) { return row.of.value; });
 }

@@ -221,7 +221,7 @@ bool any_bar(const SweepResult& sweep, const SweepResultValue& cell) {
          });
 }
 
-std::string checks_of(const SweepPoint& point) {
+std::string checks_at_all_points(const SweepPoint& point) {
   return point.checks == 0 ? "" : fmt::format("{} of {} passed", point.passed, point.checks);
 }
 
@@ -258,7 +258,7 @@ ReportTable points_table(const model::Model& model, const SweepResult& sweep, co
   }
   columns.words("point", &SweepPoint::folder)
       .words("status", sweep_point_status)
-      .words("checks", checks_of)
+      .words("checks", checks_at_all_points)
       .words("warnings", [](const SweepPoint& point) {
         return point.warnings > 0 ? std::to_string(point.warnings) : "";
       });

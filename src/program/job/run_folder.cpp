@@ -273,8 +273,8 @@ void RunFolder::write_results(const base::SourceTexts& sources, const model::Mod
   run.wall += watch.wall_time();
   // The listing comes last, as it has the figures of all before.
   run.peak_memory = base::peak_memory();
-  add_file(listing_name,
-           report::listing(sources, model, run, totals) + report::script_constant_section(scripts));
+  add_file(listing_name, report::listing_text(sources, model, run, totals) +
+                             report::script_constant_section(scripts));
 }
 
 std::uintmax_t RunFolder::written_bytes() const {

@@ -103,7 +103,7 @@ void compare_costs(const Pairs& pairs, VerificationComparison& out) {
 
 } // namespace
 
-VerificationComparison compare(const Verification& now, const Verification& before) {
+VerificationComparison compare_verifications(const Verification& now, const Verification& before) {
   VerificationComparison out;
   out.program = before.program;
   out.machine = before.machine;
@@ -127,7 +127,7 @@ bool VerificationComparison::is_unchanged() const {
       change_kinds, [this](const ChangeKind& kind) { return (this->*kind.changes).empty(); });
 }
 
-std::string summary(const VerificationComparison& comparison) {
+std::string comparison_summary(const VerificationComparison& comparison) {
   std::string text;
   for (const ChangeKind& kind : change_kinds) {
     if (const std::size_t n = (comparison.*kind.changes).size(); n > 0) {

@@ -57,10 +57,10 @@ inline constexpr std::array change_kinds{
 /// more than 1.5 times what the pace of all decks (their median ratio, which is what else the
 /// machine has to do) makes expect, and the difference is more than the noise, four times what the
 /// cheapest deck takes altogether. Memory counts from 1.2 times on.
-VerificationComparison compare(const Verification& now, const Verification& before);
+VerificationComparison compare_verifications(const Verification& now, const Verification& before);
 
 /// "larger error: 2, slower: 1"; "nothing has changed".
-std::string summary(const VerificationComparison& comparison);
+std::string comparison_summary(const VerificationComparison& comparison);
 
 /// What has changed since the last verification; without rows: nothing.
 report::ReportTable verification_change_table(const VerificationComparison& comparison);

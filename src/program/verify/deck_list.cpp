@@ -33,7 +33,7 @@ std::map<std::string, DeckCost> read_costs(const fs::path& file) {
   std::map<std::string, DeckCost> costs;
   for (const base::CsvRecord& row : records_of(file)) {
     costs[row.text("deck")] = {.cpu = row.number("cpu", 0.0),
-                               .memory = bytes_of(row.number("memory", 0.0))};
+                               .memory = bytes_from_megabytes(row.number("memory", 0.0))};
   }
   return costs;
 }

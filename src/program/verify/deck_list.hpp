@@ -29,7 +29,7 @@ struct ListedDeck {
 };
 
 /// Memory [bytes] of what tables have [MB].
-inline std::size_t bytes_of(double megabytes) {
+inline std::size_t bytes_from_megabytes(double megabytes) {
   return static_cast<std::size_t>(1e6 * megabytes);
 }
 

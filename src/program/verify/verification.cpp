@@ -86,7 +86,7 @@ void read_row(const base::CsvRecord& row, Verification& out) {
     deck.name = row.text("deck");
     deck.title = row.text("title");
     deck.cpu = row.number("cpu", none);
-    deck.peak_memory = bytes_of(row.number("memory", 0.0));
+    deck.peak_memory = bytes_from_megabytes(row.number("memory", 0.0));
     deck.exit_code = static_cast<int>(row.number("exit_code", 0.0));
   }
   VerifiedDeck& deck = out.decks.back();
@@ -107,7 +107,7 @@ void read_row(const base::CsvRecord& row, Verification& out) {
 
 std::size_t VerifiedDeck::missed_check_count() const {
   return static_cast<std::size_t>(
-      std::ranges::count(checks_of(*this), false, &results::CheckResult::passed));
+      std::ranges::count(checks_at_all_points(*this), false, &results::CheckResult::passed));
 }
 
 std::optional<double> stated_reference_accuracy(const results::CheckResult& check) {
@@ -130,15 +130,15 @@ bool has_recorded_reference(const results::CheckResult& check) {
 }
 
 bool has_check_with_reference(const VerifiedDeck& deck) {
-  return !std::ranges::all_of(checks_of(deck), has_recorded_reference);
+  return !std::ranges::all_of(checks_at_all_points(deck), has_recorded_reference);
 }
 
-VerificationCounts count(const Verification& verification) {
+VerificationCounts count_checks_and_costs(const Verification& verification) {
   VerificationCounts counts;
   for (const VerifiedDeck& deck : verification.decks) {
     const std::size_t recorded = counts.recorded;
     counts.points += deck.points.size();
-    for (const results::CheckResult& check : checks_of(deck)) {
+    for (const results::CheckResult& check : checks_at_all_points(deck)) {
       count_check(check, counts);
     }
     if (has_check_with_reference(deck)) {
@@ -167,8 +167,8 @@ base::ProgramOutcome worst_outcome(const Verification& verification) {
   return worst;
 }
 
-std::vector<std::string> summary(const Verification& verification) {
-  const VerificationCounts counts = count(verification);
+std::vector<std::string> verification_summary(const Verification& verification) {
+  const VerificationCounts counts = count_checks_and_costs(verification);
   std::vector<std::string> lines{
       fmt::format("{} with a reference, {}, {}: {} passed, {} missed.",
                   many(counts.with_reference, "deck"), many(counts.points, "run"),

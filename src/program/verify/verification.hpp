@@ -26,7 +26,7 @@ struct VerifiedDeck : ChildProcessResult {
 };
 
 /// The checks of all its points.
-inline auto checks_of(const VerifiedDeck& deck) {
+inline auto checks_at_all_points(const VerifiedDeck& deck) {
   return deck.points | std::views::transform(&DeckRunChecks::checks) | std::views::join;
 }
 
@@ -64,14 +64,14 @@ struct VerificationCounts {
   std::size_t memory = 0; ///< [bytes] of the largest
 };
 /// Adds up decks, points and checks of a verification, with CPU time and the largest memory.
-VerificationCounts count(const Verification& verification);
+VerificationCounts count_checks_and_costs(const Verification& verification);
 
 /// The worst end of a deck: check_failed if some value has missed its tolerance and that is all.
 base::ProgramOutcome worst_outcome(const Verification& verification);
 
 /// "110 decks, 146 runs, 1312 checks with a reference: 1310 passed, 2 missed", and what counts
 /// apart, a sentence each.
-std::vector<std::string> summary(const Verification& verification);
+std::vector<std::string> verification_summary(const Verification& verification);
 
 /// verification.csv: a row for each check, or for a deck that has none; manual/verify.md names the
 /// columns.

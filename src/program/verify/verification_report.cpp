@@ -151,7 +151,8 @@ report::ReportTable verified_deck_table(const Verification& verification) {
               })
       .number("error / allowed", "",
               [](const DeckTableRow& r) { return r.point ? largest_share(*r.point) : ""; })
-      .where([](const DeckTableRow& r) { return !r.point || r.point == r.deck.points.data(); })
+      .fill_only_if(
+          [](const DeckTableRow& r) { return !r.point || r.point == r.deck.points.data(); })
       .number(
           "CPU, s", "", [](const DeckTableRow& r) { return r.deck.cpu; }, "{:.2f}")
       .number(
@@ -202,7 +203,7 @@ constexpr double smallest_drawn = 1e-9;
 // The largest relative error of a deck against a reference, by what it takes; empty: it has none.
 std::optional<report::DrawingPoint> mark_of(const VerifiedDeck& deck) {
   std::optional<double> worst;
-  for (const results::CheckResult& check : checks_of(deck)) {
+  for (const results::CheckResult& check : checks_at_all_points(deck)) {
     if (check.relative && check.trouble.empty() && !has_recorded_reference(check)) {
       worst = std::max(worst.value_or(smallest_drawn), std::abs(check.error));
     }
@@ -247,14 +248,15 @@ std::string machine_words(const Verification& verification) {
   return fmt::format(
       "{} on {}: {} at a time, one thread each. {:.1f} s CPU, {:.1f} s wall, at most "
       "{:.0f} MB for one.",
-      verification.program, verification.machine, verification.at_once, count(verification).cpu,
-      verification.wall, megabytes(count(verification).memory));
+      verification.program, verification.machine, verification.at_once,
+      count_checks_and_costs(verification).cpu, verification.wall,
+      megabytes(count_checks_and_costs(verification).memory));
 }
 
 void add_comparison(report::HtmlPage& page, const VerificationComparison& comparison) {
   page.add_heading("Since the last verification");
   page.add_paragraph(fmt::format("Before: {} on {}. {}.", comparison.program, comparison.machine,
-                                 summary(comparison)));
+                                 comparison_summary(comparison)));
   page.add_paragraph(
       comparison.same_machine
           ? fmt::format("CPU of all decks is {:.2f} times that before, in the median: a deck is "
@@ -330,7 +332,7 @@ decks find; [`spricka verify all --markdown FILE`](verify.md) writes it. The tes
 source is `RECORDED` compares with an earlier value of this program and proves only that the value has not changed.
 
 )";
-  for (const std::string& line : summary(verification)) {
+  for (const std::string& line : verification_summary(verification)) {
     out += line + "\n";
   }
   return out + fmt::format("Times and memory: {}, one thread, {} decks at a time.\n\n",
@@ -372,7 +374,7 @@ std::string verification_page(const Verification& verification,
   const bool failed = worst_outcome(verification) != base::ProgramOutcome::done;
   page.add_html("<h1>Verification</h1>\n");
   page.add_paragraph(machine_words(verification), "about");
-  for (const std::string& line : summary(verification)) {
+  for (const std::string& line : verification_summary(verification)) {
     page.add_paragraph(line, failed ? "failed" : "about");
   }
   page.add_paragraph(fmt::format("Asked for: {}.", fmt::join(verification.asked, " ")), "about");

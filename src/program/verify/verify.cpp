@@ -147,7 +147,7 @@ private:
   void tell(const VerifiedDeck& deck, const ListedDeck& listed, double wall) {
     const bool terminal = isatty(STDERR_FILENO) != 0;
     known_done_ += listed.cost ? listed.cost->cpu : 0.0;
-    const auto checks = std::ranges::distance(checks_of(deck));
+    const auto checks = std::ranges::distance(checks_at_all_points(deck));
     if (!options_.quiet || deck.failed()) {
       write_to_stdout(fmt::format(
           "{}{:>4} of {}  {:<6} {:<36} {:>4} checks {:8.2f} s {:6.0f} MB{}\n",
@@ -177,7 +177,7 @@ private:
     const std::vector<BenchmarkProblem> problems = read_benchmark_coverage(decks_);
     std::optional<VerificationComparison> comparison;
     if (before_) {
-      comparison = compare(verification_, *before_);
+      comparison = compare_verifications(verification_, *before_);
     }
     base::write_atomically(options_.out / table_name, verification_csv(verification_));
     base::write_atomically(options_.out / page_name,
@@ -205,20 +205,20 @@ private:
   }
 
   void print_summary(const std::optional<VerificationComparison>& comparison) const {
-    for (const std::string& line : summary(verification_)) {
+    for (const std::string& line : verification_summary(verification_)) {
       write_to_stdout(line + "\n");
     }
     if (comparison) {
-      write_to_stdout(
-          fmt::format("Since the last time ({}): {}\n", comparison->program, summary(*comparison)));
+      write_to_stdout(fmt::format("Since the last time ({}): {}\n", comparison->program,
+                                  comparison_summary(*comparison)));
       const report::ReportTable changes = verification_change_table(*comparison);
       if (!changes.rows.empty() && !options_.quiet) {
         write_to_stdout(report::table_to_text(changes));
       }
     }
-    write_to_stdout(fmt::format("{:.1f} s CPU, {:.1f} s; {} and {}\n", count(verification_).cpu,
-                                verification_.wall, (options_.out / page_name).string(),
-                                table_name));
+    write_to_stdout(fmt::format("{:.1f} s CPU, {:.1f} s; {} and {}\n",
+                                count_checks_and_costs(verification_).cpu, verification_.wall,
+                                (options_.out / page_name).string(), table_name));
   }
 
   const VerifyOptions& options_;

@@ -15,7 +15,7 @@ constexpr std::array<std::array<double, 3>, 5> ramp{
 
 } // namespace
 
-std::size_t ColourScale::band(double value) const {
+std::size_t ColourScale::band_index(double value) const {
   const double t = high > low ? std::clamp((value - low) / (high - low), 0.0, 1.0) : 0.0;
   return std::min(static_cast<std::size_t>(t * static_cast<double>(colour_bands)),
                   colour_bands - 1);

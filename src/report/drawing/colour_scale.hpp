@@ -16,7 +16,7 @@ struct ColourScale {
   double low = 0.0;
   double high = 0.0;
   /// Number of the colour of a value, 0 to colour_bands - 1; 0 where the scale has no extent.
-  [[nodiscard]] std::size_t band(double value) const;
+  [[nodiscard]] std::size_t band_index(double value) const;
 };
 
 /// From low to high, or from 0 where there is nothing between them but round-off.

@@ -51,7 +51,7 @@ public:
     return add({std::move(name), {}, false}, std::move(value), "{}");
   }
   /// Columns added from now on are empty in rows that do not meet the condition.
-  Columns& where(std::function<bool(const Row&)> condition) {
+  Columns& fill_only_if(std::function<bool(const Row&)> condition) {
     condition_ = std::move(condition);
     return *this;
   }

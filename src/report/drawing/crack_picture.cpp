@@ -141,7 +141,7 @@ void draw_front_line(SvgDrawing& svg, const CrackView& view, const std::vector<D
     const results::FrontPointResult& a = points[i];
     const results::FrontPointResult& b = points[(i + 1) % points.size()];
     const double K = a.at_surface ? b.K1 : b.at_surface ? a.K1 : 0.5 * (a.K1 + b.K1);
-    svg.line(line[i], line[i + 1], {band_colour(scale.band(K)), 4.0, "none", ""});
+    svg.line(line[i], line[i + 1], {band_colour(scale.band_index(K)), 4.0, "none", ""});
   }
 }
 
@@ -172,7 +172,7 @@ std::string draw_crack_front(const CrackView& view) {
     return {};
   }
   const PictureFrame frame(box, view.width);
-  SvgDrawing svg = frame.begin(fmt::format("{} in its body", view.front->name));
+  SvgDrawing svg = frame.begin_drawing(fmt::format("{} in its body", view.front->name));
   svg.clip(fmt::format("front-{}", view.front->name), {0.0, PictureFrame::head}, view.width,
            frame.height());
   for (const RidgeEdge& edge : edges) {
@@ -225,10 +225,11 @@ std::string draw_crack_opening(const CrackView& view) {
   const char* const what = slides ? "sliding" : "opening";
   const ColourScale scale =
       slides ? make_colour_scale(0.0, sliding) : make_colour_scale(low, opening);
-  SvgDrawing svg = frame.begin(fmt::format("{}, {} of its faces", view.front->name, what));
+  SvgDrawing svg = frame.begin_drawing(fmt::format("{}, {} of its faces", view.front->name, what));
   for (const OpenedCrackFace& face : faces) {
-    svg.polygon(node_line(face.outline, increment.mesh, eye, frame),
-                {"#223", 0.3, band_colour(scale.band(slides ? face.sliding : face.opening)), ""});
+    svg.polygon(
+        node_line(face.outline, increment.mesh, eye, frame),
+        {"#223", 0.3, band_colour(scale.band_index(slides ? face.sliding : face.opening)), ""});
   }
   const std::vector<DrawingPoint> line = front_line(view, eye, frame);
   svg.polyline(line, {"#d55e00", 2.0, "none", ""});

@@ -94,7 +94,7 @@ void add_cell(const std::vector<DrawnCorner>& corners, const ColourScale& scale,
   for (const DrawnCorner& s : corners) {
     mean += s.value / static_cast<double>(corners.size());
   }
-  SvgPathData& path = bands[scale.band(mean)].move(corners.front().at);
+  SvgPathData& path = bands[scale.band_index(mean)].move(corners.front().at);
   for (std::size_t i = 1; i < corners.size(); ++i) {
     path.line(corners[i].at);
   }

@@ -31,7 +31,7 @@ PictureFrame::PictureFrame(const PictureBox& box, double width)
       left_(0.5 * (width - scale_ * box.width())),
       height_(scale_ * box.height() + 2.0 * frame_margin) {}
 
-SvgDrawing PictureFrame::begin(std::string_view title) const {
+SvgDrawing PictureFrame::begin_drawing(std::string_view title) const {
   SvgDrawing svg(width_, foot() + colours_room, title);
   svg.title({0.5 * width_, 15.0}, title);
   return svg;

@@ -45,7 +45,7 @@ public:
   /// The box in the middle of a picture so many pixels wide; its height is at most 85 % of that.
   PictureFrame(const PictureBox& box, double width);
   /// A drawing with its title, else empty.
-  [[nodiscard]] SvgDrawing begin(std::string_view title) const;
+  [[nodiscard]] SvgDrawing begin_drawing(std::string_view title) const;
   /// Where a place of the box stands in the drawing.
   [[nodiscard]] DrawingPoint operator()(DrawingPoint p) const;
   [[nodiscard]] double height() const { return height_; } ///< of the box with its margins [px]

@@ -127,10 +127,10 @@ std::string draw_svg(const SolidView& view) {
   }
   const PictureFrame frame(box, view.width);
   const ColourScale scale = scale_of(faces);
-  SvgDrawing svg = frame.begin("Surface, von Mises stress");
+  SvgDrawing svg = frame.begin_drawing("Surface, von Mises stress");
   for (DrawnFace& face : faces) {
     std::ranges::transform(face.outline, face.outline.begin(), frame);
-    svg.polygon(face.outline, {"#223", 0.35, band_colour(scale.band(face.value)), ""});
+    svg.polygon(face.outline, {"#223", 0.35, band_colour(scale.band_index(face.value)), ""});
   }
   draw_colour_legend(svg, scale, {0.3 * view.width, frame.foot() + 12.0}, 0.62 * view.width,
                      fmt::format("von Mises, {}", view.stress_name));

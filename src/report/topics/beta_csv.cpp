@@ -152,10 +152,10 @@ Columns<BetaRow> beta_columns(const model::Model& model) {
   columns.exact("tip", [](const BetaRow& row) { return row.end.tip; });
   const std::string_view half_axes = dimension_columns.at(model.mesh.dim).half_axes;
   for (std::size_t i = 0; i < half_axes.size(); ++i) {
-    columns.where([i](const BetaRow& row) { return row.half.at(i) > 0.0; });
+    columns.fill_only_if([i](const BetaRow& row) { return row.half.at(i) > 0.0; });
     columns.exact(std::string(1, half_axes[i]), [i](const BetaRow& row) { return row.half.at(i); });
   }
-  columns.where({});
+  columns.fill_only_if({});
   columns.exact("where", [](const BetaRow& row) { return row.moment->where; });
   columns.exact("t", [](const BetaRow& row) { return row.moment->t; });
   std::size_t factor = 0;

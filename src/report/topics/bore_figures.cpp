@@ -123,7 +123,7 @@ private:
   void fill(const UnrolledSurface::Triangle& t, const ColourScale& scale) {
     const auto [low, high] = std::minmax({t[0].p, t[1].p, t[2].p});
     const double step = (scale.high - scale.low) / static_cast<double>(colour_bands);
-    for (std::size_t band = scale.band(low); band <= scale.band(high); ++band) {
+    for (std::size_t band = scale.band_index(low); band <= scale.band_index(high); ++band) {
       std::vector<UnrolledSurface::UnrolledCorner> polygon(t.begin(), t.end());
       if (band > 0) {
         polygon = cut(polygon, scale.low + step * static_cast<double>(band), 1.0);

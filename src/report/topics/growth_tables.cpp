@@ -155,7 +155,7 @@ void write_life_curve_csv(const std::filesystem::path& file, const model::Model&
   }
   for (const results::ScaledKLife& other : growth.scaled) { // at the same lengths
     const std::vector<results::LifeCurvePoint>& curve = other.curve;
-    columns.where([&curve](std::size_t k) { return k < curve.size(); });
+    columns.fill_only_if([&curve](std::size_t k) { return k < curve.size(); });
     columns.exact("N_" + other.name, [&curve](std::size_t k) { return curve[k].cycles; });
   }
   const std::string units =

@@ -148,7 +148,7 @@ ReportTable growth_test_summary_table(const model::Model& model, const results::
       .number("readings", "", [](const Test& test) { return test.readings.size(); })
       .number("scatter", model.units.length_name, present_value(&Test::scatter), "{:.4g}")
       .number("compared", "", [=](const Test& test) { return compared(test).points; })
-      .where([=](const Test& test) { return compared(test).points > 0; })
+      .fill_only_if([=](const Test& test) { return compared(test).points > 0; })
       .number(
           "K_exp/K", "", [=](const Test& test) { return compared(test).ratio; }, "{:.4f}")
       .number(
@@ -156,7 +156,7 @@ ReportTable growth_test_summary_table(const model::Model& model, const results::
       .number(
           "K inside band", "%", [=](const Test& test) { return 100.0 * compared(test).inside; },
           "{:.0f}")
-      .where({})
+      .fill_only_if({})
       .number("cycles", "", present_value(&Test::cycles), "{:.0f}")
       .number("computed", "", present_value(&Test::computed_cycles), "{:.0f}")
       .number("+-", "", present_value(&Test::cycles_error), "{:.0f}");

@@ -62,11 +62,12 @@ void add_k_columns(Columns<FrontPointRow>& columns, const model::Model& model, b
     }
     const std::string unit =
         q->kind == base::QuantityKind::angle ? "deg" : base::unit_name(model.units, q->kind);
-    columns.where([q](const FrontPointRow& row) { return q->is_given(row.front, row.point); });
+    columns.fill_only_if(
+        [q](const FrontPointRow& row) { return q->is_given(row.front, row.point); });
     columns.number(q->heading.empty() ? q->name : std::string(q->heading), unit,
                    [q, scale](const FrontPointRow& row) { return k_cell(*q, row, scale); });
     if (q->is_k() && bars) {
-      columns.where([q](const FrontPointRow& row) {
+      columns.fill_only_if([q](const FrontPointRow& row) {
         return q->is_given(row.front, row.point) && row.front.has_error_bar() &&
                !row.point.at_surface;
       });
@@ -75,7 +76,7 @@ void add_k_columns(Columns<FrontPointRow>& columns, const model::Model& model, b
       });
     }
   }
-  columns.where({});
+  columns.fill_only_if({});
 }
 
 template <class Condition>

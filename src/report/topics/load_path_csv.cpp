@@ -60,7 +60,7 @@ Columns<PathRow> knot_columns() {
 template <class PointOf>
 void add_k_columns(Columns<PathRow>& columns, const std::string& prefix, std::size_t modes,
                    const PointOf& point_of) {
-  columns.where([=](const PathRow& row) { return point_of(row) != nullptr; });
+  columns.fill_only_if([=](const PathRow& row) { return point_of(row) != nullptr; });
   for (std::size_t k = 0; k < modes; ++k) {
     columns.exact(fmt::format("{}K{}", prefix, k + 1),
                   [=](const PathRow& row) { return point_of(row)->K[k].value_at_knot(row.knot); });
@@ -71,14 +71,14 @@ void add_k_columns(Columns<PathRow>& columns, const std::string& prefix, std::si
     columns.exact(fmt::format("{}dK{}_after", prefix, k + 1),
                   [=](const PathRow& row) { return point_of(row)->K[k].slope_after(row.knot); });
   }
-  columns.where({});
+  columns.fill_only_if({});
 }
 
 void add_contact_columns(Columns<PathRow>& columns, const std::string& name) {
   const auto found = [name](const PathRow& row) { return results::find_contact(row.path, name); };
-  columns.where([=](const PathRow& row) { return found(row) != nullptr; });
+  columns.fill_only_if([=](const PathRow& row) { return found(row) != nullptr; });
   columns.exact(name + ".closed", [=](const PathRow& row) { return found(row)->closed[row.knot]; });
-  columns.where([=](const PathRow& row) { // solids have no arcs
+  columns.fill_only_if([=](const PathRow& row) { // solids have no arcs
     const results::LoadPathContact* const contact = found(row);
     return contact != nullptr && contact->closed[row.knot] > 0 &&
            dimension_columns.at(row.increment.mesh.dim).arcs;
@@ -172,9 +172,9 @@ void write_load_path_fronts_csv(const std::filesystem::path& file, const model::
   columns.exact("point", [](const PathRow& row) { return row.point->is.number; });
   columns.exact("at_surface", [](const PathRow& row) { return row.point->is.at_surface ? 1 : 0; });
   columns.exact("s", [](const PathRow& row) { return row.point->is.s; });
-  columns.where([](const PathRow& row) { return row.front->is.has_angles; });
+  columns.fill_only_if([](const PathRow& row) { return row.front->is.has_angles; });
   columns.exact("phi", [](const PathRow& row) { return row.point->is.phi * degrees_per_radian; });
-  columns.where({});
+  columns.fill_only_if({});
   for (const Eigen::Index c : {0, 1, 2}) {
     columns.exact(std::string(1, "xyz"[c]), [c](const PathRow& row) { return row.point->is.x[c]; });
   }

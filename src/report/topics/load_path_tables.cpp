@@ -207,7 +207,7 @@ ReportTable load_path_table(const model::Model& model,
       .number("slope begin", unit, [=](const CurveRow& row) { return K1(row).slope_after(0); })
       .number("slope end", unit,
               [=](const CurveRow& row) { return K1(row).slope_before(K1(row).segment_count()); })
-      .where(
+      .fill_only_if(
           [](const CurveRow& row) { return row.kink.jump > 0.0 && row.kink.largest_slope > 0.0; })
       .number(
           "largest jump", "%",

@@ -95,7 +95,7 @@ ReportTable property_table(const model::Model& model) {
       .number(
           "nu", "", [&](const Property& p) { return material(p).nu; }, "{:.4g}")
       .words("state", [](const Property& p) { return state[static_cast<std::size_t>(p.state)]; })
-      .where([](const Property& p) {
+      .fill_only_if([](const Property& p) {
         return p.state == model::StressState::plane_stress ||
                p.state == model::StressState::plane_strain;
       })
@@ -139,10 +139,11 @@ ReportTable rigid_target_table(const model::Model& model) {
       .words(
           "from or centre", [=](const Target& r) { return base::format_coordinates(r.first, dim); },
           unit)
-      .where([](const Target& r) { return r.shape != Shape::arc && r.shape != Shape::sphere; })
+      .fill_only_if(
+          [](const Target& r) { return r.shape != Shape::arc && r.shape != Shape::sphere; })
       .words(
           "to", [=](const Target& r) { return base::format_coordinates(r.second, dim); }, unit)
-      .where([](const Target& r) { return r.radius != 0.0 || r.second_radius != 0.0; })
+      .fill_only_if([](const Target& r) { return r.radius != 0.0 || r.second_radius != 0.0; })
       .number("radius", unit, [](const Target& r) {
         const std::string radius = cell_text(std::abs(r.radius));
         return r.shape == Shape::cone

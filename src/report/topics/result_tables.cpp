@@ -73,7 +73,7 @@ ReportTable contact_result_table(const model::Model& model,
     return row.contact.mounted ? fmt::format("{}/{}", row.contact.closed, row.contact.rows)
                                : "absent";
   });
-  columns.where([](const ContactRow& row) { return row.contact.mounted; });
+  columns.fill_only_if([](const ContactRow& row) { return row.contact.mounted; });
   columns.number(
       "penetration", units.length_name,
       [](const ContactRow& row) { return row.contact.max_penetration; }, short_number);
@@ -256,7 +256,7 @@ ReportTable energy_error_table(const results::CrackLengthResult& increment) {
       .words("net", [](const ErrorRow& row) { return row.of_all() ? "all" : row.error.net; })
       .number(
           "error", "%", [](const ErrorRow& row) { return 100.0 * row.error.part; }, "{:.1f}")
-      .where([](const ErrorRow& row) { return !row.of_all(); })
+      .fill_only_if([](const ErrorRow& row) { return !row.of_all(); })
       .words("most of it in elements",
              [&](const ErrorRow& row) {
                std::vector<base::Label> labels;

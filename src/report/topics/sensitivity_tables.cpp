@@ -157,7 +157,7 @@ Columns<CauseRow> cause_columns(const model::Model& model) {
   columns.number("value", "", [&model](const CauseRow& row) {
     return fmt::format("{:.6g}{}", row.cause.value, unit_of(model, row.cause.cause));
   });
-  columns.where([](const CauseRow& row) { return row.cause.value != 0.0; });
+  columns.fill_only_if([](const CauseRow& row) { return row.cause.value != 0.0; });
   columns.number("value dK1/dvalue", unit, [=](const CauseRow& row) {
     const auto times_value = [&](bool up) {
       const std::optional<double> slope = row.point.derivative(row.cause, 0, up);
@@ -165,7 +165,7 @@ Columns<CauseRow> cause_columns(const model::Model& model) {
     };
     return both(row.point, row.cause, times_value, "{:.5g}");
   });
-  columns.where({});
+  columns.fill_only_if({});
   columns.number("for", "", [](const CauseRow& row) {
     return row.cause.cause == SensitivityParameter::fit ? "1 um" : "1 %";
   });
@@ -182,7 +182,7 @@ Columns<CauseRow> cause_columns(const model::Model& model) {
     const auto of_mode_2 = [&](bool up) { return clean(row.change(model, 1, up), K(row)); };
     return both(row.point, row.cause, of_mode_2, "{:+.4g}");
   });
-  columns.where([](const CauseRow& row) { return row.cause.range.has_value(); });
+  columns.fill_only_if([](const CauseRow& row) { return row.cause.range.has_value(); });
   columns.number("kept from", "", [](const CauseRow& row) { return bound((*row.cause.range)[0]); });
   columns.number("to", "", [](const CauseRow& row) { return bound((*row.cause.range)[1]); });
   return columns;
@@ -275,7 +275,7 @@ void write_sensitivity_csv(const std::filesystem::path& file, const model::Model
       .exact("name", [](const Row& row) { return row.cause.name; })
       .exact("value", [](const Row& row) { return row.cause.value; });
   add_derivatives(columns, dim);
-  columns.where([](const Row& row) { return row.cause.range.has_value(); })
+  columns.fill_only_if([](const Row& row) { return row.cause.range.has_value(); })
       .exact("from", [](const Row& row) { return (*row.cause.range)[0]; })
       .exact("to", [](const Row& row) { return (*row.cause.range)[1]; });
   const base::UnitSystem& units = model.units;

@@ -63,7 +63,7 @@ Verification sample() {
 }
 
 TEST(Verification, CountsWhatProvesSomethingApartFromWhatDoesNot) {
-  const VerificationCounts counts = count(sample());
+  const VerificationCounts counts = count_checks_and_costs(sample());
   EXPECT_EQ(counts.checks, 3U);
   EXPECT_EQ(counts.missed, 0U);
   EXPECT_EQ(counts.recorded, 1U);
@@ -79,15 +79,15 @@ TEST(Verification, CountsWhatProvesSomethingApartFromWhatDoesNot) {
 TEST(Verification, HoldsAReferenceAgainstItsOwnAccuracyToo) {
   Verification v = sample();
   results::CheckResult& second = v.decks[0].points[0].checks[1]; // off by more than its bar
-  EXPECT_EQ(count(v).of_no_accuracy, 1U);
+  EXPECT_EQ(count_checks_and_costs(v).of_no_accuracy, 1U);
   const double beyond = std::abs(second.found - second.wanted) - second.bar;
   const double part = 100.0 * beyond / std::abs(second.wanted);
   second.source = fmt::format("handbook, +- {:.6f} %", 1.01 * part);
-  EXPECT_EQ(count(v).within_accuracy, 1U);
-  EXPECT_EQ(count(v).of_no_accuracy, 0U);
+  EXPECT_EQ(count_checks_and_costs(v).within_accuracy, 1U);
+  EXPECT_EQ(count_checks_and_costs(v).of_no_accuracy, 0U);
   second.source = fmt::format("handbook, +- {:.6f} %", 0.99 * part);
-  EXPECT_EQ(count(v).within_accuracy, 0U);
-  EXPECT_EQ(count(v).of_no_accuracy, 0U);
+  EXPECT_EQ(count_checks_and_costs(v).within_accuracy, 0U);
+  EXPECT_EQ(count_checks_and_costs(v).of_no_accuracy, 0U);
 }
 
 // Spreadsheets would compute them.
@@ -126,7 +126,7 @@ TEST(Verification, TheTableIsReadAsItWasWritten) {
   ASSERT_EQ(back->decks.size(), v.decks.size());
   EXPECT_EQ(back->decks[0].title, v.decks[0].title);
   EXPECT_EQ(back->decks[0].points[0].checks[1].error, -2e-3);
-  EXPECT_TRUE(compare(v, *back).is_unchanged());
+  EXPECT_TRUE(compare_verifications(v, *back).is_unchanged());
   std::ofstream(file) << "a,b\n1,2\n";
   EXPECT_FALSE(read_verification_csv(file)); // some other table
 }
@@ -136,7 +136,7 @@ TEST(VerificationComparison, TellsErrorsThatGrewAndChecksThatAreMissedNow) {
   now.decks[0].points[0].checks[0].error = 1.05e-3; // within a tenth
   now.decks[0].points[0].checks[1].error = 4e-3;    // twice as large, allowed
   now.decks[3].points[0].checks[0] = check_of("U.X.AT(0,0,PULL)", -0.02, "exact");
-  const VerificationComparison c = compare(now, sample());
+  const VerificationComparison c = compare_verifications(now, sample());
   ASSERT_EQ(c.worse.size(), 1U);
   EXPECT_EQ(c.worse[0].what, "K2(C,PULL)");
   EXPECT_EQ(c.worse[0].before, 2e-3);
@@ -144,7 +144,7 @@ TEST(VerificationComparison, TellsErrorsThatGrewAndChecksThatAreMissedNow) {
   ASSERT_EQ(c.failed.size(), 1U);
   EXPECT_EQ(c.failed[0].deck, "zone");
   EXPECT_TRUE(c.slower.empty());
-  const VerificationComparison back = compare(sample(), now);
+  const VerificationComparison back = compare_verifications(sample(), now);
   EXPECT_EQ(back.passed.size(), 1U);
   EXPECT_EQ(back.better.size(), 1U);
 }
@@ -154,25 +154,25 @@ TEST(VerificationComparison, ABusyMachineIsNoSlowerDeck) {
   for (VerifiedDeck& deck : now.decks) {
     deck.cpu *= 2.0; // all alike
   }
-  EXPECT_TRUE(compare(now, sample()).slower.empty());
-  EXPECT_NEAR(compare(now, sample()).pace, 2.0, 1e-12);
+  EXPECT_TRUE(compare_verifications(now, sample()).slower.empty());
+  EXPECT_NEAR(compare_verifications(now, sample()).pace, 2.0, 1e-12);
   now.decks[3].cpu = 2.0 * 8.0; // and one twice as much
-  const VerificationComparison c = compare(now, sample());
+  const VerificationComparison c = compare_verifications(now, sample());
   ASSERT_EQ(c.slower.size(), 1U);
   EXPECT_EQ(c.slower[0].deck, "zone");
   // What differs by less than a few starts of the program is noise.
   Verification noisy = sample();
   noisy.decks[1].cpu = 0.3;
-  EXPECT_TRUE(compare(noisy, sample()).slower.empty());
+  EXPECT_TRUE(compare_verifications(noisy, sample()).slower.empty());
   now.machine = "another";
-  EXPECT_TRUE(compare(now, sample()).slower.empty());
+  EXPECT_TRUE(compare_verifications(now, sample()).slower.empty());
 }
 
 TEST(VerificationComparison, MemoryAndSpeedAreTold) {
   Verification now = sample();
   now.decks[3].peak_memory *= 2;
   now.decks[3].cpu = 1.0;
-  const VerificationComparison c = compare(now, sample());
+  const VerificationComparison c = compare_verifications(now, sample());
   EXPECT_EQ(c.larger.size(), 1U);
   EXPECT_EQ(c.faster.size(), 1U);
 }
@@ -182,7 +182,7 @@ TEST(VerificationPage, HoldsEveryCheckTheReasonsAndNoScript) {
   v.decks[3] = deck_of("zone", 4.0, {check_of("U.X.AT(0,0,PULL)", 0.02, "exact <b>")});
   const std::vector<BenchmarkProblem> problems{{"C01", "Rings", {"arc"}, {}, ""},
                                                {"G04", "Beam", {}, {}, "its drawing is lost"}};
-  const std::string page = verification_page(v, problems, compare(v, sample()));
+  const std::string page = verification_page(v, problems, compare_verifications(v, sample()));
   EXPECT_NE(page.find("K2(C,PULL)"), std::string::npos);
   EXPECT_NE(page.find("its drawing is lost"), std::string::npos);
   EXPECT_NE(page.find("MISSED"), std::string::npos);

@@ -40,9 +40,9 @@ TEST(Columns, MakeATableOfWordsAndNumbersInTheirDigits) {
 TEST(Columns, AreEmptyInRowsThatDoNotMeetTheCondition) {
   Columns<Sample> columns;
   columns.words("name", &Sample::name)
-      .where([](const Sample& sample) { return sample.gap.has_value(); })
+      .fill_only_if([](const Sample& sample) { return sample.gap.has_value(); })
       .number("gap", "", [](const Sample& sample) { return *sample.gap; })
-      .where({})
+      .fill_only_if({})
       .number("count", "", &Sample::count);
   EXPECT_EQ(columns.cells(samples[0]), (std::vector<std::string>{"A", "", "7"}));
   EXPECT_EQ(columns.cells(samples[1]), (std::vector<std::string>{"B", "0.1", "0"}));

@@ -155,11 +155,11 @@ TEST(MeshFigures, WithoutStressesTheFieldIsLeftOut) {
 
 TEST(ColourScale, ItsEndsTakeWhatLiesBeyondThem) {
   const ColourScale scale = make_colour_scale(-2.0, 4.0);
-  EXPECT_EQ(scale.band(-5.0), 0U);
-  EXPECT_EQ(scale.band(-1.9), 0U);
-  EXPECT_EQ(scale.band(1.0), colour_bands / 2);
-  EXPECT_EQ(scale.band(4.0), colour_bands - 1);
-  EXPECT_EQ(scale.band(9.0), colour_bands - 1);
+  EXPECT_EQ(scale.band_index(-5.0), 0U);
+  EXPECT_EQ(scale.band_index(-1.9), 0U);
+  EXPECT_EQ(scale.band_index(1.0), colour_bands / 2);
+  EXPECT_EQ(scale.band_index(4.0), colour_bands - 1);
+  EXPECT_EQ(scale.band_index(9.0), colour_bands - 1);
   EXPECT_EQ(make_colour_scale(100.0, 100.0 * (1.0 + 1e-12)).low, 0.0) << "round-off has no colours";
 }
 
@@ -317,7 +317,7 @@ TEST(HtmlPage, AndListingDoWithoutResults) {
   const model::Model model;
   const results::RunResult run;
   EXPECT_NE(html_report(sources, model, run).find("</html>"), std::string::npos);
-  EXPECT_NE(listing(sources, model, run).find("Processor log"), std::string::npos);
+  EXPECT_NE(listing_text(sources, model, run).find("Processor log"), std::string::npos);
 }
 
 TEST(LeadingStep, IsKmaxOrTheLast) {

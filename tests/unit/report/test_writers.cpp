@@ -135,7 +135,7 @@ TEST_F(Writers, ThrowSystemErrorWhereNothingCanBeWritten) {
 }
 
 TEST_F(Writers, ListingEchoesTheDeckAndShowsEveryTable) {
-  const std::string text = listing(sample.sources, sample.model, sample.run);
+  const std::string text = listing_text(sample.sources, sample.model, sample.run);
   for (const char* part :
        {"     1 | ! a sample\n", "     2 | $DECK VERSION=1\n", "     3 |\n", "     4 | $END\n",
         "TOPOLOGY", "Force balance", "(K1^2+K2^2)/E'", "penetration", "iterations", "absent",
