@@ -13,7 +13,7 @@
 namespace spricka::archive {
 
 /// The columns of a card in the table cards; the place in the deck that is read now is not kept.
-template <class V, results::Of<CardFingerprint> T> void fields(V& v, T& card) {
+template <class V, results::RecordOfType<CardFingerprint> T> void fields(V& v, T& card) {
   v("name", card.name);
   v("hash", card.hash);
   v("uses", card.uses);
@@ -30,7 +30,7 @@ struct EntryRow {
   std::int64_t log_lines = 0;
 };
 
-template <class V, results::Of<EntryRow> T> void fields(V& v, T& row) {
+template <class V, results::RecordOfType<EntryRow> T> void fields(V& v, T& row) {
   v("round", row.entry.round);
   v("number", row.entry.number);
   v("a", row.entry.asked);

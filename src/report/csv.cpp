@@ -39,7 +39,7 @@ void write_k_csv(const std::filesystem::path& file, const model::Model& model,
       return q->extract_value(row.front, row.point) * printed_unit(q->kind);
     });
     // K1_bar and its like are made of K1 and K2
-    const bool follows = q->judges && q->kind == base::QuantityKind::stress_intensity;
+    const bool follows = q->is_quality_measure && q->kind == base::QuantityKind::stress_intensity;
     units.add_column(q->kind, follows ? "and what begins with them" : q->name);
   }
   write_file(file, columns.csv(units.units_text(model.units), front_point_rows(run.increments)));

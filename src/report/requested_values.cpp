@@ -139,7 +139,7 @@ private:
       for (const results::FrontPointResult& point : front.points) {
         for (const results::KQuantity& q : results::k_quantities) {
           if (request_names_front(request_, front) && q.appears_in(results::in_output, mesh_.dim) &&
-              q.is_number(front, point)) {
+              q.is_given_or_zero(front, point)) {
             const Where where(std::pair<base::Label, base::Vec3>(point.number, point.x));
             values_.push_back({front.is_tip() ? Where() : where,
                                results::uppercase_column_name(q.name),

@@ -31,7 +31,7 @@ void add_contact(std::vector<SweepResultValue>& cells, const results::ContactRes
 void add_front(std::vector<SweepResultValue>& cells, const results::FrontResult& front,
                const std::string& step, const results::CrackLengthResult& increment) {
   for (const results::KQuantity& q : results::k_quantities) {
-    if (q.appears_in(results::in_sweep, increment.mesh.dim) && q.is_number(front)) {
+    if (q.appears_in(results::in_sweep, increment.mesh.dim) && q.is_given_or_zero(front)) {
       cells.push_back({q.name, front.name, step, increment.number, q.extract_value(front)});
     }
   }

@@ -106,7 +106,7 @@ void write_step_vtu(const std::filesystem::path& file, const model::Model& /*mod
   for (const results::FrontResult& front : step.fronts) {
     for (std::size_t k = 0; k < 2 && front.is_tip() && front.has_error_bar(); ++k) {
       // where the error of K comes from
-      const std::vector<double>& eta = front.tip().bar[k].of_element;
+      const std::vector<double>& eta = front.single_point().bar[k].of_element;
       document.add_array(escape_xml(fmt::format("eta_K{}_{}", k + 1, front.name)), "Float32", 1,
                          std::vector<float>(eta.begin(), eta.end()));
     }

@@ -31,7 +31,8 @@ struct FrontPointResult {
   std::optional<std::array<double, 3>> opening; ///< by the opening of the faces, on request
   bool at_surface = false; ///< the front leaves the body here: K is a number of the mesh
   bool closed = false;     ///< the faces touch, so that K1 is 0
-  /// Of K1, K2, K3, where `no_bar` of the front is empty; at the surface those of the next point.
+  /// Of K1, K2, K3, where `missing_bar_reason` of the front is empty; at the surface those of the
+  /// next point.
   std::array<KErrorBar, 3> bar;
   base::Vec3 direction = base::Vec3::Zero(); ///< unit, the way the crack grows; zero: unknown
 };
@@ -44,16 +45,17 @@ struct FrontResult {
   bool is_loop = false;    ///< the last point joins the first
   bool has_angles = false; ///< points have phi
   std::vector<FrontPointResult> points;
-  std::string no_bar = "not estimated"; ///< why there is no error bar; empty: there is one
-  std::string invalid_reason;           ///< why K is not an answer; empty: it is one
-  bool two_materials = false;           ///< on both sides of the crack: G only, K and T are 0
+  std::string missing_bar_reason =
+      "not estimated";        ///< why there is no error bar; empty: there is one
+  std::string invalid_reason; ///< why K is not an answer; empty: it is one
+  bool two_materials = false; ///< on both sides of the crack: G only, K and T are 0
   FrontKSensitivities sensitivities;
 
   /// In the plane: one point and no length.
   [[nodiscard]] bool is_tip() const { return points.size() == 1; }
-  [[nodiscard]] const FrontPointResult& tip() const { return points.front(); }
-  [[nodiscard]] FrontPointResult& tip() { return points.front(); }
-  [[nodiscard]] bool has_error_bar() const { return no_bar.empty(); }
+  [[nodiscard]] const FrontPointResult& single_point() const { return points.front(); }
+  [[nodiscard]] FrontPointResult& single_point() { return points.front(); }
+  [[nodiscard]] bool has_error_bar() const { return missing_bar_reason.empty(); }
 };
 
 } // namespace spricka::results

@@ -139,7 +139,8 @@ std::string flaw_of_path(const LoadPathResult& path) {
   const std::size_t knots = path.t.size();
   for (const LoadPathFront& front : path.fronts) {
     if (front.points.empty()) {
-      return fmt::format("points of front {} on path {}", front.is.name, path.name);
+      return fmt::format("points of front {} on path {}", front.front_without_points.name,
+                         path.name);
     }
   }
   for (const LoadPathContact& contact : path.contacts) {
@@ -155,10 +156,10 @@ std::string flaw_of_front(const FrontResult& front) {
   const auto fits = [&](const auto& side) {
     return side.empty() || side.size() == front.points.size();
   };
-  const bool whole = !front.points.empty() &&
-                     std::ranges::all_of(front.sensitivities.of, [&](const Sensitivity& s) {
-                       return fits(s.below) && fits(s.above);
-                     });
+  const bool whole =
+      !front.points.empty() &&
+      std::ranges::all_of(front.sensitivities.by_parameter,
+                          [&](const Sensitivity& s) { return fits(s.below) && fits(s.above); });
   return whole ? "" : fmt::format("points of front {}", front.name);
 }
 

@@ -51,8 +51,9 @@ struct KQuantity {
   Function* computed = nullptr;
   base::ByDimension<unsigned> places{0, 0}; ///< where it is found of tips and of fronts in space
   KQuantityCondition given = KQuantityCondition::always;
-  bool judges = false; ///< tells how good another is: stored behind the others of a step's point
-  int mode = -1;       ///< 0, 1, 2: K1, K2, K3 or its smooth curve; -1: another quantity
+  /// Tells how good another quantity is: stored behind the others of a step's point.
+  bool is_quality_measure = false;
+  int mode = -1;                 ///< 0, 1, 2: K1, K2, K3 or its smooth curve; -1: another quantity
   std::string_view heading = {}; ///< in the listing, where it is not the name
   KQuantityDigits digits = KQuantityDigits::six;
 
@@ -67,7 +68,7 @@ struct KQuantity {
   }
   /// The number of this quantity at a tip in the plane.
   [[nodiscard]] double extract_value(const FrontResult& front) const {
-    return extract_value(front, front.tip());
+    return extract_value(front, front.single_point());
   }
   /// Whether a front has it, at some points at least.
   [[nodiscard]] bool is_given(const FrontResult& front) const;
@@ -76,11 +77,12 @@ struct KQuantity {
     return is_given(front) && !(given == KQuantityCondition::with_bar && point.at_surface);
   }
   /// Given, or the 0 that K is between two materials.
-  [[nodiscard]] bool is_number(const FrontResult& front) const {
+  [[nodiscard]] bool is_given_or_zero(const FrontResult& front) const {
     return is_given(front) || given == KQuantityCondition::in_one_material;
   }
   /// The same at a point of a front, where an error bar at a surface is none.
-  [[nodiscard]] bool is_number(const FrontResult& front, const FrontPointResult& point) const {
+  [[nodiscard]] bool is_given_or_zero(const FrontResult& front,
+                                      const FrontPointResult& point) const {
     return is_given(front, point) || given == KQuantityCondition::in_one_material;
   }
   /// K1, K2 or K3 itself, which an error bar goes with.
@@ -158,7 +160,7 @@ constexpr KQuantity error_bar_quantity(const char* name, std::string_view doc,
           .computed = computed,
           .places = {tip_places, front_places},
           .given = KQuantityCondition::with_bar,
-          .judges = true};
+          .is_quality_measure = true};
 }
 
 /// A quantity that is K of a mode by the opening of the faces.
@@ -170,7 +172,7 @@ constexpr KQuantity k_by_opening_quantity(const char* name, std::string_view doc
           .computed = computed,
           .places = {in_k_csv | in_listing, 0},
           .given = KQuantityCondition::with_opening,
-          .judges = true,
+          .is_quality_measure = true,
           .heading = heading};
 }
 
@@ -238,7 +240,7 @@ inline constexpr std::array k_quantities{
               .member = &FrontPointResult::spread,
               .places = {in_files | in_listing, in_files | in_listing},
               .given = KQuantityCondition::in_one_material,
-              .judges = true,
+              .is_quality_measure = true,
               .digits = KQuantityDigits::two},
     KQuantity{.name = "T",
               .kind = base::QuantityKind::stress,

@@ -7,9 +7,9 @@
 namespace spricka::results {
 
 FrontResult LoadPathFront::at(double t) const {
-  FrontResult front = is;
+  FrontResult front = front_without_points;
   for (const LoadPathFrontPoint& point : points) {
-    FrontPointResult& place = front.points.emplace_back(point.is);
+    FrontPointResult& place = front.points.emplace_back(point.point_at_start);
     place.closed = false; // a path knows K of its points, not what faces do there
     place.K1 = point.K[0](t);
     place.K2 = point.K[1](t);
@@ -22,8 +22,8 @@ FrontResult LoadPathFront::at(double t) const {
 }
 
 const LoadPathFront* find_front(const LoadPathResult& path, std::string_view front) {
-  const auto it =
-      std::ranges::find_if(path.fronts, [&](const LoadPathFront& f) { return f.is.name == front; });
+  const auto it = std::ranges::find_if(
+      path.fronts, [&](const LoadPathFront& f) { return f.front_without_points.name == front; });
   return it == path.fronts.end() ? nullptr : &*it;
 }
 

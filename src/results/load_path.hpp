@@ -16,19 +16,19 @@ namespace spricka::results {
 
 /// K at one point of a front.
 struct LoadPathFrontPoint {
-  FrontPointResult is;                         ///< where it is; its K are those at the beginning
+  FrontPointResult point_at_start;             ///< where it is; its K are those at the beginning
   std::array<base::PiecewiseLinear, 3> K;      ///< K1, K2, K3 [stress * length^0.5]
   std::array<base::PiecewiseLinear, 3> smooth; ///< as those of FrontPointResult
 };
 
 /// One front by t, exact between all knots.
 struct LoadPathFront {
-  FrontResult is; ///< without its points
+  FrontResult front_without_points; ///< name, size and flags; all K stand at `points`
   std::vector<LoadPathFrontPoint> points;
 
   /// In the plane: one point.
   [[nodiscard]] bool is_tip() const { return points.size() == 1; }
-  [[nodiscard]] const LoadPathFrontPoint& tip() const { return points.front(); }
+  [[nodiscard]] const LoadPathFrontPoint& single_point() const { return points.front(); }
   /// The front as steps have it, with K at t (of the path) alone.
   [[nodiscard]] FrontResult at(double t) const;
 };

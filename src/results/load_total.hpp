@@ -11,7 +11,7 @@ struct LoadTotal {
   std::string load_case;
   base::Vec3 force = base::Vec3::Zero();  ///< [force]; about an axis: of the whole circumference
   base::Vec3 moment = base::Vec3::Zero(); ///< about the origin [force * length]
-  double spread = 0.0;                    ///< sum of the nodal forces' magnitudes [force]
+  double magnitude_sum = 0.0;             ///< sum of the nodal forces' magnitudes [force]
 };
 
 } // namespace spricka::results

@@ -41,7 +41,7 @@ std::string_view warning_code(base::ResultConcern kind) {
 
 std::vector<Note> make_plain_notes(const std::vector<std::string>& texts) {
   std::vector<Note> notes;
-  std::ranges::transform(texts, std::back_inserter(notes), note);
+  std::ranges::transform(texts, std::back_inserter(notes), make_note);
   return notes;
 }
 
@@ -57,7 +57,7 @@ std::vector<Note> parse_notes(const std::vector<std::string>& texts) {
   std::vector<Note> notes;
   notes.reserve(texts.size());
   for (const std::string& text : texts) {
-    Note found = note(text);
+    Note found = make_note(text);
     for (const base::ResultConcern kind : concerns) {
       if (const std::string mark = mark_of(kind); text.starts_with(mark)) {
         found = {kind, text.substr(mark.size())};

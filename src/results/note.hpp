@@ -21,7 +21,7 @@ struct Note {
 };
 
 /// A text for the reader that puts nothing of the results in doubt.
-inline Note note(std::string text) {
+inline Note make_note(std::string text) {
   return {std::nullopt, std::move(text)};
 }
 /// As the deck asks for it: is it what is meant?

@@ -96,7 +96,7 @@ template <class Use> void for_each_front(CrackLengthResult& increment, Use use) 
     std::ranges::for_each(step.fronts, use);
   }
   for (LoadPathResult& path : increment.paths) {
-    std::ranges::for_each(path.fronts, use, &LoadPathFront::is);
+    std::ranges::for_each(path.fronts, use, &LoadPathFront::front_without_points);
   }
 }
 

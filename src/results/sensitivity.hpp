@@ -34,7 +34,7 @@ struct Sensitivity {
 
 /// Of one front at the end of one step.
 struct FrontKSensitivities {
-  std::vector<Sensitivity> of;
+  std::vector<Sensitivity> by_parameter;
   std::vector<std::string> notes; ///< why some or all are not given
 };
 

@@ -17,16 +17,16 @@
 namespace spricka::results {
 
 template <class T, class R>
-concept Of = std::same_as<std::remove_const_t<T>, R>;
+concept RecordOfType = std::same_as<std::remove_const_t<T>, R>;
 
 /// fields() of a record whose columns have the names of its members: these, in this order.
 #define SPRICKA_STORED_RECORD(RECORD, ...)                                                         \
-  template <class V, Of<RECORD> T> void fields(V& v, T& r) {                                       \
+  template <class V, RecordOfType<RECORD> T> void fields(V& v, T& r) {                             \
     BOOST_PP_SEQ_FOR_EACH(SPRICKA_STORED_MEMBER, ~, BOOST_PP_VARIADIC_TO_SEQ(__VA_ARGS__))         \
   }
 #define SPRICKA_STORED_MEMBER(R, DATA, MEMBER) v(BOOST_PP_STRINGIZE(MEMBER), r.MEMBER);
 
-template <class V, Of<KErrorBar> T> void fields(V& v, T& r) {
+template <class V, RecordOfType<KErrorBar> T> void fields(V& v, T& r) {
   v("eta", r.eta);
   v("sum", r.sum);
   v("flip", r.set_change);
@@ -39,16 +39,20 @@ template <class V, Of<KErrorBar> T> void fields(V& v, T& r) {
 }
 
 SPRICKA_STORED_RECORD(Sensitivity, cause, name, value, below, above, range)
-SPRICKA_STORED_RECORD(FrontKSensitivities, of, notes)
+
+template <class V, RecordOfType<FrontKSensitivities> T> void fields(V& v, T& r) {
+  v("of", r.by_parameter);
+  v("notes", r.notes);
+}
 
 /// Numbers of a front point: those of the table of quantities first, the ones that judge others
 /// last.
-template <class V, Of<FrontPointResult> T> void fields(V& v, T& r) {
+template <class V, RecordOfType<FrontPointResult> T> void fields(V& v, T& r) {
   v("number", r.number);
   v("at", r.x);
-  for (const bool judges : {false, true}) {
+  for (const bool is_quality_measure : {false, true}) {
     for (const KQuantity& q : k_quantities) {
-      if (q.member != nullptr && q.judges == judges) {
+      if (q.member != nullptr && q.is_quality_measure == is_quality_measure) {
         v(q.name, r.*q.member);
       }
     }
@@ -62,21 +66,21 @@ template <class V, Of<FrontPointResult> T> void fields(V& v, T& r) {
   v("direction", r.direction);
 }
 
-template <class V, Of<FrontResult> T> void fields(V& v, T& r) {
+template <class V, RecordOfType<FrontResult> T> void fields(V& v, T& r) {
   v("name", r.name);
   v("a", r.a);
   v("length", r.length);
   v("loop", r.is_loop);
   v("angles", r.has_angles);
   v("points", r.points);
-  v("no_bar", r.no_bar);
+  v("no_bar", r.missing_bar_reason);
   v("doubt", r.invalid_reason);
   v("two_materials", r.two_materials);
   v("sensitivities", r.sensitivities);
 }
 
 /// A contact point by the table of its quantities; computed ones are not kept.
-template <class V, Of<ContactPoint> T> void fields(V& v, T& r) {
+template <class V, RecordOfType<ContactPoint> T> void fields(V& v, T& r) {
   v("node", r.node);
   v("at", r.x);
   for (const ContactPointQuantity& q : point_quantities) {
@@ -99,8 +103,18 @@ SPRICKA_STORED_RECORD(ContactResult, name, mounted, points, corners, force_on_sl
 SPRICKA_STORED_RECORD(ForceBalance, body, applied, reaction, contact, tie, energy)
 SPRICKA_STORED_RECORD(NetErrorEstimate, net, part, worst, worst_share)
 SPRICKA_STORED_RECORD(OuterSurfaceFace, element, outline)
-SPRICKA_STORED_RECORD(LoadPathFrontPoint, is, K, smooth)
-SPRICKA_STORED_RECORD(LoadPathFront, is, points)
+
+template <class V, RecordOfType<LoadPathFrontPoint> T> void fields(V& v, T& r) {
+  v("is", r.point_at_start);
+  v("K", r.K);
+  v("smooth", r.smooth);
+}
+
+template <class V, RecordOfType<LoadPathFront> T> void fields(V& v, T& r) {
+  v("is", r.front_without_points);
+  v("points", r.points);
+}
+
 SPRICKA_STORED_RECORD(LoadPathContact, name, opening, round, from, to, closed, rows)
 SPRICKA_STORED_RECORD(ContactStatusChange, t, contact, node, place, closes)
 SPRICKA_STORED_RECORD(LoadPathResult, name, from, to, t, fronts, contacts, changes, stopped,
@@ -110,7 +124,7 @@ SPRICKA_STORED_RECORD(CheckResult, text, wanted, found, error, tolerance, relati
                       trouble, bar)
 SPRICKA_STORED_RECORD(ToleranceRound, number, unknowns, worst, bar, wanted, cpu, next)
 
-template <class V, Of<GrownPointResult> T> void fields(V& v, T& r) {
+template <class V, RecordOfType<GrownPointResult> T> void fields(V& v, T& r) {
   v("name", r.name);
   v("a", r.a);
   v("K_max", r.K_max);
@@ -123,7 +137,7 @@ template <class V, Of<GrownPointResult> T> void fields(V& v, T& r) {
   v("first_min", r.first_min);
 }
 
-template <class V, Of<GrowthStation> T> void fields(V& v, T& r) {
+template <class V, RecordOfType<GrowthStation> T> void fields(V& v, T& r) {
   v("increment", r.increment);
   v("cycles", r.cycles);
   v("tips", r.points);
@@ -134,7 +148,7 @@ template <class V, Of<GrowthStation> T> void fields(V& v, T& r) {
 SPRICKA_STORED_RECORD(LifeCurvePoint, cycles, a)
 SPRICKA_STORED_RECORD(ScaledKLife, name, ratio, curve)
 
-template <class V, Of<GrowthResult> T> void fields(V& v, T& r) {
+template <class V, RecordOfType<GrowthResult> T> void fields(V& v, T& r) {
   v("unit", r.unit);
   v("cycles_per_pass", r.cycles_per_pass);
   v("tips", r.point_names);

@@ -174,7 +174,7 @@ std::vector<std::int64_t> StoreGroup::read_integers(const std::string& name) con
 std::vector<std::string> StoreGroup::read_texts(const std::string& name) const {
   const OpenArray array = open_array(handle_->id.get(), name);
   if (H5Tget_class(array.type.get()) != H5T_STRING || H5Tis_variable_str(array.type.get()) > 0) {
-    fail(fmt::format("array {} is of another kind", name));
+    throw_store_error(fmt::format("array {} is of another kind", name));
   }
   const std::size_t size = H5Tget_size(array.type.get());
   if (array.count == 0) {
@@ -190,7 +190,7 @@ std::vector<std::string> StoreGroup::read_texts(const std::string& name) const {
 ColumnTable StoreGroup::read_table(const std::string& name) const {
   const OpenArray array = open_array(handle_->id.get(), name);
   if (H5Tget_class(array.type.get()) != H5T_COMPOUND) {
-    fail(fmt::format("array {} is no table", name));
+    throw_store_error(fmt::format("array {} is no table", name));
   }
   const std::size_t row = H5Tget_size(array.type.get());
   std::vector<char> bytes(array.count * row);
@@ -215,7 +215,7 @@ ColumnTable StoreGroup::read_table(const std::string& name) const {
     } else if (H5Tget_class(type.get()) == H5T_STRING) {
       column.values = column_from<std::string>(bytes, row, offset, size);
     } else {
-      fail(fmt::format("column {} of {} is of another kind", column.name, name));
+      throw_store_error(fmt::format("column {} of {} is of another kind", column.name, name));
     }
   }
   return table;
@@ -233,7 +233,7 @@ std::string StoreGroup::text_attribute(const std::string& name) const {
   const Hdf5Id item = open_attribute(handle_->id.get(), name);
   const Hdf5Id type(H5Aget_type(item.get()), H5Tclose, "find the type of " + name);
   if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0) {
-    fail(fmt::format("attribute {} is of another kind", name));
+    throw_store_error(fmt::format("attribute {} is of another kind", name));
   }
   std::string bytes(H5Tget_size(type.get()), '\0');
   check_status(H5Aread(item.get(), type.get(), bytes.data()), "read attribute " + name);

@@ -91,13 +91,13 @@ OpenArray open_array(hid_t group, const std::string& name) {
   const Hdf5Id space(H5Dget_space(set.get()), H5Sclose, "find the size of " + name);
   const hssize_t count = H5Sget_simple_extent_npoints(space.get());
   if (count < 0) {
-    fail("cannot find the size of " + name);
+    throw_store_error("cannot find the size of " + name);
   }
   const Hdf5Id list(H5Dget_create_plist(set.get()), H5Pclose, "find how " + name + " is stored");
   // Another file is nothing to read from; and what is not stored has no size to make room for.
   if (H5Pget_external_count(list.get()) != 0 ||
       (count > 0 && H5Dget_storage_size(set.get()) == 0)) {
-    fail(fmt::format("array {} is not in the file", name));
+    throw_store_error(fmt::format("array {} is not in the file", name));
   }
   return {std::move(set), std::move(type), static_cast<std::size_t>(count)};
 }

@@ -17,14 +17,14 @@
 namespace spricka::results {
 
 /// Throws a StoreError with this sentence.
-[[noreturn]] inline void fail(const std::string& what) {
+[[noreturn]] inline void throw_store_error(const std::string& what) {
   throw StoreError(what);
 }
 
 /// Passes a status on; negative ones are thrown as StoreError "cannot ...".
 inline herr_t check_status(herr_t status, std::string_view what) {
   if (status < 0) {
-    fail(fmt::format("cannot {}", what));
+    throw_store_error(fmt::format("cannot {}", what));
   }
   return status;
 }
@@ -35,7 +35,7 @@ public:
   using Close = herr_t (*)(hid_t);
   Hdf5Id(hid_t id, Close give_back, std::string_view what) : id_(id), close_(give_back) {
     if (id < 0) {
-      fail(fmt::format("cannot {}", what));
+      throw_store_error(fmt::format("cannot {}", what));
     }
   }
   Hdf5Id(Hdf5Id&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
@@ -87,7 +87,7 @@ template <class T>
 std::vector<T> read_numbers(hid_t group, const std::string& name, hid_t memory, H5T_class_t kind) {
   const OpenArray array = open_array(group, name);
   if (H5Tget_class(array.type.get()) != kind) {
-    fail(fmt::format("array {} is of another kind", name));
+    throw_store_error(fmt::format("array {} is of another kind", name));
   }
   std::vector<T> values(array.count);
   if (values.empty()) {
@@ -109,7 +109,7 @@ T read_attribute(hid_t group, const std::string& name, hid_t memory, H5T_class_t
   const Hdf5Id item = open_attribute(group, name);
   const Hdf5Id type(H5Aget_type(item.get()), H5Tclose, "find the type of " + name);
   if (H5Tget_class(type.get()) != kind) {
-    fail(fmt::format("attribute {} is of another kind", name));
+    throw_store_error(fmt::format("attribute {} is of another kind", name));
   }
   T value{};
   check_status(H5Aread(item.get(), memory, &value), "read attribute " + name);

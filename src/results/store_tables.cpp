@@ -113,8 +113,9 @@ SummaryTableRows path_rows(const RunResult& run) {
       for (const LoadPathFront& front : path.fronts) {
         for (const LoadPathFrontPoint& point : front.points) {
           for (const double t : path.t) {
-            rows("increment", increment.number)("path", path.name)("crack", front.is.name);
-            rows("a", front.is.a)("point", point.is.number)("t", t);
+            rows("increment", increment.number)("path", path.name)("crack",
+                                                                   front.front_without_points.name);
+            rows("a", front.front_without_points.a)("point", point.point_at_start.number)("t", t);
             for (const KQuantity& q : k_quantities) {
               if (q.is_k() && q.appears_in(in_results_h5, increment.mesh.dim)) {
                 rows(q.name, point.K[static_cast<std::size_t>(q.mode)](t));

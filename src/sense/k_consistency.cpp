@@ -45,7 +45,7 @@ struct KComparison {
 
 // Of hypot(K1, K2), as a part of it; 0 without a bar.
 double bar_of(const results::FrontResult& front, double K) {
-  const results::FrontPointResult& tip = front.tip();
+  const results::FrontPointResult& tip = front.single_point();
   return front.has_error_bar()
              ? (std::abs(tip.K1) * tip.bar[0].size() + std::abs(tip.K2) * tip.bar[1].size()) /
                    (K * K)
@@ -61,7 +61,7 @@ std::string apart_text(double apart, double bar) {
 // bar of K2 knows nothing of: as much as judge_faces.cpp lets pass without a warning.
 constexpr double of_closed = 0.05;
 double left_of_K1(const results::LoadStepResult& step, const results::FrontResult& front) {
-  const results::FrontPointResult& tip = front.tip();
+  const results::FrontPointResult& tip = front.single_point();
   double most = 0.0;
   for (const double K1 : tip.K1_domain) {
     most = std::max(most, std::abs(K1));
@@ -78,7 +78,7 @@ double left_of_K1(const results::LoadStepResult& step, const results::FrontResul
 // nothing.
 KComparison energy(const results::LoadStepResult& step, const results::FrontResult& front,
                    double K) {
-  const results::FrontPointResult& tip = front.tip();
+  const results::FrontPointResult& tip = front.single_point();
   if (!(tip.G_from_K > 0.0)) {
     return {};
   }
@@ -93,7 +93,7 @@ KComparison energy(const results::LoadStepResult& step, const results::FrontResu
 }
 
 KComparison domains(const results::FrontResult& front, double K) {
-  const results::FrontPointResult& tip = front.tip();
+  const results::FrontPointResult& tip = front.single_point();
   if (tip.closed || tip.K1_domain.size() < 2) {
     return {}; // K1 is 0, what the domains find is not used
   }
@@ -107,7 +107,7 @@ KComparison domains(const results::FrontResult& front, double K) {
 }
 
 KComparison opening(const results::FrontResult& front, double K) {
-  const results::FrontPointResult& tip = front.tip();
+  const results::FrontPointResult& tip = front.single_point();
   if (!tip.opening || tip.closed) {
     return {};
   }
@@ -122,7 +122,7 @@ KComparison opening(const results::FrontResult& front, double K) {
 }
 
 KComparison worst_of_tip(const results::LoadStepResult& step, const results::FrontResult& front) {
-  const double K = std::hypot(front.tip().K1, front.tip().K2);
+  const double K = std::hypot(front.single_point().K1, front.single_point().K2);
   KComparison worst;
   for (KComparison& one :
        std::array{energy(step, front, K), domains(front, K), opening(front, K)}) {
@@ -191,7 +191,7 @@ KComparison worst_along(const results::FrontResult& front, double largest) {
 // K of a front, in space but for a factor of the material.
 double size_of(const results::FrontResult& front) {
   if (front.is_tip()) {
-    return std::hypot(front.tip().K1, front.tip().K2);
+    return std::hypot(front.single_point().K1, front.single_point().K2);
   }
   const results::FrontPointResult* strongest = strongest_point(front);
   return strongest != nullptr ? root(strongest->G_from_K) : 0.0;

@@ -27,7 +27,7 @@ results::LoadTotal total_of(const model::Model& model, const model::Mesh& mesh,
   for (std::size_t n = 0; n < mesh.node_count(); ++n) {
     base::Vec3 force = base::Vec3::Zero();
     force.head(mesh.dim) = f.segment(mesh.dim * static_cast<Eigen::Index>(n), mesh.dim);
-    total.spread += force.norm();
+    total.magnitude_sum += force.norm();
     if (axial) { // what is radial balances round the circumference
       force.x() = 0.0;
     } else {
@@ -46,9 +46,10 @@ void tidy(results::LoadTotal& total, const model::Mesh& mesh) {
     size = std::max(size, x.norm());
   }
   for (Eigen::Index k = 0; k < 3; ++k) {
-    total.force[k] = std::abs(total.force[k]) < round_off * total.spread ? 0.0 : total.force[k];
+    total.force[k] =
+        std::abs(total.force[k]) < round_off * total.magnitude_sum ? 0.0 : total.force[k];
     total.moment[k] =
-        std::abs(total.moment[k]) < round_off * total.spread * size ? 0.0 : total.moment[k];
+        std::abs(total.moment[k]) < round_off * total.magnitude_sum * size ? 0.0 : total.moment[k];
   }
 }
 
@@ -86,7 +87,7 @@ bool keeps_its_total(const model::Model& model, const model::Mesh& cracked,
       model, model.mesh, fe::consistent_nodal_load(model, model.mesh, {load_case.name, {load}}));
   const results::LoadTotal after = total_of(model, cracked, forces);
   const double change = (after.force - before.force).norm();
-  const double size = std::max(before.spread, after.spread);
+  const double size = std::max(before.magnitude_sum, after.magnitude_sum);
   constexpr double round_off = 1e-9;
   if (change <= round_off * size || change <= permitted_change(model, cracked, load) * size) {
     return true;
@@ -159,7 +160,7 @@ std::vector<results::LoadTotal> compute_load_totals(const model::Model& model) {
     std::ranges::copy_if(load_case.loads, std::back_inserter(forces.loads), model::is_force_load);
     results::LoadTotal total =
         total_of(model, model.mesh, fe::consistent_nodal_load(model, model.mesh, forces));
-    if (total.spread > 0.0) {
+    if (total.magnitude_sum > 0.0) {
       total.load_case = load_case.name;
       tidy(total, model.mesh);
       totals.push_back(std::move(total));

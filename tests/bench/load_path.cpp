@@ -58,7 +58,7 @@ void measure_values(const results::LoadPathResult& path, int repeats) {
     x = place(engine);
   }
   double sum = 0.0;
-  const base::PiecewiseLinear& K = path.fronts.front().tip().K[0];
+  const base::PiecewiseLinear& K = path.fronts.front().single_point().K[0];
   const double time = best_of(repeats, [&] {
     for (const double x : t) {
       sum += K(x);

@@ -55,7 +55,8 @@ int main(int argc, char** argv) {
   const base::Stopwatch growing;
   double sum = 0.0;
   for (const results::CrackLengthResult& increment : run->increments) {
-    sum += spectrum.growth_per_pass(law, increment.paths.front().fronts.front().tip().K[0]);
+    sum +=
+        spectrum.growth_per_pass(law, increment.paths.front().fronts.front().single_point().K[0]);
   }
   const double grown = growing.cpu_time();
   fmt::print("{} reversals: counted in {:.3f} s, growth of a pass at {} lengths {:.3f} s, in all "

@@ -206,9 +206,9 @@ void TipErrorBars::tell_of_meshes(const StepState& state, results::LoadStepResul
     }
     if (state.mounted[c] && 4 * apart > paired && !scene_.pairs[c].rigid) {
       add_note_once(
-          results::note(fmt::format("the meshes of contact {} do not match: error bars of K "
-                                    "have only a part of the error of its pressures",
-                                    model_.contacts[c].name)),
+          results::make_note(fmt::format("the meshes of contact {} do not match: error bars of K "
+                                         "have only a part of the error of its pressures",
+                                         model_.contacts[c].name)),
           step);
     }
   }
@@ -217,12 +217,12 @@ void TipErrorBars::tell_of_meshes(const StepState& state, results::LoadStepResul
 void TipErrorBars::tell_of_cancelling(const results::FrontResult& front,
                                       results::LoadStepResult& step) {
   for (std::size_t k = 0; k < 2; ++k) {
-    const results::KErrorBar& bar = front.tip().bar[k];
+    const results::KErrorBar& bar = front.single_point().bar[k];
     if (bar.cancels && bar.mesh > counts * bar.floor) {
       add_note_once(
-          results::note(fmt::format("K{} of {}: errors of opposite sign cancel in it; its "
-                                    "error bar uses their absolute values",
-                                    k + 1, front.name)),
+          results::make_note(fmt::format("K{} of {}: errors of opposite sign cancel in it; its "
+                                         "error bar uses their absolute values",
+                                         k + 1, front.name)),
           step);
     }
   }
@@ -257,18 +257,18 @@ TipErrorBars::StepErrors TipErrorBars::step_errors(const StepState& state,
 void TipErrorBars::estimate_bars(const StepState& state, const StepErrors& errors, std::size_t t,
                                  results::FrontResult& front, results::LoadStepResult& step) {
   if (scene_.domains[t].empty()) {
-    front.no_bar = "there is no domain that K could be taken from";
+    front.missing_bar_reason = "there is no domain that K could be taken from";
     return;
   }
   const bool coarse = coarse_contact(state, scene_.cracked.fronts[t]);
   if (coarse) {
-    add_note_once(results::note(fmt::format(
+    add_note_once(results::make_note(fmt::format(
                       "{}: nodes of a contact surface near the crack are further apart than half "
                       "the crack's length; the error bar uses the absolute values of the errors",
                       front.name)),
                   step);
   }
-  results::FrontPointResult& tip = front.tip();
+  results::FrontPointResult& tip = front.single_point();
   for (const int mode : {1, 2}) {
     const Eigen::Index at = scene_.k_layout().at(t, mode);
     tip.bar[static_cast<std::size_t>(mode - 1)] = estimate::error_bar(
@@ -277,24 +277,26 @@ void TipErrorBars::estimate_bars(const StepState& state, const StepErrors& error
         {.end = errors.set_change.ends[at], .sharp = errors.set_change.sharp[at]}, coarse);
   }
   clear_exact(scene_.cracked.mesh.element_count(), tip);
-  front.no_bar = why_no_limit(scene_, errors.giving, t, tip);
-  if (!front.no_bar.empty()) {
-    add_note_once(
-        results::invalid_result_note(fmt::format("K of {}: {}", front.name, front.no_bar)), step);
+  front.missing_bar_reason = why_no_limit(scene_, errors.giving, t, tip);
+  if (!front.missing_bar_reason.empty()) {
+    add_note_once(results::invalid_result_note(
+                      fmt::format("K of {}: {}", front.name, front.missing_bar_reason)),
+                  step);
     return;
   }
   if (std::max(tip.bar[0].size(), tip.bar[1].size()) > 0.0) {
     // What bodies beside the tip do that are too coarse for it.
     const CoarseNeighbourEffect effect = estimate_coarse_neighbour_effect(
         {model_, scene_, state, &enrichment_->edges()}, scene_.cracked.fronts[t]);
-    front.no_bar = effect.why_not;
+    front.missing_bar_reason = effect.why_not;
     for (results::KErrorBar& bar : tip.bar) {
       bar.mesh += bar.size() > 0.0 ? effect.part * std::hypot(tip.K1, tip.K2) : 0.0;
     }
   }
-  if (!front.no_bar.empty()) {
-    add_note_once(results::less_exact_note(fmt::format("K of {}: {}", front.name, front.no_bar)),
-                  step);
+  if (!front.missing_bar_reason.empty()) {
+    add_note_once(
+        results::less_exact_note(fmt::format("K of {}: {}", front.name, front.missing_bar_reason)),
+        step);
     return;
   }
   tell_of_cancelling(front, step);

@@ -19,14 +19,14 @@ void ErrorBarsBase::assign_error_bars(
   std::size_t first = 0;
   for (std::size_t f = 0; f < step.fronts.size(); ++f) {
     results::FrontResult& front = step.fronts[f];
-    front.no_bar = front.invalid_reason.empty() ? why_not : front.invalid_reason;
-    if (front.no_bar.empty()) {
+    front.missing_bar_reason = front.invalid_reason.empty() ? why_not : front.invalid_reason;
+    if (front.missing_bar_reason.empty()) {
       estimate(f, first, front);
     }
-    if (!front.no_bar.empty()) {
-      add_note_once(
-          results::note(fmt::format("K of {} has no error bar: {}", front.name, front.no_bar)),
-          step);
+    if (!front.missing_bar_reason.empty()) {
+      add_note_once(results::make_note(fmt::format("K of {} has no error bar: {}", front.name,
+                                                   front.missing_bar_reason)),
+                    step);
     }
     first += front.points.size();
   }

@@ -187,7 +187,8 @@ void FrontErrorBars::estimate_bars(const StepState& state, const base::Vector& e
   const crack::KLayout layout = scene_.k_layout();
   const Eigen::Index first = layout.first_mode_index(first_point);
   if (hangs_on_an_edge(edges, first, front)) {
-    front.no_bar = "it hangs on the pressure at the edge of a body that ends near the front";
+    front.missing_bar_reason =
+        "it hangs on the pressure at the edge of a body that ends near the front";
     return;
   }
   base::Vector better = eta;

@@ -208,7 +208,7 @@ void add_sensitivity_parameters(const std::vector<ParameterPartialDerivatives>& 
                                 results::LoadStepResult& result) {
   for (results::FrontResult& front : result.fronts) {
     for (const ParameterPartialDerivatives& one : causes) {
-      front.sensitivities.of.push_back(one.is);
+      front.sensitivities.by_parameter.push_back(one.is);
     }
   }
 }
@@ -219,7 +219,7 @@ void store_one_sided_derivative(const crack::KLayout& layout, const base::Vector
                                 results::LoadStepResult& result) {
   std::size_t point = 0;
   for (results::FrontResult& front : result.fronts) {
-    std::vector<std::array<double, 3>>& values = front.sensitivities.of[cause].*side;
+    std::vector<std::array<double, 3>>& values = front.sensitivities.by_parameter[cause].*side;
     for (std::size_t p = 0; p < front.points.size(); ++p) {
       const Eigen::Index first = layout.first_mode_index(point++);
       std::array<double, 3>& own = values.emplace_back();
@@ -235,7 +235,7 @@ void store_derivatives(const crack::KLayout& layout, const base::Matrix& dK,
   for (std::size_t i = 0; i < reach.size(); ++i) {
     store_one_sided_derivative(layout, dK.col(index(i)), i, &results::Sensitivity::below, result);
     for (results::FrontResult& front : result.fronts) {
-      results::Sensitivity& one = front.sensitivities.of[i];
+      results::Sensitivity& one = front.sensitivities.by_parameter[i];
       one.above = one.below;
       if (reach[i]) {
         one.range = {one.value + (*reach[i])[0], one.value + (*reach[i])[1]};

@@ -179,7 +179,7 @@ void TipSensitivityAnalysis::one_sided(const StepSolver& solver, const FrozenCon
                                  up ? &Sensitivity::above : &Sensitivity::below, result);
     }
     for (results::FrontResult& tip : result.fronts) {
-      Sensitivity& s = tip.sensitivities.of[i];
+      Sensitivity& s = tip.sensitivities.by_parameter[i];
       unite(s);
       if (ranged(causes[i])) {
         s.range = range;

@@ -184,7 +184,7 @@ void GrowthRateEvaluator::look_at_front(const SolvedCrackState& at, const Growin
     found.plastic = at.plastic[place.front];
   }
   if (model_.growth->corrected) {
-    warnings_.warn_of_missing_error_bar(front.name, front.no_bar);
+    warnings_.warn_of_missing_error_bar(front.name, front.missing_bar_reason);
   }
   const base::Vec3 K = interpolate_smooth_K(front, place, model_.growth->corrected);
   warnings_.warn_of_invalid_result(front, K[0]);
@@ -200,7 +200,7 @@ base::Vec2 GrowthRateEvaluator::intensity(const results::FrontResult& front,
   if (corrected) {
     warnings_.warn_of_missing_error_bar(front);
   }
-  const results::FrontPointResult& tip = front.tip();
+  const results::FrontPointResult& tip = front.single_point();
   return corrected && front.has_error_bar() ? base::Vec2(tip.bar[0].best, tip.bar[1].best)
                                             : base::Vec2(tip.K1, tip.K2);
 }
@@ -227,7 +227,7 @@ double GrowthRateEvaluator::at_smallest(const SolvedCrackState& at, const Growin
     }
     return K;
   }
-  const double below = part.dot(base::Vec2(free->tip().K1, free->tip().K2));
+  const double below = part.dot(base::Vec2(free->single_point().K1, free->single_point().K2));
   // Above zero nothing overlaps, and K with contact is right.
   return below < 0.0 ? below : K;
 }
@@ -243,7 +243,7 @@ bool GrowthRateEvaluator::by_steps(const SolvedCrackState& at, const GrowingPlac
   }
   const results::FrontResult& low = smallest.fronts[there.front];
   if (high.is_tip()) {
-    warnings_.warn_of_invalid_result(high, high.tip().K1);
+    warnings_.warn_of_invalid_result(high, high.single_point().K1);
   }
   const base::Vec2 K = intensity(high, place);
   const base::Vec2 part = kink_tip_and_get_K_factors(model_, K, to.straight, found);
@@ -251,7 +251,8 @@ bool GrowthRateEvaluator::by_steps(const SolvedCrackState& at, const GrowingPlac
   found.K_min = at_smallest(at, to, part, low, there);
   found.rate = found.K_max > found.K_min ? law_.growth_rate(found.K_max, found.K_min) : 0.0;
   if (high.is_tip()) {
-    note_order(to.name, low.tip().K1 > high.tip().K1 && low.tip().K1 > 0.0);
+    note_order(to.name,
+               low.single_point().K1 > high.single_point().K1 && low.single_point().K1 > 0.0);
     warnings_.warn_of_K2(to.name, K);
   } else {
     note_order(to.name, found.K_min > K[0] && found.K_min > 0.0);

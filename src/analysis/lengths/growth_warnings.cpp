@@ -47,8 +47,8 @@ void GrowthWarnings::warn_of_invalid_result(const results::FrontResult& front, d
 
 void GrowthWarnings::warn_of_missing_error_bar(const results::FrontResult& end) {
   // A tip whose faces touch there needs none.
-  if (!end.is_tip() || !end.tip().closed) {
-    warn_of_missing_error_bar(end.name, end.no_bar);
+  if (!end.is_tip() || !end.single_point().closed) {
+    warn_of_missing_error_bar(end.name, end.missing_bar_reason);
   }
 }
 

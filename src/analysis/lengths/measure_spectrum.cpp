@@ -51,7 +51,7 @@ base::PiecewiseLinear GrowthRateEvaluator::on_path(const SolvedCrackState& at,
   const std::size_t path = model_.spectra[*model_.growth->spectrum].path;
   const results::LoadPathFront* free =
       at.free && path < at.free->paths.size()
-          ? results::find_front(at.free->paths[path], front.is.name)
+          ? results::find_front(at.free->paths[path], front.front_without_points.name)
           : nullptr;
   std::optional<base::PiecewiseLinear> below;
   if (free != nullptr) {
@@ -59,7 +59,7 @@ base::PiecewiseLinear GrowthRateEvaluator::on_path(const SolvedCrackState& at,
                                               spectrum_->highest_load());
   }
   if (!below) {
-    warnings_.warn_of_closing_faces(front.is.name, front.is.a);
+    warnings_.warn_of_closing_faces(front.front_without_points.name, front.front_without_points.a);
   }
   return below ? std::move(*below) : std::move(K);
 }
@@ -79,9 +79,9 @@ bool GrowthRateEvaluator::by_spectrum(const SolvedCrackState& at, const GrowingP
   }
   const results::LoadPathFront& front = path.fronts[place.front];
   const bool tip = front.points.size() == 1;
-  if (tip && !front.is.invalid_reason.empty()) {
+  if (tip && !front.front_without_points.invalid_reason.empty()) {
     warnings_.add({"W508", fmt::format("{}: K on load path {} is in doubt: {}", to.name, path.name,
-                                       front.is.invalid_reason)});
+                                       front.front_without_points.invalid_reason)});
   }
   // The way on is that at the largest load; K of the whole path is then taken at the tip of that
   // kink (growth.8).
@@ -98,7 +98,7 @@ bool GrowthRateEvaluator::by_spectrum(const SolvedCrackState& at, const GrowingP
   counted_on_K_ = counted_on_K_ || spectrum_->requires_counting_on_K(K);
   if (std::isnan(found.rate)) {
     return no_rate(fmt::format("spectrum {}: the growth of a pass is not a number {}", card.name,
-                               tip ? fmt::format("at a = {:.6g}", front.is.a)
+                               tip ? fmt::format("at a = {:.6g}", front.front_without_points.a)
                                    : fmt::format("on crack {}", to.front)));
   }
   return true;

@@ -17,13 +17,13 @@ const results::FrontResult& record_of(const results::FrontResult& front) {
   return front;
 }
 const results::FrontResult& record_of(const results::LoadPathFront& front) {
-  return front.is;
+  return front.front_without_points;
 }
 const results::FrontPointResult& record_of(const results::FrontPointResult& point) {
   return point;
 }
 const results::FrontPointResult& record_of(const results::LoadPathFrontPoint& point) {
-  return point.is;
+  return point.point_at_start;
 }
 
 // No name: of any.

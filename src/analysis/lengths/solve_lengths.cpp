@@ -38,7 +38,8 @@ void compare_extremes(const model::Model& model, results::RunResult& run) {
       const results::FrontResult* most = results::find_front(increment.steps[high], tip.name);
       const results::FrontResult* least = results::find_front(increment.steps[low], tip.name);
       return most != nullptr && least != nullptr &&
-             most->tip().K1 < least->tip().K1 - clearly * std::abs(least->tip().K1);
+             most->single_point().K1 <
+                 least->single_point().K1 - clearly * std::abs(least->single_point().K1);
     };
     if (tip.is_tip() && std::ranges::all_of(run.increments, upside_down)) {
       last.steps[high].notes.push_back(results::questionable_input_note(

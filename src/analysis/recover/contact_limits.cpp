@@ -206,9 +206,10 @@ results::Note judged(const PairMotionError& one, double part) {
                     "bodies where they end up to be rid of it",
                     text, 100.0 * part));
   }
-  return results::note(fmt::format("{}: that is less than {:.1g} % of the contact forces of the "
-                                   "step; pressures at the edges of this contact are off by more",
-                                   text, 100.0 * worth_a_word));
+  return results::make_note(
+      fmt::format("{}: that is less than {:.1g} % of the contact forces of the "
+                  "step; pressures at the edges of this contact are off by more",
+                  text, 100.0 * worth_a_word));
 }
 
 } // namespace

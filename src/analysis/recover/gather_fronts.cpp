@@ -113,7 +113,7 @@ void compare_domains(const std::vector<bool>& discontinuous, const crack::Stress
                      results::FrontResult& result, results::LoadStepResult& out) {
   for (std::size_t d = 0; d < K.domains.size(); ++d) {
     if (!discontinuous[d]) { // others are no measure of each other
-      result.tip().K1_domain.push_back(K.domains[d].K1);
+      result.single_point().K1_domain.push_back(K.domains[d].K1);
     }
   }
   if (K.shift_error && std::abs(*K.shift_error) > 2e-5) { // of G; 1e-5 of K (crack.15)
@@ -127,9 +127,9 @@ void compare_domains(const std::vector<bool>& discontinuous, const crack::Stress
         return std::isnan(d.G);
       })) {
     out.notes.push_back(
-        results::note(fmt::format("{}: loads or temperatures jump within all domains of K, "
-                                  "which leave G to K: it is (K1^2 + K2^2)/E'",
-                                  result.name)));
+        results::make_note(fmt::format("{}: loads or temperatures jump within all domains of K, "
+                                       "which leave G to K: it is (K1^2 + K2^2)/E'",
+                                       result.name)));
   }
 }
 

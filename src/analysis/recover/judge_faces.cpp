@@ -91,15 +91,15 @@ void tell_overlap(const std::string& overlap, const std::string& negative,
 // K1 < 0 of a tip is an answer as K_min of a law alone.
 void tell_tip_overlap(const FrontStepState& at, results::FrontResult& result,
                       results::LoadStepResult& out) {
-  const results::FrontPointResult& tip = result.tip();
+  const results::FrontPointResult& tip = result.single_point();
   const double part =
       measure_relative_face_overlap(at.scene.cracked, at.front.crack.index(), at.state.u).lone;
   const bool negative = tip.K1 < 0.0 && std::abs(tip.K1) > small_K1 * std::abs(tip.K2);
   if (negative && is_smallest_of_law(at.model, out.step)) {
     out.notes.push_back(
-        results::note(fmt::format("{}: K1 is negative, as FACES=FREE lets the crack faces "
-                                  "overlap: the law of $GROW takes it as its K_min",
-                                  result.name)));
+        results::make_note(fmt::format("{}: K1 is negative, as FACES=FREE lets the crack faces "
+                                       "overlap: the law of $GROW takes it as its K_min",
+                                       result.name)));
     return;
   }
   const std::string overlap =
@@ -175,7 +175,7 @@ void close_point(bool held, double G_left, results::FrontPointResult& point) {
 
 void close_tip(const TipFaceContact& faces, double scale, results::FrontResult& result,
                results::LoadStepResult& out) {
-  results::FrontPointResult& tip = result.tip();
+  results::FrontPointResult& tip = result.single_point();
   const double K1 = tip.K1;
   if (faces.closed) {
     const double all = K1 * K1 + tip.K2 * tip.K2;
@@ -188,9 +188,9 @@ void close_tip(const TipFaceContact& faces, double scale, results::FrontResult& 
                       "take a smaller SIZE on $TIPNET",
                       result.name, K1)));
     }
-    out.notes.push_back(
-        results::note(fmt::format("{}: the crack faces touch at the tip{}", result.name,
-                                  faces.held ? " and have not slipped: K1 = K2 = 0" : ": K1 = 0")));
+    out.notes.push_back(results::make_note(
+        fmt::format("{}: the crack faces touch at the tip{}", result.name,
+                    faces.held ? " and have not slipped: K1 = K2 = 0" : ": K1 = 0")));
   } else if (faces.open_nodes > 0 && faces.open_nodes < least_open_nodes) {
     out.notes.push_back(results::less_exact_note(
         fmt::format("{}: the crack faces are open at the tip over less "
@@ -221,7 +221,7 @@ void note_touching(std::size_t closed, std::size_t held, const results::FrontRes
     left = fmt::format(" and have not slipped at {}: K = 0 there", held);
   }
   out.notes.push_back(
-      results::note(fmt::format("{}: the crack faces touch {}{}", result.name, where, left)));
+      results::make_note(fmt::format("{}: the crack faces touch {}{}", result.name, where, left)));
 }
 
 void close_front(const FrontStepState& at, results::FrontResult& result,
@@ -290,11 +290,12 @@ void judge_tip(const FrontStepState& at, bool may_touch, results::FrontResult& r
         "the tip lies between two materials, where stresses oscillate: it has no K1 and "
         "K2, only G";
     // No table has a K of it.
-    out.notes.push_back(results::note(fmt::format("{}: {}", result.name, result.invalid_reason)));
+    out.notes.push_back(
+        results::make_note(fmt::format("{}: {}", result.name, result.invalid_reason)));
     return;
   }
   if (is_round_off(at)) { // nothing loads the crack
-    results::FrontPointResult& tip = result.tip();
+    results::FrontPointResult& tip = result.single_point();
     tip.K1 = tip.K2 = tip.G = tip.G_from_K = 0.0;
     tip.smooth = {};
     tip.closed = may_touch && tip_face_contact(at.scene, at.front, at.state).closed;

@@ -49,7 +49,7 @@ struct FrontKRange {
 FrontKRange range_of(const results::LoadPathFront& front) {
   FrontKRange range;
   for (const results::LoadPathFrontPoint& point : front.points) {
-    if (point.is.at_surface) {
+    if (point.point_at_start.at_surface) {
       continue;
     }
     range.lowest = std::min(range.lowest, point.K[0].smallest_value());
@@ -83,36 +83,40 @@ void tell_touching(std::size_t touching, bool tip, const results::LoadPathFront&
     const std::string where =
         tip ? "at the tip"
             : fmt::format("at {} of {} points of the front", touching, front.points.size());
-    path.notes.push_back(results::note(fmt::format(
-        "{}: the crack faces touch {} on a part of the path: K1 = 0 there", front.is.name, where)));
+    path.notes.push_back(results::make_note(
+        fmt::format("{}: the crack faces touch {} on a part of the path: K1 = 0 there",
+                    front.front_without_points.name, where)));
   }
 }
 
 void tell_negative_tip(bool of_law, const results::LoadPathFront& front,
                        results::LoadPathResult& path) {
-  const base::PiecewiseLinear& K1 = front.tip().K[0];
+  const base::PiecewiseLinear& K1 = front.single_point().K[0];
   if (!(K1.smallest_value() < -1e-9 * K1.largest_value())) {
     return;
   }
   path.notes.push_back(
-      of_law ? results::note(fmt::format("{}: K1 is negative on a part of the path, as FACES=FREE "
-                                         "lets the crack faces overlap: the law of $GROW knows it "
-                                         "as a K_min",
-                                         front.is.name))
+      of_law ? results::make_note(
+                   fmt::format("{}: K1 is negative on a part of the path, as FACES=FREE "
+                               "lets the crack faces overlap: the law of $GROW knows it "
+                               "as a K_min",
+                               front.front_without_points.name))
              : results::invalid_result_note(fmt::format(
                    "{}: K1 is negative on a part of the path: there this K is not an "
                    "answer (the crack faces overlap, or the mesh at the tip is too coarse)",
-                   front.is.name)));
+                   front.front_without_points.name)));
 }
 
 void tell_negative_front(bool bear, const FrontKRange& range, const results::LoadPathFront& front,
                          results::LoadPathResult& path) {
   const double allowed = bear ? worst_open_front : 1e-9;
-  if (front.is.invalid_reason.empty() && range.lowest < -allowed * range.largest) {
-    path.notes.push_back(results::invalid_result_note(fmt::format(
-        "{}: K1 is negative at some points on a part of the path: there this K is "
-        "not an answer ({})",
-        front.is.name, bear ? "the mesh at the front is too coarse" : "the crack faces overlap")));
+  if (front.front_without_points.invalid_reason.empty() &&
+      range.lowest < -allowed * range.largest) {
+    path.notes.push_back(results::invalid_result_note(
+        fmt::format("{}: K1 is negative at some points on a part of the path: there this K is "
+                    "not an answer ({})",
+                    front.front_without_points.name,
+                    bear ? "the mesh at the front is too coarse" : "the crack faces overlap")));
   }
 }
 
@@ -120,11 +124,12 @@ void tell_negative_front(bool bear, const FrontKRange& range, const results::Loa
 // reported of the path.
 void mark_invalid_end(const results::FrontResult& end, results::LoadPathFront& front,
                       results::LoadPathResult& path) {
-  const bool is_reported = end.is_tip() && end.tip().K1 < 0.0;
-  if (!end.invalid_reason.empty() && front.is.invalid_reason.empty() && !is_reported) {
-    front.is.invalid_reason = end.invalid_reason;
-    path.notes.push_back(results::invalid_result_note(
-        fmt::format("{}: at an end of the path {}", front.is.name, end.invalid_reason)));
+  const bool is_reported = end.is_tip() && end.single_point().K1 < 0.0;
+  if (!end.invalid_reason.empty() && front.front_without_points.invalid_reason.empty() &&
+      !is_reported) {
+    front.front_without_points.invalid_reason = end.invalid_reason;
+    path.notes.push_back(results::invalid_result_note(fmt::format(
+        "{}: at an end of the path {}", front.front_without_points.name, end.invalid_reason)));
   }
 }
 
@@ -169,16 +174,17 @@ results::LoadPathFront follow_front(const Discretisation& scene, std::size_t f, 
                                     const solve::SolutionPath& found,
                                     const results::FrontResult& is) {
   results::LoadPathFront out;
-  out.is = is;
-  out.is.points.clear();
-  out.is.sensitivities = {};
-  out.is.invalid_reason.clear();
+  out.front_without_points = is;
+  out.front_without_points.points.clear();
+  out.front_without_points.sensitivities = {};
+  out.front_without_points.invalid_reason.clear();
   const Eigen::Index modes = scene.k_layout().modes();
   const std::vector<double> zeros(found.segments.size(), 0.0);
   for (std::size_t i = 0; i < is.points.size(); ++i) {
     results::LoadPathFrontPoint& point = out.points.emplace_back();
-    point.is = is.points[i];
-    std::ranges::for_each(point.is.bar, [](results::KErrorBar& bar) { bar.of_element.clear(); });
+    point.point_at_start = is.points[i];
+    std::ranges::for_each(point.point_at_start.bar,
+                          [](results::KErrorBar& bar) { bar.of_element.clear(); });
     point.K.fill({path_knots(found), zeros, zeros});
     for (Eigen::Index k = 0; k < modes; ++k) {
       point.K[static_cast<std::size_t>(k)] =
@@ -208,7 +214,7 @@ void add_front_K_to_path(const model::Model& model, const Discretisation& scene,
         follow_front(scene, f, layout.first_mode_index(first), found, is);
     first += front.points.size();
     if (is.is_tip()) { // before its faces touch
-      const base::PiecewiseLinear& K1 = front.tip().K[0];
+      const base::PiecewiseLinear& K1 = front.single_point().K[0];
       size = std::max({size, std::abs(K1.smallest_value()), std::abs(K1.largest_value())});
     }
     tell_touching(close_path_points(rows_behind(scene, f, from.problem.rows), found, front),
@@ -227,16 +233,16 @@ void add_front_K_to_path(const model::Model& model, const Discretisation& scene,
     }
     if (is_shifted(model, crack)) {
       path.notes.push_back(
-          results::note(fmt::format("{}: K on the path is the analytic one, without the SHIFT "
-                                    "of $VCE",
-                                    front.is.name)));
+          results::make_note(fmt::format("{}: K on the path is the analytic one, without the SHIFT "
+                                         "of $VCE",
+                                         front.front_without_points.name)));
     } else {
       for (const auto& [t, end] : {std::pair(0.0, &from), std::pair(1.0, &to)}) {
         if (found.end >= t) {
           const results::FrontResult& own = end->result.fronts[f];
           // What is below 0 has been reported already.
           apart = std::max(apart, apart_from(front, t, own));
-          size = is.is_tip() ? std::max(size, std::abs(own.tip().K1)) : size;
+          size = is.is_tip() ? std::max(size, std::abs(own.single_point().K1)) : size;
         }
       }
     }

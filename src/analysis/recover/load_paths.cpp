@@ -238,9 +238,9 @@ results::LoadPathResult LoadPathSolver::path(const model::LoadPathDefinition& ca
   }
   for (const double t : found.jumps) {
     out.notes.push_back(
-        results::note(fmt::format("at t = {:.6g} nothing holds a body: it moves until contact "
-                                  "stops it, which changes no K",
-                                  t)));
+        results::make_note(fmt::format("at t = {:.6g} nothing holds a body: it moves until contact "
+                                       "stops it, which changes no K",
+                                       t)));
   }
   out.t = path_knots(found);
   out.homogeneous = is_homogeneous(model_, scene_, from, to, solver.gap_offset_at_mounting());

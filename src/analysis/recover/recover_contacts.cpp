@@ -204,7 +204,7 @@ void note_parting(const Discretisation& scene, std::size_t pair, results::Contac
       const results::ContactPoint& b = result.points[i];
       const double reach = 0.5 * (b.arc - a.arc); // an end may lie beyond (contact.11)
       if (a.closed != b.closed && end >= a.arc - reach && end <= b.arc + reach) {
-        out.notes.push_back(results::note(
+        out.notes.push_back(results::make_note(
             fmt::format("{}: the faces part at {:.4g} along the crack, +- {:.2g} "
                         "by the distance of its nodes there",
                         result.name, end,
@@ -307,13 +307,13 @@ void recover_contacts(const Discretisation& scene, const StepState& state,
     }
     result.unbounded = pressed_edges(pair, p.nodes);
     if (!result.unbounded.empty()) {
-      out.notes.push_back(results::note(unbounded_note(result)));
+      out.notes.push_back(results::make_note(unbounded_note(result)));
     }
     const std::string parts = result.mounted && unilateral && !result.space
                                   ? describe_closed_parts(result)
                                   : std::string();
     if (!parts.empty()) {
-      out.notes.push_back(results::note(parts));
+      out.notes.push_back(results::make_note(parts));
     }
     out.contacts.push_back(std::move(result));
   }

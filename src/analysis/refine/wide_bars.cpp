@@ -104,7 +104,7 @@ std::vector<ExcessiveErrorBar> find_excessive_error_bars(const model::Model& mod
   for (const FrontWithTolerance& at : fronts_with_tolerance(model, run)) {
     const double allowed = at.tolerance * at.K;
     for (std::size_t m = 0; m < 2 && at.front.has_error_bar(); ++m) {
-      const results::KErrorBar& bar = at.front.tip().bar[m];
+      const results::KErrorBar& bar = at.front.single_point().bar[m];
       if (bar.size() > allowed && allowed > 0.0) {
         list.push_back({at, bar, allowed});
       }
@@ -119,7 +119,7 @@ ToleranceShortfall find_tolerance_shortfall(const model::Model& model,
   for (const FrontWithTolerance& at : fronts_with_tolerance(model, run)) {
     const std::string where = fmt::format("{}, step {}", at.front.name, at.step.step);
     if (!at.front.has_error_bar()) {
-      worst.no_bar = fmt::format("{}: {}", where, at.front.no_bar);
+      worst.no_bar = fmt::format("{}: {}", where, at.front.missing_bar_reason);
       continue;
     }
     if (at.front.is_tip()) {

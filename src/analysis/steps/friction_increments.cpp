@@ -121,7 +121,7 @@ void note_increments(const Halving& cut, bool given, std::vector<results::Note>&
   }
   const std::string off = fmt::format("shear off by about {:.2g} %", 100.0 * error);
   if (error <= worst_shear) {
-    notes.push_back(results::note(
+    notes.push_back(results::make_note(
         fmt::format("friction walked in {} increments: {} (root mean square)", cut.now, off)));
   } else if (given) {
     notes.push_back(results::less_exact_note(fmt::format(

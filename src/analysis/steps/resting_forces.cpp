@@ -35,7 +35,7 @@ std::optional<results::Note> residual_force_note(const base::Vector& resting,
       "{:.1e} of the contact forces act on motions by which round or plane surfaces slide on "
       "themselves (such as their moment about the axis of a bush) and are left over",
       share);
-  return share > too_much ? results::less_exact_note(text) : results::note(text);
+  return share > too_much ? results::less_exact_note(text) : results::make_note(text);
 }
 
 } // namespace spricka::analysis

@@ -61,20 +61,20 @@ StepState begin_state(const Discretisation& scene, const StepActionFactors& fact
 // What of loads and rows the contacts could not take up.
 void note_unresisted(const solve::ContactSolution& s, std::vector<results::Note>& notes) {
   if (s.resting_modes > 0) {
-    notes.push_back(results::note(
+    notes.push_back(results::make_note(
         fmt::format("{} rigid mode(s) that no contact touches and nothing loads stay at rest",
                     s.resting_modes)));
   }
   if (s.left_over > solve::rest_load) {
     notes.push_back(
-        results::note(fmt::format("{:.1e} of the load acts on motions that no contact touches "
-                                  "(such as its moment about the axis of a meshed round "
-                                  "body) and is left over",
-                                  s.left_over)));
+        results::make_note(fmt::format("{:.1e} of the load acts on motions that no contact touches "
+                                       "(such as its moment about the axis of a meshed round "
+                                       "body) and is left over",
+                                       s.left_over)));
   }
   if (s.redundant > 0) {
     notes.push_back(
-        results::note(fmt::format("{} redundant contact row(s) left out", s.redundant)));
+        results::make_note(fmt::format("{} redundant contact row(s) left out", s.redundant)));
   }
 }
 

@@ -111,9 +111,9 @@ Fronts fronts_of(const Fronts& all, const FrontWord& word, const std::string& cr
 void refuse_without_bar(const Fronts& fronts, const results::KQuantity& quantity) {
   for (const results::FrontResult& front : fronts) {
     if (quantity.given == results::KQuantityCondition::with_bar && !front.has_error_bar()) {
-      throw MissingQuantity(
-          front.is_tip() ? "no error bar: " + front.no_bar
-                         : fmt::format("K of {} has no error bar: {}", front.name, front.no_bar));
+      throw MissingQuantity(front.is_tip() ? "no error bar: " + front.missing_bar_reason
+                                           : fmt::format("K of {} has no error bar: {}", front.name,
+                                                         front.missing_bar_reason));
     }
   }
 }
@@ -208,7 +208,7 @@ std::string missing_derivative(const results::FrontResult& front, const results:
 // answer.
 results::FrontResult derivative_of(const results::FrontResult& front, const FrontWord& word,
                                    const std::string& name) {
-  const auto& all = front.sensitivities.of;
+  const auto& all = front.sensitivities.by_parameter;
   // Every front has the derivatives by the axes of all ellipses: its own crack's are asked for.
   const auto named = [&](const results::Sensitivity& s) {
     return is_of_crack(*word.by) ? front.name == s.name || front.name.starts_with(s.name + ".")

@@ -80,7 +80,7 @@ std::optional<AtLength> found_at(const results::CrackLengthResult& increment, ba
     return on_axis(*at, model, test);
   }
   return tip->invalid_reason.empty()
-             ? std::optional(AtLength{.tip = tip->name, .a = tip->a, .K1 = tip->tip().K1})
+             ? std::optional(AtLength{.tip = tip->name, .a = tip->a, .K1 = tip->single_point().K1})
              : std::nullopt;
 }
 
@@ -222,7 +222,7 @@ void add_notes(results::GrowthTestResult& test) {
   const auto none = count([](const auto& p) { return std::isnan(p.K) && !std::isnan(p.R); });
   const auto beyond = count([](const auto& p) { return !std::isnan(p.K) && !p.covered; });
   if (outside > 0) {
-    test.notes.push_back(results::note(fmt::format(
+    test.notes.push_back(results::make_note(fmt::format(
         "{} of {} points lie outside the computed crack lengths: there is nothing to compare with",
         outside, test.points.size())));
   }

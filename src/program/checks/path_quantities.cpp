@@ -29,8 +29,8 @@ const results::LoadPathFront& tip_of(const results::LoadPathResult& path, const 
   if (tip == nullptr || !tip->is_tip()) {
     throw MissingQuantity(fmt::format("no tip {}", name));
   }
-  if (!tip->is.invalid_reason.empty()) {
-    throw MissingQuantity(tip->is.invalid_reason);
+  if (!tip->front_without_points.invalid_reason.empty()) {
+    throw MissingQuantity(tip->front_without_points.invalid_reason);
   }
   return *tip;
 }
@@ -49,7 +49,7 @@ double slope_at(CheckArguments& args, const results::RunResult& run) {
   const results::LoadPathResult& path = find_load_path(run, path_name, t, args.optional_number());
   const results::LoadPathFront& tip = tip_of(path, tip_name);
   refuse_overlap(tip, t);
-  const base::PiecewiseLinear& K1 = tip.tip().K[0];
+  const base::PiecewiseLinear& K1 = tip.single_point().K[0];
   std::size_t s = K1.find_segment(t);
   s += s + 1 < K1.segment_count() && K1.knots()[s + 1] <= t ? 1 : 0;
   return K1.slope(s);
@@ -62,7 +62,8 @@ double of_two(CheckArguments& args, const results::RunResult& run) {
   const double to = args.required_number("a factor of TO");
   const results::LoadPathResult& path = path_of(run, path_name, args.optional_number());
   const results::LoadPathFront& tip = tip_of(path, tip_name);
-  const std::optional<double> K1 = results::k_at_load_combination(path, tip.tip(), 1, from, to);
+  const std::optional<double> K1 =
+      results::k_at_load_combination(path, tip.single_point(), 1, from, to);
   if (!K1) {
     throw MissingQuantity(
         path.homogeneous

@@ -260,7 +260,7 @@ namespace {
 
 // K1 and K2 with their bars.
 std::string tip_text(const results::FrontResult& front, const base::UnitSystem& units) {
-  const results::FrontPointResult& tip = front.tip();
+  const results::FrontPointResult& tip = front.single_point();
   if (front.two_materials) { // stresses oscillate there: it has a G alone
     return fmt::format("G = {:<12.7g} {}/{}", tip.G, units.force_name, units.length_name);
   }

@@ -167,7 +167,7 @@ std::string k_notes(const ShellSession& session, const std::string& only) {
   for (const FrontResult& front : present_state_of_crack(session, only).steps.front().fronts) {
     text += invalid_reason_note(front) + touching_note(front);
     if (!front.has_error_bar()) {
-      text += fmt::format("note: {}: no error bar: {}\n", front.name, front.no_bar);
+      text += fmt::format("note: {}: no error bar: {}\n", front.name, front.missing_bar_reason);
     }
   }
   return text;
@@ -226,12 +226,13 @@ std::vector<MappedFrontPoint> mapped_points(const results::LoadPathResult& path)
     const auto [least, most] = extremes(at_end);
     for (const results::LoadPathFrontPoint& point : front.points) {
       const auto is = [&](const FrontPointResult* one) {
-        return one != nullptr && one->number == point.is.number;
+        return one != nullptr && one->number == point.point_at_start.number;
       };
       if (is(least) || is(most)) {
         const std::string name = at_end.is_tip()
-                                     ? front.is.name
-                                     : fmt::format("{} point {}", front.is.name, point.is.number);
+                                     ? front.front_without_points.name
+                                     : fmt::format("{} point {}", front.front_without_points.name,
+                                                   point.point_at_start.number);
         out.push_back({name, &point, at_end.is_tip()});
       }
     }

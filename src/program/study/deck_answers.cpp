@@ -63,7 +63,7 @@ std::vector<model::ResultCheck> questions_of_front(const std::string& step,
                                                    const results::FrontResult& front) {
   std::vector<model::ResultCheck> made;
   if (front.is_tip() && front.invalid_reason.empty()) {
-    const results::FrontPointResult& tip = front.tip();
+    const results::FrontPointResult& tip = front.single_point();
     constexpr double least = 1e-3; // of K
     for (const auto& [word, value] : {std::pair{"K1", tip.K1}, std::pair{"K2", tip.K2}}) {
       if (std::abs(value) > least * std::hypot(tip.K1, tip.K2)) {

@@ -138,10 +138,11 @@ std::vector<BetaPoint> points_of(const results::FrontResult& front) {
 std::vector<BetaPoint> points_of(const results::LoadPathFront& front) {
   std::vector<BetaPoint> points;
   for (const results::LoadPathFrontPoint& point : front.points) {
-    points.push_back(
-        {point.is.x, [&point](std::size_t mode, std::size_t knot) {
-           return (point.is.at_surface ? point.smooth : point.K).at(mode).value_at_knot(knot);
-         }});
+    points.push_back({point.point_at_start.x, [&point](std::size_t mode, std::size_t knot) {
+                        return (point.point_at_start.at_surface ? point.smooth : point.K)
+                            .at(mode)
+                            .value_at_knot(knot);
+                      }});
   }
   return points;
 }
@@ -206,7 +207,7 @@ void write_beta_csv(const std::filesystem::path& file, const model::Model& model
                                           factors[step_index(model, path.to)], t)});
       }
       for (const results::LoadPathFront& front : path.fronts) {
-        add(front.is, points_of(front));
+        add(front.front_without_points, points_of(front));
       }
     }
   }

@@ -92,7 +92,7 @@ std::string lines_picture(const model::Model& model, const results::RunResult& r
       top > path.t.back()) {
     return {};
   }
-  const base::PiecewiseLinear& K1 = path.fronts.front().tip().K[0];
+  const base::PiecewiseLinear& K1 = path.fronts.front().single_point().K[0];
   Plot plot{fmt::format("K₁ over load path {} at a = {:.4g} {}", path.name, increment.a,
                         model.units.length_name),
             fmt::format("t, a = {:.4g} {}", increment.a, model.units.length_name),

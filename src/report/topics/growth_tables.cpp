@@ -55,7 +55,7 @@ bool closes_at_smallest(const model::Model& model, const results::RunResult& run
     return smallest < increment.steps.size() &&
            std::ranges::any_of(increment.steps[smallest].fronts,
                                [](const results::FrontResult& front) {
-                                 return front.is_tip() && front.tip().closed;
+                                 return front.is_tip() && front.single_point().closed;
                                });
   });
 }

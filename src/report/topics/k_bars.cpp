@@ -44,7 +44,7 @@ std::string k_error_bar_lines(const results::CrackLengthResult& increment) {
   std::string lines;
   for (const FrontRow& row : rows) {
     for (std::size_t k = 0; k < 2 && row.front.is_tip() && row.front.has_error_bar(); ++k) {
-      const results::FrontPointResult& tip = row.front.tip();
+      const results::FrontPointResult& tip = row.front.single_point();
       lines +=
           fmt::format("  {:<{}}  {:<{}}  K{} = {}\n", row.step.step, step_width, row.front.name,
                       name_width, k + 1, k_with_bar_text(k == 0 ? tip.K1 : tip.K2, tip.bar[k]));

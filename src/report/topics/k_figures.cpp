@@ -40,7 +40,7 @@ PlotSeries k_history(const results::RunResult& run, std::string_view step, std::
   PlotSeries curve;
   for (const results::CrackLengthResult& increment : run.increments) {
     if (const auto* const found = find_front_at_step(increment, step, front)) {
-      curve.points.push_back({found->a, found->tip().K1});
+      curve.points.push_back({found->a, found->single_point().K1});
       curve.bars.push_back(k1_bar_for_plot(found));
     }
   }
@@ -195,13 +195,14 @@ std::vector<KCheckReference> k_references(const model::Model& model,
     const results::FrontResult* const found =
         results::find_front_at_length(run, *step, *tip, a == nullptr ? 0.0 : *a);
     if (found != nullptr && found->is_tip()) {
-      references.push_back({.tip = *tip,
-                            .step = *step,
-                            .a = a == nullptr ? found->a : *a,
-                            .wanted = check.value,
-                            .found = found->tip().K1,
-                            .source = check.source,
-                            .bar = found->has_error_bar() ? found->tip().bar[0].size() : 0.0});
+      references.push_back(
+          {.tip = *tip,
+           .step = *step,
+           .a = a == nullptr ? found->a : *a,
+           .wanted = check.value,
+           .found = found->single_point().K1,
+           .source = check.source,
+           .bar = found->has_error_bar() ? found->single_point().bar[0].size() : 0.0});
     }
   }
   return references;
@@ -320,8 +321,9 @@ ReportTable k_reference_table(const model::Model& model, const results::RunResul
 }
 
 double k1_bar_for_plot(const results::FrontResult* front) {
-  return front != nullptr && front->is_tip() && front->has_error_bar() ? front->tip().bar[0].size()
-                                                                       : no_bar;
+  return front != nullptr && front->is_tip() && front->has_error_bar()
+             ? front->single_point().bar[0].size()
+             : no_bar;
 }
 
 std::vector<const results::CrackLengthResult*> sample_increments(const results::RunResult& run,

@@ -23,7 +23,7 @@ using NameTable = std::vector<std::string>;
 constexpr std::size_t most_rows = 80; // of all steps' tables: more nobody reads
 
 double size_of(const results::FrontResult& front) {
-  return largest_K(front) + (front.two_materials ? std::abs(front.tip().G) : 0.0);
+  return largest_K(front) + (front.two_materials ? std::abs(front.single_point().G) : 0.0);
 }
 
 /// Steps in order, with the largest K of each.
@@ -102,7 +102,7 @@ std::string place_of(const KResultExtent& gap, const KResultExtent& all) {
 }
 
 std::string words_of(const std::string& why) {
-  return why == results::FrontResult().no_bar
+  return why == results::FrontResult().missing_bar_reason
              ? "it was not computed (a life has error bars at its first length only, unless the "
                "deck asks for more by $CHECK, TOL on $TIPNET or CORRECT=YES)"
              : why;
@@ -188,9 +188,9 @@ std::vector<std::string> missing_error_bar_reasons(const results::RunResult& run
     if (front.has_error_bar()) {
       continue;
     }
-    auto gap = std::ranges::find(gaps, front.no_bar, &MissingBarReason::why);
+    auto gap = std::ranges::find(gaps, front.missing_bar_reason, &MissingBarReason::why);
     if (gap == gaps.end()) {
-      gap = gaps.insert(gap, MissingBarReason{front.no_bar, {}});
+      gap = gaps.insert(gap, MissingBarReason{front.missing_bar_reason, {}});
     }
     gap->where.add(row);
   }

@@ -30,7 +30,8 @@ CrackScale crack_scale(std::span<const results::CrackLengthResult> increments) {
   for (const FrontRow& row : front_rows(increments)) {
     scale.K = std::max(scale.K, largest_K(row.front));
     if (row.front.is_tip()) {
-      scale.G = std::max(scale.G, 1e-9 * std::abs(row.front.tip().G)); // it goes with K squared
+      scale.G =
+          std::max(scale.G, 1e-9 * std::abs(row.front.single_point().G)); // it goes with K squared
     }
   }
   return scale;
@@ -162,7 +163,7 @@ std::vector<const results::KQuantity*> shown_k_quantities(const model::Model& mo
 
 double largest_K(const results::FrontResult& front) {
   if (front.is_tip()) {
-    return std::hypot(front.tip().K1, front.tip().K2);
+    return std::hypot(front.single_point().K1, front.single_point().K2);
   }
   double largest = 0.0;
   for (const results::FrontPointResult& point : front.points) {

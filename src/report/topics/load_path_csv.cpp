@@ -109,7 +109,7 @@ std::vector<std::string> path_tip_names(const results::RunResult& run) {
     for (const results::LoadPathResult& path : increment.paths) {
       for (const results::LoadPathFront& front : path.fronts) {
         if (front.is_tip()) {
-          add_unique(names, front.is.name);
+          add_unique(names, front.front_without_points.name);
         }
       }
     }
@@ -149,7 +149,7 @@ void write_K_along_load_path_csv(const std::filesystem::path& file, const model:
   for (const std::string& name : path_tip_names(run)) {
     add_k_columns(columns, name + ".", 2, [name](const PathRow& row) {
       const results::LoadPathFront* const front = results::find_front(row.path, name);
-      return front == nullptr ? nullptr : &front->tip();
+      return front == nullptr ? nullptr : &front->single_point();
     });
   }
   for (const std::string& name : contact_names(model, run)) {
@@ -168,15 +168,19 @@ void write_load_path_fronts_csv(const std::filesystem::path& file, const model::
     return;
   }
   Columns<PathRow> columns = knot_columns();
-  columns.exact("crack", [](const PathRow& row) { return row.front->is.name; });
-  columns.exact("point", [](const PathRow& row) { return row.point->is.number; });
-  columns.exact("at_surface", [](const PathRow& row) { return row.point->is.at_surface ? 1 : 0; });
-  columns.exact("s", [](const PathRow& row) { return row.point->is.s; });
-  columns.fill_only_if([](const PathRow& row) { return row.front->is.has_angles; });
-  columns.exact("phi", [](const PathRow& row) { return row.point->is.phi * degrees_per_radian; });
+  columns.exact("crack", [](const PathRow& row) { return row.front->front_without_points.name; });
+  columns.exact("point", [](const PathRow& row) { return row.point->point_at_start.number; });
+  columns.exact("at_surface",
+                [](const PathRow& row) { return row.point->point_at_start.at_surface ? 1 : 0; });
+  columns.exact("s", [](const PathRow& row) { return row.point->point_at_start.s; });
+  columns.fill_only_if(
+      [](const PathRow& row) { return row.front->front_without_points.has_angles; });
+  columns.exact(
+      "phi", [](const PathRow& row) { return row.point->point_at_start.phi * degrees_per_radian; });
   columns.fill_only_if({});
   for (const Eigen::Index c : {0, 1, 2}) {
-    columns.exact(std::string(1, "xyz"[c]), [c](const PathRow& row) { return row.point->is.x[c]; });
+    columns.exact(std::string(1, "xyz"[c]),
+                  [c](const PathRow& row) { return row.point->point_at_start.x[c]; });
   }
   add_k_columns(columns, "", 3, [](const PathRow& row) { return row.point; });
   std::vector<PathRow> rows;

@@ -30,7 +30,8 @@ struct ShownCurve {
 // Of a front in space the points with the largest and the smallest K1 at the path's end.
 void add_curves(const results::LoadPathFront& front, std::vector<ShownCurve>& shown) {
   if (front.is_tip()) {
-    shown.push_back({front.is.name, front.is.a, front.tip().K.data(), front.is.name});
+    shown.push_back({front.front_without_points.name, front.front_without_points.a,
+                     front.single_point().K.data(), front.front_without_points.name});
     return;
   }
   const results::LoadPathFrontPoint* low = nullptr;
@@ -39,15 +40,16 @@ void add_curves(const results::LoadPathFront& front, std::vector<ShownCurve>& sh
     return p->K[0].value_at_knot(p->K[0].segment_count());
   };
   for (const results::LoadPathFrontPoint& point : front.points) {
-    if (!point.is.at_surface) {
+    if (!point.point_at_start.at_surface) {
       low = low == nullptr || end(&point) < end(low) ? &point : low;
       high = high == nullptr || end(&point) > end(high) ? &point : high;
     }
   }
   for (const auto& [point, word] : {std::pair(high, "largest"), {low, "smallest"}}) {
     if (point != nullptr) {
-      shown.push_back({fmt::format("{} point {} ({})", front.is.name, point->is.number, word),
-                       front.is.a, point->K.data(), ""});
+      shown.push_back({fmt::format("{} point {} ({})", front.front_without_points.name,
+                                   point->point_at_start.number, word),
+                       front.front_without_points.a, point->K.data(), ""});
     }
   }
 }

@@ -77,7 +77,7 @@ void set_window(MeshView& view, const base::Vec3& centre, double half) {
 
 std::string tip_drawing(const model::Model& model, const results::CrackLengthResult& increment,
                         const results::FrontResult& tip, bool close) {
-  const results::FrontPointResult& end = tip.tip();
+  const results::FrontPointResult& end = tip.single_point();
   const TipMeshPlace place = find_tip_place(increment.mesh, end.x);
   MeshView view;
   view.mesh = &increment.mesh;
@@ -123,7 +123,7 @@ Figure whole_mesh(const model::Model& model, const results::CrackLengthResult& i
   std::string cracks;
   if (const results::LoadStepResult* const step = leading_step_result(model, increment)) {
     for (const results::FrontResult& tip : step->fronts) {
-      if (const results::FrontPointResult& end = tip.tip(); !end.direction.isZero()) {
+      if (const results::FrontPointResult& end = tip.single_point(); !end.direction.isZero()) {
         view.labels.push_back({{end.x[0], end.x[1]}, tip.name});
         cracks += fmt::format("{}{}: a = {:.4g} {}", cracks.empty() ? "; " : ", ", tip.name, tip.a,
                               model.units.length_name);
@@ -280,7 +280,7 @@ std::optional<Figure> crack_figure(const model::Model& model, const results::Run
     const results::LoadStepResult* const step = leading_step_result(model, *increment);
     const results::FrontResult* const tip =
         step == nullptr ? nullptr : results::find_front(*step, name);
-    if (tip != nullptr && !tip->tip().direction.isZero() && tip->a > 0.0) {
+    if (tip != nullptr && !tip->single_point().direction.isZero() && tip->a > 0.0) {
       figure.drawings.push_back(tip_drawing(model, *increment, *tip, false));
       last = increment;
       last_tip = tip;

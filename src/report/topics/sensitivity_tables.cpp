@@ -84,7 +84,7 @@ double strength(const model::Model& model, const SensitivePoint& point, const Se
 
 std::vector<const Sensitivity*> sorted(const model::Model& model, const SensitivePoint& point) {
   std::vector<const Sensitivity*> order;
-  for (const Sensitivity& s : point.front.sensitivities.of) {
+  for (const Sensitivity& s : point.front.sensitivities.by_parameter) {
     order.push_back(&s);
   }
   std::ranges::stable_sort(order, std::ranges::greater{},
@@ -103,7 +103,7 @@ std::vector<SensitivePoint> leading_points(const results::LoadStepResult& step) 
         most = i;
       }
     }
-    if (most && !front.sensitivities.of.empty()) {
+    if (most && !front.sensitivities.by_parameter.empty()) {
       leading.push_back({front, *most});
     }
   }
@@ -245,7 +245,7 @@ void add_derivatives(Columns<SensitivityRow>& columns, int dim) {
 std::vector<SensitivityRow> sensitivity_rows(const results::RunResult& run) {
   std::vector<SensitivityRow> rows;
   for (const FrontRow& row : front_rows(run.increments)) {
-    for (const Sensitivity& cause : row.front.sensitivities.of) {
+    for (const Sensitivity& cause : row.front.sensitivities.by_parameter) {
       for (std::size_t i = 0; i < (row.front.is_tip() ? 1 : cause.above.size()); ++i) {
         rows.push_back({row, cause, i});
       }

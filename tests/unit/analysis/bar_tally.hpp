@@ -37,7 +37,7 @@ struct Tally {
 inline Tally tally_of(const results::LoadStepResult& step, const Exact& exact) {
   Tally tally;
   const results::FrontResult& front = step.fronts.front();
-  EXPECT_EQ(front.no_bar, "");
+  EXPECT_EQ(front.missing_bar_reason, "");
   double size = 0.0;
   for (const results::FrontPointResult& place : front.points) {
     size = std::max(size, std::hypot(place.K1, place.K2, place.K3));

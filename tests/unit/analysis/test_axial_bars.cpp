@@ -114,10 +114,10 @@ TEST(AxialBars, HoldTheClosedFormsOfPennies) {
     ASSERT_EQ(steps.size(), exact.size());
     for (std::size_t i = 0; i < steps.size(); ++i) {
       const results::FrontResult& front = steps[i].fronts.at(0);
-      ASSERT_EQ(front.no_bar, "");
+      ASSERT_EQ(front.missing_bar_reason, "");
       const double size = std::hypot(exact[i][0], exact[i][1]);
-      tally.add(front.tip().K1 - exact[i][0], front.tip().bar[0].size(), size);
-      tally.add(front.tip().K2 - exact[i][1], front.tip().bar[1].size(), size);
+      tally.add(front.single_point().K1 - exact[i][0], front.single_point().bar[0].size(), size);
+      tally.add(front.single_point().K2 - exact[i][1], front.single_point().bar[1].size(), size);
     }
   }
   std::printf("%d of %d inside, %d of %d within 1 to 4\n", tally.inside, tally.all, tally.tight,
@@ -169,11 +169,11 @@ TEST(AxialBars, HoldTheTruthOfAPressedShaft) {
       const auto solved = solve_text(shaft(n, size, rise));
       ASSERT_TRUE(solved);
       const results::FrontResult& front = solved->step(1).fronts.at(0);
-      const results::FrontPointResult& truth = fine->step(1).fronts.at(0).tip();
-      ASSERT_EQ(front.no_bar, "");
+      const results::FrontPointResult& truth = fine->step(1).fronts.at(0).single_point();
+      ASSERT_EQ(front.missing_bar_reason, "");
       const double scale = std::hypot(truth.K1, truth.K2);
-      tally.add(front.tip().K1 - truth.K1, front.tip().bar[0].size(), scale);
-      tally.add(front.tip().K2 - truth.K2, front.tip().bar[1].size(), scale);
+      tally.add(front.single_point().K1 - truth.K1, front.single_point().bar[0].size(), scale);
+      tally.add(front.single_point().K2 - truth.K2, front.single_point().bar[1].size(), scale);
     }
   }
   EXPECT_EQ(tally.inside, tally.all);

@@ -68,7 +68,7 @@ $LOAD CASE=STEEP TYPE=TEMPERATURE
 };
 
 const FrontPointResult& tip(const std::optional<Solved>& solved, std::size_t step = 0) {
-  return solved->step(step).fronts.at(0).tip();
+  return solved->step(step).fronts.at(0).single_point();
 }
 
 double size_of(const FrontPointResult& K) {
@@ -182,7 +182,7 @@ TEST(AxialCracks, HaveNoKWhereHeatLeavesNoStress) {
 
 double by(const std::optional<Solved>& solved, results::SensitivityParameter cause,
           const std::string& name, std::size_t mode) {
-  for (const results::Sensitivity& s : solved->step().fronts.at(0).sensitivities.of) {
+  for (const results::Sensitivity& s : solved->step().fronts.at(0).sensitivities.by_parameter) {
     if (s.cause == cause && s.name == name && s.is_smooth()) {
       return s.below.at(0)[mode];
     }

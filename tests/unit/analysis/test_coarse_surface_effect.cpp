@@ -58,7 +58,8 @@ TEST(PartnerSurfaces, TakeTheBarWhereTheyAreTooCoarse) {
   for (const std::string& joint : {bonded, pressed, transition}) {
     const auto found = solve_text(two_blocks(joint, 16, 0.03));
     ASSERT_TRUE(found) << joint;
-    EXPECT_NE(front(found).no_bar.find("long"), std::string::npos) << joint << front(found).no_bar;
+    EXPECT_NE(front(found).missing_bar_reason.find("long"), std::string::npos)
+        << joint << front(found).missing_bar_reason;
     EXPECT_TRUE(std::ranges::any_of(found->step().notes, [](const results::Note& note) {
       return note.kind == base::ResultConcern::less_exact &&
              note.text.starts_with("K of C: edges of");
@@ -66,7 +67,7 @@ TEST(PartnerSurfaces, TakeTheBarWhereTheyAreTooCoarse) {
   }
   const auto tolerated = solve_text(two_blocks(bonded, 16, 0.03, "$TIPNET CRACK=C TOL=1e-3\n"));
   ASSERT_TRUE(tolerated);
-  EXPECT_NE(front(tolerated).no_bar, "");
+  EXPECT_NE(front(tolerated).missing_bar_reason, "");
 }
 
 // Where they are finer the bar is there and holds what much finer ones give; a TRANSITION between
@@ -82,10 +83,11 @@ TEST(PartnerSurfaces, LeaveTheBarWhereTheyAreFine) {
     const auto fine = solve_text(two_blocks(c.limit, 128, c.gap));
     const auto found = solve_text(two_blocks(c.joint, c.n, c.gap));
     ASSERT_TRUE(fine && found) << c.joint;
-    ASSERT_EQ(front(found).no_bar, "") << c.joint;
-    const std::array<double, 2> K{front(found).tip().K1, front(found).tip().K2};
+    ASSERT_EQ(front(found).missing_bar_reason, "") << c.joint;
+    const std::array<double, 2> K{front(found).single_point().K1, front(found).single_point().K2};
     for (std::size_t k = 0; k < 2; ++k) {
-      EXPECT_LE(std::abs(K[k] - front(fine).tip().bar[k].best), front(found).tip().bar[k].size())
+      EXPECT_LE(std::abs(K[k] - front(fine).single_point().bar[k].best),
+                front(found).single_point().bar[k].size())
           << c.joint << k;
     }
   }
@@ -98,7 +100,8 @@ TEST(PartnerSurfaces, LeaveCracksThatStartInThem) {
   away.replace(away.find("A0=0.2 ANGLE=0\n  -1 0"), 21, "A0=0.04 ANGLE=90[deg]\n  0 0");
   const auto found = solve_text(away);
   ASSERT_TRUE(found);
-  EXPECT_EQ(front(found).no_bar.find("edges of"), std::string::npos) << front(found).no_bar;
+  EXPECT_EQ(front(found).missing_bar_reason.find("edges of"), std::string::npos)
+      << front(found).missing_bar_reason;
 }
 
 // A block on a longer one, or a rigid part of its side, ends beside the crack: stresses have no
@@ -128,12 +131,12 @@ TEST(PartnerSurfaces, EndsOfTiesAreInTheBar) {
     const auto fine = solve_text(deck(6, rigid));
     const auto coarse = solve_text(deck(1, rigid));
     ASSERT_TRUE(fine && coarse);
-    ASSERT_EQ(front(coarse).no_bar, "");
-    EXPECT_LE(std::abs(front(coarse).tip().K1 - front(fine).tip().bar[0].best),
-              front(coarse).tip().bar[0].size())
+    ASSERT_EQ(front(coarse).missing_bar_reason, "");
+    EXPECT_LE(std::abs(front(coarse).single_point().K1 - front(fine).single_point().bar[0].best),
+              front(coarse).single_point().bar[0].size())
         << rigid;
-    EXPECT_LE(std::abs(front(coarse).tip().K2 - front(fine).tip().bar[1].best),
-              front(coarse).tip().bar[1].size())
+    EXPECT_LE(std::abs(front(coarse).single_point().K2 - front(fine).single_point().bar[1].best),
+              front(coarse).single_point().bar[1].size())
         << rigid;
   }
 }

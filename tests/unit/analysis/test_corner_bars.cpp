@@ -44,15 +44,15 @@ TEST(CornerBars, HoldBesideClampedCornersAndEndsOfSupports) {
         solve_text(block(8, "QUAMC9") + rest(c.nu, c.supports, beside) +
                    "$TIPNET CRACK=C SIZE=0.004 RADIUS=0.04 RINGS=8 SECTORS=32\n$END\n");
     ASSERT_TRUE(fine);
-    const results::FrontPointResult& truth = fine->step().fronts.at(0).tip();
+    const results::FrontPointResult& truth = fine->step().fronts.at(0).single_point();
     for (const char* type : {"QUAMC8", "TRIMC6"}) {
       const auto coarse = solve_text(block(2, type) + rest(c.nu, c.supports, beside) + "$END\n");
       ASSERT_TRUE(coarse);
       const results::FrontResult& front = coarse->step().fronts.at(0);
-      ASSERT_EQ(front.no_bar, "");
-      const double error = std::abs(truth.bar[0].best - front.tip().K1);
-      EXPECT_LE(error, front.tip().bar[0].size()) << c.nu << ' ' << type;
-      EXPECT_GE(3.0 * error, front.tip().bar[0].size()) << c.nu << ' ' << type;
+      ASSERT_EQ(front.missing_bar_reason, "");
+      const double error = std::abs(truth.bar[0].best - front.single_point().K1);
+      EXPECT_LE(error, front.single_point().bar[0].size()) << c.nu << ' ' << type;
+      EXPECT_GE(3.0 * error, front.single_point().bar[0].size()) << c.nu << ' ' << type;
     }
   }
 }
@@ -67,14 +67,14 @@ TEST(CornerBars, AreRefusedWhereKHangsOnSingleNodes) {
   const std::string crack = "$CRACK NAME=C\n  0.75 0\n  0.75 0.3\n";
   const auto held = solve_text(block(2, "QUAMC8") + rest(0.3, three, crack) + "$END\n");
   ASSERT_TRUE(held);
-  EXPECT_NE(held->step().fronts.at(0).no_bar.find("single node"), std::string::npos);
+  EXPECT_NE(held->step().fronts.at(0).missing_bar_reason.find("single node"), std::string::npos);
   const std::string two =
       "$NSET NAME=A WHERE=(abs(y) < 1e-9 and abs(x-0.5) < 1e-9)\n"
       "$NSET NAME=B WHERE=(abs(y) < 1e-9 and abs(x-1.5) < 1e-9)\n"
       "$FREEDOM CLASS=SUPPRESSED DOF=XY\n  A\n$FREEDOM CLASS=SUPPRESSED DOF=Y\n  B\n";
   const auto stands = solve_text(block(2, "QUAMC8") + rest(0.3, two, crack) + "$END\n");
   ASSERT_TRUE(stands);
-  EXPECT_EQ(stands->step().fronts.at(0).no_bar, "");
+  EXPECT_EQ(stands->step().fronts.at(0).missing_bar_reason, "");
 }
 
 std::string two_bodies(const std::string& loads) {
@@ -98,10 +98,10 @@ TEST(CornerBars, ABodyThatNothingLoadsHasKOfZero) {
   ASSERT_TRUE(solved);
   const results::LoadStepResult& one = solved->run.increments.front().steps.at(1);
   const results::FrontResult& idle = one.fronts.at(1);
-  EXPECT_EQ(idle.tip().K1, 0.0);
-  EXPECT_EQ(idle.tip().K2, 0.0);
-  EXPECT_EQ(idle.no_bar, "");
-  EXPECT_EQ(idle.tip().bar[1].size(), 0.0);
+  EXPECT_EQ(idle.single_point().K1, 0.0);
+  EXPECT_EQ(idle.single_point().K2, 0.0);
+  EXPECT_EQ(idle.missing_bar_reason, "");
+  EXPECT_EQ(idle.single_point().bar[1].size(), 0.0);
   for (const std::string& note : results::text_with_code(one.notes)) {
     EXPECT_EQ(note.find("warning"), std::string::npos) << note;
   }
@@ -124,10 +124,10 @@ TEST(CornerBars, ASmallNegativeK1BesideK2HasOne) {
   const auto hardly = solve_text(plate(5e-5));
   ASSERT_TRUE(hardly);
   const results::FrontResult& front = hardly->step().fronts.at(0);
-  EXPECT_LT(front.tip().K1, 0.0);
-  EXPECT_GT(front.tip().K1, -2e-4 * std::abs(front.tip().K2));
-  EXPECT_EQ(front.no_bar, "");
-  EXPECT_GE(front.tip().bar[0].size(), 1e-4 * std::abs(front.tip().K2));
+  EXPECT_LT(front.single_point().K1, 0.0);
+  EXPECT_GT(front.single_point().K1, -2e-4 * std::abs(front.single_point().K2));
+  EXPECT_EQ(front.missing_bar_reason, "");
+  EXPECT_GE(front.single_point().bar[0].size(), 1e-4 * std::abs(front.single_point().K2));
   const auto much = solve_text(plate(0.1));
   ASSERT_TRUE(much);
   EXPECT_NE(much->step().fronts.at(0).invalid_reason, "");

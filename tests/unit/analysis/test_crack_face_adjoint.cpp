@@ -37,7 +37,7 @@ const std::string straight = "$CRACK NAME=C\n  -1 0\n  1 0\n";
 
 const Sensitivity& by(const results::FrontResult& front, SensitivityParameter cause,
                       const std::string& name) {
-  for (const Sensitivity& s : front.sensitivities.of) {
+  for (const Sensitivity& s : front.sensitivities.by_parameter) {
     if (s.cause == cause && s.name == name) {
       return s;
     }
@@ -51,7 +51,7 @@ base::Vec2 K_of(const std::string& deck, std::size_t tip) {
   if (!solved) {
     return base::Vec2::Zero();
   }
-  const results::FrontPointResult& at = solved->step().fronts[tip].tip();
+  const results::FrontPointResult& at = solved->step().fronts[tip].single_point();
   return {at.K1, at.K2};
 }
 
@@ -61,7 +61,7 @@ void expect_differences(const std::string& crack, double p, double s) {
   ASSERT_TRUE(test::was_closed(*solved));
   for (const std::size_t t : {0U, 1U}) {
     const results::FrontResult& front = solved->step().fronts[t];
-    const double size = std::hypot(front.tip().K1, front.tip().K2);
+    const double size = std::hypot(front.single_point().K1, front.single_point().K2);
     const double h = 1e-4;
     const base::Vec2 by_p =
         (K_of(pressed(crack, p + h, s), t) - K_of(pressed(crack, p - h, s), t)) / (2.0 * h);
@@ -105,10 +105,10 @@ void expect_inside(const std::string& crack, double p, double s) {
   for (const std::size_t t : {0U, 1U}) {
     const results::FrontResult& front = coarse->step().fronts[t];
     const results::FrontResult& fine_front = fine->step().fronts[t];
-    ASSERT_TRUE(front.no_bar.empty()) << front.no_bar;
-    ASSERT_TRUE(fine_front.no_bar.empty()) << fine_front.no_bar;
-    const results::FrontPointResult& tip = front.tip();
-    const results::FrontPointResult& truth = fine_front.tip();
+    ASSERT_TRUE(front.missing_bar_reason.empty()) << front.missing_bar_reason;
+    ASSERT_TRUE(fine_front.missing_bar_reason.empty()) << fine_front.missing_bar_reason;
+    const results::FrontPointResult& tip = front.single_point();
+    const results::FrontPointResult& truth = fine_front.single_point();
     const std::array<double, 2> found{tip.K1, tip.K2};
     for (const std::size_t k : {0U, 1U}) {
       const double error = std::abs(truth.bar[k].best - found[k]);

@@ -40,7 +40,7 @@ TEST(CrackFaceContact, PressureAllRoundLeavesNothingOfACrack) {
       EXPECT_TRUE(p.closed);
     }
     for (const results::FrontResult& front : solved->step().fronts) {
-      const results::FrontPointResult& tip = front.tip();
+      const results::FrontPointResult& tip = front.single_point();
       EXPECT_EQ(tip.K1, 0.0);
       EXPECT_NEAR(tip.K2, 0.0, 1e-6);
       EXPECT_NEAR(tip.T, -2.0, 0.02) << crack;
@@ -76,8 +76,8 @@ void expect_same_bodies(const std::string& crack, const std::string& load) {
   const Eigen::Index n = whole->step().u.size();
   EXPECT_LT((whole->step().u - cracked->step().u.head(n)).cwiseAbs().maxCoeff(), 1e-9 * size);
   EXPECT_NEAR(cracked->step().energy, whole->step().energy, 1e-9 * whole->step().energy);
-  EXPECT_EQ(cracked->step().fronts.front().tip().K1, 0.0);
-  EXPECT_EQ(cracked->step().fronts.front().tip().K2, 0.0);
+  EXPECT_EQ(cracked->step().fronts.front().single_point().K1, 0.0);
+  EXPECT_EQ(cracked->step().fronts.front().single_point().K2, 0.0);
 }
 
 // Faces that friction holds everywhere are no crack.
@@ -135,8 +135,9 @@ $END
       EXPECT_NEAR(own.points[i].p_lumped, all.points[i].p_lumped, 1e-8);
       EXPECT_NEAR(2.0 * own.points[i].gap, all.points[i].gap, 1e-9);
     }
-    EXPECT_NEAR(half->step().fronts[0].tip().K1, whole->step().fronts[0].tip().K1, 1e-8);
-    EXPECT_GT(half->step().fronts[0].tip().K1, 1.0);
+    EXPECT_NEAR(half->step().fronts[0].single_point().K1, whole->step().fronts[0].single_point().K1,
+                1e-8);
+    EXPECT_GT(half->step().fronts[0].single_point().K1, 1.0);
     EXPECT_TRUE(half->step().fronts[0].invalid_reason.empty());
   }
 }
@@ -148,10 +149,10 @@ TEST(CrackFaceContact, ClosesInPartUnderBending) {
     ASSERT_TRUE(solved);
     const double b = 2.0 * (1.0 + r) / 3.0;
     const double K = b * std::sqrt(std::numbers::pi * b);
-    EXPECT_EQ(solved->step().fronts[0].tip().K1, 0.0);
-    EXPECT_TRUE(solved->step().fronts[0].tip().closed);
-    EXPECT_FALSE(solved->step().fronts[1].tip().closed);
-    EXPECT_NEAR(solved->step().fronts[1].tip().K1, K, 0.005 * K) << r;
+    EXPECT_EQ(solved->step().fronts[0].single_point().K1, 0.0);
+    EXPECT_TRUE(solved->step().fronts[0].single_point().closed);
+    EXPECT_FALSE(solved->step().fronts[1].single_point().closed);
+    EXPECT_NEAR(solved->step().fronts[1].single_point().K1, K, 0.005 * K) << r;
     EXPECT_NEAR(faces(*solved).arc_to, 2.0 - 2.0 * b, 0.02) << r;
     EXPECT_TRUE(solved->step().fronts[1].invalid_reason.empty());
   }
@@ -162,20 +163,20 @@ TEST(CrackFaceContact, OpenFacesCostNothing) {
   const std::optional<Solved> free = solve_text(bent(0.6, "FACES=FREE"));
   ASSERT_TRUE(contact && free);
   EXPECT_TRUE(contact->step().u == free->step().u);
-  EXPECT_EQ(contact->step().fronts[1].tip().K1, free->step().fronts[1].tip().K1);
+  EXPECT_EQ(contact->step().fronts[1].single_point().K1, free->step().fronts[1].single_point().K1);
   EXPECT_EQ(contact->run.log.size(), free->run.log.size());
   EXPECT_TRUE(contact->step().contacts.empty());
   for (const std::string& note : results::text_with_code(contact->step().notes)) {
     EXPECT_EQ(note.find("faces"), std::string::npos) << note;
   }
-  EXPECT_NEAR(contact->step().fronts[0].tip().K1, 0.1 * root_pi, 0.01);
+  EXPECT_NEAR(contact->step().fronts[0].single_point().K1, 0.1 * root_pi, 0.01);
 }
 
 TEST(CrackFaceContact, OpensEverywhereOrNowhere) {
   const std::optional<Solved> shut = solve_text(bent(-1.2));
   ASSERT_TRUE(shut);
   for (const results::FrontResult& front : shut->step().fronts) {
-    const results::FrontPointResult& tip = front.tip();
+    const results::FrontPointResult& tip = front.single_point();
     EXPECT_EQ(tip.K1, 0.0);
     EXPECT_TRUE(tip.closed);
     EXPECT_NEAR(tip.K2, 0.0, 1e-6);
@@ -197,13 +198,13 @@ TEST(CrackFaceContact, SlipsAgainstFriction) {
             stressed(0.0, -1.0, 0.0)));
         ASSERT_TRUE(solved);
         const results::LoadStepResult& step = solved->step();
-        K2.push_back(step.fronts[1].tip().K2);
-        EXPECT_NEAR(step.fronts[0].tip().K2, step.fronts[1].tip().K2, 1e-4);
-        EXPECT_EQ(step.fronts[1].tip().K1, 0.0);
-        ASSERT_EQ(step.fronts[1].tip().K1_domain.size(), 1U);
-        EXPECT_NEAR(step.fronts[1].tip().K1_domain[0], 0.0, 1e-3);
-        EXPECT_NEAR(step.fronts[1].tip().G, step.fronts[1].tip().G_from_K,
-                    1e-3 * step.fronts[1].tip().G);
+        K2.push_back(step.fronts[1].single_point().K2);
+        EXPECT_NEAR(step.fronts[0].single_point().K2, step.fronts[1].single_point().K2, 1e-4);
+        EXPECT_EQ(step.fronts[1].single_point().K1, 0.0);
+        ASSERT_EQ(step.fronts[1].single_point().K1_domain.size(), 1U);
+        EXPECT_NEAR(step.fronts[1].single_point().K1_domain[0], 0.0, 1e-3);
+        EXPECT_NEAR(step.fronts[1].single_point().G, step.fronts[1].single_point().G_from_K,
+                    1e-3 * step.fronts[1].single_point().G);
         const results::ContactResult& crack_face = faces(*solved);
         EXPECT_LE(crack_face.shear_ratio, 1.0 + 1e-9);
         EXPECT_NEAR(crack_face.min_pressure, sn, 0.005);
@@ -230,9 +231,9 @@ TEST(CrackFaceContact, MirroredAndTurnedCracksAgree) {
   const std::optional<Solved> mirrored = solve(-angle, 0.0, -1.0);
   const std::optional<Solved> turned = solve(angle + 0.5 * std::numbers::pi, -1.0, 0.0);
   ASSERT_TRUE(plain && mirrored && turned);
-  const double K2 = plain->step().fronts[1].tip().K2;
-  EXPECT_NEAR(mirrored->step().fronts[1].tip().K2, -K2, 1e-4 * std::abs(K2));
-  EXPECT_NEAR(turned->step().fronts[1].tip().K2, K2, 1e-4 * std::abs(K2));
+  const double K2 = plain->step().fronts[1].single_point().K2;
+  EXPECT_NEAR(mirrored->step().fronts[1].single_point().K2, -K2, 1e-4 * std::abs(K2));
+  EXPECT_NEAR(turned->step().fronts[1].single_point().K2, K2, 1e-4 * std::abs(K2));
 }
 
 // Energy of two lengths: G = dU/da for dead loads, per tip, with the faces partly or wholly closed
@@ -251,9 +252,11 @@ TEST(CrackFaceContact, EnergyReleaseIsThatOfTheEnergy) {
     EXPECT_TRUE(was_closed(*at));
     const double differenced =
         (more->step().energy - less->step().energy) / (2.0 * da * std::sqrt(2.0)) / 3.0;
-    const double G = at->step().fronts[0].tip().G + at->step().fronts[1].tip().G;
+    const double G = at->step().fronts[0].single_point().G + at->step().fronts[1].single_point().G;
     EXPECT_NEAR(G, differenced, 0.01 * G);
-    EXPECT_NEAR(G, at->step().fronts[0].tip().G_from_K + at->step().fronts[1].tip().G_from_K,
+    EXPECT_NEAR(G,
+                at->step().fronts[0].single_point().G_from_K +
+                    at->step().fronts[1].single_point().G_from_K,
                 2e-3 * G);
   }
 }
@@ -272,10 +275,12 @@ TEST(CrackFaceContact, RemembersSlip) {
     ASSERT_TRUE(solved);
     const std::vector<double> exact{0.35, 0.35, 0.195, 0.195, 0.35};
     for (std::size_t s = 0; s < exact.size(); ++s) {
-      EXPECT_NEAR(solved->step(s).fronts[0].tip().K2, -exact[s] * root_pi, 0.005 * root_pi) << s;
-      EXPECT_EQ(solved->step(s).fronts[0].tip().K1, 0.0);
+      EXPECT_NEAR(solved->step(s).fronts[0].single_point().K2, -exact[s] * root_pi, 0.005 * root_pi)
+          << s;
+      EXPECT_EQ(solved->step(s).fronts[0].single_point().K1, 0.0);
     }
-    EXPECT_NEAR(solved->step(1).fronts[0].tip().K2, solved->step(0).fronts[0].tip().K2, 1e-8);
+    EXPECT_NEAR(solved->step(1).fronts[0].single_point().K2,
+                solved->step(0).fronts[0].single_point().K2, 1e-8);
   }
 }
 
@@ -286,7 +291,7 @@ TEST(CrackFaceContact, ThreadsChangeNoBit) {
   ASSERT_TRUE(one && four);
   EXPECT_TRUE(was_closed(*one));
   EXPECT_TRUE(one->step().u == four->step().u);
-  EXPECT_EQ(one->step().fronts[0].tip().K2, four->step().fronts[0].tip().K2);
+  EXPECT_EQ(one->step().fronts[0].single_point().K2, four->step().fronts[0].single_point().K2);
 }
 
 } // namespace

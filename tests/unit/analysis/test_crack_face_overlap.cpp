@@ -46,8 +46,8 @@ TEST(RelativeCrackFaceOverlap, LeavesAnOpenCrackAlone) {
   for (const std::string& note : results::text_with_code(solved->step().notes)) {
     EXPECT_EQ(note.find("overlap"), std::string::npos) << note;
   }
-  EXPECT_NEAR(solved->step().fronts[0].tip().K1, 0.1 * std::sqrt(std::numbers::pi), 0.01);
-  EXPECT_NEAR(solved->step().fronts[1].tip().K1, 1.1 * std::sqrt(std::numbers::pi), 0.01);
+  EXPECT_NEAR(solved->step().fronts[0].single_point().K1, 0.1 * std::sqrt(std::numbers::pi), 0.01);
+  EXPECT_NEAR(solved->step().fronts[1].single_point().K1, 1.1 * std::sqrt(std::numbers::pi), 0.01);
 }
 
 TEST(RelativeCrackFaceOverlap, OfFacesThatMayNotTouchIsOnlyTold) {

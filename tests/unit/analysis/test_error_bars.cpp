@@ -61,8 +61,8 @@ TEST_P(Bars, DoNotSeeAJointOfMatchingMeshes) {
   const auto one = solve_text(whole(GetParam()));
   ASSERT_TRUE(one);
   const results::FrontResult& front = front_of(*one);
-  ASSERT_EQ(front.no_bar, "");
-  EXPECT_GT(front.tip().bar[0].mesh, 1e-5 * front.tip().K1);
+  ASSERT_EQ(front.missing_bar_reason, "");
+  EXPECT_GT(front.single_point().bar[0].mesh, 1e-5 * front.single_point().K1);
   for (const char* joint : {"$CONTACT NAME=J SLAVE=TOP.YMIN MASTER=LOW.YMAX TYPE=BONDED GAP=0\n",
                             "$CONTACT NAME=J SLAVE=LOW.YMAX MASTER=TOP.YMIN TYPE=BONDED GAP=0 "
                             "PAIRING=NODE\n",
@@ -70,10 +70,10 @@ TEST_P(Bars, DoNotSeeAJointOfMatchingMeshes) {
     const auto two = solve_text(strip(GetParam(), 4, joint));
     ASSERT_TRUE(two);
     const results::FrontResult& other = front_of(*two);
-    ASSERT_EQ(other.no_bar, "") << joint;
+    ASSERT_EQ(other.missing_bar_reason, "") << joint;
     for (std::size_t k = 0; k < 2; ++k) {
-      EXPECT_NEAR(other.tip().bar[k].eta, front.tip().bar[k].eta,
-                  0.01 * std::abs(front.tip().bar[0].eta))
+      EXPECT_NEAR(other.single_point().bar[k].eta, front.single_point().bar[k].eta,
+                  0.01 * std::abs(front.single_point().bar[0].eta))
           << joint;
     }
   }
@@ -92,14 +92,15 @@ TEST_P(Bars, HoldTheTruthOfAFinerMesh) {
         GetParam(), top, "$CONTACT NAME=J SLAVE=TOP.YMIN MASTER=LOW.YMAX TYPE=BONDED GAP=0\n"));
     ASSERT_TRUE(found);
     const results::FrontResult& front = front_of(*found);
-    EXPECT_LT(std::abs(front.tip().K1 - front_of(*truth).tip().bar[0].best),
-              front.tip().bar[0].size())
+    EXPECT_LT(std::abs(front.single_point().K1 - front_of(*truth).single_point().bar[0].best),
+              front.single_point().bar[0].size())
         << top;
-    EXPECT_LT(std::abs(front.tip().K2 - front_of(*truth).tip().bar[1].best),
-              front.tip().bar[1].size())
+    EXPECT_LT(std::abs(front.single_point().K2 - front_of(*truth).single_point().bar[1].best),
+              front.single_point().bar[1].size())
         << top;
-    EXPECT_LT(std::abs(front.tip().bar[0].best - front_of(*truth).tip().bar[0].best),
-              0.5 * std::abs(front.tip().K1 - front_of(*truth).tip().bar[0].best))
+    EXPECT_LT(
+        std::abs(front.single_point().bar[0].best - front_of(*truth).single_point().bar[0].best),
+        0.5 * std::abs(front.single_point().K1 - front_of(*truth).single_point().bar[0].best))
         << top;
   }
 }
@@ -122,13 +123,13 @@ TEST_P(Bars, HoldTheTruthOfAPressedJoint) {
     const auto found = solve_text(bent(top));
     ASSERT_TRUE(found);
     const results::FrontResult& front = front_of(*found);
-    ASSERT_EQ(front.no_bar, "");
-    EXPECT_GT(front.tip().bar[0].edge, 0.0);
-    EXPECT_LT(std::abs(front.tip().K1 - front_of(*truth).tip().bar[0].best),
-              front.tip().bar[0].size())
+    ASSERT_EQ(front.missing_bar_reason, "");
+    EXPECT_GT(front.single_point().bar[0].edge, 0.0);
+    EXPECT_LT(std::abs(front.single_point().K1 - front_of(*truth).single_point().bar[0].best),
+              front.single_point().bar[0].size())
         << top;
-    EXPECT_LT(std::abs(front.tip().K2 - front_of(*truth).tip().bar[1].best),
-              front.tip().bar[1].size())
+    EXPECT_LT(std::abs(front.single_point().K2 - front_of(*truth).single_point().bar[1].best),
+              front.single_point().bar[1].size())
         << top;
   }
 }
@@ -142,9 +143,12 @@ TEST(TipErrorBars, AreTheSameOnAnyNumberOfThreads) {
   const auto three = solve_text(deck, 3);
   ASSERT_TRUE(one && three);
   for (std::size_t k = 0; k < 2; ++k) {
-    EXPECT_EQ(front_of(*one).tip().bar[k].size(), front_of(*three).tip().bar[k].size());
-    EXPECT_EQ(front_of(*one).tip().bar[k].best, front_of(*three).tip().bar[k].best);
-    EXPECT_EQ(front_of(*one).tip().bar[k].of_element, front_of(*three).tip().bar[k].of_element);
+    EXPECT_EQ(front_of(*one).single_point().bar[k].size(),
+              front_of(*three).single_point().bar[k].size());
+    EXPECT_EQ(front_of(*one).single_point().bar[k].best,
+              front_of(*three).single_point().bar[k].best);
+    EXPECT_EQ(front_of(*one).single_point().bar[k].of_element,
+              front_of(*three).single_point().bar[k].of_element);
   }
 }
 
@@ -158,7 +162,7 @@ TEST(TipErrorBars, AreRefusedWithTheirReasonOnce) {
                  "$PROPERTY ESET=SIDE.BODY MATERIAL=M STATE=STRAIN\n$PROPERTY");
   const auto found = solve_text(linear);
   ASSERT_TRUE(found);
-  EXPECT_EQ(front_of(*found).no_bar, "some elements are linear");
+  EXPECT_EQ(front_of(*found).missing_bar_reason, "some elements are linear");
   const auto told = [](const Solved& solved) {
     int count = 0;
     for (const std::string& note : results::text_with_code(solved.step().notes)) {
@@ -172,8 +176,9 @@ TEST(TipErrorBars, AreRefusedWithTheirReasonOnce) {
   rubs.replace(rubs.find("0.2  1"), 6, "0  (1.4-4.8*x)"); // bends the crack open
   const auto rubbing = solve_text(rubs);
   ASSERT_TRUE(rubbing);
-  EXPECT_GT(front_of(*rubbing).tip().K1, 0.0);
-  EXPECT_NE(front_of(*rubbing).no_bar.find("rub"), std::string::npos) << front_of(*rubbing).no_bar;
+  EXPECT_GT(front_of(*rubbing).single_point().K1, 0.0);
+  EXPECT_NE(front_of(*rubbing).missing_bar_reason.find("rub"), std::string::npos)
+      << front_of(*rubbing).missing_bar_reason;
   EXPECT_EQ(told(*rubbing), 1);
 }
 
@@ -182,9 +187,9 @@ TEST(TipErrorBars, AreQuantitiesOfChecks) {
   const std::string deck = whole("QUAMC9");
   const auto first = solve_text(deck);
   ASSERT_TRUE(first);
-  const results::KErrorBar& bar = front_of(*first).tip().bar[0];
+  const results::KErrorBar& bar = front_of(*first).single_point().bar[0];
   EXPECT_NEAR(bar.size(), bar.mesh + bar.edge + bar.floor, 1e-15);
-  EXPECT_NE(bar.best, front_of(*first).tip().K1);
+  EXPECT_NE(bar.best, front_of(*first).single_point().K1);
   const std::string check =
       fmt::format("$CHECK\n  K1.BAR(C,PULL) = {:.12g} REL 1e-9\n  K1.BEST(C,PULL) = {:.12g} REL "
                   "1e-9\n  K2.BAR(C,PULL) = 0 ABS 1\n$END\n",

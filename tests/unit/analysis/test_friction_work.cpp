@@ -109,7 +109,7 @@ $END
     const results::ContactResult& c = s->step().contacts[0];
     EXPECT_NEAR(c.force_on_slave.x(), -1000.0, 1e-6) << substeps;
     EXPECT_NEAR(c.force_on_slave.y(), -700.0, 1e-6) << substeps;
-    K.push_back(s->step().fronts.at(0).tip().K1);
+    K.push_back(s->step().fronts.at(0).single_point().K1);
   }
   EXPECT_NEAR(K[0], K[2], 0.01 * std::abs(K[2]));
   EXPECT_NEAR(K[1], K[2], 0.01 * std::abs(K[2]));

@@ -38,7 +38,7 @@ std::optional<test::Solved> solved_with(const Values& v) {
 
 const results::Sensitivity* find(const results::FrontResult& front,
                                  results::SensitivityParameter cause, const std::string& name) {
-  for (const results::Sensitivity& s : front.sensitivities.of) {
+  for (const results::Sensitivity& s : front.sensitivities.by_parameter) {
     if (s.cause == cause && s.name == name) {
       return &s;
     }
@@ -219,7 +219,7 @@ TEST(Sensitivity, LoadsAndFitsAddUpToK) {
   const results::FrontResult& front = solved->step().fronts[0];
   for (std::size_t i = 0; i < front.points.size(); ++i) {
     double sum = 0.0;
-    for (const results::Sensitivity& s : front.sensitivities.of) {
+    for (const results::Sensitivity& s : front.sensitivities.by_parameter) {
       if (s.cause == results::SensitivityParameter::load ||
           s.cause == results::SensitivityParameter::fit) {
         sum += s.value * s.above[i][0];

@@ -296,7 +296,7 @@ TEST(Growth, OneScaledKIsWrongOnTheLug) {
     for (const results::CrackLengthResult& increment : solved->run.increments) {
       growth::TipStation tip;
       tip.a = increment.a;
-      tip.K_max = range(increment.paths.front().fronts.front().tip().K[0]);
+      tip.K_max = range(increment.paths.front().fronts.front().single_point().K[0]);
       stations.push_back({increment.a, {tip}});
     }
     const growth::GrowthTrajectory between(

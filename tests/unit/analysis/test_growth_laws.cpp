@@ -153,10 +153,10 @@ TEST(GrowthLaws, MountedAtTheFirstLength) {
   for (std::size_t i = 0; i < growth.stations.size(); ++i) {
     const results::GrownPointResult& tip = growth.stations[i].points[0];
     const auto& steps = listed->run.increments[i].steps;
-    EXPECT_NEAR(tip.K_max / steps[1].fronts[0].tip().K1, 1.0, 1e-6) << tip.a;
-    EXPECT_NEAR(tip.K_min / steps[2].fronts[0].tip().K1, 1.0, 1e-6) << tip.a;
+    EXPECT_NEAR(tip.K_max / steps[1].fronts[0].single_point().K1, 1.0, 1e-6) << tip.a;
+    EXPECT_NEAR(tip.K_min / steps[2].fronts[0].single_point().K1, 1.0, 1e-6) << tip.a;
     if (i > 0) { // bonded anew the strap bears nothing of the full load
-      EXPECT_LT(tip.K_max / steps[0].fronts[0].tip().K1, 1.0 - 1e-3);
+      EXPECT_LT(tip.K_max / steps[0].fronts[0].single_point().K1, 1.0 - 1e-3);
     }
   }
   const auto rate = [](double K, double R) {

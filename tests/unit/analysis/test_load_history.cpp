@@ -140,7 +140,7 @@ TEST(CyclicLoadHistorySolver, HeldStretchFallsAsTheCrackGrows) {
   for (std::size_t i = 0; i < stations.size(); ++i) {
     // K under 0.8, pulled anew: KMIN of the steps of this length
     const results::LoadStepResult& shut = carried->run.increments[i].steps[4];
-    const double K = shut.fronts.front().tip().K1;
+    const double K = shut.fronts.front().single_point().K1;
     const double G = K * K / 2000.0; // plane strain, nu = 0
     if (i > 0) {
       const double da = stations[i].points[0].a - stations[i - 1].points[0].a;

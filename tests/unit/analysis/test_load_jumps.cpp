@@ -47,7 +47,7 @@ std::string heat(const std::string& T) {
 }
 
 const results::FrontPointResult& tip(const std::optional<Solved>& solved) {
-  return solved->step().fronts.at(0).tip();
+  return solved->step().fronts.at(0).single_point();
 }
 
 // What acts on the faces up to their end is what acts on all of them, wherever round-off sees the

@@ -79,13 +79,16 @@ void compare_with_steps(const Solved& solved) {
     EXPECT_NEAR(up->t[k], 1.55 * (1.0 - down->t[down->t.size() - 1 - k]), 1e-9);
   }
   for (const results::LoadPathFront& front : up->fronts) {
-    const results::LoadPathFrontPoint& tip = front.tip();
+    const results::LoadPathFrontPoint& tip = front.single_point();
     const double size = tip.K[0].largest_value();
     for (std::size_t s = 0; s < increment.steps.size(); ++s) {
       const double t = static_cast<double>(s) / 20.0;
-      const results::FrontResult* at = results::find_front(increment.steps[s], front.is.name);
-      EXPECT_NEAR(tip.K[0](t), at->tip().K1, 1e-11 * size) << front.is.name << " at " << t;
-      EXPECT_NEAR(tip.K[1](t), at->tip().K2, 1e-11 * size) << front.is.name << " at " << t;
+      const results::FrontResult* at =
+          results::find_front(increment.steps[s], front.front_without_points.name);
+      EXPECT_NEAR(tip.K[0](t), at->single_point().K1, 1e-11 * size)
+          << front.front_without_points.name << " at " << t;
+      EXPECT_NEAR(tip.K[1](t), at->single_point().K2, 1e-11 * size)
+          << front.front_without_points.name << " at " << t;
     }
     // the sum of two states of proportional data
     EXPECT_NEAR(results::k_at_load_combination(*up, tip, 1, 0.3, 0.7).value(), tip.K[0](0.7),
@@ -133,11 +136,11 @@ $CRACK NAME=C NET=HUB ANGLE=90[deg] A0=4
   const results::LoadPathResult& path = increment.paths.front();
   EXPECT_TRUE(path.homogeneous);
   EXPECT_LT(path.mismatch, 1e-11);
-  const results::LoadPathFrontPoint& tip = path.fronts.front().tip();
+  const results::LoadPathFrontPoint& tip = path.fronts.front().single_point();
   EXPECT_NEAR(results::k_at_load_combination(path, tip, 1, 0.6, 0.8).value(),
-              increment.steps[1].fronts[0].tip().K1, 1e-11 * tip.K[0].largest_value());
+              increment.steps[1].fronts[0].single_point().K1, 1e-11 * tip.K[0].largest_value());
   EXPECT_NEAR(results::k_at_load_combination(path, tip, 2, 0.6, 0.8).value(),
-              increment.steps[1].fronts[0].tip().K2, 1e-11 * tip.K[0].largest_value());
+              increment.steps[1].fronts[0].single_point().K2, 1e-11 * tip.K[0].largest_value());
 }
 
 TEST(LoadPathSolver, AClearanceThatNoFitScalesIsAThirdParameter) {
@@ -154,10 +157,10 @@ $CRACK NAME=C NET=HUB ANGLE=90[deg] A0=4
   ASSERT_TRUE(solved);
   const results::LoadPathResult& path = solved->run.increments.front().paths.front();
   EXPECT_FALSE(path.homogeneous);
-  EXPECT_FALSE(
-      results::k_at_load_combination(path, path.fronts.front().tip(), 1, 1.0, 1.0).has_value());
-  EXPECT_TRUE(
-      results::k_at_load_combination(path, path.fronts.front().tip(), 1, 0.5, 0.5).has_value());
+  EXPECT_FALSE(results::k_at_load_combination(path, path.fronts.front().single_point(), 1, 1.0, 1.0)
+                   .has_value());
+  EXPECT_TRUE(results::k_at_load_combination(path, path.fronts.front().single_point(), 1, 0.5, 0.5)
+                  .has_value());
   EXPECT_LT(path.mismatch, 1e-11);
   // contact spreads: pairs close, none opens
   EXPECT_FALSE(path.contacts.front().opening.has_value());
@@ -188,7 +191,7 @@ $CRACK NAME=C NET=HUB ANGLE=90[deg] A0=4
   ASSERT_TRUE(solved);
   const results::CrackLengthResult& increment = solved->run.increments.front();
   const results::LoadPathResult& through = increment.paths[0];
-  const results::LoadPathFrontPoint& tip = through.fronts.front().tip();
+  const results::LoadPathFrontPoint& tip = through.fronts.front().single_point();
   EXPECT_TRUE(through.stopped.empty()) << through.stopped;
   EXPECT_LT(through.mismatch, 1e-11);
   EXPECT_NEAR(tip.K[0](0.5), 0.0, 1e-9 * tip.K[0].largest_value());
@@ -198,8 +201,8 @@ $CRACK NAME=C NET=HUB ANGLE=90[deg] A0=4
   const results::LoadPathResult& up = increment.paths[1];
   EXPECT_TRUE(up.stopped.empty()) << up.stopped;
   EXPECT_LT(up.mismatch, 1e-11);
-  EXPECT_NEAR(up.fronts[0].tip().K[0](0.125), increment.steps[3].fronts[0].tip().K1,
-              1e-11 * tip.K[0].largest_value());
+  EXPECT_NEAR(up.fronts[0].single_point().K[0](0.125),
+              increment.steps[3].fronts[0].single_point().K1, 1e-11 * tip.K[0].largest_value());
 }
 
 TEST(LoadPathSolver, ABodyThatComesLooseEndsThePath) {
@@ -263,8 +266,9 @@ TEST(LoadPathSolver, WithoutContactKIsOneLine) {
   const results::LoadPathResult& path = solved->run.increments.front().paths.front();
   EXPECT_EQ(path.t.size(), 2U);
   EXPECT_LT(path.mismatch, 1e-11);
-  EXPECT_NEAR(path.fronts[0].tip().K[0](2.5), 2.5 * solved->step(1).fronts[0].tip().K1,
-              1e-10 * path.fronts[0].tip().K[0](2.5));
+  EXPECT_NEAR(path.fronts[0].single_point().K[0](2.5),
+              2.5 * solved->step(1).fronts[0].single_point().K1,
+              1e-10 * path.fronts[0].single_point().K[0](2.5));
 }
 
 TEST(LoadPathSolver, ClosedCracksHaveNoK1) {

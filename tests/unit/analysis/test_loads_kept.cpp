@@ -92,7 +92,7 @@ TEST(PartOfAPlate, ThatIsTheWholeIsTheWhole) {
   const auto whole =
       solve_text(hung_plate("QUAMC8", "x > 1", "$LOAD CASE=L TYPE=BODY\n  BODY 0 -5"));
   ASSERT_TRUE(part && whole);
-  EXPECT_EQ(part->step().fronts[0].tip().K1, whole->step().fronts[0].tip().K1);
+  EXPECT_EQ(part->step().fronts[0].single_point().K1, whole->step().fronts[0].single_point().K1);
 }
 
 // Two parts that make the whole: K adds up, as do the two shares of every element.
@@ -101,7 +101,7 @@ TEST(PartOfAPlate, AndItsRestMakeTheWhole) {
   const auto of = [&](const std::string& lines) {
     const auto solved = solve_text(hung_plate("QUAMC8", "x < 0.4 and abs(y) < 0.6",
                                               rest + "$LOAD CASE=L TYPE=BODY\n" + lines));
-    return solved ? solved->step().fronts[0].tip() : results::FrontPointResult();
+    return solved ? solved->step().fronts[0].single_point() : results::FrontPointResult();
   };
   const results::FrontPointResult one = of("  PART 3 -5\n");
   const results::FrontPointResult other = of("  REST 3 -5\n");
@@ -143,7 +143,7 @@ const std::string step_at = "max(0,{0}-x)/(abs(x-{0})+1e-12)";
 TEST(PressureFront, IsWhereItIs) {
   const auto K = [](const std::string& pressure) {
     const auto solved = solve_text(pressed_crack("NX=10 NY=40", pressure));
-    return solved ? solved->step().fronts[0].tip() : results::FrontPointResult();
+    return solved ? solved->step().fronts[0].single_point() : results::FrontPointResult();
   };
   // K of a front is the integral of a smooth weight function: that up to s by pieces of it.
   double sum = 0.0;
@@ -166,7 +166,7 @@ TEST(PressureFront, IsWhereItIs) {
 TEST(PressureFront, AThinSkinIsAForce) {
   const auto K = [](const std::string& pressure) {
     const auto solved = solve_text(pressed_crack("NX=10 NY=40", pressure));
-    return solved ? solved->step().fronts[0].tip().K1 : 0.0;
+    return solved ? solved->step().fronts[0].single_point().K1 : 0.0;
   };
   const double one = K("exp(-x/0.0003)/0.0003");
   const double other = K("2/sqrt(pi)*exp(-(x/0.0002)^2)/0.0002");

@@ -104,7 +104,7 @@ Tally tally_of_slice(double thickness, const std::string& loads) {
   const auto plane = test::solve_text(strip(0.0, loads));
   const auto slice = test::solve_text(strip(thickness, loads));
   EXPECT_TRUE(plane && slice);
-  const results::FrontPointResult& tip = plane->step().fronts.front().tip();
+  const results::FrontPointResult& tip = plane->step().fronts.front().single_point();
   const double sign =
       tip.bar[1].best * slice->step().fronts.front().points[1].K2 < 0.0 ? -1.0 : 1.0;
   return tally_of(*slice, [&](const std::string&, double) {

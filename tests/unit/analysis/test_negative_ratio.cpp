@@ -57,7 +57,7 @@ TEST(NegativeRatio, NasgroIsGivenTheKThatGoesOnBelowClosing) {
     EXPECT_NEAR(growth.final_cycles() / test::integrated_life(growth, forman_mettu), 1.0, 1e-5)
         << R;
     EXPECT_NEAR(growth.final_cycles() / free->run.growth->final_cycles(), 1.0, 1e-6) << R;
-    EXPECT_TRUE(solved->run.increments.front().steps.back().fronts[0].tip().closed);
+    EXPECT_TRUE(solved->run.increments.front().steps.back().fronts[0].single_point().closed);
     EXPECT_TRUE(solved->run.warnings.empty()) << solved->run.warnings.front().text;
     EXPECT_TRUE(free->run.warnings.empty()) << free->run.warnings.front().text;
   }

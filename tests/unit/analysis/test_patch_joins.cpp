@@ -57,7 +57,7 @@ TEST(PatchJoins, LinearFieldsPassATiedRim) {
     }
     EXPECT_LT(worst, 1e-12 * 2e-2);
     for (const auto& front : solved->step().fronts) {
-      EXPECT_LT(std::hypot(front.tip().K1, front.tip().K2), 1e-9);
+      EXPECT_LT(std::hypot(front.single_point().K1, front.single_point().K2), 1e-9);
     }
   }
 }
@@ -68,9 +68,9 @@ TEST(PatchJoins, KDoesNotDependOnTheJoin) {
     const auto tied = solve_text(plate(middle + transition, 0.0, 1.0, 1.0, n));
     ASSERT_TRUE(edge && tied);
     for (std::size_t t = 0; t < 2; ++t) {
-      const double K = edge->step().fronts.at(t).tip().K1;
+      const double K = edge->step().fronts.at(t).single_point().K1;
       EXPECT_GT(K, std::sqrt(std::numbers::pi * 1.3));
-      EXPECT_NEAR(tied->step().fronts.at(t).tip().K1, K, 1e-3 * K);
+      EXPECT_NEAR(tied->step().fronts.at(t).single_point().K1, K, 1e-3 * K);
     }
   }
 }
@@ -80,8 +80,8 @@ TEST(PatchJoins, KOfATiedPatchGoesWithTheRootOfTheUnit) {
   const auto thousand = solve_text(plate(middle + transition, 0.3, 1.0, 1000.0));
   ASSERT_TRUE(one && thousand);
   for (std::size_t t = 0; t < 2; ++t) {
-    const double K = one->step().fronts.at(t).tip().K1;
-    EXPECT_NEAR(thousand->step().fronts.at(t).tip().K1, K * std::sqrt(1000.0),
+    const double K = one->step().fronts.at(t).single_point().K1;
+    EXPECT_NEAR(thousand->step().fronts.at(t).single_point().K1, K * std::sqrt(1000.0),
                 1e-9 * K * std::sqrt(1000.0));
   }
 }
@@ -94,9 +94,11 @@ TEST(PatchJoins, MirroredCracksInOnePatchHaveOneK) {
   ASSERT_TRUE(solved);
   const auto& fronts = solved->step().fronts;
   ASSERT_EQ(fronts.size(), 2U);
-  EXPECT_GT(fronts[0].tip().K1, 1.0);
-  EXPECT_NEAR(fronts[0].tip().K1, fronts[1].tip().K1, 5e-4 * fronts[0].tip().K1);
-  EXPECT_NEAR(fronts[0].tip().K2, -fronts[1].tip().K2, 5e-4 * fronts[0].tip().K1);
+  EXPECT_GT(fronts[0].single_point().K1, 1.0);
+  EXPECT_NEAR(fronts[0].single_point().K1, fronts[1].single_point().K1,
+              5e-4 * fronts[0].single_point().K1);
+  EXPECT_NEAR(fronts[0].single_point().K2, -fronts[1].single_point().K2,
+              5e-4 * fronts[0].single_point().K1);
 }
 
 // Any number of threads, the same bits.
@@ -105,7 +107,8 @@ TEST(PatchJoins, ThreadsChangeNothing) {
   const auto one = solve_text(deck, 1);
   const auto four = solve_text(deck, 4);
   ASSERT_TRUE(one && four);
-  EXPECT_EQ(one->step().fronts.at(0).tip().K1, four->step().fronts.at(0).tip().K1);
+  EXPECT_EQ(one->step().fronts.at(0).single_point().K1,
+            four->step().fronts.at(0).single_point().K1);
   EXPECT_EQ(one->step().u, four->step().u);
 }
 

@@ -24,7 +24,7 @@ using Modes = std::array<double, 3>;
 
 const Sensitivity& find(const results::FrontResult& front, SensitivityParameter cause,
                         const std::string& name) {
-  for (const Sensitivity& s : front.sensitivities.of) {
+  for (const Sensitivity& s : front.sensitivities.by_parameter) {
     if (s.cause == cause && s.name == name) {
       return s;
     }
@@ -43,7 +43,7 @@ base::Vec2 K_of(const std::string& deck, const SolvedScene::Changes& changes) {
   if (!last) {
     return base::Vec2::Zero();
   }
-  const results::FrontPointResult& tip = last->fronts[0].tip();
+  const results::FrontPointResult& tip = last->fronts[0].single_point();
   return {tip.K1, tip.K2};
 }
 
@@ -79,7 +79,7 @@ void compare_with_differences(const std::string& deck, double h) {
     ASSERT_TRUE(last);
   }
   const results::FrontResult& front = last->fronts[0];
-  for (const Sensitivity& s : front.sensitivities.of) {
+  for (const Sensitivity& s : front.sensitivities.by_parameter) {
     if (s.value == 0.0) {
       continue;
     }
@@ -184,7 +184,7 @@ TEST(Sensitivity, AddsUp) {
       Pair loads{0.0, 0.0};
       Pair fits{0.0, 0.0};
       Pair moduli{0.0, 0.0};
-      for (const Sensitivity& s : front.sensitivities.of) {
+      for (const Sensitivity& s : front.sensitivities.by_parameter) {
         ASSERT_TRUE(s.is_smooth());
         for (const std::size_t k : {0U, 1U}) {
           const double part = s.value * s.below.at(0)[k];
@@ -193,12 +193,12 @@ TEST(Sensitivity, AddsUp) {
           moduli[k] += s.cause == SensitivityParameter::modulus ? part : 0.0;
         }
       }
-      const Pair K{front.tip().K1, front.tip().K2};
+      const Pair K{front.single_point().K1, front.single_point().K2};
       for (const std::size_t k : {0U, 1U}) {
-        EXPECT_NEAR(loads[k] + fits[k], K[k], 1e-11 * std::abs(front.tip().K1));
-        EXPECT_NEAR(moduli[k], fits[k], 1e-10 * std::abs(front.tip().K1));
+        EXPECT_NEAR(loads[k] + fits[k], K[k], 1e-11 * std::abs(front.single_point().K1));
+        EXPECT_NEAR(moduli[k], fits[k], 1e-10 * std::abs(front.single_point().K1));
       }
-      EXPECT_GT(std::abs(fits[0]), 0.01 * front.tip().K1);
+      EXPECT_GT(std::abs(fits[0]), 0.01 * front.single_point().K1);
     }
   }
 }
@@ -307,8 +307,8 @@ $LOADPATH NAME=UP FROM=PRESS TO=PULLED
     EXPECT_TRUE(found);
     return find(found->fronts[0], SensitivityParameter::load, "PULL");
   };
-  const base::PiecewiseLinear& K1 = path.fronts[0].tip().K[0];
-  const base::PiecewiseLinear& K2 = path.fronts[0].tip().K[1];
+  const base::PiecewiseLinear& K1 = path.fronts[0].single_point().K[0];
+  const base::PiecewiseLinear& K2 = path.fronts[0].single_point().K[1];
   const double size = std::abs(K1.slope(k));
   const Sensitivity inside = at(0.5 * (path.t[k] + path.t[k + 1]));
   ASSERT_TRUE(inside.is_smooth() && inside.range);
@@ -383,7 +383,7 @@ $END
     return found->fronts[0].sensitivities;
   };
   const auto given = [](const results::FrontKSensitivities& all) {
-    return std::ranges::any_of(all.of, [](const Sensitivity& s) {
+    return std::ranges::any_of(all.by_parameter, [](const Sensitivity& s) {
       return s.cause == SensitivityParameter::length && s.is_smooth();
     });
   };

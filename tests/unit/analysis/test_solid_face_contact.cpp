@@ -245,7 +245,7 @@ TEST(SolidFaceContact, KnowsClosedPointsOnPathsAndInBars) {
   for (std::size_t s = 0; s < increment.steps.size(); ++s) {
     const results::FrontResult& own = increment.steps[s].fronts[0];
     const results::FrontResult found = path.fronts[0].at(0.5 * static_cast<double>(s));
-    ASSERT_TRUE(own.no_bar.empty()) << own.no_bar;
+    ASSERT_TRUE(own.missing_bar_reason.empty()) << own.missing_bar_reason;
     for (std::size_t i = 0; i < own.points.size(); ++i) {
       const results::FrontPointResult& place = own.points[i];
       EXPECT_NEAR(std::max(0.0, found.points[i].K1), place.K1, 1e-6) << s << " point " << i;
@@ -253,7 +253,7 @@ TEST(SolidFaceContact, KnowsClosedPointsOnPathsAndInBars) {
       EXPECT_NEAR(found.points[i].K3, place.K3, 1e-6) << s << " point " << i;
       EXPECT_EQ(place.bar[0].size() == 0.0, place.closed) << s << " point " << i;
       EXPECT_EQ(place.bar[0].best == 0.0, place.closed);
-      for (const results::Sensitivity& cause : own.sensitivities.of) {
+      for (const results::Sensitivity& cause : own.sensitivities.by_parameter) {
         EXPECT_TRUE(!place.closed || cause.below[i][0] == 0.0) << cause.name;
         EXPECT_TRUE(place.closed || place.at_surface || cause.name != "UP" ||
                     cause.below[i][0] > 0.0);

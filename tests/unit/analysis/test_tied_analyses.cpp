@@ -71,9 +71,11 @@ TEST(TiedAnalyses, CrackInOneOfThreeNets) {
     const results::LoadStepResult& b = pieces->run.increments[i].steps.at(0);
     ASSERT_EQ(a.fronts.size(), 1U);
     ASSERT_EQ(b.fronts.size(), 1U);
-    EXPECT_GT(a.fronts[0].tip().K1, 0.0);
-    EXPECT_NEAR(b.fronts[0].tip().K1, a.fronts[0].tip().K1, 1e-10 * a.fronts[0].tip().K1);
-    EXPECT_NEAR(b.fronts[0].tip().K2, a.fronts[0].tip().K2, 1e-10 * a.fronts[0].tip().K1);
+    EXPECT_GT(a.fronts[0].single_point().K1, 0.0);
+    EXPECT_NEAR(b.fronts[0].single_point().K1, a.fronts[0].single_point().K1,
+                1e-10 * a.fronts[0].single_point().K1);
+    EXPECT_NEAR(b.fronts[0].single_point().K2, a.fronts[0].single_point().K2,
+                1e-10 * a.fronts[0].single_point().K1);
     EXPECT_NEAR(b.energy, a.energy, 1e-10 * a.energy);
   }
 }

@@ -22,7 +22,7 @@ const results::FrontPointResult& tip(const Solved& solved, const std::string& st
   if (found == nullptr) {
     throw std::runtime_error("no tip " + name);
   }
-  return found->tip();
+  return found->single_point();
 }
 
 // A round plate with an oblique crack in it, turned by an angle, in other units; l and f are the
@@ -184,12 +184,12 @@ $LOAD CASE=PULL TYPE=RESULTANT
   const results::LoadPathResult* path = results::find_path(solved->run.increments.front(), "UP");
   ASSERT_NE(path, nullptr);
   ASSERT_TRUE(path->stopped.empty());
-  const double largest = std::max(path->fronts[0].tip().K[0].largest_value(),
-                                  -path->fronts[0].tip().K[0].smallest_value());
+  const double largest = std::max(path->fronts[0].single_point().K[0].largest_value(),
+                                  -path->fronts[0].single_point().K[0].smallest_value());
   for (int k = 0; k <= 4; ++k) {
     const results::FrontPointResult& point = tip(*solved, fmt::format("S{}", k), "C");
-    EXPECT_NEAR(path->fronts[0].tip().K[0](0.25 * k), point.K1, 1e-11 * largest) << k;
-    EXPECT_NEAR(path->fronts[0].tip().K[1](0.25 * k), point.K2, 1e-11 * largest) << k;
+    EXPECT_NEAR(path->fronts[0].single_point().K[0](0.25 * k), point.K1, 1e-11 * largest) << k;
+    EXPECT_NEAR(path->fronts[0].single_point().K[1](0.25 * k), point.K2, 1e-11 * largest) << k;
   }
 }
 

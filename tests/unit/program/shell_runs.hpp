@@ -22,7 +22,7 @@ inline base::Vec2 k_of_run(const std::string& deck) {
     return base::Vec2::Zero();
   }
   const results::FrontPointResult& tip =
-      solved->run.increments.back().steps.back().fronts.front().tip();
+      solved->run.increments.back().steps.back().fronts.front().single_point();
   return {tip.K1, tip.K2};
 }
 

@@ -75,7 +75,7 @@ TEST(CheckWords, DerivativesByAnAxisAreOfTheCrackThatIsNamed) {
       point.s = x;
     }
     for (const auto& [cause, slope] : {std::pair("C1", 10.0), std::pair("C2", 20.0)}) {
-      results::Sensitivity& by = front.sensitivities.of.emplace_back();
+      results::Sensitivity& by = front.sensitivities.by_parameter.emplace_back();
       by.cause = results::SensitivityParameter::length;
       by.name = cause;
       by.value = 2.0;

@@ -57,7 +57,7 @@ TEST(RunProgress, UnloadingIsNotSolvedAnew) {
   analysis::SolveOptions options;
   options.found = [&](const results::CrackLengthResult& increment) {
     steps.push_back(increment.steps.size());
-    EXPECT_NE(increment.steps.back().fronts.front().tip().K1, 0.0);
+    EXPECT_NE(increment.steps.back().fronts.front().single_point().K1, 0.0);
   };
   options.progress = [&](const analysis::RunProgress& progress) {
     to_solve = std::max(to_solve, progress.steps);
@@ -66,8 +66,9 @@ TEST(RunProgress, UnloadingIsNotSolvedAnew) {
   ASSERT_TRUE(solved);
   EXPECT_EQ(to_solve, 2U);
   EXPECT_EQ(steps, (std::vector<std::size_t>{1, 1, 2, 2, 3})); // K, then its bars
-  EXPECT_EQ(solved->step(2).fronts.front().tip().K1, solved->step(0).fronts.front().tip().K1);
-  EXPECT_TRUE(solved->step(2).fronts.front().no_bar.empty());
+  EXPECT_EQ(solved->step(2).fronts.front().single_point().K1,
+            solved->step(0).fronts.front().single_point().K1);
+  EXPECT_TRUE(solved->step(2).fronts.front().missing_bar_reason.empty());
   // Pictures are of the last step alone.
   EXPECT_TRUE(solved->step(0).stress.empty());
   EXPECT_FALSE(solved->step(2).stress.empty());

@@ -230,7 +230,7 @@ TEST(Section, HasTheModesOfAStraightFront) {
     const auto solid = test::solve_text(deck);
     const auto plane = test::solve_text(written(section));
     ASSERT_TRUE(solid && plane);
-    const results::FrontPointResult& tip = plane->step().fronts.at(0).tip();
+    const results::FrontPointResult& tip = plane->step().fronts.at(0).single_point();
     const results::FrontResult& front = solid->step().fronts.at(0);
     const results::FrontPointResult& middle = front.points.at(front.points.size() / 2);
     EXPECT_NEAR(middle.K1, tip.K1, 3e-3 * tip.K1);

@@ -65,9 +65,9 @@ TEST(ShellSave, NamesAMountThatNoStepNamed) {
   const std::optional<Solved> before = solve_text(held_hub());
   const std::optional<Solved> after = solve_text(text);
   ASSERT_TRUE(before && after);
-  const double pressed = before->step(0).fronts.front().tip().K1;
+  const double pressed = before->step(0).fronts.front().single_point().K1;
   EXPECT_GT(std::abs(pressed), 0.0);
-  EXPECT_NEAR(after->step(0).fronts.front().tip().K1, pressed, 1e-12 * std::abs(pressed));
+  EXPECT_NEAR(after->step(0).fronts.front().single_point().K1, pressed, 1e-12 * std::abs(pressed));
 }
 
 // A fit that no step names is 1 from the beginning and stays so in the earlier steps.
@@ -82,8 +82,9 @@ TEST(ShellSave, NamesAFitThatNoStepNamed) {
   const std::optional<Solved> before = solve_text(deck);
   const std::optional<Solved> after = solve_text(text);
   ASSERT_TRUE(before && after);
-  EXPECT_NEAR(after->step(0).fronts.front().tip().K1, before->step(0).fronts.front().tip().K1,
-              1e-10 * before->step(0).fronts.front().tip().K1);
+  EXPECT_NEAR(after->step(0).fronts.front().single_point().K1,
+              before->step(0).fronts.front().single_point().K1,
+              1e-10 * before->step(0).fronts.front().single_point().K1);
 }
 
 TEST(ShellSave, LeavesOutWhatSpeaksOfOtherLengths) {

@@ -207,7 +207,7 @@ results::LoadStepResult make_step(const model::Mesh& mesh, const std::string& na
   tip.x = {0.0, bore + a, 0.0};
   tip.direction = base::Vec3::UnitY();
   if (factor > 0.0) { // no load, no bar
-    front.no_bar.clear();
+    front.missing_bar_reason.clear();
     for (std::size_t k = 0; k < 2; ++k) {
       const double K = k == 0 ? tip.K1 : tip.K2;
       const double eta = 1e-3 * K;

@@ -171,7 +171,7 @@ TEST(Notes, ThatDifferByNumbersAloneAreSaidOnce) {
     increment.steps.emplace_back().step = "LOAD";
     increment.steps.back().notes = {
         results::less_exact_note(fmt::format("K1 = {:.3e} is doubtful", 1e-3 * i)),
-        results::note(i == 2 ? "PIN slides" : "BUSH slides")};
+        results::make_note(i == 2 ? "PIN slides" : "BUSH slides")};
     run.increments.push_back(increment);
   }
   const std::vector<RepeatedNote> notes = collect_notes(run);

@@ -43,7 +43,7 @@ TEST(KBars, AreListedForTipsThatHaveThem) {
   results::FrontPointResult& tip = front.points.emplace_back();
   step.fronts.push_back(front); // not estimated
   front.name = "C";
-  front.no_bar.clear();
+  front.missing_bar_reason.clear();
   tip.K1 = 10.0;
   tip.bar = {bar_of(0.1, 0.0, 0.01, 10.05), bar_of(0.0, 0.0, 0.01, 0.0), {}};
   step.fronts.push_back(front);

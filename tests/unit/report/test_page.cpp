@@ -87,7 +87,7 @@ TEST(KReportSection, OfManyLengthsShowsTheLeadingStepAndNamesTheOthers) {
 TEST(KReportSection, ShowsRoundOffAsZero) {
   test::Sample sample = test::make_sample();
   sample.run.increments.resize(1);
-  results::FrontPointResult& tip = sample.run.increments[0].steps[2].fronts[0].tip();
+  results::FrontPointResult& tip = sample.run.increments[0].steps[2].fronts[0].single_point();
   tip.K1 = 1e-12;
   tip.G = tip.G_from_K = 1e-30;
   const std::vector<std::string> row =
@@ -101,13 +101,13 @@ TEST(MissingBars, AreGroupedByTheirReason) {
   const std::vector<std::string> both{"PRESS", "LOAD"};
   EXPECT_TRUE(missing_error_bar_reasons(sample.run, both).empty());
   for (results::LoadStepResult& step : sample.run.increments[1].steps) {
-    step.fronts[0].no_bar = "it is too hot";
+    step.fronts[0].missing_bar_reason = "it is too hot";
   }
   std::vector<std::string> words = missing_error_bar_reasons(sample.run, both);
   ASSERT_EQ(words.size(), 1U);
   EXPECT_EQ(words[0], "No error bar for increment 2: it is too hot.");
   for (results::LoadStepResult& step : sample.run.increments[0].steps) {
-    step.fronts[0].no_bar = "it is too hot";
+    step.fronts[0].missing_bar_reason = "it is too hot";
   }
   words = missing_error_bar_reasons(sample.run, both);
   ASSERT_EQ(words.size(), 1U);
@@ -275,7 +275,7 @@ TEST(SweepPage, HasErrorBarsStepChecksAndUnits) {
   failed.error = "it is singular";
   sweep.points.push_back(failed);
   const std::string page = sweep_page(sample.sources, sample.model, sweep);
-  const results::FrontPointResult& tip = sample.run.increments[0].steps[1].fronts[0].tip();
+  const results::FrontPointResult& tip = sample.run.increments[0].steps[1].fronts[0].single_point();
   EXPECT_TRUE(contains(page, "At the end of step LOAD"));
   EXPECT_TRUE(contains(page, "3 of 4 passed"));
   EXPECT_TRUE(

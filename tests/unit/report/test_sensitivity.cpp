@@ -24,7 +24,7 @@ test::Sample with_sensitivities() {
     const auto step = std::ranges::find(increment.steps, leading_step_name(sample.model),
                                         &results::LoadStepResult::step);
     results::FrontResult& front = step->fronts.front();
-    front.tip().K1 = 500.0;
+    front.single_point().K1 = 500.0;
     Sensitivity weak{
         SensitivityParameter::modulus, "AL", 70000.0, {{1e-3, 0.0, 0.0}}, {{1e-3, 0.0, 0.0}}, {}};
     constexpr double never = std::numeric_limits<double>::infinity();
@@ -32,7 +32,7 @@ test::Sample with_sensitivities() {
                      {{250.0, 5.0, 0.0}},        {{1.5, never}}};
     Sensitivity corner{SensitivityParameter::fit, "BUSH",  0.0, {{-1000.0, 7.0, 0.0}},
                        {{-2000.0, 8.0, 0.0}},     {{0, 0}}};
-    front.sensitivities.of = {weak, load, corner};
+    front.sensitivities.by_parameter = {weak, load, corner};
     front.sensitivities.notes = {"no length"};
   }
   return sample;

@@ -66,9 +66,10 @@ TEST_F(Writers, KTableHasOneRowForEachStepEndAndReadsBackToTheBit) {
     for (const results::LoadStepResult& step : increment.steps) {
       const results::FrontResult& front = step.fronts.front();
       ASSERT_TRUE(front.is_tip());
-      const results::FrontPointResult& tip = front.tip();
+      const results::FrontPointResult& tip = front.single_point();
       const auto& cells = rows[row++];
-      ASSERT_GE(cells.size(), front.no_bar.empty() ? names.size() : names.size() - 1); // ends empty
+      ASSERT_GE(cells.size(),
+                front.missing_bar_reason.empty() ? names.size() : names.size() - 1); // ends empty
       EXPECT_EQ(cells[0], std::to_string(increment.number));
       EXPECT_EQ(cells[1], step.step);
       EXPECT_EQ(cells[2], front.name);
@@ -80,7 +81,7 @@ TEST_F(Writers, KTableHasOneRowForEachStepEndAndReadsBackToTheBit) {
       EXPECT_EQ(number(cells[8]), tip.T);
       for (std::size_t k = 0; k < 2; ++k) {
         const std::size_t at = 9 + 5 * k;
-        if (!front.no_bar.empty()) {
+        if (!front.missing_bar_reason.empty()) {
           EXPECT_EQ(cells[at] + cells[at + 3], "");
           continue;
         }

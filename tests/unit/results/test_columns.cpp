@@ -171,7 +171,7 @@ TEST(Columns, of_tips_have_kept_their_order) {
   const std::set<std::string> judge{"spread", "K1_bar", "K1_best", "K2_bar", "K2_best"};
   for (const KQuantity& q : k_quantities) {
     if (q.appears_in(in_results_h5, 2)) {
-      EXPECT_EQ(q.judges, judge.contains(q.name))
+      EXPECT_EQ(q.is_quality_measure, judge.contains(q.name))
           << q.name << " behind the others among the points of results.h5";
     }
   }

@@ -76,8 +76,8 @@ TEST(FrontValue, OfATipIsThatOfItsPoint) {
   point.bar[1].mesh = 0.25;
   point.bar[1].edge = 0.5;
   EXPECT_TRUE(front.is_tip());
-  EXPECT_EQ(&front.tip(), &front.points[0]);
-  EXPECT_EQ(front.tip().number, 1);
+  EXPECT_EQ(&front.single_point(), &front.points[0]);
+  EXPECT_EQ(front.single_point().number, 1);
   EXPECT_EQ(quantity("K1", 2).extract_value(front), 3.0);
   EXPECT_EQ(quantity("K2.BAR", 2).extract_value(front), 0.75);
   EXPECT_EQ(k_quantities[0].extract_value(front), 2.0);
@@ -94,7 +94,7 @@ TEST(KQuantity, IsGivenWhereItsConditionHolds) {
   const KQuantity& bar = quantity("K3.BAR");
   EXPECT_FALSE(bar.is_given(front));
   EXPECT_FALSE(bar.is_given(front, inside));
-  front.no_bar.clear();
+  front.missing_bar_reason.clear();
   EXPECT_TRUE(bar.is_given(front));
   EXPECT_TRUE(bar.is_given(front, inside));
   EXPECT_FALSE(bar.is_given(front, end));
@@ -121,10 +121,10 @@ TEST(KQuantity, OfKIsNotGivenBetweenTwoMaterials) {
   front.points.emplace_back();
   for (const char* word : {"K1", "K2", "T"}) {
     EXPECT_FALSE(quantity(word, 2).is_given(front)) << word;
-    EXPECT_TRUE(quantity(word, 2).is_number(front)) << word;
+    EXPECT_TRUE(quantity(word, 2).is_given_or_zero(front)) << word;
   }
   EXPECT_TRUE(quantity("G", 2).is_given(front));
-  EXPECT_FALSE(quantity("K1.BAR", 2).is_number(front));
+  EXPECT_FALSE(quantity("K1.BAR", 2).is_given_or_zero(front));
 }
 
 } // namespace

@@ -31,7 +31,7 @@ CrackLengthResult sound() {
   step.element_stress.resize(1);
   FrontResult& front = step.fronts.emplace_back();
   front.points.emplace_back().bar[0].of_element = {0.5};
-  front.sensitivities.of.emplace_back().below.resize(1); // above nothing holds a body
+  front.sensitivities.by_parameter.emplace_back().below.resize(1); // above nothing holds a body
   ContactResult& contact = step.contacts.emplace_back();
   contact.points.resize(3);
   for (ContactPoint& point : contact.points) {
@@ -73,8 +73,8 @@ TEST(IncrementFlaw, EachIsFound) {
       [](CrackLengthResult& i) { i.steps[0].u.resize(6); },
       [](CrackLengthResult& i) { i.steps[0].stress.resize(3); },
       [](CrackLengthResult& i) { i.steps[0].element_stress.resize(2); },
-      [](CrackLengthResult& i) { i.steps[0].fronts[0].tip().bar[0].of_element.resize(2); },
-      [](CrackLengthResult& i) { i.steps[0].fronts[0].tip().bar[2].of_element.resize(3); },
+      [](CrackLengthResult& i) { i.steps[0].fronts[0].single_point().bar[0].of_element.resize(2); },
+      [](CrackLengthResult& i) { i.steps[0].fronts[0].single_point().bar[2].of_element.resize(3); },
       [](CrackLengthResult& i) { i.steps[0].contacts[0].points[1].node.value = 2147483647; },
       [](CrackLengthResult& i) {
         i.steps[0].contacts[0].points[1].state = static_cast<ContactState>(9);
@@ -99,14 +99,14 @@ TEST(IncrementFlaw, FrontsHaveAllOfTheirPoints) {
   front.name = "C.1";
   front.points.clear();
   EXPECT_EQ(describe_increment_corruption(increment), "points of front C.1");
-  front.sensitivities.of.clear();
+  front.sensitivities.by_parameter.clear();
   EXPECT_EQ(describe_increment_corruption(increment), "points of front C.1");
   increment = sound();
   increment.steps[0].fronts.emplace_back().name = "D"; // a second one
   EXPECT_EQ(describe_increment_corruption(increment), "points of front D");
   increment = sound();
   increment.paths[0].name = "UP";
-  increment.paths[0].fronts[0].is.name = "C.1";
+  increment.paths[0].fronts[0].front_without_points.name = "C.1";
   increment.paths[0].fronts[0].points.clear();
   EXPECT_EQ(describe_increment_corruption(increment), "points of front C.1 on path UP");
 }
@@ -118,7 +118,7 @@ TEST(IncrementFlaw, DerivativesAreOfThePointsThereAre) {
       FrontResult& front = increment.steps[0].fronts[0];
       front.name = "C";
       front.points.resize(3);
-      Sensitivity& derivative = front.sensitivities.of[0];
+      Sensitivity& derivative = front.sensitivities.by_parameter[0];
       derivative.below.clear();
       (derivative.*side).resize(points);
       EXPECT_EQ(describe_increment_corruption(increment), points == 3 ? "" : "points of front C")
@@ -126,7 +126,8 @@ TEST(IncrementFlaw, DerivativesAreOfThePointsThereAre) {
     }
   }
   CrackLengthResult increment = sound();
-  increment.steps[0].fronts[0].sensitivities.of[0].cause = static_cast<SensitivityParameter>(5);
+  increment.steps[0].fronts[0].sensitivities.by_parameter[0].cause =
+      static_cast<SensitivityParameter>(5);
   EXPECT_NE(describe_increment_corruption(increment), "");
 }
 

@@ -8,9 +8,9 @@ namespace {
 
 // Files of all versions keep the mark in the text.
 TEST(Note, IsMarkedInFilesOnly) {
-  const std::vector<Note> notes{note("PIN slides"), invalid_result_note("K1 is negative"),
+  const std::vector<Note> notes{make_note("PIN slides"), invalid_result_note("K1 is negative"),
                                 less_exact_note(""), questionable_input_note("so many tests"),
-                                note("warnings")};
+                                make_note("warnings")};
   const std::vector<std::string> kept = text_with_code(notes);
   EXPECT_EQ(kept, (std::vector<std::string>{"PIN slides", "warning W508: K1 is negative",
                                             "warning W507: ", "warning W502: so many tests",

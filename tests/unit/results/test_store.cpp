@@ -187,7 +187,7 @@ WholeRun random_run() {
     increment.mesh.face_sets = dice.list<model::FaceSet>(2);
     increment.surface = dice.list<OuterSurfaceFace>(4);
     increment.paths = dice.list<LoadPathResult>(2);
-    increment.notes = {note("first"), note("second")};
+    increment.notes = {make_note("first"), make_note("second")};
     for (const char* name : {"PRESS", "LOAD"}) {
       LoadStepResult step;
       step.step = name;
@@ -209,7 +209,7 @@ WholeRun random_run() {
       step.increments = 4;
       step.iterations = 5;
       step.pivots = 6;
-      step.notes = {invalid_result_note("öäü"), note("")};
+      step.notes = {invalid_result_note("öäü"), make_note("")};
       increment.steps.push_back(std::move(step));
     }
     run.increments.push_back(std::move(increment));
@@ -259,7 +259,8 @@ TEST(Store, a_run_comes_back_to_the_bit) {
   EXPECT_EQ(std::memcmp(a.stress.data(), b.stress.data(), a.stress.size() * sizeof(Stress)), 0);
   ASSERT_EQ(b.fronts.size(), 3U);
   EXPECT_EQ(b.fronts[1].name, a.fronts[1].name);
-  EXPECT_EQ(b.fronts[1].sensitivities.of.size(), a.fronts[1].sensitivities.of.size());
+  EXPECT_EQ(b.fronts[1].sensitivities.by_parameter.size(),
+            a.fronts[1].sensitivities.by_parameter.size());
   for (std::size_t f = 0; f < 3; ++f) {
     ASSERT_EQ(b.fronts[f].points.size(), a.fronts[f].points.size());
     for (std::size_t i = 0; i < a.fronts[f].points.size(); ++i) {
@@ -288,8 +289,9 @@ TEST(Store, fields_of_some_increments_can_be_left_out) {
   EXPECT_TRUE(back.increments[1].mesh.x.empty());
   ASSERT_EQ(thin.fronts.size(), whole.fronts.size());
   ASSERT_TRUE(thin.fronts[0].is_tip());
-  EXPECT_TRUE(same_bits(thin.fronts[0].tip().K1, whole.fronts[0].tip().K1));
-  EXPECT_TRUE(same_bits(thin.fronts[0].tip().bar[0].mesh, whole.fronts[0].tip().bar[0].mesh));
+  EXPECT_TRUE(same_bits(thin.fronts[0].single_point().K1, whole.fronts[0].single_point().K1));
+  EXPECT_TRUE(same_bits(thin.fronts[0].single_point().bar[0].mesh,
+                        whole.fronts[0].single_point().bar[0].mesh));
   for (std::size_t f = 0; f < whole.fronts.size(); ++f) {
     ASSERT_EQ(thin.fronts[f].points.size(), whole.fronts[f].points.size());
     for (const FrontPointResult& point : thin.fronts[f].points) {

@@ -44,7 +44,7 @@ TEST(WaysAlongFronts, AgreeOnSoundMeshes) {
 
 TEST(WaysAlongFronts, AgreeBetterWhereThereAreErrorBars) {
   results::LoadStepResult step = step_with_front();
-  step.fronts[0].no_bar = "";
+  step.fronts[0].missing_bar_reason = "";
   step.fronts[0].points[1].G *= 1.03; // 1.5 % of K
   EXPECT_TRUE(warnings_of({step}).empty());
   step.fronts[0].points[1].G *= 1.05; // 4 %
@@ -66,7 +66,7 @@ TEST(WaysAlongFronts, PartAtTheWorstPlaceOfAllSteps) {
 
 TEST(WaysAlongFronts, MayPartByTheBar) {
   results::LoadStepResult step = step_with_front();
-  step.fronts[0].no_bar = "";
+  step.fronts[0].missing_bar_reason = "";
   step.fronts[0].points[1].G *= 1.21;
   for (results::FrontPointResult& place : step.fronts[0].points) {
     place.bar[0].mesh = 0.6; // 12 % of K

@@ -16,7 +16,7 @@ results::LoadStepResult step_with(double bar) {
   results::FrontResult front;
   front.name = "C";
   front.a = 1.0;
-  front.no_bar = "";
+  front.missing_bar_reason = "";
   results::FrontPointResult& tip = front.points.emplace_back();
   tip.K1 = 3.0;
   tip.K2 = 4.0;
@@ -38,13 +38,13 @@ std::vector<std::string> warnings_of(const results::LoadStepResult& step) {
 TEST(TwoWays, AgreeWithinTheBar) {
   results::LoadStepResult step = step_with(0.01);
   EXPECT_TRUE(warnings_of(step).empty());
-  step.fronts[0].tip().G *= 1.018; // 0.9 % of K
+  step.fronts[0].single_point().G *= 1.018; // 0.9 % of K
   EXPECT_TRUE(warnings_of(step).empty());
 }
 
 TEST(TwoWays, PartByMoreThanTheBar) {
   results::LoadStepResult step = step_with(0.01);
-  step.fronts[0].tip().G *= 1.03;
+  step.fronts[0].single_point().G *= 1.03;
   const std::vector<std::string> told = warnings_of(step);
   ASSERT_EQ(told.size(), 1U);
   EXPECT_NE(told[0].find("G = 0.02575 and (K1^2 + K2^2)/E' = 0.025"), std::string::npos) << told[0];
@@ -53,27 +53,27 @@ TEST(TwoWays, PartByMoreThanTheBar) {
 
 TEST(TwoWays, DomainsThatPartAreTold) {
   results::LoadStepResult step = step_with(1e-4);
-  step.fronts[0].tip().K1_domain = {2.9, 3.0, 3.1};
+  step.fronts[0].single_point().K1_domain = {2.9, 3.0, 3.1};
   const std::vector<std::string> told = warnings_of(step);
   ASSERT_EQ(told.size(), 1U);
   EXPECT_NE(told[0].find("goes from 2.9 to 3.1, 4 % of K apart"), std::string::npos) << told[0];
-  step.fronts[0].tip().closed = true; // K1 is 0, whatever the domains say
+  step.fronts[0].single_point().closed = true; // K1 is 0, whatever the domains say
   EXPECT_TRUE(warnings_of(step).empty());
 }
 
 // The opening is coarse, but not that coarse.
 TEST(TwoWays, TheOpeningMayBeSomePercentOff) {
   results::LoadStepResult step = step_with(1e-4);
-  step.fronts[0].tip().opening = {3.1, 4.2, 0.0};
+  step.fronts[0].single_point().opening = {3.1, 4.2, 0.0};
   EXPECT_TRUE(warnings_of(step).empty());
-  step.fronts[0].tip().opening = {4.0, 4.0, 0.0};
+  step.fronts[0].single_point().opening = {4.0, 4.0, 0.0};
   EXPECT_EQ(warnings_of(step).size(), 1U);
 }
 
 // What round-off leaves of a body that only moves is no K.
 TEST(TwoWays, RoundOffIsNotCompared) {
   results::LoadStepResult step = step_with(1e-4);
-  step.fronts[0].tip().G = -1.0;
+  step.fronts[0].single_point().G = -1.0;
   ASSERT_EQ(warnings_of(step).size(), 1U);
   step.u.setConstant(1e6);
   EXPECT_TRUE(warnings_of(step).empty());

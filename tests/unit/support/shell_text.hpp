@@ -34,10 +34,10 @@ struct ShellOnText {
   program::ShellSession& operator*() const { return *session; }
   program::ShellSession* operator->() const { return session.get(); }
   [[nodiscard]] double K1(std::size_t tip = 0) const {
-    return session->current_result().fronts.at(tip).tip().K1;
+    return session->current_result().fronts.at(tip).single_point().K1;
   }
   [[nodiscard]] double K2(std::size_t tip = 0) const {
-    return session->current_result().fronts.at(tip).tip().K2;
+    return session->current_result().fronts.at(tip).single_point().K2;
   }
   [[nodiscard]] program::CrackSize crack_size() const {
     return program::crack_size(session->model(), session->current_result(), 0);
