@@ -133,8 +133,8 @@ void ComplianceAssembly::add_body(std::size_t body, const PersistentRowSet& last
   if (kept.rows != staying) {
     if (factor != nullptr) {
       const solve::FirstBlockFactor& early = *factor->L.first_block();
-      kept.Y =
-          early.forward_substitute(as_columns(staying, static_cast<std::size_t>(early.count())));
+      kept.Y = early.forward_substitute(
+          as_columns(staying, static_cast<std::size_t>(early.early_row_count())));
       kept.late_load = early.second_block_load_reduction(kept.Y);
     } else {
       kept.Y = own.compliance_root(as_columns(staying, own.external_freedoms().size()));

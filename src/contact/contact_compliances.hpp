@@ -13,7 +13,7 @@ struct PersistentRowCompliance {
   std::vector<std::vector<RowCoefficient>> rows; ///< [k] in a canonical order
   base::Matrix Y;         ///< [m, k] their half compliance; of early rows only
   base::Matrix W;         ///< [k, k] Y^T Y
-  base::Matrix late_load; ///< [late, k] FirstBlockFactor::late_load of Y
+  base::Matrix late_load; ///< [late, k] FirstBlockFactor::second_block_load_reduction of Y
 };
 
 /// The rows that the next crack length has again, and what is kept of them for each body. The

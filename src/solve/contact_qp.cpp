@@ -102,8 +102,8 @@ ContactStatus pivot_to_the_end(const ControllableProblem& problem, const Contact
   for (int turn = 0; turn < repeats; ++turn) {
     // Loose first, as the tableau gathers round-off; from a clean start few pivots are left.
     const double tolerance = turn == 0 ? pivot_tolerance : settings.tolerance;
-    const PivotResult result = criss_cross(problem, A, std::max(tolerance, settings.tolerance),
-                                           settings.max_pivots - answer.pivots);
+    const PivotResult result = pivot_criss_cross(
+        problem, A, std::max(tolerance, settings.tolerance), settings.max_pivots - answer.pivots);
     answer.pivots += result.pivots;
     if (result.status == PivotStatus::infeasible) {
       return ContactStatus::inconsistent;

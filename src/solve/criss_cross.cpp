@@ -198,8 +198,8 @@ std::vector<int> choose_pivot(const Tableau& t, int i) {
 
 } // namespace
 
-PivotResult criss_cross(const ControllableProblem& problem, const std::vector<int>& A,
-                        double tolerance, int max_pivots) {
+PivotResult pivot_criss_cross(const ControllableProblem& problem, const std::vector<int>& A,
+                              double tolerance, int max_pivots) {
   PivotResult result;
   BorderedFactor factor(problem);
   if (!factor.factorise(A)) {

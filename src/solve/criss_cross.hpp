@@ -20,7 +20,7 @@ struct PivotResult {
 /// which is faster and has no proof. Modes and equality rows are pivoted in first and never leave.
 /// A row that depends on closed ones has no pivot of its own: it enters by an exchange with one of
 /// them or not at all. A tableau entry below `redundancy` is none.
-PivotResult criss_cross(const ControllableProblem& problem, const std::vector<int>& A,
-                        double tolerance, int max_pivots);
+PivotResult pivot_criss_cross(const ControllableProblem& problem, const std::vector<int>& A,
+                              double tolerance, int max_pivots);
 
 } // namespace spricka::solve

@@ -29,9 +29,9 @@ constexpr double at_rest = 1e-10; ///< of the gap scale: no slip
 constexpr int anchorings = 12;    ///< of bodies that nothing holds, before they slide
 
 /// Rigid motions that no row in contact hinders.
-int loose_motions(const ScaledFriction& problem, const std::vector<SlipState>& touch) {
+int loose_motions(const ScaledFrictionProblem& problem, const std::vector<SlipState>& touch) {
   std::vector<int> rows = problem.fixed;
-  for (const ScaledFriction::FrictionUnit& u : problem.units) {
+  for (const ScaledFrictionProblem::FrictionUnit& u : problem.units) {
     const SlipState state = touch[at(u.normal)];
     if (state != SlipState::open) {
       rows.push_back(u.normal);
@@ -51,7 +51,7 @@ int loose_motions(const ScaledFriction& problem, const std::vector<SlipState>& t
 }
 
 /// Back from scaled units, with every condition kept to the last bit that forces have.
-void take_solution(const ScaledFriction& scaled, const ControllableProblem& held,
+void take_solution(const ScaledFrictionProblem& scaled, const ControllableProblem& held,
                    const ModeSplit& split, const FrictionSearchResult& search,
                    FrictionSolution& answer) {
   ContactSolution& c = answer.contact;
@@ -67,7 +67,7 @@ void take_solution(const ScaledFriction& scaled, const ControllableProblem& held
   for (const int i : scaled.fixed) {
     close(i, true);
   }
-  for (const ScaledFriction::FrictionUnit& u : scaled.units) {
+  for (const ScaledFrictionProblem::FrictionUnit& u : scaled.units) {
     const SlipState state = search.touch[at(u.normal)];
     const bool closed = state != SlipState::open;
     close(u.normal, closed);
@@ -130,7 +130,7 @@ base::Vector anchor_at(const base::Vector& alpha, const ControllableProblem& hel
 /// The increment with slips that are vectors: round cones.
 void solve_round_cones(const FrictionProblem& problem, const ControllableProblem& held,
                        const ModeSplit& split, double least, FrictionSolution& answer) {
-  const RoundFriction scaled =
+  const RoundConeFrictionProblem scaled =
       scale_round_friction_problem(held, problem.friction, problem.contact.load_scale);
   RoundFrictionStart start{.alpha = anchor_at(problem.alpha_start, held, split)};
   if (problem.expected.lambda.size() == held.rows()) {
@@ -158,7 +158,7 @@ void solve_round_cones(const FrictionProblem& problem, const ControllableProblem
     c.closed[at(i)] = true;
   }
   for (std::size_t k = 0; k < scaled.units.size(); ++k) {
-    const RoundFriction::RoundFrictionUnit& u = scaled.units[k];
+    const RoundConeFrictionProblem::RoundFrictionUnit& u = scaled.units[k];
     const bool closed = found.touch[k] != SlipState::open;
     // Every condition to the last bit that forces have.
     lambda[u.normal] = closed ? std::max(lambda[u.normal], 0.0) : 0.0;
@@ -260,7 +260,7 @@ SmoothStart smooth_start(const FrictionProblem& problem, const ContactSettings& 
 }
 
 /// Solves with bodies anchored where they are until they are held, rest or slide away.
-void walk_to_rest(const ScaledFriction& scaled, const ControllableProblem& held,
+void walk_to_rest(const ScaledFrictionProblem& scaled, const ControllableProblem& held,
                   const ModeSplit& split, std::pair<base::Vector, FrictionSearchResult> state,
                   const ContactSettings& settings, FrictionSolution& answer) {
   ContactSolution& c = answer.contact;
@@ -347,7 +347,8 @@ FrictionSolution solve_friction(const FrictionProblem& problem, const ContactSet
     }
     return answer;
   }
-  const ScaledFriction scaled = scale_friction_problem(held, problem.friction, contact.load_scale);
+  const ScaledFrictionProblem scaled =
+      scale_friction_problem(held, problem.friction, contact.load_scale);
   FrictionSearchResult first;
   first.touch = start;
   first.touch.resize(static_cast<std::size_t>(n), SlipState::stick);

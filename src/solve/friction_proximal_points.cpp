@@ -16,9 +16,10 @@ constexpr double smallest = 1e-9; // below it helps no longer
 
 } // namespace
 
-RoundFrictionState solve_by_proximal_points(const RoundFriction& problem, const base::Vector& alpha,
+RoundFrictionState solve_by_proximal_points(const RoundConeFrictionProblem& problem,
+                                            const base::Vector& alpha,
                                             const RoundFrictionState& found) {
-  RoundFriction soft = problem;
+  RoundConeFrictionProblem soft = problem;
   PredictedContactForces last{.lambda = base::Vector::Zero(problem.rows()), .alpha = alpha};
   RoundFrictionState best = found;
   int steps = found.newton_steps;

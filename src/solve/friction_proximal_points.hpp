@@ -13,7 +13,8 @@ namespace spricka::solve {
 /// method of round cones, Acary, Bremond and Huber 2018). It falls after each answer and rises
 /// where there is none. Begins without forces from motions `alpha` [m]; returns the nearer of its
 /// answer and `found`, with the steps of both.
-RoundFrictionState solve_by_proximal_points(const RoundFriction& problem, const base::Vector& alpha,
+RoundFrictionState solve_by_proximal_points(const RoundConeFrictionProblem& problem,
+                                            const base::Vector& alpha,
                                             const RoundFrictionState& found);
 
 } // namespace spricka::solve

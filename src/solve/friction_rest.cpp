@@ -16,9 +16,9 @@ constexpr double touching = 1e-10; // of the largest gap
 
 // Forces [n] that rows can hold bodies with. Where supports keep a body from what its pressure
 // would move, shear alone holds the rest of its motions, even if it is zero now.
-base::Vector holding_forces(const RoundFriction& scaled, const base::Vector& lambda) {
+base::Vector holding_forces(const RoundConeFrictionProblem& scaled, const base::Vector& lambda) {
   base::Vector forces = lambda.cwiseAbs();
-  for (const RoundFriction::RoundFrictionUnit& u : scaled.units) {
+  for (const RoundConeFrictionProblem::RoundFrictionUnit& u : scaled.units) {
     for (int t = 0; t < u.tangents; ++t) {
       forces[u.tangent[at(t)]] = u.mu * std::abs(lambda[u.normal]);
     }
@@ -27,7 +27,7 @@ base::Vector holding_forces(const RoundFriction& scaled, const base::Vector& lam
 }
 
 std::vector<AllowedGapChange> gap_changes(const ControllableProblem& held, const ModeSplit& split,
-                                          const RoundFriction& scaled,
+                                          const RoundConeFrictionProblem& scaled,
                                           const RoundFrictionState& found, double least) {
   const std::vector<bool> pressing =
       find_pressing_rows(held, split, holding_forces(scaled, found.lambda), least);
@@ -36,7 +36,7 @@ std::vector<AllowedGapChange> gap_changes(const ControllableProblem& held, const
     change[at(i)] = AllowedGapChange::none;
   }
   for (std::size_t k = 0; k < scaled.units.size(); ++k) {
-    const RoundFriction::RoundFrictionUnit& u = scaled.units[k];
+    const RoundConeFrictionProblem::RoundFrictionUnit& u = scaled.units[k];
     bool holds = pressing[at(u.normal)];
     for (int t = 0; t < u.tangents; ++t) {
       holds = holds || pressing[at(u.tangent[at(t)])];
@@ -53,7 +53,7 @@ std::vector<AllowedGapChange> gap_changes(const ControllableProblem& held, const
 } // namespace
 
 int move_unheld_bodies_to_anchor(const ControllableProblem& held, const ModeSplit& split,
-                                 const RoundFriction& scaled, const base::Vector& anchor,
+                                 const RoundConeFrictionProblem& scaled, const base::Vector& anchor,
                                  double least, RoundFrictionState& found) {
   const double root = std::sqrt(held.tau);
   const std::vector<AllowedGapChange> change = gap_changes(held, split, scaled, found, least);

@@ -12,7 +12,7 @@ namespace spricka::solve {
 /// friction can bear, loads some mode by more than `least`. Changes motions, gaps and states of
 /// points that do not hold; returns the number of free motions.
 int move_unheld_bodies_to_anchor(const ControllableProblem& held, const ModeSplit& split,
-                                 const RoundFriction& scaled, const base::Vector& anchor,
+                                 const RoundConeFrictionProblem& scaled, const base::Vector& anchor,
                                  double least, RoundFrictionState& found);
 
 } // namespace spricka::solve

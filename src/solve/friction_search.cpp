@@ -19,7 +19,7 @@ constexpr int coverings = 2;             ///< tried by Lemke's pivoting
 
 /// Semi-smooth Newton method: all rows whose condition is violated change at once (Alart and
 /// Curnier 1991; Hueeber, Stadler and Wohlmuth 2008) until none is left or states come back.
-FrictionSearchResult newton(const ScaledFriction& problem, const base::Vector& anchor,
+FrictionSearchResult newton(const ScaledFrictionProblem& problem, const base::Vector& anchor,
                             std::vector<SlipState> touch, double tolerance,
                             std::pair<int, int&> limit) {
   FrictionSearchResult search;
@@ -41,7 +41,7 @@ FrictionSearchResult newton(const ScaledFriction& problem, const base::Vector& a
 
 /// One row at a time, the first that is wrong (Murty 1974): finite where the answer is unique, and
 /// another way where it is not.
-FrictionSearchResult one_by_one(const ScaledFriction& problem, const base::Vector& anchor,
+FrictionSearchResult one_by_one(const ScaledFrictionProblem& problem, const base::Vector& anchor,
                                 std::vector<SlipState> touch, double tolerance,
                                 std::pair<int, int&> limit) {
   FrictionSearchResult search;
@@ -57,7 +57,7 @@ FrictionSearchResult one_by_one(const ScaledFriction& problem, const base::Vecto
       search.settled = true;
       break;
     }
-    for (const ScaledFriction::FrictionUnit& u : problem.units) {
+    for (const ScaledFrictionProblem::FrictionUnit& u : problem.units) {
       const auto n = std::size_t(u.normal);
       if (next[n] != touch[n]) {
         touch[n] = next[n];
@@ -79,7 +79,8 @@ struct Complementarity {
   std::vector<int> forward; ///< [unit] place of its forward slip in z, backward behind it; or -1
 };
 
-Complementarity complementarity(const ScaledFriction& problem, const InterfaceStiffness& face) {
+Complementarity complementarity(const ScaledFrictionProblem& problem,
+                                const InterfaceStiffness& face) {
   const int units = static_cast<int>(problem.units.size());
   const int rows = static_cast<int>(face.rows.size());
   const int n = units + 2 * (rows - units);
@@ -88,7 +89,7 @@ Complementarity complementarity(const ScaledFriction& problem, const InterfaceSt
   columns.leftCols(units) = face.A.leftCols(units);
   int column = units;
   int tangent = units;
-  for (const ScaledFriction::FrictionUnit& u : problem.units) {
+  for (const ScaledFrictionProblem::FrictionUnit& u : problem.units) {
     lcp.forward.push_back(u.tangent < 0 ? -1 : column);
     if (u.tangent >= 0) {
       columns.col(column) = face.A.col(tangent);
@@ -117,7 +118,7 @@ Complementarity complementarity(const ScaledFriction& problem, const InterfaceSt
 }
 
 /// The finite fallback; the states it ends in, or none.
-std::vector<SlipState> pivoted(const ScaledFriction& problem, const base::Vector& anchor,
+std::vector<SlipState> pivoted(const ScaledFrictionProblem& problem, const base::Vector& anchor,
                                int max_pivots, int& pivots) {
   const InterfaceStiffness face = interface_stiffness(problem, anchor);
   if (!face.regular) {
@@ -132,7 +133,7 @@ std::vector<SlipState> pivoted(const ScaledFriction& problem, const base::Vector
     for (Eigen::Index i = 0; i < q.size(); ++i) {
       cover(i) += turn * std::fmod(0.6180339887498949 * static_cast<double>(i * turn + 1), 1.0);
     }
-    result = lemke(lcp.M, q, cover, max_pivots - pivots);
+    result = solve_by_lemke_pivoting(lcp.M, q, cover, max_pivots - pivots);
     pivots += result.pivots;
   }
   if (!result.solved) {
@@ -140,7 +141,7 @@ std::vector<SlipState> pivoted(const ScaledFriction& problem, const base::Vector
   }
   std::vector<SlipState> touch(std::size_t(problem.rows()), SlipState::stick);
   for (std::size_t i = 0; i < problem.units.size(); ++i) {
-    const ScaledFriction::FrictionUnit& u = problem.units[i];
+    const ScaledFrictionProblem::FrictionUnit& u = problem.units[i];
     const int f = lcp.forward[i];
     // An opening in the basis: the row is open. One of its slips in the basis: it slips that way.
     SlipState state = result.basic[i] ? SlipState::open : SlipState::stick;
@@ -161,7 +162,7 @@ std::vector<SlipState> pivoted(const ScaledFriction& problem, const base::Vector
 
 } // namespace
 
-FrictionSearchResult find_consistent_states(const ScaledFriction& problem,
+FrictionSearchResult find_consistent_states(const ScaledFrictionProblem& problem,
                                             const base::Vector& anchor,
                                             const std::vector<SlipState>& start,
                                             const ContactSettings& settings,

@@ -15,7 +15,7 @@ struct FrictionSearchResult {
 /// States of all rows in which no condition is violated, with modes that nothing holds anchored at
 /// `anchor`: Newton from `start`, Lemke's pivoting, and Newton from other starts. Iterations and
 /// pivots are added to `figures`.
-FrictionSearchResult find_consistent_states(const ScaledFriction& problem,
+FrictionSearchResult find_consistent_states(const ScaledFrictionProblem& problem,
                                             const base::Vector& anchor,
                                             const std::vector<SlipState>& start,
                                             const ContactSettings& settings,

@@ -34,12 +34,12 @@ struct ActiveRows {
 
 // The unknowns of the states (solve.22): a sticking unit has two forces, a sliding one only its
 // pressure, which brings the shear of its cone along.
-ActiveRows active_rows(const ScaledFriction& problem, const std::vector<SlipState>& touch) {
+ActiveRows active_rows(const ScaledFrictionProblem& problem, const std::vector<SlipState>& touch) {
   ActiveRows active;
   for (const int i : problem.fixed) {
     active.add(i);
   }
-  for (const ScaledFriction::FrictionUnit& u : problem.units) {
+  for (const ScaledFrictionProblem::FrictionUnit& u : problem.units) {
     const SlipState state = touch[at(u.normal)];
     if (state == SlipState::open) {
       continue;
@@ -59,7 +59,7 @@ ActiveRows active_rows(const ScaledFriction& problem, const std::vector<SlipStat
 /// LU factors of the equations: gaps of the active rows, balance of the modes.
 class Equations {
 public:
-  Equations(const ScaledFriction& problem, const ActiveRows& active)
+  Equations(const ScaledFrictionProblem& problem, const ActiveRows& active)
       : a_(active.size()), m_(problem.modes()), K_(a_ + m_, a_ + m_) {
     base::Vector column(problem.rows());
     for (int c = 0; c < a_; ++c) {
@@ -99,7 +99,7 @@ private:
 };
 
 /// Adds a solution of the equations and finds the gaps again.
-void add(const ScaledFriction& problem, const ActiveRows& active, const base::Matrix& x,
+void add(const ScaledFrictionProblem& problem, const ActiveRows& active, const base::Matrix& x,
          SlipStateSolution& s) {
   for (int c = 0; c < active.size(); ++c) {
     s.lambda(active.row[at(c)]) += x(c, 0);
@@ -129,12 +129,12 @@ void add(const ScaledFriction& problem, const ActiveRows& active, const base::Ma
   s.gap_scale = problem.b.cwiseAbs().array() + size;
 }
 
-base::Vector balance_of(const ScaledFriction& problem, const SlipStateSolution& s) {
+base::Vector balance_of(const ScaledFrictionProblem& problem, const SlipStateSolution& s) {
   return problem.h + problem.B.transpose() * s.lambda;
 }
 
 // Largest error of the balance of a mode, over the size of the terms that it sums.
-double unbalanced(const ScaledFriction& problem, const SlipStateSolution& s) {
+double unbalanced(const ScaledFrictionProblem& problem, const SlipStateSolution& s) {
   const base::Vector left = balance_of(problem, s);
   const base::Vector size =
       problem.h.cwiseAbs() + problem.B.cwiseAbs().transpose() * s.lambda.cwiseAbs();
@@ -156,9 +156,10 @@ double open_error(const ActiveRows& active, const SlipStateSolution& s) {
 
 } // namespace
 
-ScaledFriction scale_friction_problem(const ControllableProblem& held,
-                                      const std::vector<FrictionRow>& friction, double load_scale) {
-  ScaledFriction p;
+ScaledFrictionProblem scale_friction_problem(const ControllableProblem& held,
+                                             const std::vector<FrictionRow>& friction,
+                                             double load_scale) {
+  ScaledFrictionProblem p;
   const int n = held.rows();
   const double root = std::sqrt(held.tau);
   base::Vector inverse(n);
@@ -199,7 +200,7 @@ ScaledFriction scale_friction_problem(const ControllableProblem& held,
   return p;
 }
 
-SlipStateSolution solve_slip_states(const ScaledFriction& problem,
+SlipStateSolution solve_slip_states(const ScaledFrictionProblem& problem,
                                     const std::vector<SlipState>& touch,
                                     const base::Vector& anchor) {
   const ActiveRows active = active_rows(problem, touch);
@@ -239,12 +240,12 @@ SlipStateSolution solve_slip_states(const ScaledFriction& problem,
   return exact.held ? exact : s;
 }
 
-int update_slip_states(const ScaledFriction& problem, const SlipStateSolution& s, double tolerance,
-                       std::vector<SlipState>& touch) {
+int update_slip_states(const ScaledFrictionProblem& problem, const SlipStateSolution& s,
+                       double tolerance, std::vector<SlipState>& touch) {
   int changed = 0;
   // The rules of (solve.22) that rows change their states by, all of them at once.
   const double force = tolerance * s.force_scale;
-  for (const ScaledFriction::FrictionUnit& u : problem.units) {
+  for (const ScaledFrictionProblem::FrictionUnit& u : problem.units) {
     SlipState& state = touch[at(u.normal)];
     const SlipState before = state;
     const double pressure = s.lambda(u.normal);
@@ -279,7 +280,7 @@ int update_slip_states(const ScaledFriction& problem, const SlipStateSolution& s
   return changed;
 }
 
-double friction_residual(const ScaledFriction& problem, const SlipStateSolution& s,
+double friction_residual(const ScaledFrictionProblem& problem, const SlipStateSolution& s,
                          const std::vector<SlipState>& touch) {
   // Conditions are those of (solve.14) and (solve.21), whatever equations the states stood for.
   double worst = unbalanced(problem, s);
@@ -292,7 +293,7 @@ double friction_residual(const ScaledFriction& problem, const SlipStateSolution&
   for (const int i : problem.fixed) {
     gap_error(i, std::abs(s.gap(i)));
   }
-  for (const ScaledFriction::FrictionUnit& u : problem.units) {
+  for (const ScaledFrictionProblem::FrictionUnit& u : problem.units) {
     const SlipState state = touch[at(u.normal)];
     const double gap = s.gap(u.normal);
     gap_error(u.normal, state == SlipState::open ? std::max(-gap, 0.0) : std::abs(gap));
@@ -311,15 +312,16 @@ double friction_residual(const ScaledFriction& problem, const SlipStateSolution&
   return std::isfinite(s.gap.sum() + s.lambda.sum()) ? worst : INFINITY;
 }
 
-InterfaceStiffness interface_stiffness(const ScaledFriction& problem, const base::Vector& anchor) {
+InterfaceStiffness interface_stiffness(const ScaledFrictionProblem& problem,
+                                       const base::Vector& anchor) {
   InterfaceStiffness face;
   // All rows as if they stuck: normals first, then tangents, equality rows last, where they are
   // held and do not appear in A.
   ActiveRows all;
-  for (const ScaledFriction::FrictionUnit& u : problem.units) {
+  for (const ScaledFrictionProblem::FrictionUnit& u : problem.units) {
     all.add(u.normal);
   }
-  for (const ScaledFriction::FrictionUnit& u : problem.units) {
+  for (const ScaledFrictionProblem::FrictionUnit& u : problem.units) {
     if (u.tangent >= 0) {
       all.add(u.tangent);
     }

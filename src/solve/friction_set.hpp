@@ -10,7 +10,7 @@ namespace spricka::solve {
 
 /// The friction problem in units where every row's own compliance is about 1: forces times d, gaps
 /// over d. Modes over sqrt(tau).
-struct ScaledFriction {
+struct ScaledFrictionProblem {
   struct FrictionUnit { ///< an inequality row, with the row of its slip if there is friction
     int normal = 0;
     int tangent = -1;
@@ -30,8 +30,9 @@ struct ScaledFriction {
 
 /// The problem in these units. Rows without compliance and modes are left out; a slip without them
 /// has no force.
-ScaledFriction scale_friction_problem(const ControllableProblem& held,
-                                      const std::vector<FrictionRow>& friction, double load_scale);
+ScaledFrictionProblem scale_friction_problem(const ControllableProblem& held,
+                                             const std::vector<FrictionRow>& friction,
+                                             double load_scale);
 
 /// Share of a row's own compliance that keeps redundant rows apart, and share of the bodies' that
 /// anchors what no row holds; refinement takes both out of the answer again where it can.
@@ -51,17 +52,17 @@ struct SlipStateSolution {
 
 /// Solves the equations of the states `touch` [n]. Modes that these do not hold are anchored at
 /// `anchor` [m] by weak springs.
-SlipStateSolution solve_slip_states(const ScaledFriction& problem,
+SlipStateSolution solve_slip_states(const ScaledFrictionProblem& problem,
                                     const std::vector<SlipState>& touch,
                                     const base::Vector& anchor);
 
 /// The states that follow from a solution: every row whose condition is violated by more than
 /// `tolerance` changes. Returns how many did.
-int update_slip_states(const ScaledFriction& problem, const SlipStateSolution& s, double tolerance,
-                       std::vector<SlipState>& touch);
+int update_slip_states(const ScaledFrictionProblem& problem, const SlipStateSolution& s,
+                       double tolerance, std::vector<SlipState>& touch);
 
 /// Largest violation of all conditions of the problem (springs do not count), scaled.
-double friction_residual(const ScaledFriction& problem, const SlipStateSolution& s,
+double friction_residual(const ScaledFrictionProblem& problem, const SlipStateSolution& s,
                          const std::vector<SlipState>& touch);
 
 /// The interface in stiffness form, lambda = q + A x with the openings and slips x of all rows in
@@ -74,6 +75,7 @@ struct InterfaceStiffness {
 };
 /// Eliminates forces and modes, so that openings and slips are what remains. `anchor` [m]: where
 /// the modes' springs are at rest. Not regular where the equations are singular.
-InterfaceStiffness interface_stiffness(const ScaledFriction& problem, const base::Vector& anchor);
+InterfaceStiffness interface_stiffness(const ScaledFrictionProblem& problem,
+                                       const base::Vector& anchor);
 
 } // namespace spricka::solve

@@ -26,7 +26,7 @@ struct Weights {
 };
 
 /// Orthonormal motions of rows when bodies move rigidly, equality rows kept [k, z].
-base::Matrix rigid_openings(const ScaledFriction& problem, const std::vector<int>& rows) {
+base::Matrix rigid_openings(const ScaledFrictionProblem& problem, const std::vector<int>& rows) {
   const int m = problem.modes();
   if (m == 0) {
     return base::Matrix::Zero(index(rows.size()), 0);
@@ -52,8 +52,8 @@ base::Matrix rigid_openings(const ScaledFriction& problem, const std::vector<int
 }
 
 /// Whether the form of (solve.27) is positive definite across the rigid motions N.
-bool positive(const ScaledFriction& problem, const InterfaceStiffness& face, const Weights& weights,
-              const base::Matrix& N) {
+bool positive(const ScaledFrictionProblem& problem, const InterfaceStiffness& face,
+              const Weights& weights, const base::Matrix& N) {
   const Eigen::Index units = index(problem.units.size());
   base::Matrix F = face.A;
   F.topRows(units) += 0.5 * (weights.openings.asDiagonal() * face.A.topRows(units));
@@ -62,7 +62,7 @@ bool positive(const ScaledFriction& problem, const InterfaceStiffness& face, con
   base::Matrix pressure = face.A.topRows(units); // of the units with friction, weighted
   Eigen::Index tangent = units;
   for (Eigen::Index i = 0; i < units; ++i) {
-    const ScaledFriction::FrictionUnit& u = problem.units[at(i)];
+    const ScaledFrictionProblem::FrictionUnit& u = problem.units[at(i)];
     const double kappa = weights.share(i);
     pressure.row(i) *= u.tangent >= 0 ? std::sqrt(0.5 * u.mu / kappa) : 0.0;
     if (u.tangent >= 0) {
@@ -84,13 +84,13 @@ bool positive(const ScaledFriction& problem, const InterfaceStiffness& face, con
   return blas::cholesky(k, {F.data(), k});
 }
 
-Weights weights_of(const ScaledFriction& problem, const InterfaceStiffness& face, double share,
-                   double openings) {
+Weights weights_of(const ScaledFrictionProblem& problem, const InterfaceStiffness& face,
+                   double share, double openings) {
   const Eigen::Index units = index(problem.units.size());
   Weights w{base::Vector::Ones(units), base::Vector::Constant(units, openings)};
   Eigen::Index tangent = units;
   for (Eigen::Index i = 0; i < units; ++i) {
-    const ScaledFriction::FrictionUnit& u = problem.units[at(i)];
+    const ScaledFrictionProblem::FrictionUnit& u = problem.units[at(i)];
     if (u.tangent < 0) {
       continue;
     }
@@ -114,7 +114,7 @@ UniquenessResult check_uniqueness(const FrictionProblem& problem) {
   const ModeSplit split =
       split_controllable_modes(problem.contact.B, problem.contact.opening_scale);
   const ControllableProblem held = restrict_to_controllable_modes(problem.contact, split);
-  const ScaledFriction scaled =
+  const ScaledFrictionProblem scaled =
       scale_friction_problem(held, problem.friction, problem.contact.load_scale);
   const bool rubs = std::any_of(scaled.units.begin(), scaled.units.end(),
                                 [](const auto& u) { return u.tangent >= 0; });

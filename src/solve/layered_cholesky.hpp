@@ -24,7 +24,7 @@ public:
 
   [[nodiscard]] bool is_positive_definite() const { return L_.is_positive_definite(); }
   [[nodiscard]] const EarlyLateRowPartition& partition() const { return lists_; }
-  [[nodiscard]] Eigen::Index count() const { return base::index(lists_.early.size()); }
+  [[nodiscard]] Eigen::Index early_row_count() const { return base::index(lists_.early.size()); }
   /// Schur complement of the late rows, A_ll - X^T X [late, late], symmetric to the last bit.
   [[nodiscard]] const base::Matrix& schur() const { return schur_; }
   /// First half of a solution: L^-1 B [early, k].
@@ -55,7 +55,7 @@ public:
   [[nodiscard]] const std::shared_ptr<const FirstBlockFactor>& first_block() const {
     return early_;
   }
-  [[nodiscard]] Eigen::Index first_block_size() const { return early_->count(); }
+  [[nodiscard]] Eigen::Index first_block_size() const { return early_->early_row_count(); }
   /// Early and late rows.
   [[nodiscard]] Eigen::Index size() const { return first_block_size() + late_.size(); }
 

@@ -107,8 +107,8 @@ Dictionary first_dictionary(const base::Matrix& M, const base::Vector& q,
 
 } // namespace
 
-LemkeResult lemke(const base::Matrix& M, const base::Vector& q, const base::Vector& cover,
-                  int max_pivots) {
+LemkeResult solve_by_lemke_pivoting(const base::Matrix& M, const base::Vector& q,
+                                    const base::Vector& cover, int max_pivots) {
   const int n = static_cast<int>(q.size());
   LemkeResult result;
   result.basic.assign(std::size_t(n), false);

@@ -15,7 +15,7 @@ struct LemkeResult {
 
 /// Lemke's complementary pivoting (Lemke 1965) with a covering vector `cover` > 0; ties are broken
 /// lexicographically, so that it ends (Cottle, Pang and Stone 1992, section 4.9).
-LemkeResult lemke(const base::Matrix& M, const base::Vector& q, const base::Vector& cover,
-                  int max_pivots);
+LemkeResult solve_by_lemke_pivoting(const base::Matrix& M, const base::Vector& q,
+                                    const base::Vector& cover, int max_pivots);
 
 } // namespace spricka::solve

@@ -40,7 +40,7 @@ SolutionPath follow_solution_path(const ParametricProblem& problem, double from,
     path.end = from;
     return path;
   }
-  return SolutionPathFollower(problem, split, from, to, settings).run(start);
+  return SolutionPathFollower(problem, split, from, to, settings).follow_path(start);
 }
 
 } // namespace spricka::solve

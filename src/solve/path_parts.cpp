@@ -42,7 +42,8 @@ double path_residual(const ControllableProblem& problem, const SweptMatrix& matr
                      const base::Vector& state, const PathResidualScale& scale) {
   const base::Vector lambda = matrix.forces(state);
   const base::Vector reported = matrix.open_gaps(state);
-  const base::Vector gap = problem.b + problem.W * lambda + problem.B * matrix.modes(state);
+  const base::Vector gap =
+      problem.b + problem.W * lambda + problem.B * matrix.mode_amplitudes(state);
   double worst = 0.0;
   for (int i = 0; i < problem.rows(); ++i) {
     const double size = scale.size + scale.level(i);

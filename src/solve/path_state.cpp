@@ -18,7 +18,7 @@ constexpr std::size_t together = 128; ///< columns made at once
 } // namespace
 
 bool PathState::factorise(const std::vector<bool>& closed) {
-  if (!matrix_.begin(closed)) {
+  if (!matrix_.factorise_closed_rows(closed)) {
     return false;
   }
   v_ = matrix_.initial_state(held_.b, held_.h);
@@ -30,7 +30,7 @@ bool PathState::factorise(const std::vector<bool>& closed) {
   double size = 0.0;
   for (int i = 0; i < rows(); ++i) {
     if (closed[at(i)]) {
-      size = std::max(size, std::abs(y(i)) + (to_ - from_) * std::abs(d_(i)));
+      size = std::max(size, std::abs(force_or_gap(i)) + (to_ - from_) * std::abs(d_(i)));
     }
   }
   size_ = size;
@@ -45,10 +45,10 @@ bool PathState::factorise(const std::vector<bool>& closed) {
   return true;
 }
 
-int PathState::tied() const {
+int PathState::count_falling_rows_at_zero() const {
   int count = 0;
   for (int i = 0; i < rows(); ++i) {
-    count += is_inequality_row(i) && zero(i) && falls(i) ? 1 : 0;
+    count += is_inequality_row(i) && is_at_zero(i) && falls(i) ? 1 : 0;
   }
   return count;
 }
@@ -56,7 +56,7 @@ int PathState::tied() const {
 // The least index, not the worst row: exchanges then come to an end where several tie (Murty 1974).
 int PathState::first_falling_row_at_zero() const {
   for (int i = 0; i < rows(); ++i) {
-    if (is_inequality_row(i) && zero(i) && falls(i)) {
+    if (is_inequality_row(i) && is_at_zero(i) && falls(i)) {
       return i;
     }
   }
@@ -96,13 +96,13 @@ base::Vector PathState::column(int i) {
   return matrix_.column(i, matrix_.has_column(i) ? std::vector<int>() : likely());
 }
 
-int PathState::blocking(const base::Vector& x, int i) const {
+int PathState::first_blocking_row(const base::Vector& x, int i) const {
   // Of rows that fall as z_i grows the one with the smallest ratio: none goes below zero.
   double least = std::numeric_limits<double>::infinity();
   int found = -1;
   for (int j = 0; j < rows(); ++j) {
     if (j != i && is_inequality_row(j) && x(j) < -no_pivot) {
-      const double z = std::max(y(j), 0.0) / -x(j);
+      const double z = std::max(force_or_gap(j), 0.0) / -x(j);
       if (z < least) {
         least = z;
         found = j;
@@ -124,7 +124,7 @@ void PathState::pivot(std::array<int, 2> rows, std::array<base::Vector, 2> colum
 // is zero to the walk, and exchanged where it falls.
 bool PathState::is_valid_with_same_functionals(const base::Vector& f) const {
   for (int i = 0; i < rows(); ++i) {
-    if (is_inequality_row(i) && y(i) < -1e3 * tolerance_(i)) {
+    if (is_inequality_row(i) && force_or_gap(i) < -1e3 * tolerance_(i)) {
       return false;
     }
   }

@@ -30,21 +30,21 @@ public:
   /// For these closed rows, at t; false: they do not hold all modes, or some are redundant.
   bool factorise(const std::vector<bool>& closed);
   [[nodiscard]] int pivots() const { return matrix_.pivots(); } ///< since then
-  [[nodiscard]] double t() const { return t_; }
-  void set_t(double t) { t_ = t; }
+  [[nodiscard]] double parameter() const { return t_; }
+  void set_parameter(double t) { t_ = t; }
 
   [[nodiscard]] int rows() const { return held_.rows(); }
   [[nodiscard]] bool is_inequality_row(int i) const { return !held_.equality[base::at(i)]; }
   [[nodiscard]] const std::vector<bool>& closed() const { return matrix_.closed(); } ///< [row]
   [[nodiscard]] bool closed(int i) const { return closed()[base::at(i)]; }
-  [[nodiscard]] double y(int i) const { return v_(i) + t_ * d_(i); }
+  [[nodiscard]] double force_or_gap(int i) const { return v_(i) + t_ * d_(i); }
   [[nodiscard]] double tolerance(int i) const { return tolerance_(i); }
-  [[nodiscard]] bool zero(int i) const { return y(i) <= tolerance_(i); }
+  [[nodiscard]] bool is_at_zero(int i) const { return force_or_gap(i) <= tolerance_(i); }
   [[nodiscard]] base::Vector functionals() const { return state().tail(problem_.f0.size()); }
   [[nodiscard]] base::Vector functional_rates() const { return d_.tail(problem_.f0.size()); }
 
   /// How many rows at zero want to move.
-  [[nodiscard]] int tied() const;
+  [[nodiscard]] int count_falling_rows_at_zero() const;
   /// Least row at zero whose force or gap falls; -1: none.
   [[nodiscard]] int first_falling_row_at_zero() const;
   /// The t at which the first row reaches zero, the end of the path at most (manual, solve.31).
@@ -58,9 +58,11 @@ public:
   /// Column of the matrix at row i.
   base::Vector column(int i);
   /// The modes of a column, in the problem's own units.
-  [[nodiscard]] base::Vector modes(const base::Vector& x) const { return matrix_.modes(x); }
+  [[nodiscard]] base::Vector mode_amplitudes(const base::Vector& x) const {
+    return matrix_.mode_amplitudes(x);
+  }
   /// The first row that reaches zero when z_i grows at this t; -1: none. `x`: column i.
-  [[nodiscard]] int blocking(const base::Vector& x, int i) const;
+  [[nodiscard]] int first_blocking_row(const base::Vector& x, int i) const;
   /// Exchanges a row, or two at once, by their columns.
   void pivot(int i, const base::Vector& x);
   void pivot(std::array<int, 2> rows, std::array<base::Vector, 2> columns);
@@ -69,7 +71,7 @@ private:
   [[nodiscard]] base::Vector state() const { return v_ + t_ * d_; }
   /// Rates that would not leave the tolerance on the whole path are none.
   [[nodiscard]] bool falls(int i) const { return d_(i) * (to_ - from_) < -tolerance_(i); }
-  [[nodiscard]] double time_of(int i) const { return t_ + std::max(y(i), 0.0) / -d_(i); }
+  [[nodiscard]] double time_of(int i) const { return t_ + std::max(force_or_gap(i), 0.0) / -d_(i); }
   /// Rows that will soon be exchanged, as things stand.
   [[nodiscard]] std::vector<int> likely() const;
 

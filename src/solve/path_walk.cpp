@@ -18,7 +18,7 @@ constexpr int shortest_list = 3; ///< pivots between factorisations, when drift 
 
 } // namespace
 
-SolutionPath SolutionPathFollower::run(const std::vector<bool>& start) {
+SolutionPath SolutionPathFollower::follow_path(const std::vector<bool>& start) {
   // Only here, and in turn(), is a contact problem solved; all else are exchanges of rows.
   const ContactSolution first = solve_at(from_, start);
   path_.start_status = first.status;
@@ -60,13 +60,13 @@ void SolutionPathFollower::walk() {
   int here = 0; // pivots at this t
   for (;;) {
     const int i = state_.first_falling_row_at_zero();
-    if (i >= 0 && here == 0 && state_.tied() > tied_rows) {
+    if (i >= 0 && here == 0 && state_.count_falling_rows_at_zero() > tied_rows) {
       here = 1;
       // Ties are judged with a fresh factorisation. It may find the equations broken and go back to
       // an earlier t, where there is nothing to turn for. Asked once at each t: here is no longer
       // 0.
-      const double t = state_.t();
-      if ((state_.pivots() > 0 && !refresh()) || (state_.t() == t && !turn())) {
+      const double t = state_.parameter();
+      if ((state_.pivots() > 0 && !refresh()) || (state_.parameter() == t && !turn())) {
         return;
       }
       continue;
@@ -84,7 +84,7 @@ void SolutionPathFollower::walk() {
     }
     here = 0;
     emit(state_.parameter_of_next_event());
-    if (state_.t() >= to_) {
+    if (state_.parameter() >= to_) {
       if (!settled()) {
         continue;
       }
@@ -119,14 +119,14 @@ bool SolutionPathFollower::change(int i) {
     state_.pivot(i, x);
     return true;
   }
-  const int j = state_.blocking(x, i);
+  const int j = state_.first_blocking_row(x, i);
   if (j < 0) {
     return no_way_on(i, x);
   }
   // A row that opens without a pivot sets a mode free. Where the row that stops the mode is some
   // way off, the body jumps there.
-  if (state_.closed(i) && state_.y(j) > 1e3 * state_.tolerance(j)) {
-    path_.jumps.push_back(state_.t());
+  if (state_.closed(i) && state_.force_or_gap(j) > 1e3 * state_.tolerance(j)) {
+    path_.jumps.push_back(state_.parameter());
   }
   base::Vector auxiliary = state_.column(j);
   state_.pivot({i, j}, {std::move(x), std::move(auxiliary)});
@@ -137,7 +137,7 @@ bool SolutionPathFollower::no_way_on(int i, const base::Vector& x) {
   if (!state_.closed(i)) {
     return stop(PathStatus::inconsistent);
   }
-  path_.unheld = split_.controllable * state_.modes(x);
+  path_.unheld = split_.controllable * state_.mode_amplitudes(x);
   const double norm = path_.unheld.norm();
   if (norm > 0.0) {
     path_.unheld /= norm;
@@ -148,7 +148,7 @@ bool SolutionPathFollower::no_way_on(int i, const base::Vector& x) {
 void SolutionPathFollower::emit(double t1) {
   // Pivots at one t make no segments between them. The first one is kept even if it has no length:
   // it says what is closed where the path begins.
-  if (t1 > state_.t() || path_.segments.empty()) {
+  if (t1 > state_.parameter() || path_.segments.empty()) {
     const std::vector<bool>& now = state_.closed();
     if (path_.segments.empty()) {
       path_.closed = now;
@@ -162,9 +162,10 @@ void SolutionPathFollower::emit(double t1) {
       }
     }
     reported_ = now;
-    path_.segments.push_back({state_.t(), t1, state_.functionals(), state_.functional_rates()});
+    path_.segments.push_back(
+        {state_.parameter(), t1, state_.functionals(), state_.functional_rates()});
   }
-  state_.set_t(t1);
+  state_.set_parameter(t1);
 }
 
 bool SolutionPathFollower::sound() {
@@ -188,15 +189,16 @@ bool SolutionPathFollower::refresh() {
 }
 
 void SolutionPathFollower::mark() {
-  mark_ = {state_.t(), state_.closed(), reported_, path_.segments.size(), path_.changes.size()};
+  mark_ = {state_.parameter(), state_.closed(), reported_, path_.segments.size(),
+           path_.changes.size()};
 }
 
 bool SolutionPathFollower::go_back() {
-  state_.set_t(mark_.t);
+  state_.set_parameter(mark_.t);
   reported_ = mark_.reported;
   path_.segments.resize(mark_.segments);
   path_.changes.resize(mark_.changes);
-  std::erase_if(path_.jumps, [&](double t) { return t > state_.t(); });
+  std::erase_if(path_.jumps, [&](double t) { return t > state_.parameter(); });
   if (interval_ <= shortest_list) {
     return stop(PathStatus::drift);
   }

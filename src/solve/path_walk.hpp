@@ -26,7 +26,7 @@ public:
         interval_(settings.refactor) {}
 
   /// From the solution at the first t to the end; once.
-  SolutionPath run(const std::vector<bool>& start);
+  SolutionPath follow_path(const std::vector<bool>& start);
 
 private:
   /// More rows than this at zero that want to move: ask for the direction.

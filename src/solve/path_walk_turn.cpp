@@ -24,14 +24,14 @@ ContactSolution solve_direction(const ParametricProblem& problem, const PathStat
                                 std::vector<int>& taking_part) {
   // An open row with a gap stays open for a while whatever the direction: it takes no part.
   for (int i = 0; i < state.rows(); ++i) {
-    if (state.closed(i) || !state.is_inequality_row(i) || state.zero(i)) {
+    if (state.closed(i) || !state.is_inequality_row(i) || state.is_at_zero(i)) {
       taking_part.push_back(i);
     }
   }
   std::vector<bool> pressing;
   std::vector<bool> start;
   for (const int i : taking_part) {
-    pressing.push_back(!state.is_inequality_row(i) || (state.closed(i) && !state.zero(i)));
+    pressing.push_back(!state.is_inequality_row(i) || (state.closed(i) && !state.is_at_zero(i)));
     start.push_back(state.closed(i));
   }
   const ContactProblem rate = path_direction_problem(problem, taking_part, pressing, length);
@@ -43,7 +43,7 @@ ContactSolution solve_direction(const ParametricProblem& problem, const PathStat
 bool SolutionPathFollower::set_out() {
   reported_ = state_.closed();
   mark();
-  return state_.tied() <= tied_rows || turn();
+  return state_.count_falling_rows_at_zero() <= tied_rows || turn();
 }
 
 bool SolutionPathFollower::turn() {
@@ -65,7 +65,7 @@ bool SolutionPathFollower::turn() {
   const base::Vector f = state_.functionals();
   base::Vector unheld;
   for (const double step : look_ahead) {
-    const ContactSolution next = solve_at(state_.t() + step * (to_ - from_), before);
+    const ContactSolution next = solve_at(state_.parameter() + step * (to_ - from_), before);
     unheld = next.unheld;
     if (next.status != ContactStatus::solved) {
       continue;
@@ -75,7 +75,7 @@ bool SolutionPathFollower::turn() {
       closed[at(i)] = true;
     }
     if (take(closed) && state_.is_valid_with_same_functionals(f)) {
-      path_.jumps.push_back(state_.t());
+      path_.jumps.push_back(state_.parameter());
       return true;
     }
   }

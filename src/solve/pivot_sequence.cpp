@@ -19,7 +19,7 @@ void PivotSequence::clear(Eigen::Index size) {
 }
 
 void PivotSequence::append(std::vector<int> rows, base::Matrix columns) {
-  PivotExchange pivot{std::move(rows), std::move(columns), {}};
+  PrincipalPivot pivot{std::move(rows), std::move(columns), {}};
   const auto p = index(pivot.rows.size());
   base::Matrix core(p, p);
   for (Eigen::Index r = 0; r < p; ++r) {
@@ -30,7 +30,7 @@ void PivotSequence::append(std::vector<int> rows, base::Matrix columns) {
   list_.push_back(std::move(pivot));
 }
 
-void PivotSequence::add_to_block(const PivotExchange& pivot) {
+void PivotSequence::add_to_block(const PrincipalPivot& pivot) {
   const int i = pivot.rows[0];
   block_.sound = block_.sound && pivot.rows.size() == 1 &&
                  std::find(block_.rows.begin(), block_.rows.end(), i) == block_.rows.end();
@@ -45,7 +45,7 @@ void PivotSequence::add_to_block(const PivotExchange& pivot) {
     block_.core.conservativeResize(more, more);
   }
   // From here on row i holds -s of this pivot. What earlier columns have in it is used once, to
-  // find this s, and is then cleared: advance() must not subtract it again.
+  // find this s, and is then cleared: apply_all_pivots() must not subtract it again.
   block_.core.row(l).head(l) = block_.columns.row(i).head(l);
   block_.core(l, l) = pivot.columns(i, 0);
   block_.columns.row(i).head(l).setZero();
@@ -54,7 +54,7 @@ void PivotSequence::add_to_block(const PivotExchange& pivot) {
   block_.rows.push_back(i);
 }
 
-void PivotSequence::advance(base::Matrix& columns) const {
+void PivotSequence::apply_all_pivots(base::Matrix& columns) const {
   const auto l = index(block_.rows.size());
   base::Matrix s(l, columns.cols());
   for (Eigen::Index j = 0; j < l; ++j) {
@@ -77,8 +77,8 @@ void PivotSequence::advance(base::Matrix& columns) const {
 
 // (solve.30) for one column or state, P the exchanged rows: in the place of x_P comes what
 // z_P has to be, -inverse x_P, and the rest follows along the columns of the pivot.
-void PivotSequence::apply(std::size_t k, base::Vector& x) const {
-  const PivotExchange& pivot = list_[k];
+void PivotSequence::apply_pivot(std::size_t k, base::Vector& x) const {
+  const PrincipalPivot& pivot = list_[k];
   if (pivot.rows.size() == 1) {
     const double z = x(pivot.rows[0]) * pivot.inverse(0, 0);
     if (z != 0.0) {
@@ -96,7 +96,7 @@ void PivotSequence::apply(std::size_t k, base::Vector& x) const {
 // The column of a row that this pivot exchanges, right after it: columns times inverse, the inverse
 // itself in the exchanged rows.
 base::Vector PivotSequence::exchanged_row_column(std::size_t k, int row) const {
-  const PivotExchange& pivot = list_[k];
+  const PrincipalPivot& pivot = list_[k];
   const Eigen::Index own = pivot.rows[0] == row ? 0 : 1;
   base::Vector x = pivot.columns * pivot.inverse.col(own);
   for (std::size_t r = 0; r < pivot.rows.size(); ++r) {
@@ -105,8 +105,8 @@ base::Vector PivotSequence::exchanged_row_column(std::size_t k, int row) const {
   return x;
 }
 
-std::optional<std::size_t> PivotSequence::find_last(int row) const {
-  const auto last = std::find_if(list_.rbegin(), list_.rend(), [&](const PivotExchange& pivot) {
+std::optional<std::size_t> PivotSequence::find_last_pivot_of_row(int row) const {
+  const auto last = std::find_if(list_.rbegin(), list_.rend(), [&](const PrincipalPivot& pivot) {
     return std::ranges::find(pivot.rows, row) != pivot.rows.end();
   });
   return last == list_.rend() ? std::nullopt

@@ -22,19 +22,19 @@ public:
   /// Exchanges one or two rows, whose columns [size, rows] are those of T before this pivot.
   void append(std::vector<int> rows, base::Matrix columns);
   /// Leads a column or state x [size] through pivot number `k`, counted from 0.
-  void apply(std::size_t k, base::Vector& x) const;
+  void apply_pivot(std::size_t k, base::Vector& x) const;
   /// The last pivot that exchanges this row, or none.
-  [[nodiscard]] std::optional<std::size_t> find_last(int row) const;
+  [[nodiscard]] std::optional<std::size_t> find_last_pivot_of_row(int row) const;
   /// The column [size] of a row that pivot `k` exchanges, right after it.
   [[nodiscard]] base::Vector exchanged_row_column(std::size_t k, int row) const;
 
-  /// Whether advance() can be used: every pivot is of one row and no row has two.
-  [[nodiscard]] bool has_block_form() const { return block_.sound; }
+  /// Whether apply_all_pivots() can be used: every pivot is of one row and no row has two.
+  [[nodiscard]] bool can_apply_all_at_once() const { return block_.sound; }
   /// Leads many columns [size, count] through all pivots at once.
-  void advance(base::Matrix& columns) const;
+  void apply_all_pivots(base::Matrix& columns) const;
 
 private:
-  struct PivotExchange {
+  struct PrincipalPivot {
     std::vector<int> rows; ///< one or two
     base::Matrix columns;  ///< [size, rows] before the exchange
     base::Matrix inverse;  ///< of their common part
@@ -42,16 +42,16 @@ private:
   /// The pivots as one step for many columns: with x_P the entries of a column in the exchanged
   /// rows, core s = x_P (lower triangular), x <- x - columns s, x_P <- -s + what later pivots do to
   /// it.
-  struct PivotBlock {
+  struct CombinedPivots {
     bool sound = true; ///< every pivot is of one row and no row has two
     std::vector<int> rows;
     base::Matrix columns; ///< [size, n] entries that a later exchange of their row overwrites are 0
     base::Matrix core;    ///< [n, n]
   };
-  void add_to_block(const PivotExchange& pivot);
+  void add_to_block(const PrincipalPivot& pivot);
 
-  std::vector<PivotExchange> list_;
-  PivotBlock block_;
+  std::vector<PrincipalPivot> list_;
+  CombinedPivots block_;
 };
 
 } // namespace spricka::solve

@@ -25,7 +25,8 @@ constexpr double arrived = 1e-12; // a residual that no step makes smaller
 using NeglectedShearK = Eigen::Vector2d; // zero where there is no second tangent
 
 // The tangential entries of a contact point.
-NeglectedShearK tangential(const RoundFriction::RoundFrictionUnit& u, const base::Vector& v) {
+NeglectedShearK tangential(const RoundConeFrictionProblem::RoundFrictionUnit& u,
+                           const base::Vector& v) {
   NeglectedShearK t = NeglectedShearK::Zero();
   for (int k = 0; k < u.tangents; ++k) {
     t[k] = v[u.tangent[at(k)]];
@@ -41,7 +42,7 @@ NeglectedShearK on_disk(const NeglectedShearK& z, double radius) {
 
 class RoundSolver {
 public:
-  explicit RoundSolver(const RoundFriction& problem) : p_(problem) {}
+  explicit RoundSolver(const RoundConeFrictionProblem& problem) : p_(problem) {}
 
   RoundFrictionState solve(const RoundFrictionStart& start) {
     int steps = 0;
@@ -104,7 +105,7 @@ private:
         {p_.W.data(), static_cast<int>(p_.rows())}, {s_.lambda.data(), static_cast<int>(p_.rows())},
         {s_.gap.data(), static_cast<int>(p_.rows())});
     double scale = p_.force_floor;
-    for (const RoundFriction::RoundFrictionUnit& u : p_.units) {
+    for (const RoundConeFrictionProblem::RoundFrictionUnit& u : p_.units) {
       scale = std::max({scale, s_.lambda[u.normal], 1e-3 * std::abs(p_.b[u.normal])});
     }
     for (const int i : p_.fixed) {
@@ -112,7 +113,7 @@ private:
     }
     double worst = 0.0;
     s_.touch.clear();
-    for (const RoundFriction::RoundFrictionUnit& u : p_.units) {
+    for (const RoundConeFrictionProblem::RoundFrictionUnit& u : p_.units) {
       const double pressed = s_.lambda[u.normal] - s_.gap[u.normal];
       const double limit = u.mu * std::max(pressed, 0.0);
       const NeglectedShearK q = tangential(u, s_.lambda);
@@ -148,7 +149,7 @@ private:
     for (const int i : p_.fixed) {
       move(i, s_.lambda[i] - gap_of(i) / stiffness(i, i));
     }
-    for (const RoundFriction::RoundFrictionUnit& u : p_.units) {
+    for (const RoundConeFrictionProblem::RoundFrictionUnit& u : p_.units) {
       const std::array<int, 3> row{u.normal, u.tangent[0], u.tangent[1]};
       const int count = 1 + u.tangents;
       Eigen::Matrix3d D = Eigen::Matrix3d::Zero();
@@ -231,7 +232,8 @@ private:
   // Where a point slips: (I - rho P) q - mu z p + rho P v = 0 with the unit vector z against the
   // slip and P = I - z z^T across it (solve.35). Along z that is q . z = mu p, which leaves the
   // pressure and what is across.
-  void add_slip(const RoundFriction::RoundFrictionUnit& u, std::vector<Unknown>& list) const {
+  void add_slip(const RoundConeFrictionProblem::RoundFrictionUnit& u,
+                std::vector<Unknown>& list) const {
     const NeglectedShearK z = tangential(u, s_.lambda) - tangential(u, s_.gap);
     const NeglectedShearK along = z.normalized();
     Mix follows;
@@ -257,7 +259,7 @@ private:
       add_closed(i, {}, list);
     }
     for (std::size_t k = 0; k < p_.units.size(); ++k) {
-      const RoundFriction::RoundFrictionUnit& u = p_.units[k];
+      const RoundConeFrictionProblem::RoundFrictionUnit& u = p_.units[k];
       if (s_.touch[k] == SlipState::forward) {
         add_slip(u, list);
       } else if (s_.touch[k] != SlipState::open) {
@@ -331,7 +333,7 @@ private:
     return true;
   }
 
-  const RoundFriction& p_;
+  const RoundConeFrictionProblem& p_;
   RoundFrictionState s_;
   base::Matrix K_; ///< kept from step to step for its memory
   base::Matrix x_;
@@ -339,10 +341,10 @@ private:
 
 } // namespace
 
-RoundFriction scale_round_friction_problem(const ControllableProblem& held,
-                                           const std::vector<FrictionRow>& friction,
-                                           double load_scale) {
-  RoundFriction p;
+RoundConeFrictionProblem scale_round_friction_problem(const ControllableProblem& held,
+                                                      const std::vector<FrictionRow>& friction,
+                                                      double load_scale) {
+  RoundConeFrictionProblem p;
   const auto n = index(static_cast<std::size_t>(held.rows()));
   const double root = std::sqrt(held.tau);
   p.inverse = base::Vector::Zero(n);
@@ -373,7 +375,8 @@ RoundFriction scale_round_friction_problem(const ControllableProblem& held,
       p.fixed.push_back(i);
       continue;
     }
-    RoundFriction::RoundFrictionUnit unit{.normal = i, .tangents = 0, .tangent = {}, .mu = 0.0};
+    RoundConeFrictionProblem::RoundFrictionUnit unit{
+        .normal = i, .tangents = 0, .tangent = {}, .mu = 0.0};
     if (const FrictionRow* f = rubs[at(i)]) {
       unit.mu = f->mu;
       for (const int t : {f->tangent, f->second}) {
@@ -387,12 +390,12 @@ RoundFriction scale_round_friction_problem(const ControllableProblem& held,
   return p;
 }
 
-RoundFrictionState solve_round_friction(const RoundFriction& problem,
+RoundFrictionState solve_round_friction(const RoundConeFrictionProblem& problem,
                                         const RoundFrictionStart& start) {
   return RoundSolver(problem).solve(start);
 }
 
-RoundFrictionState iterate_round_friction_newton(const RoundFriction& problem,
+RoundFrictionState iterate_round_friction_newton(const RoundConeFrictionProblem& problem,
                                                  const PredictedContactForces& near, int most,
                                                  double enough) {
   return RoundSolver(problem).approach(near, most, enough);

@@ -12,7 +12,7 @@ namespace spricka::solve {
 /// The friction problem with round cones, in units where a normal row's own compliance is about 1;
 /// the tangents of a unit have the unit of its normal, so that cones stay round. Forces times d,
 /// gaps over d, modes over sqrt(tau).
-struct RoundFriction {
+struct RoundConeFrictionProblem {
   struct RoundFrictionUnit { ///< an inequality row, with the rows of its slip if there is friction
     int normal = 0;
     int tangents = 0; ///< 0 to 2
@@ -33,9 +33,9 @@ struct RoundFriction {
 };
 /// The problem in these units. Rows without compliance become no units; slip rows take the scale of
 /// their normal rows.
-RoundFriction scale_round_friction_problem(const ControllableProblem& held,
-                                           const std::vector<FrictionRow>& friction,
-                                           double load_scale);
+RoundConeFrictionProblem scale_round_friction_problem(const ControllableProblem& held,
+                                                      const std::vector<FrictionRow>& friction,
+                                                      double load_scale);
 
 /// An answer, or the last thing tried.
 struct RoundFrictionState {
@@ -62,12 +62,12 @@ struct RoundFrictionStart {
 /// Curnier 1991) to arrive; alone that may cycle, then it begins anew from more sweeps. Motions
 /// that nothing holds stay where `alpha` has them. Expected forces are tried first: near the answer
 /// Newton needs no sweeps and fewer steps.
-RoundFrictionState solve_round_friction(const RoundFriction& problem,
+RoundFrictionState solve_round_friction(const RoundConeFrictionProblem& problem,
                                         const RoundFrictionStart& start);
 
 /// Newton's method of it alone, at most so many steps and until the residual is small enough; with
 /// none, the gaps, states and residual of these forces and motions.
-RoundFrictionState iterate_round_friction_newton(const RoundFriction& problem,
+RoundFrictionState iterate_round_friction_newton(const RoundConeFrictionProblem& problem,
                                                  const PredictedContactForces& near, int most,
                                                  double enough);
 

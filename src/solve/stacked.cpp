@@ -171,7 +171,7 @@ bool TwoLevelCondensation::eliminate_early(const CondensedNetBlock& dense,
       parts.rest(place[r], place[c]) += schur(index(r), index(c));
     }
   }
-  const auto firsts = early->count();
+  const auto firsts = early->early_row_count();
   std::vector<Eigen::Index> externals;
   for (std::size_t t = at(rows_.inner_count()); t < row.size(); ++t) {
     // Rows of the layered factor: early ones first, then the rest.

@@ -24,7 +24,7 @@ double SweptMatrix::unit(int i, bool closed) const {
   return closed ? d : 1.0 / d;
 }
 
-bool SweptMatrix::begin(const std::vector<bool>& closed) {
+bool SweptMatrix::factorise_closed_rows(const std::vector<bool>& closed) {
   closed_ = closed;
   first_closed_ = closed;
   list_.clear(size());
@@ -59,8 +59,8 @@ base::Vector SweptMatrix::initial_state(const base::Vector& b, const base::Vecto
   return c;
 }
 
-// T at begin: a gap of a closed row, or a force on an open one, is answered by the forces of the
-// closed rows and the modes, and these open the others.
+// T as factorised: a gap of a closed row, or a force on an open one, is answered by the forces of
+// the closed rows and the modes, and these open the others.
 void SweptMatrix::make_columns(const std::vector<int>& rows) {
   const std::vector<int>& A = factor_.rows();
   const auto a = index(A.size());
@@ -112,11 +112,12 @@ void SweptMatrix::make_columns(const std::vector<int>& rows) {
     column.segment(n_, m_) = bottom.col(c) * own;
     column.tail(more.rows()) = more.col(c) * own;
   }
-  // Columns are those at begin. Through the pivots since then they go all at once, or, where rows
-  // have been exchanged twice or in pairs, one by one in column(): the age says how far they are.
-  const bool at_once = list_.has_block_form() && !list_.empty();
+  // Columns are those of the factorisation. Through the pivots since then they go all at once, or,
+  // where rows have been exchanged twice or in pairs, one by one in column(): the age says how far
+  // they are.
+  const bool at_once = list_.can_apply_all_at_once() && !list_.empty();
   if (at_once) {
-    list_.advance(all);
+    list_.apply_all_pivots(all);
   }
   for (Eigen::Index c = 0; c < k; ++c) {
     made_[at(rows[at(c)])] = all.col(c);
@@ -129,7 +130,7 @@ base::Vector SweptMatrix::column(int i, std::span<const int> likely) {
   std::size_t from = 0;
   // The last pivot that exchanged row i has its column in itself: no solution with the factor, and
   // none of the earlier pivots count.
-  if (const std::optional<std::size_t> last = list_.find_last(i)) {
+  if (const std::optional<std::size_t> last = list_.find_last_pivot_of_row(i)) {
     x = list_.exchanged_row_column(*last, i);
     from = *last + 1;
   } else {
@@ -146,7 +147,7 @@ base::Vector SweptMatrix::column(int i, std::span<const int> likely) {
     from = age_[at(i)];
   }
   for (; from < list_.size(); ++from) {
-    list_.apply(from, x);
+    list_.apply_pivot(from, x);
   }
   return x;
 }
@@ -158,7 +159,7 @@ void SweptMatrix::exchange(std::vector<int> rows, base::Matrix columns,
   }
   list_.append(std::move(rows), std::move(columns));
   for (base::Vector* state : states) {
-    list_.apply(list_.size() - 1, *state);
+    list_.apply_pivot(list_.size() - 1, *state);
   }
 }
 
@@ -194,7 +195,7 @@ base::Vector SweptMatrix::open_gaps(const base::Vector& state) const {
   return gap;
 }
 
-base::Vector SweptMatrix::modes(const base::Vector& state) const {
+base::Vector SweptMatrix::mode_amplitudes(const base::Vector& state) const {
   return state.segment(n_, m_);
 }
 

@@ -27,12 +27,14 @@ public:
 
   /// Factorises for these closed rows and forgets all pivots. False: they do not hold all modes,
   /// or some are redundant.
-  bool begin(const std::vector<bool>& closed);
-  [[nodiscard]] const std::vector<bool>& closed() const { return closed_; }   ///< [n] at present
-  [[nodiscard]] int pivots() const { return static_cast<int>(list_.size()); } ///< since begin
+  bool factorise_closed_rows(const std::vector<bool>& closed);
+  [[nodiscard]] const std::vector<bool>& closed() const { return closed_; } ///< [n] at present
+  /// How many pivots were made since the factorisation.
+  [[nodiscard]] int pivots() const { return static_cast<int>(list_.size()); }
   [[nodiscard]] Eigen::Index size() const { return n_ + m_ + of_force_.rows(); }
 
-  /// c [size] for gaps b [n] and loads h [m], at begin: no pivots must have been made.
+  /// c [size] for gaps b [n] and loads h [m], right after the factorisation: no pivots must have
+  /// been made.
   [[nodiscard]] base::Vector initial_state(const base::Vector& b, const base::Vector& h) const;
   /// Column i of T [size]. Columns of `likely` rows are made along with it.
   [[nodiscard]] base::Vector column(int i, std::span<const int> likely);
@@ -47,7 +49,7 @@ public:
   /// Forces [n] and modes [m] of a state, in the problem's own units.
   [[nodiscard]] base::Vector forces(const base::Vector& state) const;
   /// The modes [m] of a state, in the problem's own units.
-  [[nodiscard]] base::Vector modes(const base::Vector& state) const;
+  [[nodiscard]] base::Vector mode_amplitudes(const base::Vector& state) const;
   /// Gaps [n] of open rows; zero for closed ones.
   [[nodiscard]] base::Vector open_gaps(const base::Vector& state) const;
 
@@ -60,8 +62,8 @@ private:
   Eigen::Index n_, m_;
   base::Matrix of_force_, of_mode_;
   BorderedFactor factor_;
-  std::vector<bool> closed_, first_closed_; ///< now; at begin
-  std::vector<int> open_;                   ///< rows open at begin
+  std::vector<bool> closed_, first_closed_; ///< now; when factorised
+  std::vector<int> open_;                   ///< rows open when factorised
   base::Matrix W_open_;                     ///< [open, n]
   std::vector<base::Vector> made_;          ///< [n] columns, or empty
   std::vector<std::size_t> age_;            ///< [n] how many pivots a column has been through

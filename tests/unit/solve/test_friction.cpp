@@ -271,15 +271,17 @@ TEST(Lemke, EndsInTheSolutionOrInARay) {
   // the matrix on which flipping of signs cycles, and one without a solution
   Matrix M(3, 3);
   M << 4, 5, -5, 5, 9, -5, -5, -5, 7;
-  const LemkeResult one = lemke(M, Eigen::Vector3d(-2, -1, 3), Vector::Ones(3), 100);
+  const LemkeResult one =
+      solve_by_lemke_pivoting(M, Eigen::Vector3d(-2, -1, 3), Vector::Ones(3), 100);
   EXPECT_TRUE(one.solved);
   EXPECT_EQ(one.basic, (std::vector<bool>{true, false, false}));
-  EXPECT_FALSE(
-      lemke(-Matrix::Identity(2, 2), Eigen::Vector2d(-1, -1), Vector::Ones(2), 100).solved);
+  EXPECT_FALSE(solve_by_lemke_pivoting(-Matrix::Identity(2, 2), Eigen::Vector2d(-1, -1),
+                                       Vector::Ones(2), 100)
+                   .solved);
   // all ratios alike: ties at every pivot
   for (int n = 1; n < 30; ++n) {
     const Matrix D = Matrix::Identity(n, n) + Matrix::Ones(n, n);
-    const LemkeResult all = lemke(D, -Vector::Ones(n), Vector::Ones(n), 100);
+    const LemkeResult all = solve_by_lemke_pivoting(D, -Vector::Ones(n), Vector::Ones(n), 100);
     EXPECT_TRUE(all.solved);
     EXPECT_EQ(all.basic, std::vector<bool>(at(n), true));
   }
