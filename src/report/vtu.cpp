@@ -93,7 +93,7 @@ void write_step_vtu(const std::filesystem::path& file, const model::Model& /*mod
                     const results::LoadStepResult& step) {
   const model::Mesh& mesh = increment.mesh;
   const VtuGridPoints points = make_vtu_grid_points(mesh, step.stress.size() > mesh.node_count());
-  VtuDocument document = vtu_grid(mesh, points);
+  VtuDocument document = begin_vtu_grid(mesh, points);
   document.add_line("      <CellData Scalars=\"net\">");
   add_cell_numbers(document, mesh);
   if (!step.element_stress.empty()) {
@@ -135,7 +135,7 @@ void add_mark(VtuDocument& document, const std::string& name, std::size_t count,
 
 void write_mesh_sets_vtu(const std::filesystem::path& file, const model::Mesh& mesh) {
   const VtuGridPoints points = make_vtu_grid_points(mesh, false);
-  VtuDocument document = vtu_grid(mesh, points);
+  VtuDocument document = begin_vtu_grid(mesh, points);
   document.add_line("      <CellData>");
   add_cell_numbers(document, mesh);
   for (const model::ElementSet& set : mesh.element_sets) {
@@ -184,7 +184,7 @@ void write_contact_vtu(const std::filesystem::path& file, const model::Model& mo
       corners.push_back(first + corner);
     }
   }
-  VtuDocument document = vtu_triangles(x, corners);
+  VtuDocument document = begin_vtu_triangles(x, corners);
   document.add_line("      <PointData Scalars=\"p_lumped\">");
   document.add_array("p_lumped", "Float64", 1, values[0]);
   document.add_array("p_consistent", "Float64", 1, values[1]);
@@ -222,7 +222,7 @@ void write_front_vtu(const std::filesystem::path& file, const model::Model& mode
       ends.push_back(first + (i + 1) % count);
     }
   }
-  VtuDocument document = vtu_lines(x, ends);
+  VtuDocument document = begin_vtu_lines(x, ends);
   document.add_line("      <PointData Scalars=\"K1\">");
   for (const results::KQuantity& q : results::k_quantities) {
     if (q.appears_in(results::in_output, 3)) {

@@ -106,9 +106,10 @@ ReportTable length_table(const std::vector<CrackLengthCostSum>& lengths) {
   using Row = CrackLengthCostSum;
   return report::Columns<Row>()
       .words("", &Row::label)
-      .number(
-          "a", "",
-          [](const Row& row) { return row.work->a ? report::six_digits(*row.work->a) : unknown; })
+      .number("a", "",
+              [](const Row& row) {
+                return row.work->a ? report::format_six_digits(*row.work->a) : unknown;
+              })
       .number("cpu", "s", [](const Row& row) { return seconds(row.work->cpu); })
       .number("wall", "s", [](const Row& row) { return seconds(row.work->end - row.work->begin); })
       .number("mesher", "s", [](const Row& row) { return seconds(row.mesher_cpu); })

@@ -105,8 +105,8 @@ std::string plateau_reason(const PlateauContext& view, std::span<const MeshSizeA
   if (view.series.family == SettingFamily::quarter) {
     return "quarter points are missing";
   }
-  constexpr double six_digits = 3e-6;
-  if (view.series.family == SettingFamily::peer && level < six_digits) {
+  constexpr double format_six_digits = 3e-6;
+  if (view.series.family == SettingFamily::peer && level < format_six_digits) {
     return "CalculiX writes six digits";
   }
   const std::string unchanged = unchanged_part(view.series.family);

@@ -110,7 +110,9 @@ report::ReportTable checks_table(const DeckRunChecks& point) {
       .words("check", &Check::text)
       .number("reference", "", &Check::wanted)
       .number("result", "",
-              [](const Check& c) { return c.trouble.empty() ? report::six_digits(c.found) : "-"; })
+              [](const Check& c) {
+                return c.trouble.empty() ? report::format_six_digits(c.found) : "-";
+              })
       .number("error", "", error_of)
       .number("allowed", "",
               [](const Check& c) { return error_in_words(c.tolerance, c.relative, "{:.4g}"); })

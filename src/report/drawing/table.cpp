@@ -70,12 +70,12 @@ ReportTable without_title(ReportTable table) {
   return table;
 }
 
-std::string six_digits(double value) {
+std::string format_six_digits(double value) {
   return fmt::format("{:.6g}", value);
 }
 
 std::string six_digits_or_zero(double value, double scale) {
-  return std::abs(value) < 1e-9 * scale ? "0" : six_digits(value);
+  return std::abs(value) < 1e-9 * scale ? "0" : format_six_digits(value);
 }
 
 std::string escape_xml(std::string_view text) {

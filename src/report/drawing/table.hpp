@@ -34,7 +34,7 @@ ReportTable without_title(ReportTable table);
 std::string typeset_unit(std::string_view unit);
 
 /// A number as tables have it.
-std::string six_digits(double value);
+std::string format_six_digits(double value);
 /// The same, but 0 where nothing but round-off is left beside `scale`.
 std::string six_digits_or_zero(double value, double scale);
 

@@ -50,7 +50,7 @@ void add_cells(VtuDocument& document, const model::Mesh& mesh, const VtuGridPoin
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const auto first = static_cast<std::size_t>(mesh.first[e]);
     for (std::size_t i = 0; i < mesh.element_nodes(base::ElementId(e)).size(); ++i) {
-      connectivity[first + i] = points.of[first + place_of(mesh.type[e], i)];
+      connectivity[first + i] = points.point_at_connectivity[first + place_of(mesh.type[e], i)];
     }
   }
   std::vector<std::int64_t> offsets;
@@ -143,7 +143,7 @@ VtuGridPoints make_vtu_grid_points(const model::Mesh& mesh, bool split) {
     }
   }
   for (const std::int32_t source : sources.of) {
-    points.of.push_back(point[static_cast<std::size_t>(source)]);
+    points.point_at_connectivity.push_back(point[static_cast<std::size_t>(source)]);
   }
   point.resize(mesh.node_count()); // the nodes' own come first
   points.point = std::move(point);
@@ -192,7 +192,7 @@ VtuDocument simple_cells(const std::vector<double>& x, const std::vector<std::in
 
 } // namespace
 
-VtuDocument vtu_grid(const model::Mesh& mesh, const VtuGridPoints& points) {
+VtuDocument begin_vtu_grid(const model::Mesh& mesh, const VtuGridPoints& points) {
   std::vector<double> x;
   for (const std::size_t n : points.node) {
     x.insert(x.end(), mesh.x[n].data(), mesh.x[n].data() + 3);
@@ -202,11 +202,12 @@ VtuDocument vtu_grid(const model::Mesh& mesh, const VtuGridPoints& points) {
   return document;
 }
 
-VtuDocument vtu_triangles(const std::vector<double>& x, const std::vector<std::int64_t>& corners) {
+VtuDocument begin_vtu_triangles(const std::vector<double>& x,
+                                const std::vector<std::int64_t>& corners) {
   return simple_cells(x, corners, {3, vtk_cell[static_cast<std::size_t>(ElementType::trim3)]});
 }
 
-VtuDocument vtu_lines(const std::vector<double>& x, const std::vector<std::int64_t>& ends) {
+VtuDocument begin_vtu_lines(const std::vector<double>& x, const std::vector<std::int64_t>& ends) {
   constexpr std::uint8_t line = 3; // VTK_LINE
   return simple_cells(x, ends, {2, line});
 }

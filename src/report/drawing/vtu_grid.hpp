@@ -59,7 +59,7 @@ struct VtuGridPoints {
   std::vector<std::size_t> node;   ///< [point] mesh node
   std::vector<std::size_t> source; ///< [point] where its stress stands in the results
   std::vector<std::int64_t> point; ///< [node] its first point, or -1
-  std::vector<std::int64_t> of;    ///< [connectivity index] point
+  std::vector<std::int64_t> point_at_connectivity; ///< [connectivity index] point
 };
 
 /// One point for each node; `split`: one more for each further property that meets there.
@@ -67,13 +67,14 @@ VtuGridPoints make_vtu_grid_points(const model::Mesh& mesh, bool split);
 
 /// A document with the grid: its points, and its cells of all types in VTK's node order. Cell data,
 /// point data and finish_vtu_text() are to follow.
-VtuDocument vtu_grid(const model::Mesh& mesh, const VtuGridPoints& points);
+VtuDocument begin_vtu_grid(const model::Mesh& mesh, const VtuGridPoints& points);
 /// Net and number of each cell, as arrays within <CellData>.
 void add_cell_numbers(VtuDocument& document, const model::Mesh& mesh);
 /// A document with points and triangles between them, three places for each.
-VtuDocument vtu_triangles(const std::vector<double>& x, const std::vector<std::int64_t>& corners);
+VtuDocument begin_vtu_triangles(const std::vector<double>& x,
+                                const std::vector<std::int64_t>& corners);
 /// The same of straight lines. [3 * point], [2 * line]
-VtuDocument vtu_lines(const std::vector<double>& x, const std::vector<std::int64_t>& ends);
+VtuDocument begin_vtu_lines(const std::vector<double>& x, const std::vector<std::int64_t>& ends);
 /// Closes the grid of a document and returns the whole file.
 std::string finish_vtu_text(VtuDocument& document);
 

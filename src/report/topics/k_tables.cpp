@@ -51,7 +51,7 @@ std::string k_cell(const results::KQuantity& q, const FrontPointRow& row, const 
   case results::KQuantityDigits::six:
     break;
   }
-  return six_digits(value);
+  return format_six_digits(value);
 }
 
 /// A column for each quantity that the listing has, one for its error bar behind each K.

@@ -236,7 +236,7 @@ ReportTable contact_opening_onset_table(const results::CrackLengthResult& increm
       .words("contact", [](const OpeningRow& row) { return row.contact.name; })
       .number("first pair opens at t", "",
               [](const OpeningRow& row) {
-                return row.contact.opening ? six_digits(*row.contact.opening) : "none";
+                return row.contact.opening ? format_six_digits(*row.contact.opening) : "none";
               })
       .number("closed at begin", "",
               [](const OpeningRow& row) { return row.contact.closed.front(); })

@@ -12,7 +12,8 @@ ReportTable checks_table(const results::RunResult& run) {
   const auto found = [](const Check& check) { return check.trouble.empty(); };
   Columns<Check> columns;
   columns.words("check", &Check::text)
-      .number("found", "", [=](const Check& c) { return found(c) ? six_digits(c.found) : "-"; })
+      .number("found", "",
+              [=](const Check& c) { return found(c) ? format_six_digits(c.found) : "-"; })
       .number("wanted", "", &Check::wanted)
       .number(
           "error", "",
