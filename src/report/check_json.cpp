@@ -40,7 +40,7 @@ json of(const results::NetPreview& n) {
             {"dependent", n.dependent}}}};
 }
 
-json of(const results::MeshQualityPreview& q) {
+json of(const results::WorstElementPreview& q) {
   return {{"of", q.where}, {"measure", q.measure}, {"value", q.value},
           {"net", q.net},  {"element", q.element}, {"at", place(q.at)}};
 }

@@ -59,7 +59,7 @@ ReportTable nets(const DeckPreview& p) {
 }
 
 ReportTable quality(const DeckPreview& p) {
-  using Quality = results::MeshQualityPreview;
+  using Quality = results::WorstElementPreview;
   Columns<Quality> columns;
   columns.words("of", &Quality::where)
       .words("measure", &Quality::measure)

@@ -12,7 +12,7 @@ namespace spricka::results {
 /// A point of a front that grows, at a station; in the plane the tip, in space an end of an axis
 /// too.
 struct GrownPointResult {
-  std::string name; ///< as TipResult
+  std::string name; ///< as FrontResult
   /// What lies behind the tip: its crack's first length (half of it if embedded) and all it has
   /// grown since; the two arms of an embedded crack grow apart.
   double a = 0.0;
@@ -28,7 +28,7 @@ struct GrownPointResult {
 
 /// One finite-element solution of the growth.
 struct GrowthStation {
-  int increment = 0;                    ///< Increment::number
+  int increment = 0;                    ///< CrackLengthResult::number
   double cycles = 0.0;                  ///< or passes
   std::vector<GrownPointResult> points; ///< of all fronts
   int passes = 0;      ///< of the loads, where friction makes K a history, until K repeated itself

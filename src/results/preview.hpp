@@ -27,7 +27,7 @@ struct NetPreview {
 };
 
 /// The element that is worst by one measure.
-struct MeshQualityPreview {
+struct WorstElementPreview {
   std::string where;   ///< "host" or "crack patches"
   std::string measure; ///< "scaled Jacobian", "aspect", "smallest angle", "largest angle"
   double value = 0.0;  ///< angles in degrees
@@ -115,7 +115,7 @@ struct DeckPreview {
   std::string force_unit;
   int dim = 2;
   std::vector<NetPreview> nets;
-  std::vector<MeshQualityPreview> quality;
+  std::vector<WorstElementPreview> quality;
   std::size_t inside_out = 0; ///< elements
   std::vector<ContactPairPreview> pairs;
   std::vector<BodyRestraintPreview> bodies;

@@ -34,7 +34,7 @@ struct ForceBalance {
 
 /// What the mesh of one net, or of all together, is estimated to miss (fe/error_estimate.hpp).
 struct NetErrorEstimate {
-  std::string net;   ///< as in Balance, "*": all
+  std::string net;   ///< as in ForceBalance, "*": all
   double part = 0.0; ///< sqrt(error energy / (strain energy + error energy))
   /// Where most of it sits, at most three, and their share of the error's energy.
   std::vector<base::ElementId> worst;

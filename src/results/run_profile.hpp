@@ -17,7 +17,7 @@ struct ProcessorInterval {
   double begin = 0.0, end = 0.0;            ///< moments [s]
   double cpu = 0.0;                         ///< [s] of the process, all of its threads
   std::optional<double> flops = {};         ///< those that were counted, of what was solved
-  std::optional<std::size_t> length = {};   ///< of Profile::lengths
+  std::optional<std::size_t> length = {};   ///< of RunProfile::lengths
   std::optional<std::size_t> resident = {}; ///< [bytes] at its end
   std::optional<std::size_t> peak = {};     ///< [bytes] of the process until its end
 };
@@ -32,7 +32,7 @@ struct NetCost {
   bool beside = false;                            ///< condensed on another thread than the main one
   double begin = 0.0, assembled = 0.0, end = 0.0; ///< moments [s]: stiffness, then condensation
   double stiffness_cpu = 0.0, analysis_cpu = 0.0, numeric_cpu = 0.0; ///< [s] of its thread
-  std::optional<std::size_t> length = {};                            ///< of Profile::lengths
+  std::optional<std::size_t> length = {};                            ///< of RunProfile::lengths
 };
 
 /// All that was done for one crack length.

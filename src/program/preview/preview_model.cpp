@@ -43,7 +43,7 @@ void count_freedoms(const analysis::Discretisation& scene, const std::vector<boo
 
 void add_quality(const model::Model& model, const model::Mesh& mesh, const std::string& where,
                  const std::vector<base::ElementId>& elements,
-                 std::vector<results::MeshQualityPreview>& list) {
+                 std::vector<results::WorstElementPreview>& list) {
   const std::optional<mesh::MeshQuality> quality = mesh::measure_quality(mesh, elements);
   if (!quality) {
     return;
@@ -93,9 +93,9 @@ std::vector<results::NetPreview> preview_nets(const model::Model& model,
   return nets;
 }
 
-std::vector<results::MeshQualityPreview>
+std::vector<results::WorstElementPreview>
 preview_mesh_quality(const model::Model& model, const analysis::Discretisation& scene) {
-  std::vector<results::MeshQualityPreview> list;
+  std::vector<results::WorstElementPreview> list;
   std::vector<base::ElementId> host;
   for (std::size_t e = 0; e < model.mesh.element_count(); ++e) {
     host.emplace_back(e);

@@ -14,7 +14,7 @@ std::vector<results::NetPreview> preview_nets(const model::Model& model,
                                               const analysis::Discretisation& scene);
 
 /// The worst elements of the host and of the crack patches.
-std::vector<results::MeshQualityPreview>
+std::vector<results::WorstElementPreview>
 preview_mesh_quality(const model::Model& model, const analysis::Discretisation& scene);
 
 /// What the surfaces of each pair see of each other.
