@@ -12,10 +12,10 @@
 namespace spricka::life::test_rainflow {
 namespace {
 
-using NodeCounts = std::map<std::pair<double, double>, double>;
+using CycleCounts = std::map<std::pair<double, double>, double>;
 
-NodeCounts counts(const std::vector<LoadCycle>& cycles) {
-  NodeCounts sum;
+CycleCounts counts(const std::vector<LoadCycle>& cycles) {
+  CycleCounts sum;
   for (const LoadCycle& cycle : cycles) {
     sum[{cycle.low, cycle.high}] += cycle.count;
   }
@@ -36,14 +36,14 @@ std::vector<double> random_history(std::size_t size, unsigned seed, int levels) 
 const std::vector<double> astm{-2, 1, -3, 5, -1, 3, -4, 4, -2};
 
 TEST(Rainflow, CountsTheExampleOfAstm) {
-  const NodeCounts expected{{{-2, 1}, 0.5}, {{-3, 1}, 0.5}, {{-1, 3}, 1.0}, {{-3, 5}, 0.5},
-                            {{-4, 5}, 0.5}, {{-4, 4}, 0.5}, {{-2, 4}, 0.5}};
+  const CycleCounts expected{{{-2, 1}, 0.5}, {{-3, 1}, 0.5}, {{-1, 3}, 1.0}, {{-3, 5}, 0.5},
+                             {{-4, 5}, 0.5}, {{-4, 4}, 0.5}, {{-2, 4}, 0.5}};
   EXPECT_EQ(counts(count_rainflow_cycles(astm, false)), expected);
 }
 
 // 5.4.5 with figure 7: the same history, repeated.
 TEST(Rainflow, CountsTheRepeatedExampleOfAstm) {
-  const NodeCounts expected{{{-2, 1}, 1.0}, {{-1, 3}, 1.0}, {{-3, 4}, 1.0}, {{-4, 5}, 1.0}};
+  const CycleCounts expected{{{-2, 1}, 1.0}, {{-1, 3}, 1.0}, {{-3, 4}, 1.0}, {{-4, 5}, 1.0}};
   EXPECT_EQ(counts(count_rainflow_cycles(astm, true)), expected);
 }
 
@@ -58,8 +58,8 @@ TEST(Rainflow, PointsThatDoNotTurnAreLeftOut) {
 
 TEST(Rainflow, AConstantAmplitudeIsItsOwnCount) {
   const std::vector<double> history{0, 1, 0, 1, 0, 1};
-  EXPECT_EQ(counts(count_rainflow_cycles(history, true)), (NodeCounts{{{0, 1}, 3.0}}));
-  EXPECT_EQ(counts(count_rainflow_cycles(history, false)), (NodeCounts{{{0, 1}, 2.5}}));
+  EXPECT_EQ(counts(count_rainflow_cycles(history, true)), (CycleCounts{{{0, 1}, 3.0}}));
+  EXPECT_EQ(counts(count_rainflow_cycles(history, false)), (CycleCounts{{{0, 1}, 2.5}}));
 }
 
 // Every range between turning points is half of one cycle, and cycles go as far up and down as the
@@ -86,7 +86,7 @@ TEST(Rainflow, CountsEveryReversalAndTheWholeWay) {
 TEST(Rainflow, ARepeatedHistoryClosesWhereverItStarts) {
   for (unsigned seed = 1; seed <= 30; ++seed) {
     std::vector<double> history = random_history(30 + 3 * seed, seed, seed % 2 ? 9 : 100000);
-    const NodeCounts first = counts(count_rainflow_cycles(history, true));
+    const CycleCounts first = counts(count_rainflow_cycles(history, true));
     for (const auto& [range, count] : first) {
       EXPECT_EQ(count, std::floor(count));
     }
@@ -97,7 +97,7 @@ TEST(Rainflow, ARepeatedHistoryClosesWhereverItStarts) {
     for (double& x : history) {
       x = -x;
     }
-    NodeCounts mirrored;
+    CycleCounts mirrored;
     for (const auto& [range, count] : counts(count_rainflow_cycles(history, true))) {
       mirrored[{-range.second, -range.first}] = count;
     }
@@ -107,8 +107,8 @@ TEST(Rainflow, ARepeatedHistoryClosesWhereverItStarts) {
 
 // The four-point rule (Amzallag et al. 1994): of four points in a row the inner range is a cycle if
 // it lies within the outer one. Of a history repeated twice one pass's worth closes.
-NodeCounts four_point(std::vector<double> points) {
-  NodeCounts sum;
+CycleCounts four_point(std::vector<double> points) {
+  CycleCounts sum;
   for (std::size_t i = 0; i + 3 < points.size();) {
     const auto [a, d] = std::minmax(points[i], points[i + 3]);
     const auto [b, c] = std::minmax(points[i + 1], points[i + 2]);
@@ -135,7 +135,7 @@ TEST(Rainflow, AgreesWithTheFourPointRule) {
       }
       return four_point(base::turning_points(all));
     };
-    NodeCounts more = passes(3);
+    CycleCounts more = passes(3);
     for (const auto& [range, count] : passes(2)) {
       more[range] -= count;
     }
