@@ -68,7 +68,7 @@ bool TipNeighbourhood::on_boundary(base::NodeId n) const {
       if (std::none_of(side.begin(), side.end(), is_n)) {
         continue;
       }
-      const std::span<const int> corners = side.first(shape::side_corners(type, s));
+      const std::span<const int> corners = side.first(shape::side_corner_count(type, s));
       const auto shares = [&](base::ElementId other) {
         return other != e && std::all_of(corners.begin(), corners.end(), [&](int i) {
                  return has(other, nodes[static_cast<std::size_t>(i)]);

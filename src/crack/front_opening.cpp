@@ -27,7 +27,7 @@ std::optional<NodeId> first_behind(const model::Mesh& mesh, const std::vector<mo
     const base::ElementType type = mesh.type[face.element.index()];
     const std::span<const NodeId> nodes = mesh.element_nodes(face.element);
     const std::span<const int> side = shape::side_nodes(type, face.side);
-    const std::size_t corners = shape::side_corners(type, face.side);
+    const std::size_t corners = shape::side_corner_count(type, face.side);
     const auto node = [&](std::size_t i) { return nodes[static_cast<std::size_t>(side[i])]; };
     for (std::size_t i = 0; i < corners; ++i) {
       const std::size_t next = (i + 1) % corners;

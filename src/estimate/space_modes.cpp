@@ -179,7 +179,7 @@ SolidModes::SolidModes(ElementType type) : type_(type) {
     modes_.push_back({SolidMode::SolidModeSite::edge, m, 0});
   }
   for (int s = 0; s < base::element_info(type).sides; ++s) {
-    if (shape::side_corners(type, s) == 3) {
+    if (shape::side_corner_count(type, s) == 3) {
       modes_.push_back({SolidMode::SolidModeSite::triangle, s, 0});
     } else {
       for (int k = 0; k < 4; ++k) {

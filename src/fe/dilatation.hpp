@@ -27,7 +27,7 @@ template <shape::Element S> struct ProjectedDilatation {
     }
   }();
   static constexpr int most_modes = modes == Eigen::Dynamic ? 1 + S::dim : modes;
-  static constexpr int most_freedoms = S::dim * shape::NodeCounts<S>::most_nodes;
+  static constexpr int most_freedoms = S::dim * shape::MatrixNodeCounts<S>::most_nodes;
   using Modes = Eigen::Matrix<double, modes, 1, 0, most_modes, 1>;
   using Volume =
       Eigen::Matrix<double, modes, modes == Eigen::Dynamic ? Eigen::Dynamic : most_freedoms,

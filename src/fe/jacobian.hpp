@@ -19,16 +19,16 @@ namespace spricka::fe {
 
 /// Values of a vector field (coordinates, displacements, forces) at the nodes of an element.
 template <class S>
-using NodeVectors = Eigen::Matrix<double, S::dim, shape::NodeCounts<S>::nodes, 0, S::dim,
-                                  shape::NodeCounts<S>::most_nodes>;
+using NodeVectors = Eigen::Matrix<double, S::dim, shape::MatrixNodeCounts<S>::nodes, 0, S::dim,
+                                  shape::MatrixNodeCounts<S>::most_nodes>;
 /// Values of a function at the nodes of an element.
 template <class S>
-using NodeValues =
-    Eigen::Matrix<double, shape::NodeCounts<S>::nodes, 1, 0, shape::NodeCounts<S>::most_nodes, 1>;
+using NodeValues = Eigen::Matrix<double, shape::MatrixNodeCounts<S>::nodes, 1, 0,
+                                 shape::MatrixNodeCounts<S>::most_nodes, 1>;
 /// Derivatives of the shape functions with respect to x.
 template <class S>
-using Gradients = Eigen::Matrix<double, shape::NodeCounts<S>::nodes, S::dim, 0,
-                                shape::NodeCounts<S>::most_nodes, S::dim>;
+using Gradients = Eigen::Matrix<double, shape::MatrixNodeCounts<S>::nodes, S::dim, 0,
+                                shape::MatrixNodeCounts<S>::most_nodes, S::dim>;
 /// An element or a side known when run, and vectors at its nodes in its own space and in space.
 template <int dim> using AnyElement = shape::ReferenceElement<dim>;
 template <int dim> using AnyNodeVectors = NodeVectors<AnyElement<dim>>;

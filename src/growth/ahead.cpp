@@ -49,7 +49,7 @@ std::optional<double> meets(const Vec2& from, const Vec2& way, const Vec2& a, co
 
 PlaneBoundaryAhead::PlaneBoundaryAhead(const model::Mesh& host) : host_(host) {
   for (const model::Face& face : mesh::boundary_faces(host)) {
-    if (!shape::is_edge(host.type[face.element.index()], face.side)) {
+    if (!shape::is_plane_element_side(host.type[face.element.index()], face.side)) {
       continue; // no tip of a line runs into a face
     }
     const mesh::EdgeEndAndMidNodes edge = mesh::element_edge_nodes(host, face);

@@ -108,7 +108,7 @@ std::vector<model::Face> boundary_faces_with_all_nodes_in(const model::Mesh& mes
 
 FaceNodes face_nodes(const model::Mesh& mesh, const model::Face& face) {
   return {model::side_nodes(mesh, face),
-          shape::side_corners(mesh.type[face.element.index()], face.side)};
+          shape::side_corner_count(mesh.type[face.element.index()], face.side)};
 }
 
 bool face_has_all_nodes_inside(const model::Mesh& mesh, const model::Face& face,

@@ -85,7 +85,7 @@ private:
       add(0.25 * element->node_local_coordinates(a) + 0.75 * element->node_local_coordinates(b));
     }
     for (int s = 0; s < base::element_info(type).sides; ++s) {
-      const auto corners = static_cast<int>(shape::side_corners(type, s));
+      const auto corners = static_cast<int>(shape::side_corner_count(type, s));
       shape::Point<dim> middle = shape::Point<dim>::Zero();
       for (const int i : shape::side_nodes(type, s).first(static_cast<std::size_t>(corners))) {
         middle += element->node_local_coordinates(i) / corners;

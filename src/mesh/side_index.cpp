@@ -31,7 +31,7 @@ template <class F> void for_sides(const model::Mesh& mesh, std::size_t first, F&
     const std::span<const NodeId> nodes = mesh.element_nodes(base::ElementId(e));
     for (int s = 0; s < base::element_info(mesh.type[e]).sides; ++s) {
       const std::span<const int> local = shape::side_nodes(mesh.type[e], s);
-      const std::size_t count = shape::side_corners(mesh.type[e], s);
+      const std::size_t count = shape::side_corner_count(mesh.type[e], s);
       std::array<NodeId, 4> corners{};
       for (std::size_t c = 0; c < count; ++c) {
         corners[c] = nodes[static_cast<std::size_t>(local[c])];

@@ -203,7 +203,7 @@ private:
       // What also faces the partner is not missed.
       const double part = std::clamp(missed[e], 0.0, std::max(0.0, 1.0 - seen[e]));
       length += measure[e];
-      place = sum == 0.0 && part > 0.1 ? facet_centroid(surface, e) : place;
+      place = sum == 0.0 && part > 0.1 ? facet_midpoint(surface, e) : place;
       sum += part > 0.1 ? part * measure[e] : 0.0;
     }
     const bool whole = std::ranges::all_of(seen, [](double part) { return part == 0.0; });

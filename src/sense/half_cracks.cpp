@@ -163,7 +163,7 @@ HalfModelPlane make_half_model_plane(const model::Mesh& mesh, const model::Mirro
           in_plane * geometry::Box<3>::around(mesh.x).diagonal(), request.span};
 }
 
-std::string find_crack_without_half(const model::Model& model, const HalfModelPlane& plane) {
+std::string describe_crack_without_half(const model::Model& model, const HalfModelPlane& plane) {
   for (const model::CrackDefinition& crack : model.cracks) {
     if (const std::string why = without_half(model, crack, plane); !why.empty()) {
       return fmt::format("crack {} {}", crack.name, why);

@@ -29,7 +29,7 @@ HalfModelPlane make_half_model_plane(const model::Mesh& mesh, const model::Mirro
                                      double at);
 
 /// Which crack has no half, and why; empty: all have one.
-std::string find_crack_without_half(const model::Model& model, const HalfModelPlane& plane);
+std::string describe_crack_without_half(const model::Model& model, const HalfModelPlane& plane);
 
 /// Whether all of a crack lies on the side that goes.
 bool lies_on_removed_side(const model::Model& model, const model::CrackDefinition& crack,

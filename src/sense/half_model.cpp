@@ -115,7 +115,7 @@ std::string without_half(const model::Model& model, const KeptModelSide& side,
       }
     }
   }
-  return find_crack_without_half(model, side.plane());
+  return describe_crack_without_half(model, side.plane());
 }
 
 /// The plane of a mirror, or why it has no sides to choose from.
@@ -127,7 +127,7 @@ struct Chosen {
 
 Chosen choose(const model::Model& model, const model::MirrorPlane& request) {
   Chosen chosen;
-  chosen.mirror = symmetry_plane_across(model, request.axis);
+  chosen.mirror = check_symmetry_across_axis(model, request.axis);
   chosen.plane = make_half_model_plane(model.mesh, request, chosen.mirror.at);
   if (model::is_axisymmetric(model) && request.axis == 0) {
     chosen.against = "x is the radius";

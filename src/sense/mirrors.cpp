@@ -337,7 +337,7 @@ std::vector<results::SymmetryPlanePreview> find_symmetry_planes(const model::Mod
   return found;
 }
 
-results::SymmetryPlanePreview symmetry_plane_across(const model::Model& model, int axis) {
+results::SymmetryPlanePreview check_symmetry_across_axis(const model::Model& model, int axis) {
   const Reflection mirror = middle_across(extent_of(model.mesh), axis);
   const Looks looks(model);
   return {.axis = axis,

@@ -15,8 +15,8 @@ namespace spricka::sense {
 std::vector<results::SymmetryPlanePreview> find_symmetry_planes(const model::Model& model);
 
 /// The plane across one axis through the middle of all bodies, with what stands against it as a
-/// mirror: the bodies themselves, or what find_mirrors says.
-results::SymmetryPlanePreview symmetry_plane_across(const model::Model& model, int axis);
+/// mirror: the bodies themselves, or what find_symmetry_planes says.
+results::SymmetryPlanePreview check_symmetry_across_axis(const model::Model& model, int axis);
 
 /// Whether a load is its own mirror image: the same set, and the same values there.
 bool is_symmetric_load(const model::Model& model, const model::Load& load,

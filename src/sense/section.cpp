@@ -162,7 +162,7 @@ private:
       for (const base::NodeId n : model::side_nodes(mesh_, face)) {
         nodes.push_back(new_node_[n.index()]);
       }
-      turn_left(nodes, shape::side_corners(mesh_.type[e], face.side));
+      turn_left(nodes, shape::side_corner_count(mesh_.type[e], face.side));
       new_element_[face.element] =
           model::add_element(made_, shape::solid_side_type(mesh_.type[e], face.side), nodes,
                              mesh_.element_label[e], mesh_.element_net[e]);
@@ -226,7 +226,8 @@ private:
       flat_faces = flat_faces || flat(face) != Flat::none;
       over_side(mesh_, face, [&](const Vec3& /*x*/, const Vec3& part) { area += part.norm(); });
       const std::vector<base::NodeId> nodes = model::side_nodes(mesh_, face);
-      const std::size_t corners = shape::side_corners(mesh_.type[face.element.index()], face.side);
+      const std::size_t corners =
+          shape::side_corner_count(mesh_.type[face.element.index()], face.side);
       for (std::size_t c = 0; c < corners; ++c) {
         const base::NodeId a = new_node_[nodes[c].index()];
         const base::NodeId b = new_node_[nodes[(c + 1) % corners].index()];
@@ -262,7 +263,7 @@ private:
 
 } // namespace
 
-std::vector<PlaneSectionMesh> extruded_sections(const model::Mesh& mesh) {
+std::vector<PlaneSectionMesh> find_extruded_sections(const model::Mesh& mesh) {
   const std::vector<bool> used = model::mark_nodes_in_use(mesh);
   std::vector<PlaneSectionMesh> found;
   for (const int axis : {2, 1, 0}) {
@@ -282,7 +283,7 @@ std::vector<PlaneSectionMesh> extruded_sections(const model::Mesh& mesh) {
   return found;
 }
 
-std::vector<PlaneSectionMesh> revolved_sections(const model::Mesh& mesh) {
+std::vector<PlaneSectionMesh> find_revolved_sections(const model::Mesh& mesh) {
   const std::vector<bool> used = model::mark_nodes_in_use(mesh);
   std::vector<PlaneSectionMesh> found;
   for (const int axis : {2, 1, 0}) {
@@ -349,8 +350,8 @@ std::vector<base::NodeId> project_nodes_onto_section(const PlaneSectionMesh& sec
   return found;
 }
 
-std::optional<Vec3> find_net_exit_point(const model::Mesh& section, base::NetId net,
-                                        const Vec3& from, const Vec3& through) {
+std::optional<Vec3> find_line_exit_from_net(const model::Mesh& section, base::NetId net,
+                                            const Vec3& from, const Vec3& through) {
   const mesh::HostMesh host(section);
   const base::Vec2 way = (through - from).head<2>();
   double nearest = std::numeric_limits<double>::infinity();

@@ -24,10 +24,10 @@ struct PlaneSectionMesh {
 
 /// Sections of bodies that are the same along z, y or x from one flat face to another, all with the
 /// same thickness: of a block three, mostly one or none.
-std::vector<PlaneSectionMesh> extruded_sections(const model::Mesh& mesh);
+std::vector<PlaneSectionMesh> find_extruded_sections(const model::Mesh& mesh);
 
 /// Sections of bodies that are sectors of one angle about z, y or x through the origin.
-std::vector<PlaneSectionMesh> revolved_sections(const model::Mesh& mesh);
+std::vector<PlaneSectionMesh> find_revolved_sections(const model::Mesh& mesh);
 
 /// The nodes of the section behind which (along the axis, or round it) nodes of space lie.
 std::vector<base::NodeId> project_nodes_onto_section(const PlaneSectionMesh& section,
@@ -36,7 +36,8 @@ std::vector<base::NodeId> project_nodes_onto_section(const PlaneSectionMesh& sec
 
 /// Where the line from a place inside of a net (any net: invalid) leaves the net first; empty:
 /// nowhere.
-std::optional<base::Vec3> find_net_exit_point(const model::Mesh& section, base::NetId net,
-                                              const base::Vec3& from, const base::Vec3& through);
+std::optional<base::Vec3> find_line_exit_from_net(const model::Mesh& section, base::NetId net,
+                                                  const base::Vec3& from,
+                                                  const base::Vec3& through);
 
 } // namespace spricka::sense

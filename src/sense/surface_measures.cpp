@@ -145,7 +145,7 @@ std::vector<double> facet_lengths_or_areas(const contact::ContactSurface& surfac
   return all;
 }
 
-base::Vec3 facet_centroid(const contact::ContactSurface& surface, std::size_t facet) {
+base::Vec3 facet_midpoint(const contact::ContactSurface& surface, std::size_t facet) {
   const geometry::ElementSide& side = surface.facets[facet];
   return side.position(side.domain_centre());
 }

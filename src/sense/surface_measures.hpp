@@ -21,7 +21,7 @@ double surface_radius_or_half_extent(const contact::ContactSurface& surface);
 /// Lengths of edges, areas of faces, by facet.
 std::vector<double> facet_lengths_or_areas(const contact::ContactSurface& surface);
 /// The place at the middle of a facet's local coordinates, of an edge in the plane at xi = 0.
-base::Vec3 facet_centroid(const contact::ContactSurface& surface, std::size_t facet);
+base::Vec3 facet_midpoint(const contact::ContactSurface& surface, std::size_t facet);
 
 /// A part of a facet that sees another surface, as a share of it.
 struct FacingFacetPart {

@@ -42,7 +42,7 @@ JacobiValue jacobi(int n, double a, double x) {
 } // namespace
 
 // Newton's method with the roots already found divided out.
-std::vector<QuadraturePoint<1>> gauss_jacobi(int n, double a) {
+std::vector<QuadraturePoint<1>> gauss_jacobi_rule(int n, double a) {
   std::vector<QuadraturePoint<1>> rule(static_cast<std::size_t>(n));
   for (int i = 0; i < n; ++i) {
     double x = -std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5 + 0.5 * a));

@@ -90,8 +90,8 @@ Rule2 triangle_16() {
 Rule2 collapsed(int degree) {
   const int n = degree / 2 + 1;
   Rule2 rule;
-  for (const QuadraturePoint<1>& t : gauss_jacobi(n, 1.0)) {
-    for (const QuadraturePoint<1>& s : gauss_jacobi(n, 0.0)) {
+  for (const QuadraturePoint<1>& t : gauss_jacobi_rule(n, 1.0)) {
+    for (const QuadraturePoint<1>& s : gauss_jacobi_rule(n, 0.0)) {
       rule.push_back({{0.25 * (1.0 + s.r[0]) * (1.0 - t.r[0]), 0.5 * (1.0 + t.r[0])},
                       0.125 * s.weight * t.weight});
     }
@@ -120,7 +120,7 @@ Rule2 make_triangle_rule(int degree) {
 }
 
 Rule2 make_quadrilateral_rule(int points) {
-  const Rule1 line = gauss_jacobi(points, 0.0);
+  const Rule1 line = gauss_jacobi_rule(points, 0.0);
   Rule2 rule;
   for (const QuadraturePoint<1>& y : line) {
     for (const QuadraturePoint<1>& x : line) {
@@ -138,7 +138,7 @@ struct PlaneRules {
 
   PlaneRules() {
     for (int n = 1; n <= max_points; ++n) {
-      line.push_back(gauss_jacobi(n, 0.0));
+      line.push_back(gauss_jacobi_rule(n, 0.0));
       quadrilateral.push_back(make_quadrilateral_rule(n));
     }
     for (int degree = 0; degree <= max_degree; ++degree) {

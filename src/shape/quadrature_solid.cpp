@@ -60,10 +60,10 @@ Rule3 tetrahedron_24() {
 // (1 - v)(1 - u)^2 / 64 ds dv du, whose factors are the Jacobi weights.
 Rule3 collapsed(int degree) {
   const int n = degree / 2 + 1;
-  const auto line = gauss_jacobi(n, 0.0);
-  const auto triangle = gauss_jacobi(n, 1.0);
+  const auto line = gauss_jacobi_rule(n, 0.0);
+  const auto triangle = gauss_jacobi_rule(n, 1.0);
   Rule3 rule;
-  for (const QuadraturePoint<1>& u : gauss_jacobi(n, 2.0)) {
+  for (const QuadraturePoint<1>& u : gauss_jacobi_rule(n, 2.0)) {
     const double z = 0.5 * (1.0 + u.r[0]);
     for (const QuadraturePoint<1>& v : triangle) {
       const double y = 0.5 * (1.0 + v.r[0]) * (1.0 - z);

@@ -55,11 +55,11 @@ concept Element = known_when_run<S> || ElementShape<S>;
 
 /// The nodes of a shape as the size of matrices: a constant, or not known when compiled but
 /// bounded.
-template <class S> struct NodeCounts {
+template <class S> struct MatrixNodeCounts {
   static constexpr int nodes = S::nodes;
   static constexpr int most_nodes = S::nodes;
 };
-template <int dim> struct NodeCounts<ReferenceElement<dim>> {
+template <int dim> struct MatrixNodeCounts<ReferenceElement<dim>> {
   static constexpr int nodes = Eigen::Dynamic;
   static constexpr int most_nodes = shape::most_nodes<dim>;
 };

@@ -112,7 +112,7 @@ ElementType solid_side_type(ElementType type, int s) {
                                       : ElementType::quam4;
 }
 
-std::size_t side_corners(ElementType type, int s) {
+std::size_t side_corner_count(ElementType type, int s) {
   return topology_of(side_domain(type, s)).corners;
 }
 

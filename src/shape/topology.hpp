@@ -21,10 +21,10 @@ base::ReferenceDomain side_domain(base::ElementType type, int s);
 base::ElementType solid_side_type(base::ElementType type, int s);
 
 /// How many nodes of a side are corners: 2 in the plane, 3 or 4 in space.
-std::size_t side_corners(base::ElementType type, int s);
+std::size_t side_corner_count(base::ElementType type, int s);
 /// Whether a side is an edge of a plane element, not a face of a solid.
-inline bool is_edge(base::ElementType type, int s) {
-  return side_corners(type, s) == 2;
+inline bool is_plane_element_side(base::ElementType type, int s) {
+  return side_corner_count(type, s) == 2;
 }
 
 /// Corners that edge `m` of an element joins; its mid node, if the element has one, is corners + m.

@@ -25,7 +25,7 @@ std::vector<results::Stress> as_results(const std::vector<fe::Stress>& stress) {
 } // namespace
 
 std::vector<results::OuterSurfaceFace> outer_faces_by_nodes(const model::Mesh& mesh) {
-  if (mesh.type.empty() || shape::is_edge(mesh.type.front(), 0)) {
+  if (mesh.type.empty() || shape::is_plane_element_side(mesh.type.front(), 0)) {
     return {}; // plane elements show their own faces
   }
   std::vector<results::OuterSurfaceFace> surface;
@@ -34,7 +34,7 @@ std::vector<results::OuterSurfaceFace> outer_faces_by_nodes(const model::Mesh& m
     const std::span<const int> side = shape::side_nodes(type, face.side);
     results::OuterSurfaceFace out;
     out.element = face.element;
-    const std::size_t corners = shape::side_corners(type, face.side);
+    const std::size_t corners = shape::side_corner_count(type, face.side);
     const auto node = [&](std::size_t i) {
       return mesh.element_nodes(face.element)[static_cast<std::size_t>(side[i])];
     };

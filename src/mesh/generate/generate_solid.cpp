@@ -140,7 +140,8 @@ private:
 
   void note_sides(base::ElementId e, std::span<const Place> corner) {
     for (int s = 0; s < info_.sides; ++s) {
-      const auto local = shape::side_nodes(spec_.type, s).first(shape::side_corners(spec_.type, s));
+      const auto local =
+          shape::side_nodes(spec_.type, s).first(shape::side_corner_count(spec_.type, s));
       for (Eigen::Index d = 0; d < 3; ++d) {
         for (const int end : {0, 1}) {
           const int plane = end == 0 ? 0 : 2 * count_[d];

@@ -76,7 +76,7 @@ private:
       const base::ElementType type = mesh_.type[face.element.index()];
       const auto nodes = mesh_.element_nodes(face.element);
       const auto local =
-          shape::side_nodes(type, face.side).first(shape::side_corners(type, face.side));
+          shape::side_nodes(type, face.side).first(shape::side_corner_count(type, face.side));
       for (std::size_t c = 0; c < shape::side_edge_count(type, face.side); ++c) {
         const std::size_t next = (c + 1) % local.size();
         if (nodes[static_cast<std::size_t>(local[c])] == corners[0] &&

@@ -301,7 +301,7 @@ private:
         const PatchElement& element = net_.elements[tubes_[c][t].element + side.element];
         std::vector<int> corners;
         Vec3 middle = Vec3::Zero();
-        const std::size_t count = shape::side_corners(element.type, side.side);
+        const std::size_t count = shape::side_corner_count(element.type, side.side);
         for (const int i : shape::side_nodes(element.type, side.side).first(count)) {
           corners.push_back(element.nodes[static_cast<std::size_t>(i)]);
           middle += net_.position(corners.back()) / static_cast<double>(count);

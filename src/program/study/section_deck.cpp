@@ -169,7 +169,7 @@ private:
     const Vec3 within = plane().section_coordinates(own->plane.place);
     const std::optional<Vec3> mouth =
         (within - tip).norm() > 0.0
-            ? sense::find_net_exit_point(section_.mesh, own->net, tip, within)
+            ? sense::find_line_exit_from_net(section_.mesh, own->net, tip, within)
             : std::nullopt;
     if (!mouth) {
       refuse_if(true, fmt::format("crack {} reaches no surface", name));
@@ -248,7 +248,7 @@ DeckVariant make_section_deck(const model::Model& model, const DeckCardList& tex
   DeckVariant none;
   const bool round = state == "AXI";
   std::vector<sense::PlaneSectionMesh> sections =
-      round ? sense::revolved_sections(model.mesh) : sense::extruded_sections(model.mesh);
+      round ? sense::find_revolved_sections(model.mesh) : sense::find_extruded_sections(model.mesh);
   // Where flat faces are held it is plane strain; the thinner a body, the plainer its stress.
   std::ranges::stable_sort(sections,
                            [&](const sense::PlaneSectionMesh& a, const sense::PlaneSectionMesh& b) {

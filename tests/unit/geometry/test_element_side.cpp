@@ -214,7 +214,7 @@ TEST(ElementSide, SidesOfAnElementEncloseIt) {
       for (int s = 0; s < base::element_info(type).sides; ++s) {
         const ElementSide side = element.side(s);
         EXPECT_EQ(side.local_dim(), dim - 1);
-        EXPECT_EQ(side.corner_count(), static_cast<int>(shape::side_corners(type, s)));
+        EXPECT_EQ(side.corner_count(), static_cast<int>(shape::side_corner_count(type, s)));
         side.for_quadrature_points(9, [&](const Vec2& r, double weight) {
           sum += weight * side.area_vector(r);
           enclosed += weight * side.area_vector(r).dot(side.position(r)) / dim;

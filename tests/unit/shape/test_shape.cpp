@@ -220,7 +220,7 @@ TYPED_TEST(EverySolid, restricted_to_a_side_is_the_shape_of_the_side) {
     const std::span<const int> local = side_nodes(S::type, s);
     with_plane_shape(solid_side_type(S::type, s), [&]<PlaneShape Side>(Side) {
       ASSERT_EQ(local.size(), static_cast<std::size_t>(Side::nodes));
-      EXPECT_EQ(side_corners(S::type, s),
+      EXPECT_EQ(side_corner_count(S::type, s),
                 static_cast<std::size_t>(base::element_info(Side::type).corners));
       for (const Point<2>& t : sample<Side>()) {
         const Eigen::Matrix<double, Side::nodes, 1> n = Side::N(t);

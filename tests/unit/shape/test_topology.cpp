@@ -44,7 +44,7 @@ TEST_P(EveryType, edges_are_those_of_the_sides) {
   std::set<std::pair<int, int>> of_sides;
   for (int s = 0; s < info.sides; ++s) {
     const std::span<const int> side = side_nodes(GetParam(), s);
-    const std::size_t corners = side_corners(GetParam(), s);
+    const std::size_t corners = side_corner_count(GetParam(), s);
     EXPECT_EQ(corners, corners_of_side(info, side));
     for (std::size_t i = 0; i < side_edge_count(GetParam(), s); ++i) {
       of_sides.insert(std::minmax(side[i], side[(i + 1) % corners]));
