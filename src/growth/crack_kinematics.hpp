@@ -67,8 +67,7 @@ public:
                                                    double share, double ds) const = 0;
   /// Turns an advance [tip] into the one that a front makes which takes the shape it tends to;
   /// false: there is no such front.
-  virtual bool smooth_front_advances(const GrowthState& /*state*/,
-                                     std::vector<double>& /*by*/) const {
+  virtual bool smooth_advances(const GrowthState& /*state*/, std::vector<double>& /*by*/) const {
     return false;
   }
   /// What is left of `deferred_advance` [tip] when the last station's tips have advanced `by`

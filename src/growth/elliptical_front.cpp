@@ -226,7 +226,7 @@ std::vector<bool> places_reached(const model::CrackDefinition& crack, const Soli
 
 } // namespace
 
-std::optional<LigamentDepths> EllipticalFront::longest_ligament_in_corner(std::size_t tip) const {
+std::optional<LigamentDepths> EllipticalFront::ligament_in_corner(std::size_t tip) const {
   constexpr int places = 3600; // what is left may be small
   const std::size_t number = now_.arms[tip].crack;
   for (std::size_t other = 0; other < now_.arms.size(); ++other) {
@@ -250,8 +250,7 @@ std::optional<LigamentDepths> EllipticalFront::longest_ligament_in_corner(std::s
   return longest;
 }
 
-bool EllipticalFront::continues_beyond_surface(std::size_t tip,
-                                               const LigamentDepths& before) const {
+bool EllipticalFront::goes_beyond_surface(std::size_t tip, const LigamentDepths& before) const {
   const PartMovedByTip& arm = now_.arms[tip];
   model::CrackDefinition crack = now_.cracks[arm.crack];
   (arm.on_a ? crack.plane.a : crack.plane.c) =

@@ -38,10 +38,9 @@ public:
 
 private:
   [[nodiscard]] std::optional<LigamentDepths> ligament(std::size_t tip) const override;
-  [[nodiscard]] std::optional<LigamentDepths>
-  longest_ligament_in_corner(std::size_t tip) const override;
-  [[nodiscard]] bool continues_beyond_surface(std::size_t tip,
-                                              const LigamentDepths& before) const override;
+  [[nodiscard]] std::optional<LigamentDepths> ligament_in_corner(std::size_t tip) const override;
+  [[nodiscard]] bool goes_beyond_surface(std::size_t tip,
+                                         const LigamentDepths& before) const override;
   [[nodiscard]] std::optional<NeighbourCrack> neighbour(std::size_t tip) const override;
   [[nodiscard]] bool coalesces_with(std::size_t tip, const NeighbourCrack& other) const override;
   [[nodiscard]] double crack_depth_behind_tip(std::size_t tip) const override;

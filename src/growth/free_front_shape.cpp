@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
@@ -140,9 +141,8 @@ FreeFrontShape::FreeFrontShape(const model::Model& model)
     for (BodyFrontArc& arc : arcs) {
       const std::size_t count = arc.is_closed() ? closed_front_points : open_front_points;
       GrowingFront& of = now_.growing.emplace_back(GrowingFront{c, {}, std::move(arc)});
-      for (std::size_t i = 0; i < count; ++i) {
-        of.tips.push_back(tips_.size() + i);
-      }
+      of.tips.resize(count);
+      std::iota(of.tips.begin(), of.tips.end(), tips_.size());
       for (std::size_t i = 0; i < count; ++i) {
         tips_.push_back(
             {.name = fmt::format("{}.{}", crack.name, ++number), .line = c, .at_first = false});
@@ -189,14 +189,12 @@ double FreeFrontShape::longest_advance(std::size_t tip) const {
   return longest_part * crack_depth_behind_tip(tip);
 }
 
-bool FreeFrontShape::continues_beyond_surface(std::size_t tip,
-                                              const LigamentDepths& /*before*/) const {
+bool FreeFrontShape::goes_beyond_surface(std::size_t tip, const LigamentDepths& /*before*/) const {
   const TipOnFront at = now_.find_tip_on_front(tip);
   const double gap = passage_policy.left_out * surface_policy.passed;
-  const std::size_t fronts =
-      ligaments_.find_remaining_point_runs(at.of, at.growing, gap, {}).size();
-  return fronts == 1 ||
-         (fronts > 1 && !can_kink()); // heights of a front history are those behind one
+  const std::size_t fronts = ligaments_.remaining_point_runs(at.of, at.growing, gap, {}).size();
+  // Heights of a front history are those behind one.
+  return fronts == 1 || (fronts > 1 && !can_kink());
 }
 
 std::optional<FrontKinematics::NeighbourCrack> FreeFrontShape::neighbour(std::size_t tip) const {
@@ -214,8 +212,7 @@ std::optional<FrontKinematics::NeighbourCrack> FreeFrontShape::neighbour(std::si
   return nearest;
 }
 
-bool FreeFrontShape::smooth_front_advances(const GrowthState& state,
-                                           std::vector<double>& by) const {
+bool FreeFrontShape::smooth_advances(const GrowthState& state, std::vector<double>& by) const {
   for (const GrowingFront& of : now_.growing) {
     const FrontGrowthRates front = rates_of(of, state, law_exponent(model_));
     double sum = 0.0;
@@ -259,9 +256,8 @@ std::optional<CrackGeometry> FreeFrontShape::advance_cracks(const GrowthState& /
   trial_.growing.clear();
   FrontDrawing drawing(around_, kinks_, ligaments_, now_, trial_);
   for (std::size_t g = 0; g < now_.growing.size(); ++g) {
-    const bool last =
-        g + 1 == now_.growing.size() || now_.growing[g + 1].crack != now_.growing[g].crack;
     const std::size_t crack = now_.growing[g].crack;
+    const bool last = g + 1 == now_.growing.size() || now_.growing[g + 1].crack != crack;
     if (!drawing.draw_successors(g, advance) ||
         (last && !drawing.draw_crack_fronts_as_one(crack))) {
       diagnostics.error(now_.cracks[crack].span, "E425",
@@ -307,11 +303,11 @@ void FreeFrontShape::accept_trial(GrowthState& state) {
   kinks_.take_turns_of_last_stations(state);
   ligaments_.measure_ligaments(now_, tips_.size());
   for (const GrowingFront& of : now_.growing) {
-    const std::vector<double> uncertain_fraction =
-        rates_of(of, state, law_exponent(model_)).uncertain_fraction();
-    for (std::size_t i = 0; i < uncertain_fraction.size(); ++i) {
+    const FrontGrowthRates rates = rates_of(of, state, law_exponent(model_));
+    const std::vector<double> own = rates.uncertain_fraction();
+    for (std::size_t i = 0; i < own.size(); ++i) {
       double& part = state.stations.back().tips[of.tips[i]].uncertain_fraction;
-      part = std::max(part, std::abs(uncertain_fraction[i]));
+      part = std::max(part, std::abs(own[i]));
     }
   }
   accept_cracks(now_.cracks, state);
@@ -337,7 +333,7 @@ AdvanceLimit FreeFrontShape::advance_limit(const GrowthState& state, std::size_t
   return FrontKinematics::advance_limit(state, tip, share, ds);
 }
 
-std::optional<LigamentDepths> FreeFrontShape::longest_ligament_in_corner(std::size_t tip) const {
+std::optional<LigamentDepths> FreeFrontShape::ligament_in_corner(std::size_t tip) const {
   const GrowingFront& of = now_.find_tip_on_front(tip).of;
   if (of.arc.is_closed() || std::ranges::any_of(of.tips, [&](std::size_t other) {
         return ligaments_.ligament_before_tip(other).has_value();

@@ -34,7 +34,7 @@ public:
   [[nodiscard]] CrackGeometry current_cracks() override;
   /// Replaces the advances of each front by those of its smooth shape, with their mean kept. Fronts
   /// that do not grow, or without a bound, are left as they are. Always true.
-  bool smooth_front_advances(const GrowthState& state, std::vector<double>& by) const override;
+  bool smooth_advances(const GrowthState& state, std::vector<double>& by) const override;
   /// Lets waves of the deferred advances along each front die away with its mean advance.
   void damp_deferred_advance(std::vector<double>& deferred_advance,
                              const std::vector<double>& by) const override;
@@ -53,10 +53,9 @@ private:
   [[nodiscard]] std::optional<LigamentDepths> ligament(std::size_t tip) const override {
     return ligaments_.ligament_before_tip(tip);
   }
-  [[nodiscard]] std::optional<LigamentDepths>
-  longest_ligament_in_corner(std::size_t tip) const override;
-  [[nodiscard]] bool continues_beyond_surface(std::size_t tip,
-                                              const LigamentDepths& before) const override;
+  [[nodiscard]] std::optional<LigamentDepths> ligament_in_corner(std::size_t tip) const override;
+  [[nodiscard]] bool goes_beyond_surface(std::size_t tip,
+                                         const LigamentDepths& before) const override;
   [[nodiscard]] std::optional<NeighbourCrack> neighbour(std::size_t tip) const override;
   [[nodiscard]] bool coalesces_with(std::size_t tip, const NeighbourCrack& other) const override;
   [[nodiscard]] double crack_depth_behind_tip(std::size_t tip) const override;

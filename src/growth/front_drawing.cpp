@@ -51,7 +51,7 @@ FrontDrawing::next_fronts(std::size_t growing, const AdvanceToNextStation& advan
   const bool through = advance.leads_through(GrowthEventKind::breakthrough);
   const double gap =
       through ? passage_policy.left_out * surface_policy.passed * advance.lengthening : -1.0;
-  const std::vector<FrontPointRun> runs = ligaments_.find_remaining_point_runs(
+  const std::vector<FrontPointRun> runs = ligaments_.remaining_point_runs(
       of, growing, gap, through ? advance.by : std::vector<double>());
   if ((kinks_.may_leave_plane() && runs.size() > 1) ||
       runs.size() * fewest_front_points > of.tips.size()) {

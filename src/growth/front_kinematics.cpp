@@ -54,7 +54,7 @@ AdvanceLimit FrontKinematics::advance_limit(const GrowthState& state, std::size_
          .reason = fmt::format("{} reaches the surface: {:.3g} is left of the ligament, "
                                "in which K grows without bound",
                                tips_[tip].name, before->left),
-         .goes_on = [&] { return continues_beyond_surface(tip, *before); }},
+         .goes_on = [&] { return goes_beyond_surface(tip, *before); }},
         share, must_break_through_early_, limit);
   }
   return limit;
@@ -116,7 +116,7 @@ std::optional<GrowthEvent> FrontKinematics::handle_unmeshable_advance(bool passa
   bool meets = false;
   for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
     std::optional<LigamentDepths> before = ligament(tip);
-    before = before ? before : longest_ligament_in_corner(tip);
+    before = before ? before : ligament_in_corner(tip);
     if (before &&
         (!least || before->ligament_to_depth_ratio() < least->ligament_to_depth_ratio())) {
       least = before;
@@ -129,7 +129,7 @@ std::optional<GrowthEvent> FrontKinematics::handle_unmeshable_advance(bool passa
   }
   if (may_pass_early &&
       (meets || (least && least->ligament_to_depth_ratio() < surface_policy.passed_early &&
-                 continues_beyond_surface(at, *least)))) {
+                 goes_beyond_surface(at, *least)))) {
     must_break_through_early_ = true;
     return std::nullopt;
   }

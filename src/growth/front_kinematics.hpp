@@ -56,11 +56,10 @@ protected:
   [[nodiscard]] virtual std::optional<LigamentDepths> ligament(std::size_t tip) const = 0;
   /// The longest way to any surface from places of a tip's front that has gone round a corner of
   /// the body, so that none of its tips has one ahead. Empty: it has not.
-  [[nodiscard]] virtual std::optional<LigamentDepths>
-  longest_ligament_in_corner(std::size_t tip) const = 0;
+  [[nodiscard]] virtual std::optional<LigamentDepths> ligament_in_corner(std::size_t tip) const = 0;
   /// Whether something of the front is left in the body once a tip has gone through the surface.
-  [[nodiscard]] virtual bool continues_beyond_surface(std::size_t tip,
-                                                      const LigamentDepths& before) const = 0;
+  [[nodiscard]] virtual bool goes_beyond_surface(std::size_t tip,
+                                                 const LigamentDepths& before) const = 0;
   /// Empty: there is no other crack.
   [[nodiscard]] virtual std::optional<NeighbourCrack> neighbour(std::size_t tip) const = 0;
   /// Whether the two go on as one crack where a tip meets another one.

@@ -114,8 +114,8 @@ double FrontLigaments::reach_back(const model::CrackDefinition& crack, const Gro
 }
 
 std::vector<FrontPointRun>
-FrontLigaments::find_remaining_point_runs(const GrowingFront& of, std::size_t number, double gap,
-                                          const std::vector<double>& by) const {
+FrontLigaments::remaining_point_runs(const GrowingFront& of, std::size_t number, double gap,
+                                     const std::vector<double>& by) const {
   const auto stays = [&](const std::optional<LigamentDepths>& before, double at) {
     return !before || (before->ligament_to_depth_ratio() > gap &&
                        (by.empty() || before->left > of.advance_between(at, by)));

@@ -32,8 +32,8 @@ public:
   /// asked). Where few points stay, as of a wide crack, places between them, by what is left
   /// against the crack's depth.
   [[nodiscard]] std::vector<FrontPointRun>
-  find_remaining_point_runs(const GrowingFront& of, std::size_t number, double gap,
-                            const std::vector<double>& by) const;
+  remaining_point_runs(const GrowingFront& of, std::size_t number, double gap,
+                       const std::vector<double>& by) const;
 
 private:
   using Ligaments = std::vector<std::optional<LigamentDepths>>;

@@ -105,7 +105,7 @@ bool GrowthIntegrator::plan() {
     const double all = std::clamp(by + deferred_advance, 0.5 * by, 2.0 * by);
     advance_.push_back(to_the_end ? left : std::min(all, left));
   }
-  if (!passage_ && kinematics_->smooth_front_advances(state_, advance_)) {
+  if (!passage_ && kinematics_->smooth_advances(state_, advance_)) {
     stop_at_last_length(to_last_length);
   }
   return true;

@@ -66,8 +66,8 @@ base::OptionalFailure ShellSession::follow_deck_load_path(const std::string& nam
     return trouble;
   }
   const model::LoadPathDefinition card = model().load_paths[index];
-  return follow(card, steps_leading_to(model(), card.from.index()),
-                steps_leading_to(model(), card.to.index()), {});
+  return follow(card, steps_up_to(model(), card.from.index()),
+                steps_up_to(model(), card.to.index()), {});
 }
 
 base::OptionalFailure ShellSession::follow_load_case_range(const std::string& load_case,
@@ -81,7 +81,7 @@ base::OptionalFailure ShellSession::follow_load_case_range(const std::string& lo
   for (const bool end : {false, true}) {
     double& factor = end ? range.to : range.from;
     std::vector<model::Step>& way = ends[end ? 1 : 0];
-    way = steps_leading_to(model(), set_);
+    way = steps_up_to(model(), set_);
     if (base::OptionalFailure trouble =
             add_load_step(model(), load_case, end ? to : from, way, factor)) {
       return trouble;

@@ -57,7 +57,7 @@ public:
   }
   /// The model as it is shown: its only step with results is NOW.
   [[nodiscard]] const model::Model& displayed_model() const { return shown_; }
-  [[nodiscard]] const analysis::StepActionFactors& step_action_factors() const {
+  [[nodiscard]] const analysis::StepActionFactors& action_factors() const {
     return solver_->factors();
   }
   /// False when an operation failed so late that nothing is left to ask: make a new bench.

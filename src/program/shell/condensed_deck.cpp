@@ -135,8 +135,7 @@ base::OptionalFailure CondensedDeck::renew_solver(const SessionDeckChanges& chan
   if (base::OptionalFailure trouble = make_solver(false, solver)) {
     return trouble;
   }
-  if (base::OptionalFailure trouble =
-          solver->solve_from_unloaded(steps_leading_to(model(), changes))) {
+  if (base::OptionalFailure trouble = solver->solve_from_unloaded(steps_up_to(model(), changes))) {
     return trouble;
   }
   solver_ = std::move(solver);
@@ -149,7 +148,7 @@ base::OptionalFailure CondensedDeck::renew_solver(const SessionDeckChanges& chan
 
 std::string CondensedDeck::setting_to_compare() const {
   std::string text = other_cards_;
-  const analysis::StepActionFactors& f = solver_->step_action_factors();
+  const analysis::StepActionFactors& f = solver_->action_factors();
   for (Eigen::Index c = 0; c < f.case_factor.size(); ++c) {
     text += fmt::format("{} ", f.case_factor[c]);
   }

@@ -63,20 +63,19 @@ bool keeps_first_mounting(const model::Model& model) {
   return model.growth && model.growth->mounted == model::ContactMountingPolicy::first;
 }
 
-std::vector<model::Step> steps_leading_to(const model::Model& model, std::size_t step) {
+std::vector<model::Step> steps_up_to(const model::Model& model, std::size_t step) {
   return {model.steps.begin(), model.steps.begin() + static_cast<std::ptrdiff_t>(step) + 1};
 }
 
-std::vector<model::Step> steps_leading_to(const model::Model& model,
-                                          const SessionDeckChanges& changes) {
-  std::vector<model::Step> steps = steps_leading_to(model, changes.base);
+std::vector<model::Step> steps_up_to(const model::Model& model, const SessionDeckChanges& changes) {
+  std::vector<model::Step> steps = steps_up_to(model, changes.base);
   steps.insert(steps.end(), changes.applied.begin(), changes.applied.end());
   return steps;
 }
 
-base::OptionalFailure add_pending_action(const model::Model& model,
-                                         const analysis::StepActionFactors& now,
-                                         const std::string& line, model::Step& pending) {
+base::OptionalFailure add_step_action(const model::Model& model,
+                                      const analysis::StepActionFactors& now,
+                                      const std::string& line, model::Step& pending) {
   base::SourceTexts sources;
   base::Diagnostics diagnostics;
   const std::optional<model::Step> step = deck::read_step_line(model, line, sources, diagnostics);

@@ -27,17 +27,16 @@ struct SessionDeckChanges {
 bool keeps_first_mounting(const model::Model& model);
 
 /// The deck's steps up to one of them, from the unloaded state.
-std::vector<model::Step> steps_leading_to(const model::Model& model, std::size_t step);
+std::vector<model::Step> steps_up_to(const model::Model& model, std::size_t step);
 /// Those to the base step and what came after it: they lead to the present state.
-std::vector<model::Step> steps_leading_to(const model::Model& model,
-                                          const SessionDeckChanges& changes);
+std::vector<model::Step> steps_up_to(const model::Model& model, const SessionDeckChanges& changes);
 
 /// A data line of $STEP becomes an action of the pending step, in place of one about the same load
 /// or contact. `now`: in force at the present state. Trouble where a contact is mounted already, or
 /// absent, or keeps what it was mounted with.
-base::OptionalFailure add_pending_action(const model::Model& model,
-                                         const analysis::StepActionFactors& now,
-                                         const std::string& line, model::Step& pending);
+base::OptionalFailure add_step_action(const model::Model& model,
+                                      const analysis::StepActionFactors& now,
+                                      const std::string& line, model::Step& pending);
 
 /// Puts what `next` does behind the steps applied so far, into the last of them where the order
 /// does not count.

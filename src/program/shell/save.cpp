@@ -33,7 +33,7 @@ void set_grown_lengths(const model::Model& model, deck::DeckCardList& text) {
 model::Step all_factors(const ShellSession& session) {
   model::Step step;
   const model::Model& model = session.model();
-  const analysis::StepActionFactors& now = session.solver().step_action_factors();
+  const analysis::StepActionFactors& now = session.solver().action_factors();
   for (std::size_t c = 0; c < model.cases.size(); ++c) {
     step.actions.emplace_back(
         model::ApplyLoad{base::CaseId(c), now.case_factor[static_cast<Eigen::Index>(c)]});

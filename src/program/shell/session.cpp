@@ -103,8 +103,7 @@ base::OptionalFailure ShellSession::go_to_step(const std::string& name) {
   names.erase(names.begin()); // NOW
   std::size_t index = 0;
   base::OptionalFailure trouble = find_name_index(names, "step", name, index);
-  trouble =
-      trouble ? trouble : deck_->solver().solve_from_unloaded(steps_leading_to(model(), index));
+  trouble = trouble ? trouble : deck_->solver().solve_from_unloaded(steps_up_to(model(), index));
   if (trouble) {
     return trouble;
   }
@@ -118,8 +117,7 @@ base::OptionalFailure ShellSession::go_to_step(const std::string& name) {
 
 base::OptionalFailure ShellSession::add_step_line(const std::string& line) {
   SessionDeckChanges to = set_;
-  base::OptionalFailure trouble =
-      add_pending_action(model(), solver().step_action_factors(), line, to.pending);
+  auto trouble = add_step_action(model(), solver().action_factors(), line, to.pending);
   if (!trouble) {
     earlier_.push_back(std::exchange(set_, std::move(to)));
   }
@@ -164,7 +162,7 @@ base::OptionalFailure ShellSession::undo() {
   const SessionDeckChanges to = earlier_.back();
   const bool same_cards = to.text == set_.text;
   if (base::OptionalFailure trouble =
-          same_cards ? deck_->solver().solve_from_unloaded(steps_leading_to(model(), to))
+          same_cards ? deck_->solver().solve_from_unloaded(steps_up_to(model(), to))
                      : read_again(to)) {
     return trouble;
   }
@@ -185,7 +183,7 @@ base::OptionalFailure ShellSession::solve(int substeps) {
   const std::vector<model::Step> before = set_.applied;
   append_applied_step(model(), next, set_.applied);
   if (base::OptionalFailure trouble =
-          deck_->solver().solve_further_step(next, steps_leading_to(model(), set_))) {
+          deck_->solver().solve_further_step(next, steps_up_to(model(), set_))) {
     set_.applied = before;
     return trouble;
   }

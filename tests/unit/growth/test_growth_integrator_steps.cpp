@@ -38,8 +38,7 @@ public:
                                                    double ds) const override {
     return {.ds = std::min(ds, remaining_growth_length(state, tip) / share)};
   }
-  bool smooth_front_advances(const growth::GrowthState& state,
-                             std::vector<double>& by) const override {
+  bool smooth_advances(const growth::GrowthState& state, std::vector<double>& by) const override {
     by[0] = std::max(by[0], std::min(least_ * state.stations.back().tips[0].a,
                                      remaining_growth_length(state, 0)));
     return true;

@@ -120,7 +120,7 @@ TEST(ShellSession, KeysTakeThePlaceOfOthers) {
   good(shell->add_step_line("FIT SEAT 0.5"));
   good(shell->solve());
   good(shell->change_card("$CONTACT NAME=SEAT DIAMETRAL=0.08"));
-  EXPECT_EQ(shell->solver().step_action_factors().fit[0], 0.5);
+  EXPECT_EQ(shell->solver().action_factors().fit[0], 0.5);
   expect_k(shell, k_of_run(cracked_hub("A0=4", "INTERFERENCE=0.02")), 1e-10);
   EXPECT_TRUE(shell->change_card("$CONTACT NAME=SAET GAP=0"));
   EXPECT_TRUE(shell->change_card("$CONTACT NAME=SEAT GAP"));
