@@ -116,8 +116,8 @@ ClosedContactInterval measure(const ContactSurface& surface, const std::vector<N
 
 } // namespace
 
-ContactArc find_longest_closed_arc(const ContactSurface& surface,
-                                   const std::vector<NodePressure>& nodes, bool multipliers) {
+SurfaceInterval find_longest_closed_arc(const ContactSurface& surface,
+                                        const std::vector<NodePressure>& nodes, bool multipliers) {
   const SequenceLinks links = links_of(surface, nodes);
   const bool round = surface.circle.has_value();
   std::vector<bool> closed;
@@ -140,10 +140,10 @@ ContactArc find_longest_closed_arc(const ContactSurface& surface,
     for (const Edge& edge : surface.plane.edges_of_chain(surface.plane.chains.front())) {
       length += edge.length;
     }
-    return round ? ContactArc{-pi, pi} : ContactArc{0.0, length};
+    return round ? SurfaceInterval{-pi, pi} : SurfaceInterval{0.0, length};
   }
-  ContactArc arc{std::min(longest->begin, longest->begin + longest->run),
-                 std::max(longest->begin, longest->begin + longest->run)};
+  SurfaceInterval arc{std::min(longest->begin, longest->begin + longest->run),
+                      std::max(longest->begin, longest->begin + longest->run)};
   if (round) {
     // Angles start from -pi up to below pi: one that round-off keeps just below pi starts at -pi.
     const double turns = std::floor((arc.from + pi) / (2.0 * pi) + 1e-9);

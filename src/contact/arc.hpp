@@ -8,7 +8,7 @@
 namespace spricka::contact {
 
 /// A stretch of a surface: angles [rad] or lengths.
-struct ContactArc {
+struct SurfaceInterval {
   double from = 0.0, to = 0.0;
 };
 
@@ -17,7 +17,7 @@ struct ContactArc {
 /// those of the chains, in order; `multipliers`: p_consistent holds the pressure, else p_lumped. A
 /// stretch ends where a pressure like a square root with the force and moment of the last three
 /// closed nodes does (contact.11), or with its surface; it goes on across a crack's mouth.
-ContactArc find_longest_closed_arc(const ContactSurface& surface,
-                                   const std::vector<NodePressure>& nodes, bool multipliers);
+SurfaceInterval find_longest_closed_arc(const ContactSurface& surface,
+                                        const std::vector<NodePressure>& nodes, bool multipliers);
 
 } // namespace spricka::contact

@@ -321,11 +321,11 @@ double recover_chain_pressure(const PairConstraints& pair, const ContactRowValue
     close_tips(result.nodes);
   }
   const double area = contact_area(pair, result.nodes);
-  ContactArc arc = find_longest_closed_arc(pair.contact, result.nodes, pair.segments);
+  SurfaceInterval arc = find_longest_closed_arc(pair.contact, result.nodes, pair.segments);
   if (std::ranges::any_of(result.nodes, &NodePressure::closed)) {
     convert_to_slave_coordinates(pair, result.nodes, arc);
   } else {
-    ContactArc nothing;
+    SurfaceInterval nothing;
     convert_to_slave_coordinates(pair, result.nodes, nothing);
   }
   result.arc_from = arc.from;

@@ -133,9 +133,9 @@ base::Matrix CondensedBody::off_modes(base::Matrix F) const {
   return F;
 }
 
-solve::RowCompliance
-CondensedBody::compliance(const std::vector<std::vector<RowCoefficient>>& rows) const {
-  solve::RowCompliance out = whole_.factor->compliance(as_sparse(rows));
+solve::RowCompliance CondensedBody::compliance_with_externals_held(
+    const std::vector<std::vector<RowCoefficient>>& rows) const {
+  solve::RowCompliance out = whole_.factor->compliance_with_externals_held(as_sparse(rows));
   if (out.condensed.rows() > 0) {
     out.W.noalias() += out.condensed.transpose() * hold(out.condensed);
     out.W.triangularView<Eigen::StrictlyUpper>() = out.W.transpose();

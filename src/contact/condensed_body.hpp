@@ -49,13 +49,14 @@ public:
   [[nodiscard]] const solve::FactoredSchurComplement* external_block_factor() const {
     return layered_ ? &*layered_ : nullptr;
   }
-  /// Whether it is a UncondensedBody; then compliance() stands in the place of compliance_root().
+  /// Whether it is a UncondensedBody; then compliance_with_externals_held() stands in the place of
+  /// compliance_root().
   [[nodiscard]] bool is_uncondensed() const { return whole_.factor != nullptr; }
   /// Y [.., k] with Y^T Y = F^T S+ F.
   [[nodiscard]] base::Matrix compliance_root(const base::Matrix& F) const;
   /// G S+ G^T [k, k] of rows.
   [[nodiscard]] solve::RowCompliance
-  compliance(const std::vector<std::vector<RowCoefficient>>& rows) const;
+  compliance_with_externals_held(const std::vector<std::vector<RowCoefficient>>& rows) const;
   /// S+ F [m, k].
   [[nodiscard]] base::Matrix displacements_under_forces(const base::Matrix& F) const;
 

@@ -114,7 +114,7 @@ void ComplianceAssembly::add_body(std::size_t body, const PersistentRowSet& last
   const CondensedBody& own = *bodies_[body];
   const solve::FactoredSchurComplement* factor = own.external_block_factor();
   if (own.is_uncondensed()) {
-    const solve::RowCompliance found = own.compliance(moving);
+    const solve::RowCompliance found = own.compliance_with_externals_held(moving);
     made_.flops += found.flops;
     add_compliance(move, move, found.W);
     add_modes(body, move, moving);

@@ -23,7 +23,7 @@ double contact_end(double s_inner, double p_inner, double s_last, double p_last,
 
 } // namespace
 
-ContactArc longest_marked_arc(std::vector<ContactArcNode> nodes, bool round) {
+SurfaceInterval longest_marked_arc(std::vector<ContactArcNode> nodes, bool round) {
   std::stable_sort(nodes.begin(), nodes.end(),
                    [](const ContactArcNode& a, const ContactArcNode& b) { return a.s < b.s; });
   const std::size_t n = nodes.size();
@@ -37,14 +37,14 @@ ContactArc longest_marked_arc(std::vector<ContactArcNode> nodes, bool round) {
   // round, fewer end where they end.
   if (n > 0 && std::ranges::find(in, false) == in.end()) {
     return round && n > 2 && nodes[n - 1].s - nodes[0].s > 1.5 * pi
-               ? ContactArc{-pi, pi}
-               : ContactArc{nodes[0].s, nodes[n - 1].s};
+               ? SurfaceInterval{-pi, pi}
+               : SurfaceInterval{nodes[0].s, nodes[n - 1].s};
   }
   // Places of a stretch across the seam go on beyond pi, so that they ascend along it.
   const auto coordinate = [&](std::size_t i) {
     return nodes[i % n].s + 2.0 * pi * static_cast<double>(round ? i / n : 0);
   };
-  ContactArc best;
+  SurfaceInterval best;
   std::size_t longest = 0;
   for (const std::vector<std::size_t>& places :
        contiguous_marked_ranges(SequenceLinks::link_consecutive(n, round), in)) {

@@ -16,6 +16,6 @@ struct ContactArcNode {
 /// The longest run of nodes that belong to the part. Its ends lie where strength^2 of the last two
 /// nodes, carried on linearly, is zero (square-root law). `round`: s is an angle and closes on
 /// itself.
-ContactArc longest_marked_arc(std::vector<ContactArcNode> nodes, bool round);
+SurfaceInterval longest_marked_arc(std::vector<ContactArcNode> nodes, bool round);
 
 } // namespace spricka::contact

@@ -28,7 +28,7 @@ std::optional<std::size_t> neighbour(const ChainRange& chain, std::size_t i, std
 class ChainTensionRedistribution {
 public:
   ChainTensionRedistribution(const ChainRange& range, std::vector<Index> order,
-                             const base::Vector& area, NodalPressureAndShear traction)
+                             const base::Vector& area, NodalPressuresAndShears traction)
       : range_(range), order_(std::move(order)), area_(area), at_(traction) {}
 
   void push() {
@@ -88,7 +88,7 @@ private:
   const ChainRange& range_;
   std::vector<Index> order_;
   const base::Vector& area_;
-  NodalPressureAndShear at_;
+  NodalPressuresAndShears at_;
 };
 
 // Part of the way to its neighbour that a node's row stands for.
@@ -135,7 +135,7 @@ std::vector<ChainRange> node_ranges_of_chains(const ContactSurface& surface) {
 }
 
 void redistribute_tension(const ContactSurface& surface, const std::vector<Index>& order,
-                          const base::Vector& area, NodalPressureAndShear traction) {
+                          const base::Vector& area, NodalPressuresAndShears traction) {
   for (const ChainRange& range : node_ranges_of_chains(surface)) {
     const auto begin = order.begin() + static_cast<std::ptrdiff_t>(range.first);
     ChainTensionRedistribution(range, {begin, begin + static_cast<std::ptrdiff_t>(range.count)},

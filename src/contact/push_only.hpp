@@ -18,7 +18,7 @@ struct ChainRange {
 std::vector<ChainRange> node_ranges_of_chains(const ContactSurface& surface);
 
 /// Nodal pressures with the shear beside them [node, as numbered]; no shear: empty.
-struct NodalPressureAndShear {
+struct NodalPressuresAndShears {
   base::Vector& p;
   base::Vector& q;
 };
@@ -27,7 +27,7 @@ struct NodalPressureAndShear {
 /// pulls is taken from the nearest nodes of its chain that push, and its shear goes with it, so
 /// that a ratio q / p that all nodes have stays. `order` [node]: chain by chain.
 void redistribute_tension(const ContactSurface& surface, const std::vector<Eigen::Index>& order,
-                          const base::Vector& area, NodalPressureAndShear traction);
+                          const base::Vector& area, NodalPressuresAndShears traction);
 
 /// Area of the part in contact: closed rows, up to where the square-root law (contact.11) ends the
 /// pressure behind the last of them. Nodes as recover_pressure has them.

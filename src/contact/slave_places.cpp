@@ -127,7 +127,7 @@ private:
   bool from_angles_, to_angles_;
 };
 
-ContactArc ordered(ContactArc arc, bool angles) {
+SurfaceInterval ordered(SurfaceInterval arc, bool angles) {
   if (!angles) {
     return {std::min(arc.from, arc.to), std::max(arc.from, arc.to)};
   }
@@ -182,7 +182,7 @@ std::vector<double> chain_start_lengths(const ContactSurface& surface) {
 }
 
 void convert_to_slave_coordinates(const PairConstraints& pair, std::vector<NodePressure>& nodes,
-                                  ContactArc& arc) {
+                                  SurfaceInterval& arc) {
   if (!pair.swapped || nodes.size() < 2) {
     return;
   }
@@ -205,7 +205,7 @@ void convert_to_slave_coordinates(const PairConstraints& pair, std::vector<NodeP
   if (from_angles && to_angles && arc.to - arc.from >= 2.0 * pi - 1e-12) {
     return; // all round
   }
-  ContactArc found{carry(arc.from, 1.0), carry(arc.to, -1.0)};
+  SurfaceInterval found{carry(arc.from, 1.0), carry(arc.to, -1.0)};
   if (to_angles) { // the way from end to end goes through its middle
     const double middle = near_to(carry(0.5 * (arc.from + arc.to), 0.0), found.from);
     found.to = near_to(found.to, middle);

@@ -22,6 +22,6 @@ std::vector<double> chain_start_lengths(const ContactSurface& surface);
 /// multipliers into those of the slave: of its nearest point; beyond its
 /// first start and last end along the tangent.
 void convert_to_slave_coordinates(const PairConstraints& pair, std::vector<NodePressure>& nodes,
-                                  ContactArc& arc);
+                                  SurfaceInterval& arc);
 
 } // namespace spricka::contact

@@ -14,7 +14,7 @@ public:
   KLayout(std::size_t points, int dim) : points_(points), modes_(dim) {}
 
   [[nodiscard]] std::size_t points() const { return points_; }
-  [[nodiscard]] Eigen::Index modes() const { return modes_; }
+  [[nodiscard]] Eigen::Index mode_count() const { return modes_; }
   /// All K together.
   [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(points_) * modes_; }
   /// The first mode of a point; its others follow.

@@ -172,7 +172,7 @@ SparseLinearFunctionals tip_intensity_functionals(const model::Model& model,
              .displacement_functionals();
 }
 
-std::vector<KFunctionalQuadraturePoint> functional_quadrature_points(
+std::vector<KFunctionalQuadraturePoint> K_functional_at_quadrature_points(
     const model::Model& model, const mesh::CrackedMesh& cracked, const mesh::CrackFront& front,
     const std::vector<VirtualExtensionField>& fields, model::CrackTipPlaneState state) {
   std::vector<KFunctionalQuadraturePoint> points;

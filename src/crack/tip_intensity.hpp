@@ -56,7 +56,7 @@ struct KFunctionalQuadraturePoint {
 };
 /// The functional of K at the integration points of all domains. Empty without a domain and where
 /// the tip lies between two materials; on a symmetric half that of K2 is zero.
-std::vector<KFunctionalQuadraturePoint> functional_quadrature_points(
+std::vector<KFunctionalQuadraturePoint> K_functional_at_quadrature_points(
     const model::Model& model, const mesh::CrackedMesh& cracked, const mesh::CrackFront& front,
     const std::vector<VirtualExtensionField>& fields, model::CrackTipPlaneState state);
 /// The same for forces between the faces: rows^T f is what FrontLoads::crack_faces add to K1

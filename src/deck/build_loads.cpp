@@ -274,7 +274,7 @@ void displacements_agree(DeckContext& c, const model::LoadCase& load_case) {
 
 std::vector<NodeConstraints> held_nodes(const DeckContext& c) {
   std::vector<NodeConstraints> held(c.model.mesh.node_count());
-  for (const model::FreedomAssignment& freedom : c.model.freedoms) {
+  for (const model::NodeSetFreedomRole& freedom : c.model.freedoms) {
     for (const base::NodeId node : c.model.mesh.set_with_id(freedom.nodes).nodes) {
       for (std::size_t d = 0; d < 3; ++d) {
         const unsigned bit = freedom.dof[d] ? 1U << d : 0U;

@@ -85,7 +85,7 @@ void freedom(DeckContext& c, const CheckedCard& card) {
     return;
   }
   const std::string_view dof = card.word_value("DOF");
-  model::FreedomAssignment freedom;
+  model::NodeSetFreedomRole freedom;
   freedom.cls = card.key_has_word("CLASS", "SUPPRESSED")   ? model::FreedomRole::suppressed
                 : card.key_has_word("CLASS", "PRESCRIBED") ? model::FreedomRole::prescribed
                                                            : model::FreedomRole::external;

@@ -110,17 +110,17 @@ void unmoved_freedoms(DeckContext& c) {
       }
     }
   }
-  const auto bits = [](const model::FreedomAssignment& freedom) {
+  const auto bits = [](const model::NodeSetFreedomRole& freedom) {
     return (freedom.dof[0] ? 1U : 0U) | (freedom.dof[1] ? 2U : 0U) | (freedom.dof[2] ? 4U : 0U);
   };
-  for (const model::FreedomAssignment& freedom : c.model.freedoms) {
+  for (const model::NodeSetFreedomRole& freedom : c.model.freedoms) {
     for (const base::NodeId n : freedom.cls == model::FreedomRole::suppressed
                                     ? mesh.set_with_id(freedom.nodes).nodes
                                     : std::vector<base::NodeId>()) {
       held[n.index()] |= bits(freedom);
     }
   }
-  for (const model::FreedomAssignment& freedom : c.model.freedoms) {
+  for (const model::NodeSetFreedomRole& freedom : c.model.freedoms) {
     if (freedom.cls != model::FreedomRole::prescribed) {
       continue;
     }

@@ -34,14 +34,14 @@ base::SymmetricCsc assemble_stiffness(const model::Model& model, const model::Me
 /// numbers, taken at the origin. Plane loads per area and volume include the thickness. Integrated
 /// by rules that follow the fields (fe/load_rule.hpp); of elements that the rim of a set cuts their
 /// share counts (fe/set_shares.hpp).
-base::Vector consistent_nodal_load(const model::Model& model, const model::Mesh& mesh,
-                                   const model::LoadCase& load_case);
+base::Vector consistent_load_vector(const model::Model& model, const model::Mesh& mesh,
+                                    const model::LoadCase& load_case);
 
 /// Nodal vector [dim * node] of the prescribed displacements of one load case (zero elsewhere).
 /// Loads on one set add up. Where different sets share a node the same value counts once and zero
 /// gives way; others, which the deck must not have, add up.
-base::Vector prescribed_nodal_displacement(const model::Model& model, const model::Mesh& mesh,
-                                           const model::LoadCase& load_case);
+base::Vector prescribed_displacement_vector(const model::Model& model, const model::Mesh& mesh,
+                                            const model::LoadCase& load_case);
 
 /// Internal forces K u of some elements as a nodal vector [dim * node], added to `r`; the elements'
 /// strain energy on its way too where `energy` [element] is given.

@@ -43,7 +43,7 @@ void hold_axis(const model::Mesh& mesh, std::vector<FreedomRole>& cls) {
 std::vector<FreedomRole> classify_freedoms(const model::Model& model, const model::Mesh& mesh) {
   const auto dim = static_cast<std::size_t>(mesh.dim);
   std::vector<FreedomRole> cls(dim * mesh.node_count(), FreedomRole::local);
-  for (const model::FreedomAssignment& freedom : model.freedoms) {
+  for (const model::NodeSetFreedomRole& freedom : model.freedoms) {
     for (const base::NodeId n : mesh.set_with_id(freedom.nodes).nodes) {
       for (std::size_t c = 0; c < dim; ++c) {
         FreedomRole& now = cls[dim * n.index() + c];

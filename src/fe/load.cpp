@@ -78,8 +78,8 @@ void add_load(const model::Model& model, const model::Mesh& mesh, const model::L
 
 } // namespace
 
-Vector consistent_nodal_load(const model::Model& model, const model::Mesh& mesh,
-                             const model::LoadCase& load_case) {
+Vector consistent_load_vector(const model::Model& model, const model::Mesh& mesh,
+                              const model::LoadCase& load_case) {
   Vector f = Vector::Zero(mesh.dim * static_cast<Eigen::Index>(mesh.node_count()));
   for (const model::Load& load : load_case.loads) {
     add_load(model, mesh, load, f);
@@ -101,8 +101,8 @@ double unresolved_load_fraction(const model::Model& model, const model::Mesh& me
   return missed.missed_fraction();
 }
 
-Vector prescribed_nodal_displacement(const model::Model& /*model*/, const model::Mesh& mesh,
-                                     const model::LoadCase& load_case) {
+Vector prescribed_displacement_vector(const model::Model& /*model*/, const model::Mesh& mesh,
+                                      const model::LoadCase& load_case) {
   Vector u = Vector::Zero(mesh.dim * static_cast<Eigen::Index>(mesh.node_count()));
   std::vector<const model::NodeSet*> reported; // sets, each with all its lines
   for (const model::Load& load : load_case.loads) {

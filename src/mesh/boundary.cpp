@@ -79,7 +79,7 @@ std::vector<model::Face> boundary_faces(const model::Mesh& mesh) {
   return SideIndex(mesh).unshared_sides();
 }
 
-std::vector<model::Face> boundary_faces_except_interfaces(const model::Mesh& mesh) {
+std::vector<model::Face> outer_surface_faces(const model::Mesh& mesh) {
   const SideIndex sides(mesh);
   std::vector<model::Face> faces = sides.unshared_sides();
   const FacesThatMeet meet(mesh, sides, faces);

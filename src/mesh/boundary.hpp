@@ -15,7 +15,7 @@ std::vector<model::Face> boundary_faces(const model::Mesh& mesh);
 /// Those of them that are surface of the body: without quadrilaterals inside that triangles meet,
 /// and without these triangles (two on a diagonal of the quadrilateral, or four round a node in it;
 /// what of theirs it has not is tied to it).
-std::vector<model::Face> boundary_faces_except_interfaces(const model::Mesh& mesh);
+std::vector<model::Face> outer_surface_faces(const model::Mesh& mesh);
 
 /// Boundary sides all of whose nodes lie in `nodes`, in the order of boundary_faces.
 std::vector<model::Face> boundary_faces_with_all_nodes_in(const model::Mesh& mesh,

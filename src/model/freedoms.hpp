@@ -18,7 +18,7 @@ constexpr bool is_suppressed_or_prescribed(FreedomRole cls) {
   return cls == FreedomRole::suppressed || cls == FreedomRole::prescribed;
 }
 
-struct FreedomAssignment {
+struct NodeSetFreedomRole {
   FreedomRole cls = FreedomRole::suppressed;
   std::array<bool, 3> dof{}; ///< x y z
   base::NodeSetId nodes;

@@ -47,7 +47,7 @@ struct Model {
   std::vector<NetDefinition> nets;
   std::vector<ElasticMaterial> materials;
   std::vector<ElementProperty> properties;
-  std::vector<FreedomAssignment> freedoms;
+  std::vector<NodeSetFreedomRole> freedoms;
   std::vector<Mpc> mpcs;
   std::vector<LoadCase> cases;
   std::vector<RigidTarget> rigids;

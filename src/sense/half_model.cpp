@@ -310,7 +310,7 @@ private:
         held.nodes.emplace_back(n);
       }
     }
-    model::FreedomAssignment freedom;
+    model::NodeSetFreedomRole freedom;
     freedom.cls = model::FreedomRole::suppressed;
     freedom.dof[static_cast<std::size_t>(side_.plane().axis)] = true;
     freedom.nodes = base::NodeSetId(mesh.node_sets.size());

@@ -106,7 +106,7 @@ private:
   }
 
   void look_at(const model::LoadCase& load_case, const model::Load& load) {
-    const base::Vector f = fe::consistent_nodal_load(model_, mesh_, {load_case.name, {load}});
+    const base::Vector f = fe::consistent_load_vector(model_, mesh_, {load_case.name, {load}});
     const double all = f.size() > 0 ? f.lpNorm<Eigen::Infinity>() : 0.0;
     if (!f.allFinite() || !(all > 0.0)) {
       return;

@@ -84,7 +84,7 @@ bool keeps_its_total(const model::Model& model, const model::Mesh& cracked,
                      const base::Vector& forces, const model::LoadCase& load_case,
                      const model::Load& load, base::Diagnostics& diagnostics) {
   const results::LoadTotal before = total_of(
-      model, model.mesh, fe::consistent_nodal_load(model, model.mesh, {load_case.name, {load}}));
+      model, model.mesh, fe::consistent_load_vector(model, model.mesh, {load_case.name, {load}}));
   const results::LoadTotal after = total_of(model, cracked, forces);
   const double change = (after.force - before.force).norm();
   const double size = std::max(before.magnitude_sum, after.magnitude_sum);
@@ -148,7 +148,7 @@ void warn_of_missing_displacement(const model::Mesh& mesh, double largest,
 
 double largest_displacement(const model::Model& model, const model::Mesh& mesh,
                             const model::LoadCase& load_case) {
-  return fe::prescribed_nodal_displacement(model, mesh, load_case).cwiseAbs().maxCoeff();
+  return fe::prescribed_displacement_vector(model, mesh, load_case).cwiseAbs().maxCoeff();
 }
 
 } // namespace
@@ -159,7 +159,7 @@ std::vector<results::LoadTotal> compute_load_totals(const model::Model& model) {
     model::LoadCase forces{load_case.name, {}};
     std::ranges::copy_if(load_case.loads, std::back_inserter(forces.loads), model::is_force_load);
     results::LoadTotal total =
-        total_of(model, model.mesh, fe::consistent_nodal_load(model, model.mesh, forces));
+        total_of(model, model.mesh, fe::consistent_load_vector(model, model.mesh, forces));
     if (total.magnitude_sum > 0.0) {
       total.load_case = load_case.name;
       tidy(total, model.mesh);

@@ -39,7 +39,7 @@ std::vector<model::Face> skin_of(const model::Mesh& mesh,
     model::add_element(part, mesh.type[e.index()], mesh.element_nodes(e),
                        mesh.element_label[e.index()], mesh.element_net[e.index()]);
   }
-  std::vector<model::Face> faces = mesh::boundary_faces_except_interfaces(part);
+  std::vector<model::Face> faces = mesh::outer_surface_faces(part);
   for (model::Face& face : faces) {
     face.element = elements[face.element.index()];
   }

@@ -54,7 +54,7 @@ bool BorderedFactor::factorise(std::vector<int> A) {
 void BorderedFactor::gather() {
   const int a = count(rows_);
   const int n = problem_.rows();
-  const int m = problem_.modes();
+  const int m = problem_.mode_count();
   // For the largest set at once: sets change at every iteration, and memory is not asked for anew.
   if (L_.rows() != n) {
     L_.resize(n, n);
@@ -162,7 +162,7 @@ void BorderedFactor::leave_out_redundant() {
 
 bool BorderedFactor::factorise_border() {
   const int a = count(rows_);
-  const int m = problem_.modes();
+  const int m = problem_.mode_count();
   Y_ = B_;
   C_.setZero(m, m);
   if (m == 0) {
@@ -185,7 +185,7 @@ bool BorderedFactor::factorise_border() {
 
 void BorderedFactor::solve(base::Matrix& top, base::Matrix& bottom) const {
   const int a = count(rows_);
-  const int m = problem_.modes();
+  const int m = problem_.mode_count();
   const int k = static_cast<int>(top.cols());
   if (a == 0 || k == 0) {
     return;

@@ -66,9 +66,9 @@ Condensation::solve(const base::Matrix& f,
                   : sparse_->solve(f, displacement);
 }
 
-RowCompliance Condensation::compliance(SparseRightHandSides F) const {
+RowCompliance Condensation::compliance_with_externals_held(SparseRightHandSides F) const {
   assert(report_.status == FactorStatus::ok && sparse_);
-  return sparse_->compliance(std::move(F));
+  return sparse_->compliance_with_externals_held(std::move(F));
 }
 
 } // namespace spricka::solve

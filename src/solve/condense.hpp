@@ -60,7 +60,7 @@ public:
   solve(const base::Matrix& f,
         const SparseCondensation::ExternalDisplacementSolver& displacement) const;
   /// F^T K^-1 F of columns with the externals held, and F condensed to these; without blocks.
-  [[nodiscard]] RowCompliance compliance(SparseRightHandSides F) const;
+  [[nodiscard]] RowCompliance compliance_with_externals_held(SparseRightHandSides F) const;
 
 private:
   FactorReport report_;

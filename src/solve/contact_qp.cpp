@@ -67,7 +67,7 @@ BlockSearch block_pivoting(const ControllableProblem& problem, const ContactSett
       }
       continue;
     }
-    const ActiveSetSolution solution = solve_active_set(problem, factor, false);
+    const SolutionWithRowsClosed solution = solve_active_set(problem, factor, false);
     const std::vector<int> violated = violated_rows(problem, factor, solution, settings.tolerance);
     if (violated.empty()) {
       search.settled = true;
@@ -111,7 +111,7 @@ ContactStatus pivot_to_the_end(const ControllableProblem& problem, const Contact
     if (result.status != PivotStatus::optimal || !factor.factorise(result.closed)) {
       return ContactStatus::max_iterations;
     }
-    const ActiveSetSolution solution = solve_active_set(problem, factor, true);
+    const SolutionWithRowsClosed solution = solve_active_set(problem, factor, true);
     if (violated_rows(problem, factor, solution, settings.tolerance).empty()) {
       return ContactStatus::solved;
     }
@@ -124,13 +124,13 @@ ContactStatus pivot_to_the_end(const ControllableProblem& problem, const Contact
 }
 
 /// Largest violation of the conditions over its scale.
-double residual_of(const ControllableProblem& problem, const ActiveSetSolution& s,
+double residual_of(const ControllableProblem& problem, const SolutionWithRowsClosed& s,
                    const std::vector<bool>& closed) {
   const base::Vector balance = problem.h + problem.B.transpose() * s.lambda;
   const base::Vector size =
       problem.h.cwiseAbs() + problem.B.cwiseAbs().transpose() * s.lambda.cwiseAbs();
   double residual = 0.0;
-  for (int j = 0; j < problem.modes(); ++j) {
+  for (int j = 0; j < problem.mode_count(); ++j) {
     residual = std::max(residual, divide_by_scale(std::abs(balance(j)), size(j) + s.force_scale));
   }
   for (int i = 0; i < problem.rows(); ++i) {
@@ -147,7 +147,7 @@ double residual_of(const ControllableProblem& problem, const ActiveSetSolution& 
 /// The answer from a clean solve on the final set. Motions that nothing presses come to rest.
 void take_solution(const ControllableProblem& problem, const ModeSplit& split,
                    const BorderedFactor& factor, double scale, ContactSolution& answer) {
-  ActiveSetSolution s = solve_active_set(problem, factor, true);
+  SolutionWithRowsClosed s = solve_active_set(problem, factor, true);
   answer.basis = factor.rows();
   for (const int i : factor.rows()) {
     answer.closed[at(i)] = true;
@@ -162,7 +162,7 @@ void take_solution(const ControllableProblem& problem, const ModeSplit& split,
     change.push_back(holds ? AllowedGapChange::none : AllowedGapChange::not_through_zero);
   }
   const int free = minimise_free_motions(problem, split, s.lambda, change,
-                                         base::Vector::Zero(problem.modes()), s.alpha);
+                                         base::Vector::Zero(problem.mode_count()), s.alpha);
   answer.resting_modes += free;
   // Motions to rest move no pressing row, but the gaps of the others.
   s.gap += problem.B * (s.alpha - settled);

@@ -47,7 +47,7 @@ TableauColumns columns_of(const ControllableProblem& problem, const BorderedFact
     place[at(A[r])] = static_cast<int>(r);
   }
   TableauColumns columns{base::Matrix::Zero(a, t.size()),
-                         base::Matrix::Zero(problem.modes(), t.size())};
+                         base::Matrix::Zero(problem.mode_count(), t.size())};
   for (int j = 0; j < t.size(); ++j) {
     const int i = t.row[at(j)];
     if (t.closed[at(j)]) {
@@ -80,11 +80,11 @@ Tableau tableau_of(const ControllableProblem& problem, const BorderedFactor& fac
   }
   // (solve.19): T from the columns, q from the solution with z = 0.
   const TableauColumns z = columns_of(problem, factor, t);
-  const ActiveSetSolution s = solve_active_set(problem, factor, false);
+  const SolutionWithRowsClosed s = solve_active_set(problem, factor, false);
   const int k = t.size();
   const int a = static_cast<int>(A.size());
   base::Matrix W_kA(k, a);
-  base::Matrix B_k(k, problem.modes());
+  base::Matrix B_k(k, problem.mode_count());
   for (int j = 0; j < k; ++j) {
     const int i = t.row[at(j)];
     for (int r = 0; r < a; ++r) {

@@ -40,14 +40,14 @@ int loose_motions(const ScaledFrictionProblem& problem, const std::vector<SlipSt
       }
     }
   }
-  if (rows.empty() || problem.modes() == 0) {
-    return problem.modes();
+  if (rows.empty() || problem.mode_count() == 0) {
+    return problem.mode_count();
   }
-  base::Matrix B(index(rows.size()), problem.modes());
+  base::Matrix B(index(rows.size()), problem.mode_count());
   for (std::size_t r = 0; r < rows.size(); ++r) {
     B.row(index(r)) = problem.B.row(rows[r]);
   }
-  return problem.modes() - static_cast<int>(base::column_rank(B, 1e-9));
+  return problem.mode_count() - static_cast<int>(base::column_rank(B, 1e-9));
 }
 
 /// Back from scaled units, with every condition kept to the last bit that forces have.
@@ -119,8 +119,8 @@ bool dead_rows_hold(const ControllableProblem& held, const std::vector<FrictionR
 /// Where bodies stay that nothing holds, in scaled modes.
 base::Vector anchor_at(const base::Vector& alpha, const ControllableProblem& held,
                        const ModeSplit& split) {
-  if (alpha.size() == 0 || held.modes() == 0) {
-    return base::Vector::Zero(held.modes());
+  if (alpha.size() == 0 || held.mode_count() == 0) {
+    return base::Vector::Zero(held.mode_count());
   }
   // Modes that no row feels have no place among the scaled ones: least squares drops their part.
   const base::Vector a = base::least_squares(split.controllable, alpha);
@@ -266,7 +266,7 @@ void walk_to_rest(const ScaledFrictionProblem& scaled, const ControllableProblem
   ContactSolution& c = answer.contact;
   base::Vector anchor = std::move(state.first);
   FrictionSearchResult search = std::move(state.second);
-  base::Vector drive = base::Vector::Zero(scaled.modes());
+  base::Vector drive = base::Vector::Zero(scaled.mode_count());
   for (int turn = 0; turn < anchorings; ++turn) {
     search = find_consistent_states(scaled, anchor, search.touch, settings, c);
     if (!search.settled) {

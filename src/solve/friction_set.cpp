@@ -60,7 +60,7 @@ ActiveRows active_rows(const ScaledFrictionProblem& problem, const std::vector<S
 class Equations {
 public:
   Equations(const ScaledFrictionProblem& problem, const ActiveRows& active)
-      : a_(active.size()), m_(problem.modes()), K_(a_ + m_, a_ + m_) {
+      : a_(active.size()), m_(problem.mode_count()), K_(a_ + m_, a_ + m_) {
     base::Vector column(problem.rows());
     for (int c = 0; c < a_; ++c) {
       const int i = active.row[at(c)];
@@ -107,7 +107,7 @@ void add(const ScaledFrictionProblem& problem, const ActiveRows& active, const b
       s.lambda(t) += active.share[at(c)] * x(c, 0);
     }
   }
-  s.alpha += x.col(0).tail(problem.modes());
+  s.alpha += x.col(0).tail(problem.mode_count());
   const int n = problem.rows();
   // Gaps are summed from forces and motions again, not carried along: what refinement corrects is
   // the error of these very sums.
@@ -139,7 +139,7 @@ double unbalanced(const ScaledFrictionProblem& problem, const SlipStateSolution&
   const base::Vector size =
       problem.h.cwiseAbs() + problem.B.cwiseAbs().transpose() * s.lambda.cwiseAbs();
   double worst = 0.0;
-  for (int j = 0; j < problem.modes(); ++j) {
+  for (int j = 0; j < problem.mode_count(); ++j) {
     worst = std::max(worst, left(j) == 0.0 ? 0.0 : std::abs(left(j)) / (size(j) + s.force_scale));
   }
   return worst;
@@ -205,7 +205,7 @@ SlipStateSolution solve_slip_states(const ScaledFrictionProblem& problem,
                                     const base::Vector& anchor) {
   const ActiveRows active = active_rows(problem, touch);
   const int a = active.size();
-  const int m = problem.modes();
+  const int m = problem.mode_count();
   SlipStateSolution s;
   s.lambda = base::Vector::Zero(problem.rows());
   s.alpha = base::Vector::Zero(m);
@@ -336,7 +336,7 @@ InterfaceStiffness interface_stiffness(const ScaledFrictionProblem& problem,
   if (!face.regular) {
     return face;
   }
-  const int m = problem.modes();
+  const int m = problem.mode_count();
   base::Matrix x = base::Matrix::Zero(equations.size(), k + 1);
   // One column for a unit of each opening or slip, and one for gaps and loads as they are: forces
   // are theirs, modes are eliminated on the way.

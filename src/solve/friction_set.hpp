@@ -25,7 +25,7 @@ struct ScaledFrictionProblem {
   double force_floor = 0.0;
 
   [[nodiscard]] int rows() const { return static_cast<int>(b.size()); }
-  [[nodiscard]] int modes() const { return static_cast<int>(h.size()); }
+  [[nodiscard]] int mode_count() const { return static_cast<int>(h.size()); }
 };
 
 /// The problem in these units. Rows without compliance and modes are left out; a slip without them

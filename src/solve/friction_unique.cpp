@@ -27,7 +27,7 @@ struct Weights {
 
 /// Orthonormal motions of rows when bodies move rigidly, equality rows kept [k, z].
 base::Matrix rigid_openings(const ScaledFrictionProblem& problem, const std::vector<int>& rows) {
-  const int m = problem.modes();
+  const int m = problem.mode_count();
   if (m == 0) {
     return base::Matrix::Zero(index(rows.size()), 0);
   }
@@ -119,10 +119,11 @@ UniquenessResult check_uniqueness(const FrictionProblem& problem) {
   const bool rubs = std::any_of(scaled.units.begin(), scaled.units.end(),
                                 [](const auto& u) { return u.tangent >= 0; });
   if (!rubs) {
-    found = {true, scaled.modes() > 0};
+    found = {true, scaled.mode_count() > 0};
     return found;
   }
-  const InterfaceStiffness face = interface_stiffness(scaled, base::Vector::Zero(scaled.modes()));
+  const InterfaceStiffness face =
+      interface_stiffness(scaled, base::Vector::Zero(scaled.mode_count()));
   if (!face.regular) {
     return found;
   }

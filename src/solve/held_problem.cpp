@@ -54,7 +54,7 @@ ControllableProblem restrict_to_controllable_modes(const ContactProblem& problem
   });
   held.equality.resize(static_cast<std::size_t>(held.rows()), false);
   const base::Vector border = held.B.rowwise().squaredNorm();
-  if (held.modes() > 0) {
+  if (held.mode_count() > 0) {
     const double compliance = problem.W.trace();
     held.tau = compliance > 0.0 ? compliance / border.sum() : rigid_compliance(held);
   }

@@ -20,7 +20,7 @@ struct ControllableProblem {
   base::Vector d;   ///< [n] sqrt(W_ii + tau |B_i|^2): g / d and lambda d have the same unit
 
   [[nodiscard]] int rows() const { return static_cast<int>(b.size()); }
-  [[nodiscard]] int modes() const { return static_cast<int>(h.size()); }
+  [[nodiscard]] int mode_count() const { return static_cast<int>(h.size()); }
 };
 
 /// The force [force] that loads on modes are judged by: the largest of load_scale, of the loads h

@@ -28,7 +28,7 @@ ClosedRowsSolver::response_to_gaps_and_loads(const base::Matrix& b, const base::
   if (split_.uncontrollable.cols() > 0 && h.cols() > 0) {
     out.left_over = (split_.uncontrollable.transpose() * h).cwiseAbs().maxCoeff();
   }
-  base::Matrix a = base::Matrix::Zero(held_.modes(), b.cols());
+  base::Matrix a = base::Matrix::Zero(held_.mode_count(), b.cols());
   const base::Matrix load = split_.controllable.transpose() * h;
   const std::vector<int>& A = factor_.rows();
   // once more with what the first solution leaves over

@@ -24,7 +24,7 @@ public:
         inverse_(problem.d.unaryExpr([](double d) { return d > 0.0 ? 1.0 / d : 0.0; })),
         B_(std::sqrt(problem.tau) * (inverse_.asDiagonal() * problem.B)),
         b_(inverse_.cwiseProduct(problem.b)), h_(std::sqrt(problem.tau) * problem.h),
-        alpha_(base::Vector::Zero(problem.modes())) {}
+        alpha_(base::Vector::Zero(problem.mode_count())) {}
 
   std::vector<bool> closed() {
     const double step = 1.0 / (above * largest_eigenvalue());

@@ -41,7 +41,7 @@ private:
 
 LoadBalance balance_loads(const ControllableProblem& problem) {
   const int n = problem.rows();
-  SpannedSubspace fixed(problem.modes());
+  SpannedSubspace fixed(problem.mode_count());
   for (int i = 0; i < n; ++i) {
     if (problem.equality[at(i)] && !fixed.full()) {
       fixed.add(problem.B.row(i).transpose());
@@ -49,7 +49,7 @@ LoadBalance balance_loads(const ControllableProblem& problem) {
   }
   // A x = t: what inequality rows give and what they must carry, seen across the equality rows;
   // a row that stands along them gives nothing, whatever direction its round-off has
-  base::Matrix A = base::Matrix::Zero(problem.modes(), n);
+  base::Matrix A = base::Matrix::Zero(problem.mode_count(), n);
   for (int i = 0; i < n; ++i) {
     if (!problem.equality[at(i)]) {
       const base::Vector across = fixed.across(problem.B.row(i).transpose());
@@ -78,7 +78,7 @@ base::Vector unstopped_opening_motion(const ModeSplit& split, const LoadBalance&
 
 std::vector<int> rows_spanning_modes(const ControllableProblem& problem,
                                      const std::vector<int>& pressed) {
-  SpannedSubspace span(problem.modes());
+  SpannedSubspace span(problem.mode_count());
   std::vector<int> rows;
   for (int i = 0; i < problem.rows(); ++i) {
     if (problem.equality[at(i)]) {

@@ -16,7 +16,7 @@ namespace {
 
 /// Orthonormal directions [m, z] of the modes that leave the gaps of these rows unchanged.
 base::Matrix free_directions(const ControllableProblem& problem, const std::vector<int>& rows) {
-  const int m = problem.modes();
+  const int m = problem.mode_count();
   if (rows.empty()) {
     return base::Matrix::Identity(m, m);
   }
@@ -33,7 +33,7 @@ std::vector<bool> find_pressing_rows(const ControllableProblem& problem, const M
                                      const base::Vector& lambda, double least) {
   const Eigen::RowVectorXd per_unit = split.controllable.colwise().norm().cwiseInverse();
   std::vector<bool> pressing(std::size_t(problem.rows()), false);
-  for (int i = 0; i < problem.rows() && problem.modes() > 0; ++i) {
+  for (int i = 0; i < problem.rows() && problem.mode_count() > 0; ++i) {
     // in units of h: the columns of B are those of `controllable`, whose size carries a unit of
     // its own
     const Eigen::RowVectorXd unit = problem.B.row(i).cwiseAbs().cwiseProduct(per_unit);
@@ -45,7 +45,7 @@ std::vector<bool> find_pressing_rows(const ControllableProblem& problem, const M
 int minimise_free_motions(const ControllableProblem& problem, const ModeSplit& split,
                           const base::Vector& lambda, const std::vector<AllowedGapChange>& change,
                           const base::Vector& anchor, base::Vector& alpha) {
-  if (problem.modes() == 0) {
+  if (problem.mode_count() == 0) {
     return 0;
   }
   std::vector<int> fixed;

@@ -276,7 +276,7 @@ private:
   // Springs hold what no row holds where it is; the step leaves out of the answer what they take.
   void equations(const std::vector<Unknown>& list, base::Matrix& K, base::Matrix& x) const {
     const auto n = index(list.size());
-    const Eigen::Index m = p_.modes();
+    const Eigen::Index m = p_.mode_count();
     K.resize(n + m, n + m);
     x.resize(n + m, 1);
     base::Vector opened(p_.rows());
@@ -311,7 +311,7 @@ private:
 
   bool newton_step() {
     const std::vector<Unknown> list = unknowns();
-    const Eigen::Index m = p_.modes();
+    const Eigen::Index m = p_.mode_count();
     equations(list, K_, x_);
     const auto size = static_cast<int>(K_.rows());
     std::vector<int> order;

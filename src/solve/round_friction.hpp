@@ -29,7 +29,7 @@ struct RoundConeFrictionProblem {
   double force_floor = 0.0;
 
   [[nodiscard]] Eigen::Index rows() const { return b.size(); }
-  [[nodiscard]] Eigen::Index modes() const { return h.size(); }
+  [[nodiscard]] Eigen::Index mode_count() const { return h.size(); }
 };
 /// The problem in these units. Rows without compliance become no units; slip rows take the scale of
 /// their normal rows.

@@ -15,7 +15,7 @@ namespace {
 
 /// Adds the solution for the right-hand sides [a, 1] and [m, 1] to lambda and alpha.
 void add_solution(const BorderedFactor& factor, base::Matrix top, base::Matrix bottom,
-                  ActiveSetSolution& s) {
+                  SolutionWithRowsClosed& s) {
   factor.solve(top, bottom);
   const std::vector<int>& A = factor.rows();
   for (std::size_t r = 0; r < A.size(); ++r) {
@@ -26,13 +26,13 @@ void add_solution(const BorderedFactor& factor, base::Matrix top, base::Matrix b
 
 } // namespace
 
-ActiveSetSolution solve_active_set(const ControllableProblem& problem, const BorderedFactor& factor,
-                                   bool refine) {
+SolutionWithRowsClosed solve_active_set(const ControllableProblem& problem,
+                                        const BorderedFactor& factor, bool refine) {
   const int n = problem.rows();
   const std::vector<int>& A = factor.rows();
-  ActiveSetSolution s;
+  SolutionWithRowsClosed s;
   s.lambda = base::Vector::Zero(n);
-  s.alpha = base::Vector::Zero(problem.modes());
+  s.alpha = base::Vector::Zero(problem.mode_count());
   s.gap = problem.b;
   base::Vector opened(n);
   for (const bool again : {false, true}) {
@@ -69,7 +69,7 @@ ActiveSetSolution solve_active_set(const ControllableProblem& problem, const Bor
 }
 
 std::vector<int> violated_rows(const ControllableProblem& problem, const BorderedFactor& factor,
-                               const ActiveSetSolution& solution, double tolerance) {
+                               const SolutionWithRowsClosed& solution, double tolerance) {
   std::vector<bool> closed(std::size_t(problem.rows()), false);
   for (const int i : factor.rows()) {
     closed[at(i)] = true;

@@ -8,7 +8,7 @@
 namespace spricka::solve {
 
 /// Forces, modes and gaps with the rows of a factor closed and all others without force.
-struct ActiveSetSolution {
+struct SolutionWithRowsClosed {
   base::Vector lambda; ///< [n]
   base::Vector alpha;  ///< [m]
   base::Vector gap;    ///< [n] b + W lambda + B alpha, on closed rows the error of the solve
@@ -17,12 +17,12 @@ struct ActiveSetSolution {
 };
 
 /// `refine`: one step of iterative refinement.
-ActiveSetSolution solve_active_set(const ControllableProblem& problem, const BorderedFactor& factor,
-                                   bool refine);
+SolutionWithRowsClosed solve_active_set(const ControllableProblem& problem,
+                                        const BorderedFactor& factor, bool refine);
 
 /// Rows whose sign is wrong: inequality rows of the factor with lambda below -tolerance
 /// force_scale, rows outside it with a gap below -tolerance gap_scale (equality rows: either sign).
 std::vector<int> violated_rows(const ControllableProblem& problem, const BorderedFactor& factor,
-                               const ActiveSetSolution& solution, double tolerance);
+                               const SolutionWithRowsClosed& solution, double tolerance);
 
 } // namespace spricka::solve

@@ -374,7 +374,7 @@ base::Matrix SparseCondensation::solve(const base::Matrix& f,
   return u;
 }
 
-RowCompliance SparseCondensation::compliance(SparseRightHandSides F) const {
+RowCompliance SparseCondensation::compliance_with_externals_held(SparseRightHandSides F) const {
   const Impl& c = *impl_;
   assert(c.report.status == FactorStatus::ok);
   c.to_elimination(F);

@@ -48,7 +48,7 @@ public:
   [[nodiscard]] base::Matrix solve(const base::Matrix& f,
                                    const ExternalDisplacementSolver& displacement) const;
   /// F^T K^-1 F [k, k] of columns F [n, k] with the externals held, and F condensed to these.
-  [[nodiscard]] RowCompliance compliance(SparseRightHandSides F) const;
+  [[nodiscard]] RowCompliance compliance_with_externals_held(SparseRightHandSides F) const;
 
 private:
   struct Impl;

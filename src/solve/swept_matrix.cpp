@@ -15,8 +15,8 @@ using base::index;
 
 SweptMatrix::SweptMatrix(const ControllableProblem& problem, base::Matrix of_force,
                          base::Matrix of_mode)
-    : problem_(problem), n_(problem.rows()), m_(problem.modes()), of_force_(std::move(of_force)),
-      of_mode_(std::move(of_mode)), factor_(problem) {}
+    : problem_(problem), n_(problem.rows()), m_(problem.mode_count()),
+      of_force_(std::move(of_force)), of_mode_(std::move(of_mode)), factor_(problem) {}
 
 // Forces are multiplied by d, gaps divided by it.
 double SweptMatrix::unit(int i, bool closed) const {
@@ -47,7 +47,7 @@ base::Vector SweptMatrix::initial_state(const base::Vector& b, const base::Vecto
   ControllableProblem problem = problem_;
   problem.b = b;
   problem.h = h;
-  const ActiveSetSolution s = solve_active_set(problem, factor_, true);
+  const SolutionWithRowsClosed s = solve_active_set(problem, factor_, true);
   base::Vector c(size());
   for (int i = 0; i < n_; ++i) {
     const bool closed = first_closed_[at(i)];

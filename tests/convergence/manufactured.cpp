@@ -118,7 +118,7 @@ model::Model solid_model(ElementType type, double nu, int n) {
     x = shell(x);
   }
   model.mesh.node_sets.push_back(rim);
-  model::FreedomAssignment held;
+  model::NodeSetFreedomRole held;
   held.cls = model::FreedomRole::prescribed;
   held.dof = {true, true, true};
   held.nodes = base::NodeSetId(model.mesh.node_sets.size() - 1);
@@ -136,8 +136,8 @@ base::Vector solve_by_gradients(const model::Model& model, const model::LoadCase
   const std::vector<base::ElementId> elements = every_element(mesh);
   const fe::DofMap dofs = fe::number_freedoms(mesh, nodes, fe::classify_freedoms(model, mesh));
   const base::SymmetricCsc K = fe::assemble_stiffness(model, mesh, elements, {}, dofs);
-  base::Vector u = fe::prescribed_nodal_displacement(model, mesh, load_case);
-  base::Vector r = -fe::consistent_nodal_load(model, mesh, load_case);
+  base::Vector u = fe::prescribed_displacement_vector(model, mesh, load_case);
+  base::Vector r = -fe::consistent_load_vector(model, mesh, load_case);
   fe::add_internal_force(model, mesh, elements, u, r);
   const Eigen::SparseMatrix<double> lower =
       Eigen::Map<const Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>>(

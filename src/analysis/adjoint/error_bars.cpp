@@ -137,7 +137,7 @@ void TipErrorBars::prepare() {
   for (std::size_t t = 0; t < scene_.cracked.fronts.size(); ++t) {
     const mesh::CrackFront& front = scene_.cracked.fronts[t];
     layout.point_columns(goals_, t) =
-        enrichment_->mode_functional(crack::functional_quadrature_points(
+        enrichment_->mode_functional(crack::K_functional_at_quadrature_points(
             model_, scene_.cracked, front, scene_.domains[t].points.front(),
             model_.cracks[front.crack.index()].state));
   }

@@ -299,7 +299,7 @@ base::Vector VirtualAxisExtension::loads(const Discretisation& side, const StepS
   for (std::size_t c = 0; c < model_.cases.size(); ++c) {
     const double factor = state.case_factor[static_cast<Eigen::Index>(c)];
     if (factor != 0.0) {
-      out += factor * fe::consistent_nodal_load(model_, side.cracked.mesh, model_.cases[c]);
+      out += factor * fe::consistent_load_vector(model_, side.cracked.mesh, model_.cases[c]);
     }
   }
   for (const std::size_t c : pairs_) {

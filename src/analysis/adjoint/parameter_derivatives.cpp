@@ -223,7 +223,7 @@ void store_one_sided_derivative(const crack::KLayout& layout, const base::Vector
     for (std::size_t p = 0; p < front.points.size(); ++p) {
       const Eigen::Index first = layout.first_mode_index(point++);
       std::array<double, 3>& own = values.emplace_back();
-      for (Eigen::Index k = 0; k < layout.modes(); ++k) {
+      for (Eigen::Index k = 0; k < layout.mode_count(); ++k) {
         own[base::at(k)] = dK[first + k];
       }
     }

@@ -125,8 +125,8 @@ base::Vector VirtualTipExtension::load_rate(const model::LoadCase& load_case, st
                                             const Discretisation& ahead,
                                             const Discretisation& behind, double distance) const {
   const auto of = [&](const Discretisation& side) -> base::Vector {
-    return fe::consistent_nodal_load(model_, side.cracked.mesh,
-                                     without_temperature_loads(load_case)) +
+    return fe::consistent_load_vector(model_, side.cracked.mesh,
+                                      without_temperature_loads(load_case)) +
            thermal_nodal_forces(model_, side.cracked.mesh, *side.case_heat[c]);
   };
   return (of(ahead) - of(behind)) / distance;

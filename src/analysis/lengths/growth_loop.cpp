@@ -106,7 +106,7 @@ private:
     std::optional<results::NamedArrays> state;
     for (int number = 1;; ++number) {
       std::optional<archive::StoredIncrement> kept =
-          resume_increment(model_, options_.checkpoint, number, 0.0, pictured_at(number));
+          accept_stored_increment(model_, options_.checkpoint, number, 0.0, pictured_at(number));
       if (!kept) {
         return state;
       }

@@ -20,7 +20,7 @@ base::Vector intensities_of(const crack::KLayout& layout, const results::LoadSte
   for (const results::FrontResult& front : result.fronts) {
     for (const results::FrontPointResult& place : front.points) {
       layout.segment_of_point(K, point++) =
-          base::Vec3::Map(place.smooth.data()).head(layout.modes());
+          base::Vec3::Map(place.smooth.data()).head(layout.mode_count());
     }
   }
   return K;
@@ -35,7 +35,7 @@ double apart_from_step(const crack::KLayout& layout, const base::Vector& K,
   std::size_t point = 0;
   for (const results::FrontResult& front : own.fronts) {
     for (const results::FrontPointResult& place : front.points) {
-      for (int mode = 1; mode <= layout.modes(); ++mode) {
+      for (int mode = 1; mode <= layout.mode_count(); ++mode) {
         const Eigen::Index at = layout.at(point, mode);
         // K1 of a tip may be 0 for its sign alone.
         const bool set = mode == 1 && front.is_tip() && other[at] == 0.0;

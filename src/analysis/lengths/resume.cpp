@@ -29,10 +29,10 @@ bool fit_pictures(const std::vector<bool>& pictured, results::CrackLengthResult&
 
 } // namespace
 
-std::optional<archive::StoredIncrement> resume_increment(const model::Model& model,
-                                                         archive::Checkpoint* checkpoint,
-                                                         int number, double asked,
-                                                         const std::vector<bool>& pictured) {
+std::optional<archive::StoredIncrement> accept_stored_increment(const model::Model& model,
+                                                                archive::Checkpoint* checkpoint,
+                                                                int number, double asked,
+                                                                const std::vector<bool>& pictured) {
   if (checkpoint == nullptr || !checkpoint->has_stored_increment(number)) {
     return std::nullopt;
   }

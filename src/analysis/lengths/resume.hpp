@@ -16,10 +16,10 @@ namespace spricka::analysis {
 
 /// Increment `number`, asked for length `asked`, from an earlier run; empty: it is to be solved.
 /// Its stresses are those of the steps in `pictured`; where one is missing it is solved anew.
-std::optional<archive::StoredIncrement> resume_increment(const model::Model& model,
-                                                         archive::Checkpoint* checkpoint,
-                                                         int number, double asked,
-                                                         const std::vector<bool>& pictured);
+std::optional<archive::StoredIncrement> accept_stored_increment(const model::Model& model,
+                                                                archive::Checkpoint* checkpoint,
+                                                                int number, double asked,
+                                                                const std::vector<bool>& pictured);
 
 /// What `take` makes of the state that was kept; where that lacks something, or names what is not
 /// there, the file is in trouble: throws FileFailure E560, which names the field.

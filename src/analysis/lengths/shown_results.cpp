@@ -29,7 +29,7 @@ std::vector<results::OuterSurfaceFace> outer_faces_by_nodes(const model::Mesh& m
     return {}; // plane elements show their own faces
   }
   std::vector<results::OuterSurfaceFace> surface;
-  for (const model::Face& face : mesh::boundary_faces_except_interfaces(mesh)) {
+  for (const model::Face& face : mesh::outer_surface_faces(mesh)) {
     const base::ElementType type = mesh.type[face.element.index()];
     const std::span<const int> side = shape::side_nodes(type, face.side);
     results::OuterSurfaceFace out;

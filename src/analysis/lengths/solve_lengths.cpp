@@ -85,7 +85,8 @@ bool solve_lengths(const model::Model& model, const SolveOptions& options,
     const int number = static_cast<int>(i) + 1;
     const std::vector<bool> pictured = steps_with_stress_recovery(model, i + 1 == lengths.size());
     const base::Stopwatch resuming;
-    if (auto kept = resume_increment(model, options.checkpoint, number, lengths[i], pictured)) {
+    if (auto kept =
+            accept_stored_increment(model, options.checkpoint, number, lengths[i], pictured)) {
       // What was mounted and closed goes on from the last length that was kept.
       restore_or_report_damage([&] { solver.restore_state(kept->state); });
       append_increment(std::move(*kept), run);

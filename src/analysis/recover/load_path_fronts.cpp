@@ -178,7 +178,7 @@ results::LoadPathFront follow_front(const Discretisation& scene, std::size_t f, 
   out.front_without_points.points.clear();
   out.front_without_points.sensitivities = {};
   out.front_without_points.invalid_reason.clear();
-  const Eigen::Index modes = scene.k_layout().modes();
+  const Eigen::Index modes = scene.k_layout().mode_count();
   const std::vector<double> zeros(found.segments.size(), 0.0);
   for (std::size_t i = 0; i < is.points.size(); ++i) {
     results::LoadPathFrontPoint& point = out.points.emplace_back();

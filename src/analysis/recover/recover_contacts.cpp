@@ -67,7 +67,7 @@ void gather_friction(const Discretisation& scene, const StepState& state, std::s
     arc.push_back(node);
   }
   if (!result.space) {
-    const contact::ContactArc stick = contact::longest_marked_arc(std::move(arc), round);
+    const contact::SurfaceInterval stick = contact::longest_marked_arc(std::move(arc), round);
     result.stick_from = stick.from;
     result.stick_to = stick.to;
   }

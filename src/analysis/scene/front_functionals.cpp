@@ -145,7 +145,8 @@ base::Vector evaluate_K_values(const model::Model& model, const Discretisation& 
     for (const crack::StressIntensity& K :
          crack::front_intensity(model, scene.cracked, front, domains, request, u,
                                 collect_front_loads(model, scene, domains, case_factor))) {
-      layout.segment_of_point(values, first++) = base::Vec3(K.K1, K.K2, K.K3).head(layout.modes());
+      layout.segment_of_point(values, first++) =
+          base::Vec3(K.K1, K.K2, K.K3).head(layout.mode_count());
     }
   }
   return values;

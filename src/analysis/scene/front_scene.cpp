@@ -32,7 +32,7 @@ std::string remedy_at(const model::Model& model, const Discretisation& scene,
                       const mesh::FrontPoint& point) {
   constexpr double near = 3.0; // radii of the tube
   std::set<std::string> names;
-  for (const model::FreedomAssignment& freedom : model.freedoms) {
+  for (const model::NodeSetFreedomRole& freedom : model.freedoms) {
     const model::NodeSet& set = scene.cracked.mesh.set_with_id(freedom.nodes);
     if (std::ranges::any_of(set.nodes, [&](base::NodeId n) {
           return (scene.cracked.mesh.x[n.index()] - point.x).norm() < near * point.radius;

@@ -45,7 +45,7 @@ double weighted_volume(const model::Model& model, const model::Mesh& mesh,
   unit.type = model::LoadType::body;
   unit.elements = elements;
   unit.value = {base::CompiledExpression::make_constant(1.0)};
-  const base::Vector f = fe::consistent_nodal_load(model, mesh, {"", {unit}});
+  const base::Vector f = fe::consistent_load_vector(model, mesh, {"", {unit}});
   double sum = 0.0;
   for (Eigen::Index i = 0; i < f.size(); i += mesh.dim) {
     sum += f[i];

@@ -217,7 +217,7 @@ std::optional<NodeId> find_removed_held_node(const model::Model& model, const mo
   }
   const std::vector<bool> inside = marked(host.node_count(), asked->nodes);
   std::vector<bool> held(host.node_count(), false);
-  for (const model::FreedomAssignment& freedom : model.freedoms) {
+  for (const model::NodeSetFreedomRole& freedom : model.freedoms) {
     if (model::is_suppressed_or_prescribed(freedom.cls)) {
       for (const NodeId n : host.set_with_id(freedom.nodes).nodes) {
         held[n.index()] = true;

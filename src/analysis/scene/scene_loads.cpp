@@ -55,8 +55,8 @@ bool add_case_forces(const model::Model& model, const model::Mesh& mesh,
   for (const model::Load& load : load_case.loads) {
     const model::LoadCase alone{load_case.name, {load}};
     const bool displaces = load.type == model::LoadType::displacement;
-    const base::Vector own = displaces ? fe::prescribed_nodal_displacement(model, mesh, alone)
-                                       : fe::consistent_nodal_load(model, mesh, alone);
+    const base::Vector own = displaces ? fe::prescribed_displacement_vector(model, mesh, alone)
+                                       : fe::consistent_load_vector(model, mesh, alone);
     if (!displaces && load.type != model::LoadType::temperature) {
       f += own;
     }
@@ -91,7 +91,7 @@ bool make_case_loads(const model::Model& model, Discretisation& scene,
   for (Eigen::Index c = 0; c < cases; ++c) {
     const model::LoadCase& load_case = model.cases[static_cast<std::size_t>(c)];
     good = add_case_forces(model, mesh, load_case, scene.case_load.col(c), diagnostics) && good;
-    scene.case_displacement.col(c) = fe::prescribed_nodal_displacement(model, mesh, load_case);
+    scene.case_displacement.col(c) = fe::prescribed_displacement_vector(model, mesh, load_case);
     for (Eigen::Index i = 0; i < n; ++i) { // a crack may have freed one face of what a load moves
       if (scene.cls[static_cast<std::size_t>(i)] == model::FreedomRole::local ||
           scene.cls[static_cast<std::size_t>(i)] == model::FreedomRole::external) {

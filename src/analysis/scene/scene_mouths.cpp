@@ -115,7 +115,7 @@ std::vector<bool> held_beside(const model::Model& model, const model::Mesh& mesh
                               const std::vector<base::NodeId>& crack_face, std::size_t across) {
   std::vector<bool> held(mesh.node_count(), false);
   const std::vector<mesh::EdgeEndAndMidNodes> sides = sides_off(mesh, crack_face, across);
-  for (const model::FreedomAssignment& freedom : model.freedoms) {
+  for (const model::NodeSetFreedomRole& freedom : model.freedoms) {
     if (freedom.cls != FreedomRole::suppressed || !freedom.dof[across]) {
       continue;
     }
@@ -134,7 +134,7 @@ std::vector<bool> held_beside(const model::Model& model, const model::Mesh& mesh
 bool check_nodes_split_by_crack(const model::Model& model, const Discretisation& scene,
                                 base::Diagnostics& diagnostics) {
   Mouths mouths(model, scene, diagnostics);
-  for (const model::FreedomAssignment& freedom : model.freedoms) {
+  for (const model::NodeSetFreedomRole& freedom : model.freedoms) {
     if (model::is_suppressed_or_prescribed(freedom.cls)) {
       mouths.set(freedom.nodes, freedom.span, "held");
     }

@@ -100,7 +100,7 @@ bool check_supports_survive_cut(const model::Model& model, const Discretisation&
                       "keep the crack's patch away from it: a smaller RADIUS on $TIPNET");
     return false;
   };
-  for (const model::FreedomAssignment& freedom : model.freedoms) {
+  for (const model::NodeSetFreedomRole& freedom : model.freedoms) {
     if (model::is_suppressed_or_prescribed(freedom.cls) &&
         !keeps(freedom.nodes, freedom.span, "held")) {
       return false;

@@ -24,7 +24,7 @@ public:
     for (const model::ElementProperty& property : model_.properties) {
       mark(property.elements);
     }
-    for (const model::FreedomAssignment& freedom : model_.freedoms) {
+    for (const model::NodeSetFreedomRole& freedom : model_.freedoms) {
       mark(freedom.nodes);
       if (freedom.cls != model::FreedomRole::external) {
         hold(freedom.nodes);

@@ -25,7 +25,7 @@ public:
     set_ = sound_ ? set_named_by("NSET", data_.node_sets, shared.node_sets) : nullptr;
   }
   void read_line() override {
-    InpFields fields(text_.data_line());
+    InpFieldReader fields(text_.data_line());
     const auto label = fields.next_integer();
     const auto x = fields.next_real();
     const auto y = fields.next_real();
@@ -76,7 +76,7 @@ public:
   }
   /// One line of an element; those with many nodes go on over several.
   void read_line() override {
-    InpFields fields(text_.data_line());
+    InpFieldReader fields(text_.data_line());
     if (bars_ != nullptr) {
       const auto label = fields.next_integer();
       bars_->count += label ? 1 : 0;
@@ -123,7 +123,7 @@ private:
     bars_ = &left;
     set_ = set_named_by("ELSET", data_.element_sets, shared_.element_sets);
   }
-  bool start(InpFields& fields) {
+  bool start(InpFieldReader& fields) {
     const auto label = fields.next_integer();
     start_ = text_.location();
     label_ = label.value_or(0);

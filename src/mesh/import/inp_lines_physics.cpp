@@ -30,7 +30,7 @@ public:
     only({});
   }
   void read_line() override {
-    InpFields fields(text_.data_line());
+    InpFieldReader fields(text_.data_line());
     if (wanted_ == 0) {
       const auto count = fields.next_integer();
       if (!count || *count <= 0 || fields.has_more()) {
@@ -80,7 +80,7 @@ public:
   }
   void read_line() override {
     const std::size_t count = key_.name == "ELASTIC" ? 2 : 1;
-    InpFields fields(text_.data_line());
+    InpFieldReader fields(text_.data_line());
     std::vector<double> v;
     bool ok = ++rows_ == 1;
     while (fields.has_more()) {
@@ -133,7 +133,7 @@ public:
     }
   }
   void read_line() override {
-    InpFields fields(text_.data_line());
+    InpFieldReader fields(text_.data_line());
     const auto thickness = fields.next_real();
     if (++rows_ > 1 || !thickness || *thickness < 0.0 || fields.has_more()) {
       complain_here("*SOLID SECTION takes one number, the thickness");

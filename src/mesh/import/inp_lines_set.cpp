@@ -23,7 +23,7 @@ public:
     set_ = sound_ ? set_of(sets_, index_, name) : 0;
   }
   void read_line() override {
-    InpFields fields(text_.data_line());
+    InpFieldReader fields(text_.data_line());
     if (!sound_) {
       return;
     }
@@ -54,7 +54,7 @@ protected:
   }
 
 private:
-  void generate(InpFields& fields) {
+  void generate(InpFieldReader& fields) {
     const auto first = fields.next_integer();
     const auto last = fields.next_integer();
     const auto step = fields.has_more() ? fields.next_integer() : std::optional<Label>(1);
@@ -82,7 +82,7 @@ public:
   NodeSurfaceLines(InpReaderContext& shared, const InpKeyword& key)
       : SetLines(shared, key, true, "NAME") {}
   void read_line() override {
-    InpFields fields(text_.data_line());
+    InpFieldReader fields(text_.data_line());
     const std::string_view what = fields.next_text();
     if ((fields.has_more() && !fields.next_real()) || fields.has_more()) {
       complain_here("a line of *SURFACE, TYPE=NODE is a node or node set");
@@ -105,7 +105,7 @@ public:
     }
   }
   void read_line() override {
-    InpFields fields(text_.data_line());
+    InpFieldReader fields(text_.data_line());
     const std::string_view what = fields.next_text();
     const std::string side = upper_case(fields.next_text());
     InpData::InpSurfaceSide entry;

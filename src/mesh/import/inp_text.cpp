@@ -182,7 +182,7 @@ std::vector<std::string> InpLineReader::file_paths() const {
   return paths;
 }
 
-std::string_view InpFields::next_text() {
+std::string_view InpFieldReader::next_text() {
   const std::size_t comma = rest_.find(',');
   const std::string_view field = trimmed(rest_.substr(0, comma));
   // a comma at the end of the line opens no further field
@@ -191,7 +191,7 @@ std::string_view InpFields::next_text() {
   return field;
 }
 
-std::optional<double> InpFields::next_real() {
+std::optional<double> InpFieldReader::next_real() {
   const std::string_view field = unsigned_part(next_text());
   if (field.empty()) {
     return 0.0;
@@ -205,7 +205,7 @@ std::optional<double> InpFields::next_real() {
   return digit ? fortran(field) : std::nullopt;
 }
 
-std::optional<std::int64_t> InpFields::next_integer() {
+std::optional<std::int64_t> InpFieldReader::next_integer() {
   return parse_inp_integer(next_text());
 }
 

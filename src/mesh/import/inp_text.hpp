@@ -72,9 +72,9 @@ private:
 };
 
 /// Takes the comma-separated fields of a line one by one.
-class InpFields {
+class InpFieldReader {
 public:
-  explicit InpFields(std::string_view line) : rest_(line), more_(!line.empty()) {}
+  explicit InpFieldReader(std::string_view line) : rest_(line), more_(!line.empty()) {}
 
   [[nodiscard]] bool has_more() const { return more_; }
   /// The next field without blanks at its ends.

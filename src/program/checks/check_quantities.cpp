@@ -131,7 +131,7 @@ double evaluate(const model::Model& model, const model::ResultCheck& check,
 double bar_of(const model::Model& model, const model::ResultCheck& check,
               const results::RunResult& run) {
   model::ResultCheck asked = check;
-  asked.quantity = check_word_of_error_bar_part(check.quantity, "BAR");
+  asked.quantity = error_bar_part_quantity_word(check.quantity, "BAR");
   const bool one_place = !asked.quantity.ends_with(".MIN") && !asked.quantity.ends_with(".MAX");
   if (!asked.quantity.empty() && one_place) {
     try {

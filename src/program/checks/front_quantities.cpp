@@ -284,7 +284,7 @@ bool is_front_quantity(std::string_view word) {
   return front_word(word).quantity != nullptr;
 }
 
-std::string check_word_of_error_bar_part(std::string_view word, std::string_view part) {
+std::string error_bar_part_quantity_word(std::string_view word, std::string_view part) {
   const FrontWord of = front_word(word);
   if (of.quantity == nullptr || !of.quantity->is_k() || of.by || of.on_path) {
     return {};

@@ -76,11 +76,11 @@ private:
       }
       const model::LoadCase& with_heat = model_.cases[load->load_case.index()];
       model::LoadCase load_case =
-          with_heat; // consistent_nodal_load holds the forces of heat as well
+          with_heat; // consistent_load_vector holds the forces of heat as well
       std::erase_if(load_case.loads,
                     [](const model::Load& l) { return l.type == model::LoadType::temperature; });
-      f += load->factor * fe::consistent_nodal_load(model_, mesh, load_case);
-      u += load->factor * fe::prescribed_nodal_displacement(model_, mesh, load_case);
+      f += load->factor * fe::consistent_load_vector(model_, mesh, load_case);
+      u += load->factor * fe::prescribed_displacement_vector(model_, mesh, load_case);
       heat(with_heat, load->factor, T);
     }
     mesh::InpStep step;

@@ -131,7 +131,7 @@ void LineEditor::set_completion_function(Complete complete) {
   completer = std::move(complete);
 }
 
-bool LineEditor::was_interrupted() {
+bool LineEditor::was_ctrl_c_pressed() {
   return pressed != 0;
 }
 

@@ -28,7 +28,7 @@ public:
   bool read(const std::string& prompt, std::string& line);
 
   /// Whether Ctrl-C was pressed since the last line was read.
-  static bool was_interrupted();
+  static bool was_ctrl_c_pressed();
 
 private:
   std::filesystem::path history_; ///< where lines are kept; empty: nowhere

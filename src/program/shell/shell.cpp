@@ -72,7 +72,7 @@ private:
   base::OptionalFailure open(bool terminal) {
     SessionOptions options;
     options.defines = options_.deck.defines;
-    options.stopped = terminal ? LineEditor::was_interrupted : std::function<bool()>();
+    options.stopped = terminal ? LineEditor::was_ctrl_c_pressed : std::function<bool()>();
     options.read = [this](const deck::DeckReadOptions& read) {
       CheckedDeck deck = read_and_check_deck(options_.deck.deck, read, log_, &reported_);
       if (deck.model) {

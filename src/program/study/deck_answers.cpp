@@ -39,7 +39,7 @@ std::optional<AnswerGroup> group_of(std::string_view quantity) {
 
 // "K1.BAR" for K and K1, "K2.BEST.PHI" for K2.PHI; empty where there is no such word.
 std::string with_part(std::string_view quantity, std::string_view part) {
-  std::string word = check_word_of_error_bar_part(quantity, part);
+  std::string word = error_bar_part_quantity_word(quantity, part);
   if (word.ends_with(".BAR.MIN")) {
     word.replace(word.size() - 3, 3, "MAX"); // the smallest K may lie where the bar is widest
   }

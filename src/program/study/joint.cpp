@@ -68,7 +68,7 @@ void note_cracks(const model::Model& model, Joint& joint) {
 
 void note_supports(const model::Model& model, Joint& joint) {
   std::map<std::string, std::array<bool, 3>> held; // by net
-  for (const model::FreedomAssignment& freedom : model.freedoms) {
+  for (const model::NodeSetFreedomRole& freedom : model.freedoms) {
     for (const base::NodeId n : model.mesh.set_with_id(freedom.nodes).nodes) {
       std::array<bool, 3>& own = held[net_name(model, model.mesh.node_net[n.index()])];
       std::ranges::transform(own, freedom.dof, own.begin(), std::logical_or<>());

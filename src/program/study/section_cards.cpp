@@ -168,7 +168,7 @@ void project_load_onto_section(DeckCard& card, const sense::SectionPlane& plane,
 }
 
 bool support_holds_radius(const model::Model& model, const sense::PlaneSectionMesh& section,
-                          const model::FreedomAssignment& freedom) {
+                          const model::NodeSetFreedomRole& freedom) {
   const sense::SectionPlane& plane = section.plane;
   const auto one = static_cast<std::size_t>((plane.axis + 1) % 3);
   const auto other = static_cast<std::size_t>((plane.axis + 2) % 3);
@@ -190,7 +190,7 @@ bool support_holds_radius(const model::Model& model, const sense::PlaneSectionMe
 bool ends_are_held(const model::Model& model, const sense::PlaneSectionMesh& section) {
   const sense::SectionPlane& plane = section.plane;
   std::vector<std::array<bool, 3>> held(model.mesh.node_count(), {false, false, false});
-  for (const model::FreedomAssignment& freedom : model.freedoms) {
+  for (const model::NodeSetFreedomRole& freedom : model.freedoms) {
     for (const base::NodeId n : model.mesh.set_with_id(freedom.nodes).nodes) {
       for (std::size_t d = 0; d < 3; ++d) {
         held[n.index()].at(d) = held[n.index()].at(d) || freedom.dof.at(d);

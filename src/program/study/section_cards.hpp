@@ -22,7 +22,7 @@ void project_load_onto_section(deck::DeckCard& card, const sense::SectionPlane& 
 
 /// Whether supports hold the radius of a round section in the section.
 bool support_holds_radius(const model::Model& model, const sense::PlaneSectionMesh& section,
-                          const model::FreedomAssignment& freedom);
+                          const model::NodeSetFreedomRole& freedom);
 
 /// Whether all nodes of both flat faces, or at both ends of a sector, are held across them.
 bool ends_are_held(const model::Model& model, const sense::PlaneSectionMesh& section);

@@ -204,7 +204,7 @@ private:
   // Supports, each by a set of its own in the section's mesh.
   void hold(DeckCardList& after) {
     int supports = 0;
-    for (const model::FreedomAssignment& freedom : model_.freedoms) {
+    for (const model::NodeSetFreedomRole& freedom : model_.freedoms) {
       const bool x =
           plane().round
               ? support_holds_radius(model_, section_, freedom)

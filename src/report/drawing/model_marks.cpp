@@ -185,7 +185,7 @@ void draw_held(SvgDrawing& svg, DrawingPoint at, const std::array<bool, 3>& dof)
 }
 
 void draw_supports(SvgDrawing& svg, const model::Model& model, const DrawingWindow& window) {
-  for (const model::FreedomAssignment& freedom : model.freedoms) {
+  for (const model::NodeSetFreedomRole& freedom : model.freedoms) {
     if (!is_held(freedom.cls) || !freedom.nodes.valid()) {
       continue;
     }
@@ -226,7 +226,7 @@ struct MarkEntry {
 std::vector<MarkEntry> entries_of(const model::Model& model) {
   std::vector<MarkEntry> entries;
   const bool held = std::ranges::any_of(
-      model.freedoms, [](const model::FreedomAssignment& f) { return is_held(f.cls); });
+      model.freedoms, [](const model::NodeSetFreedomRole& f) { return is_held(f.cls); });
   if (held) {
     entries.push_back({MarkEntry::Sign::held, "held in x (beside), in y (below)"});
   }

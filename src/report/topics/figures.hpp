@@ -40,18 +40,18 @@ struct KCheckReference {
 std::vector<KCheckReference> k_references(const model::Model& model, const results::RunResult& run);
 
 /// The nominal state that a deck names by its parameters R and SIGMA: K0 = SIGMA sqrt(pi a).
-struct NominalStressState {
+struct FigureReferenceValues {
   double radius = 0.0; ///< [length]
   double sigma = 0.0;  ///< [stress]
   /// Nominal stress intensity SIGMA sqrt(pi a) of a length a.
   [[nodiscard]] double k0(double a) const;
 };
 /// Empty unless the deck has both parameters, positive, in any case of letters.
-std::optional<NominalStressState> find_nominal_stress_state(const model::Model& model);
+std::optional<FigureReferenceValues> find_figure_reference_values(const model::Model& model);
 
 /// How a length and a K stand in a figure: as they are, or over R and SIGMA sqrt(pi a).
 struct KFigureScale {
-  std::optional<NominalStressState> state;
+  std::optional<FigureReferenceValues> state;
   /// The point of a length [length] and a K [stress * length^0.5].
   [[nodiscard]] DrawingPoint operator()(double a, double K) const {
     return state ? DrawingPoint{a / state->radius, K / state->k0(a)} : DrawingPoint{a, K};

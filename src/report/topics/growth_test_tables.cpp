@@ -74,7 +74,7 @@ std::string readings_plot(const model::Model& model, const results::GrowthTestRe
 
 Figure figure_of(const model::Model& model, const results::RunResult& run,
                  const results::GrowthTestResult& test) {
-  const KFigureScale scale{find_nominal_stress_state(model)};
+  const KFigureScale scale{find_figure_reference_values(model)};
   Plot plot = scale.plot(model, "Stress intensity factor from the test over crack length");
   plot.legend_below = true;
   plot.series.push_back(computed_series(test, scale));

@@ -141,7 +141,7 @@ std::string percent(const KCheckReference& r) {
 }
 
 /// What stands beside the normalised plot: the references of its step.
-ReportTable normalised_table(const NominalStressState& state,
+ReportTable normalised_table(const FigureReferenceValues& state,
                              const std::vector<KCheckReference>& references,
                              const std::string& step) {
   std::vector<KCheckReference> rows;
@@ -168,12 +168,12 @@ void add_figure(std::vector<Figure>& figures, std::optional<Figure> figure) {
   }
 }
 
-double NominalStressState::k0(double a) const {
+double FigureReferenceValues::k0(double a) const {
   return sigma * std::sqrt(std::numbers::pi * a);
 }
 
-std::optional<NominalStressState> find_nominal_stress_state(const model::Model& model) {
-  const NominalStressState state{find_number(model, "R"), find_number(model, "SIGMA")};
+std::optional<FigureReferenceValues> find_figure_reference_values(const model::Model& model) {
+  const FigureReferenceValues state{find_number(model, "R"), find_number(model, "SIGMA")};
   return state.radius > 0.0 && state.sigma > 0.0 ? std::optional(state) : std::nullopt;
 }
 
@@ -267,7 +267,7 @@ std::optional<Figure> k_over_crack_length_figure(const model::Model& model,
 
 std::optional<Figure> normalised_k_figure(const model::Model& model,
                                           const results::RunResult& run) {
-  const KFigureScale scale{find_nominal_stress_state(model)};
+  const KFigureScale scale{find_figure_reference_values(model)};
   const std::string step = leading_step_name(model);
   const std::vector<std::string> fronts = front_names(run);
   if (!scale.state || !grows(run, fronts, step)) {

@@ -30,7 +30,7 @@ std::string changes_at(const model::Mesh& mesh, const results::LoadPathResult& p
     if (!dimension_columns.at(mesh.dim).arcs) {
       place = {mesh.x[change.node.index()].data(), 3};
     } else if (const auto* contact = results::find_contact(path, change.contact)) {
-      along = place_in_table_units(*contact, along);
+      along = contact_place_in_table_units(*contact, along);
     }
     text += fmt::format("{}{}{}@{:.6g}", text.empty() ? "" : " ", change.closes ? '+' : '-',
                         change.contact, fmt::join(place, "/"));
@@ -84,10 +84,10 @@ void add_contact_columns(Columns<PathRow>& columns, const std::string& name) {
            dimension_columns.at(row.increment.mesh.dim).arcs;
   });
   columns.exact(name + ".from", [=](const PathRow& row) {
-    return place_in_table_units(*found(row), found(row)->from[row.knot]);
+    return contact_place_in_table_units(*found(row), found(row)->from[row.knot]);
   });
   columns.exact(name + ".to", [=](const PathRow& row) {
-    return place_in_table_units(*found(row), found(row)->to[row.knot]);
+    return contact_place_in_table_units(*found(row), found(row)->to[row.knot]);
   });
 }
 
@@ -133,7 +133,7 @@ std::vector<std::string> contact_names(const model::Model& model, const results:
 
 } // namespace
 
-double place_in_table_units(const results::LoadPathContact& contact, double place) {
+double contact_place_in_table_units(const results::LoadPathContact& contact, double place) {
   return contact.round ? place * degrees_per_radian : place;
 }
 

@@ -84,8 +84,9 @@ Kink sharpest(const base::PiecewiseLinear& K) {
 std::string arc(const results::LoadPathContact& contact, std::size_t k) {
   return contact.closed[k] == 0
              ? "open"
-             : fmt::format("{:.4g} .. {:.4g}{}", place_in_table_units(contact, contact.from[k]),
-                           place_in_table_units(contact, contact.to[k]),
+             : fmt::format("{:.4g} .. {:.4g}{}",
+                           contact_place_in_table_units(contact, contact.from[k]),
+                           contact_place_in_table_units(contact, contact.to[k]),
                            contact.round ? " deg" : "");
 }
 

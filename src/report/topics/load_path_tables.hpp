@@ -12,7 +12,7 @@
 namespace spricka::report {
 
 /// A place on a contact as tables show it: an angle on a circle in degrees, else the length.
-double place_in_table_units(const results::LoadPathContact& contact, double place);
+double contact_place_in_table_units(const results::LoadPathContact& contact, double place);
 
 /// load_path.csv: one row for each breakpoint, first and last t of each path and increment:
 /// increment,path,t,changes, then of each tip K1,K2 and their slopes before and behind, then of

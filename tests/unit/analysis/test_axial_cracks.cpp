@@ -257,7 +257,7 @@ $END
 
 double potential(const Solved& solved, std::size_t step) {
   const base::Vector load =
-      fe::consistent_nodal_load(solved.model, solved.mesh(), solved.model.cases.at(0));
+      fe::consistent_load_vector(solved.model, solved.mesh(), solved.model.cases.at(0));
   return solved.step(step).energy -
          (step == 0 ? 0.0 : load.dot(solved.step(step).u)); // the fit itself bears no load
 }

@@ -97,7 +97,7 @@ TEST(FirstSolution, EdgeCrackInAStrip) {
   // K u = f on the freedoms w that the supports leave (fe.6, solve.3)
   const fe::Body body = fe::find_bodies(mesh).front();
   const fe::DofMap free = fe::number_freedoms(mesh, body.nodes, supports(mesh));
-  const base::Vector f = fe::consistent_nodal_load(model, mesh, pull());
+  const base::Vector f = fe::consistent_load_vector(model, mesh, pull());
   const solve::Condensation K(fe::assemble_stiffness(model, mesh, body.elements, {}, free), 0);
   ASSERT_EQ(K.report().status, solve::FactorStatus::ok);
   const base::Matrix w = K.recover(base::Matrix(0, 1), f(free.freedom));

@@ -116,7 +116,7 @@ Grown grown(const std::string& text, std::optional<analysis::EllipseAxis> axis) 
       scene.pairs = advance.extended_discretisation().pairs;
       for (std::size_t c = 0; c < model.cases.size(); ++c) {
         scene.case_load.col(static_cast<Eigen::Index>(c)) =
-            fe::consistent_nodal_load(model, scene.cracked.mesh, model.cases[c]);
+            fe::consistent_load_vector(model, scene.cracked.mesh, model.cases[c]);
       }
     };
   }

@@ -226,7 +226,7 @@ void compare_with_moved_nodes(const std::string& deck) {
           scene.cracked = estimate::move_tip_mesh(scene.cracked, motion, by);
           for (std::size_t c = 0; c < model.cases.size(); ++c) {
             scene.case_load.col(static_cast<Eigen::Index>(c)) =
-                fe::consistent_nodal_load(model, scene.cracked.mesh, model.cases[c]);
+                fe::consistent_load_vector(model, scene.cracked.mesh, model.cases[c]);
           }
         }};
   };

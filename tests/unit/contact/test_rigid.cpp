@@ -167,7 +167,7 @@ TEST_P(RigidArc, NormalsAreRadialAndGapsThoseOfTheMesh) {
 INSTANTIATE_TEST_SUITE_P(Types, RigidArc, testing::Values(ElementType::quam4, ElementType::quamc8));
 
 // Contact on a half circle that reaches the circle's end, a symmetry line say, ends there.
-TEST(ContactArc, ReachesTheEndOfAnOpenSurface) {
+TEST(SurfaceInterval, ReachesTheEndOfAnOpenSurface) {
   model::Model model = test::two_rings(16, 16, ElementType::quamc8);
   model.mesh = {};
   mesh::RingSpec half;

@@ -159,9 +159,9 @@ Found estimate_of(const StripTriangle& s, const model::LoadCase& load) {
   const base::Matrix g = crack::front_intensity_functionals(s.model, s.cracked, front,
                                                             crack::wrap_tip_domains(s.fields),
                                                             model::CrackTipPlaneState::automatic);
-  const base::Matrix g_e = modes.mode_functional(crack::functional_quadrature_points(
+  const base::Matrix g_e = modes.mode_functional(crack::K_functional_at_quadrature_points(
       s.model, s.cracked, front, s.fields, model::CrackTipPlaneState::automatic));
-  const base::Vector f = fe::consistent_nodal_load(s.model, s.cracked.mesh, load);
+  const base::Vector f = fe::consistent_load_vector(s.model, s.cracked.mesh, load);
   const base::Vector f_e = estimate::mode_load(
       modes, load,
       fe::make_case_temperature(s.model, {s.cracked.mesh, s.cracked.mesh, nullptr, {}}, load));

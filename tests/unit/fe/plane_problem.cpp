@@ -219,7 +219,7 @@ base::ElementSetId all_elements(model::Model& model) {
 }
 
 void set_freedom(model::Model& model, model::FreedomRole cls, const Where& where, bool x, bool y) {
-  model::FreedomAssignment freedom;
+  model::NodeSetFreedomRole freedom;
   freedom.cls = cls;
   freedom.dof = {x, y, false};
   freedom.nodes = node_set(model, where);
@@ -237,8 +237,8 @@ base::Vector solve(const model::Model& model, const model::LoadCase& load_case,
   const fe::DofMap dofs = fe::number_freedoms(mesh, nodes, fe::classify_freedoms(model, mesh));
   const base::SymmetricCsc K = fe::assemble_stiffness(model, mesh, elements, {}, dofs);
 
-  base::Vector u = fe::prescribed_nodal_displacement(model, mesh, load_case);
-  const base::Vector f = fe::consistent_nodal_load(model, mesh, load_case);
+  base::Vector u = fe::prescribed_displacement_vector(model, mesh, load_case);
+  const base::Vector f = fe::consistent_load_vector(model, mesh, load_case);
   base::Vector r = -f;
   fe::add_internal_force(model, mesh, elements, u, r);
   base::Vector rhs(dofs.size());

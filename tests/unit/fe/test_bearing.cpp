@@ -80,7 +80,7 @@ protected:
   Vector apply(const Vec2& F) {
     load.value = {CompiledExpression::make_constant(F.x()),
                   CompiledExpression::make_constant(F.y())};
-    return consistent_nodal_load(model, model.mesh, {"", {load}});
+    return consistent_load_vector(model, model.mesh, {"", {load}});
   }
   static Vec2 sum(const Vector& f) {
     const Eigen::Map<const Eigen::Matrix2Xd> by_node(f.data(), 2, f.size() / 2);

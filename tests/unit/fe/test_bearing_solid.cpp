@@ -85,7 +85,7 @@ protected:
     for (int c = 0; c < model.mesh.dim; ++c) {
       load.value.push_back(CompiledExpression::make_constant(F[c]));
     }
-    return consistent_nodal_load(model, model.mesh, {"", {load}});
+    return consistent_load_vector(model, model.mesh, {"", {load}});
   }
 
   static Vec3 at(const Vector& f, std::size_t n, int dim) {

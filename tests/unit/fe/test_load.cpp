@@ -59,7 +59,7 @@ protected:
     } else {
       card.faces = test::face_set(model, where);
     }
-    return consistent_nodal_load(model, model.mesh, {"", {card}});
+    return consistent_load_vector(model, model.mesh, {"", {card}});
   }
   model::Model model;
 };
@@ -134,7 +134,7 @@ TEST_P(EveryType, resultant_over_elements_is_exact) {
   card.type = model::LoadType::resultant;
   card.elements = test::all_elements(model);
   card.value = {CompiledExpression::make_constant(0.0), CompiledExpression::make_constant(97100.0)};
-  const Vector f = consistent_nodal_load(model, model.mesh, {"", {card}});
+  const Vector f = consistent_load_vector(model, model.mesh, {"", {card}});
   EXPECT_EQ(sum(f).x(), 0.0);
   EXPECT_NEAR(sum(f).y(), 97100.0, 1e-14 * 97100.0);
   // The share of a node does not depend on the thickness or on the force.
@@ -163,7 +163,7 @@ TEST_P(EveryType, nodal_forces_are_added_as_given) {
   EXPECT_NEAR(f.norm(), std::sqrt(29.0), 1e-14);
 }
 
-TEST(prescribed_nodal_displacement, sets_the_components_given_and_no_force) {
+TEST(prescribed_displacement_vector, sets_the_components_given_and_no_force) {
   model::Model model = test::plane_model(1.0, 0.3, model::StressState::plane_stress);
   model.mesh = test::make_mesh(ElementType::quam4, test::unit_grid(1, 1));
   model::Load all;
@@ -176,8 +176,8 @@ TEST(prescribed_nodal_displacement, sets_the_components_given_and_no_force) {
   const model::LoadCase load_case{"", {all, top}};
   Vector expected(8);
   expected << 0.0, 3.0, 1.0, 3.0, 9.0, 3.0, 10.0, 3.0; // lines of a case add up
-  EXPECT_EQ(prescribed_nodal_displacement(model, model.mesh, load_case), expected);
-  EXPECT_EQ(consistent_nodal_load(model, model.mesh, load_case).norm(), 0.0);
+  EXPECT_EQ(prescribed_displacement_vector(model, model.mesh, load_case), expected);
+  EXPECT_EQ(consistent_load_vector(model, model.mesh, load_case).norm(), 0.0);
 }
 
 } // namespace

@@ -49,7 +49,7 @@ protected:
         return std::abs(std::cos(angle) * x.y() - std::sin(angle) * x.x()) < 1e-9;
       });
     }
-    const Vector f = consistent_nodal_load(model, model.mesh, {"", {card}});
+    const Vector f = consistent_load_vector(model, model.mesh, {"", {card}});
     Vec2 sum = Vec2::Zero();
     for (std::size_t n = 0; n < model.mesh.node_count(); ++n) {
       const double fx = f[2 * static_cast<Eigen::Index>(n)];

@@ -104,7 +104,7 @@ TEST_P(QuarterSolids, are_accepted) {
 // u = 1e-3 (2x+y+z, x+2y+z, x+y+2z)/2 on the rim: s = 2000, t = 400 everywhere, at the tip too.
 TEST_P(QuarterSolids, pass_constant_strain) {
   model::Model model = quarter_cube(GetParam());
-  model::FreedomAssignment held;
+  model::NodeSetFreedomRole held;
   held.cls = model::FreedomRole::prescribed;
   held.dof = {true, true, true};
   held.nodes = base::NodeSetId(model.mesh.node_sets.size() - 1);

@@ -179,7 +179,7 @@ inline void expect_closed(const model::Mesh& host, const mesh::CrackedMesh& crac
   }
   EXPECT_NEAR(all.norm(), 0.0, 1e-9);
   std::size_t surface = 0;
-  for (const model::Face& side : mesh::boundary_faces_except_interfaces(mesh)) {
+  for (const model::Face& side : mesh::outer_surface_faces(mesh)) {
     surface += faces.contains(side) ? 0 : triangles_of(mesh, side);
   }
   std::size_t before = 0;

@@ -99,7 +99,7 @@ struct Cube {
   /// The surface's area vector, which vanishes if it is closed.
   [[nodiscard]] base::Vec3 area() const {
     base::Vec3 sum = base::Vec3::Zero();
-    for (const model::Face& face : mesh::boundary_faces_except_interfaces(mesh)) {
+    for (const model::Face& face : mesh::outer_surface_faces(mesh)) {
       const auto nodes = test::nodes_of(mesh, face);
       for (std::size_t i = 0; i < nodes.size(); ++i) {
         sum += mesh.x[nodes[i].index()].cross(mesh.x[nodes[(i + 1) % nodes.size()].index()]);
@@ -114,13 +114,13 @@ struct Cube {
 // Two tetrahedra on top of a cube, with its upper corners: they meet its face at the diagonal.
 TEST(Boundary, OuterFacesLeaveOutQuadrilateralsThatTrianglesMeet) {
   Cube cube;
-  EXPECT_EQ(mesh::boundary_faces_except_interfaces(cube.mesh), mesh::boundary_faces(cube.mesh));
+  EXPECT_EQ(mesh::outer_surface_faces(cube.mesh), mesh::boundary_faces(cube.mesh));
   cube.add_tetrahedron({4, 5, 6, 8});
-  EXPECT_EQ(mesh::boundary_faces_except_interfaces(cube.mesh),
+  EXPECT_EQ(mesh::outer_surface_faces(cube.mesh),
             mesh::boundary_faces(cube.mesh)); // half of it is free
   cube.add_tetrahedron({4, 6, 7, 8});
   EXPECT_EQ(mesh::boundary_faces(cube.mesh).size(), 6U + 6U);
-  EXPECT_EQ(mesh::boundary_faces_except_interfaces(cube.mesh).size(), 5U + 4U);
+  EXPECT_EQ(mesh::outer_surface_faces(cube.mesh).size(), 5U + 4U);
   EXPECT_LT(cube.area().norm(), 1e-12);
 }
 
@@ -131,10 +131,10 @@ TEST(Boundary, OuterFacesLeaveOutQuadrilateralsThatFourTrianglesMeet) {
   cube.add_tetrahedron({4, 5, 9, 8});
   cube.add_tetrahedron({5, 6, 9, 8});
   cube.add_tetrahedron({6, 7, 9, 8});
-  EXPECT_EQ(mesh::boundary_faces_except_interfaces(cube.mesh),
+  EXPECT_EQ(mesh::outer_surface_faces(cube.mesh),
             mesh::boundary_faces(cube.mesh)); // a quarter is free
   cube.add_tetrahedron({7, 4, 9, 8});
-  EXPECT_EQ(mesh::boundary_faces_except_interfaces(cube.mesh).size(), 5U + 4U);
+  EXPECT_EQ(mesh::outer_surface_faces(cube.mesh).size(), 5U + 4U);
   EXPECT_LT(cube.area().norm(), 1e-12);
 }
 

@@ -64,13 +64,13 @@ TEST(PrintUnit, TurnsHalfPowersIntoRoots) {
 
 TEST(Nominal, IsFoundByNameInAnyCaseAndScalesK) {
   const test::Sample sample = test::make_sample();
-  const std::optional<NominalStressState> state = find_nominal_stress_state(sample.model);
+  const std::optional<FigureReferenceValues> state = find_figure_reference_values(sample.model);
   ASSERT_TRUE(state);
   EXPECT_DOUBLE_EQ(state->radius, test::bore);
   EXPECT_DOUBLE_EQ(state->k0(6.0), test::sigma * std::sqrt(6.0 * std::numbers::pi));
   model::Model other = sample.model;
   other.parameters = {{"R", 36.0}};
-  EXPECT_FALSE(find_nominal_stress_state(other));
+  EXPECT_FALSE(find_figure_reference_values(other));
 }
 
 TEST(References, ComeFromTheChecksOnKAndMeetTheirIncrement) {

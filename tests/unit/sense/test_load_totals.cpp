@@ -57,7 +57,7 @@ std::vector<base::Diagnostic> messages(const std::string& p, std::size_t lost) {
   for (const model::LoadCase& load_case : deck.model->cases) {
     for (const model::Load& load : load_case.loads) {
       const base::Vector f =
-          fe::consistent_nodal_load(*deck.model, cracked, {load_case.name, {load}});
+          fe::consistent_load_vector(*deck.model, cracked, {load_case.name, {load}});
       sound = sense::check_load_on_cracked_mesh(*deck.model, cracked, load_case, load, f,
                                                 diagnostics) &&
               sound;
