@@ -51,4 +51,15 @@ std::string make_printable(std::string_view text) {
   return out;
 }
 
+std::string make_lines_printable(std::string_view text) {
+  std::string out;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    out += make_printable(text.substr(begin, end - begin));
+    out += end < text.size() ? "\n" : "";
+    begin = end + 1;
+  }
+  return out;
+}
+
 } // namespace spricka::base

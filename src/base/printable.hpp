@@ -10,6 +10,9 @@ namespace spricka::base {
 /// out, columns stay.
 std::string make_printable(std::string_view text);
 
+/// The same of every line of a text, the ends of the lines kept.
+std::string make_lines_printable(std::string_view text);
+
 /// Whether a byte continues a UTF-8 character that began before it.
 bool is_utf8_continuation_byte(char c);
 

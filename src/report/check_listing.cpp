@@ -2,6 +2,7 @@
 #include "report/check_listing.hpp"
 
 #include "base/by_dimension.hpp"
+#include "base/printable.hpp"
 #include "report/drawing/columns.hpp"
 #include "report/topics/model_tables.hpp"
 
@@ -247,7 +248,7 @@ std::string deck_preview_listing(const DeckPreview& preview) {
   for (const std::string& warning : preview.warnings) {
     out += "  warning: " + warning + "\n";
   }
-  return out;
+  return base::make_lines_printable(out);
 }
 
 } // namespace spricka::report

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/printable.hpp"
 #include "model/model.hpp"
 #include "report/deck_name.hpp"
 #include "report/report.hpp"
@@ -180,7 +181,7 @@ std::string listing_text(const base::SourceTexts& sources, const model::Model& m
       out += "  " + results::text_with_code(warning) + "\n";
     }
   }
-  return out;
+  return base::make_lines_printable(out);
 }
 
 } // namespace spricka::report

@@ -38,6 +38,9 @@ class Names(ProgramTest):
     def test_control_sequences_do_not_reach_the_terminal(self):
         for mistake in ("$FOO\x1b[2J\n", "$NSET NAME=A\x1b]0;x\x07\n  1\n", "! \x1b[31m\n$FOO\n"):
             self.assertNotIn("\x1b", self.expect(3, "check", self.deck(plate(mistake))).stderr)
+        steering = plate("").replace("TITLE='Plate'", "TITLE='a\x1b]0;x\x07b'")
+        self.assertNotIn("\x1b", self.expect(0, "check", self.deck(steering)).stdout)
+        self.assertNotIn("\x1b", (self.out_of(steering) / "listing.txt").read_text(encoding="utf-8"))
 
     def test_output_files_stay_in_the_run_folder(self):
         more = "$OUTPUT FILE='{}' FORMAT=CSV\n  U XMAX\n"
