@@ -77,7 +77,7 @@ class Reader:
     def shell(self, text):
         text = text.replace("/tmp/", f"{self.folder}/tmp/")
         done = subprocess.run(["bash", "-euc", text], cwd=self.folder, text=True, capture_output=True,
-                              timeout=300, check=False,
+                              timeout=1800 if self.full else 300, check=False,
                               env={"PATH": f"{self.bin}:/usr/bin:/bin", "HOME": str(self.folder),
                                    "OPENBLAS_NUM_THREADS": "1", "LC_ALL": "C.UTF-8"})
         return done.returncode, done.stdout + done.stderr

@@ -13,6 +13,8 @@ TOP = Path(__file__).resolve().parents[2]
 PROGRAM = str(Path(sys.argv.pop(1)).resolve())
 # tests/run sets it for that preset: all takes ten times as long, and no limit of memory binds.
 SANITIZED = "ASAN_OPTIONS" in os.environ
+# Seconds by the clock until a run counts as hung: decks of full size take minutes, more on a busy machine.
+PATIENCE = 1800 if os.environ.get("SPRICKA_FULL") else 120
 
 # A plate under tension: solved in no time. What tests add stands before $END.
 PLATE = """$DECK VERSION=1 LENGTH=MM FORCE=N TITLE='Plate'
@@ -71,7 +73,7 @@ class ProgramTest(unittest.TestCase):
             env=environment(**env),
             text=True,
             capture_output=True,
-            timeout=120,
+            timeout=PATIENCE,
             check=False,
         )
 
@@ -101,7 +103,7 @@ class ProgramTest(unittest.TestCase):
                 break
             parts.append(part)
         os.close(ours)
-        child.wait(timeout=120)
+        child.wait(timeout=PATIENCE)
         return b"".join(parts).decode("utf-8").replace("\r\n", "\n")
 
 
