@@ -95,7 +95,9 @@ S04 have absolute errors, TOL has errors over K1. A case without a reference is 
 beside it. `tests/stability/stability.py PROGRAM --full --write` writes the file and this page.
 
 The last two columns of the table are the largest error over the allowed error, first of answers without a warning,
-then of answers with one.
+then of answers with one. Most warnings are of the numbers of a case, not of its answer: moduli of 1 with loads of the
+same order strain a part by tens of per cent (W507, W508), a crack starts just below a surface (W345), a contact pairs
+what another pairs already (W354), or a part that touches nothing is mounted (W571).
 
 """
 
