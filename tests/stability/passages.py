@@ -5,6 +5,7 @@ crack was before stays behind. A corner crack in a plate, and with SPRICKA_FULL 
 
     tests/stability/passages.py PROGRAM [--full]
 """
+import math
 import os
 import re
 import sys
@@ -14,6 +15,7 @@ from random_growth import Case
 
 ALLOWED = 0.01  # of the mean along the front
 SCATTER = 0.02  # of single points: two meshes
+BESIDE = 0.06  # of the front's length: nearer to a surface K is a number of the mesh
 
 
 def numbered(number, place, **more):
@@ -41,9 +43,9 @@ def drawn(text, points, x, y):
 
 
 def smooth_K(rows):
-    """(x, y, z, K1, whether at a surface) of the last increment at the largest load."""
+    """(x, y, z, K1) of the last increment at the largest load."""
     last = max(int(row["increment"]) for row in rows)
-    return [tuple(float(row[name]) for name in ("x", "y", "z", "K1_smooth", "at_surface"))
+    return [tuple(float(row[name]) for name in ("x", "y", "z", "K1_smooth"))
             for row in rows if int(row["increment"]) == last and row["step"] == "FULL"]
 
 
@@ -63,14 +65,15 @@ def compare(program, case):
     mean = sum(p[3] for p in front) / len(front)
     most = total = 0.0
     compared = 0
-    for x, y, z, K, _ in front[1:-1]:
-        # Linear between the two points of the other front that are nearest; not beside the surface, where K is a number
-        # of the mesh.
-        near = sorted(other, key=lambda p: (p[0] - x)**2 + (p[1] - y)**2 + (p[2] - z)**2)[:2]
-        if any(p[4] for p in near):
+    length = sum(math.dist(p[:3], q[:3]) for p, q in zip(front, front[1:]))
+    for point in front:
+        # Linear between the two points of the other front that are nearest.
+        near = sorted(other, key=lambda p: math.dist(p[:3], point[:3]))[:2]
+        if min(math.dist(p[:3], end[:3]) for p in (point, *near) for end in (front[0], front[-1])) < BESIDE * length:
             continue
         compared += 1
-        ways = [((p[0] - x)**2 + (p[1] - y)**2 + (p[2] - z)**2)**0.5 for p in near]
+        K = point[3]
+        ways = [math.dist(p[:3], point[:3]) for p in near]
         part = ways[0] / (ways[0] + ways[1]) if sum(ways) > 0 else 0.0
         off = (K - (1 - part) * near[0][3] - part * near[1][3]) / mean
         most, total = max(most, abs(off)), total + off
