@@ -11,4 +11,7 @@ template <class T> struct ByDimension {
   [[nodiscard]] constexpr const T& at(int dim) const { return dim == 3 ? space : plane; }
 };
 
+/// clang below 17 does not see it by itself.
+template <class T> ByDimension(T, T) -> ByDimension<T>;
+
 } // namespace spricka::base
