@@ -10,6 +10,7 @@
 #include "model/forward.hpp"
 #include "results/results.hpp"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,8 +35,8 @@ public:
   StepSequence(const StepSequenceContext& context, CrackLengthAnalysis& length);
 
   /// Adds all steps and paths to `increment`; with friction the growth's loads are followed from
-  /// `carried` on. It ends early at the first step whose crack faces would overlap (see below). Not
-  /// empty: there is no answer.
+  /// `carried` on. It ends early at the first step whose crack faces would overlap, unless it
+  /// passes_overlap. Not empty: there is no answer.
   base::OptionalFailure solve(results::CrackLengthResult& increment,
                               InheritedContactState& carried);
   /// Crack lines whose faces would overlap.
