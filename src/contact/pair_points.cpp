@@ -98,12 +98,14 @@ public:
     const double to = edge.node_local_coordinates(element.node[1])[0];
     OppositePointsOfElement found;
     found.whole = whole_hats(element);
-    const auto own =
-        std::ranges::equal_range(segments_, element.facet, {}, &MortarSegment::contact_edge);
-    for (auto s = own.begin(); s != own.end(); ++s) {
+    const auto first =
+        std::ranges::lower_bound(segments_, element.facet, {}, &MortarSegment::contact_edge);
+    const auto end =
+        std::ranges::upper_bound(segments_, element.facet, {}, &MortarSegment::contact_edge);
+    for (auto s = first; s != end; ++s) {
       // Segments of an edge stand in the order of `from`; neighbours that share a node may overlap
       // by round-off.
-      if (s != own.begin() && s->from < std::prev(s)->to - 1e-6) {
+      if (s != first && s->from < std::prev(s)->to - 1e-6) {
         found.trouble = "the surfaces face each other twice at one place (folded or cornered "
                         "surfaces are not available in this version)";
       }

@@ -6,11 +6,12 @@
 
 #include <filesystem>
 #include <optional>
-#include <ranges>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include <boost/range/adaptor/filtered.hpp>
 
 /// A deck as the texts of its cards, to be changed card by card and written out as a deck again:
 /// for variants of a deck that the program makes itself. Nothing is looked up or evaluated here.
@@ -63,7 +64,8 @@ bool replace_parameter(DeckCardList& text, std::string_view name, std::string_vi
 
 /// The cards of a name, in upper case, of a text that may be changed or not.
 template <class Text> auto cards_named(Text& text, std::string_view name) {
-  return text | std::views::filter([name](const DeckCard& card) { return card.name == name; });
+  return text |
+         boost::adaptors::filtered([name](const DeckCard& card) { return card.name == name; });
 }
 
 /// The first card of a name whose key has the value `word` as word_value() gives it, null without

@@ -8,7 +8,7 @@
 #include "results/k_quantities.hpp"
 
 #include <algorithm>
-#include <ranges>
+#include <iterator>
 
 namespace spricka::report {
 
@@ -50,8 +50,9 @@ void add_values(std::vector<SweepResultValue>& cells, const model::RequestedQuan
       cells.push_back(
           {request.quantity + "." + component + which, request.name, step, increment, value});
     };
-    auto same =
-        values | std::views::filter([&](const auto& v) { return v.component == component; });
+    std::vector<RequestedValue> same;
+    std::ranges::copy_if(values, std::back_inserter(same),
+                         [&](const RequestedValue& v) { return v.component == component; });
     const auto [low, high] = std::ranges::minmax(same, {}, &RequestedValue::value);
     if (low.where) {
       add(".MIN", low.value);

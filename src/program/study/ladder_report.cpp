@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <ranges>
 
+#include <boost/range/adaptor/filtered.hpp>
 #include <fmt/format.h>
 
 namespace spricka::program {
@@ -66,14 +66,14 @@ report::ReportTable variants_table(const model::Model& model,
       .number("freedoms", "", &ModelVariantResult::unknowns)
       .words(fmt::format("{:g} %", 100.0 * ladder.tolerance),
              [](const ModelVariantResult& variant) { return display_name(variant.verdict); });
-  return columns.table("Rungs", ladder.variants | std::views::filter(has_answers));
+  return columns.table("Rungs", ladder.variants | boost::adaptors::filtered(has_answers));
 }
 
 report::ReportTable left_out_table(const SimplerModelComparison& ladder) {
   return report::Columns<ModelVariantResult>()
       .words("rung", [](const ModelVariantResult& variant) { return variant.variant.name; })
       .words("why", &ModelVariantResult::trouble)
-      .table("Left out", ladder.variants | std::views::filter(std::not_fn(has_answers)));
+      .table("Left out", ladder.variants | boost::adaptors::filtered(std::not_fn(has_answers)));
 }
 
 std::string ladder_sentence(const SimplerModelComparison& ladder) {
@@ -105,7 +105,8 @@ report::Plot ladder_plot(const SimplerModelComparison& ladder) {
       fmt::format("largest difference of {}  [%]", display_name(ladder.answers.front().group)));
   double low = 1e300;
   double high = 0.0;
-  for (const ModelVariantResult& variant : ladder.variants | std::views::filter(has_answers)) {
+  for (const ModelVariantResult& variant :
+       ladder.variants | boost::adaptors::filtered(has_answers)) {
     low = std::min(low, variant.end.cpu);
     high = std::max(high, variant.end.cpu);
     if (variant.verdict == ModelVariantVerdict::richest || !(std::abs(variant.difference) > 0.0)) {

@@ -105,6 +105,14 @@ void read_row(const base::CsvRecord& row, Verification& out) {
 
 } // namespace
 
+std::vector<results::CheckResult> checks_at_all_points(const VerifiedDeck& deck) {
+  std::vector<results::CheckResult> checks;
+  for (const DeckRunChecks& point : deck.points) {
+    checks.insert(checks.end(), point.checks.begin(), point.checks.end());
+  }
+  return checks;
+}
+
 std::size_t VerifiedDeck::missed_check_count() const {
   return static_cast<std::size_t>(
       std::ranges::count(checks_at_all_points(*this), false, &results::CheckResult::passed));

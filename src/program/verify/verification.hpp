@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
-#include <ranges>
 #include <string>
 #include <vector>
 
@@ -26,9 +25,7 @@ struct VerifiedDeck : ChildProcessResult {
 };
 
 /// The checks of all its points.
-inline auto checks_at_all_points(const VerifiedDeck& deck) {
-  return deck.points | std::views::transform(&DeckRunChecks::checks) | std::views::join;
-}
+[[nodiscard]] std::vector<results::CheckResult> checks_at_all_points(const VerifiedDeck& deck);
 
 struct Verification {
   std::string program; ///< version and build

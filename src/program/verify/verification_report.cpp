@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <ranges>
 #include <utility>
 
+#include <boost/range/adaptor/filtered.hpp>
 #include <fmt/format.h>
 
 namespace spricka::program {
@@ -177,7 +177,7 @@ report::ReportTable benchmark_problem_table(const Verification& verification,
              })
       .words("", [&](const BenchmarkProblem& problem) { return standing(verification, problem); })
       .words("remark", &BenchmarkProblem::remark)
-      .table("", problems | std::views::filter(&BenchmarkProblem::is_covered));
+      .table("", problems | boost::adaptors::filtered(std::mem_fn(&BenchmarkProblem::is_covered)));
 }
 
 // Those that are not covered, with the reason.
@@ -186,7 +186,7 @@ report::ReportTable uncovered_problem_table(const std::vector<BenchmarkProblem>&
       .words("problem", &BenchmarkProblem::name)
       .words("what", &BenchmarkProblem::title)
       .words("not covered, because", &BenchmarkProblem::remark)
-      .table("", problems | std::views::filter(std::not_fn(&BenchmarkProblem::is_covered)));
+      .table("", problems | boost::adaptors::filtered(std::not_fn(&BenchmarkProblem::is_covered)));
 }
 
 // Decks that have not ended with 0, and why.
@@ -196,7 +196,8 @@ report::ReportTable failed_deck_table(const Verification& verification) {
       .words("ended with", end_of)
       .number("checks missed", "", &VerifiedDeck::missed_check_count)
       .words("said last", &VerifiedDeck::said_last)
-      .table("", verification.decks | std::views::filter(&VerifiedDeck::failed));
+      .table("",
+             verification.decks | boost::adaptors::filtered(std::mem_fn(&VerifiedDeck::failed)));
 }
 
 /// Errors below this part of the reference are drawn here.

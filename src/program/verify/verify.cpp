@@ -147,7 +147,7 @@ private:
   void tell(const VerifiedDeck& deck, const ListedDeck& listed, double wall) {
     const bool terminal = isatty(STDERR_FILENO) != 0;
     known_done_ += listed.cost ? listed.cost->cpu : 0.0;
-    const auto checks = std::ranges::distance(checks_at_all_points(deck));
+    const auto checks = checks_at_all_points(deck).size();
     if (!options_.quiet || deck.failed()) {
       write_to_stdout(fmt::format(
           "{}{:>4} of {}  {:<6} {:<36} {:>4} checks {:8.2f} s {:6.0f} MB{}\n",

@@ -9,8 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
-#include <ranges>
 #include <string>
 #include <utility>
 #include <vector>
@@ -160,7 +160,9 @@ void write_life_curve_csv(const std::filesystem::path& file, const model::Model&
   }
   const std::string units =
       fmt::format("N [{}], a of each tip [{}]", growth.unit, model.units.length_name);
-  write_file(file, columns.csv(units, std::views::iota(std::size_t{0}, growth.curve.size())));
+  std::vector<std::size_t> points(growth.curve.size());
+  std::iota(points.begin(), points.end(), std::size_t{0});
+  write_file(file, columns.csv(units, points));
 }
 
 ReportTable growth_station_table(const model::Model& model, const results::RunResult& run) {

@@ -15,7 +15,6 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
-#include <ranges>
 #include <utility>
 
 namespace spricka::report {
@@ -145,8 +144,8 @@ ReportTable normalised_table(const FigureReferenceValues& state,
                              const std::vector<KCheckReference>& references,
                              const std::string& step) {
   std::vector<KCheckReference> rows;
-  std::ranges::copy(references | std::views::filter([&](const auto& r) { return r.step == step; }),
-                    std::back_inserter(rows));
+  std::ranges::copy_if(references, std::back_inserter(rows),
+                       [&](const KCheckReference& r) { return r.step == step; });
   const auto over_k0 = [&](double KCheckReference::*K) {
     return [&state, K](const KCheckReference& r) { return r.*K / state.k0(r.a); };
   };
