@@ -57,10 +57,8 @@ std::vector<int> count_steps(const std::vector<std::set<std::size_t>>& next,
 // of a wide spot is in a large one. 0: no open row ends the spot.
 int largest_disc(const std::vector<std::set<std::size_t>>& next, std::size_t row,
                  const std::vector<bool>& closed) {
-  std::vector<bool> open;
-  for (const bool row_is_closed : closed) {
-    open.push_back(!row_is_closed);
-  }
+  std::vector<bool> open = closed;
+  open.flip();
   std::vector<bool> peak(closed.size(), false);
   peak[row] = true;
   const std::vector<int> to_open = count_steps(next, open);

@@ -237,6 +237,7 @@ std::string extent(const DeckContext& c, const CheckedCard& card) {
     return "there are no nodes";
   }
   std::vector<std::string> ranges;
+  ranges.reserve(3);
   for (int i = 0; i < mesh.dim; ++i) {
     ranges.push_back(fmt::format("{} = {:.6g} .. {:.6g}", "xyz"[i], box.low[i], box.high[i]));
   }

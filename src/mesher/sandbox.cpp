@@ -38,7 +38,8 @@ public:
   /// The call is allowed where its first argument, of which the kernel reads 32 bits, is `value`.
   void allow_with_argument(const char* call, std::uint32_t value) {
     constexpr std::uint32_t all_bits = ~0U;
-    const scmp_arg_cmp equal = SCMP_A0(SCMP_CMP_MASKED_EQ, all_bits, value);
+    const scmp_arg_cmp equal{
+        .arg = 0, .op = SCMP_CMP_MASKED_EQ, .datum_a = all_bits, .datum_b = value};
     complete_ = complete_ &&
                 seccomp_rule_add_array(filter_.get(), SCMP_ACT_ALLOW, number(call), 1, &equal) == 0;
   }

@@ -81,7 +81,8 @@ void write_requested_csv(const std::filesystem::path& file, const model::Model& 
       }
     }
   }
-  const std::string_view axes = std::string_view("xyz").substr(0, model.mesh.dim);
+  const std::string_view axes =
+      std::string_view("xyz").substr(0, static_cast<std::size_t>(model.mesh.dim));
   write_file(
       file,
       requested_columns(model.mesh.dim).csv(column_units(axes).units_text(model.units), rows));

@@ -40,7 +40,8 @@ void add_front(std::vector<SweepResultValue>& cells, const results::FrontResult&
 /// Sums as they are, of values at nodes the smallest and the largest of each component.
 void add_values(std::vector<SweepResultValue>& cells, const model::RequestedQuantity& request,
                 std::vector<RequestedValue> values, const std::string& step, int increment) {
-  std::ranges::stable_partition(values, [](const auto& v) { return v.component != "MISES"; });
+  std::stable_partition(values.begin(), values.end(),
+                        [](const RequestedValue& v) { return v.component != "MISES"; });
   std::vector<std::string> components;
   for (const RequestedValue& value : values) {
     add_unique(components, value.component);

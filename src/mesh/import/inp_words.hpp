@@ -18,7 +18,7 @@ public:
       : request_(request), data_(data), diagnostics_(diagnostics) {}
 
   /// An error at a line of the file, reported at the card that imports it.
-  void error(InpLocation at, std::string code, std::string text, std::string hint = {}) {
+  void error(InpLocation at, std::string code, const std::string& text, std::string hint = {}) {
     diagnostics_.error(request_.span, std::move(code),
                        fmt::format("{}: {}", place(at), shown(at, text)), std::move(hint));
   }

@@ -294,6 +294,7 @@ private:
         continue;
       }
       std::vector<int> loop;
+      loop.reserve(cap.size());
       for (const int point : cap) {
         loop.push_back(outline.find_or_add_region_point(
             point, chart.at(made_.place(point).face, made_.place(point).r)));

@@ -178,8 +178,9 @@ private:
       return;
     }
     const SurfaceTrace& way = round.trace.front();
-    std::vector<Vec3> ligament;
     constexpr int samples = 64;
+    std::vector<Vec3> ligament;
+    ligament.reserve(samples);
     for (int i = 0; i < samples; ++i) {
       ligament.push_back(curve.at(static_cast<double>(i) / samples * curve.length()).x);
     }

@@ -156,6 +156,7 @@ constexpr int ellipse_points = 360; // a spline through them is exact to 1e-9 of
 // t = m x b with m outwards: clockwise, seen from where the normal points to.
 std::vector<Vec3> ellipse_front(const model::PlanarCrack& plane) {
   std::vector<Vec3> front;
+  front.reserve(ellipse_points);
   for (int i = 0; i < ellipse_points; ++i) {
     front.push_back(plane.ellipse_point(-2.0 * std::numbers::pi * i / ellipse_points));
   }

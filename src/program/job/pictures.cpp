@@ -87,8 +87,9 @@ void write_vtu_files(const model::Model& model, const results::RunResult& run,
                         std::back_inserter(into));
     }
   }
-  for (const auto& [name, entries] : collections) {
-    put(name + ".pvd", [&](const fs::path& file) { report::write_pvd(file, entries); });
+  for (const auto& collection : collections) {
+    put(collection.first + ".pvd",
+        [&](const fs::path& file) { report::write_pvd(file, collection.second); });
   }
 }
 

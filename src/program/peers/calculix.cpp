@@ -59,7 +59,7 @@ fs::path find_calculix() {
   std::string_view folders = path == nullptr ? "" : path;
   while (!folders.empty()) {
     const std::string_view folder = split_off_part(folders, ':');
-    const fs::path file = fs::path(folder) / "ccx";
+    fs::path file = fs::path(folder) / "ccx";
     if (!folder.empty() && fs::is_regular_file(file) && access(file.c_str(), X_OK) == 0) {
       return file;
     }

@@ -168,7 +168,8 @@ base::OptionalFailure act(ShellSession& session, const ShellHistory& history,
     return apply_deck_change(session, typed, form == ShellLineForm::card, reply);
   }
   const std::vector<std::string> words = split_shell_words(line);
-  const std::string_view word = same_word(words.front(), "exit") ? "quit" : words.front();
+  const std::string_view word =
+      same_word(words.front(), "exit") ? std::string_view("quit") : words.front();
   const auto command = std::ranges::find_if(
       shell_commands(), [&](const ShellCommand& c) { return same_word(c.word, word); });
   if (command == shell_commands().end()) {

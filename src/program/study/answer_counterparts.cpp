@@ -164,6 +164,7 @@ VariantCheckAndFactor in_part(const AnswerRequest& answer, const std::string& mi
 std::vector<VariantCheckAndFactor>
 checks_asked_of_variant(const DeckVariant& variant, const std::vector<AnswerRequest>& answers) {
   std::vector<VariantCheckAndFactor> found;
+  found.reserve(answers.size());
   for (const AnswerRequest& answer : answers) {
     found.push_back(variant.section ? InSection(*variant.section).of(answer)
                                     : in_part(answer, variant.mirrored));

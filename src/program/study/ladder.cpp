@@ -120,6 +120,7 @@ bool is_enough(const ModelVariantResult& variant) {
 // Rungs stand in the order of their richness: of those that take as long the last is the simplest.
 std::optional<std::size_t> cheapest_of(const std::vector<ModelVariantResult>& variants) {
   std::vector<RankedRunCost> costs;
+  costs.reserve(variants.size());
   for (const ModelVariantResult& variant : variants) {
     costs.push_back({is_enough(variant) ? variant.end.cpu : std::numeric_limits<double>::infinity(),
                      -static_cast<double>(costs.size())});

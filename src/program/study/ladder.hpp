@@ -66,6 +66,6 @@ struct SimplerModelRunOptions {
 /// names the cheapest that is within the tolerance. Writes ladder.csv, ladder.html, the decks of
 /// all variants, and that of the cheapest with the deck's answers as checks, into a folder. The
 /// outcome is that of the deck itself where it cannot be solved.
-base::ProgramOutcome run_simpler_models(const SimplerModelRunOptions& given);
+base::ProgramOutcome run_simpler_models(const SimplerModelRunOptions& options);
 
 } // namespace spricka::program

@@ -109,7 +109,7 @@ std::string plateau_reason(const PlateauContext& view, std::span<const MeshSizeA
   if (view.series.family == SettingFamily::peer && level < format_six_digits) {
     return "CalculiX writes six digits";
   }
-  const std::string unchanged = unchanged_part(view.series.family);
+  std::string unchanged = unchanged_part(view.series.family);
   if (!unchanged.empty() && least_of_whole(view) < 0.6 * level) {
     return unchanged;
   }

@@ -340,7 +340,7 @@ private:
     const std::string name = unused_set_name(mesh_, wanted);
     std::vector<std::string> names;
     for (const auto& [net, numbers] : labels) {
-      names.push_back(net.empty() ? name : net + "." + name);
+      names.push_back(net.empty() ? name : fmt::format("{}.{}", net, name));
       nets_[net].push_back(set_card(kind, name, numbers));
     }
     return names;

@@ -120,6 +120,6 @@ struct StudyOptions {
 /// Work against precision: runs a deck in many settings, and says what each costs and how right it
 /// is. Writes study.csv and study.html into a folder. The outcome is that of the deck itself where
 /// it cannot be solved.
-base::ProgramOutcome study_deck(const StudyOptions& given);
+base::ProgramOutcome study_deck(const StudyOptions& options);
 
 } // namespace spricka::program

@@ -113,6 +113,7 @@ base::ProgramOutcome VariantRuns::run_original_deck(StudyTrial& given, const Ans
 void VariantRuns::run_other_variants(const std::vector<StudyTrial*>& trials, int at_once,
                                      double cpu_seconds) {
   std::vector<ChildRun> children;
+  children.reserve(trials.size());
   for (const StudyTrial* trial : trials) {
     children.push_back(child_of(trial->variant, cpu_seconds));
   }

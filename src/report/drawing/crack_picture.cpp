@@ -100,6 +100,7 @@ base::NetId net_of_front(const results::CrackLengthResult& increment,
 std::vector<DrawingPoint> node_line(const std::vector<base::NodeId>& nodes, const model::Mesh& mesh,
                                     const PictureViewpoint& eye, const PictureFrame& frame) {
   std::vector<DrawingPoint> line;
+  line.reserve(nodes.size());
   for (const base::NodeId n : nodes) {
     line.push_back(frame(eye(mesh.x[n.index()])));
   }

@@ -135,6 +135,7 @@ private:
         continue;
       }
       std::vector<DrawingPoint> corners;
+      corners.reserve(polygon.size());
       for (const UnrolledSurface::UnrolledCorner& corner : polygon) {
         corners.push_back(place(corner.at));
       }

@@ -31,6 +31,7 @@ constexpr double label_room = 0.1; // of a picture's width
 std::vector<DrawingPoint> life_points(const std::vector<results::LifeCurvePoint>& curve,
                                       std::size_t front) {
   std::vector<DrawingPoint> points;
+  points.reserve(curve.size());
   for (const results::LifeCurvePoint& point : curve) {
     points.push_back({point.cycles, point.a[front]});
   }

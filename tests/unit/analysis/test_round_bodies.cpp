@@ -83,7 +83,8 @@ INSTANTIATE_TEST_SUITE_P(By, OffAxis, testing::Values(1e-7, 2e-6, 3e-5, 1e-3));
 std::string flattened_ring(double inner, double outer, int sectors, double flat) {
   std::string text = "$COOR SYSTEM=CYL DIM=2 NSET=ALL\n";
   for (int k = 0; k < 2 * sectors; ++k) {
-    const double theta = 2.0 * std::numbers::pi * (k / 2) / sectors;
+    const int sector = k / 2;
+    const double theta = 2.0 * std::numbers::pi * sector / sectors;
     const double r = (k % 2 == 0 ? inner : outer) * (1.0 + flat * std::cos(2.0 * theta));
     text += fmt::format("  {} {:.17g} {:.17g}\n", k + 1, r, theta);
   }
