@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <type_traits>
 
 namespace spricka::estimate {
 
@@ -31,23 +32,34 @@ Jet operator*(const Jet& a, const Jet& b) {
 Jet operator*(double f, const Jet& a) {
   return {f * a.value, f * a.slope};
 }
-Jet number(double f) {
-  return {f, Vec3::Zero()};
+
+// A mode is written once, for `Number` = Jet and, where no gradient is asked for, double.
+template <class Number> Number number(double f) {
+  if constexpr (std::is_same_v<Number, Jet>) {
+    return {f, Vec3::Zero()};
+  } else {
+    return f;
+  }
 }
-Jet one_less_square(const Jet& t) {
-  return number(1.0) - t * t;
+template <class Number> Number one_less_square(const Number& t) {
+  return number<Number>(1.0) - t * t;
 }
 // L_i L_j (L_i - L_j) along an edge, as t from its first to its second corner has it (estimate.7).
-Jet along_edge(const Jet& t) {
+template <class Number> Number along_edge(const Number& t) {
   return -0.25 * (t * one_less_square(t));
 }
 
-std::array<Jet, 3> coordinates(const Vec3& r) {
-  return {Jet{r[0], Vec3::UnitX()}, Jet{r[1], Vec3::UnitY()}, Jet{r[2], Vec3::UnitZ()}};
+template <class Number> std::array<Number, 3> coordinates(const Vec3& r) {
+  if constexpr (std::is_same_v<Number, Jet>) {
+    return {Jet{r[0], Vec3::UnitX()}, Jet{r[1], Vec3::UnitY()}, Jet{r[2], Vec3::UnitZ()}};
+  } else {
+    return {r[0], r[1], r[2]};
+  }
 }
 
 // b {1, u, w, u w}
-Jet on_quadrilateral(const Jet& bubble, const Jet& u, const Jet& w, int which) {
+template <class Number>
+Number on_quadrilateral(const Number& bubble, const Number& u, const Number& w, int which) {
   switch (which) {
   case 0:
     return bubble;
@@ -60,41 +72,43 @@ Jet on_quadrilateral(const Jet& bubble, const Jet& u, const Jet& w, int which) {
   }
 }
 
-Jet tetrahedron(const SolidMode& mode, const Vec3& r) {
-  const auto x = coordinates(r);
-  const std::array<Jet, 4> L{number(1.0) - x[0] - x[1] - x[2], x[0], x[1], x[2]};
+template <class Number> Number tetrahedron(const SolidMode& mode, const Vec3& r) {
+  const auto x = coordinates<Number>(r);
+  const std::array<Number, 4> L{number<Number>(1.0) - x[0] - x[1] - x[2], x[0], x[1], x[2]};
   if (mode.on == SolidMode::SolidModeSite::edge) {
     const auto [i, j] = shape::edge_corners(ElementType::tet10, mode.which);
-    const Jet& a = L[static_cast<std::size_t>(i)];
-    const Jet& b = L[static_cast<std::size_t>(j)];
+    const Number& a = L[static_cast<std::size_t>(i)];
+    const Number& b = L[static_cast<std::size_t>(j)];
     return a * b * (a - b);
   }
-  Jet product = number(1.0);
+  Number product = number<Number>(1.0);
   for (const int k : shape::side_nodes(ElementType::tet10, mode.which).first(3)) {
     product = product * L[static_cast<std::size_t>(k)];
   }
   return product;
 }
 
-Jet wedge(const SolidMode& mode, const Vec3& r) {
-  const auto x = coordinates(r);
-  const std::array<Jet, 3> l{number(1.0) - x[0] - x[1], x[0], x[1]};
-  const Jet& z = x[2];
-  const auto end = [&](bool upper) { return 0.5 * (number(1.0) + (upper ? 1.0 : -1.0) * z); };
-  const Jet triple = l[0] * l[1] * l[2];
+template <class Number> Number wedge(const SolidMode& mode, const Vec3& r) {
+  const auto x = coordinates<Number>(r);
+  const std::array<Number, 3> l{number<Number>(1.0) - x[0] - x[1], x[0], x[1]};
+  const Number& z = x[2];
+  const auto end = [&](bool upper) {
+    return 0.5 * (number<Number>(1.0) + (upper ? 1.0 : -1.0) * z);
+  };
+  const Number triple = l[0] * l[1] * l[2];
   switch (mode.on) {
   case SolidMode::SolidModeSite::edge: {
     const auto [i, j] = shape::edge_corners(ElementType::pentac15, mode.which);
-    const Jet& a = l[static_cast<std::size_t>(i % 3)];
-    const Jet& b = l[static_cast<std::size_t>(j % 3)];
+    const Number& a = l[static_cast<std::size_t>(i % 3)];
+    const Number& b = l[static_cast<std::size_t>(j % 3)];
     return mode.which < 6 ? a * b * (a - b) * end(mode.which >= 3) : a * along_edge(z);
   }
   case SolidMode::SolidModeSite::triangle:
     return triple * end(mode.which == 1);
   case SolidMode::SolidModeSite::quadrilateral: {
     const auto corners = shape::side_nodes(ElementType::pentac15, mode.which);
-    const Jet& a = l[static_cast<std::size_t>(corners[0] % 3)];
-    const Jet& b = l[static_cast<std::size_t>(corners[1] % 3)];
+    const Number& a = l[static_cast<std::size_t>(corners[0] % 3)];
+    const Number& b = l[static_cast<std::size_t>(corners[1] % 3)];
     return on_quadrilateral(4.0 * (a * b * one_less_square(z)), b - a, z, mode.number);
   }
   default:
@@ -102,8 +116,8 @@ Jet wedge(const SolidMode& mode, const Vec3& r) {
   }
 }
 
-Jet hexahedron(const SolidMode& mode, const Vec3& r) {
-  const auto x = coordinates(r);
+template <class Number> Number hexahedron(const SolidMode& mode, const Vec3& r) {
+  const auto x = coordinates<Number>(r);
   const auto corner = [](int k) {
     return Vec3(
         Eigen::Map<const Vec3>(shape::Hexec20::coordinates[static_cast<std::size_t>(k)].data()));
@@ -111,7 +125,7 @@ Jet hexahedron(const SolidMode& mode, const Vec3& r) {
   // From the corner p to the corner q along a coordinate, -1 to 1.
   const auto way = [&](int p, int q) {
     const Vec3 step = corner(q) - corner(p);
-    Jet t = number(0.0);
+    Number t = number<Number>(0.0);
     for (int k = 0; k < 3; ++k) {
       t = t + 0.5 * step[k] * x[static_cast<std::size_t>(k)];
     }
@@ -119,10 +133,11 @@ Jet hexahedron(const SolidMode& mode, const Vec3& r) {
   };
   // 1 on the sides of corner p, 0 opposite, but for the directions left out.
   const auto at = [&](int p, const Vec3& without) {
-    Jet product = number(1.0);
+    Number product = number<Number>(1.0);
     for (int k = 0; k < 3; ++k) {
       if (without[k] == 0.0) {
-        product = product * (0.5 * (number(1.0) + corner(p)[k] * x[static_cast<std::size_t>(k)]));
+        product =
+            product * (0.5 * (number<Number>(1.0) + corner(p)[k] * x[static_cast<std::size_t>(k)]));
       }
     }
     return product;
@@ -134,28 +149,29 @@ Jet hexahedron(const SolidMode& mode, const Vec3& r) {
   }
   case SolidMode::SolidModeSite::quadrilateral: {
     const auto corners = shape::side_nodes(ElementType::hexec20, mode.which);
-    const Jet u = way(corners[0], corners[1]);
-    const Jet w = way(corners[0], corners[3]);
-    const Jet bubble = one_less_square(u) * one_less_square(w) *
-                       at(corners[0], corner(corners[2]) - corner(corners[0]));
+    const Number u = way(corners[0], corners[1]);
+    const Number w = way(corners[0], corners[3]);
+    const Number bubble = one_less_square(u) * one_less_square(w) *
+                          at(corners[0], corner(corners[2]) - corner(corners[0]));
     return on_quadrilateral(bubble, u, w, mode.number);
   }
   default: {
-    const Jet bubble = one_less_square(x[0]) * one_less_square(x[1]) * one_less_square(x[2]);
+    const Number bubble = one_less_square(x[0]) * one_less_square(x[1]) * one_less_square(x[2]);
     return mode.number == 0 ? bubble : bubble * x[static_cast<std::size_t>(mode.number - 1)];
   }
   }
 }
 
-Jet jet_of(ElementType type, const SolidMode& mode, const Vec3& r) {
+template <class Number>
+Number evaluate_mode(ElementType type, const SolidMode& mode, const Vec3& r) {
   switch (type) {
   case ElementType::tet10:
-    return tetrahedron(mode, r);
+    return tetrahedron<Number>(mode, r);
   case ElementType::pentac15:
-    return wedge(mode, r);
+    return wedge<Number>(mode, r);
   default:
     assert(type == ElementType::hexec20);
-    return hexahedron(mode, r);
+    return hexahedron<Number>(mode, r);
   }
 }
 
@@ -196,7 +212,7 @@ SolidModes::SolidModes(ElementType type) : type_(type) {
 base::Vector SolidModes::psi(const Vec3& r) const {
   base::Vector values(static_cast<Eigen::Index>(modes_.size()));
   for (std::size_t m = 0; m < modes_.size(); ++m) {
-    values[static_cast<Eigen::Index>(m)] = jet_of(type_, modes_[m], r).value;
+    values[static_cast<Eigen::Index>(m)] = evaluate_mode<double>(type_, modes_[m], r);
   }
   return values;
 }
@@ -204,7 +220,8 @@ base::Vector SolidModes::psi(const Vec3& r) const {
 Eigen::MatrixX3d SolidModes::dpsi(const Vec3& r) const {
   Eigen::MatrixX3d slopes(static_cast<Eigen::Index>(modes_.size()), 3);
   for (std::size_t m = 0; m < modes_.size(); ++m) {
-    slopes.row(static_cast<Eigen::Index>(m)) = jet_of(type_, modes_[m], r).slope.transpose();
+    slopes.row(static_cast<Eigen::Index>(m)) =
+        evaluate_mode<Jet>(type_, modes_[m], r).slope.transpose();
   }
   return slopes;
 }
