@@ -2,11 +2,13 @@
 #pragma once
 #include "base/id.hpp"
 #include "base/vec.hpp"
+#include "contact/space/pair_point.hpp"
 #include "contact/surface.hpp"
 #include "model/contacts.hpp"
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -66,11 +68,13 @@ struct PairConstraints {
   std::optional<model::RigidTarget> rigid; ///< rows then weigh nodes of the contact side only
   bool swapped = false;                    ///< the deck's master carries the multipliers
   bool segments = false; ///< rows are weighted by hats on half edges, else by single nodes
-  bool faces = false;    ///< of a crack: they end together at its mouth and its tips
-  bool found = false;    ///< the surfaces face each other somewhere
-  std::string trouble;   ///< why there are no rows (node pairing that does not match)
-  std::string choice;    ///< which side carries the multipliers and why, for the listing
-  int merged = 0;        ///< rows covered by less than 20 % that went to a neighbour
+  /// [element of the contact surface] what its rows were integrated over; null without `segments`.
+  std::shared_ptr<const std::vector<OppositePointsOfElement>> opposite;
+  bool faces = false;  ///< of a crack: they end together at its mouth and its tips
+  bool found = false;  ///< the surfaces face each other somewhere
+  std::string trouble; ///< why there are no rows (node pairing that does not match)
+  std::string choice;  ///< which side carries the multipliers and why, for the listing
+  int merged = 0;      ///< rows covered by less than 20 % that went to a neighbour
   std::vector<SingularContactEdge>
       sharp_ends; ///< in the order of the contact surface; none on crack faces
   std::vector<MultiplierFunction>

@@ -57,8 +57,11 @@ public:
 
   void make(const ElementProjector& project) {
     number_functions();
+    auto opposite = std::make_shared<std::vector<OppositePointsOfElement>>();
+    opposite->reserve(own_.elements.size());
     for (const HatElement& element : own_.elements) {
-      const OppositePointsOfElement projection = project(element);
+      OppositePointsOfElement& projection = opposite->emplace_back(project(element));
+      projection.points.shrink_to_fit(); // they stay
       pair_.unprojected_area += projection.unprojected_area;
       pair_.trouble = projection.trouble;
       if (projection.flat_seen > (1.0 + twice) * projection.flat_area) {
@@ -72,6 +75,7 @@ public:
       add(element, projection);
     }
     pair_.segments = true;
+    pair_.opposite = std::move(opposite);
     join_weak_ones();
     join_front();
     append();

@@ -2,7 +2,6 @@
 #include "contact/space_tractions.hpp"
 
 #include "contact/make_rows.hpp"
-#include "contact/pair_points.hpp"
 #include "contact/space/frames.hpp"
 #include "contact/space_dual.hpp"
 #include "model/mesh_side.hpp"
@@ -48,10 +47,10 @@ public:
 
   std::vector<UnitFaceTraction> make() {
     const bool target_side = std::ranges::any_of(other_wanted_, [](bool wanted) { return wanted; });
-    const ElementProjector see = make_target_projector(pair_);
-    for (const HatElement& triangle : own_.elements) {
-      if (own_wanted_[triangle.facet] || target_side) {
-        add(triangle, see(triangle));
+    for (std::size_t t = 0; t < own_.elements.size(); ++t) {
+      if (const HatElement& triangle = own_.elements[t];
+          own_wanted_[triangle.facet] || target_side) {
+        add(triangle, (*pair_.opposite)[t]);
       }
     }
     std::vector<UnitFaceTraction> all;

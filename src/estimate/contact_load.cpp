@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "estimate/contact_load.hpp"
 
-#include "contact/pair_points.hpp"
 #include "estimate/mode_kernel.hpp"
 
 #include <map>
@@ -16,10 +15,10 @@ std::vector<ContactModeWeight> target_mode_weights(const EdgeTable& table,
   const EdgeIndex index = index_boundary_edges(table);
   const std::map<base::NodeId, std::size_t> row_of = contact::map_nodes_to_normal_rows(pair);
   std::map<std::pair<std::size_t, std::size_t>, double> sums; // by freedom and row
-  const contact::ElementProjector project = contact::make_target_projector(pair);
-  for (const contact::HatElement& element : pair.contact.elements) {
+  for (std::size_t e = 0; e < pair.contact.elements.size(); ++e) {
+    const contact::HatElement& element = pair.contact.elements[e];
     const std::vector<base::NodeId>& nodes = pair.contact.facets[element.facet].nodes;
-    for (const contact::PairPoint& p : project(element).points) {
+    for (const contact::PairPoint& p : (*pair.opposite)[e].points) {
       const contact::Edge& target = pair.target.plane.edges[p.target];
       const std::optional<std::size_t> at = find_mesh_edge(index, target);
       if (!at) {
