@@ -44,8 +44,9 @@ AuxiliaryFieldTable::AuxiliaryFieldTable(const FrontContext& set,
     places_.push_back(places_of(set.mesh, e));
     const fe::AnyElement<3>& element = shape::reference_element<3>(set.mesh.type[e.index()]);
     const fe::AnyNodeVectors<3> X = fe::element_coordinates(element, set.mesh, e);
-    for (const auto& point : quadrature_rule(element, e)) {
-      const FrontAxesDerivatives axes(set.axes.locate_point(X * element.N(point.r)));
+    functions_.push_back(shape::shape_functions_at_quadrature_points<3>(element, degree_.back()));
+    for (const shape::ShapeFunctionValues<3>& functions : functions_.back()) {
+      const FrontAxesDerivatives axes(set.axes.locate_point(X * functions.N));
       AllowedVariables& at = fields_.emplace_back();
       for (std::size_t k = 1; k < auxiliary_field_count<3>; ++k) {
         const AuxiliaryField<3> w = front_auxiliary_field(k, axes, set.body);

@@ -23,6 +23,12 @@ public:
     return shape::quadrature<3>(element.domain, degree_[slot_[e.index() - first_]]);
   }
 
+  /// Of an element at a point of its rule.
+  [[nodiscard]] const shape::ShapeFunctionValues<3>& shape_functions(base::ElementId e,
+                                                                     std::size_t point) const {
+    return functions_[slot_[e.index() - first_]][point];
+  }
+
   /// The auxiliary fields 1 to 4 of an element at a point of its rule.
   [[nodiscard]] AuxiliaryField<3> at(base::ElementId e, std::size_t point,
                                      std::size_t auxiliary) const {
@@ -46,8 +52,9 @@ private:
 
   FrontBody body_;
   std::vector<base::ElementId> elements_;
-  std::size_t first_ = 0;          ///< the lowest element
-  std::vector<int> degree_;        ///< [slot] of the rule
+  std::size_t first_ = 0;                                                 ///< the lowest element
+  std::vector<int> degree_;                                               ///< [slot] of the rule
+  std::vector<std::span<const shape::ShapeFunctionValues<3>>> functions_; ///< [slot]
   std::vector<std::size_t> slot_;  ///< [element - first] into start_
   std::vector<std::size_t> start_; ///< [slot] into fields_
   std::vector<base::Vec3> places_; ///< [element] of its nodes, as a sum

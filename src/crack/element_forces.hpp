@@ -77,8 +77,10 @@ private:
 
   void add_point(const shape::QuadraturePoint<dim>& point, std::size_t number, bool strained,
                  OfNodes& P) const {
-    const fe::Jacobian<fe::AnyElement<dim>> at = fe::jacobian(element_, X_, point.r);
-    const fe::NodeValues<fe::AnyElement<dim>> N = element_.N(point.r);
+    const shape::ShapeFunctionValues<dim>& functions = source_.shape_functions(e_, number, point.r);
+    const fe::Jacobian<fe::AnyElement<dim>> at =
+        fe::jacobian_by_derivatives<fe::AnyElement<dim>>(X_, functions.dN);
+    const fe::NodeValues<fe::AnyElement<dim>>& N = functions.N;
     const Vector x = X_ * N;
     const double weight = point.weight * at.det * source_.context().relative_depth(x);
     const ThermoelasticState<dim> own = solution(at, point.r, N, x);

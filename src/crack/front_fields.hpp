@@ -43,6 +43,11 @@ public:
   element_quadrature(base::ElementId e) const {
     return table().quadrature_rule(shape::reference_element<3>(set_.mesh.type[e.index()]), e);
   }
+  /// Of an element at a point of the rule.
+  [[nodiscard]] const shape::ShapeFunctionValues<3>&
+  shape_functions(base::ElementId e, std::size_t number, const base::Vec3& /*r*/) const {
+    return table().shape_functions(e, number);
+  }
   /// The body, which is one in all domains.
   [[nodiscard]] const FrontBody& elasticity(base::ElementId /*e*/) const { return set_.body; }
   /// Auxiliary field 1 to 4 at a point of the rule.

@@ -106,6 +106,13 @@ TipAuxiliaryFields::element_quadrature(base::ElementId e) const {
   return points;
 }
 
+shape::ShapeFunctionValues<2> TipAuxiliaryFields::shape_functions(base::ElementId e,
+                                                                  std::size_t /*number*/,
+                                                                  const base::Vec2& r) const {
+  const PlaneElement& element = plane_reference_element(set_.mesh, e);
+  return {element.N(r), element.dN(r)};
+}
+
 AuxiliaryField<2> TipAuxiliaryFields::auxiliary_field(base::ElementId /*e*/, std::size_t /*number*/,
                                                       const base::Vec2& x, std::size_t auxiliary,
                                                       const SectionElasticity& k) const {

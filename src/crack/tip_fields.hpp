@@ -61,6 +61,9 @@ public:
   /// The points of an element of a domain. About an axis the elements at the tip count as well
   /// (crack.37), where auxiliary fields are singular: by charts collapsed into it.
   [[nodiscard]] std::vector<shape::QuadraturePoint<2>> element_quadrature(base::ElementId e) const;
+  /// Of an element at a point r; `number`: of the point.
+  [[nodiscard]] shape::ShapeFunctionValues<2> shape_functions(base::ElementId e, std::size_t number,
+                                                              const base::Vec2& r) const;
   [[nodiscard]] SectionElasticity elasticity(base::ElementId e) const { return {set_, e}; }
   /// Auxiliary field 1 to 3 at a point x of an element, off the tip, stress by the element's own
   /// elasticity; the divergence is zero in the plane (crack.39). `number`: of the point.

@@ -5,7 +5,11 @@ namespace spricka::fe {
 
 template <shape::Element S>
 Jacobian<S> jacobian(const S& element, const NodeVectors<S>& X, const shape::Point<S::dim>& r) {
-  const Gradients<S> dN = element.dN(r);
+  return jacobian_by_derivatives<S>(X, element.dN(r));
+}
+
+template <shape::Element S>
+Jacobian<S> jacobian_by_derivatives(const NodeVectors<S>& X, const Gradients<S>& dN) {
   Jacobian<S> at;
   // Eigen would pack such small matrices for a product of large ones.
   at.J = X.lazyProduct(dN);
@@ -16,6 +20,7 @@ Jacobian<S> jacobian(const S& element, const NodeVectors<S>& X, const shape::Poi
 }
 
 #define JACOBIAN(S)                                                                                \
+  template Jacobian<S> jacobian_by_derivatives<S>(const NodeVectors<S>&, const Gradients<S>&);     \
   template Jacobian<S> jacobian<S>(const S&, const NodeVectors<S>&, const shape::Point<S::dim>&);
 SPRICKA_EACH_SHAPE(JACOBIAN)
 JACOBIAN(shape::ReferenceElement<2>)

@@ -100,6 +100,9 @@ template <class S> struct Jacobian {
 /// Compiled in jacobian.cpp for each element, and for elements known when run.
 template <shape::Element S>
 Jacobian<S> jacobian(const S& element, const NodeVectors<S>& X, const shape::Point<S::dim>& r);
+/// The same from the derivatives of the shape functions at the point.
+template <shape::Element S>
+Jacobian<S> jacobian_by_derivatives(const NodeVectors<S>& X, const Gradients<S>& dN);
 /// The Jacobian at a reference point for an element type known when compiled.
 template <shape::ElementShape S>
 Jacobian<S> jacobian(const NodeVectors<S>& X, const shape::Point<S::dim>& r) {

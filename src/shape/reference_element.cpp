@@ -5,6 +5,10 @@
 #include "shape/solid.hpp"
 
 #include <algorithm>
+#include <map>
+#include <mutex>
+#include <utility>
+#include <vector>
 
 namespace spricka::shape {
 
@@ -66,6 +70,25 @@ template <int dim> const ReferenceElement<dim>& reference_element(base::ElementT
 }
 template const ReferenceElement<2>& reference_element<2>(base::ElementType);
 template const ReferenceElement<3>& reference_element<3>(base::ElementType);
+
+template <int dim>
+std::span<const ShapeFunctionValues<dim>>
+shape_functions_at_quadrature_points(const ReferenceElement<dim>& element, int degree) {
+  static std::mutex mutex;
+  static std::map<std::pair<const ReferenceElement<dim>*, int>,
+                  std::vector<ShapeFunctionValues<dim>>>
+      tables;
+  const std::lock_guard<std::mutex> guard(mutex);
+  std::vector<ShapeFunctionValues<dim>>& table = tables[{&element, degree}];
+  if (table.empty()) {
+    for (const QuadraturePoint<dim>& point : quadrature<dim>(element.domain, degree)) {
+      table.push_back({element.N(point.r), element.dN(point.r)});
+    }
+  }
+  return table;
+}
+template std::span<const ShapeFunctionValues<3>>
+shape_functions_at_quadrature_points(const ReferenceElement<3>&, int);
 
 const ReferenceElement<1>& reference_line(int nodes) {
   assert(nodes == 2 || nodes == 3);

@@ -70,6 +70,17 @@ template <int dim> const ReferenceElement<dim>& reference_element(base::ElementT
 /// A side of two nodes, or of three.
 const ReferenceElement<1>& reference_line(int nodes);
 
+/// The shape functions of an element and their derivatives at a point.
+template <int dim> struct ShapeFunctionValues {
+  typename ReferenceElement<dim>::Values N;
+  typename ReferenceElement<dim>::ShapeDerivatives dN;
+};
+/// At the points of quadrature<dim>(element.domain, degree), in their order; computed once for each
+/// element of the library and degree. Compiled for solids.
+template <int dim>
+std::span<const ShapeFunctionValues<dim>>
+shape_functions_at_quadrature_points(const ReferenceElement<dim>& element, int degree);
+
 /// A shape struct as data: a side of two or three nodes.
 template <Shape S> const ReferenceElement<1>& as_reference_element() {
   return reference_line(S::nodes);

@@ -281,5 +281,25 @@ TYPED_TEST(EverySolid, sides_enclose_the_reference_volume) {
   EXPECT_NEAR(flux, volume, 1e-14);
 }
 
+// The functions reproduce the reference coordinates at each point, and their derivatives the
+// slopes.
+TYPED_TEST(EverySolid, tabulates_its_functions_at_the_points_of_a_rule) {
+  using S = TypeParam;
+  const ReferenceElement<3>& element = reference_element<3>(S::type);
+  Eigen::Matrix3Xd x(3, S::nodes);
+  for (int n = 0; n < S::nodes; ++n) {
+    x.col(n) = node_local_coordinates<S>(n);
+  }
+  for (const int degree : {3, 9}) {
+    const std::span<const QuadraturePoint<3>> rule = quadrature<S>(degree);
+    const auto table = shape_functions_at_quadrature_points<3>(element, degree);
+    ASSERT_EQ(table.size(), rule.size());
+    for (std::size_t p = 0; p < rule.size(); ++p) {
+      EXPECT_LT((x * table[p].N - rule[p].r).norm(), 1e-14);
+      EXPECT_LT((x * table[p].dN - Eigen::Matrix3d::Identity()).norm(), 1e-13);
+    }
+  }
+}
+
 } // namespace
 } // namespace spricka::shape::test_shape
