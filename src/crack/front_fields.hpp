@@ -61,7 +61,7 @@ public:
   }
   /// Gradient of an auxiliary field at a place.
   [[nodiscard]] Tensor<3> auxiliary_gradient(const Place& at, std::size_t auxiliary) const {
-    return front_auxiliary_field(auxiliary, at, set_.body).H;
+    return front_auxiliary_gradient(auxiliary, at, set_.body);
   }
 
   /// Which face of the crack a side is that a domain moves; nothing: none moves it.
@@ -88,7 +88,7 @@ public:
   /// Force of an auxiliary field's stress on a side; `area`: normal as long as the area.
   [[nodiscard]] base::Vec3 auxiliary_traction(const Place& at, std::size_t auxiliary,
                                               const base::Vec3& area) const {
-    return front_auxiliary_field(auxiliary, at, set_.body).sigma * area;
+    return isotropic_stress(set_.body, auxiliary_gradient(at, auxiliary)) * area;
   }
 
 private:

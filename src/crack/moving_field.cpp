@@ -56,10 +56,17 @@ Vec3 stress_times(const FrontBody& body, const Tensor<3>& A, const Vec3& g) {
 
 } // namespace
 
+Tensor<3> front_auxiliary_gradient(std::size_t auxiliary, const FrontAxesDerivatives& axes,
+                                   const FrontBody& body) {
+  // Q (w_,y grad y + w_,z grad z) + Q' w grad s
+  const SectionField w = section_field(auxiliary, axes.section, body.plane_strain_section());
+  return Across{axes.Q * w.w_y, axes.Q * w.w_z, axes.dQ * w.w}.with(axes.grad);
+}
+
 AuxiliaryField<3> front_auxiliary_field(std::size_t auxiliary, const FrontAxesDerivatives& axes,
                                         const FrontBody& body) {
   const SectionField w = section_field(auxiliary, axes.section, body.plane_strain_section());
-  // Q (w_,y grad y + w_,z grad z) + Q' w grad s, with these gradients or with derivatives of them.
+  // As in the gradient, with the slopes of the coordinates or with derivatives of them.
   const Across field_across{axes.Q * w.w_y, axes.Q * w.w_z, axes.dQ * w.w};
   AuxiliaryField<3> field;
   field.H = field_across.with(axes.grad);

@@ -47,6 +47,10 @@ struct FrontAxesDerivatives {
 AuxiliaryField<3> front_auxiliary_field(std::size_t auxiliary, const FrontAxesDerivatives& axes,
                                         const FrontBody& body);
 
+/// Its gradient alone.
+Tensor<3> front_auxiliary_gradient(std::size_t auxiliary, const FrontAxesDerivatives& axes,
+                                   const FrontBody& body);
+
 /// The same at a point by its coordinates seen from the front.
 inline AuxiliaryField<3> front_auxiliary_field(std::size_t auxiliary, const FrontCoordinates& at,
                                                const FrontBody& body) {
