@@ -31,11 +31,14 @@ inline PointMotion domain_mean_node_motions(const mesh::FrontPoint& point,
   return motion;
 }
 
-/// What a displacement is contracted with at a point: its gradient, and about an axis the strain
-/// round it.
-template <int dim> struct GradientWeightTensor {
-  Tensor<dim> M = Tensor<dim>::Zero();
-  double hoop = 0.0;
+/// What displacements are contracted with at a point, of several: their gradients with the tensors
+/// M, one below the other, and about an axis the strain round it.
+template <int dim> struct GradientWeightTensors {
+  Eigen::Matrix<double, Eigen::Dynamic, dim> M; ///< [dim * number, dim]
+  base::Vector hoop;                            ///< [number]
+
+  explicit GradientWeightTensors(std::size_t count = 0)
+      : M(dim * static_cast<Eigen::Index>(count), dim), hoop(static_cast<Eigen::Index>(count)) {}
 };
 
 /// The points of a front with how they move nodes, and which of them move an element. `Source` is
@@ -110,7 +113,7 @@ public:
     shape::Point<dim> x;
     /// [place among the points of the front that move the element, auxiliary field] with the weight
     /// of the point, but without the factor that makes K of it
-    std::vector<GradientWeightTensor<dim>> tensors;
+    GradientWeightTensors<dim> tensors;
   };
   /// The points of a front that move an element, and how they move its nodes.
   using MovingPoints = std::vector<std::pair<std::size_t, fe::AnyNodeVectors<dim>>>;
@@ -134,22 +137,27 @@ public:
     const fe::AnyNodeVectors<dim> X = fe::element_coordinates(element, mesh(), e);
     const auto& elasticity = source_.elasticity(e);
     ContractionPoint at;
-    at.tensors.resize(moved.size() * auxiliary_fields_.size());
+    at.tensors = GradientWeightTensors<dim>(moved.size() * auxiliary_fields_.size());
+    std::vector<MotionAtPoint> motions(moved.size());
     for (const auto& point : source_.element_quadrature(e)) {
       at.r = point.r;
-      at.map = fe::jacobian(element, X, point.r);
-      at.N = element.N(point.r);
+      const shape::ShapeFunctionValues<dim>& functions =
+          source_.shape_functions(e, at.number, point.r);
+      at.map = fe::jacobian_by_derivatives<fe::AnyElement<dim>>(X, functions.dN);
+      at.N = functions.N;
       at.x = X * at.N;
       const double weight = point.weight * at.map.det * source_.context().relative_depth(at.x);
+      for (std::size_t j = 0; j < moved.size(); ++j) {
+        motions[j].gradient = moved[j].second.lazyProduct(at.map.dNdx);
+        motions[j].q = moved[j].second * at.N;
+        motions[j].hoop_strain = source_.context().hoop_strain(motions[j].q, at.x);
+      }
       for (std::size_t k = 0; k < auxiliary_fields_.size(); ++k) {
         const AuxiliaryField<dim> v =
             source_.auxiliary_field(e, at.number, at.x, auxiliary_fields_[k], elasticity);
         for (std::size_t j = 0; j < moved.size(); ++j) {
-          const Tensor<dim> grad = moved[j].second.lazyProduct(at.map.dNdx);
-          const Vector q = moved[j].second * at.N;
-          const GradientWeightTensor<dim> c =
-              contracted(elasticity, v, grad, q, source_.context().hoop_strain(q, at.x));
-          at.tensors[auxiliary_fields_.size() * j + k] = {weight * c.M, weight * c.hoop};
+          set_weight_tensor(elasticity, v, motions[j], weight, auxiliary_fields_.size() * j + k,
+                            at.tensors);
         }
       }
       visit(at);
@@ -162,18 +170,30 @@ private:
 
   [[nodiscard]] const model::Mesh& mesh() const { return source_.context().mesh; }
 
+  // How a point of the front moves a point of an element.
+  struct MotionAtPoint {
+    Vector q;
+    Tensor<dim> gradient;
+    double hoop_strain = 0.0; ///< of q, round the axis
+  };
+
   // What the gradient H of a displacement is contracted with: s(A - (div q) H_v) + sigma_v (grad
-  // q)^T + div sigma_v (x) q, A = H_v grad q, with the components round an axis (crack.37);
-  // `round`: of q, round the axis. D is symmetric, so s(u) : A = H_u : s(A).
+  // q)^T + div sigma_v (x) q, A = H_v grad q, with the components round an axis (crack.37). D is
+  // symmetric, so s(u) : A = H_u : s(A).
   template <class Elasticity>
-  [[nodiscard]] static GradientWeightTensor<dim>
-  contracted(const Elasticity& elasticity, const AuxiliaryField<dim>& v, const Tensor<dim>& grad,
-             const Vector& q, double round) {
+  static void set_weight_tensor(const Elasticity& elasticity, const AuxiliaryField<dim>& v,
+                                const MotionAtPoint& motion, double weight, std::size_t number,
+                                GradientWeightTensors<dim>& tensors) {
+    const Tensor<dim>& grad = motion.gradient;
+    const double round = motion.hoop_strain;
     const double div = grad.trace() + round;
     const GradientStressState<dim> A =
         elasticity.state_from_gradient(v.H * grad - div * v.H, (round - div) * v.hoop);
-    return {A.sigma + v.sigma * grad.transpose() + v.divergence * q.transpose(),
-            A.sigma_hoop + v.sigma_hoop * round};
+    const auto at = static_cast<Eigen::Index>(number);
+    const Tensor<dim> M =
+        A.sigma + v.sigma * grad.transpose() + v.divergence * motion.q.transpose();
+    tensors.M.template middleRows<dim>(dim * at) = weight * M;
+    tensors.hoop[at] = weight * (A.sigma_hoop + v.sigma_hoop * round);
   }
 
   const Source& source_;

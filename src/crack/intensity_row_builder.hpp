@@ -6,6 +6,8 @@
 #include "crack/supplementary_functions.hpp"
 #include "shape/side_place.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
@@ -27,123 +29,160 @@ public:
   /// Rows of the nodal displacements, from the domains and the free sides that move with them.
   /// [dim * node, K]
   [[nodiscard]] SparseLinearFunctionals displacement_functionals() {
+    begin(static_cast<Eigen::Index>(mesh().node_count()));
     for (const base::ElementId e : front_.contracted_elements()) {
       add_element(e);
     }
     for (const MovedFreeSide& side : source_.moved_free_sides()) {
       add_side(side);
     }
-    return made(dim * static_cast<Eigen::Index>(mesh().node_count()));
+    return made();
   }
 
   /// Rows of what multiplies other functions, in place of the nodal ones.
   /// [dim * count, K]
   [[nodiscard]] SparseLinearFunctionals
   supplementary_functionals(const SupplementaryFunctions& others) {
+    begin(others.count);
     for (const base::ElementId e : front_.contracted_elements()) {
       add_others(e, others);
     }
     for (const MovedFreeSide& side : source_.moved_free_sides()) {
       add_others_on(side, others);
     }
-    return made(dim * others.count);
+    return made();
   }
 
   /// Rows of forces at points on sides, in the order of `places`; forces on sides that no domain
   /// moves have zero rows. [dim * point of a side, K]
   [[nodiscard]] SparseLinearFunctionals
   face_force_functionals(const std::vector<FacePointForces>& places) {
+    std::size_t count = 0;
+    for (const FacePointForces& place : places) {
+      count += place.points.size();
+    }
+    begin(static_cast<Eigen::Index>(count));
     Eigen::Index first = 0;
     for (const FacePointForces& place : places) {
       if (const std::optional<UpperOrLowerFace> known =
               source_.crack_face_of_element_side(place.face)) {
         add_places(place, *known, first);
       }
-      first += dim * static_cast<Eigen::Index>(place.points.size());
+      first += static_cast<Eigen::Index>(place.points.size());
     }
-    return made(first);
+    return made();
   }
 
 private:
   using Vector = shape::Point<dim>;
   using Point = typename KFunctionalIntegrand<Source>::ContractionPoint;
-  /// Coefficients of functions. [dim, function]
-  using Coefficients = Eigen::Matrix<double, dim, Eigen::Dynamic>;
 
   [[nodiscard]] const model::Mesh& mesh() const { return source_.context().mesh; }
 
-  [[nodiscard]] SparseLinearFunctionals made(Eigen::Index count) const {
-    SparseLinearFunctionals rows(count, layout_.count());
-    rows.setFromTriplets(entries_.begin(), entries_.end());
+  /// Coefficients of functions. [dim, function]
+  using Coefficients = Eigen::Matrix<double, dim, Eigen::Dynamic>;
+
+  // For rows of so many functions. [dim * count, K]
+  void begin(Eigen::Index count) {
+    slot_.assign(static_cast<std::size_t>(count), -1);
+    sums_.clear();
+  }
+
+  // What has been put.
+  [[nodiscard]] SparseLinearFunctionals made() const {
+    SparseLinearFunctionals rows(dim * static_cast<Eigen::Index>(slot_.size()), layout_.count());
+    rows.reserve(std::ranges::count_if(sums_, [](double value) { return value != 0.0; }));
+    for (Eigen::Index column = 0; column < layout_.count(); ++column) {
+      rows.startVec(column);
+      for (std::size_t f = 0; f < slot_.size(); ++f) {
+        for (Eigen::Index c = 0; c < dim && slot_[f] >= 0; ++c) {
+          if (const double value = sums_[place(slot_[f], column) + static_cast<std::size_t>(c)];
+              value != 0.0) {
+            rows.insertBack(dim * static_cast<Eigen::Index>(f) + c, column) = value;
+          }
+        }
+      }
+    }
+    rows.finalize();
     return rows;
   }
 
-  void put(Eigen::Index row, std::size_t point, std::size_t column, const Vector& value) {
-    const Eigen::Index at = layout_.at(point, static_cast<int>(front_.auxiliary_fields()[column]));
-    for (Eigen::Index c = 0; c < dim; ++c) {
-      if (value[c] != 0.0) {
-        entries_.emplace_back(row + c, at, value[c]);
-      }
-    }
+  [[nodiscard]] std::size_t place(std::int32_t slot, Eigen::Index column) const {
+    return static_cast<std::size_t>(dim * (slot * layout_.count() + column));
   }
 
+  void put(Eigen::Index function, std::size_t point, std::size_t column, const Vector& value) {
+    std::int32_t& slot = slot_[static_cast<std::size_t>(function)];
+    if (slot < 0) {
+      const std::size_t width = place(1, 0);
+      slot = static_cast<std::int32_t>(sums_.size() / width);
+      sums_.resize(sums_.size() + width, 0.0);
+    }
+    const int mode = static_cast<int>(front_.auxiliary_fields()[column]);
+    Eigen::Map<Vector>(sums_.data() + place(slot, layout_.at(point, mode))) += value;
+  }
+
+  /// Coefficients of functions for several pairs of a point of the front and an auxiliary field,
+  /// one below the other. [dim * pair, function]
+  using StackedCoefficients = base::Matrix;
+
   // Sums over the points of an element, for each point of the front that moves it and each
-  // auxiliary field: add(point, sums) adds to what begins with `zero`; take(point of the front,
-  // column, sum).
-  template <class Block, class Add, class Take>
-  void contract(base::ElementId e, const Block& zero, const Add& add, const Take& take) const {
+  // auxiliary field: add(point, sums) adds to sums of `functions`; take(point of the front, column,
+  // sum).
+  template <class Add, class Take>
+  void contract(base::ElementId e, std::size_t functions, const Add& add, const Take& take) const {
     const auto moved = front_.front_motions_of_element(e);
     const std::size_t width = front_.auxiliary_fields().size();
-    std::vector<Block> sums(moved.size() * width, zero);
+    StackedCoefficients sums =
+        StackedCoefficients::Zero(dim * static_cast<Eigen::Index>(moved.size() * width),
+                                  static_cast<Eigen::Index>(functions));
     front_.visit_contraction_points(e, moved, [&](const Point& at) { add(at, sums); });
     for (std::size_t j = 0; j < moved.size(); ++j) {
       for (std::size_t k = 0; k < width; ++k) {
         take(moved[j].first, k,
-             source_.context().intensity_conversion_factor(front_.auxiliary_fields()[k]) *
-                 sums[width * j + k]);
+             Coefficients(
+                 source_.context().intensity_conversion_factor(front_.auxiliary_fields()[k]) *
+                 sums.middleRows<dim>(dim * static_cast<Eigen::Index>(width * j + k))));
       }
     }
   }
 
   void add_element(base::ElementId e) {
-    using Block = fe::AnyNodeVectors<dim>;
     const std::span<const base::NodeId> nodes = mesh().element_nodes(e);
     contract(
-        e, Block(Block::Zero(dim, static_cast<Eigen::Index>(nodes.size()))),
-        [](const Point& at, std::vector<Block>& sums) {
-          const Block slopes = at.map.dNdx.transpose();
-          for (std::size_t i = 0; i < sums.size(); ++i) {
-            sums[i] += at.tensors[i].M.lazyProduct(slopes);
-            if (at.tensors[i].hoop != 0.0) {
-              sums[i].row(0) += at.tensors[i].hoop / at.x[0] * at.N.transpose();
+        e, nodes.size(),
+        [](const Point& at, StackedCoefficients& sums) {
+          const fe::AnyNodeVectors<dim> slopes = at.map.dNdx.transpose();
+          sums += at.tensors.M.lazyProduct(slopes);
+          for (Eigen::Index i = 0; i < at.tensors.hoop.size(); ++i) {
+            if (at.tensors.hoop[i] != 0.0) {
+              sums.row(dim * i) += at.tensors.hoop[i] / at.x[0] * at.N.transpose();
             }
           }
         },
-        [&](std::size_t point, std::size_t column, const Block& values) {
+        [&](std::size_t point, std::size_t column, const Coefficients& values) {
           put_nodes(nodes, point, column, values);
         });
   }
 
   // The same of other functions.
   void add_others(base::ElementId e, const SupplementaryFunctions& others) {
-    const auto count = static_cast<Eigen::Index>(others.of_element(e).size());
     const std::vector<Eigen::MatrixX3d>& table = slope_table(e, others);
     contract(
-        e, Coefficients(Coefficients::Zero(dim, count)),
-        [&](const Point& at, std::vector<Coefficients>& sums) {
+        e, others.of_element(e).size(),
+        [&](const Point& at, StackedCoefficients& sums) {
           const Tensor<dim> inverse = at.map.J.inverse();
           const Coefficients slopes = table[at.number].lazyProduct(inverse).transpose();
-          for (std::size_t i = 0; i < sums.size(); ++i) {
-            sums[i] += at.tensors[i].M.lazyProduct(slopes);
-          }
+          sums += at.tensors.M.lazyProduct(slopes);
         },
         [&](std::size_t point, std::size_t column, const Coefficients& values) {
           put_others(e, point, column, values, others);
         });
   }
 
-  // The auxiliary fields' tractions on a side times the slopes along the motion of some functions.
-  // slopes_at(place r): [function, dim]; take(point of the front, column, [dim, function]).
+  // The auxiliary fields' tractions on a side times the slopes along the motion of some functions,
+  // summed over the side. slopes_at(place r): [function, dim]; take(point of the front, column,
+  // [dim, function]).
   template <class SlopesAt, class Take>
   void contract_side(const MovedFreeSide& side, const geometry::ElementSide& own,
                      const SlopesAt& slopes_at, const Take& take) const {
@@ -152,6 +191,7 @@ private:
       if (!front_.gather_node_motions(i, own.nodes, q)) {
         continue;
       }
+      std::vector<Coefficients> sums(front_.auxiliary_fields().size());
       for (const auto& point : source_.side_quadrature(own)) {
         const std::optional<typename Source::Place> place =
             source_.locate_on_side(own, point.r, side.on);
@@ -168,7 +208,15 @@ private:
           const std::size_t auxiliary = front_.auxiliary_fields()[k];
           const Vector t = source_.context().intensity_conversion_factor(auxiliary) *
                            source_.auxiliary_traction(*place, auxiliary, area);
-          take(i, k, Coefficients(-t * along));
+          if (sums[k].cols() == 0) {
+            sums[k].setZero(dim, along.cols());
+          }
+          sums[k] -= t * along;
+        }
+      }
+      for (std::size_t k = 0; k < sums.size(); ++k) {
+        if (sums[k].cols() > 0) {
+          take(i, k, sums[k]);
         }
       }
     }
@@ -198,7 +246,7 @@ private:
   void put_nodes(std::span<const base::NodeId> nodes, std::size_t point, std::size_t column,
                  const Block& values) {
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-      put(dim * static_cast<Eigen::Index>(nodes[n].index()), point, column,
+      put(static_cast<Eigen::Index>(nodes[n].index()), point, column,
           values.col(static_cast<Eigen::Index>(n)));
     }
   }
@@ -209,7 +257,7 @@ private:
     const std::span<const std::int32_t> functions = others.of_element(e);
     const std::span<const double> signs = others.signs(e);
     for (std::size_t n = 0; n < functions.size(); ++n) {
-      put(dim * static_cast<Eigen::Index>(functions[n]), point, column,
+      put(static_cast<Eigen::Index>(functions[n]), point, column,
           signs[n] * values.col(static_cast<Eigen::Index>(n)));
     }
   }
@@ -255,7 +303,7 @@ private:
         const Vector moved = q * own.N(r);
         for (std::size_t k = 0; k < front_.auxiliary_fields().size(); ++k) {
           const std::size_t auxiliary = front_.auxiliary_fields()[k];
-          put(first + dim * static_cast<Eigen::Index>(p), i, k,
+          put(first + static_cast<Eigen::Index>(p), i, k,
               -source_.context().intensity_conversion_factor(auxiliary) *
                   (source_.auxiliary_side_gradient(*place, auxiliary) * moved));
         }
@@ -266,7 +314,8 @@ private:
   KFunctionalIntegrand<Source> front_;
   const Source& source_;
   KLayout layout_;
-  std::vector<Eigen::Triplet<double>> entries_;
+  std::vector<std::int32_t> slot_; ///< [function] among the sums, -1: nothing put yet
+  std::vector<double> sums_;       ///< [slot][K][dim]
   /// [type, degree of the rule] of other functions
   std::map<std::pair<base::ElementType, int>, std::vector<Eigen::MatrixX3d>> slopes_;
 };

@@ -191,9 +191,10 @@ std::vector<KFunctionalQuadraturePoint> K_functional_at_quadrature_points(
     contractions.visit_contraction_points(
         e, contractions.front_motions_of_element(e), [&](const auto& at) {
           KFunctionalQuadraturePoint point{e, at.r, {Tensor<2>::Zero(), Tensor<2>::Zero()}, {}};
-          for (std::size_t mode = 0; mode < at.tensors.size(); ++mode) {
-            point.M[mode] = factor * at.tensors[mode].M;
-            point.hoop[mode] = factor * at.tensors[mode].hoop;
+          for (Eigen::Index mode = 0; mode < at.tensors.hoop.size(); ++mode) {
+            point.M[static_cast<std::size_t>(mode)] =
+                factor * at.tensors.M.template middleRows<2>(2 * mode);
+            point.hoop[static_cast<std::size_t>(mode)] = factor * at.tensors.hoop[mode];
           }
           points.push_back(point);
         });
