@@ -49,18 +49,25 @@ FixedActiveSet::solve_response(const base::Matrix& gap, const base::Matrix& on_m
   return out;
 }
 
+// Contact forces alone are solved for, which act on few unknowns: the factor's fronts without them
+// are passed over.
 std::vector<base::Matrix>
-FixedActiveSet::external_displacements(const std::vector<base::Matrix>& load,
+FixedActiveSet::external_displacements(const ResponseWithoutContact& free,
                                        const ActiveSetResponse& response) const {
-  std::vector<base::Matrix> force = load;
+  std::vector<base::Matrix> force;
+  for (const base::Matrix& u : free.u) {
+    force.emplace_back(base::Matrix::Zero(u.rows(), u.cols()));
+  }
   for (const std::size_t row : rows_) {
     system_.add_row_force(row, response.force.row(index(row)), force);
   }
-  std::vector<base::Matrix> u;
+  std::vector<base::Matrix> u = free.u;
   for (std::size_t b = 0; b < force.size(); ++b) {
     const base::Matrix& Q = system_.bodies()[b]->rigid_modes();
-    u.push_back(system_.bodies()[b]->displacements_under_forces(force[b]) +
-                Q * response.mode.middleRows(system_.first_mode(b), Q.cols()));
+    if (!force[b].isZero(0.0)) {
+      u[b] += system_.bodies()[b]->displacements_under_forces(force[b]);
+    }
+    u[b] += Q * response.mode.middleRows(system_.first_mode(b), Q.cols());
   }
   return u;
 }

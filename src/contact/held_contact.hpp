@@ -38,9 +38,10 @@ public:
   /// The response to gaps of all rows before they press [row, k] and loads on the modes [mode, k].
   [[nodiscard]] ActiveSetResponse solve_response(const base::Matrix& gap,
                                                  const base::Matrix& on_mode) const;
-  /// External displacements [body][m, k] under condensed loads and a response to them.
+  /// External displacements [body][m, k] under the loads of a response without contact and what the
+  /// held rows answer.
   [[nodiscard]] std::vector<base::Matrix>
-  external_displacements(const std::vector<base::Matrix>& load,
+  external_displacements(const ResponseWithoutContact& free,
                          const ActiveSetResponse& response) const;
 
   /// Pivots of single rows of the system [candidate]: of a row that is not held the gap that a unit

@@ -112,7 +112,7 @@ FrozenContactResponse FrozenContactSystem::solve_response(CondensedLoads& loads,
       return out;
     }
     out.force = found.force;
-    std::vector<base::Matrix> u = held_->external_displacements(loads.external, found);
+    std::vector<base::Matrix> u = held_->external_displacements(loads.free, found);
     for (std::size_t i = 0; i < u.size(); ++i) {
       external[solver_.condensed_body_indices()[i]] = std::move(u[i]);
     }
