@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/recover/load_path_functionals.hpp"
 
-#include "analysis/scene/front_functionals.hpp"
-
 #include <algorithm>
 #include <utility>
 
@@ -23,14 +21,20 @@ LoadPathFunctionals::contact_functionals(const StepSolver& solver) {
   return *of_contact_;
 }
 
-ContactAndRigidModeFunctionals
-LoadPathFunctionals::condense_functionals(const StepSolver& solver) const {
+const crack::SparseLinearFunctionals& LoadPathFunctionals::K_of_displacements() {
+  if (!K_of_displacements_) {
+    K_of_displacements_ = displacement_K_functionals(model_, scene_);
+  }
+  return *K_of_displacements_;
+}
+
+ContactAndRigidModeFunctionals LoadPathFunctionals::condense_functionals(const StepSolver& solver) {
   const Eigen::Index all = count();
   ContactAndRigidModeFunctionals out;
   if (solver.contact_system() == nullptr || all == 0) {
     return out;
   }
-  const crack::SparseLinearFunctionals K = displacement_K_functionals(model_, scene_);
+  const crack::SparseLinearFunctionals& K = K_of_displacements();
   const contact::ContactSystem& system = *solver.contact_system();
   Eigen::Index modes = 0;
   for (const std::size_t b : solver.condensed_body_indices()) {
@@ -72,7 +76,8 @@ LoadPathFunctionals::condense_functionals(const StepSolver& solver) const {
   return out;
 }
 
-base::Vector LoadPathFunctionals::evaluate_without_contact(const base::Vector& case_factor) const {
+base::Vector LoadPathFunctionals::evaluate_without_contact(const base::Vector& case_factor,
+                                                           const StepSolver& solver) {
   base::Vector u = scene_.case_displacement * case_factor;
   for (const SubstructuredBody& body : bodies_) {
     base::Vector external;
@@ -82,7 +87,11 @@ base::Vector LoadPathFunctionals::evaluate_without_contact(const base::Vector& c
     recover_body_displacements(body, external, case_factor, u);
   }
   base::Vector values(count());
-  values.head(K_count()) = evaluate_K_values(model_, scene_, u, case_factor);
+  // With contact the functionals are needed all the same; their product costs next to nothing.
+  values.head(K_count()) = solver.contact_system() == nullptr
+                               ? evaluate_K_values(model_, scene_, u, case_factor)
+                               : base::Vector(K_of_displacements().transpose() * u +
+                                              K_added_by_loads(model_, scene_, case_factor));
   values.tail(openings_.count()) = openings_.evaluate_openings(u);
   return values;
 }
@@ -95,7 +104,7 @@ LoadPathFunctionals::evaluate_increment(const contact::ContactSystem::IncrementP
     of_case_.resize(count(), scene_.case_load.cols());
     for (Eigen::Index c = 0; c < of_case_.cols(); ++c) {
       // Bodies alone are linear in the factors: unit cases now, a product in each increment.
-      of_case_.col(c) = evaluate_without_contact(base::Vector::Unit(of_case_.cols(), c));
+      of_case_.col(c) = evaluate_without_contact(base::Vector::Unit(of_case_.cols(), c), solver);
     }
   }
   const ContactAndRigidModeFunctionals& by = contact_functionals(solver);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "analysis/recover/crack_face_openings.hpp"
+#include "analysis/scene/front_functionals.hpp"
 #include "analysis/scene/scene.hpp"
 #include "analysis/steps/step_solver.hpp"
 
@@ -24,7 +25,8 @@ public:
       : model_(model), scene_(scene), bodies_(bodies), openings_(model, scene) {}
 
   /// Of the bodies alone, without contact forces and rigid motions. [functional]
-  [[nodiscard]] base::Vector evaluate_without_contact(const base::Vector& case_factor) const;
+  [[nodiscard]] base::Vector evaluate_without_contact(const base::Vector& case_factor,
+                                                      const StepSolver& solver);
   /// By one back-substitution for each functional; made once.
   [[nodiscard]] const ContactAndRigidModeFunctionals& contact_functionals(const StepSolver& solver);
   /// Of a solved increment. [functional]
@@ -41,14 +43,17 @@ public:
 private:
   [[nodiscard]] Eigen::Index K_count() const { return scene_.k_layout().count(); }
   [[nodiscard]] Eigen::Index count() const { return K_count() + openings_.count(); }
-  [[nodiscard]] ContactAndRigidModeFunctionals condense_functionals(const StepSolver& solver) const;
+  [[nodiscard]] ContactAndRigidModeFunctionals condense_functionals(const StepSolver& solver);
+  /// [dim * node, K]; made once.
+  [[nodiscard]] const crack::SparseLinearFunctionals& K_of_displacements();
 
   const model::Model& model_;
   const Discretisation& scene_;
   const std::vector<SubstructuredBody>& bodies_;
   CrackFaceOpenings openings_;
-  std::optional<ContactAndRigidModeFunctionals> of_contact_; ///< made once
-  base::Matrix of_case_;                                     ///< [functional, case]; made once
+  std::optional<crack::SparseLinearFunctionals> K_of_displacements_; ///< made once
+  std::optional<ContactAndRigidModeFunctionals> of_contact_;         ///< made once
+  base::Matrix of_case_; ///< [functional, case]; made once
 };
 
 } // namespace spricka::analysis

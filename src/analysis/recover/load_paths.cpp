@@ -173,8 +173,8 @@ LoadPathSolver::parametric_path_problem(const model::LoadPathDefinition& card,
   const LoadPathEndStep& from = ends_.at(card.from.index());
   const LoadPathEndStep& to = ends_.at(card.to.index());
   solve::ParametricProblem p;
-  p.f0 = functionals_.evaluate_without_contact(from.case_factor);
-  p.df = functionals_.evaluate_without_contact(to.case_factor) - p.f0;
+  p.f0 = functionals_.evaluate_without_contact(from.case_factor, solver);
+  p.df = functionals_.evaluate_without_contact(to.case_factor, solver) - p.f0;
   if (solver.contact_system() == nullptr) {
     p.at_zero.W.resize(0, 0);
     p.at_zero.B.resize(0, 0);
