@@ -151,15 +151,21 @@ StoredIncrement Checkpoint::read_stored_increment(int number) const {
   return kept;
 }
 
-// Into another file, or without its last steps, it is written anew.
 void Checkpoint::accept_increment(int number) {
-  const CheckpointEntry& entry = *find(number);
+  if (another_law_) {
+    return; // whether it serves is not known yet
+  }
+  list_again(*find(number));
+}
+
+// Into another file, or without its last steps, it is written anew.
+void Checkpoint::list_again(const CheckpointEntry& entry) {
   ++taken_;
   if (!writer_) {
     return;
   }
   if (dropped_steps_ > 0) {
-    const StoredIncrement kept = read_stored_increment(number);
+    const StoredIncrement kept = read_stored_increment(entry.number);
     writer_->add_increment(entry, increment_bytes(kept.increment, kept.state));
   } else if (place_.read != place_.write) {
     writer_->add_increment(
@@ -179,8 +185,28 @@ void Checkpoint::reject_increments_from(int number, const std::string& why) {
                            place_.read.string(), gone, gone == 1 ? " is" : "s are", number, why));
 }
 
+void Checkpoint::list_increment_of_another_law(int number, std::vector<results::LogLine> log) {
+  CheckpointEntry entry = *find(number);
+  entry.asked = 0.0; // the growth has found it, as it were
+  entry.log = std::move(log);
+  list_again(entry);
+}
+
+void Checkpoint::store_last_of_another_law(SolvedIncrement again) {
+  ++taken_;
+  add_to_writer(0.0, std::move(again)); // the list before has it: no need to hurry
+}
+
 void Checkpoint::store_increment(double asked, SolvedIncrement done) {
   walls_.push_back(done.wall);
+  const bool due = done.increment.number % place_.every == 0;
+  add_to_writer(asked, std::move(done));
+  if (due && writer_) {
+    writer_->flush();
+  }
+}
+
+void Checkpoint::add_to_writer(double asked, SolvedIncrement done) {
   if (!writer_) {
     return;
   }
@@ -188,13 +214,11 @@ void Checkpoint::store_increment(double asked, SolvedIncrement done) {
   entry.round = round_;
   entry.number = done.increment.number;
   entry.asked = asked;
+  entry.law = growth_law_text(model_, cards_);
   entry.cpu = done.cpu;
   entry.wall = done.wall;
   entry.log = std::move(done.log);
   writer_->add_increment(std::move(entry), increment_bytes(done.increment, done.state));
-  if (done.increment.number % place_.every == 0) {
-    writer_->flush();
-  }
 }
 
 bool Checkpoint::would_exceed_time_limit() const {
@@ -223,8 +247,9 @@ std::string Checkpoint::list_bytes(const std::vector<CheckpointEntry>& entries) 
   root.set_attribute("format", "spricka state");
   write_provenance(root, model_);
   store_deck_texts(root, sources_, model_);
-  write_checkpoint_list_group(root, {cards_, entries, growth_settings_text(model_),
-                                     growth_length_and_cycle_limits(model_)});
+  write_checkpoint_list_group(root,
+                              {cards_, entries, growth_settings_text(model_),
+                               growth_course_text(model_), growth_length_and_cycle_limits(model_)});
   return std::string(store.finish_bytes());
 }
 

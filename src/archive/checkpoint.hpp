@@ -61,9 +61,14 @@ public:
   Checkpoint(const Checkpoint&) = delete;
   Checkpoint& operator=(const Checkpoint&) = delete;
 
-  /// Whether the state fits the deck. To be asked first, once.
-  [[nodiscard]] std::optional<CheckpointMismatch> find_mismatch();
+  /// Whether the state fits the deck. To be asked first, once. `why_law_moves_fronts`: why a law or
+  /// spectrum of $GROW has a part in where its fronts are; empty: it has none.
+  [[nodiscard]] std::optional<CheckpointMismatch>
+  find_mismatch(const std::function<std::string()>& why_law_moves_fronts);
   using Listener = std::function<void(const std::string& code, const std::string& text)>;
+  /// Whether the fronts are those of the deck, but were found for another law or spectrum: what
+  /// the state says of rates and cycles is none of this growth.
+  [[nodiscard]] bool is_of_another_law() const { return another_law_; }
   /// Called with all that is told, so far and from now on.
   void set_report_listener(Listener listener);
   /// What was passed over or left out, each with its code.
@@ -79,8 +84,14 @@ public:
   [[nodiscard]] double requested_length_of_increment(int number) const;
   /// The increment of this round, which has_stored_increment(number). Throws FileFailure.
   [[nodiscard]] StoredIncrement read_stored_increment(int number) const;
-  /// It stands for what a run from the start would have solved: it is listed again.
+  /// It stands for what a run from the start would have solved: it is listed again, but for one of
+  /// another law.
   void accept_increment(int number);
+  /// Lists an increment of another law again, with what this law makes of it in words. Its state
+  /// stays that of the other: nothing goes on from there.
+  void list_increment_of_another_law(int number, std::vector<results::LogLine> log);
+  /// Keeps the last one that was taken over with its state by this law.
+  void store_last_of_another_law(SolvedIncrement again);
   /// This increment and all after it will be solved, not taken; says why.
   void reject_increments_from(int number, const std::string& why);
 
@@ -101,7 +112,8 @@ public:
 private:
   [[nodiscard]] CheckpointList read_newest();
   [[nodiscard]] std::string list_bytes(const std::vector<CheckpointEntry>& entries) const;
-  std::optional<CheckpointMismatch> misfit_of_steps();
+  void list_again(const CheckpointEntry& entry);
+  void add_to_writer(double asked, SolvedIncrement done);
   [[nodiscard]] const CheckpointEntry* find(int number) const;
   void tell(const std::string& code, const std::string& text);
 
@@ -113,6 +125,7 @@ private:
   int round_ = 0;
   std::vector<double> walls_;     ///< [s] of increments solved in this session
   std::size_t dropped_steps_ = 0; ///< of the earlier deck, at its end
+  bool another_law_ = false;
   std::vector<std::pair<std::string, std::string>> reported_;
   Listener listener_;
   std::atomic<std::size_t> taken_ = 0; ///< from an earlier run

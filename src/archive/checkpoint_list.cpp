@@ -34,6 +34,7 @@ template <class V, results::RecordOfType<EntryRow> T> void fields(V& v, T& row) 
   v("round", row.entry.round);
   v("number", row.entry.number);
   v("a", row.entry.asked);
+  v("law", row.entry.law);
   v("file", row.entry.file);
   v("hash", row.entry.hash);
   v("cpu", row.entry.cpu);
@@ -96,6 +97,7 @@ void add(std::string& text, const std::optional<double>& value) {
 
 void write_checkpoint_list_group(results::StoreGroup root, const CheckpointList& list) {
   root.set_attribute("growth", list.growth);
+  root.set_attribute("course", list.course);
   root.set_attribute("amax", list.ends[0]);
   root.set_attribute("cycles", list.ends[1]);
   results::write_record_list(root, "cards", list.cards);
@@ -107,6 +109,7 @@ CheckpointList read_checkpoint_list_group(const results::StoreGroup& root) {
   list.cards = read_table<CardFingerprint>(root, "cards");
   list.entries = entries_from(root);
   list.growth = root.text_attribute("growth");
+  list.course = root.text_attribute("course");
   list.ends = {root.real_attribute("amax"), root.real_attribute("cycles")};
   return list;
 }
@@ -136,6 +139,31 @@ std::string growth_settings_text(const model::Model& model) {
   add(text, g.largest_advance);
   add(text, g.flow_stress);
   add(text, g.tolerance);
+  return text;
+}
+
+std::string growth_law_text(const model::Model& model, const std::vector<CardFingerprint>& cards) {
+  std::string text = growth_settings_text(model);
+  for (const CardFingerprint& spectrum : select_cards(cards, {"SPECTRUM"})) {
+    text += " " + spectrum.hash;
+  }
+  return text;
+}
+
+std::string growth_course_text(const model::Model& model) {
+  if (!model.growth) {
+    return "none";
+  }
+  const model::CrackGrowthSettings& g = *model.growth;
+  std::string text =
+      fmt::format("direction {} shape {} history {} mounted {} corrected {} advance",
+                  static_cast<int>(g.direction), static_cast<int>(g.shape),
+                  static_cast<int>(g.history), static_cast<int>(g.mounted), g.corrected);
+  add(text, g.largest_advance);
+  add(text, g.flow_stress);
+  for (const base::CrackId crack : g.cracks) {
+    text += " " + model.cracks[crack.index()].name;
+  }
   return text;
 }
 

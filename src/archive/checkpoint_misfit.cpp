@@ -3,6 +3,7 @@
 #include "model/model.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -12,26 +13,39 @@ namespace {
 
 const std::vector<std::string> changeable{"STEP", "GROW", "SPECTRUM"};
 
-// Cracks that grew by the same rules may go on: to other lengths, or to a later end.
-std::optional<CheckpointMismatch> growth_mismatch(const CheckpointList& found,
-                                                  const std::vector<CardFingerprint>& cards,
-                                                  const model::Model& model,
-                                                  const std::string& file) {
+bool grows_by_law(const model::Model& model) {
+  return model.growth && model.growth->law != model::CrackGrowthLaw::increment;
+}
+
+struct DecksCompared {
+  const CheckpointList& found;
+  const std::vector<CardFingerprint>& cards; ///< of the deck now
+  const model::Model& model;
+  std::string file; ///< that is read
+};
+
+// Cracks that grew by the same rules may go on: to other lengths, or to a later end. Fronts that
+// no law moves serve another one, too (`another_law`).
+std::optional<CheckpointMismatch>
+growth_mismatch(const DecksCompared& decks,
+                const std::function<std::string()>& why_law_moves_fronts, bool& another_law) {
+  const auto& [found, cards, model, file] = decks;
   const auto d = first_card_difference(select_cards(found.cards, {"GROW", "SPECTRUM"}),
                                        select_cards(cards, {"GROW", "SPECTRUM"}));
   if (!d) {
     return std::nullopt;
   }
-  const bool lengths = !model.growth || model.growth->law == model::CrackGrowthLaw::increment;
+  const bool lengths = !grows_by_law(model);
   const std::array<double, 2> ends = growth_length_and_cycle_limits(model);
   const bool further = ends[0] >= found.ends[0] && ends[1] >= found.ends[1];
   // Rates are kept with the stations: another spectrum would have others.
   const bool same_history = !first_card_difference(select_cards(found.cards, {"SPECTRUM"}),
                                                    select_cards(cards, {"SPECTRUM"}));
-  if (found.growth == growth_settings_text(model) && (lengths || (further && same_history))) {
+  const bool same = found.growth == growth_settings_text(model);
+  if (same && (lengths || (further && same_history))) {
     return std::nullopt;
   }
-  if (found.growth == growth_settings_text(model) && same_history) {
+  if (same && same_history) {
     const bool length = ends[0] < found.ends[0];
     return CheckpointMismatch{
         "E561", d->span,
@@ -42,13 +56,55 @@ std::optional<CheckpointMismatch> growth_mismatch(const CheckpointList& found,
                            : fmt::format("CYCLES is {:.6g}", ends[1]),
                     found.ends[length ? 0 : 1])};
   }
+  std::string why;
+  if (!lengths && found.course == growth_course_text(model)) {
+    why = why_law_moves_fronts();
+    another_law = why.empty();
+  }
+  if (another_law) {
+    return std::nullopt;
+  }
   return CheckpointMismatch{"E561", d->span,
-                            fmt::format("{}: its cracks grew by other rules: {}", file, d->text)};
+                            fmt::format("{}: its cracks grew by other rules: {}{}", file, d->text,
+                                        why.empty() ? "" : "; " + why)};
+}
+
+// Of fronts that were taken over from another law only the last one has a state of this one: with
+// AT the growth does not go on from there.
+bool is_last_state_of_another_law(const DecksCompared& decks) {
+  const std::vector<CheckpointEntry>& entries = decks.found.entries;
+  const auto last = std::ranges::max_element(
+      entries, {}, [](const CheckpointEntry& e) { return std::pair(e.round, e.number); });
+  return grows_by_law(decks.model) && last != entries.end() &&
+         last->law != growth_law_text(decks.model, decks.cards);
+}
+
+// Steps are walked one after another: those behind the common ones change nothing before them.
+// `dropped`: how many are gone.
+std::optional<CheckpointMismatch> step_mismatch(const DecksCompared& decks, std::size_t& dropped) {
+  const std::vector<CardFingerprint> before = select_cards(decks.found.cards, {"STEP"});
+  const std::vector<CardFingerprint> now = select_cards(decks.cards, {"STEP"});
+  const auto d = first_card_difference(before, now);
+  if (!d) {
+    return std::nullopt;
+  }
+  const std::vector<CardFingerprint> shorter(
+      before.begin(),
+      before.begin() + static_cast<std::ptrdiff_t>(std::min(now.size(), before.size())));
+  // Steps that are gone from the end leave the others as they were.
+  if (now.size() < before.size() && !first_card_difference(shorter, now)) {
+    dropped = before.size() - now.size();
+    return std::nullopt;
+  }
+  return CheckpointMismatch{
+      "E561", d->span,
+      fmt::format("{}: its increments were solved with other steps: {}", decks.file, d->text)};
 }
 
 } // namespace
 
-std::optional<CheckpointMismatch> Checkpoint::find_mismatch() {
+std::optional<CheckpointMismatch>
+Checkpoint::find_mismatch(const std::function<std::string()>& why_law_moves_fronts) {
   if (place_.read.empty()) {
     return std::nullopt;
   }
@@ -61,10 +117,17 @@ std::optional<CheckpointMismatch> Checkpoint::find_mismatch() {
                                            exclude_cards(cards_, changeable))) {
     return of(*d);
   }
-  if (auto steps = misfit_of_steps()) {
+  const DecksCompared decks{found_, cards_, model_, place_.read.string()};
+  if (auto steps = step_mismatch(decks, dropped_steps_)) {
     return steps;
   }
-  if (auto growth = growth_mismatch(found_, cards_, model_, place_.read.string())) {
+  if (dropped_steps_ > 0) {
+    tell("W561",
+         fmt::format("the last {} of {} steps are gone from the deck: what increments of "
+                     "{} say of them is left out",
+                     dropped_steps_, select_cards(found_.cards, {"STEP"}).size(), decks.file));
+  }
+  if (auto growth = growth_mismatch(decks, why_law_moves_fronts, another_law_)) {
     return growth;
   }
   int last = 0;
@@ -79,31 +142,8 @@ std::optional<CheckpointMismatch> Checkpoint::find_mismatch() {
   if (place_.at) {
     std::erase_if(found_.entries, [&](const CheckpointEntry& e) { return e.number > *place_.at; });
   }
+  another_law_ = another_law_ || is_last_state_of_another_law(decks);
   return std::nullopt;
-}
-
-// Steps are walked one after another: those behind the common ones change nothing before them.
-std::optional<CheckpointMismatch> Checkpoint::misfit_of_steps() {
-  const std::vector<CardFingerprint> before = select_cards(found_.cards, {"STEP"});
-  const std::vector<CardFingerprint> now = select_cards(cards_, {"STEP"});
-  const auto d = first_card_difference(before, now);
-  if (!d) {
-    return std::nullopt;
-  }
-  const std::vector<CardFingerprint> shorter(
-      before.begin(),
-      before.begin() + static_cast<std::ptrdiff_t>(std::min(now.size(), before.size())));
-  // Steps that are gone from the end leave the others as they were.
-  if (now.size() < before.size() && !first_card_difference(shorter, now)) {
-    dropped_steps_ = before.size() - now.size();
-    tell("W561", fmt::format("the last {} of {} steps are gone from the deck: what increments of "
-                             "{} say of them is left out",
-                             dropped_steps_, before.size(), place_.read.string()));
-    return std::nullopt;
-  }
-  return CheckpointMismatch{"E561", d->span,
-                            fmt::format("{}: its increments were solved with other steps: {}",
-                                        place_.read.string(), d->text)};
 }
 
 } // namespace spricka::archive

@@ -84,6 +84,19 @@ std::optional<CrackGeometry> GrowthIntegrator::propose_next_cracks(base::Diagnos
       state_, {.by = advance_, .passage = passage_, .lengthening = lengthening_}, diagnostics);
 }
 
+std::optional<CrackGeometry> GrowthIntegrator::extend_cracks_to(const std::vector<double>& arms,
+                                                                base::Diagnostics& diagnostics) {
+  if (state_.stations.empty()) {
+    return kinematics_->current_cracks();
+  }
+  advance_ = arms;
+  for (std::size_t tip = 0; tip < tips().size(); ++tip) {
+    advance_[tip] -= state_.stations.back().tips[tip].a;
+  }
+  passage_.reset();
+  return kinematics_->advance_cracks(state_, {.by = advance_, .passage = {}}, diagnostics);
+}
+
 bool GrowthIntegrator::plan() {
   const std::vector<double> share = predicted_shares(state_.stations, state_.step);
   const SolvedStation& here = state_.stations.back();
@@ -175,7 +188,7 @@ void GrowthIntegrator::end_at_station(GrowthEvent end) {
   end_ = std::move(end);
 }
 
-bool GrowthIntegrator::accept_or_reject_station(std::vector<TipStation> found) {
+void GrowthIntegrator::append_station(std::vector<TipStation> found) {
   SolvedStation station;
   station.breakthroughs = passage_ ? passage_->tip + 1 : 0;
   station.met =
@@ -192,16 +205,30 @@ bool GrowthIntegrator::accept_or_reject_station(std::vector<TipStation> found) {
   state_.stations.push_back(std::move(station));
   // First, as the judgement counts what the advance is found to have missed.
   defer_advance_correction(*kinematics_, advance_, state_.stations);
+}
+
+bool GrowthIntegrator::accept_or_reject_station(std::vector<TipStation> found) {
+  append_station(std::move(found));
   if (!judge_last_advance()) {
     state_.stations.pop_back();
     ++state_.rejected;
     return false;
   }
+  accept_last_station();
+  return true;
+}
+
+void GrowthIntegrator::accept_station(std::vector<TipStation> found) {
+  append_station(std::move(found));
+  static_cast<void>(judge_last_advance()); // the next step follows from it all the same
+  accept_last_station();
+}
+
+void GrowthIntegrator::accept_last_station() {
   passage_.reset();
   lengthening_ = 1.0;
   kinematics_->accept_trial(state_);
   end_ = ends().find_growth_end(trajectory());
-  return true;
 }
 
 double GrowthIntegrator::cycle_error() const {

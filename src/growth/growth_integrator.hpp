@@ -27,9 +27,16 @@ public:
 
   /// The cracks to be solved next; empty when the growth has ended.
   std::optional<CrackGeometry> propose_next_cracks(base::Diagnostics& diagnostics);
+  /// The cracks with such arms [tip], longer than those of the last station, in place of
+  /// propose_next_cracks(); before the first station those they have. Empty, with errors: there are
+  /// none.
+  std::optional<CrackGeometry> extend_cracks_to(const std::vector<double>& arms,
+                                                base::Diagnostics& diagnostics);
   /// Takes what was found there: K, rates, turns and plastic parts by tip. False: the advance was
   /// too long for the tolerance and does not count.
   bool accept_or_reject_station(std::vector<TipStation> found);
+  /// Takes what was found there, however long the advance was.
+  void accept_station(std::vector<TipStation> found);
   /// The cracks of `next` could not be meshed: a shorter advance, or the end.
   void shorten_step(const std::string& why);
 
@@ -49,7 +56,9 @@ private:
   bool plan();
   void stop_at_last_length(bool planned);
   std::optional<double> next_advance(const std::vector<double>& share);
+  void append_station(std::vector<TipStation> found);
   [[nodiscard]] bool judge_last_advance();
+  void accept_last_station();
   [[nodiscard]] GrowthEndCriteria ends() const { return {model_, tips(), state_.stations}; }
   void end_at_station(GrowthEvent end);
 

@@ -144,15 +144,57 @@ class Growth(RestartTest):
         for a, b in zip(*end):
             self.assertAlmostEqual(a, b, delta=2e-3 * abs(b))
 
-    def test_another_law_is_refused(self):
-        deck = PLATE.format(shear=0, more=STEPS.format(amax=4))
+    def test_other_rules_are_refused(self):
+        deck = PLATE.format(shear=40, more=STEPS.format(amax=4) + " DIRECTION=HOOP")
         self.expect(0, "run", self.deck(keeping(deck)), "--quiet")
-        for old, new in (("M=3", "M=3.1"), ("DA=0.5", "DA=0.6"), ("AMAX=4", "AMAX=3")):
+        for old, new, why in (
+            ("M=3", "M=3.1", "other rules: .*; K turns its crack, .*DIRECTION=PATH"),
+            ("DA=0.5", "DA=0.6", "grew by other rules"),
+            ("AMAX=4", "AMAX=3", "AMAX is 3, which it had as 4"),
+        ):
             other = self.deck(keeping(deck.replace(old, new)), "other.deck")
             result = self.expect(3, "run", other, "--restart", "--quiet")
             self.assertIn("error E561", result.stderr)
-            grew = "AMAX is 3, which it had as 4" if "AMAX" in old else "grew by other rules"
-            self.assertIn(grew, result.stderr)
+            self.assertRegex(result.stderr, why)
+
+    def life(self, run):
+        """Length and cycles at the end."""
+        return [float(v) for v in (self.folder / run / "life_curve.csv").read_text().split()[-1].split(",")]
+
+    def check_another_law(self, before, now, tolerance=2e-3):
+        """The fronts of one growth serve another law or spectrum: none is solved anew, the life is that
+        of a run from the start, and what is kept then is of the law now."""
+        self.expect(0, "run", self.deck(keeping(PLATE.format(shear=0, more=before))), "--quiet")
+        kept = len(self.increments())
+        other = self.deck(keeping(PLATE.format(shear=0, more=now)), "other.deck")
+        self.expect(0, "run", other, "--restart", "--out", "again.run", "--quiet")
+        listing = (self.folder / "again.run" / "listing.txt").read_text(encoding="utf-8")
+        self.assertIn(f"{kept} of {kept} increments taken over", listing)
+        self.expect(0, "run", other, "--restart", "--out", "third.run", "--quiet")
+        self.same_folders(self.folder / "again.run", self.folder / "third.run")
+        card = f"$RESTART READ='state.rst' AT={kept - 1} WRITE='last.rst'\n"  # rates kept there are of before
+        last = self.deck(keeping(PLATE.format(shear=0, more=now), card), "last.deck")
+        self.expect(0, "run", last, "--quiet")
+        listing = (self.folder / "last.run" / "listing.txt").read_text(encoding="utf-8")
+        self.assertIn(f"{kept - 1} of {kept} increments taken over", listing)
+        self.expect(0, "run", self.deck(PLATE.format(shear=0, more=now), "new.deck"), "--quiet")
+        again, last, new = (self.life(f"{name}.run") for name in ("again", "last", "new"))
+        self.assertEqual(len(again), len(new))
+        for a, b, c in zip(again, last, new):
+            self.assertAlmostEqual(a, b, delta=1e-6 * abs(b))
+            self.assertAlmostEqual(a, c, delta=tolerance * abs(c))
+
+    def test_another_law_over_the_same_fronts(self):
+        law = STEPS.format(amax=4)
+        self.check_another_law(law, law.replace("C=1e-13 M=3", "C=5e-14 M=3.2"))
+
+    def test_a_spectrum_over_the_same_fronts(self):
+        flight = SPECTRUM + LAW.format(amax=4) + "SPECTRUM=FLIGHT"
+        self.check_another_law(flight, flight.replace("0.2 1 0.1", "0.3 0.9 0.2"))
+
+    def test_a_law_over_given_lengths(self):
+        given = "$GROW LAW=INCREMENT KMAX=HIGH\n  2  2.3  2.7  3.1  3.5  4"
+        self.check_another_law(given, STEPS.format(amax=4).replace("DA=0.5", ""))
 
 
 if __name__ == "__main__":

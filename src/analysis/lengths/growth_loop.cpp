@@ -5,6 +5,7 @@
 #include "analysis/lengths/growth_records.hpp"
 #include "analysis/lengths/growth_region.hpp"
 #include "analysis/lengths/growth_rules.hpp"
+#include "analysis/lengths/kept_fronts.hpp"
 #include "analysis/lengths/length_solver.hpp"
 #include "analysis/lengths/log_writer.hpp"
 #include "analysis/lengths/pictured_steps.hpp"
@@ -57,7 +58,10 @@ public:
     if (!measure_.spectrum()) {
       law = [this](double K_max, double K_min) { return measure_.law().growth_rate(K_max, K_min); };
     }
-    const std::optional<results::NamedArrays> kept = take_over_kept();
+    const bool of_another_law =
+        options_.checkpoint != nullptr && options_.checkpoint->is_of_another_law();
+    const std::optional<results::NamedArrays> kept =
+        of_another_law ? std::nullopt : take_over_kept();
     growth::GrowthIntegrator integrator = restore_or_report_damage([&] {
       return growth::GrowthIntegrator(model_, law, std::move(kinematics),
                                       kept ? state_from(*kept) : growth::GrowthState());
@@ -68,6 +72,9 @@ public:
     }
     mark_.emplace(run_.log);
     tell_progress("read");
+    if (of_another_law) {
+      restore_or_report_damage([&] { measure_kept(integrator, region); });
+    }
     while (!integrator.growth_end()) {
       if (is_time_up(options_.checkpoint, trouble_)) {
         return false;
@@ -116,19 +123,41 @@ private:
     }
   }
 
+  // Fronts of a run by another law, until the growth by this one ends or one does not serve.
+  void measure_kept(growth::GrowthIntegrator& integrator, RecondensedGrowthRegion& region) {
+    const ScopedProfileInterval span(options_.recorder, "RESTART", "K of an earlier run");
+    KeptFrontsOfAnotherLaw fronts(model_, options_, measure_, run_);
+    std::optional<archive::StoredIncrement> last =
+        fronts.take_over(integrator, [&](int number) { return pictured_at(number); });
+    if (last) {
+      solver_.restore_state(last->state);
+      region.restore_state(last->state);
+      options_.checkpoint->store_last_of_another_law({run_.increments.back(),
+                                                      state_of(integrator, region),
+                                                      std::move(last->log), last->cpu, last->wall});
+    }
+    mark_.emplace(run_.log);
+  }
+
   growth::GrowthState state_from(const results::NamedArrays& arrays) {
     solver_.restore_state(arrays);
     measure_.restore_state(arrays);
     return growth::growth_state_from_arrays(arrays.reals);
   }
 
-  void keep(const growth::GrowthIntegrator& integrator, const RecondensedGrowthRegion& region) {
+  [[nodiscard]] results::NamedArrays state_of(const growth::GrowthIntegrator& integrator,
+                                              const RecondensedGrowthRegion& region) const {
     results::NamedArrays state;
     state.reals = growth::growth_state_to_arrays(integrator.growth_state());
     solver_.save_state(state);
     region.save_state(state);
     measure_.save_state(state);
-    mark_->store_increment(options_.checkpoint, 0.0, run_.increments.back(), std::move(state));
+    return state;
+  }
+
+  void keep(const growth::GrowthIntegrator& integrator, const RecondensedGrowthRegion& region) {
+    mark_->store_increment(options_.checkpoint, 0.0, run_.increments.back(),
+                           state_of(integrator, region));
     mark_.emplace(run_.log);
   }
 
@@ -197,14 +226,7 @@ private:
     set_front_sizes_from_first_tips(model_, cracks, integrator.tips(), here, *increment);
     length.set_length(increment->a);
     run_.increments.push_back(std::move(*increment));
-    const growth::GrowthTrajectory so_far = integrator.trajectory();
-    log.add_line("GROW",
-                 fmt::format("station {}: a = {:.6g}, K {:.6g} .. {:.6g}, da/dN = {:.4g}, N = "
-                             "{:.6g}",
-                             integrator.growth_state().stations.size(), here.tips.front().a,
-                             here.tips.front().K_min, here.tips.front().K_max,
-                             here.tips.front().rate,
-                             so_far.cycles(integrator.growth_state().stations.front().s, here.s)));
+    log_last_station(integrator, log);
     hand_on_warnings();
     keep(integrator, region);
     tell_progress("");
@@ -261,6 +283,14 @@ private:
     std::ranges::copy(measure_.warnings().all(), std::back_inserter(run_.warnings));
     for (std::string& text : describe_life_concerns(*run_.growth, measure_.law())) {
       run_.warnings.push_back({"W456", std::move(text)});
+    }
+    if (options_.checkpoint != nullptr && options_.checkpoint->is_of_another_law() &&
+        !(run_.growth->error <= model_.growth->tolerance)) {
+      run_.warnings.push_back(
+          {"W456", fmt::format("the fronts taken over were set for another law or spectrum: cycles "
+                               "may be off by {:.1e}, above TOL={:.1e}; without --restart the "
+                               "growth sets its own",
+                               run_.growth->error, model_.growth->tolerance)});
     }
     if (results::growth_could_not_continue(*run_.growth)) {
       run_.warnings.push_back({"W456", "the growth ended early: " + run_.growth->reason});

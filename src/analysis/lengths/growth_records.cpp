@@ -86,6 +86,16 @@ std::vector<results::LifeCurvePoint> life_curve(const growth::GrowthIntegrator& 
   return curve;
 }
 
+void log_last_station(const growth::GrowthIntegrator& integrator, LogWriter& log) {
+  const std::vector<growth::SolvedStation>& stations = integrator.growth_state().stations;
+  const growth::SolvedStation& here = stations.back();
+  const growth::TipStation& tip = here.tips.front();
+  log.add_line("GROW",
+               fmt::format("station {}: a = {:.6g}, K {:.6g} .. {:.6g}, da/dN = {:.4g}, N = {:.6g}",
+                           stations.size(), tip.a, tip.K_min, tip.K_max, tip.rate,
+                           integrator.trajectory().cycles(stations.front().s, here.s)));
+}
+
 results::GrowthResult growth_records(const model::Model& model,
                                      const growth::GrowthIntegrator& integrator,
                                      const GrowthRateEvaluator& measure) {

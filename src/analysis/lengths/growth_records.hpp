@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "analysis/lengths/growth_measure.hpp"
+#include "analysis/lengths/log_writer.hpp"
 #include "growth/growth_integrator.hpp"
 #include "results/growth.hpp"
 #include "results/results.hpp"
@@ -15,6 +16,9 @@ namespace spricka::analysis {
 std::vector<results::LifeCurvePoint> life_curve(const growth::GrowthIntegrator& integrator,
                                                 const growth::GrowthTrajectory& counted,
                                                 std::size_t tips);
+
+/// Tells the log of the station that counts last: its first tip and the cycles to it.
+void log_last_station(const growth::GrowthIntegrator& integrator, LogWriter& log);
 
 /// What an integrator found, as records: stations, the dense curve up to the end, how it ended.
 results::GrowthResult growth_records(const model::Model& model,

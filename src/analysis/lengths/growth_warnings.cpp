@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,6 +17,7 @@ namespace {
 /// K2 beyond this part of K1 on a given path is worth a word, and K2 or K3 along a front in space,
 /// which would leave its plane.
 constexpr double much_shear = 0.25;
+constexpr std::string_view of_station = " (station "; // what is said of a mesh
 constexpr double worst_mismatch = 1e-6; // of K against that of recovered displacements
 
 } // namespace
@@ -25,7 +27,7 @@ void GrowthWarnings::keep_first_mesh_warning(const std::string& code, const std:
   const bool known = std::ranges::any_of(
       warnings_, [&](const results::Warning& warning) { return warning.code == code; });
   if (!known) {
-    warnings_.insert({code, fmt::format("{} (station {})", text, station)});
+    warnings_.insert({code, fmt::format("{}{}{})", text, of_station, station)});
   }
 }
 
@@ -131,6 +133,18 @@ void GrowthWarnings::restore_state(const results::NamedArrays& arrays) {
         results::required_array(arrays.texts, "growth.shear", 2 * parts->second.size());
     for (std::size_t i = 0; i < parts->second.size(); ++i) {
       shear_[names[2 * i]] = {names[2 * i + 1], parts->second[i]};
+    }
+  }
+}
+
+void GrowthWarnings::restore_mesh_warnings(const results::NamedArrays& arrays) {
+  const auto kept = arrays.texts.find("growth.warnings");
+  if (kept == arrays.texts.end()) {
+    return;
+  }
+  for (results::Warning& warning : results::parse_warnings(kept->second)) {
+    if (warning.text.find(of_station) != std::string::npos) {
+      warnings_.insert(std::move(warning));
     }
   }
 }

@@ -46,6 +46,8 @@ public:
   void save_state(results::NamedArrays& arrays) const;
   /// Back from a restart file. Throws base::CorruptStoredField where an array is missing.
   void restore_state(const results::NamedArrays& arrays);
+  /// The same of keep_first_mesh_warning() alone: K has no part in them. None without the arrays.
+  void restore_mesh_warnings(const results::NamedArrays& arrays);
 
 private:
   [[nodiscard]] bool stays_on_path() const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/job/restart_run.hpp"
 
+#include "analysis/lengths/kept_fronts.hpp"
 #include "archive/safe_file.hpp"
 #include "model/model.hpp"
 #include "program/job/run_folder.hpp"
@@ -89,7 +90,8 @@ CheckpointOrRefusal open_checkpoint(const RunOptions& options, const CheckedDeck
   }
   auto checkpoint = std::make_unique<archive::Checkpoint>(place_of(options, *card, folder),
                                                           options.deck, deck.sources, *deck.model);
-  if (const std::optional<archive::CheckpointMismatch> misfit = checkpoint->find_mismatch()) {
+  if (const std::optional<archive::CheckpointMismatch> misfit =
+          checkpoint->find_mismatch([&] { return analysis::why_law_moves_fronts(*deck.model); })) {
     base::Diagnostics list;
     list.error(misfit->span, misfit->code, misfit->text,
                "start from the beginning, or take the deck that wrote the file");
