@@ -188,6 +188,29 @@ class Growth(RestartTest):
         law = STEPS.format(amax=4)
         self.check_another_law(law, law.replace("C=1e-13 M=3", "C=5e-14 M=3.2"))
 
+    def test_another_law_ends_elsewhere(self):
+        """Before the last front that was kept, and behind it: only what lies behind is solved."""
+        law = STEPS.format(amax=4).replace("M=3", "M=3.2")
+        for now, taken in ((law + " KC=420", "5 of 5"), (law.replace("AMAX=4", "AMAX=5"), "6 of [78]")):
+            self.expect(0, "run", self.deck(keeping(PLATE.format(shear=0, more=STEPS.format(amax=4)))), "--quiet")
+            other = self.deck(keeping(PLATE.format(shear=0, more=now)), "other.deck")
+            self.expect(0, "run", other, "--restart", "--quiet")
+            listing = (self.folder / "other.run" / "listing.txt").read_text(encoding="utf-8")
+            self.assertRegex(listing, f"{taken} increments taken over")
+            self.expect(0, "run", self.deck(PLATE.format(shear=0, more=now), "new.deck"), "--quiet")
+            for a, b in zip(self.life("other.run"), self.life("new.run")):
+                self.assertAlmostEqual(a, b, delta=2e-3 * abs(b))
+
+    def test_a_law_that_asks_for_more_than_was_kept(self):
+        """Walker's goes on below K = 0, with faces that overlap: no front of Paris' law has that."""
+        plate = PLATE.format(shear=0, more=STEPS.format(amax=3)).replace("PULL 0.1", "PULL -0.5")
+        self.expect(0, "run", self.deck(keeping(plate)), "--quiet")
+        walker = plate.replace("LAW=PARIS", "LAW=WALKER P=0.6")
+        result = self.expect(0, "run", self.deck(keeping(walker), "other.deck"), "--restart", "--quiet")
+        self.assertRegex(result.stderr, "W561: .* from number 1 on solved anew: .*K with faces that overlap")
+        self.expect(0, "run", self.deck(walker, "new.deck"), "--quiet")
+        self.assertEqual(self.life("other.run"), self.life("new.run"))
+
     def test_a_spectrum_over_the_same_fronts(self):
         flight = SPECTRUM + LAW.format(amax=4) + "SPECTRUM=FLIGHT"
         self.check_another_law(flight, flight.replace("0.2 1 0.1", "0.3 0.9 0.2"))

@@ -285,7 +285,7 @@ private:
       run_.warnings.push_back({"W456", std::move(text)});
     }
     if (options_.checkpoint != nullptr && options_.checkpoint->is_of_another_law() &&
-        !(run_.growth->error <= model_.growth->tolerance)) {
+        run_.growth->error > model_.growth->tolerance) {
       run_.warnings.push_back(
           {"W456", fmt::format("the fronts taken over were set for another law or spectrum: cycles "
                                "may be off by {:.1e}, above TOL={:.1e}; without --restart the "
