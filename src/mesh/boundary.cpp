@@ -82,6 +82,12 @@ std::vector<model::Face> boundary_faces(const model::Mesh& mesh) {
 std::vector<model::Face> outer_surface_faces(const model::Mesh& mesh) {
   const SideIndex sides(mesh);
   std::vector<model::Face> faces = sides.unshared_sides();
+  const auto is_quadrilateral = [&](const model::Face& face) {
+    return shape::side_corner_count(mesh.type[face.element.index()], face.side) == 4;
+  };
+  if (std::ranges::none_of(faces, is_quadrilateral)) {
+    return faces;
+  }
   const FacesThatMeet meet(mesh, sides, faces);
   std::vector<model::Face> met;
   for (const model::Face& face : faces) {
@@ -98,8 +104,12 @@ std::vector<model::Face> outer_surface_faces(const model::Mesh& mesh) {
 
 std::vector<model::Face> boundary_faces_with_all_nodes_in(const model::Mesh& mesh,
                                                           const std::vector<base::NodeId>& nodes) {
+  if (nodes.empty()) {
+    return {};
+  }
   const std::vector<bool> inside = model::mark_members(mesh.node_count(), nodes);
-  std::vector<model::Face> result = boundary_faces(mesh);
+  // Sides on both sides of a face have the same corners: only those of these nodes are compared.
+  std::vector<model::Face> result = SideIndex(mesh, 0, &inside).unshared_sides();
   std::erase_if(result, [&](const model::Face& face) {
     return !face_has_all_nodes_inside(mesh, face, inside);
   });

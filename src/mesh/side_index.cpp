@@ -36,20 +36,24 @@ template <class F> void for_sides(const model::Mesh& mesh, std::size_t first, F&
       for (std::size_t c = 0; c < count; ++c) {
         corners[c] = nodes[static_cast<std::size_t>(local[c])];
       }
-      f(key_of(std::span(corners).first(count)), model::Face{base::ElementId(e), s});
+      f(std::span<const NodeId>(corners).first(count), model::Face{base::ElementId(e), s});
     }
   }
 }
 
 } // namespace
 
-SideIndex::SideIndex(const model::Mesh& mesh, std::size_t first)
+SideIndex::SideIndex(const model::Mesh& mesh, std::size_t first, const std::vector<bool>* corners)
     : begin_(mesh.node_count() + 1, 0) {
   std::vector<std::pair<Key, model::Face>> sides;
-  sides.reserve(6 * (mesh.element_count() - first));
-  for_sides(mesh, first, [&](const Key& key, model::Face face) {
-    sides.emplace_back(key, face);
-    ++begin_[key.lowest.index() + 1];
+  sides.reserve(corners == nullptr ? 6 * (mesh.element_count() - first) : 0);
+  for_sides(mesh, first, [&](std::span<const NodeId> nodes, model::Face face) {
+    if (corners == nullptr ||
+        std::ranges::all_of(nodes, [&](NodeId n) { return (*corners)[n.index()]; })) {
+      const Key key = key_of(nodes);
+      sides.emplace_back(key, face);
+      ++begin_[key.lowest.index() + 1];
+    }
   });
   std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
   others_.resize(begin_.back());

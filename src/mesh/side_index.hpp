@@ -12,8 +12,10 @@ namespace spricka::mesh {
 /// time: sides are kept by their lowest corner.
 class SideIndex {
 public:
-  /// Sides of the elements from `first` on.
-  explicit SideIndex(const model::Mesh& mesh, std::size_t first = 0);
+  /// Sides of the elements from `first` on; with `corners` [node] those alone of which all corners
+  /// are marked.
+  explicit SideIndex(const model::Mesh& mesh, std::size_t first = 0,
+                     const std::vector<bool>* corners = nullptr);
 
   /// The sides with these corners, 2 to 4: none, one on the boundary, two between elements.
   [[nodiscard]] std::span<const model::Face> find(std::span<const base::NodeId> corners) const;

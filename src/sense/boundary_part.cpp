@@ -3,7 +3,13 @@
 
 #include "mesh/boundary.hpp"
 #include "model/mesh_side.hpp"
+#include "shape/topology.hpp"
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
 #include <utility>
 
 namespace spricka::sense {
@@ -47,22 +53,63 @@ BoundaryPart::BoundaryPart(const model::Mesh& mesh, std::vector<model::Face> fac
   tree_ = geometry::BoxTree<3>(boxes);
 }
 
-bool BoundaryPart::contains_point(const base::Vec3& x) const {
-  for (const std::size_t i : tree_.boxes_containing(x)) {
-    double off = 0.0;
-    double allowed = same_point_;
-    if (i >= faces_.size()) {
-      off = (x - points_[i - faces_.size()]).norm();
-    } else {
-      allowed = same_side * size_[i];
-      const geometry::ElementSide side = model::element_side(mesh_, faces_[i]);
-      off = (x - side.position(side.nearest_local_coordinates(x))).norm();
-    }
-    if (off <= allowed) {
+// Whether a point lies on a face as far as its centre and nodes tell, or on the triangle of its
+// corners, which is next to it: no foot of a perpendicular need be found then.
+bool BoundaryPart::lies_plainly_on(std::size_t face, const base::Vec3& x, double allowed) const {
+  const auto near = [&](const base::Vec3& sample) {
+    return (x - sample).squaredNorm() <= allowed * allowed;
+  };
+  if (near(samples_[face])) {
+    return true;
+  }
+  const model::Face& f = faces_[face];
+  const base::ElementType type = mesh_.type[f.element.index()];
+  const std::span<const base::NodeId> nodes = mesh_.element_nodes(f.element);
+  const std::span<const int> local = shape::side_nodes(type, f.side);
+  const auto node = [&](std::size_t i) -> const base::Vec3& {
+    return mesh_.x[nodes[static_cast<std::size_t>(local[i])].index()];
+  };
+  for (std::size_t i = 0; i < local.size(); ++i) {
+    if (near(node(i))) {
       return true;
     }
   }
-  return false;
+  if (shape::side_corner_count(type, f.side) != 3) {
+    return false;
+  }
+  const base::Vec3 first = node(1) - node(0);
+  const base::Vec3 second = node(2) - node(0);
+  const base::Vec3 from = x - node(0);
+  const base::Vec3 normal = first.cross(second);
+  const double square = normal.squaredNorm();
+  const double along = from.cross(second).dot(normal);
+  const double up = first.cross(from).dot(normal);
+  if (along < 0.0 || up < 0.0 || along + up > square) {
+    return false;
+  }
+  double curved = 0.0; // how far the nodes between the corners are off the edges
+  for (std::size_t i = 3; i < local.size(); ++i) {
+    curved = std::max(curved, (node(i) - 0.5 * (node(i - 3) + node((i - 2) % 3))).norm());
+  }
+  // Of their shape functions 4 a b the sum is 4/3 at most.
+  return std::abs(from.dot(normal)) / std::sqrt(square) + 4.0 / 3.0 * curved <= allowed;
+}
+
+bool BoundaryPart::contains_point(const base::Vec3& x) const {
+  const std::vector<std::size_t> close = tree_.boxes_containing(x);
+  for (const std::size_t i : close) {
+    if (i < faces_.size() ? lies_plainly_on(i, x, same_side * size_[i])
+                          : (x - points_[i - faces_.size()]).norm() <= same_point_) {
+      return true;
+    }
+  }
+  return std::ranges::any_of(close, [&](std::size_t i) {
+    if (i >= faces_.size()) {
+      return false;
+    }
+    const geometry::ElementSide side = model::element_side(mesh_, faces_[i]);
+    return (x - side.position(side.nearest_local_coordinates(x))).norm() <= same_side * size_[i];
+  });
 }
 
 } // namespace spricka::sense

@@ -21,13 +21,15 @@ public:
   [[nodiscard]] const std::vector<base::Vec3>& samples() const { return samples_; }
 
 private:
+  [[nodiscard]] bool lies_plainly_on(std::size_t face, const base::Vec3& x, double allowed) const;
+
   const model::Mesh& mesh_;
   std::vector<model::Face> faces_;
   std::vector<double> size_; ///< [face]
   std::vector<base::Vec3> points_;
   double same_point_ = 0.0;
-  std::vector<base::Vec3> samples_;
-  geometry::BoxTree<3> tree_; ///< faces, then points
+  std::vector<base::Vec3> samples_; ///< centres of faces, their nodes, then points
+  geometry::BoxTree<3> tree_;       ///< faces, then points
 };
 
 } // namespace spricka::sense

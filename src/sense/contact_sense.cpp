@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -31,8 +32,8 @@ constexpr double most_shallow = 0.05;  // of an extent: what overlaps more is me
 
 class Sense {
 public:
-  Sense(const model::Model& model, base::Diagnostics& list)
-      : model_(model), mesh_(model.mesh), list_(list), bodies_(fe::find_bodies(model.mesh)),
+  Sense(const model::Model& model, std::vector<fe::Body> bodies, base::Diagnostics& list)
+      : model_(model), mesh_(model.mesh), list_(list), bodies_(std::move(bodies)),
         rim_(mesh::boundary_faces(model.mesh)), body_(model.mesh.element_count(), 0) {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       for (const base::ElementId e : bodies_[b].elements) {
@@ -316,8 +317,12 @@ private:
 } // namespace
 
 void warn_of_implausible_contacts(const model::Model& model, base::Diagnostics& list) {
-  if (!list.has_errors()) {
-    Sense(model, list).look();
+  if (list.has_errors()) {
+    return;
+  }
+  std::vector<fe::Body> bodies = fe::find_bodies(model.mesh);
+  if (!model.contacts.empty() || bodies.size() > 1) {
+    Sense(model, std::move(bodies), list).look();
   }
 }
 

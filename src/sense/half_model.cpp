@@ -125,9 +125,10 @@ struct Chosen {
   std::string against;
 };
 
-Chosen choose(const model::Model& model, const model::MirrorPlane& request) {
+Chosen choose(const model::Model& model, const model::MirrorPlane& request,
+              const results::SymmetryPlanePreview& mirror) {
   Chosen chosen;
-  chosen.mirror = check_symmetry_across_axis(model, request.axis);
+  chosen.mirror = mirror;
   chosen.plane = make_half_model_plane(model.mesh, request, chosen.mirror.at);
   if (model::is_axisymmetric(model) && request.axis == 0) {
     chosen.against = "x is the radius";
@@ -325,21 +326,22 @@ private:
 
 } // namespace
 
-std::string half_model_obstacle(const model::Model& model, int axis) {
+std::string half_model_obstacle(const model::Model& model,
+                                const results::SymmetryPlanePreview& mirror) {
   model::MirrorPlane plane;
-  plane.axis = axis;
-  return choose(model, plane).against;
+  plane.axis = mirror.axis;
+  return choose(model, plane, mirror).against;
 }
 
 void reduce_to_half_model(model::Model& model, base::Diagnostics& list) {
   // A crack that is drawn in a plane wants a mouth there, which another plane may give it.
-  std::stable_partition(model.mirrors.begin(), model.mirrors.end(),
-                        [&](const model::MirrorPlane& request) {
-                          return half_model_obstacle(model, request.axis).empty();
-                        });
+  std::stable_partition(
+      model.mirrors.begin(), model.mirrors.end(), [&](const model::MirrorPlane& request) {
+        return half_model_obstacle(model, check_symmetry_across_axis(model, request.axis)).empty();
+      });
   const std::set<std::string> before = existing_entity_names(model);
   for (model::MirrorPlane& request : model.mirrors) {
-    const Chosen chosen = choose(model, request);
+    const Chosen chosen = choose(model, request, check_symmetry_across_axis(model, request.axis));
     const char axis = "xyz"[request.axis];
     if (!chosen.against.empty()) {
       list.error(request.span, "E354",

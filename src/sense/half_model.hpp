@@ -2,6 +2,7 @@
 #pragma once
 #include "base/diagnostics.hpp"
 #include "model/forward.hpp"
+#include "results/preview.hpp"
 
 #include <string>
 
@@ -15,7 +16,9 @@ namespace spricka::sense {
 /// elements that lie across the plane, and what has no half.
 void reduce_to_half_model(model::Model& model, base::Diagnostics& list);
 
-/// Why one side of the plane across an axis cannot be kept alone; empty: it can.
-std::string half_model_obstacle(const model::Model& model, int axis);
+/// Why one side of a plane of symmetry, in which all is its own mirror image, cannot be kept alone;
+/// empty: it can.
+std::string half_model_obstacle(const model::Model& model,
+                                const results::SymmetryPlanePreview& mirror);
 
 } // namespace spricka::sense

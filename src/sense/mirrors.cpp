@@ -12,8 +12,10 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -30,6 +32,9 @@ bool alike(double a, double b) {
 // The boundary of some elements: sides that only one of them has.
 std::vector<model::Face> skin_of(const model::Mesh& mesh,
                                  const std::vector<base::ElementId>& elements) {
+  if (elements.size() == mesh.element_count()) {
+    return mesh::outer_surface_faces(mesh);
+  }
   model::Mesh part;
   part.dim = mesh.dim;
   part.x = mesh.x;
@@ -49,18 +54,7 @@ std::vector<model::Face> skin_of(const model::Mesh& mesh,
 /// What all planes ask of a model, made once.
 class Looks {
 public:
-  explicit Looks(const model::Model& model) : model_(model), mesh_(model.mesh) {
-    using Kind = std::tuple<std::size_t, model::StressState, double>;
-    std::map<Kind, std::vector<base::ElementId>> groups;
-    for (const base::ElementId e : model::all_elements(mesh_)) {
-      const model::ElementProperty& p = model.element_property(mesh_, e);
-      groups[{p.material.index(), p.state, p.thickness}].push_back(e);
-    }
-    for (const auto& [kind, elements] : groups) {
-      bodies_.emplace_back(mesh_, skin_of(mesh_, elements));
-    }
-    find_held();
-  }
+  explicit Looks(const model::Model& model) : model_(model), mesh_(model.mesh) {}
 
   /// What stands against a plane as a mirror; empty: nothing.
   [[nodiscard]] std::string against(const Reflection& mirror) const {
@@ -73,7 +67,7 @@ public:
 
   [[nodiscard]] bool bodies_mirrored(const Reflection& mirror) const {
     return std::ranges::all_of(
-        bodies_, [&](const BoundaryPart& body) { return mirrored_places(mirror, body, body); });
+        bodies(), [&](const BoundaryPart& body) { return mirrored_places(mirror, body, body); });
   }
 
   [[nodiscard]] bool own_image(const Reflection& mirror, const model::Load& load) const {
@@ -90,10 +84,34 @@ private:
     return onto(one, other) && (&one == &other || onto(other, one));
   }
 
-  void find_held() {
+  // By material, state and thickness; found when first asked for, as what is held.
+  [[nodiscard]] const std::vector<BoundaryPart>& bodies() const {
+    if (bodies_.empty()) {
+      using Kind = std::tuple<std::size_t, model::StressState, double>;
+      std::map<Kind, std::vector<base::ElementId>> groups;
+      for (const base::ElementId e : model::all_elements(mesh_)) {
+        const model::ElementProperty& p = model_.element_property(mesh_, e);
+        groups[{p.material.index(), p.state, p.thickness}].push_back(e);
+      }
+      for (const auto& [kind, elements] : groups) {
+        bodies_.emplace_back(mesh_, skin_of(mesh_, elements));
+      }
+    }
+    return bodies_;
+  }
+
+  [[nodiscard]] const std::vector<std::shared_ptr<const BoundaryPart>>& held() const {
+    if (held_.empty()) {
+      find_held();
+    }
+    return held_;
+  }
+
+  void find_held() const {
     const std::vector<model::FreedomRole> cls = fe::classify_freedoms(model_, mesh_);
     const std::vector<bool> used = model::mark_nodes_in_use(mesh_);
     const auto dim = static_cast<std::size_t>(mesh_.dim);
+    std::vector<base::NodeId> before;
     for (std::size_t c = 0; c < dim; ++c) {
       std::vector<base::NodeId> nodes;
       for (std::size_t n = 0; n < mesh_.node_count(); ++n) {
@@ -103,7 +121,10 @@ private:
           nodes.emplace_back(n);
         }
       }
-      held_.emplace_back(places_of_nodes(nodes));
+      held_.push_back(c > 0 && nodes == before
+                          ? held_.back()
+                          : std::make_shared<const BoundaryPart>(places_of_nodes(nodes)));
+      before = std::move(nodes);
     }
   }
 
@@ -121,8 +142,9 @@ private:
   }
 
   [[nodiscard]] std::string against_supports(const Reflection& mirror) const {
-    for (std::size_t c = 0; c < held_.size(); ++c) {
-      if (!mirrored_places(mirror, held_[c], held_[c])) {
+    for (std::size_t c = 0; c < held().size(); ++c) {
+      const bool known = c > 0 && held()[c] == held()[c - 1];
+      if (!known && !mirrored_places(mirror, *held()[c], *held()[c])) {
         return fmt::format("the supports along {} are not", "xyz"[c]);
       }
     }
@@ -294,8 +316,9 @@ private:
   const model::Model& model_;
   const model::Mesh& mesh_;
   mutable std::map<const model::Load*, std::vector<fe::LoadEvaluationPoint>> integrated_;
-  std::vector<BoundaryPart> bodies_; ///< by material, state and thickness
-  std::vector<BoundaryPart> held_;   ///< [direction]
+  mutable std::vector<BoundaryPart> bodies_;
+  /// [direction]; one part for all that are held at the same nodes
+  mutable std::vector<std::shared_ptr<const BoundaryPart>> held_;
 };
 
 /// The box round all nodes of elements.

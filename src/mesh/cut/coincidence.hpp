@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -25,16 +24,20 @@ public:
 
 private:
   using Cell = std::array<std::int64_t, 3>;
-  struct GridCellHasher {
-    std::size_t operator()(const Cell& cell) const;
-  };
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
   [[nodiscard]] Cell cell_of(const base::Vec3& x) const;
   [[nodiscard]] std::optional<std::size_t> find(const Cell& cell, const base::Vec3& x) const;
+  [[nodiscard]] std::size_t slot_of(const Cell& cell) const;
+  void add(const Cell& cell, const base::Vec3& x);
+  void widen();
 
   double reach_;
   double width_;
   std::vector<base::Vec3> points_;
-  std::unordered_map<Cell, std::vector<std::size_t>, GridCellHasher> cells_;
+  std::vector<Cell> cell_;            ///< [point]
+  std::vector<std::size_t> previous_; ///< [point] the one before it in its cell
+  std::vector<std::size_t> last_; ///< [slot] last point of a cell: a hash table, open addressing
+  std::size_t used_ = 0;          ///< slots
 };
 
 /// Two sides of elements with corners at the same places but nodes of their own.

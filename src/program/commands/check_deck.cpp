@@ -139,8 +139,7 @@ private:
     preview.loads = sense::compute_load_totals(model_);
     preview.mirrors = sense::find_symmetry_planes(model_);
     for (results::SymmetryPlanePreview& mirror : preview.mirrors) {
-      mirror.no_half =
-          mirror.against.empty() ? sense::half_model_obstacle(model_, mirror.axis) : "";
+      mirror.no_half = mirror.against.empty() ? sense::half_model_obstacle(model_, mirror) : "";
     }
     unheld = analysis::unsupported_loads(model_, scene, bodies);
   }

@@ -239,7 +239,7 @@ DeckVariant reduce_by_symmetry(const model::Model& model, const DeckCardList& te
     const char axis = "xyz"[mirror.axis];
     std::string against = mirror.against;
     if (against.empty() && !there) {
-      against = sense::half_model_obstacle(model, mirror.axis);
+      against = sense::half_model_obstacle(model, mirror);
     }
     if (there || !against.empty()) {
       if (!there) {

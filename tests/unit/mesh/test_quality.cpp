@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/quality.hpp"
 
+#include "shape/quadrature.hpp"
+#include "shape/reference_element.hpp"
 #include "shape/solid.hpp"
+#include "shape/topology.hpp"
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <random>
 
 namespace spricka::test_quality {
 namespace {
@@ -149,6 +157,54 @@ TEST(Quality, APlaneElementMayNotFoldAtAll) {
   EXPECT_EQ(quadrilateral(0.005).bad.size(), 1U);
   EXPECT_TRUE(quadrilateral(-0.005).bad.empty());
   EXPECT_TRUE(quadrilateral(0.005).corners.empty());
+}
+
+// Most curved tetrahedra are told sound by how little their edges bend: that must not let one pass
+// which folds over at a node or inside, on any of 4000 from nearly straight to badly bent.
+TEST(Quality, NoBentTetrahedronPassesThatFoldsOver) {
+  const auto& element = shape::reference_element<3>(base::ElementType::tet10);
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  int sound = 0;
+  int folded = 0;
+  for (int i = 0; i < 4000; ++i) {
+    std::vector<base::Vec3> x{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (base::Vec3& corner : x) {
+      corner += 0.4 * base::Vec3(any(random), any(random), any(random));
+    }
+    const double bent = 1e-4 * i;
+    for (int m = 0; m < 6; ++m) {
+      const auto [a, b] = shape::edge_corners(base::ElementType::tet10, m);
+      x.emplace_back(0.5 * (x[static_cast<std::size_t>(a)] + x[static_cast<std::size_t>(b)]) +
+                     bent * base::Vec3(any(random), any(random), any(random)));
+    }
+    Eigen::Matrix<double, 10, 3> X;
+    for (int n = 0; n < 10; ++n) {
+      X.row(n) = x[static_cast<std::size_t>(n)].transpose();
+    }
+    double least = 1e30;
+    double largest = 0.0;
+    const auto meet = [&](const shape::Point<3>& r) {
+      const double det = Eigen::Matrix3d(element.dN(r).transpose() * X).determinant();
+      least = std::min(least, det);
+      largest = std::max(largest, std::abs(det));
+    };
+    for (int n = 0; n < 10; ++n) {
+      meet(element.node_local_coordinates(n));
+    }
+    for (const auto& q : shape::quadrature<3>(element.domain, element.degree)) {
+      meet(q.r);
+    }
+    const mesh::MeshFaults faults = mesh::find_mesh_faults(one(base::ElementType::tet10, x));
+    if (faults.bad.empty() && faults.corners.empty()) {
+      ++sound;
+      EXPECT_GT(least, -1e-9 * largest) << "bent by " << bent;
+    } else {
+      ++folded;
+    }
+  }
+  EXPECT_GT(sound, 1000);
+  EXPECT_GT(folded, 1000);
 }
 
 } // namespace
