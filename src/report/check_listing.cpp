@@ -185,11 +185,11 @@ ReportTable forecast(const DeckPreview& p) {
       .number("nets new", "", &Length::condensed)
       .number("reused", "", &Length::reused)
       .number("unknowns new", "", &Length::unknowns)
-      .number("nnz(L)", "", &Length::factor_entries, "{:.3g}")
-      .number("flops", "", &Length::flops, "{:.3g}")
+      .number("nnz(L)", "", &Length::factor_entries, p.exact ? "{:.3g}" : "{:.2g}")
+      .number("flops", "", &Length::flops, p.exact ? "{:.3g}" : "{:.2g}")
       .number("memory", "MB", [](const Length& length) { return megabytes(length.memory); })
       .number("CPU", "s", &Length::seconds, "{:.2f}");
-  return columns.table("Forecast", p.lengths);
+  return columns.table(p.exact ? "Forecast" : "Rough forecast", p.lengths);
 }
 
 std::string mirror_line(const results::SymmetryPlanePreview& mirror) {
@@ -203,6 +203,27 @@ std::string mirror_line(const results::SymmetryPlanePreview& mirror) {
                    mirror.no_half.empty() ? "" : ", but " + mirror.no_half)
              : fmt::format("  {} is a plane of symmetry of the bodies, but {}\n", plane,
                            mirror.against);
+}
+
+// What the whole run needs.
+std::string run_line(const DeckPreview& p) {
+  const bool fits = p.memory <= p.machine_memory;
+  const std::string machine = megabytes(p.machine_memory);
+  const std::string time =
+      fmt::format("about {:.2g} s CPU at {:.3g} Gflop/s", p.seconds, 1e-9 * p.flop_rate);
+  return p.exact
+             ? fmt::format("\n  run: at most {} MB of the machine's {}, {:.3g} flops to factorise, "
+                           "{}\n{}",
+                           megabytes(p.memory), machine, p.flops, time,
+                           fits ? "" : "  the run will not fit into this machine's memory\n")
+             : fmt::format(
+                   "\n  run: some {} MB of the machine's {}, {:.2g} flops to factorise, {}\n"
+                   "  a rough forecast, by the number of unknowns and the shape of the "
+                   "bodies; --forecast analyses the matrices\n{}",
+                   megabytes(p.memory), machine, p.flops, time,
+                   fits ? ""
+                        : "  the run will hardly fit into this machine's memory: "
+                          "--forecast tells\n");
 }
 
 } // namespace
@@ -238,13 +259,7 @@ std::string deck_preview_listing(const DeckPreview& preview) {
                        preview.sweep.size(), preview.sweep.front(), preview.sweep.back());
   }
   out += "\n" + table_to_text(forecast(preview));
-  out += fmt::format("\n  run: at most {} MB of the machine's {}, {:.3g} flops to factorise, "
-                     "about {:.2g} s CPU at {:.3g} Gflop/s\n",
-                     megabytes(preview.memory), megabytes(preview.machine_memory), preview.flops,
-                     preview.seconds, 1e-9 * preview.flop_rate);
-  if (preview.memory > preview.machine_memory) {
-    out += "  the run will not fit into this machine's memory\n";
-  }
+  out += run_line(preview);
   for (const std::string& warning : preview.warnings) {
     out += "  warning: " + warning + "\n";
   }

@@ -90,8 +90,8 @@ struct CrackLengthPreview {
   std::size_t rows = 0;     ///< of all contacts
   std::size_t unknowns = 0; ///< of the nets factorised at this length
   std::size_t externals = 0;
-  double factor_entries = 0.0; ///< exact
-  double flops = 0.0;          ///< exact, of the factorisations
+  double factor_entries = 0.0; ///< as DeckPreview::exact says
+  double flops = 0.0;          ///< of the factorisations, likewise
   double memory = 0.0;         ///< [bytes] forecast of the largest need up to here
   double seconds = 0.0;        ///< [s] forecast of the CPU time
   int condensed = 0;           ///< nets
@@ -128,6 +128,7 @@ struct DeckPreview {
   std::vector<std::pair<std::string, std::string>> mounted_later;
   std::vector<std::string> sweep; ///< "001: delta = 0.084", one for each point
   std::vector<std::string> warnings;
+  bool exact = false;          ///< fill and flops are those of the matrices; else by a law
   double flop_rate = 0.0;      ///< [flop/s] one core, measured
   double flops = 0.0;          ///< of all lengths
   double memory = 0.0;         ///< [bytes] forecast of the run's largest need

@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
   const double first = dgemm_rate(1000);
   length->number_freedoms();
   results::CrackLengthPreview told;
-  program::CostForecast(*model, 1, rate)
+  program::CostForecast(*model, {.threads = 1, .rate = rate, .exact = true})
       .forecast_crack_length(length->condensation_request(), length->bodies(),
                              length->discretisation(), 0.0, told);
   fmt::print("{} equations, {} rows, {:.0f} MB foretold\n", told.unknowns,

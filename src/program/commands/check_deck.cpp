@@ -35,7 +35,12 @@ namespace spricka::program {
 
 namespace {
 
-constexpr double rate_seconds = 0.02; // long enough for a clock, short enough for a prompt
+// Long enough for a clock, short enough for a prompt; where all else is rough, shorter.
+constexpr double rate_seconds = 0.02;
+constexpr double short_rate_seconds = 0.004;
+
+/// How the cost of a deck is to be foretold.
+enum class ForecastMethod { none, law, analysis };
 
 // DA bounds how far the fastest tip goes between two stations, AMAX where the first one ends.
 double stations_at_least(const model::Model& model, const std::vector<mesh::CrackLine>& lines) {
@@ -72,8 +77,8 @@ class Previewer {
 public:
   Previewer(const model::Model& model, int threads) : model_(model), threads_(threads) {}
 
-  /// Every length. Without `forecast` only mistakes are looked for.
-  void look(bool forecast) {
+  /// Every length. Without a forecast only mistakes are looked for.
+  void look(ForecastMethod method) {
     if (analysis::grows_by_law(model_)) {
       analysis::make_crack_kinematics(model_, diagnostics);
       if (!diagnostics.has_errors()) {
@@ -91,10 +96,15 @@ public:
     if (diagnostics.has_errors()) {
       return;
     }
-    const solve::FlopRate rate =
-        forecast ? solve::measure_flop_rate(rate_seconds) : solve::FlopRate{};
-    CostForecast future(model_, threads_, rate);
-    preview.flop_rate = rate.measured;
+    const bool exact = method == ForecastMethod::analysis;
+    ForecastSettings settings{
+        .threads = threads_, .rate = {}, .exact = exact, .several_lengths = lengths.size() > 1};
+    if (method != ForecastMethod::none) {
+      settings.rate = solve::measure_flop_rate(exact ? rate_seconds : short_rate_seconds);
+    }
+    CostForecast future(model_, settings);
+    preview.flop_rate = settings.rate.measured;
+    preview.exact = exact;
     analysis::CondensationCache cache; // stays empty: nothing is condensed
     for (std::size_t i = 0; i < lengths.size(); ++i) {
       const base::Stopwatch watch;
@@ -114,7 +124,7 @@ public:
       }
       results::CrackLengthPreview figures = preview_mesh_at_crack_length(model_, scene);
       figures.number = static_cast<int>(i) + 1;
-      if (forecast) {
+      if (method != ForecastMethod::none) {
         future.forecast_crack_length(length->condensation_request(), length->bodies(), scene,
                                      scene_cpu, figures);
       }
@@ -179,7 +189,7 @@ base::ProgramOutcome check_points(const RunOptions& options, const CheckedDeck& 
     base::ProgramOutcome outcome = point.refusal.kind;
     if (point.model) {
       Previewer look(*point.model, 1);
-      look.look(false);
+      look.look(ForecastMethod::none);
       outcome = verdict(point.sources, look, log);
     }
     if (outcome != base::ProgramOutcome::done) {
@@ -226,7 +236,7 @@ base::ProgramOutcome check_deck(const RunOptions& options, const CheckedDeck& de
   const double read_cpu = base::cpu_seconds();
   const model::Model& model = *deck.model;
   Previewer look(model, thread_count(options, model));
-  look.look(true);
+  look.look(options.exact_forecast ? ForecastMethod::analysis : ForecastMethod::law);
   const base::ProgramOutcome own = verdict(deck.sources, look, log);
   results::DeckPreview& preview = look.preview;
   preview.deck = base::make_printable(options.deck.string());

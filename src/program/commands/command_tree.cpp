@@ -134,7 +134,7 @@ void CommandTree::add_run() {
 void CommandTree::add_check() {
   CLI::App& command = add("check", "report all that can be known of a deck without solving it",
                           "  spricka check lug.deck\n"
-                          "  spricka check lug.deck --json | jq .forecast\n"
+                          "  spricka check lug.deck --forecast --json | jq .forecast\n"
                           "  spricka check lug.deck --log-format json 2>&1 >/dev/null | jq .text",
                           [this] {
                             run_.check_only = true;
@@ -143,6 +143,8 @@ void CommandTree::add_check() {
   add_deck_options(command, run_);
   add_threads_option(command, run_.threads,
                      "threads that the forecast of the run assumes, 0: all cores");
+  command.add_flag("--forecast", run_.exact_forecast,
+                   "analyse the matrices: fill, flops and memory exactly, not by a rough law");
   command.add_flag("--json", run_.json, "print what was found as JSON");
 }
 

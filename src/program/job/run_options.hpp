@@ -29,7 +29,8 @@ struct RunOptions {
   bool profile = false;  ///< tell what the run costs, processor by processor
   std::shared_ptr<analysis::ProfileRecorder> recorder = {}; ///< takes it down; null: nobody does
   bool check_only = false;
-  bool json = false; ///< check: the same as JSON
+  bool exact_forecast = false; ///< check: by the symbolic analysis of the matrices
+  bool json = false;           ///< check: the same as JSON
   LogFormat log_format = LogFormat::text;
 };
 

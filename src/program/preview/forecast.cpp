@@ -4,6 +4,7 @@
 #include "base/clock.hpp"
 #include "estimate/enrichment.hpp"
 #include "model/model.hpp"
+#include "program/preview/net_outline.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -24,6 +25,8 @@ constexpr double solve_width = 2.0;
 // Block size of contact's dense algebra, in sizes that reach half the peak.
 constexpr double contact_width = 0.25;
 constexpr std::size_t sample_size = 4000;
+// Stiffness by entries of element matrices [s]: 6 to 10 ns, by type.
+constexpr double matrix_entry_time = 8.5e-9;
 constexpr double number = 8.0; // bytes
 
 double externals_of(const analysis::Substructure& net) {
@@ -82,19 +85,22 @@ struct CostForecast::Needs {
   std::size_t unknowns = 0;
 };
 
-const solve::FactorReport& CostForecast::report_of(const analysis::CondensationRequest& request,
-                                                   const NetToForecast& piece, Needs& needs) {
+// Unknowns of the net's condensed parts in the net.
+std::vector<solve::CondensedNetBlock>
+CostForecast::blocks_of(const NetToForecast& piece,
+                        std::vector<std::vector<std::int32_t>>& freedoms) {
+  std::vector<solve::CondensedNetBlock> blocks;
+  for (std::size_t p = 0; piece.body != nullptr && p < piece.body->parts.size(); ++p) {
+    const fe::DofMap& map = piece.body->parts[p]->map;
+    freedoms.emplace_back(map.freedom.begin() + map.locals, map.freedom.end());
+    blocks.push_back({analysis::equation_numbers(piece.net.map, freedoms.back())});
+  }
+  return blocks;
+}
+
+solve::FactorReport CostForecast::analyse(const analysis::CondensationRequest& request,
+                                          const NetToForecast& piece) {
   const auto& [net, key, body, first_part] = piece;
-  const auto at = known_.find(key);
-  if (at != known_.end()) {
-    ++needs.reused;
-    return at->second;
-  }
-  std::vector<std::vector<std::int32_t>> supers;
-  for (std::size_t p = 0; body != nullptr && p < body->parts.size(); ++p) {
-    const fe::DofMap& map = body->parts[p]->map;
-    supers.emplace_back(map.freedom.begin() + map.locals, map.freedom.end());
-  }
   if (element_seconds_ == 0.0 && !net.elements.empty()) {
     const std::span<const base::ElementId> sample =
         std::span(net.elements).first(std::min(sample_size, net.elements.size()));
@@ -103,11 +109,8 @@ const solve::FactorReport& CostForecast::report_of(const analysis::CondensationR
     fe::assemble_stiffness(request.model, request.mesh, sample, {}, net.map);
     element_seconds_ = watch.cpu_time() / static_cast<double>(sample.size());
   }
-  std::vector<solve::CondensedNetBlock> blocks;
-  blocks.reserve(supers.size());
-  for (const std::vector<std::int32_t>& super : supers) {
-    blocks.push_back({analysis::equation_numbers(net.map, super)});
-  }
+  std::vector<std::vector<std::int32_t>> supers;
+  const std::vector<solve::CondensedNetBlock> blocks = blocks_of(piece, supers);
   const bool apart = analysis::keeps_parts_as_dense_blocks(net.map, blocks);
   if (apart) {
     supers.clear();
@@ -115,13 +118,45 @@ const solve::FactorReport& CostForecast::report_of(const analysis::CondensationR
   const solve::SparseRightHandSides rows =
       net.weighed.empty() ? solve::SparseRightHandSides() : rows_on_net(request, net);
   base::SymmetricCsc pattern = fe::stiffness_pattern(request.mesh, net.elements, supers, net.map);
+  return apart
+             ? solve::Condensation::forecast(
+                   pattern, net.map.external_count(), blocks,
+                   analysis::externals_can_stay_factorised(*body) ? &early_[*first_part] : nullptr)
+             : solve::Condensation::forecast(std::move(pattern), net.map.external_count(),
+                                             solve::OrderingMethod::automatic,
+                                             net.weighed.empty() ? nullptr : &rows);
+}
+
+solve::FactorReport CostForecast::estimate(const analysis::CondensationRequest& request,
+                                           const NetToForecast& piece) {
+  const analysis::Substructure& net = piece.net;
+  if (element_seconds_ == 0.0 && !net.elements.empty()) {
+    element_seconds_ = matrix_entry_time * element_matrix_entries(request.mesh, net) /
+                       static_cast<double>(net.elements.size());
+  }
+  std::vector<std::vector<std::int32_t>> freedoms;
+  std::size_t condensed = 0;
+  for (const solve::CondensedNetBlock& block : blocks_of(piece, freedoms)) {
+    condensed += static_cast<std::size_t>(
+        std::ranges::count_if(block.rows, [](std::int64_t row) { return row >= 0; }));
+  }
+  solve::NetOutline outline = outline_net(request.mesh, net, condensed);
+  if (!net.weighed.empty()) {
+    outline.rows = static_cast<double>(rows_on_net(request, net).count());
+  }
+  return solve::estimate_factor(outline);
+}
+
+const solve::FactorReport& CostForecast::report_of(const analysis::CondensationRequest& request,
+                                                   const NetToForecast& piece, Needs& needs) {
+  const auto at = known_.find(piece.key);
+  if (at != known_.end()) {
+    ++needs.reused;
+    return at->second;
+  }
+  const analysis::Substructure& net = piece.net;
   const solve::FactorReport report =
-      apart ? solve::Condensation::forecast(
-                  pattern, net.map.external_count(), blocks,
-                  analysis::externals_can_stay_factorised(*body) ? &early_[*first_part] : nullptr)
-            : solve::Condensation::forecast(std::move(pattern), net.map.external_count(),
-                                            solve::OrderingMethod::automatic,
-                                            net.weighed.empty() ? nullptr : &rows);
+      settings_.exact ? analyse(request, piece) : estimate(request, piece);
   ++needs.condensed;
   needs.unknowns += net.map.freedom.size();
   needs.flops += report.flops;
@@ -129,10 +164,29 @@ const solve::FactorReport& CostForecast::report_of(const analysis::CondensationR
   needs.seconds +=
       report.analysis_cpu + element_seconds_ * static_cast<double>(net.elements.size());
   if (report.factor_entries > 0.0) {
-    needs.seconds += report.flops / rate_.at(report.flops / report.factor_entries);
+    needs.seconds += report.flops / settings_.rate.at(report.flops / report.factor_entries);
   }
   needs.passing.push_back(report.memory - report.kept_memory);
-  return known_.emplace(key, report).first->second;
+  return known_.emplace(piece.key, report).first->second;
+}
+
+// What tells nets apart. By content it takes longer than the law: only where a later length may
+// find one again.
+std::vector<analysis::SubstructureHashes>
+CostForecast::keys_of(const analysis::CondensationRequest& request,
+                      const std::vector<analysis::SubstructuredBody>& bodies) const {
+  if (settings_.exact || settings_.several_lengths) {
+    return analysis::hash_bodies(request, bodies);
+  }
+  std::vector<analysis::SubstructureHashes> keys(bodies.size());
+  std::uint64_t number = 0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    keys[b].region = {0, ++number};
+    for (std::size_t p = 0; p < bodies[b].parts.size(); ++p) {
+      keys[b].parts.emplace_back(0, ++number);
+    }
+  }
+  return keys;
 }
 
 // Dense algebra of the condensed bodies: Cholesky of S, compliances of the rows, and a few
@@ -157,7 +211,7 @@ void CostForecast::forecast_crack_length(const analysis::CondensationRequest& re
   if (resident_ == 0.0) {
     resident_ = static_cast<double>(base::resident_memory());
   }
-  const std::vector<analysis::SubstructureHashes> keys = analysis::hash_bodies(request, bodies);
+  const std::vector<analysis::SubstructureHashes> keys = keys_of(request, bodies);
   Needs needs;
   double contact_solution_memory = 0.0;
   const auto rows = static_cast<double>(scene.table.size());
@@ -191,7 +245,7 @@ void CostForecast::forecast_crack_length(const analysis::CondensationRequest& re
   const auto elements = static_cast<double>(scene.cracked.mesh.element_count());
   std::sort(needs.passing.rbegin(), needs.passing.rend());
   const std::size_t at_once =
-      std::min(needs.passing.size(), static_cast<std::size_t>(std::max(1, threads_)));
+      std::min(needs.passing.size(), static_cast<std::size_t>(std::max(1, settings_.threads)));
   const double factorising = std::accumulate(
       needs.passing.begin(), needs.passing.begin() + static_cast<std::ptrdiff_t>(at_once), 0.0);
   // Error bars of K: element matrices of the modes, adjoints and what they are made of.
@@ -213,8 +267,8 @@ void CostForecast::forecast_crack_length(const analysis::CondensationRequest& re
   kept_modes_ = model_.growth ? modes : 0.0;
   length.seconds = needs.seconds + scene_cpu +
                    (contact_flops(bodies, scene) + needs.row_flops) /
-                       rate_.at(contact_width * rate_.half + 1.0) +
-                   steps * 4.0 * needs.solve_entries / rate_.at(solve_width) +
+                       settings_.rate.at(contact_width * settings_.rate.half + 1.0) +
+                   steps * 4.0 * needs.solve_entries / settings_.rate.at(solve_width) +
                    element_seconds_ * elements * (step_share * steps + output_share);
 
   std::set<analysis::HashKey> used;

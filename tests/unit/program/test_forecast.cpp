@@ -35,7 +35,8 @@ std::vector<std::string> flops_of(const std::string& listing) {
 TEST(Forecast, FlopsAreExactlyThoseOfTheRun) {
   const Folder folder;
   const std::string deck = growing_crack(16, "1 2 3.5");
-  const Checked c = check_text(folder, deck);
+  const Checked c = check_text(folder, deck, 1, true);
+  EXPECT_TRUE(c.found["forecast"]["exact"]);
   ASSERT_EQ(run_text(folder, deck).exit_code, 0);
   const std::vector<std::string> flops =
       flops_of(test::slurp(folder.path() / "out" / "listing.txt"));
@@ -142,12 +143,37 @@ TEST(Forecast, MemoryIsForetoldWithinAFifth) {
     const std::string deck = (folder.path() / "test.deck").string();
     std::ofstream(deck) << text;
     double used = 0.0;
-    const json found =
-        json::parse(run_program({"check", deck, "--json", "--threads", "1"}, folder, used));
+    const json found = json::parse(
+        run_program({"check", deck, "--forecast", "--json", "--threads", "1"}, folder, used));
     const double memory = found["forecast"]["memory"];
     run_program({"run", deck, "--threads", "1", "--quiet", "--out", (folder.path() / "o").string()},
                 folder, used);
     EXPECT_NEAR(memory / used, 1.0, 0.2) << memory << " foretold, " << used << text;
+  }
+}
+
+// The law against the symbolic analysis: a plate with a crack, a cube with externals, two blocks
+// whose contact rows are eliminated with their factors.
+TEST(Forecast, TheLawIsNearTheAnalysis) {
+  for (const std::string& text :
+       {growing_crack(16, "1 2"), growing_crack(60, "1"), cube(), two_blocks()}) {
+    const Folder folder;
+    const json rough = check_text(folder, text).found;
+    const json exact = check_text(folder, text, 1, true).found;
+    EXPECT_FALSE(rough["forecast"]["exact"]);
+    for (std::size_t i = 0; i < exact["lengths"].size(); ++i) {
+      const json& a = rough["lengths"][i];
+      const json& b = exact["lengths"][i];
+      for (const char* same : {"nets_new", "nets_reused", "unknowns_new", "externals"}) {
+        EXPECT_EQ(a[same], b[same]) << same << text;
+      }
+      for (const auto& [name, factor] :
+           {std::pair("flops", 2.5), std::pair("factor_entries", 1.8), std::pair("memory", 1.5)}) {
+        const double ratio = a[name].get<double>() / b[name].get<double>();
+        EXPECT_LT(ratio, factor) << name << text;
+        EXPECT_GT(ratio, 1.0 / factor) << name << text;
+      }
+    }
   }
 }
 

@@ -13,13 +13,15 @@ struct Checked {
   nlohmann::json found; ///< null when nothing could be shown
 };
 
-inline Checked check_text(const Folder& folder, const std::string& deck, int threads = 1) {
+inline Checked check_text(const Folder& folder, const std::string& deck, int threads = 1,
+                          bool exact_forecast = false) {
   const std::filesystem::path file = folder.path() / "test.deck";
   std::ofstream(file) << deck;
   program::RunOptions options;
   options.deck = file;
   options.threads = threads;
   options.check_only = true;
+  options.exact_forecast = exact_forecast;
   options.json = true;
   testing::internal::CaptureStderr();
   testing::internal::CaptureStdout();
