@@ -5,6 +5,7 @@
 #include "contact/make_rows.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 namespace spricka::contact {
@@ -57,8 +58,8 @@ std::vector<int> count_steps(const std::vector<std::set<std::size_t>>& next,
 // of a wide spot is in a large one. 0: no open row ends the spot.
 int largest_disc(const std::vector<std::set<std::size_t>>& next, std::size_t row,
                  const std::vector<bool>& closed) {
-  std::vector<bool> open = closed;
-  open.flip();
+  std::vector<bool> open(closed.size());
+  std::transform(closed.begin(), closed.end(), open.begin(), std::logical_not<>());
   std::vector<bool> peak(closed.size(), false);
   peak[row] = true;
   const std::vector<int> to_open = count_steps(next, open);
