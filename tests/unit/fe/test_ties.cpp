@@ -167,8 +167,10 @@ TEST_P(EveryMaster, transition_follows_the_sides_own_field) {
     Master master(GetParam(), curved);
     const int dim = EveryMaster::dim();
     Random random;
+    const int nodes = base::element_info(GetParam()).nodes;
     std::vector<Vec3> U;
-    for (int i = 0; i < base::element_info(GetParam()).nodes; ++i) {
+    U.reserve(static_cast<std::size_t>(nodes));
+    for (int i = 0; i < nodes; ++i) {
       U.push_back(random.vec(dim));
     }
     master.for_points(
