@@ -117,9 +117,6 @@ VirtualAxisExtension::VirtualAxisExtension(const model::Model& model, const Disc
   if (why_never_.empty()) {
     rows_ = displacement_K_functionals(model_, moved_);
     of_force_ = pairs_.empty() ? base::Matrix() : contact_force_K_functionals(model_, moved_);
-    for (const std::size_t c : pairs_) {
-      moved_.pairs[c].opposite.reset(); // of the rows alone there is need from here on
-    }
   }
 }
 
