@@ -6,6 +6,8 @@
 #include <charconv>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace spricka::grammar {
 
 namespace {
@@ -239,7 +241,7 @@ bool SyntaxBuilder::parse_name_field(const char*& p, const char* last, bool in_r
   CardField& field =
       add(minus ? CardField::CardFieldKind::minus_name : CardField::CardFieldKind::name, begin, p);
   field.text = to_upper(std::string_view(first, end));
-  if (p<last&& static_cast<unsigned char>(*p)> 127) {
+  if (p != last && static_cast<unsigned char>(*p) > 127) {
     const char* stop = scan_token(begin, last);
     return errors.record_error(errors.span(begin, stop), "E117",
                                fmt::format("'{}': a name has letters a-z, digits and _ only",

@@ -69,7 +69,7 @@ struct PairConstraints {
   bool swapped = false;                    ///< the deck's master carries the multipliers
   bool segments = false; ///< rows are weighted by hats on half edges, else by single nodes
   /// [element of the contact surface] what its rows were integrated over; null without `segments`.
-  std::shared_ptr<const std::vector<OppositePointsOfElement>> opposite;
+  std::shared_ptr<const std::vector<std::vector<PairQuadraturePoint>>> opposite;
   bool faces = false;  ///< of a crack: they end together at its mouth and its tips
   bool found = false;  ///< the surfaces face each other somewhere
   std::string trouble; ///< why there are no rows (node pairing that does not match)

@@ -57,11 +57,11 @@ public:
 
   void make(const ElementProjector& project) {
     number_functions();
-    auto opposite = std::make_shared<std::vector<OppositePointsOfElement>>();
+    auto opposite = std::make_shared<std::vector<std::vector<PairQuadraturePoint>>>();
     opposite->reserve(own_.elements.size());
     for (const HatElement& element : own_.elements) {
-      OppositePointsOfElement& projection = opposite->emplace_back(project(element));
-      projection.points.shrink_to_fit(); // they stay
+      const OppositePointsOfElement projection = project(element);
+      opposite->emplace_back(projection.points.begin(), projection.points.end());
       pair_.unprojected_area += projection.unprojected_area;
       pair_.trouble = projection.trouble;
       if (projection.flat_seen > (1.0 + twice) * projection.flat_area) {

@@ -39,7 +39,10 @@ std::optional<PairPoint> project_point(const PairConstraints& pair, const Mortar
                                        double xi) {
   const Edge& edge = pair.contact.plane.edges[segment.contact_edge];
   const Vec2 x = point_on_edge(edge, xi);
-  PairPoint point{.facet = segment.contact_edge, .r = {xi, 0.0}, .x = base::embed_in_space(x)};
+  PairPoint point;
+  point.facet = segment.contact_edge;
+  point.r = {xi, 0.0};
+  point.x = base::embed_in_space(x);
   Vec2 n = surface_normal(pair.contact, edge, xi);
   double on_target = 0.0; // circle of the target's, beyond its edge
   if (pair.rigid) {

@@ -62,9 +62,9 @@ public:
 
 private:
   // Row a of `dual` is the function dual to hat a; its multipliers push with it.
-  void add(const HatElement& triangle, const OppositePointsOfElement& projection) {
+  void add(const HatElement& triangle, const std::vector<PairQuadraturePoint>& points) {
     Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
-    for (const PairPoint& p : projection.points) {
+    for (const PairQuadraturePoint& p : points) {
       moment += p.weight * p.hat * p.hat.transpose();
     }
     const Eigen::Matrix3d dual = dual_hat_weights(moment);
@@ -74,7 +74,7 @@ private:
       const int row = pair_.functions[at].row;
       rows[a] = row < 0 ? RowsAlong{-1, -1, -1} : rows_[static_cast<std::size_t>(row)];
     }
-    for (const PairPoint& p : projection.points) {
+    for (const PairQuadraturePoint& p : points) {
       const Eigen::Vector3d weight = dual * (p.weight * p.hat);
       const std::array<Vec3, 3> along = frames_.at(own_.part[triangle.facet], p.normal);
       std::vector<FacePointRowForces::RowForce> forces;

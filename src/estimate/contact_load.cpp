@@ -18,7 +18,7 @@ std::vector<ContactModeWeight> target_mode_weights(const EdgeTable& table,
   for (std::size_t e = 0; e < pair.contact.elements.size(); ++e) {
     const contact::HatElement& element = pair.contact.elements[e];
     const std::vector<base::NodeId>& nodes = pair.contact.facets[element.facet].nodes;
-    for (const contact::PairPoint& p : (*pair.opposite)[e].points) {
+    for (const contact::PairQuadraturePoint& p : (*pair.opposite)[e]) {
       const contact::Edge& target = pair.target.plane.edges[p.target];
       const std::optional<std::size_t> at = find_mesh_edge(index, target);
       if (!at) {

@@ -68,6 +68,7 @@ void add_points(const model::Model& model, const PatchedMesh& patched, const Fie
         heat.discontinuous[i] = true;
       }
       std::vector<WeightedTemperature<2>> samples;
+      samples.reserve(points.size());
       for (const ResidualTemperaturePoint& p : points) {
         samples.push_back({p.r, p.area, p.T});
       }

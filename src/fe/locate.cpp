@@ -39,7 +39,7 @@ shape::Point<dim> into_domain(const AnyElement<dim>& element, shape::Point<dim> 
     return r.cwiseMax(-1.0).cwiseMin(1.0);
   }
   const bool prism = element.domain == shape::ReferenceDomain::prism;
-  const int flat = prism ? 2 : dim; // coordinates that share a simplex
+  const int flat = dim - (prism ? 1 : 0); // coordinates that share a simplex
   r.head(flat) = r.head(flat).cwiseMax(0.0).eval();
   const double sum = r.head(flat).sum();
   r.head(flat) /= std::max(sum, 1.0);

@@ -46,11 +46,11 @@ CornerValues<S::dim>
 ElementStressEvaluator<S>::held_temperature(const model::Mesh& mesh, base::ElementId e,
                                             const DisplacementTemperatureField& field) {
   const AnyElement<S::dim>& element = shape::as_reference_element<S>();
-  const CornerValues<S::dim> none = CornerValues<S::dim>::Zero(element.corners);
+  CornerValues<S::dim> none = CornerValues<S::dim>::Zero(element.corners);
   if (field.temperature == nullptr) {
     return none;
   }
-  const CornerValues<S::dim> T = gather_corner_temperatures(element, mesh, e, *field.temperature);
+  CornerValues<S::dim> T = gather_corner_temperatures(element, mesh, e, *field.temperature);
   if (const auto free = free_expansion_displacements(element, X, law, T)) {
     U -= *free;
     return none;

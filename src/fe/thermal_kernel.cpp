@@ -204,7 +204,7 @@ CornerValues<dim> project_temperature(const AnyElement<dim>& element, const AnyN
       const CornerValues<dim>&);                                                                   \
   template CornerValues<dim> project_temperature<dim>(                                             \
       const AnyElement<dim>&, const AnyNodeVectors<dim>&, const ConstitutiveLaw&,                  \
-      std::span<const WeightedTemperature<dim>>);
+      std::span<const WeightedTemperature<(dim)>>);
 THERMAL(2)
 THERMAL(3)
 

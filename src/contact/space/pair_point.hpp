@@ -11,19 +11,23 @@
 /// how two surfaces lie.
 namespace spricka::contact {
 
-/// A point of a contact surface and what it meets of the target along its normal, or along that of
-/// a rigid target.
-struct PairPoint {
-  std::size_t facet = 0;                         ///< of the contact surface
+/// Where a point of a contact surface lies on both surfaces.
+struct PairQuadraturePoint {
   std::size_t target = 0;                        ///< facet of the target; 0 on a rigid one
-  Vec2 r = Vec2::Zero();                         ///< on the facet
+  Vec2 r = Vec2::Zero();                         ///< on the contact surface's facet
   Vec2 s = Vec2::Zero();                         ///< on the target's
   Eigen::Vector3d hat = Eigen::Vector3d::Zero(); ///< hats of the nodes of its element
-  Vec3 x = Vec3::Zero();
   Vec3 normal = Vec3::Zero(); ///< unit, from the contact surface towards the target
-  double turn = 0.0;          ///< in space: cosine between this and the target's normal reversed
   double weight = 0.0;        ///< area that the point stands for, with the depth of the section
-  double gap = 0.0;           ///< along the normal [length]
+};
+
+/// A point of a contact surface and what it meets of the target along its normal, or along that of
+/// a rigid target.
+struct PairPoint : PairQuadraturePoint {
+  std::size_t facet = 0; ///< of the contact surface
+  Vec3 x = Vec3::Zero();
+  double turn = 0.0; ///< in space: cosine between the normal and the target's reversed
+  double gap = 0.0;  ///< along the normal [length]
   /// The same where surfaces whose nodes lie on a circle or on one of the shapes of round.hpp were
   /// that; else as `gap`.
   double round_gap = 0.0;

@@ -116,8 +116,8 @@ TEST(Mirrors, LoadsAreAskedBetweenNodes) {
   for (const char* load : {"TYPE=PRESSURE\n  XMIN (", "TYPE=TEMPERATURE\n  BODY (",
                            "TYPE=BODY\n  BODY 1 0\n  BODY ("}) {
     const std::string end = std::string(load).find(" 1 0") == std::string::npos ? ")" : ") 0";
-    EXPECT_EQ(with(load + one + end), "load case PULL is not") << load;
-    EXPECT_EQ(with(load + both + end), "") << load;
+    EXPECT_EQ(with(fmt::format("{}{}{}", load, one, end)), "load case PULL is not") << load;
+    EXPECT_EQ(with(fmt::format("{}{}{}", load, both, end)), "") << load;
   }
 }
 
