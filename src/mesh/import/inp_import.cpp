@@ -77,8 +77,8 @@ private:
   };
 
   [[nodiscard]] bool sound() const { return diagnostics_.error_count() == errors_; }
-  void error(InpLocation at, std::string code, std::string text, std::string hint = {}) {
-    words_.error(at, std::move(code), std::move(text), std::move(hint));
+  void error(InpLocation at, std::string code, const std::string& text, std::string hint = {}) {
+    words_.error(at, std::move(code), text, std::move(hint));
   }
 
   /// Labels of nodes become places in the file's list, those of no element drop out.
