@@ -46,7 +46,7 @@ public:
           return std::pair(a.place.file, a.place.line) < std::pair(b.place.file, b.place.line);
         });
     for (InpIssue& c : complaints) {
-      error(c.place, "E336", std::move(c.text), std::move(c.hint));
+      error(c.place, "E336", c.text, std::move(c.hint));
     }
     if (data_.element.empty() && sound()) {
       error({}, "E333", "there are no elements");
