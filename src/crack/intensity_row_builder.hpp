@@ -29,28 +29,28 @@ public:
   /// Rows of the nodal displacements, from the domains and the free sides that move with them.
   /// [dim * node, K]
   [[nodiscard]] SparseLinearFunctionals displacement_functionals() {
-    begin(static_cast<Eigen::Index>(mesh().node_count()));
+    reset_sums(static_cast<Eigen::Index>(mesh().node_count()));
     for (const base::ElementId e : front_.contracted_elements()) {
       add_element(e);
     }
     for (const MovedFreeSide& side : source_.moved_free_sides()) {
       add_side(side);
     }
-    return made();
+    return assemble_functionals();
   }
 
   /// Rows of what multiplies other functions, in place of the nodal ones.
   /// [dim * count, K]
   [[nodiscard]] SparseLinearFunctionals
   supplementary_functionals(const SupplementaryFunctions& others) {
-    begin(others.count);
+    reset_sums(others.count);
     for (const base::ElementId e : front_.contracted_elements()) {
       add_others(e, others);
     }
     for (const MovedFreeSide& side : source_.moved_free_sides()) {
       add_others_on(side, others);
     }
-    return made();
+    return assemble_functionals();
   }
 
   /// Rows of forces at points on sides, in the order of `places`; forces on sides that no domain
@@ -61,7 +61,7 @@ public:
     for (const FacePointForces& place : places) {
       count += place.points.size();
     }
-    begin(static_cast<Eigen::Index>(count));
+    reset_sums(static_cast<Eigen::Index>(count));
     Eigen::Index first = 0;
     for (const FacePointForces& place : places) {
       if (const std::optional<UpperOrLowerFace> known =
@@ -70,7 +70,7 @@ public:
       }
       first += static_cast<Eigen::Index>(place.points.size());
     }
-    return made();
+    return assemble_functionals();
   }
 
 private:
@@ -83,20 +83,20 @@ private:
   using Coefficients = Eigen::Matrix<double, dim, Eigen::Dynamic>;
 
   // For rows of so many functions. [dim * count, K]
-  void begin(Eigen::Index count) {
+  void reset_sums(Eigen::Index count) {
     slot_.assign(static_cast<std::size_t>(count), -1);
     sums_.clear();
   }
 
-  // What has been put.
-  [[nodiscard]] SparseLinearFunctionals made() const {
+  // What has been added up.
+  [[nodiscard]] SparseLinearFunctionals assemble_functionals() const {
     SparseLinearFunctionals rows(dim * static_cast<Eigen::Index>(slot_.size()), layout_.count());
     rows.reserve(std::ranges::count_if(sums_, [](double value) { return value != 0.0; }));
     for (Eigen::Index column = 0; column < layout_.count(); ++column) {
       rows.startVec(column);
       for (std::size_t f = 0; f < slot_.size(); ++f) {
         for (Eigen::Index c = 0; c < dim && slot_[f] >= 0; ++c) {
-          if (const double value = sums_[place(slot_[f], column) + static_cast<std::size_t>(c)];
+          if (const double value = sums_[sum_index(slot_[f], column) + static_cast<std::size_t>(c)];
               value != 0.0) {
             rows.insertBack(dim * static_cast<Eigen::Index>(f) + c, column) = value;
           }
@@ -107,19 +107,20 @@ private:
     return rows;
   }
 
-  [[nodiscard]] std::size_t place(std::int32_t slot, Eigen::Index column) const {
+  [[nodiscard]] std::size_t sum_index(std::int32_t slot, Eigen::Index column) const {
     return static_cast<std::size_t>(dim * (slot * layout_.count() + column));
   }
 
-  void put(Eigen::Index function, std::size_t point, std::size_t column, const Vector& value) {
+  void add_coefficients(Eigen::Index function, std::size_t point, std::size_t column,
+                        const Vector& value) {
     std::int32_t& slot = slot_[static_cast<std::size_t>(function)];
     if (slot < 0) {
-      const std::size_t width = place(1, 0);
+      const std::size_t width = sum_index(1, 0);
       slot = static_cast<std::int32_t>(sums_.size() / width);
       sums_.resize(sums_.size() + width, 0.0);
     }
     const int mode = static_cast<int>(front_.auxiliary_fields()[column]);
-    Eigen::Map<Vector>(sums_.data() + place(slot, layout_.at(point, mode))) += value;
+    Eigen::Map<Vector>(sums_.data() + sum_index(slot, layout_.at(point, mode))) += value;
   }
 
   /// Coefficients of functions for several pairs of a point of the front and an auxiliary field,
@@ -246,8 +247,8 @@ private:
   void put_nodes(std::span<const base::NodeId> nodes, std::size_t point, std::size_t column,
                  const Block& values) {
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-      put(static_cast<Eigen::Index>(nodes[n].index()), point, column,
-          values.col(static_cast<Eigen::Index>(n)));
+      add_coefficients(static_cast<Eigen::Index>(nodes[n].index()), point, column,
+                       values.col(static_cast<Eigen::Index>(n)));
     }
   }
 
@@ -257,8 +258,8 @@ private:
     const std::span<const std::int32_t> functions = others.of_element(e);
     const std::span<const double> signs = others.signs(e);
     for (std::size_t n = 0; n < functions.size(); ++n) {
-      put(static_cast<Eigen::Index>(functions[n]), point, column,
-          signs[n] * values.col(static_cast<Eigen::Index>(n)));
+      add_coefficients(static_cast<Eigen::Index>(functions[n]), point, column,
+                       signs[n] * values.col(static_cast<Eigen::Index>(n)));
     }
   }
 
@@ -303,9 +304,9 @@ private:
         const Vector moved = q * own.N(r);
         for (std::size_t k = 0; k < front_.auxiliary_fields().size(); ++k) {
           const std::size_t auxiliary = front_.auxiliary_fields()[k];
-          put(first + static_cast<Eigen::Index>(p), i, k,
-              -source_.context().intensity_conversion_factor(auxiliary) *
-                  (source_.auxiliary_side_gradient(*place, auxiliary) * moved));
+          add_coefficients(first + static_cast<Eigen::Index>(p), i, k,
+                           -source_.context().intensity_conversion_factor(auxiliary) *
+                               (source_.auxiliary_side_gradient(*place, auxiliary) * moved));
         }
       }
     }
@@ -314,7 +315,7 @@ private:
   KFunctionalIntegrand<Source> front_;
   const Source& source_;
   KLayout layout_;
-  std::vector<std::int32_t> slot_; ///< [function] among the sums, -1: nothing put yet
+  std::vector<std::int32_t> slot_; ///< [function] among the sums, -1: nothing added yet
   std::vector<double> sums_;       ///< [slot][K][dim]
   /// [type, degree of the rule] of other functions
   std::map<std::pair<base::ElementType, int>, std::vector<Eigen::MatrixX3d>> slopes_;

@@ -166,18 +166,18 @@ class Growth(RestartTest):
         of a run from the start, and what is kept then is of the law now."""
         self.expect(0, "run", self.deck(keeping(PLATE.format(shear=0, more=before))), "--quiet")
         kept = len(self.increments())
-        other = self.deck(keeping(PLATE.format(shear=0, more=now)), "other.deck")
+        other = self.deck(keeping(PLATE.format(shear=0, more=other_law)), "other.deck")
         self.expect(0, "run", other, "--restart", "--out", "again.run", "--quiet")
         listing = (self.folder / "again.run" / "listing.txt").read_text(encoding="utf-8")
         self.assertIn(f"{kept} of {kept} increments taken over", listing)
         self.expect(0, "run", other, "--restart", "--out", "third.run", "--quiet")
         self.same_folders(self.folder / "again.run", self.folder / "third.run")
         card = f"$RESTART READ='state.rst' AT={kept - 1} WRITE='last.rst'\n"  # rates kept there are of before
-        last = self.deck(keeping(PLATE.format(shear=0, more=now), card), "last.deck")
+        last = self.deck(keeping(PLATE.format(shear=0, more=other_law), card), "last.deck")
         self.expect(0, "run", last, "--quiet")
         listing = (self.folder / "last.run" / "listing.txt").read_text(encoding="utf-8")
         self.assertIn(f"{kept - 1} of {kept} increments taken over", listing)
-        self.expect(0, "run", self.deck(PLATE.format(shear=0, more=now), "new.deck"), "--quiet")
+        self.expect(0, "run", self.deck(PLATE.format(shear=0, more=other_law), "new.deck"), "--quiet")
         again, last, new = (self.life(f"{name}.run") for name in ("again", "last", "new"))
         self.assertEqual(len(again), len(new))
         for a, b, c in zip(again, last, new):
@@ -191,13 +191,13 @@ class Growth(RestartTest):
     def test_another_law_ends_elsewhere(self):
         """Before the last front that was kept, and behind it: only what lies behind is solved."""
         law = STEPS.format(amax=4).replace("M=3", "M=3.2")
-        for now, taken in ((law + " KC=420", "5 of 5"), (law.replace("AMAX=4", "AMAX=5"), "6 of [78]")):
+        for other_law, taken in ((law + " KC=420", "5 of 5"), (law.replace("AMAX=4", "AMAX=5"), "6 of [78]")):
             self.expect(0, "run", self.deck(keeping(PLATE.format(shear=0, more=STEPS.format(amax=4)))), "--quiet")
-            other = self.deck(keeping(PLATE.format(shear=0, more=now)), "other.deck")
+            other = self.deck(keeping(PLATE.format(shear=0, more=other_law)), "other.deck")
             self.expect(0, "run", other, "--restart", "--quiet")
             listing = (self.folder / "other.run" / "listing.txt").read_text(encoding="utf-8")
             self.assertRegex(listing, f"{taken} increments taken over")
-            self.expect(0, "run", self.deck(PLATE.format(shear=0, more=now), "new.deck"), "--quiet")
+            self.expect(0, "run", self.deck(PLATE.format(shear=0, more=other_law), "new.deck"), "--quiet")
             for a, b in zip(self.life("other.run"), self.life("new.run")):
                 self.assertAlmostEqual(a, b, delta=2e-3 * abs(b))
 
