@@ -161,9 +161,9 @@ class Growth(RestartTest):
         """Length and cycles at the end."""
         return [float(v) for v in (self.folder / run / "life_curve.csv").read_text().split()[-1].split(",")]
 
-    def check_another_law(self, before, now, tolerance=2e-3):
+    def check_another_law(self, before, other_law, tolerance=2e-3):
         """The fronts of one growth serve another law or spectrum: none is solved anew, the life is that
-        of a run from the start, and what is kept then is of the law now."""
+        of a run from the start, and what is kept then is of that law."""
         self.expect(0, "run", self.deck(keeping(PLATE.format(shear=0, more=before))), "--quiet")
         kept = len(self.increments())
         other = self.deck(keeping(PLATE.format(shear=0, more=other_law)), "other.deck")
