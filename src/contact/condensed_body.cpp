@@ -96,7 +96,7 @@ base::Matrix CondensedBody::spread(const base::Matrix& F) const {
 CondensedBody::CondensedBody(std::vector<std::int32_t> freedom, UncondensedBody whole,
                              const base::Matrix& modes)
     : freedom_(std::move(freedom)), Q_(modes), factor_(base::Matrix()), whole_(std::move(whole)) {
-  base::Matrix S = whole_.factor->take_schur();
+  base::Matrix S = whole_.factor.take_schur();
   held_modes_ = orthonormal(Q_.bottomRows(S.rows()));
   factor_ = solve::DenseCholesky(held(std::move(S), held_modes_));
   if (Q_.cols() > 0) {
@@ -121,7 +121,7 @@ base::Matrix CondensedBody::hold(const base::Matrix& load) const {
 
 // Of a whole body, with any rigid motion in it.
 base::Matrix CondensedBody::response(const base::Matrix& F) const {
-  return whole_.factor->solve(F, [&](const base::Matrix& load) { return hold(load); });
+  return whole_.factor.solve(F, [&](const base::Matrix& load) { return hold(load); });
 }
 
 // Loads in balance: what is none is taken off by forces on what rows weigh (solve.37).
@@ -133,9 +133,12 @@ base::Matrix CondensedBody::off_modes(base::Matrix F) const {
   return F;
 }
 
-solve::RowCompliance CondensedBody::compliance_with_externals_held(
-    const std::vector<std::vector<RowCoefficient>>& rows) const {
-  solve::RowCompliance out = whole_.factor->compliance_with_externals_held(as_sparse(rows));
+solve::RowCompliance
+CondensedBody::compliance_with_externals_held(const std::vector<std::vector<RowCoefficient>>& rows,
+                                              std::int64_t lasting,
+                                              solve::LastingColumns* kept) const {
+  solve::RowCompliance out =
+      whole_.factor.compliance_with_externals_held(as_sparse(rows), lasting, kept);
   if (out.condensed.rows() > 0) {
     out.W.noalias() += out.condensed.transpose() * hold(out.condensed);
     out.W.triangularView<Eigen::StrictlyUpper>() = out.W.transpose();

@@ -4,6 +4,7 @@
 #include "solve/condense.hpp"
 #include "solve/dense_cholesky.hpp"
 #include "solve/layered_cholesky.hpp"
+#include "solve/substructured_factor.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -19,11 +20,11 @@ struct RowCoefficient {
   bool operator==(const RowCoefficient&) const = default;
 };
 
-/// The net of a body of which nothing is condensed: all of its unknowns are external to contact,
+/// A body of which nothing is condensed: all of its unknowns are external to contact,
 /// and what loads do is asked of the sparse factor. Rows act on some of the unknowns alone.
 struct UncondensedBody {
-  std::shared_ptr<solve::Condensation> factor; ///< its externals hold the body, and no more
-  std::vector<Eigen::Index> weighed;           ///< unknowns that rows weigh
+  solve::SubstructuredFactor factor; ///< its externals hold the body, and no more
+  std::vector<Eigen::Index> weighed; ///< unknowns that rows weigh
 };
 
 /// A condensed body as contact sees it: stiffness between its external freedoms, and the rigid
@@ -51,12 +52,17 @@ public:
   }
   /// Whether it is a UncondensedBody; then compliance_with_externals_held() stands in the place of
   /// compliance_root().
-  [[nodiscard]] bool is_uncondensed() const { return whole_.factor != nullptr; }
+  [[nodiscard]] bool is_uncondensed() const { return !whole_.factor.empty(); }
   /// Y [.., k] with Y^T Y = F^T S+ F.
   [[nodiscard]] base::Matrix compliance_root(const base::Matrix& F) const;
-  /// G S+ G^T [k, k] of rows.
+  /// G S+ G^T [k, k] of rows. The first `lasting` of them weigh only locals of the part that lasts
+  /// (SubstructuredFactor), for which something is kept.
   [[nodiscard]] solve::RowCompliance
-  compliance_with_externals_held(const std::vector<std::vector<RowCoefficient>>& rows) const;
+  compliance_with_externals_held(const std::vector<std::vector<RowCoefficient>>& rows,
+                                 std::int64_t lasting = 0,
+                                 solve::LastingColumns* kept = nullptr) const;
+  /// Of an uncondensed body: what may be kept, and of what (SubstructuredFactor).
+  [[nodiscard]] const solve::SubstructuredFactor& factor() const { return whole_.factor; }
   /// S+ F [m, k].
   [[nodiscard]] base::Matrix displacements_under_forces(const base::Matrix& F) const;
 

@@ -70,9 +70,14 @@ private:
   ContactCompliances made_;
 };
 
-// Of a layered factor only the early rows outlast a length; a body with S of its own is kept as a
-// whole or not at all.
+// Of a layered factor only the early rows outlast a length, of an uncondensed body rows on its one
+// part; a body with S of its own is kept as a whole or not at all.
 bool ComplianceAssembly::may_last(std::size_t body, std::size_t row) const {
+  if (bodies_[body]->is_uncondensed()) {
+    return std::ranges::all_of(rows_[row], [&](const BodyRowEntry& e) {
+      return e.body != body || e.at < bodies_[body]->factor().lasting_unknowns();
+    });
+  }
   const solve::FactoredSchurComplement* factor = bodies_[body]->external_block_factor();
   return factor == nullptr || std::ranges::all_of(rows_[row], [&](const BodyRowEntry& e) {
            return e.body != body || factor->row[at(e.at)] < factor->L.first_block_size();
@@ -99,8 +104,7 @@ void ComplianceAssembly::add_body(std::size_t body, const PersistentRowSet& last
                                   const std::vector<const ConstraintRow*>& rows) {
   std::vector<std::size_t> stay; // rows of the body that last, and those that do not
   std::vector<std::size_t> move;
-  const bool keeps = body < lasting.kept.size() && lasting.kept[body] != nullptr &&
-                     !bodies_[body]->is_uncondensed();
+  const bool keeps = body < lasting.kept.size() && lasting.kept[body] != nullptr;
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     if (std::ranges::any_of(rows_[r], [&](const BodyRowEntry& e) { return e.body == body; })) {
       (keeps && lasting.row[r] && may_last(body, r) ? stay : move).push_back(r);
@@ -110,16 +114,20 @@ void ComplianceAssembly::add_body(std::size_t body, const PersistentRowSet& last
   // kept would not be known again.
   std::ranges::stable_sort(
       stay, {}, [&](std::size_t r) { return std::pair(rows[r]->node, rows[r]->tangential); });
-  const std::vector<std::vector<RowCoefficient>> moving = shares_of(body, move, false);
   const CondensedBody& own = *bodies_[body];
-  const solve::FactoredSchurComplement* factor = own.external_block_factor();
   if (own.is_uncondensed()) {
-    const solve::RowCompliance found = own.compliance_with_externals_held(moving);
+    std::vector<std::size_t> all = stay;
+    all.insert(all.end(), move.begin(), move.end());
+    const std::vector<std::vector<RowCoefficient>> shares = shares_of(body, all, false);
+    const solve::RowCompliance found = own.compliance_with_externals_held(
+        shares, index(stay.size()), keeps ? &lasting.kept[body]->columns : nullptr);
     made_.flops += found.flops;
-    add_compliance(move, move, found.W);
-    add_modes(body, move, moving);
+    add_compliance(all, all, found.W);
+    add_modes(body, all, shares);
     return;
   }
+  const std::vector<std::vector<RowCoefficient>> moving = shares_of(body, move, false);
+  const solve::FactoredSchurComplement* factor = own.external_block_factor();
   // Rows that do not last: half compliances anew; Y^T Y is symmetric to the last bit.
   const base::Matrix Y = own.compliance_root(as_columns(moving, own.external_freedoms().size()));
   add_compliance(move, move, solve::gram_matrix(Y));

@@ -11,9 +11,10 @@ namespace spricka::contact {
 /// The part of a body's compliance that belongs to rows which the next crack length has again.
 struct PersistentRowCompliance {
   std::vector<std::vector<RowCoefficient>> rows; ///< [k] in a canonical order
-  base::Matrix Y;         ///< [m, k] their half compliance; of early rows only
-  base::Matrix W;         ///< [k, k] Y^T Y
-  base::Matrix late_load; ///< [late, k] FirstBlockFactor::second_block_load_reduction of Y
+  base::Matrix Y;                ///< [m, k] their half compliance; of early rows only
+  base::Matrix W;                ///< [k, k] Y^T Y
+  base::Matrix late_load;        ///< [late, k] FirstBlockFactor::second_block_load_reduction of Y
+  solve::LastingColumns columns; ///< of an uncondensed body, in the place of all these
 };
 
 /// The rows that the next crack length has again, and what is kept of them for each body. The

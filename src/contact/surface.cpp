@@ -106,7 +106,7 @@ ContactSurface make_contact_surface(const model::Model& model, const model::Mesh
   constexpr base::ByDimension order{order_edges, keep_order};
   ContactSurface surface;
   const std::vector<model::Face> ordered = order.at(mesh.dim)(mesh, faces, surface.plane);
-  static_cast<FacetSurface&>(surface) = make_facet_surface(mesh, ordered);
+  static_cast<FacetSurface&>(surface) = make_facet_surface(mesh, ordered, model.mesh.node_count());
   for (const model::Face& face : ordered) {
     const bool first = &face == &ordered.front();
     const double E = model.element_material(mesh, face.element).E;

@@ -9,7 +9,8 @@
 namespace spricka::solve {
 
 Condensation::Condensation(base::SymmetricCsc K, std::int64_t externals, OrderingMethod ordering,
-                           double besides) {
+                           double besides)
+    : size_(K.n) {
   sparse_.emplace(std::move(K), externals, ordering, besides);
   report_ = sparse_->report();
   S_ = sparse_->take_schur();
@@ -17,7 +18,8 @@ Condensation::Condensation(base::SymmetricCsc K, std::int64_t externals, Orderin
 
 Condensation::Condensation(const base::SymmetricCsc& K, std::int64_t externals,
                            std::span<const CondensedNetBlock> blocks,
-                           std::shared_ptr<const FirstBlockFactor>* early) {
+                           std::shared_ptr<const FirstBlockFactor>* early)
+    : size_(K.n) {
   blas::force_single_blas_thread();
   // The sparse factor reports a want of memory itself; the full matrices on top of it throw.
   try {
@@ -62,13 +64,13 @@ base::Matrix
 Condensation::solve(const base::Matrix& f,
                     const SparseCondensation::ExternalDisplacementSolver& displacement) const {
   assert(report_.status == FactorStatus::ok);
-  return stacked_ ? stacked_->recover(displacement(stacked_->condense_load(f)), f)
-                  : sparse_->solve(f, displacement);
+  return stacked_ ? stacked_->solve(f, displacement) : sparse_->solve(f, displacement);
 }
 
 RowCompliance Condensation::compliance_with_externals_held(SparseRightHandSides F) const {
-  assert(report_.status == FactorStatus::ok && sparse_);
-  return sparse_->compliance_with_externals_held(std::move(F));
+  assert(report_.status == FactorStatus::ok);
+  return stacked_ ? stacked_->compliance_with_externals_held(F)
+                  : sparse_->compliance_with_externals_held(std::move(F));
 }
 
 } // namespace spricka::solve

@@ -45,6 +45,7 @@ public:
                                EarlyLateRowPartition* early = nullptr);
 
   [[nodiscard]] const FactorReport& report() const { return report_; }
+  [[nodiscard]] std::int64_t size() const { return size_; } ///< unknowns, externals included
   /// S [externals, externals], symmetric to the last bit.
   [[nodiscard]] const base::Matrix& schur() const { return S_; }
   /// Hands S over to who needs it last; schur() is empty from then on.
@@ -59,11 +60,12 @@ public:
   [[nodiscard]] base::Matrix
   solve(const base::Matrix& f,
         const SparseCondensation::ExternalDisplacementSolver& displacement) const;
-  /// F^T K^-1 F of columns with the externals held, and F condensed to these; without blocks.
+  /// F^T K^-1 F [k, k] of columns F [n, k] with the externals held, and F condensed to these.
   [[nodiscard]] RowCompliance compliance_with_externals_held(SparseRightHandSides F) const;
 
 private:
   FactorReport report_;
+  std::int64_t size_ = 0;
   base::Matrix S_;
   std::optional<SparseCondensation> sparse_;    ///< without dense blocks
   std::optional<TwoLevelCondensation> stacked_; ///< with dense blocks

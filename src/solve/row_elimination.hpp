@@ -15,6 +15,7 @@ struct SparseRightHandSides {
   std::vector<double> value;
 
   [[nodiscard]] std::int64_t count() const { return static_cast<std::int64_t>(start.size()) - 1; }
+  bool operator==(const SparseRightHandSides&) const = default;
 };
 
 /// What a body's locals do with such columns while its externals are held.

@@ -230,45 +230,51 @@ base::Matrix TwoLevelCondensation::below(const base::Matrix& f) const {
   return out;
 }
 
-// f on top with what the rows below hand over.
+// f on top with what the rows below hand over to those that they touch.
 base::Matrix TwoLevelCondensation::on_top(const base::Matrix& f,
-                                          const base::Matrix& f_below) const {
+                                          const base::Matrix& condensed) const {
   base::Matrix g(index(rows_.top.size()), f.cols());
   for (Eigen::Index i = 0; i < g.rows(); ++i) {
     g.row(i) = f.row(rows_.top[at(i)]);
   }
-  const base::Matrix condensed = below_->condense_load(f_below);
   for (std::size_t t = 0; t < rows_.touched.size(); ++t) {
     g.row(rows_.touched[t]) += condensed.row(index(t));
   }
   return g;
 }
 
-base::Matrix TwoLevelCondensation::condense_load(const base::Matrix& f) const {
-  base::Matrix g = on_top(f, below(f));
+base::Matrix TwoLevelCondensation::condense_top(base::Matrix g) const {
   // The inner rows of g become A_ii^-1 times them, A the full matrix on top.
   solve_inner(g, false);
   solve_inner(g, true);
   return g.bottomRows(rows_.external) - coupling_.transpose() * g.topRows(rows_.inner_count());
 }
 
-base::Matrix TwoLevelCondensation::recover(const base::Matrix& u_external,
-                                           const base::Matrix& f) const {
-  const base::Matrix f_below = below(f);
-  base::Matrix g = on_top(f, f_below);
-  // Known displacements go to the right-hand side of the inner rows.
-  if (rows_.external > 0) {
-    g.bottomRows(rows_.external) = u_external;
-    g.topRows(rows_.inner_count()) -= coupling_ * u_external;
-  }
-  solve_inner(g, false);
-  solve_inner(g, true);
-  // The top is the only thing that the rows below see: its touched rows are their externals.
-  base::Matrix u_touched(index(rows_.touched.size()), f.cols());
-  for (std::size_t t = 0; t < rows_.touched.size(); ++t) {
-    u_touched.row(index(t)) = g.row(rows_.touched[t]);
-  }
-  const base::Matrix inner = below_->recover(u_touched, f_below);
+base::Matrix TwoLevelCondensation::condense_load(const base::Matrix& f) const {
+  return condense_top(on_top(f, below_->condense_load(below(f))));
+}
+
+base::Matrix TwoLevelCondensation::substitute(
+    const base::Matrix& f,
+    const SparseCondensation::ExternalDisplacementSolver& displacement) const {
+  base::Matrix g;
+  const base::Matrix inner = below_->solve(below(f), [&](const base::Matrix& condensed) {
+    g = on_top(f, condensed);
+    // Known displacements go to the right-hand side of the inner rows.
+    if (rows_.external > 0) {
+      const base::Matrix u_external = displacement(g);
+      g.bottomRows(rows_.external) = u_external;
+      g.topRows(rows_.inner_count()) -= coupling_ * u_external;
+    }
+    solve_inner(g, false);
+    solve_inner(g, true);
+    // The top is the only thing that the rows below see: its touched rows are their externals.
+    base::Matrix u_touched(index(rows_.touched.size()), f.cols());
+    for (std::size_t t = 0; t < rows_.touched.size(); ++t) {
+      u_touched.row(index(t)) = g.row(rows_.touched[t]);
+    }
+    return u_touched;
+  });
   base::Matrix u(f.rows(), f.cols());
   for (std::size_t i = 0; i < rows_.below.size(); ++i) {
     u.row(rows_.below[i]) = inner.row(index(i));
@@ -277,6 +283,55 @@ base::Matrix TwoLevelCondensation::recover(const base::Matrix& u_external,
     u.row(rows_.top[i]) = g.row(index(i));
   }
   return u;
+}
+
+base::Matrix TwoLevelCondensation::recover(const base::Matrix& u_external,
+                                           const base::Matrix& f) const {
+  return substitute(f, [&](const base::Matrix&) { return u_external; });
+}
+
+base::Matrix TwoLevelCondensation::solve(
+    const base::Matrix& f,
+    const SparseCondensation::ExternalDisplacementSolver& displacement) const {
+  return substitute(f, [&](const base::Matrix& g) { return displacement(condense_top(g)); });
+}
+
+RowCompliance
+TwoLevelCondensation::compliance_with_externals_held(const SparseRightHandSides& F) const {
+  std::vector<std::int64_t> row(rows_.below.size() + rows_.top.size()); // below, then on top
+  for (std::size_t i = 0; i < rows_.below.size(); ++i) {
+    row[at(rows_.below[i])] = index(i);
+  }
+  const auto first_on_top = index(rows_.below.size());
+  for (std::size_t t = 0; t < rows_.top.size(); ++t) {
+    row[at(rows_.top[t])] = first_on_top + index(t);
+  }
+  SparseRightHandSides F_below;
+  base::Matrix g = base::Matrix::Zero(index(rows_.top.size()), index(F.count()));
+  for (std::int64_t k = 0; k < F.count(); ++k) {
+    for (std::int64_t p = F.start[at(k)]; p < F.start[at(k + 1)]; ++p) {
+      const std::int64_t place = row[at(F.row[at(p)])];
+      if (place < first_on_top) {
+        F_below.row.push_back(place);
+        F_below.value.push_back(F.value[at(p)]);
+      } else {
+        g(place - first_on_top, k) += F.value[at(p)];
+      }
+    }
+    F_below.start.push_back(index(F_below.row.size()));
+  }
+  RowCompliance out = below_->compliance_with_externals_held(std::move(F_below));
+  for (std::size_t t = 0; t < rows_.touched.size(); ++t) {
+    g.row(rows_.touched[t]) += out.condensed.row(index(t));
+  }
+  solve_inner(g, false);
+  const auto inner = rows_.inner_count();
+  out.W += gram_matrix(g.topRows(inner));
+  out.flops += static_cast<double>(inner) * static_cast<double>(F.count()) *
+               static_cast<double>(inner + F.count());
+  solve_inner(g, true);
+  out.condensed = g.bottomRows(rows_.external) - coupling_.transpose() * g.topRows(inner);
+  return out;
 }
 
 } // namespace spricka::solve

@@ -46,6 +46,12 @@ public:
   [[nodiscard]] base::Matrix condense_load(const base::Matrix& f) const;
   /// All unknowns [n, k] from external displacements [externals, k] and the loads f [n, k].
   [[nodiscard]] base::Matrix recover(const base::Matrix& u_external, const base::Matrix& f) const;
+  /// The same where the external displacements follow from the condensed loads [externals, k].
+  [[nodiscard]] base::Matrix
+  solve(const base::Matrix& f,
+        const SparseCondensation::ExternalDisplacementSolver& displacement) const;
+  /// F^T K^-1 F [k, k] of columns F [n, k] with the externals held, and F condensed to these.
+  [[nodiscard]] RowCompliance compliance_with_externals_held(const SparseRightHandSides& F) const;
 
 private:
   /// The full matrix of the top in parts: rows that are eliminated, their coupling with the
@@ -66,7 +72,13 @@ private:
   /// The inner rows of g [top, k] <- L^-1 or L^-T times them.
   void solve_inner(base::Matrix& g, bool transposed) const;
   [[nodiscard]] base::Matrix below(const base::Matrix& f) const;
-  [[nodiscard]] base::Matrix on_top(const base::Matrix& f, const base::Matrix& f_below) const;
+  /// What loads on top, g [top, k], come to on the externals [externals, k].
+  [[nodiscard]] base::Matrix condense_top(base::Matrix g) const;
+  /// All unknowns; `displacement` gives those of the externals from the loads on top [top, k].
+  [[nodiscard]] base::Matrix
+  substitute(const base::Matrix& f,
+             const SparseCondensation::ExternalDisplacementSolver& displacement) const;
+  [[nodiscard]] base::Matrix on_top(const base::Matrix& f, const base::Matrix& condensed) const;
 
   TwoLevelRows rows_;
   SchurMatrixOrFactor top_;

@@ -112,7 +112,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::vector<double> lengths = growth::growth_loop_crack_lengths(*model);
-  const analysis::CrackRegionPlan plan = analysis::plan_crack_region(*model, lengths, diagnostics);
+  analysis::CrackRegionPlan plan = analysis::plan_crack_region(*model, lengths, diagnostics);
   analysis::CondensationCache cache;
   const auto length = analysis::CrackLengthAnalysis::create({.model = *model, .cache = cache},
                                                             lengths.front(), plan, diagnostics);

@@ -84,7 +84,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::vector<double> lengths = growth::growth_loop_crack_lengths(*model);
-  const analysis::CrackRegionPlan plan = analysis::plan_crack_region(*model, lengths, diagnostics);
+  analysis::CrackRegionPlan plan = analysis::plan_crack_region(*model, lengths, diagnostics);
   analysis::CondensationCache cache;
   analysis::CondensationStatistics log;
   const std::unique_ptr<analysis::CrackLengthAnalysis> length =

@@ -67,7 +67,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   analysis::CondensationCache cache;
-  const analysis::CrackRegionPlan plan =
+  analysis::CrackRegionPlan plan =
       analysis::plan_crack_region(*model, growth::growth_loop_crack_lengths(*model), diagnostics);
   const double before = base::cpu_seconds();
   const auto length = analysis::CrackLengthAnalysis::create(

@@ -3,6 +3,7 @@
 constant load and spectra, K to a tolerance, slip carried from length to length; and further than it
 was asked to at first."""
 
+import csv
 import os
 
 from run_folders import TOP, RestartTest, corner, keeping, main
@@ -124,6 +125,33 @@ class Growth(RestartTest):
             self.assertIn(old, text)
             text = text.replace(old, new)
         self.check_deck(text, sessions=1)
+
+    def test_rest_of_a_lug(self):
+        """In space the region near a crack and the rest of its body, contact on both, are factorised apart:
+        the same bits from a restart, the K of the undivided body."""
+        text = (TOP / "decks" / "lug_corner_life.deck").read_text(encoding="utf-8")
+        for old, new in (("FILE='", f"FILE='{TOP}/decks/"), ("fine = 0.5", "fine = 0.6"), ("AMAX=6", "AMAX=1.4")):
+            self.assertIn(old, text)
+            text = text.replace(old, new)
+        self.check_deck(text, sessions=1)
+        listing = (self.folder / "whole.run" / "listing.txt").read_text(encoding="utf-8")
+        self.assertRegex(listing, r"region chosen: \d+ of \d+ elements")
+        alone = self.deck(text[: text.index("$LOADPATH")] + "$END\n", "alone.deck")
+        self.expect(0, "run", alone, "--quiet")
+        divided, whole = (self.k_of_first_front(run) for run in ("whole.run", "alone.run"))
+        self.assertEqual(len(divided), len(whole))
+        largest = max(abs(k) for k in whole)
+        for a, b in zip(divided, whole):
+            self.assertAlmostEqual(a, b, delta=1e-9 * largest)
+
+    def k_of_first_front(self, run):
+        """K1, K2, K3 of all steps and points."""
+        rows = csv.DictReader(
+            line
+            for line in (self.folder / run / "k.csv").read_text(encoding="utf-8").splitlines()
+            if not line.startswith("#")
+        )
+        return [float(row[k]) for row in rows if row["increment"] == "1" for k in ("K1", "K2", "K3")]
 
     def test_further(self):
         deck = PLATE.format(shear=0, more=STEPS.format(amax=4))

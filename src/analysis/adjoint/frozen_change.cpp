@@ -11,11 +11,14 @@ namespace {
 // Zero loads in the shape that condense_load() gives: a body that no K feels needs no half solve.
 CondensedLoad no_load(const SubstructuredBody& body, Eigen::Index columns) {
   CondensedLoad load;
+  load.external = base::Matrix::Zero(body.contact_unknown_count(), columns);
+  if (body.is_uncondensed()) {
+    return load;
+  }
   load.region = base::Matrix::Zero(body.region.map.size(), columns);
   for (const std::unique_ptr<Substructure>& part : body.parts) {
     load.part.emplace_back(base::Matrix::Zero(part->map.size(), columns));
   }
-  load.external = base::Matrix::Zero(body.contact_unknown_count(), columns);
   return load;
 }
 

@@ -130,10 +130,15 @@ base::OptionalFailure trouble_of(const model::Mesh& mesh, const std::string& bod
                   body, mesh.node_label[freedom / dim], "XYZ"[freedom % dim]));
 }
 
+std::span<const std::int32_t> external_freedoms(const fe::DofMap& map) {
+  return std::span(map.freedom).subspan(static_cast<std::size_t>(map.locals));
+}
+
 // Externals of a part are unknowns of the region or follow some, by construction of split().
 fe::Superelement super_of(const Substructure& part) {
   fe::Superelement super;
-  super.freedom.assign(part.map.freedom.begin() + part.map.locals, part.map.freedom.end());
+  const std::span<const std::int32_t> rim = external_freedoms(part.map);
+  super.freedom.assign(rim.begin(), rim.end());
   super.stiffness = &part.factor->schur();
   return super;
 }
@@ -152,6 +157,15 @@ void forget_unused(const std::vector<Task>& parts, const std::vector<Task>& regi
   std::erase_if(cache.nets, [&](const auto& entry) { return !used.contains(entry.first); });
   std::erase_if(cache.bodies, [&](const auto& entry) { return !used.contains(entry.first); });
   std::erase_if(cache.early, [&](const auto& entry) { return !used.contains(entry.first); });
+}
+
+solve::SubstructuredFactor factor_of(const SubstructuredBody& body) {
+  std::vector<solve::FactorisedPart> parts;
+  for (const std::unique_ptr<Substructure>& part : body.parts) {
+    parts.push_back({part->factor, part->map.locals,
+                     equation_numbers(body.region.map, external_freedoms(part->map))});
+  }
+  return {std::move(parts), body.region.factor, body.region.map.size()};
 }
 
 void condense_loads(const CondensationRequest& request, SubstructuredBody& body) {
@@ -186,13 +200,17 @@ bool keeps_parts_as_dense_blocks(const fe::DofMap& map,
 }
 
 bool externals_can_stay_factorised(const SubstructuredBody& body) {
-  return body.parts.size() == 1 && body.free_rigid_modes.cols() == 0 &&
+  return body.parts.size() == 1 && body.free_rigid_modes.cols() == 0 && !body.is_uncondensed() &&
          body.region.map.external_count() > 0;
 }
 
 CondensedLoad condense_load(const SubstructuredBody& body, const fe::ConstraintTransformation& ties,
                             const base::Matrix& nodal) {
   CondensedLoad out;
+  if (body.is_uncondensed()) {
+    out.external = rows_of(nodal, body.contact_freedoms());
+    return out;
+  }
   out.region = rows_of(nodal, body.region.map.freedom);
   const auto add = [&](std::int32_t freedom, double c, const Eigen::RowVectorXd& load) {
     const std::int32_t row = body.region.map.row[static_cast<std::size_t>(freedom)];
@@ -219,7 +237,7 @@ CondensedLoad condense_load(const SubstructuredBody& body, const fe::ConstraintT
       }
     }
   }
-  out.external = body.is_uncondensed() ? out.region : body.region.factor->condense_load(out.region);
+  out.external = body.region.factor->condense_load(out.region);
   return out;
 }
 
@@ -292,13 +310,14 @@ std::vector<SubstructuredBody> condense_bodies(const CondensationRequest& reques
         body.condensed = known->second;
         return;
       }
-      const std::vector<std::int32_t>& freedom = body.region.map.freedom;
       if (body.is_uncondensed()) {
+        const std::vector<std::int32_t> all = body.contact_freedoms();
         body.condensed = std::make_shared<contact::CondensedBody>(
-            freedom, contact::UncondensedBody{body.region.factor, body.region.weighed},
-            rows_of(body.free_rigid_modes, freedom));
+            all, contact::UncondensedBody{factor_of(body), body.region.weighed},
+            rows_of(body.free_rigid_modes, all));
         return;
       }
+      const std::vector<std::int32_t>& freedom = body.region.map.freedom;
       const auto locals = static_cast<std::size_t>(body.region.map.locals);
       std::vector<std::int32_t> external(freedom.begin() + body.region.map.locals, freedom.end());
       if (std::optional<solve::FactoredSchurComplement> factor =
@@ -339,18 +358,21 @@ void recover_body_displacements(const SubstructuredBody& body, const base::Matri
                                 const CondensedLoad& load, double constant, base::Matrix& u) {
   const base::Matrix own =
       body.is_uncondensed() ? u_external : body.region.factor->recover(u_external, load.region);
-  for (std::size_t i = 0; i < body.region.map.freedom.size(); ++i) {
-    u.row(body.region.map.freedom[i]) = own.row(static_cast<Eigen::Index>(i));
+  const std::vector<std::int32_t> freedoms =
+      body.is_uncondensed() ? body.contact_freedoms() : body.region.map.freedom;
+  for (std::size_t i = 0; i < freedoms.size(); ++i) {
+    u.row(freedoms[i]) = own.row(static_cast<Eigen::Index>(i));
   }
   // Dependent freedoms as prescribed ones and constants alone move them: the loads of a part have
   // this in them already (reduced_case_loads).
-  const base::Matrix given = body.parts.empty() ? base::Matrix() : u;
+  const bool parts_follow = !body.parts.empty() && !body.is_uncondensed();
+  const base::Matrix given = parts_follow ? u : base::Matrix();
   if (body.region.map.ties) {
     for (Eigen::Index k = 0; k < u.cols(); ++k) {
       body.region.map.ties->set_dependent_displacements(u.col(k), constant);
     }
   }
-  for (std::size_t p = 0; p < body.parts.size(); ++p) {
+  for (std::size_t p = 0; parts_follow && p < body.parts.size(); ++p) {
     const Substructure& part = *body.parts[p];
     const std::vector<std::int32_t>& freedom = part.map.freedom;
     const auto locals = static_cast<std::size_t>(part.map.locals);
@@ -373,7 +395,9 @@ void recover_body_displacements(const SubstructuredBody& body, const base::Matri
 void recover_body_displacements(const SubstructuredBody& body, const base::Vector& u_external,
                                 const base::Vector& case_factors, base::Vector& u) {
   CondensedLoad load;
-  load.region = body.region_load * case_factors;
+  if (!body.is_uncondensed()) {
+    load.region = body.region_load * case_factors;
+  }
   for (const base::Matrix& part : body.part_load) {
     load.part.emplace_back(part * case_factors);
   }

@@ -24,7 +24,8 @@ namespace spricka::analysis {
 struct Substructure {
   std::vector<base::ElementId> elements;
   fe::DofMap map;
-  /// Unknowns that contact rows weigh though they are locals: of a body that is not condensed.
+  /// Of the region of a body that is not condensed: the unknowns of its contact_freedoms() that
+  /// rows weigh.
   std::vector<Eigen::Index> weighed;
   std::shared_ptr<solve::Condensation> factor;
 };
@@ -32,8 +33,8 @@ struct Substructure {
 /// A body ready for contact: what elements and ties hold together. Its `parts` are condensed first,
 /// to their rims, tied and external nodes, and enter the `region` as big elements. Where a crack
 /// grows, what no length touches is a part; where several nets of the deck are tied to a body, each
-/// is one. A plain body is all region. A body that stays whole has only what holds it external, and
-/// contact sees all of its unknowns.
+/// is one. A plain body is all region. A body that stays uncondensed has only what holds it
+/// external, and contact sees all of its unknowns: the locals of its parts, then the region's.
 struct SubstructuredBody {
   std::string name; ///< "LUG", "LUG/2", "COARSE+FINE"
   fe::Body body;    ///< all pieces together
@@ -45,14 +46,13 @@ struct SubstructuredBody {
   std::vector<base::Matrix> part_load;                     ///< [part][unknowns of the part, case]
   base::Matrix region_load;   ///< [unknowns of region, case], part_load added in
   base::Matrix external_load; ///< [unknowns that contact sees, case] condensed
-  /// The same of a body that stays whole: what each case alone moves, without rigid motions.
+  /// The same of an uncondensed body: what each case alone moves, without rigid motions.
   base::Matrix case_motion;
 
   [[nodiscard]] bool is_uncondensed() const { return !region.weighed.empty(); }
-  /// Unknowns that contact sees.
-  [[nodiscard]] std::int64_t contact_unknown_count() const {
-    return is_uncondensed() ? region.map.size() : region.map.external_count();
-  }
+  /// Freedoms of the unknowns that contact sees.
+  [[nodiscard]] std::vector<std::int32_t> contact_freedoms() const;
+  [[nodiscard]] std::int64_t contact_unknown_count() const;
 };
 
 /// Keyed by a 128-bit hash of geometry, connectivity, materials, classes and externals.

@@ -17,7 +17,7 @@ namespace spricka::analysis {
 namespace {
 
 // A share of rest elements below which splitting a body does not pay.
-constexpr double least_rest = 0.3;
+constexpr double least_rest = 0.2;
 
 std::vector<base::NodeId> nodes_of(const model::Mesh& mesh,
                                    const std::vector<base::ElementId>& elements) {
@@ -116,9 +116,21 @@ fe::Body union_of(const std::vector<fe::Body>& pieces) {
   return all;
 }
 
+bool have_dependent_freedom(const CondensationRequest& request,
+                            const std::vector<base::ElementId>& elements) {
+  const auto dim = static_cast<std::size_t>(request.mesh.dim);
+  return std::ranges::any_of(nodes_of(request.mesh, elements), [&](base::NodeId n) {
+    const auto first = request.cls.begin() + static_cast<std::ptrdiff_t>(dim * n.index());
+    return std::find(first, first + static_cast<std::ptrdiff_t>(dim),
+                     model::FreedomRole::dependent) != first + static_cast<std::ptrdiff_t>(dim);
+  });
+}
+
 // Elements of a body that are condensed for themselves, by part; the others are the region's.
-std::vector<std::vector<base::ElementId>> parts_of(const CondensationRequest& request,
-                                                   const SubstructuredBody& body) {
+// Contact on unknowns of a part sees no ties there: with one a body that is not condensed is all
+// region.
+std::vector<std::vector<base::ElementId>>
+parts_of(const CondensationRequest& request, const SubstructuredBody& body, bool uncondensed) {
   const model::Mesh& mesh = request.mesh;
   std::map<base::NetId, std::vector<base::ElementId>> by_net;
   std::map<base::NetId, bool> cut; // a crack's region takes some of its elements
@@ -139,7 +151,7 @@ std::vector<std::vector<base::ElementId>> parts_of(const CondensationRequest& re
         cut[net] ? static_cast<double>(elements.size()) >= least_rest * static_cast<double>(count)
                  : by_net.size() > 1;
     const bool whole_body = by_net.size() == 1 && elements.size() == body.body.elements.size();
-    if (pays && !whole_body) {
+    if (pays && !whole_body && !(uncondensed && have_dependent_freedom(request, elements))) {
       parts.push_back(std::move(elements));
     }
   }
@@ -194,15 +206,17 @@ std::vector<bool> shared_nodes(const CondensationRequest& request,
   return shared;
 }
 
-// Whether the rows themselves are eliminated with a body's factor, instead of all freedoms that
-// they weigh. What lasts from one crack length to the next is better condensed once.
-bool stays_whole(const CondensationRequest& request, const SubstructuredBody& body,
-                 const std::vector<bool>& weighed) {
+// Whether the rows themselves are eliminated with a body's factors, instead of all freedoms that
+// they weigh. Nets that ties join are condensed to these.
+bool stays_uncondensed(const CondensationRequest& request, const SubstructuredBody& body,
+                       const std::vector<bool>& weighed) {
   const auto is_weighed = [&](base::NodeId n) { return weighed[n.index()]; };
-  const auto is_rest = [&](base::ElementId e) { return request.rest_element[e.index()]; };
+  const auto net = [&](base::ElementId e) { return request.mesh.element_net[e.index()]; };
+  const std::vector<base::ElementId>& elements = body.body.elements;
   return request.condensing == CondensationMode::automatic && request.mesh.dim == 3 &&
          std::ranges::any_of(body.body.nodes, is_weighed) &&
-         std::ranges::none_of(body.body.elements, is_rest) && parts_of(request, body).empty();
+         std::ranges::all_of(elements,
+                             [&](base::ElementId e) { return net(e) == net(elements.front()); });
 }
 
 // Nodes that contact rows weigh.
@@ -216,11 +230,11 @@ std::vector<bool> weighed_nodes(const CondensationRequest& request) {
   return weighed;
 }
 
-// Externals of a body that stays whole become locals; carriers hold it where it floats. Returns the
-// freedoms that they were.
-std::vector<std::int32_t> keep_whole(const CondensationRequest& request,
-                                     const SubstructuredBody& body,
-                                     std::vector<model::FreedomRole>& cls) {
+// Externals of a body that stays uncondensed become locals; carriers hold it where it floats.
+// Returns the freedoms that they were.
+std::vector<std::int32_t> make_externals_local(const CondensationRequest& request,
+                                               const SubstructuredBody& body,
+                                               std::vector<model::FreedomRole>& cls) {
   std::vector<std::int32_t> freedoms;
   const int dim = request.mesh.dim;
   for (const base::NodeId n : body.body.nodes) {
@@ -241,10 +255,29 @@ std::vector<std::int32_t> keep_whole(const CondensationRequest& request,
   return freedoms;
 }
 
+// Of the unknowns of a body, the locals of its parts and then those of its region, which are these
+// freedoms.
+std::vector<Eigen::Index> unknowns_of(const SubstructuredBody& body,
+                                      const std::vector<std::int32_t>& freedoms) {
+  std::vector<Eigen::Index> unknowns;
+  for (const std::int32_t freedom : freedoms) {
+    const auto f = static_cast<std::size_t>(freedom);
+    Eigen::Index first = 0;
+    Eigen::Index own = -1;
+    for (const std::unique_ptr<Substructure>& part : body.parts) {
+      const std::int32_t row = part->map.row[f];
+      own = row >= 0 && row < part->map.locals ? first + row : own;
+      first += part->map.locals;
+    }
+    unknowns.push_back(own >= 0 ? own : first + body.region.map.row[f]);
+  }
+  return unknowns;
+}
+
 void split(const CondensationRequest& request, SubstructuredBody& body,
-           const std::vector<model::FreedomRole>& cls) {
+           const std::vector<model::FreedomRole>& cls, bool uncondensed) {
   const model::Mesh& mesh = request.mesh;
-  std::vector<std::vector<base::ElementId>> lists = parts_of(request, body);
+  std::vector<std::vector<base::ElementId>> lists = parts_of(request, body, uncondensed);
   std::vector<base::NodeId> region_nodes = body.body.nodes;
   if (lists.empty()) {
     body.region.elements = body.body.elements;
@@ -293,6 +326,31 @@ void split(const CondensationRequest& request, SubstructuredBody& body,
 
 } // namespace
 
+std::vector<std::int32_t> SubstructuredBody::contact_freedoms() const {
+  const std::vector<std::int32_t>& last = region.map.freedom;
+  if (!is_uncondensed()) {
+    return {last.begin() + region.map.locals, last.end()};
+  }
+  std::vector<std::int32_t> all;
+  for (const std::unique_ptr<Substructure>& part : parts) {
+    const std::vector<std::int32_t>& own = part->map.freedom;
+    all.insert(all.end(), own.begin(), own.begin() + part->map.locals);
+  }
+  all.insert(all.end(), last.begin(), last.end());
+  return all;
+}
+
+std::int64_t SubstructuredBody::contact_unknown_count() const {
+  if (!is_uncondensed()) {
+    return region.map.external_count();
+  }
+  std::int64_t count = region.map.size();
+  for (const std::unique_ptr<Substructure>& part : parts) {
+    count += part->map.locals;
+  }
+  return count;
+}
+
 std::vector<SubstructuredBody> partition_bodies(const CondensationRequest& request) {
   std::vector<model::FreedomRole> cls = request.cls;
   const model::Mesh& mesh = request.mesh;
@@ -315,14 +373,13 @@ std::vector<SubstructuredBody> partition_bodies(const CondensationRequest& reque
         add_carriers(request, piece, cls);
       }
     }
-    std::vector<std::int32_t> whole;
-    if (stays_whole(request, body, weighed)) {
-      whole = keep_whole(request, body, cls);
+    std::vector<std::int32_t> local;
+    const bool uncondensed = stays_uncondensed(request, body, weighed);
+    if (uncondensed) {
+      local = make_externals_local(request, body, cls);
     }
-    split(request, body, cls);
-    for (const std::int32_t freedom : whole) {
-      body.region.weighed.push_back(body.region.map.row[static_cast<std::size_t>(freedom)]);
-    }
+    split(request, body, cls, uncondensed);
+    body.region.weighed = unknowns_of(body, local);
   }
   return bodies;
 }

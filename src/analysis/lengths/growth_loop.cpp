@@ -170,7 +170,7 @@ private:
                                                   RecondensedGrowthRegion& region) {
     const ScopedProfileInterval span(options_.recorder, "GROW", "where to solve next");
     std::optional<growth::CrackGeometry> next = integrator.propose_next_cracks(trial_);
-    if (next && next->solids.empty() && !integrator.growth_end()) { // bodies of solids stay whole
+    if (next && next->solids.empty() && !integrator.growth_end()) {
       region.update_region(next->lines, integrator, run_.log);
     }
     return next;
@@ -191,7 +191,7 @@ private:
     length.set_length(increment->a);
     const ScopedProfileInterval span(options_.recorder, "GROW",
                                      "station measured, judged and kept");
-    region.log_region_cost(run_.log);
+    region.log_region_cost(solver_.bodies_are_divided(), run_.log);
     LogWriter log(run_.log);
     const std::optional<results::LoadPathResult> path =
         corrected_growth_load_path(model_, *increment);

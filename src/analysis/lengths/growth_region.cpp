@@ -21,6 +21,11 @@ constexpr double farthest = 8.0;
 
 } // namespace
 
+RecondensedGrowthRegion::RecondensedGrowthRegion(const model::Model& model) : model_(model) {
+  plan_.follows_patches = std::ranges::none_of(model.cracks, &model::CrackDefinition::is_line);
+  plan_.split = plan_.follows_patches;
+}
+
 // Along the way ahead as it is known now: straight on from every tip, to AMAX or the next edge.
 void RecondensedGrowthRegion::choose(const std::vector<mesh::CrackLine>& lines,
                                      const growth::GrowthIntegrator& integrator) {
@@ -47,30 +52,35 @@ void RecondensedGrowthRegion::update_region(const std::vector<mesh::CrackLine>& 
   add_to_crack_region(model_, lines, here);
   // A region that holds all that this length touches stays, so that the rest is not condensed
   // again.
-  const bool within = !plan_.region.empty() &&
-                      std::ranges::equal(here.region, plan_.region,
-                                         [](bool in, bool planned) { return !in || planned; });
-  if (within) {
+  if (plan_.covers(here.region)) {
     return;
   }
-  LogWriter writer(log);
   const bool first = plan_.region.empty();
   choose(lines, integrator);
   renewed_ = !first;
-  writer.add_line("GROW",
-                  fmt::format("{}: {} of {} elements are condensed at every station",
-                              first ? "region chosen" : "a crack leaves its region, a new one",
-                              std::ranges::count(plan_.region, true), plan_.region.size()));
+  log_choice(first, log);
 }
 
-void RecondensedGrowthRegion::log_region_cost(std::vector<results::LogLine>& log) {
+void RecondensedGrowthRegion::log_choice(bool first, std::vector<results::LogLine>& log) const {
+  LogWriter(log).add_line(
+      "GROW", fmt::format("{}: {} of {} elements are condensed at every station",
+                          first ? "region chosen" : "a crack leaves its region, a new one",
+                          std::ranges::count(plan_.region, true), plan_.region.size()));
+}
+
+void RecondensedGrowthRegion::log_region_cost(bool divided, std::vector<results::LogLine>& log) {
   const auto last = std::find_if(log.rbegin(), log.rend(), [](const results::LogLine& line) {
     return line.processor == "CONDENSE";
   });
-  if (last == log.rend()) {
+  if (last == log.rend() || !divided) {
     return;
   }
   const double cpu = last->cpu;
+  if (plan_.follows_patches && plan_.region != before_) {
+    renewed_ = !before_.empty();
+    log_choice(before_.empty(), log);
+    before_ = plan_.region;
+  }
   if (renewed_) {
     LogWriter(log).add_line("GROW",
                             fmt::format("the new region cost {:.2f} s: the rest was condensed "
@@ -96,6 +106,7 @@ void RecondensedGrowthRegion::restore_state(const results::NamedArrays& arrays) 
     throw base::CorruptStoredField("region", "a region of another mesh");
   }
   plan_.region.assign(region->second.begin(), region->second.end());
+  before_ = plan_.region;
   plan_.split = results::required_array(arrays.integers, "region.split", 1)[0] != 0;
 }
 

@@ -3,6 +3,7 @@
 
 #include "analysis/recover/net_errors.hpp"
 #include "analysis/recover/recover_step.hpp"
+#include "analysis/scene/patch_region.hpp"
 #include "analysis/scene/scene_loads.hpp"
 #include "analysis/steps/crack_face_contact.hpp"
 #include "growth/crack_lines.hpp"
@@ -15,15 +16,20 @@ namespace spricka::analysis {
 
 std::unique_ptr<CrackLengthAnalysis>
 CrackLengthAnalysis::create(const CrackLengthContext& parts,
-                            const std::vector<mesh::CrackLine>& lines, const CrackRegionPlan& plan,
+                            const std::vector<mesh::CrackLine>& lines, CrackRegionPlan& plan,
                             base::Diagnostics& diagnostics) {
   std::optional<Discretisation> scene = discretise(parts.model, lines, plan, diagnostics);
-  return scene ? std::make_unique<CrackLengthAnalysis>(parts, std::move(*scene)) : nullptr;
+  if (!scene) {
+    return nullptr;
+  }
+  if (follow_patches(parts.model.mesh, scene->cracked, plan)) {
+    mark_rest_elements(plan, *scene);
+  }
+  return std::make_unique<CrackLengthAnalysis>(parts, std::move(*scene));
 }
 
 std::unique_ptr<CrackLengthAnalysis> CrackLengthAnalysis::create(const CrackLengthContext& parts,
-                                                                 double a,
-                                                                 const CrackRegionPlan& plan,
+                                                                 double a, CrackRegionPlan& plan,
                                                                  base::Diagnostics& diagnostics) {
   const std::optional<std::vector<mesh::CrackLine>> lines =
       growth::crack_lines(parts.model, a, diagnostics);

@@ -38,14 +38,14 @@ struct CrackLengthContext {
 class CrackLengthAnalysis {
 public:
   /// Cracks cut in, pairs made, nothing condensed. Mistakes of the deck that only show here go to
-  /// `diagnostics` and give null.
+  /// `diagnostics` and give null. A plan that follows patches is brought up to date.
   static std::unique_ptr<CrackLengthAnalysis> create(const CrackLengthContext& parts,
                                                      const std::vector<mesh::CrackLine>& lines,
-                                                     const CrackRegionPlan& plan,
+                                                     CrackRegionPlan& plan,
                                                      base::Diagnostics& diagnostics);
   /// The same with cracks of length `a`; 0: as the deck gives them.
   static std::unique_ptr<CrackLengthAnalysis> create(const CrackLengthContext& parts, double a,
-                                                     const CrackRegionPlan& plan,
+                                                     CrackRegionPlan& plan,
                                                      base::Diagnostics& diagnostics);
   CrackLengthAnalysis(const CrackLengthContext& parts, Discretisation scene);
   CrackLengthAnalysis(const CrackLengthAnalysis&) = delete;

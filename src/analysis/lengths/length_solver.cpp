@@ -77,7 +77,7 @@ CrackLengthContext CrackStateSolver::parts() {
 }
 
 std::optional<results::CrackLengthResult> CrackStateSolver::solve(const CrackStateRequest& request,
-                                                                  const CrackRegionPlan& plan) {
+                                                                  CrackRegionPlan& plan) {
   LogWriter log(log_, options_.recorder);
   const double a = request.a;
   if (!request.cracks.solids.empty()) {
@@ -139,6 +139,8 @@ std::optional<results::CrackLengthResult> CrackStateSolver::solve(const CrackSta
     close_faces(touching, *length, log);
   } while (!touching.empty());
   increment.unknowns = unknowns(length->bodies());
+  divided_ = std::ranges::any_of(length->bodies(),
+                                 [](const SubstructuredBody& body) { return !body.parts.empty(); });
   Discretisation scene = CrackLengthAnalysis::take_discretisation(std::move(length));
   fronts_ = scene.cracked.fronts;
   plastic_ = section_load_ratios(model_, scene, increment);

@@ -42,10 +42,13 @@ public:
 
   /// Empty: a mistake of the deck (in the diagnostics) or a model that cannot be solved (trouble).
   std::optional<results::CrackLengthResult> solve(const CrackStateRequest& request,
-                                                  const CrackRegionPlan& plan);
+                                                  CrackRegionPlan& plan);
 
   /// Of the state that was solved last.
   [[nodiscard]] const std::vector<mesh::CrackFront>& crack_fronts() const { return fronts_; }
+
+  /// Whether some body of that state was condensed in parts.
+  [[nodiscard]] bool bodies_are_divided() const { return divided_; }
 
   /// By front in space, with SFLOW: force and moments of the section before it at the growth's
   /// largest load, over their plastic limit.
@@ -99,6 +102,7 @@ private:
   std::vector<mesh::CrackFront> fronts_;
   std::vector<double> plastic_;
   bool first_ = true;
+  bool divided_ = false;
 };
 
 } // namespace spricka::analysis

@@ -76,7 +76,7 @@ bool solve_lengths(const model::Model& model, const SolveOptions& options,
                    base::Diagnostics& diagnostics, base::OptionalFailure& trouble,
                    results::RunResult& run) {
   const std::vector<double> lengths = growth::growth_loop_crack_lengths(model);
-  const CrackRegionPlan plan = one_region(model, options, lengths, diagnostics);
+  CrackRegionPlan plan = one_region(model, options, lengths, diagnostics);
   if (diagnostics.has_errors()) {
     return false;
   }

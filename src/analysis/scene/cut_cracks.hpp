@@ -4,6 +4,7 @@
 #include "mesh/cut/cracked.hpp"
 #include "model/forward.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -19,6 +20,14 @@ std::optional<mesh::CrackedMesh> make_cracked_mesh(const model::Model& model,
 struct CrackRegionPlan {
   std::vector<bool> region; ///< [host element] some length's cavity touches it
   bool split = false;       ///< worth condensing region and rest apart (several lengths)
+  /// In space: the region is that of the patches (patch_region.hpp); empty before the first cut.
+  bool follows_patches = false;
+
+  /// Whether all of these elements [host element] are in the region.
+  [[nodiscard]] bool covers(const std::vector<bool>& elements) const {
+    return !region.empty() &&
+           std::ranges::equal(elements, region, [](bool in, bool own) { return !in || own; });
+  }
 };
 
 /// The region of the host that the cracks of all lengths touch.

@@ -113,6 +113,15 @@ std::optional<Discretisation> discretise(const model::Model& model, double a,
   return lines ? discretise(model, *lines, plan, diagnostics) : std::nullopt;
 }
 
+void mark_rest_elements(const CrackRegionPlan& plan, Discretisation& scene) {
+  const std::vector<base::ElementId>& hosts = scene.cracked.host;
+  scene.rest_element.assign(hosts.size(), false);
+  for (std::size_t e = 0; plan.split && !plan.region.empty() && e < hosts.size(); ++e) {
+    // Elements of patches are others at each length: none can be condensed beforehand.
+    scene.rest_element[e] = hosts[e].valid() && !plan.region[hosts[e].index()];
+  }
+}
+
 std::optional<Discretisation> discretise(const model::Model& model,
                                          const std::vector<mesh::CrackLine>& lines,
                                          const CrackRegionPlan& plan,
@@ -153,12 +162,7 @@ std::optional<Discretisation> discretise(const model::Model& model,
       }
     }
   }
-  scene.rest_element.assign(mesh.element_count(), false);
-  for (std::size_t e = 0; plan.split && e < mesh.element_count(); ++e) {
-    const base::ElementId host = scene.cracked.host[e];
-    // Elements of patches are others at each length: none can be condensed beforehand.
-    scene.rest_element[e] = host.valid() && !plan.region[host.index()];
-  }
+  mark_rest_elements(plan, scene);
   if (!make_case_loads(model, scene, diagnostics)) {
     return std::nullopt;
   }

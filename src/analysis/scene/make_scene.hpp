@@ -23,4 +23,7 @@ std::optional<Discretisation> discretise(const model::Model& model,
                                          const CrackRegionPlan& plan,
                                          base::Diagnostics& diagnostics);
 
+/// Marks the elements of the host that no crack of the plan will touch.
+void mark_rest_elements(const CrackRegionPlan& plan, Discretisation& scene);
+
 } // namespace spricka::analysis

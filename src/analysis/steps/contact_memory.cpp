@@ -44,14 +44,17 @@ ContactDataForNextLength::find_persistent_rows(const Discretisation& scene,
     const bool stays = std::ranges::all_of(
         bodies[b].body.elements, [&](base::ElementId e) { return scene.rest_element[e.index()]; });
     const solve::FactoredSchurComplement* factor = bodies[b].condensed->external_block_factor();
-    if (!stays && factor == nullptr) {
+    const solve::SubstructuredFactor* in_parts =
+        bodies[b].condensed->is_uncondensed() ? &bodies[b].condensed->factor() : nullptr;
+    if (!stays && factor == nullptr && (in_parts == nullptr || bodies[b].parts.size() != 1)) {
       lasting.kept.push_back(nullptr);
       continue;
     }
     // What the kept rows were made of: another factor makes them worthless.
     const std::shared_ptr<const void> of =
-        factor != nullptr ? std::shared_ptr<const void>(factor->L.first_block())
-                          : bodies[b].condensed;
+        factor != nullptr     ? std::shared_ptr<const void>(factor->L.first_block())
+        : in_parts != nullptr ? in_parts->lasting_factor()
+                              : bodies[b].condensed;
     std::unique_ptr<PersistentBodyCompliance>& kept = bodies_[b];
     if (!kept || kept->of != of) {
       kept = std::make_unique<PersistentBodyCompliance>(PersistentBodyCompliance{of, {}});

@@ -16,7 +16,7 @@ namespace spricka::contact {
 namespace {
 
 std::optional<AnalyticShape> shape_of(const model::Mesh& mesh, const FacetSurface& surface,
-                                      std::size_t part) {
+                                      std::size_t part, std::size_t deck_nodes) {
   std::set<base::NodeId> nodes;
   std::vector<PointNormal> normals;
   for (std::size_t f = 0; f < surface.facets.size(); ++f) {
@@ -27,17 +27,23 @@ std::optional<AnalyticShape> shape_of(const model::Mesh& mesh, const FacetSurfac
       normals.push_back({centre.x, centre.area_vector().normalized()});
     }
   }
+  const auto is_deck_node = [&](base::NodeId n) { return n.index() < deck_nodes; };
+  const bool few =
+      2 * static_cast<std::size_t>(std::ranges::count_if(nodes, is_deck_node)) < nodes.size();
   std::vector<Vec3> points;
   points.reserve(nodes.size());
   for (const base::NodeId n : nodes) {
-    points.push_back(mesh.x[n.index()]);
+    if (few || is_deck_node(n)) {
+      points.push_back(mesh.x[n.index()]);
+    }
   }
   return fit_analytic_shape(points, normals, surface.extent);
 }
 
 } // namespace
 
-FacetSurface make_facet_surface(const model::Mesh& mesh, const std::vector<model::Face>& faces) {
+FacetSurface make_facet_surface(const model::Mesh& mesh, const std::vector<model::Face>& faces,
+                                std::size_t deck_nodes) {
   FacetSurface surface;
   geometry::Box<3> box;
   double size = 0.0;
@@ -64,7 +70,7 @@ FacetSurface make_facet_surface(const model::Mesh& mesh, const std::vector<model
   surface.part = smooth_part_numbers(surface.facets);
   const std::size_t parts = *std::ranges::max_element(surface.part) + 1;
   for (std::size_t p = 0; p < parts; ++p) {
-    surface.rounds.push_back(shape_of(mesh, surface, p));
+    surface.rounds.push_back(shape_of(mesh, surface, p, deck_nodes));
   }
   return surface;
 }

@@ -47,8 +47,11 @@ struct FacetSurface {
 /// edges, mid nodes between their ends, in space by part and node.
 std::vector<SmoothPartNode> smooth_part_nodes(const FacetSurface& surface);
 
-/// The surface that faces of elements make up, in their order.
-FacetSurface make_facet_surface(const model::Mesh& mesh, const std::vector<model::Face>& faces);
+/// The surface that faces of elements make up, in their order. Its shapes are those of the first
+/// `deck_nodes` nodes of the mesh, where they are half of a part at least: the nodes of patches lie
+/// off the shape by 1e-9 of its size, and others each time a crack is cut.
+FacetSurface make_facet_surface(const model::Mesh& mesh, const std::vector<model::Face>& faces,
+                                std::size_t deck_nodes);
 
 /// Length of an edge, area of a face.
 double facet_length_or_area(const geometry::ElementSide& facet);

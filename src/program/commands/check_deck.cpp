@@ -91,8 +91,7 @@ public:
       }
     }
     const std::vector<double> lengths = growth::growth_loop_crack_lengths(model_);
-    const analysis::CrackRegionPlan plan =
-        analysis::plan_crack_region(model_, lengths, diagnostics);
+    analysis::CrackRegionPlan plan = analysis::plan_crack_region(model_, lengths, diagnostics);
     if (diagnostics.has_errors()) {
       return;
     }

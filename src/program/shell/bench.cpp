@@ -99,7 +99,7 @@ InteractiveSolver::InteractiveSolver(const InteractiveSolverInputs& parts)
     : parts_(parts), shown_(model_to_show(parts.model)) {}
 
 std::unique_ptr<InteractiveSolver> InteractiveSolver::make(const InteractiveSolverInputs& parts,
-                                                           const analysis::CrackRegionPlan& plan,
+                                                           analysis::CrackRegionPlan& plan,
                                                            base::Diagnostics& diagnostics,
                                                            base::OptionalFailure& trouble) {
   std::unique_ptr<InteractiveSolver> bench(new InteractiveSolver(parts));

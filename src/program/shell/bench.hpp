@@ -37,7 +37,7 @@ class InteractiveSolver {
 public:
   /// Cuts the cracks and condenses the nets. Mistakes that only show here go to `diagnostics`.
   static std::unique_ptr<InteractiveSolver> make(const InteractiveSolverInputs& parts,
-                                                 const analysis::CrackRegionPlan& plan,
+                                                 analysis::CrackRegionPlan& plan,
                                                  base::Diagnostics& diagnostics,
                                                  base::OptionalFailure& trouble);
   InteractiveSolver(const InteractiveSolver&) = delete;
