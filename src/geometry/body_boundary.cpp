@@ -7,9 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <map>
-#include <tuple>
+#include <numeric>
 
 #include <Eigen/Geometry>
 
@@ -77,112 +75,159 @@ const base::ByDimension<BodyBoundary::FacetKind> BodyBoundary::FacetKind::kinds{
      .nearest = [](const Vec3& x, const Corners& of) { return nearest_point(x, of); }}};
 
 BodyBoundary::BodyBoundary(int dim, const std::vector<FlatBoundaryFacet>& facets)
-    : kind_(&FacetKind::kinds.at(dim)) {
+    : kind_(&FacetKind::kinds.at(dim)), facets_(facets) {
   std::vector<Box<3>> boxes;
+  boxes.reserve(facets.size());
   for (const FlatBoundaryFacet& facet : facets) {
-    const std::array<Vec3, 3>& x = facet.x;
-    facets_.push_back({x, kind_->area_vector(x).normalized()});
-    boxes.push_back(Box<3>::around(std::span(x).first(kind_->corners)));
+    boxes.push_back(Box<3>::around(std::span(facet.x).first(kind_->corners)));
     box_.extend(boxes.back());
   }
   tree_ = BoxTree<3>(boxes);
-  sum_at_corners(facets);
-  join(ridges(facets));
+  collect_facets_at_vertices();
 }
 
-void BodyBoundary::sum_at_corners(const std::vector<FlatBoundaryFacet>& facets) {
-  const std::size_t corners = kind_->corners;
-  std::map<std::size_t, Vec3> sums;
-  for (std::size_t f = 0; f < facets.size(); ++f) {
-    const std::array<Vec3, 3>& x = facets[f].x;
-    for (std::size_t i = 0; i < corners; ++i) {
-      sums.try_emplace(facets[f].vertex[i], Vec3::Zero()).first->second +=
-          kind_->angle_at(x, i) * facets_[f].normal;
+void BodyBoundary::collect_facets_at_vertices() {
+  std::size_t highest = 0;
+  lowest_ = facets_.empty() ? 0 : facets_.front().vertex[0];
+  const auto visit_corners = [&](const auto& visit) {
+    for (std::size_t f = 0; f < facets_.size(); ++f) {
+      for (std::size_t i = 0; i < kind_->corners; ++i) {
+        visit(facets_[f].vertex[i], FacetCorner{f, i});
+      }
     }
-  }
-  for (std::size_t f = 0; f < facets.size(); ++f) {
-    for (std::size_t i = 0; i < corners; ++i) {
-      facets_[f].at_corner[i] = sums.at(facets[f].vertex[i]);
-    }
-    facets_[f].at_edge.fill(facets_[f].normal);
-  }
+  };
+  visit_corners([&](std::size_t vertex, const FacetCorner&) {
+    lowest_ = std::min(lowest_, vertex);
+    highest = std::max(highest, vertex);
+  });
+  first_.assign(highest - lowest_ + 2, 0);
+  visit_corners([&](std::size_t vertex, const FacetCorner&) { ++first_[vertex - lowest_ + 1]; });
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  at_vertex_.resize(first_.back());
+  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  visit_corners([&](std::size_t vertex, const FacetCorner& corner) {
+    at_vertex_[next[vertex - lowest_]++] = corner;
+  });
 }
 
-std::vector<BodyBoundary::Ridge>
-BodyBoundary::ridges(const std::vector<FlatBoundaryFacet>& facets) const {
-  // By their vertices, so that those of two facets follow each other.
-  std::vector<std::tuple<std::size_t, std::size_t, std::size_t, std::size_t>> all;
-  for (std::size_t f = 0; f < facets.size(); ++f) {
-    for (std::size_t i = 0; i < kind_->corners; ++i) {
-      const std::size_t first = facets[f].vertex[i];
-      const std::size_t next = facets[f].vertex[(i + kind_->ridge_corners - 1) % 3];
-      all.emplace_back(std::min(first, next), std::max(first, next), f, i);
-    }
-  }
-  std::ranges::sort(all);
-  std::vector<Ridge> shared;
-  for (std::size_t k = 0; k + 1 < all.size(); ++k) {
-    const auto& [a, b, f, i] = all[k];
-    const auto& [c, d, g, j] = all[k + 1];
-    if (a == c && b == d) {
-      shared.push_back({std::pair(f, i), std::pair(g, j)});
-    }
-  }
-  return shared;
+Vec3 BodyBoundary::facet_normal(std::size_t f) const {
+  return kind_->area_vector(facets_[f].x).normalized();
 }
 
-void BodyBoundary::join(const std::vector<Ridge>& ridges) {
-  std::vector<Ridge> smooth;
-  for (const Ridge& ridge : ridges) {
-    const auto& [f, i] = ridge[0];
-    const auto& [g, j] = ridge[1];
-    facets_[f].at_edge[i] = facets_[g].at_edge[j] = facets_[f].normal + facets_[g].normal;
-    const double turn = angle_between(facets_[f].normal, facets_[g].normal);
-    if (!(turn < sharp_turn)) {
-      continue;
+Vec3 BodyBoundary::corner_normal(std::size_t f, std::size_t corner) const {
+  Vec3 sum = Vec3::Zero();
+  for (const FacetCorner& at : facets_at(facets_[f].vertex[corner])) {
+    sum += kind_->angle_at(facets_[at.facet].x, at.corner) * facet_normal(at.facet);
+  }
+  return sum;
+}
+
+std::span<const BodyBoundary::FacetCorner> BodyBoundary::facets_at(std::size_t vertex) const {
+  const std::size_t from = first_[vertex - lowest_];
+  return std::span(at_vertex_).subspan(from, first_[vertex - lowest_ + 1] - from);
+}
+
+std::vector<BodyBoundary::FacetCorner> BodyBoundary::facets_at_ridge(std::size_t f,
+                                                                     std::size_t ridge) const {
+  // In the plane both ends are one.
+  const auto other_end = [&](const FacetCorner& at) {
+    return facets_[at.facet].vertex[(at.corner + kind_->ridge_corners - 1) % 3];
+  };
+  const std::size_t a = facets_[f].vertex[ridge];
+  const std::size_t b = other_end({f, ridge});
+  std::vector<FacetCorner> found;
+  for (const FacetCorner& at : facets_at(a)) {
+    if (other_end(at) == b) {
+      found.push_back(at);
     }
-    smooth.push_back(ridge);
-    for (const std::size_t p : {f, g}) {
-      const double rise = kind_->size(facets_[p].x) * turn / kind_->flatness;
-      facets_[p].rise = std::max(facets_[p].rise, rise);
+  }
+  if (a != b) {
+    for (const FacetCorner& at : facets_at(b)) {
+      if (other_end(at) == a) {
+        found.push_back(at);
+      }
     }
   }
-  if (!kind_->in_pairs) {
-    return;
+  std::ranges::sort(found, {},
+                    [](const FacetCorner& at) { return std::pair(at.facet, at.corner); });
+  return found;
+}
+
+Vec3 BodyBoundary::ridge_normal(std::size_t f, std::size_t ridge) const {
+  const std::vector<FacetCorner> all = facets_at_ridge(f, ridge);
+  if (all.size() < 2) {
+    return facet_normal(f);
   }
-  // The curve above two in a plane is that beside them.
-  std::vector<double> rise;
-  std::ranges::transform(facets_, std::back_inserter(rise), &FacetWithNormals::rise);
-  for (const Ridge& ridge : smooth) {
-    const std::size_t f = ridge[0].first;
-    const std::size_t g = ridge[1].first;
-    facets_[f].rise = std::max(facets_[f].rise, rise[g]);
-    facets_[g].rise = std::max(facets_[g].rise, rise[f]);
+  const auto own = std::ranges::find_if(
+      all, [&](const FacetCorner& at) { return at.facet == f && at.corner == ridge; });
+  // Of several that of the next one.
+  const FacetCorner& other = own + 1 != all.end() ? *(own + 1) : *(own - 1);
+  return facet_normal(f) + facet_normal(other.facet);
+}
+
+std::vector<std::pair<std::size_t, double>> BodyBoundary::smooth_neighbours(std::size_t f) const {
+  std::vector<std::pair<std::size_t, double>> found;
+  for (std::size_t i = 0; i < kind_->corners; ++i) {
+    const std::vector<FacetCorner> all = facets_at_ridge(f, i);
+    for (std::size_t k = 0; k + 1 < all.size(); ++k) {
+      for (const auto& [own, other] :
+           {std::pair(all[k], all[k + 1]), std::pair(all[k + 1], all[k])}) {
+        if (own.facet != f || own.corner != i) {
+          continue;
+        }
+        const double turn =
+            angle_between(facet_normal(all[k].facet), facet_normal(all[k + 1].facet));
+        if (turn < sharp_turn) {
+          found.emplace_back(other.facet, turn);
+        }
+      }
+    }
   }
+  return found;
+}
+
+double BodyBoundary::rise_towards_neighbours(std::size_t f) const {
+  double most = 0.0;
+  for (const auto& [other, turn] : smooth_neighbours(f)) {
+    most = std::max(most, kind_->size(facets_[f].x) * turn / kind_->flatness);
+  }
+  return most;
+}
+
+double BodyBoundary::rise(std::size_t f) const {
+  double most = rise_towards_neighbours(f);
+  if (kind_->in_pairs) { // the curve above two in a plane is that beside them
+    for (const auto& [other, turn] : smooth_neighbours(f)) {
+      most = std::max(most, rise_towards_neighbours(other));
+    }
+  }
+  return most;
 }
 
 std::optional<BoundaryDistance> BodyBoundary::signed_distance(const Vec3& x, double reach) const {
-  std::optional<BoundaryDistance> found;
+  std::optional<NearestTrianglePoint> found;
   double best = reach;
   std::size_t nearest = 0;
   const auto look_at = [&](std::size_t f) {
-    const FacetWithNormals& facet = facets_[f];
-    const NearestTrianglePoint at = kind_->nearest(x, facet.x);
-    const Vec3 off = x - at.x;
-    const double distance = off.norm();
+    const NearestTrianglePoint at = kind_->nearest(x, facets_[f].x);
+    const double distance = (x - at.x).norm();
     // Of several as near the last.
     if (distance < best || (distance == best && f >= nearest)) {
       best = distance;
       nearest = f;
-      const Vec3& n = at.corner >= 0 ? facet.at_corner[static_cast<std::size_t>(at.corner)]
-                      : at.edge >= 0 ? facet.at_edge[static_cast<std::size_t>(at.edge)]
-                                     : facet.normal;
-      found = BoundaryDistance{off.dot(n) < 0.0 ? -best : best, facet.rise};
+      found = at;
     }
     return best;
   };
   tree_.visit_nearest(x, look_at, reach);
-  return found;
+  if (!found) {
+    return std::nullopt;
+  }
+  const Vec3 n = found->corner >= 0
+                     ? corner_normal(nearest, static_cast<std::size_t>(found->corner))
+                 : found->edge >= 0 ? ridge_normal(nearest, static_cast<std::size_t>(found->edge))
+                                    : facet_normal(nearest);
+  return BoundaryDistance{(x - found->x).dot(n) < 0.0 ? -best : best, rise(nearest)};
 }
 
 } // namespace spricka::geometry

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -24,7 +25,8 @@ struct BoundaryDistance {
   double facet = 0.0;    ///< how far the facets may leave the curved boundary there [length]
 };
 
-/// The boundary of a body as flat facets, to ask whether points lie inside.
+/// The boundary of a body as flat facets, to ask whether points lie inside. Few are asked for of
+/// large boundaries: what a facet's surroundings tell is looked up when it is the nearest.
 class BodyBoundary {
 public:
   /// dim 2: segments, the third corner means nothing; dim 3: triangles.
@@ -39,23 +41,30 @@ public:
 
 private:
   struct FacetKind;
-  struct FacetWithNormals {
-    std::array<base::Vec3, 3> x;
-    base::Vec3 normal;                     ///< unit, out of the body
-    std::array<base::Vec3, 3> at_corner{}; ///< sums of the normals that meet there
-    std::array<base::Vec3, 3> at_edge{};
-    double rise = 0.0; ///< of a smooth boundary above the facet
+  /// A corner of a facet.
+  struct FacetCorner {
+    std::size_t facet = 0, corner = 0;
   };
-  /// What two facets have in common, of each its number and which of its ridges that is: in the
-  /// plane a corner, in space an edge.
-  using Ridge = std::array<std::pair<std::size_t, std::size_t>, 2>;
 
-  void sum_at_corners(const std::vector<FlatBoundaryFacet>& facets);
-  [[nodiscard]] std::vector<Ridge> ridges(const std::vector<FlatBoundaryFacet>& facets) const;
-  void join(const std::vector<Ridge>& ridges);
+  void collect_facets_at_vertices();
+  [[nodiscard]] std::span<const FacetCorner> facets_at(std::size_t vertex) const;
+  [[nodiscard]] base::Vec3 facet_normal(std::size_t f) const; ///< unit, out of the body
+  [[nodiscard]] base::Vec3 corner_normal(std::size_t f, std::size_t corner) const;
+  [[nodiscard]] base::Vec3 ridge_normal(std::size_t f, std::size_t ridge) const;
+  /// The facets with ridge `ridge` of f, in the plane a corner and in space an edge, in the order
+  /// of their numbers; f is among them.
+  [[nodiscard]] std::vector<FacetCorner> facets_at_ridge(std::size_t f, std::size_t ridge) const;
+  /// Those beside f across one of its ridges where the boundary is smooth, with the turn there.
+  [[nodiscard]] std::vector<std::pair<std::size_t, double>> smooth_neighbours(std::size_t f) const;
+  [[nodiscard]] double rise_towards_neighbours(std::size_t f) const;
+  /// Of a smooth boundary above a facet.
+  [[nodiscard]] double rise(std::size_t f) const;
 
   const FacetKind* kind_;
-  std::vector<FacetWithNormals> facets_;
+  std::vector<FlatBoundaryFacet> facets_;
+  std::vector<std::size_t> first_;     ///< [vertex - lowest] into at_vertex_, and the end
+  std::vector<FacetCorner> at_vertex_; ///< facets by their vertices, ascending
+  std::size_t lowest_ = 0;             ///< vertex
   Box<3> box_;
   BoxTree<3> tree_;
 };
