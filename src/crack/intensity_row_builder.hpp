@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -181,44 +182,60 @@ private:
         });
   }
 
+  // A point of a side with the tractions of the auxiliary fields, as K takes them.
+  template <class Slopes> struct TractionPoint {
+    geometry::SideValues N;
+    Slopes slopes;                ///< [function, dim]
+    std::vector<Vector> traction; ///< [auxiliary field]
+  };
+
+  template <class SlopesAt>
+  [[nodiscard]] auto traction_points(const MovedFreeSide& side, const geometry::ElementSide& own,
+                                     const SlopesAt& slopes_at) const {
+    std::vector<TractionPoint<std::invoke_result_t<const SlopesAt&, base::Vec2>>> points;
+    for (const auto& point : source_.side_quadrature(own)) {
+      const std::optional<typename Source::Place> place =
+          source_.locate_on_side(own, point.r, side.on);
+      if (!place) {
+        continue;
+      }
+      auto& at = points.emplace_back();
+      at.N = own.N(point.r);
+      at.slopes = slopes_at(point.r);
+      const Vector x = (own.X * at.N).template head<dim>();
+      const Vector area = (point.weight * source_.context().relative_depth(x)) *
+                          own.area_vector(point.r).template head<dim>();
+      for (const std::size_t auxiliary : front_.auxiliary_fields()) {
+        at.traction.push_back(source_.context().intensity_conversion_factor(auxiliary) *
+                              source_.auxiliary_traction(*place, auxiliary, area));
+      }
+    }
+    return points;
+  }
+
   // The auxiliary fields' tractions on a side times the slopes along the motion of some functions,
   // summed over the side. slopes_at(place r): [function, dim]; take(point of the front, column,
   // [dim, function]).
   template <class SlopesAt, class Take>
   void contract_side(const MovedFreeSide& side, const geometry::ElementSide& own,
                      const SlopesAt& slopes_at, const Take& take) const {
+    const auto points = traction_points(side, own, slopes_at);
     for (const std::size_t i : front_.front_points_moving_element(side.face.element)) {
       SideVectors<dim> q;
-      if (!front_.gather_node_motions(i, own.nodes, q)) {
+      if (points.empty() || !front_.gather_node_motions(i, own.nodes, q)) {
         continue;
       }
-      std::vector<Coefficients> sums(front_.auxiliary_fields().size());
-      for (const auto& point : source_.side_quadrature(own)) {
-        const std::optional<typename Source::Place> place =
-            source_.locate_on_side(own, point.r, side.on);
-        if (!place) {
-          continue;
-        }
-        const geometry::SideValues N = own.N(point.r);
-        const Vector x = (own.X * N).template head<dim>();
-        const Vector area = (point.weight * source_.context().relative_depth(x)) *
-                            own.area_vector(point.r).template head<dim>();
-        const Vector moved = q * N;
-        const Eigen::RowVectorXd along = (slopes_at(point.r) * moved).transpose();
-        for (std::size_t k = 0; k < front_.auxiliary_fields().size(); ++k) {
-          const std::size_t auxiliary = front_.auxiliary_fields()[k];
-          const Vector t = source_.context().intensity_conversion_factor(auxiliary) *
-                           source_.auxiliary_traction(*place, auxiliary, area);
-          if (sums[k].cols() == 0) {
-            sums[k].setZero(dim, along.cols());
-          }
-          sums[k] -= t * along;
+      std::vector<Coefficients> sums(front_.auxiliary_fields().size(),
+                                     Coefficients::Zero(dim, points.front().slopes.rows()));
+      for (const auto& point : points) {
+        const Vector moved = q * point.N;
+        const Eigen::RowVectorXd along = (point.slopes * moved).transpose();
+        for (std::size_t k = 0; k < sums.size(); ++k) {
+          sums[k] -= point.traction[k] * along;
         }
       }
       for (std::size_t k = 0; k < sums.size(); ++k) {
-        if (sums[k].cols() > 0) {
-          take(i, k, sums[k]);
-        }
+        take(i, k, sums[k]);
       }
     }
   }
