@@ -47,11 +47,7 @@ AuxiliaryFieldTable::AuxiliaryFieldTable(const FrontContext& set,
     functions_.push_back(shape::shape_functions_at_quadrature_points<3>(element, degree_.back()));
     for (const shape::ShapeFunctionValues<3>& functions : functions_.back()) {
       const FrontAxesDerivatives axes(set.axes.locate_point(X * functions.N));
-      AllowedVariables& at = fields_.emplace_back();
-      for (std::size_t k = 1; k < auxiliary_field_count<3>; ++k) {
-        const AuxiliaryField<3> w = front_auxiliary_field(k, axes, set.body);
-        at[k - 1] = {w.H, w.divergence};
-      }
+      fields_.push_back(front_auxiliary_values(axes, set.body));
     }
   }
 }

@@ -4,7 +4,6 @@
 #include "fe/jacobian.hpp"
 #include "shape/quadrature.hpp"
 
-#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -32,24 +31,14 @@ public:
   /// The auxiliary fields 1 to 4 of an element at a point of its rule.
   [[nodiscard]] AuxiliaryField<3> at(base::ElementId e, std::size_t point,
                                      std::size_t auxiliary) const {
-    const AllowedVariables& fields = fields_[start_[slot_[e.index() - first_]] + point];
-    AuxiliaryField<3> w;
-    w.H = fields[auxiliary - 1].H;
-    w.sigma = isotropic_stress(body_, w.H);
-    w.divergence = fields[auxiliary - 1].divergence;
-    return w;
+    return make_auxiliary_field(fields_[start_[slot_[e.index() - first_]] + point][auxiliary - 1],
+                                body_);
   }
 
   /// Whether it is of this body and of a mesh with nodes at the same places.
   [[nodiscard]] bool is_valid_for(const FrontContext& set) const;
 
 private:
-  struct TabulatedAuxiliaryField {
-    Tensor<3> H;
-    base::Vec3 divergence;
-  };
-  using AllowedVariables = std::array<TabulatedAuxiliaryField, auxiliary_field_count<3> - 1>;
-
   FrontBody body_;
   std::vector<base::ElementId> elements_;
   std::size_t first_ = 0;                                                 ///< the lowest element
@@ -58,7 +47,7 @@ private:
   std::vector<std::size_t> slot_;  ///< [element - first] into start_
   std::vector<std::size_t> start_; ///< [slot] into fields_
   std::vector<base::Vec3> places_; ///< [element] of its nodes, as a sum
-  std::vector<AllowedVariables> fields_;
+  std::vector<FrontAuxiliaryValues> fields_;
 };
 
 /// Of the domains of a front, from their memory if they have one.

@@ -34,24 +34,83 @@ FrontAxesDerivatives::FrontAxesDerivatives(const FrontCoordinates& at) : section
 
 namespace {
 
-// by_y (x) slopes.y + by_z (x) slopes.z + by_s (x) slopes.s, column by column: products of fixed
-// size would each become a matrix of its own.
+// A value of each auxiliary field, worked on at once, and vectors and tensors of them: by component
+// and by column.
+using OfFields = Eigen::Array<double, auxiliary_field_count<3> - 1, 1>;
+using VectorOfFields = std::array<OfFields, 3>;
+using TensorOfFields = std::array<VectorOfFields, 3>;
+
+struct SectionFields {
+  VectorOfFields w, w_y, w_z, w_yy, w_yz, w_zz;
+};
+
+SectionFields section_fields(const SectionPolarPoint& at, const FrontBody& body) {
+  SectionFields all;
+  const SectionBody section = body.plane_strain_section();
+  for (Eigen::Index k = 0; k < OfFields::SizeAtCompileTime; ++k) {
+    const SectionField f = section_field(static_cast<std::size_t>(k) + 1, at, section);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto c = static_cast<Eigen::Index>(i);
+      all.w[i][k] = f.w[c];
+      all.w_y[i][k] = f.w_y[c];
+      all.w_z[i][k] = f.w_z[c];
+      all.w_yy[i][k] = f.w_yy[c];
+      all.w_yz[i][k] = f.w_yz[c];
+      all.w_zz[i][k] = f.w_zz[c];
+    }
+  }
+  return all;
+}
+
+// Q v.
+VectorOfFields turned(const Tensor<3>& Q, const VectorOfFields& v) {
+  VectorOfFields out;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    out[i] = Q(row, 0) * v[0] + Q(row, 1) * v[1] + Q(row, 2) * v[2];
+  }
+  return out;
+}
+
+// With slopes of the coordinates: y (x) slopes.y + z (x) slopes.z + s (x) slopes.s.
 struct Across {
-  Vec3 y, z, s;
-  [[nodiscard]] Tensor<3> with(const FrontAxesDerivatives::CoordinateGradients& slopes) const {
-    Tensor<3> sum;
-    for (Eigen::Index j = 0; j < 3; ++j) {
-      sum.col(j) = slopes.y[j] * y + slopes.z[j] * z + slopes.s[j] * s;
+  using Slopes = FrontAxesDerivatives::CoordinateGradients;
+  VectorOfFields y, z, s;
+
+  [[nodiscard]] TensorOfFields with(const Slopes& slopes) const {
+    TensorOfFields sum;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const auto c = static_cast<Eigen::Index>(j);
+      for (std::size_t i = 0; i < 3; ++i) {
+        sum[j][i] = slopes.y[c] * y[i] + slopes.z[c] * z[i] + slopes.s[c] * s[i];
+      }
+    }
+    return sum;
+  }
+  // Of two with slopes of their own.
+  [[nodiscard]] TensorOfFields with(const Slopes& slopes, const Across& more,
+                                    const Slopes& of_more) const {
+    TensorOfFields sum;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const auto c = static_cast<Eigen::Index>(j);
+      for (std::size_t i = 0; i < 3; ++i) {
+        sum[j][i] = slopes.y[c] * y[i] + slopes.z[c] * z[i] + slopes.s[c] * s[i] +
+                    of_more.y[c] * more.y[i] + of_more.z[c] * more.z[i] + of_more.s[c] * more.s[i];
+      }
     }
     return sum;
   }
 };
 
-// The stress of A, times g.
-Vec3 stress_times(const FrontBody& body, const Tensor<3>& A, const Vec3& g) {
-  const Vec3 Ag = g[0] * A.col(0) + g[1] * A.col(1) + g[2] * A.col(2);
-  const Vec3 transposed(A.col(0).dot(g), A.col(1).dot(g), A.col(2).dot(g));
-  return body.lambda * A.trace() * g + body.mu * (Ag + transposed);
+// Adds the stress of A times g.
+void add_stress_times(const FrontBody& body, const TensorOfFields& A, const Vec3& g,
+                      VectorOfFields& sum) {
+  const OfFields pressure = body.lambda * (A[0][0] + A[1][1] + A[2][2]);
+  const Vec3 shear = body.mu * g;
+  for (std::size_t i = 0; i < 3; ++i) {
+    sum[i] += pressure * g[static_cast<Eigen::Index>(i)] + (A[0][i] + A[i][0]) * shear[0] +
+              (A[1][i] + A[i][1]) * shear[1] + (A[2][i] + A[i][2]) * shear[2];
+  }
 }
 
 } // namespace
@@ -60,30 +119,50 @@ Tensor<3> front_auxiliary_gradient(std::size_t auxiliary, const FrontAxesDerivat
                                    const FrontBody& body) {
   // Q (w_,y grad y + w_,z grad z) + Q' w grad s
   const SectionField w = section_field(auxiliary, axes.section, body.plane_strain_section());
-  return Across{axes.Q * w.w_y, axes.Q * w.w_z, axes.dQ * w.w}.with(axes.grad);
+  const Vec3 y = axes.Q * w.w_y;
+  const Vec3 z = axes.Q * w.w_z;
+  const Vec3 s = axes.dQ * w.w;
+  Tensor<3> H;
+  for (Eigen::Index j = 0; j < 3; ++j) { // products of fixed size would be matrices of their own
+    H.col(j) = axes.grad.y[j] * y + axes.grad.z[j] * z + axes.grad.s[j] * s;
+  }
+  return H;
+}
+
+FrontAuxiliaryValues front_auxiliary_values(const FrontAxesDerivatives& axes,
+                                            const FrontBody& body) {
+  const SectionFields w = section_fields(axes.section, body);
+  // As in the gradient, with the slopes of the coordinates or with derivatives of them.
+  const Across across{turned(axes.Q, w.w_y), turned(axes.Q, w.w_z), turned(axes.dQ, w.w)};
+  const TensorOfFields H = across.with(axes.grad);
+  // Derivatives of H by s, y and z (crack_space.5).
+  const VectorOfFields mixed = turned(axes.Q, w.w_yz);
+  const VectorOfFields turned_y = turned(axes.dQ, w.w_y);
+  const VectorOfFields turned_z = turned(axes.dQ, w.w_z);
+  const Across by_s{turned_y, turned_z, turned(axes.ddQ, w.w)};
+  const Across by_y{turned(axes.Q, w.w_yy), mixed, turned_y};
+  const Across by_z{mixed, turned(axes.Q, w.w_zz), turned_z};
+  VectorOfFields divergence{OfFields::Zero(), OfFields::Zero(), OfFields::Zero()};
+  add_stress_times(body, by_s.with(axes.grad, across, axes.by_s), axes.grad.s, divergence);
+  add_stress_times(body, by_y.with(axes.grad, across, axes.by_y), axes.grad.y, divergence);
+  add_stress_times(body, by_z.with(axes.grad, across, axes.by_z), axes.grad.z, divergence);
+  FrontAuxiliaryValues values;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const auto field = static_cast<Eigen::Index>(k);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      values[k].divergence[row] = divergence[i][field];
+      for (std::size_t j = 0; j < 3; ++j) {
+        values[k].H(row, static_cast<Eigen::Index>(j)) = H[j][i][field];
+      }
+    }
+  }
+  return values;
 }
 
 AuxiliaryField<3> front_auxiliary_field(std::size_t auxiliary, const FrontAxesDerivatives& axes,
                                         const FrontBody& body) {
-  const SectionField w = section_field(auxiliary, axes.section, body.plane_strain_section());
-  // As in the gradient, with the slopes of the coordinates or with derivatives of them.
-  const Across field_across{axes.Q * w.w_y, axes.Q * w.w_z, axes.dQ * w.w};
-  AuxiliaryField<3> field;
-  field.H = field_across.with(axes.grad);
-  field.sigma = isotropic_stress(body, field.H);
-  // Derivatives of H by s, y and z (crack_space.5).
-  const Vec3 mixed = axes.Q * w.w_yz;
-  const Vec3 turned_y = axes.dQ * w.w_y;
-  const Vec3 turned_z = axes.dQ * w.w_z;
-  const Tensor<3> H_s =
-      Across{turned_y, turned_z, axes.ddQ * w.w}.with(axes.grad) + field_across.with(axes.by_s);
-  const Tensor<3> H_y =
-      Across{axes.Q * w.w_yy, mixed, turned_y}.with(axes.grad) + field_across.with(axes.by_y);
-  const Tensor<3> H_z =
-      Across{mixed, axes.Q * w.w_zz, turned_z}.with(axes.grad) + field_across.with(axes.by_z);
-  field.divergence = stress_times(body, H_s, axes.grad.s) + stress_times(body, H_y, axes.grad.y) +
-                     stress_times(body, H_z, axes.grad.z);
-  return field;
+  return make_auxiliary_field(front_auxiliary_values(axes, body)[auxiliary - 1], body);
 }
 
 } // namespace spricka::crack

@@ -3,6 +3,7 @@
 #include "crack/auxiliary_field.hpp"
 #include "crack/front_axes.hpp"
 
+#include <array>
 #include <cstddef>
 
 /// Fields of plane strain and of antiplane shear, carried along a front by its axes.
@@ -41,9 +42,21 @@ struct FrontAxesDerivatives {
   explicit FrontAxesDerivatives(const FrontCoordinates& at);
 };
 
-/// An auxiliary field 1 to 4, w = w1 m + w2 b + w3 t, carried along a front that turns: its
-/// gradient with the turning of the axes in it, stress and its divergence at a place
-/// (crack_space.4).
+/// What an auxiliary field at a place is made of by the elasticity there.
+struct AuxiliaryValues {
+  Tensor<3> H;
+  base::Vec3 divergence;
+};
+/// Of the auxiliary fields 1 to 4.
+using FrontAuxiliaryValues = std::array<AuxiliaryValues, auxiliary_field_count<3> - 1>;
+
+/// The auxiliary fields, w = w1 m + w2 b + w3 t, carried along a front that turns: their gradients
+/// with the turning of the axes in them, and the divergence of their stress at a place
+/// (crack_space.4). All of them at once, which costs little more than one.
+FrontAuxiliaryValues front_auxiliary_values(const FrontAxesDerivatives& axes,
+                                            const FrontBody& body);
+
+/// Auxiliary field 1 to 4 with its stress.
 AuxiliaryField<3> front_auxiliary_field(std::size_t auxiliary, const FrontAxesDerivatives& axes,
                                         const FrontBody& body);
 
@@ -63,6 +76,16 @@ inline Tensor<3> isotropic_stress(const FrontBody& body, const Tensor<3>& A) {
   Tensor<3> sigma = body.mu * (A + A.transpose());
   sigma.diagonal().array() += body.lambda * A.trace();
   return sigma;
+}
+
+/// The field of these values, with its stress.
+inline AuxiliaryField<3> make_auxiliary_field(const AuxiliaryValues& values,
+                                              const FrontBody& body) {
+  AuxiliaryField<3> w;
+  w.H = values.H;
+  w.sigma = isotropic_stress(body, w.H);
+  w.divergence = values.divergence;
+  return w;
 }
 
 inline GradientStressState<3> FrontBody::state_from_gradient(const Tensor<3>& H,
