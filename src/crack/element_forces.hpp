@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/outer_products.hpp"
 #include "crack/configurational_forces.hpp"
 #include "crack/load_fields.hpp"
 #include "fe/jacobian.hpp"
@@ -48,29 +49,32 @@ public:
 
   /// Adds all terms; `strained`: the extension is not constant in the element.
   void add_element_terms(bool strained, InteractionConfigurationalForces<dim>& out) const {
-    OfNodes P;
-    const auto nodes = static_cast<std::size_t>(element_.nodes);
-    for (std::size_t n = 0; n < nodes; ++n) {
-      P[n].fill(shape::Point<dim>::Zero());
-    }
+    OfNodes P = OfNodes::Zero(rows, element_.nodes);
     std::size_t number = 0;
     for (const auto& point : source_.element_quadrature(e_)) {
       add_point(point, number++, strained, P);
     }
     add_body_forces(P);
-    for (std::size_t n = 0; n < nodes; ++n) {
-      typename InteractionConfigurationalForces<dim>::OfNode& sum =
-          out[mesh().element_nodes(e_)[n]];
+    Eigen::Index i = 0;
+    for (const base::NodeId n : mesh().element_nodes(e_)) {
+      typename InteractionConfigurationalForces<dim>::OfNode& sum = out[n];
       for (std::size_t k = 0; k < sum.size(); ++k) {
-        sum[k] += P[n][k];
+        sum[k] += P.col(i).template segment<dim>(of_field(k));
       }
+      ++i;
     }
   }
 
 private:
-  /// Of the first nodes, as many as the element has.
-  using OfNodes =
-      std::array<typename InteractionConfigurationalForces<dim>::OfNode, shape::most_nodes<dim>>;
+  /// Vectors of all auxiliary fields, one below the other; with what fills whole registers.
+  static constexpr Eigen::Index rows =
+      (dim * static_cast<Eigen::Index>(auxiliary_field_count<dim>) + 3) / 4 * 4;
+  static Eigen::Index of_field(std::size_t k) { return dim * static_cast<Eigen::Index>(k); }
+  /// [of field, node]
+  using OfNodes = Eigen::Matrix<double, rows, Eigen::Dynamic, 0, rows, shape::most_nodes<dim>>;
+  /// The gradients of the shape functions, and these themselves. [node, dim + 1]
+  using GradientsAndFunctions =
+      Eigen::Matrix<double, Eigen::Dynamic, dim + 1, 0, shape::most_nodes<dim>, dim + 1>;
   using Vector = shape::Point<dim>;
 
   [[nodiscard]] const model::Mesh& mesh() const { return source_.context().mesh; }
@@ -86,9 +90,10 @@ private:
     const ThermoelasticState<dim> own = solution(at, point.r, N, x);
     // Auxiliary fields may meet another temperature than G (crack.34).
     const ThermoelasticState<dim>& met = heat_.met(own, x);
+    // T by column, and c, what N_n itself is multiplied with.
+    Eigen::Matrix<double, rows, dim + 1> terms = Eigen::Matrix<double, rows, dim + 1>::Zero();
     for (std::size_t k = 0; k < auxiliary_field_count<dim>; ++k) {
       AxisymmetricEnergyMomentum<dim> M;
-      // What N_n itself is multiplied with.
       Vector c;
       if (k == 0) {
         M = own_momentum(own);
@@ -101,15 +106,19 @@ private:
       }
       // About an axis the way outwards (crack.37).
       c += source_.context().hoop_body_force(M.hoop, x);
-      for (int n = 0; n < element_.nodes; ++n) {
-        Vector& P_n = P[static_cast<std::size_t>(n)][k];
-        const Vector gradient = at.dNdx.row(n).transpose();
-        P_n += weight * (strained ? Vector(M.T * gradient + N[n] * c) : Vector(N[n] * c));
-        if (k == 0 && heat_.is_carried()) { // nodes carried through the free expansion
-          P_n +=
-              weight * (heat_.expansion_gradient(X_.col(n)).transpose() * (own.sigma * gradient));
-        }
+      if (strained) {
+        terms.template block<dim, dim>(of_field(k), 0) = M.T;
       }
+      terms.template block<dim, 1>(of_field(k), dim) = c;
+    }
+    GradientsAndFunctions by_node(element_.nodes, dim + 1);
+    by_node << at.dNdx, N;
+    base::add_outer_products(weight, terms, by_node, P);
+    for (int n = 0; n < element_.nodes && heat_.is_carried(); ++n) {
+      // Nodes carried through the free expansion, in G.
+      const Vector gradient = at.dNdx.row(n).transpose();
+      P.col(n).template head<dim>() +=
+          weight * (heat_.expansion_gradient(X_.col(n)).transpose() * (own.sigma * gradient));
     }
   }
 
@@ -158,7 +167,7 @@ private:
         const Vector c =
             weight * at.det * source_.context().relative_depth(x) * (H.transpose() * b);
         for (int n = 0; n < element_.nodes; ++n) {
-          P[static_cast<std::size_t>(n)][k] -= N[n] * c;
+          P.col(n).template segment<dim>(of_field(k)) -= N[n] * c;
         }
       }
     };

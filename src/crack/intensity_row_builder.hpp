@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/outer_products.hpp"
 #include "crack/front_contractions.hpp"
 #include "crack/interaction_terms.hpp"
 #include "crack/k_layout.hpp"
@@ -154,8 +155,7 @@ private:
     contract(
         e, nodes.size(),
         [](const Point& at, StackedCoefficients& sums) {
-          const fe::AnyNodeVectors<dim> slopes = at.map.dNdx.transpose();
-          sums += at.tensors.M.lazyProduct(slopes);
+          base::add_outer_products(1.0, at.tensors.M, at.map.dNdx, sums);
           for (Eigen::Index i = 0; i < at.tensors.hoop.size(); ++i) {
             if (at.tensors.hoop[i] != 0.0) {
               sums.row(dim * i) += at.tensors.hoop[i] / at.x[0] * at.N.transpose();
@@ -174,8 +174,9 @@ private:
         e, others.of_element(e).size(),
         [&](const Point& at, StackedCoefficients& sums) {
           const Tensor<dim> inverse = at.map.J.inverse();
-          const Coefficients slopes = table[at.number].lazyProduct(inverse).transpose();
-          sums += at.tensors.M.lazyProduct(slopes);
+          const Eigen::Matrix<double, Eigen::Dynamic, dim> slopes =
+              table[at.number].lazyProduct(inverse);
+          base::add_outer_products(1.0, at.tensors.M, slopes, sums);
         },
         [&](std::size_t point, std::size_t column, const Coefficients& values) {
           put_others(e, point, column, values, others);
