@@ -42,6 +42,20 @@ GrowthTrajectory::GrowthTrajectory(const std::vector<SolvedStation>& stations,
           return tip.extent_rate_ratio != 1.0;
         });
   }
+  for (const SolvedStation& station : stations_) {
+    ln_s_.push_back(std::log(station.s));
+  }
+  ln_K_max_.resize(stations_.front().tips.size());
+  for (std::size_t tip = 0; tip < ln_K_max_.size(); ++tip) {
+    // Closed cracks have no logarithm: then K itself is interpolated, at all s alike.
+    if (std::ranges::all_of(stations_, [&](const SolvedStation& station) {
+          return station.tips[tip].K_max > 0.0;
+        })) {
+      for (const SolvedStation& station : stations_) {
+        ln_K_max_[tip].push_back(std::log(station.tips[tip].K_max));
+      }
+    }
+  }
 }
 
 std::size_t GrowthTrajectory::interval(double s) const {
@@ -66,52 +80,55 @@ std::pair<std::size_t, std::size_t> GrowthTrajectory::smooth_about(std::size_t i
   return {low, high};
 }
 
-// Lagrange's polynomial in ln s through the stations about an interval, of those from `low` to
-// before `high`.
-template <class Value>
-double GrowthTrajectory::interpolate(std::size_t interval, double s, Value value, std::size_t low,
-                                     std::size_t high) const {
+// Through the stations about an interval, of those from `low` to before `high`.
+GrowthTrajectory::StationWeights GrowthTrajectory::weights_at(std::size_t interval, double s,
+                                                              std::size_t low,
+                                                              std::size_t high) const {
   const auto [from, to] = smooth_about(interval);
   low = std::max(low, from);
   high = std::min(high, to);
-  const std::size_t points = std::min(points_, high - low);
+  StationWeights out;
+  out.points = std::min(points_, high - low);
   // As many on either side of the interval as there are; near an end the nearest that exist.
-  const std::size_t before = (points - 1) / 2;
-  const std::size_t first = std::min(std::max(interval, low + before) - before, high - points);
+  const std::size_t before = (out.points - 1) / 2;
+  out.first = std::min(std::max(interval, low + before) - before, high - out.points);
   const double x = std::log(s);
-  double sum = 0.0;
-  for (std::size_t i = first; i < first + points; ++i) {
+  for (std::size_t i = 0; i < out.points; ++i) {
     double weight = 1.0;
-    for (std::size_t k = first; k < first + points; ++k) {
+    for (std::size_t k = 0; k < out.points; ++k) {
       if (k != i) {
-        const double other = std::log(stations_[k].s);
-        weight *= (x - other) / (std::log(stations_[i].s) - other);
+        const double other = ln_s_[out.first + k];
+        weight *= (x - other) / (ln_s_[out.first + i] - other);
       }
     }
-    sum += weight * value(stations_[i]);
+    out.weight[i] = weight;
+  }
+  return out;
+}
+
+template <class Value>
+double GrowthTrajectory::interpolate(const StationWeights& weights, const Value& value) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < weights.points; ++i) {
+    sum += weights.weight[i] * value(weights.first + i);
   }
   return sum;
 }
 
+double GrowthTrajectory::K_max(std::size_t tip, const StationWeights& weights) const {
+  const std::vector<double>& ln_K = ln_K_max_[tip];
+  return ln_K.empty()
+             ? interpolate(weights, [&](std::size_t k) { return stations_[k].tips[tip].K_max; })
+             : std::exp(interpolate(weights, [&](std::size_t k) { return ln_K[k]; }));
+}
+
 double GrowthTrajectory::K_max(std::size_t tip, double s) const {
-  const std::size_t i = interval(s);
-  // Closed cracks have no logarithm: then K itself is interpolated, at all s alike.
-  const bool positive = std::ranges::all_of(
-      stations_, [&](const SolvedStation& station) { return station.tips[tip].K_max > 0.0; });
-  if (positive) {
-    return std::exp(interpolate(
-        i, s, [&](const SolvedStation& station) { return std::log(station.tips[tip].K_max); }, 0,
-        stations_.size()));
-  }
-  return interpolate(
-      i, s, [&](const SolvedStation& station) { return station.tips[tip].K_max; }, 0,
-      stations_.size());
+  return K_max(tip, weights_at(interval(s), s, 0, stations_.size()));
 }
 
 double GrowthTrajectory::plastic_load_ratio(std::size_t tip, double s) const {
-  return interpolate(
-      interval(s), s, [&](const SolvedStation& station) { return station.tips[tip].plastic; }, 0,
-      stations_.size());
+  return interpolate(weights_at(interval(s), s, 0, stations_.size()),
+                     [&](std::size_t k) { return stations_[k].tips[tip].plastic; });
 }
 
 // Straight between the stations: it changes slowly, and never below 0.
@@ -124,17 +141,15 @@ double GrowthTrajectory::extent_rate_ratio(std::size_t tip, std::size_t i, doubl
   return left + part * (stations_[i + 1].tips[tip].extent_rate_ratio - left);
 }
 
-double GrowthTrajectory::tip_rate(std::size_t tip, std::size_t i, double s) const {
+double GrowthTrajectory::tip_rate(std::size_t tip, std::size_t i, double s,
+                                  const StationWeights& weights) const {
   if (law_) {
-    const double K = K_max(tip, s);
+    const double K = K_max(tip, weights);
     // K_min may be below 0 and has no logarithm: its ratio to K_max is interpolated.
-    const double R = interpolate(
-        i, s,
-        [&](const SolvedStation& station) {
-          const TipStation& t = station.tips[tip];
-          return t.K_max > 0.0 ? t.K_min / t.K_max : 0.0;
-        },
-        0, stations_.size());
+    const double R = interpolate(weights, [&](std::size_t k) {
+      const TipStation& t = stations_[k].tips[tip];
+      return t.K_max > 0.0 ? t.K_min / t.K_max : 0.0;
+    });
     return extents_differ_ ? extent_rate_ratio(tip, i, s) * law_(K, R * K) : law_(K, R * K);
   }
   // a spectrum's rates, as far as they are numbers: none at a threshold, no bound at the toughness
@@ -156,16 +171,18 @@ double GrowthTrajectory::tip_rate(std::size_t tip, std::size_t i, double s) cons
     const double here = stations_[i].tips[tip].rate;
     return here * (stations_[high].s - s) / (stations_[high].s - stations_[i].s);
   }
-  return std::exp(interpolate(
-      i, s, [&](const SolvedStation& station) { return std::log(station.tips[tip].rate); }, low,
-      high));
+  const bool all = low == 0 && high == stations_.size();
+  return std::exp(interpolate(all ? weights : weights_at(i, s, low, high), [&](std::size_t k) {
+    return std::log(stations_[k].tips[tip].rate);
+  }));
 }
 
 double GrowthTrajectory::growth_rate(double s) const {
   const std::size_t i = interval(s);
+  const StationWeights weights = weights_at(i, s, 0, stations_.size());
   double sum = 0.0;
   for (std::size_t tip = 0; tip < stations_.front().tips.size(); ++tip) {
-    sum += tip_rate(tip, i, s);
+    sum += tip_rate(tip, i, s, weights);
   }
   return sum;
 }

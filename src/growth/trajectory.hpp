@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -52,7 +53,7 @@ using GrowthRateFunction = std::function<double(double K_max, double K_min)>;
 /// K_max (or ln rate) over ln s; arms by cubics that take the rates as slopes (manual, growth.3).
 class GrowthTrajectory {
 public:
-  /// stations [>= 1], s ascending; `points` of each polynomial, at most as many as there are.
+  /// stations [>= 1], s ascending; `points` of each polynomial, at most 4 and as many as there are.
   GrowthTrajectory(const std::vector<SolvedStation>& stations, GrowthRateFunction law,
                    std::size_t points);
 
@@ -74,17 +75,27 @@ private:
   /// Stations about an interval with no breakthrough between them: from the first to before the
   /// second.
   [[nodiscard]] std::pair<std::size_t, std::size_t> smooth_about(std::size_t interval) const;
+  /// Lagrange's polynomial in ln s at one s: what the values of so many stations count.
+  struct StationWeights {
+    std::size_t first = 0, points = 0;
+    std::array<double, 4> weight{};
+  };
+  [[nodiscard]] StationWeights weights_at(std::size_t interval, double s, std::size_t low,
+                                          std::size_t high) const;
   template <class Value>
-  double interpolate(std::size_t interval, double s, Value value, std::size_t low,
-                     std::size_t high) const;
+  double interpolate(const StationWeights& weights, const Value& value) const;
+  [[nodiscard]] double K_max(std::size_t tip, const StationWeights& weights) const;
   [[nodiscard]] double extent_rate_ratio(std::size_t tip, std::size_t interval, double s) const;
-  [[nodiscard]] double tip_rate(std::size_t tip, std::size_t interval, double s) const;
+  [[nodiscard]] double tip_rate(std::size_t tip, std::size_t interval, double s,
+                                const StationWeights& weights) const;
   [[nodiscard]] double gauss(double s0, double s1) const;
 
   const std::vector<SolvedStation>& stations_;
   GrowthRateFunction law_;
   std::size_t points_;
-  bool extents_differ_ = false; ///< some arm does not grow as its place does
+  std::vector<double> ln_s_;                  ///< [station]
+  std::vector<std::vector<double>> ln_K_max_; ///< [tip][station], of closed ones empty
+  bool extents_differ_ = false;               ///< some arm does not grow as its place does
 };
 
 /// First place between s0 and s1 (found to 1e-12 of s1) where `value` is not below 0 any more, if
