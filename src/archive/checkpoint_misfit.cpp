@@ -24,8 +24,8 @@ struct DecksCompared {
   std::string file; ///< that is read
 };
 
-// Cracks that grew by the same rules may go on: to other lengths, or to a later end. Fronts that
-// no law moves serve another one, too (`another_law`).
+// Cracks that grew by the same rules may go on: to other lengths, or to a later end. Fronts serve
+// another law and a nearer end, too, as far as these lead to them (`another_law`).
 std::optional<CheckpointMismatch>
 growth_mismatch(const DecksCompared& decks,
                 const std::function<std::string()>& why_law_moves_fronts, bool& another_law) {
@@ -45,6 +45,14 @@ growth_mismatch(const DecksCompared& decks,
   if (same && (lengths || (further && same_history))) {
     return std::nullopt;
   }
+  std::string why;
+  if (!lengths && found.course == growth_course_text(model)) {
+    why = why_law_moves_fronts();
+    another_law = why.empty();
+  }
+  if (another_law) {
+    return std::nullopt;
+  }
   if (same && same_history) {
     const bool length = ends[0] < found.ends[0];
     return CheckpointMismatch{
@@ -55,14 +63,6 @@ growth_mismatch(const DecksCompared& decks,
                     length ? fmt::format("AMAX is {:.6g}", ends[0])
                            : fmt::format("CYCLES is {:.6g}", ends[1]),
                     found.ends[length ? 0 : 1])};
-  }
-  std::string why;
-  if (!lengths && found.course == growth_course_text(model)) {
-    why = why_law_moves_fronts();
-    another_law = why.empty();
-  }
-  if (another_law) {
-    return std::nullopt;
   }
   return CheckpointMismatch{"E561", d->span,
                             fmt::format("{}: its cracks grew by other rules: {}{}", file, d->text,

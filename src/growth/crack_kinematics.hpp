@@ -59,6 +59,9 @@ public:
   [[nodiscard]] virtual CrackGeometry current_cracks() = 0;
   /// The arm of a tip before anything has grown [length].
   [[nodiscard]] virtual double initial_tip_extent(std::size_t tip) const = 0;
+  /// The arms [tip] of cracks that are given the size `a` as LAW=INCREMENT gives it; empty: such
+  /// cracks are not on the way of a growth by a law.
+  [[nodiscard]] virtual std::vector<double> tip_extents_at_size(double /*a*/) const { return {}; }
   /// What a tip can grow from the last station on, at most [length].
   [[nodiscard]] virtual double remaining_growth_length(const GrowthState& state,
                                                        std::size_t tip) const = 0;

@@ -161,6 +161,14 @@ CrackGeometry EllipticalFront::current_cracks() {
   return geometry_of(around_, trial_);
 }
 
+std::vector<double> EllipticalFront::tip_extents_at_size(double a) const {
+  std::vector<double> arms;
+  for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
+    arms.push_back(first_arm_[tip] * a / model_.cracks[tips_[tip].line].plane.a);
+  }
+  return arms;
+}
+
 double EllipticalFront::crack_depth_behind_tip(std::size_t tip) const {
   const model::PlanarCrack& plane = now_.cracks[now_.arms[tip].crack].plane;
   return now_.arms[tip].on_a ? plane.a : plane.c;

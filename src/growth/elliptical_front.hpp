@@ -20,6 +20,8 @@ public:
   /// Takes the ellipses and what the tips move of them out of the state.
   void resume_from(const GrowthState& state) override;
   [[nodiscard]] CrackGeometry current_cracks() override;
+  /// A of all ellipses is `a`, and the axes keep their ratio.
+  [[nodiscard]] std::vector<double> tip_extents_at_size(double a) const override;
   /// The ellipses with longer axes: an arm whose opposite end lies in the body too shifts the
   /// centre by half. Empty, with an error, where no ellipse is about two that meet.
   std::optional<CrackGeometry> advance_cracks(const GrowthState& state,

@@ -34,7 +34,9 @@ void FrontKinks::take_turns_of_last_stations(const GrowthState& state) {
 }
 
 void FrontKinks::reset_trial() {
-  std::ranges::fill(part_, 0.0);
+  for (std::size_t tip = 0; tip < part_.size(); ++tip) {
+    part_[tip] = turning_[tip].heading - turning_[tip].turn;
+  }
 }
 
 void FrontKinks::set_trial_advances(const std::vector<double>& by) {

@@ -71,10 +71,18 @@ GrowthEndCriteria::find_growth_end(const GrowthTrajectory& between) const {
   const SolvedStation& here = stations.back();
   std::optional<GrowthEvent> end = find_crossing(between, stations[stations.size() - 2].s, here.s);
   for (std::size_t tip = 0; tip < tips.size() && rules.last_length && !end; ++tip) {
-    if (here.tips[tip].a >= *rules.last_length * (1.0 - 1e-12)) {
+    const double last = *rules.last_length;
+    if (here.tips[tip].a >= last * (1.0 - 1e-12)) {
       end = event_at_last_station(
           GrowthEventKind::last_length,
-          fmt::format("{} has its last length, {:.6g}", tips[tip].name, *rules.last_length));
+          fmt::format("{} has its last length, {:.6g}", tips[tip].name, last));
+    }
+    // A front of another growth may lie farther; those of this one are set to the last length.
+    if (end && here.tips[tip].a > last * (1.0 + 1e-9)) {
+      const double before = stations[stations.size() - 2].s;
+      end->s = find_first_crossing([&](double s) { return between.crack_extent(tip, s) - last; },
+                                   before, here.s)
+                   .value_or(here.s);
     }
   }
   const double s_first = stations.front().s;

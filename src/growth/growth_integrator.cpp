@@ -21,6 +21,7 @@ constexpr double first_step = 0.1;
 /// An advance that leads so far of the way to a tip's last length leads to it.
 constexpr double nearly_there = 0.95;
 constexpr double little_left = 0.03; ///< that is left, as a part of the arm
+constexpr double same_size = 1e-6;   ///< relative
 
 // Parts of the next advance by tip: rates extrapolated to its middle (Adams and Bashforth), once
 // there are two stations. `step`: logarithm of the ratio by which an arm grows at most.
@@ -84,17 +85,33 @@ std::optional<CrackGeometry> GrowthIntegrator::propose_next_cracks(base::Diagnos
       state_, {.by = advance_, .passage = passage_, .lengthening = lengthening_}, diagnostics);
 }
 
-std::optional<CrackGeometry> GrowthIntegrator::extend_cracks_to(const std::vector<double>& arms,
-                                                                base::Diagnostics& diagnostics) {
-  if (state_.stations.empty()) {
-    return kinematics_->current_cracks();
+std::optional<CrackGeometry>
+GrowthIntegrator::extend_cracks_to_size(double a, base::Diagnostics& diagnostics) {
+  const auto no = [&](const std::string& why) {
+    diagnostics.error(model_.growth->span, "E431", why);
+    return std::nullopt;
+  };
+  const bool first = state_.stations.empty();
+  advance_ = kinematics_->tip_extents_at_size(a);
+  if (advance_.empty()) {
+    return no("the size was given: only one tip in the plane, or ellipses (SHAPE=ELLIPSE), grow by "
+              "a law over such fronts");
   }
-  advance_ = arms;
   for (std::size_t tip = 0; tip < tips().size(); ++tip) {
-    advance_[tip] -= state_.stations.back().tips[tip].a;
+    const double begin =
+        first ? kinematics_->initial_tip_extent(tip) : state_.stations.back().tips[tip].a;
+    if (first && std::abs(advance_[tip] - begin) > same_size * begin) {
+      return no(fmt::format("the growth begins with {} at {:.6g}, it is for {:.6g}",
+                            tips()[tip].name, begin, advance_[tip]));
+    }
+    advance_[tip] -= begin;
+    if (!first && !(advance_[tip] > 0.0)) {
+      return no(fmt::format("the crack cannot grow to a = {:.6g} there", a));
+    }
   }
   passage_.reset();
-  return kinematics_->advance_cracks(state_, {.by = advance_, .passage = {}}, diagnostics);
+  return first ? kinematics_->current_cracks()
+               : kinematics_->advance_cracks(state_, {.by = advance_, .passage = {}}, diagnostics);
 }
 
 bool GrowthIntegrator::plan() {
@@ -218,10 +235,50 @@ bool GrowthIntegrator::accept_or_reject_station(std::vector<TipStation> found) {
   return true;
 }
 
-void GrowthIntegrator::accept_station(std::vector<TipStation> found) {
+CrackGeometry GrowthIntegrator::go_to_cracks_of(const GrowthState& earlier) {
+  if (earlier.stations.empty() || earlier.stations.back().tips.size() != tips().size()) {
+    throw base::CorruptStoredField("station_tip.a", "stations of other tips");
+  }
+  const SolvedStation& there = earlier.stations.back();
+  advance_.clear();
+  for (std::size_t tip = 0; tip < tips().size(); ++tip) {
+    advance_.push_back(there.tips[tip].a - (state_.stations.empty()
+                                                ? kinematics_->initial_tip_extent(tip)
+                                                : state_.stations.back().tips[tip].a));
+  }
+  passage_.reset();
+  if (there.breakthroughs > 0) {
+    passage_ = GrowthEvent{.kind = there.met > 0 ? GrowthEventKind::coalescence
+                                                 : GrowthEventKind::breakthrough,
+                           .tip = there.breakthroughs - 1,
+                           .crack = there.met > 0 ? there.met - 1 : 0};
+  }
+  kinematics_->resume_from(earlier);
+  return kinematics_->current_cracks();
+}
+
+bool GrowthIntegrator::accept_station_of_another_law(std::vector<TipStation> found) {
   append_station(std::move(found));
+  SolvedStation& here = state_.stations.back();
+  const double misplaced = deferred_cycle_error(here);
+  if (misplaced > model_.growth->tolerance) {
+    state_.stations.pop_back();
+    go_back_to_last_station();
+    return false;
+  }
+  for (TipStation& tip : here.tips) {
+    tip.uncertain_fraction = misplaced;
+  }
   static_cast<void>(judge_last_advance()); // the next step follows from it all the same
   accept_last_station();
+  return true;
+}
+
+void GrowthIntegrator::go_back_to_last_station() {
+  passage_.reset();
+  if (!state_.stations.empty()) {
+    kinematics_->resume_from(state_);
+  }
 }
 
 void GrowthIntegrator::accept_last_station() {

@@ -27,16 +27,21 @@ public:
 
   /// The cracks to be solved next; empty when the growth has ended.
   std::optional<CrackGeometry> propose_next_cracks(base::Diagnostics& diagnostics);
-  /// The cracks with such arms [tip], longer than those of the last station, in place of
-  /// propose_next_cracks(); before the first station those they have. Empty, with errors: there are
-  /// none.
-  std::optional<CrackGeometry> extend_cracks_to(const std::vector<double>& arms,
-                                                base::Diagnostics& diagnostics);
+  /// The cracks with the size `a` as LAW=INCREMENT gives it, in place of propose_next_cracks().
+  /// Empty, with errors: they are not on the way of this growth, or not ahead of the last station.
+  std::optional<CrackGeometry> extend_cracks_to_size(double a, base::Diagnostics& diagnostics);
   /// Takes what was found there: K, rates, turns and plastic parts by tip. False: the advance was
   /// too long for the tolerance and does not count.
   bool accept_or_reject_station(std::vector<TipStation> found);
-  /// Takes what was found there, however long the advance was.
-  void accept_station(std::vector<TipStation> found);
+  /// The cracks at the last station of an earlier growth that began as this one, in place of
+  /// propose_next_cracks(). Throws base::CorruptStoredField where they are not the deck's.
+  CrackGeometry go_to_cracks_of(const GrowthState& earlier);
+  /// Takes what was found at cracks that another law has led to, however long the advance was. If
+  /// the law would have led elsewhere, so that the cycles would be off by more than the tolerance,
+  /// it does not count, and the cracks are those of the last station: false.
+  bool accept_station_of_another_law(std::vector<TipStation> found);
+  /// Leaves the cracks that were gone to: those of the last station are there again.
+  void go_back_to_last_station();
   /// The cracks of `next` could not be meshed: a shorter advance, or the end.
   void shorten_step(const std::string& why);
 

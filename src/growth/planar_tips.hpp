@@ -20,6 +20,10 @@ public:
   [[nodiscard]] CrackGeometry current_cracks() override;
   /// Length of a tip's crack along its line, of an embedded crack half of it [length].
   [[nodiscard]] double initial_tip_extent(std::size_t tip) const override;
+  /// Of one tip alone.
+  [[nodiscard]] std::vector<double> tip_extents_at_size(double a) const override {
+    return tips_.size() == 1 ? std::vector<double>{a} : std::vector<double>();
+  }
   /// What is left to the largest length that $GROW allows and, on a path, to its end [length].
   [[nodiscard]] double remaining_growth_length(const GrowthState& state,
                                                std::size_t tip) const override;

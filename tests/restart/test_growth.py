@@ -173,10 +173,10 @@ class Growth(RestartTest):
             self.assertAlmostEqual(a, b, delta=2e-3 * abs(b))
 
     def test_other_rules_are_refused(self):
-        deck = PLATE.format(shear=40, more=STEPS.format(amax=4) + " DIRECTION=HOOP")
+        deck = PLATE.format(shear=0, more=STEPS.format(amax=4) + " SFLOW=1000")
         self.expect(0, "run", self.deck(keeping(deck)), "--quiet")
         for old, new, why in (
-            ("M=3", "M=3.1", "other rules: .*; K turns its crack, .*DIRECTION=PATH"),
+            ("M=3", "M=3.1", "other rules: .*; with SFLOW it hangs on stresses"),
             ("DA=0.5", "DA=0.6", "grew by other rules"),
             ("AMAX=4", "AMAX=3", "AMAX is 3, which it had as 4"),
         ):
@@ -189,23 +189,23 @@ class Growth(RestartTest):
         """Length and cycles at the end."""
         return [float(v) for v in (self.folder / run / "life_curve.csv").read_text().split()[-1].split(",")]
 
-    def check_another_law(self, before, other_law, tolerance=2e-3):
+    def check_another_law(self, before, other_law, tolerance=2e-3, shear=0):
         """The fronts of one growth serve another law or spectrum: none is solved anew, the life is that
         of a run from the start, and what is kept then is of that law."""
-        self.expect(0, "run", self.deck(keeping(PLATE.format(shear=0, more=before))), "--quiet")
+        self.expect(0, "run", self.deck(keeping(PLATE.format(shear=shear, more=before))), "--quiet")
         kept = len(self.increments())
-        other = self.deck(keeping(PLATE.format(shear=0, more=other_law)), "other.deck")
+        other = self.deck(keeping(PLATE.format(shear=shear, more=other_law)), "other.deck")
         self.expect(0, "run", other, "--restart", "--out", "again.run", "--quiet")
         listing = (self.folder / "again.run" / "listing.txt").read_text(encoding="utf-8")
         self.assertIn(f"{kept} of {kept} increments taken over", listing)
         self.expect(0, "run", other, "--restart", "--out", "third.run", "--quiet")
         self.same_folders(self.folder / "again.run", self.folder / "third.run")
         card = f"$RESTART READ='state.rst' AT={kept - 1} WRITE='last.rst'\n"  # rates kept there are of before
-        last = self.deck(keeping(PLATE.format(shear=0, more=other_law), card), "last.deck")
+        last = self.deck(keeping(PLATE.format(shear=shear, more=other_law), card), "last.deck")
         self.expect(0, "run", last, "--quiet")
         listing = (self.folder / "last.run" / "listing.txt").read_text(encoding="utf-8")
         self.assertIn(f"{kept - 1} of {kept} increments taken over", listing)
-        self.expect(0, "run", self.deck(PLATE.format(shear=0, more=other_law), "new.deck"), "--quiet")
+        self.expect(0, "run", self.deck(PLATE.format(shear=shear, more=other_law), "new.deck"), "--quiet")
         again, last, new = (self.life(f"{name}.run") for name in ("again", "last", "new"))
         self.assertEqual(len(again), len(new))
         for a, b, c in zip(again, last, new):
@@ -216,10 +216,64 @@ class Growth(RestartTest):
         law = STEPS.format(amax=4)
         self.check_another_law(law, law.replace("C=1e-13 M=3", "C=5e-14 M=3.2"))
 
+    def test_another_law_of_a_tip_that_turns(self):
+        law = STEPS.format(amax=4) + " DIRECTION=HOOP"
+        self.check_another_law(law, law.replace("C=1e-13 M=3", "C=5e-14 M=3.2"), shear=40)
+
+    def test_a_scatter_factor_leaves_fronts_where_they_are(self):
+        """Through the far face, too."""
+        for shape in ("FREE", "ELLIPSE"):
+            with self.subTest(shape):
+                deck = corner(shape)
+                self.expect(0, "run", self.deck(keeping(deck)), "--quiet")
+                kept = len(self.increments())
+                cycles = 60000 if FULL else 15000
+                other = deck.replace("C=1e-12", "C=2e-12").replace(f"CYCLES={cycles}", f"CYCLES={cycles // 2}")
+                self.expect(0, "run", self.deck(keeping(other), "other.deck"), "--restart", "--quiet")
+                listing = (self.folder / "other.run" / "listing.txt").read_text(encoding="utf-8")
+                self.assertIn(f"{kept} of {kept} increments taken over", listing)
+                for a, b in zip(self.life("other.run")[1:], self.life("test.run")[1:]):
+                    self.assertAlmostEqual(a, b, delta=1e-9 * abs(b))
+                for f in self.folder.glob("state.rst*"):
+                    f.is_file() and f.unlink()
+
+    def test_a_law_over_given_ellipses(self):
+        """A penny stays one by any law: its sizes serve them all."""
+        penny = """$DECK VERSION=1 LENGTH=mm FORCE=N
+$MESH SHAPE=BLOCK TYPE=TET10 X0=-4 Y0=-4 Z0=-4 LX=8 LY=8 LZ=8 NX=4 NY=4 NZ=4
+$MATERIAL NAME=M E=70000 NU=0.3
+$PROPERTY ESET=BODY MATERIAL=M STATE=SOLID
+$FREEDOM CLASS=SUPPRESSED DOF=XYZ
+  ZMIN
+$CRACK NAME=C1 A=0.5 C=0.5 X0=0 Y0=0 Z0=0 NORMAL=Z
+$LOAD CASE=PULL TYPE=TRACTION
+  ZMAX  0 0 100
+$STEP NAME=FULL
+  LOAD PULL 1
+$STEP NAME=ZERO
+  LOAD PULL 0
+$GROW LAW=INCREMENT SHAPE=ELLIPSE KMAX=FULL
+  0.5 0.6 0.75
+$END
+"""
+        self.expect(0, "run", self.deck(keeping(penny)), "--quiet")
+        law = "LAW=PARIS SHAPE=ELLIPSE KMAX=FULL KMIN=ZERO C=1e-12 M=4 KUNIT='MPa*mm^0.5' AUNIT='mm' AMAX=0.75"
+        other = penny.replace("LAW=INCREMENT SHAPE=ELLIPSE KMAX=FULL\n  0.5 0.6 0.75", law)
+        self.expect(0, "run", self.deck(keeping(other), "other.deck"), "--restart", "--quiet")
+        listing = (self.folder / "other.run" / "listing.txt").read_text(encoding="utf-8")
+        self.assertIn("3 of 3 increments taken over", listing)
+        self.expect(0, "run", self.deck(other, "new.deck"), "--quiet")
+        again, new = (self.life(f"{name}.run")[0] for name in ("other", "new"))
+        self.assertAlmostEqual(again, new, delta=0.02 * new)
+
     def test_another_law_ends_elsewhere(self):
         """Before the last front that was kept, and behind it: only what lies behind is solved."""
         law = STEPS.format(amax=4).replace("M=3", "M=3.2")
-        for other_law, taken in ((law + " KC=420", "5 of 5"), (law.replace("AMAX=4", "AMAX=5"), "6 of [78]")):
+        for other_law, taken in (
+            (law + " KC=420", "5 of 5"),
+            (STEPS.format(amax=3.3), r"(\d) of \1"),
+            (law.replace("AMAX=4", "AMAX=5"), "6 of [78]"),
+        ):
             self.expect(0, "run", self.deck(keeping(PLATE.format(shear=0, more=STEPS.format(amax=4)))), "--quiet")
             other = self.deck(keeping(PLATE.format(shear=0, more=other_law)), "other.deck")
             self.expect(0, "run", other, "--restart", "--quiet")

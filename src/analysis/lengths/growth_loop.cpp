@@ -45,7 +45,8 @@ public:
              base::OptionalFailure& trouble, results::RunResult& run)
       : model_(model), options_(options), diagnostics_(diagnostics), trouble_(trouble), run_(run),
         measure_(model), solver_(model, options, run.log, trial_, trial_trouble_),
-        on_the_way_(steps_with_requested_stresses(model, false)) {}
+        on_the_way_(options.stresses ? steps_with_requested_stresses(model, false)
+                                     : std::vector<bool>(model.steps.size(), false)) {}
 
   bool run() {
     std::unique_ptr<growth::CrackKinematics> kinematics =
@@ -162,7 +163,12 @@ private:
   }
 
   [[nodiscard]] std::vector<bool> pictured_at(int number) const {
-    return number == 1 ? steps_with_stress_recovery(model_, false) : on_the_way_;
+    return number == 1 ? pictured_at_end(false) : on_the_way_;
+  }
+
+  // Of the first increment, or of the last.
+  [[nodiscard]] std::vector<bool> pictured_at_end(bool last) const {
+    return options_.stresses ? steps_with_stress_recovery(model_, last) : on_the_way_;
   }
 
   // Where to solve next; empty: no state can be made there.
@@ -181,10 +187,9 @@ private:
                growth::GrowthIntegrator& integrator) {
     const bool first = integrator.growth_state().stations.empty();
     ScopedProfileCrackLength length(options_.recorder);
-    std::optional<results::CrackLengthResult> increment =
-        solver_.solve({cracks, 0.0, first ? steps_with_stress_recovery(model_, false) : on_the_way_,
-                       first || wants_bars(model_)},
-                      region.crack_region_plan());
+    std::optional<results::CrackLengthResult> increment = solver_.solve(
+        {cracks, 0.0, first ? pictured_at_end(false) : on_the_way_, first || wants_bars(model_)},
+        region.crack_region_plan());
     if (!increment) {
       return false;
     }
@@ -267,7 +272,7 @@ private:
   void finish(const growth::GrowthIntegrator& integrator) {
     const ScopedProfileInterval span(options_.recorder, "GROW", "lives");
     results::CrackLengthResult& last = run_.increments.back();
-    const std::vector<bool> pictured = steps_with_stress_recovery(model_, true);
+    const std::vector<bool> pictured = pictured_at_end(true);
     for (std::size_t s = 0; s < last.steps.size(); ++s) {
       // Which station is the last is known only now.
       if (pictured[s] && last.steps[s].stress.empty()) {
@@ -288,8 +293,8 @@ private:
         run_.growth->error > model_.growth->tolerance) {
       run_.warnings.push_back(
           {"W456", fmt::format("the fronts taken over were set for another law or spectrum: cycles "
-                               "may be off by {:.1e}, above TOL={:.1e}; without --restart the "
-                               "growth sets its own",
+                               "may be off by {:.1e}, above TOL={:.1e}; a growth from the start "
+                               "sets its own",
                                run_.growth->error, model_.growth->tolerance)});
     }
     if (results::growth_could_not_continue(*run_.growth)) {

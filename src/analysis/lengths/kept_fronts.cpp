@@ -2,18 +2,14 @@
 #include "analysis/lengths/kept_fronts.hpp"
 
 #include "analysis/lengths/growth_records.hpp"
-#include "analysis/lengths/growth_rules.hpp"
 #include "analysis/lengths/log_writer.hpp"
 #include "analysis/lengths/path_correction.hpp"
 #include "analysis/lengths/resume.hpp"
 #include "base/damaged_field.hpp"
-#include "geometry/polyline.hpp"
-#include "growth/crack_kinematics.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -23,8 +19,6 @@
 namespace spricka::analysis {
 
 namespace {
-
-constexpr double same_length = 1e-6; // relative
 
 // Whether the faces of a crack touch at a tip, in a step or on a part of a path.
 bool faces_close(const results::CrackLengthResult& increment) {
@@ -45,26 +39,35 @@ bool faces_close(const results::CrackLengthResult& increment) {
          });
 }
 
-// The arm of the only tip at a front that was kept: of its growth, or as it was given.
-double arm_of(const archive::StoredIncrement& kept) {
-  if (!kept.state.reals.contains("station.s")) {
-    return kept.increment.a;
+// The cracks that grew by another law, at a front that was kept; why they cannot be those of this
+// growth goes to `why_not`.
+std::optional<growth::CrackGeometry> cracks_of_earlier_growth(const growth::GrowthState& earlier,
+                                                              growth::GrowthIntegrator& integrator,
+                                                              std::string& why_not) {
+  const std::vector<growth::SolvedStation>& stations = integrator.growth_state().stations;
+  if (!stations.empty() && !earlier.stations.empty() &&
+      !(earlier.stations.back().s > stations.back().s)) {
+    why_not = "the cracks cannot grow to it from the one before";
+    return std::nullopt;
   }
-  const growth::GrowthState state = growth::growth_state_from_arrays(kept.state.reals);
-  if (state.stations.empty() || state.stations.back().tips.size() != 1) {
-    throw base::CorruptStoredField("station_tip.a", "stations of other tips");
+  return integrator.go_to_cracks_of(earlier);
+}
+
+// The same of cracks whose size was given.
+std::optional<growth::CrackGeometry>
+cracks_of_given_size(double a, growth::GrowthIntegrator& integrator, std::string& why_not) {
+  base::Diagnostics trouble;
+  std::optional<growth::CrackGeometry> cracks = integrator.extend_cracks_to_size(a, trouble);
+  if (!cracks) {
+    why_not = trouble.messages().front().text;
   }
-  return state.stations.back().tips.front().a;
+  return cracks;
 }
 
 } // namespace
 
 std::string why_law_moves_fronts(const model::Model& model) {
   const model::CrackGrowthSettings& growth = *model.growth;
-  if (growth.direction != model::GrowthDirection::path) {
-    return "K turns its crack, by advances that hang on the law: only on a given path "
-           "(DIRECTION=PATH) do fronts serve another law";
-  }
   if (model::has_friction(model)) {
     return "with friction its loads are followed one after another: K of other loads was not found";
   }
@@ -76,37 +79,31 @@ std::string why_law_moves_fronts(const model::Model& model) {
                           [](const auto& tip) { return tip.tolerance.has_value(); })) {
     return "with $TIPNET TOL its meshes hang on all fronts of a round";
   }
-  base::Diagnostics unheard; // the growth itself tells what is wrong with its cracks
-  const std::unique_ptr<growth::CrackKinematics> kinematics = make_crack_kinematics(model, unheard);
-  if (kinematics && kinematics->tips().size() == 1 && kinematics->current_cracks().solids.empty()) {
-    return {};
-  }
-  return "each of its tips grows by the law, so that another one leads to other fronts: those of "
-         "one tip in the plane, on its path, serve any law";
+  return {};
 }
 
 std::string add_kept_front(const model::Model& model, const archive::StoredIncrement& kept,
                            GrowthRateEvaluator& measure, growth::GrowthIntegrator& integrator) {
-  const double arm = arm_of(kept);
-  const std::vector<growth::SolvedStation>& stations = integrator.growth_state().stations;
-  const bool first = stations.empty();
-  const double longest =
-      model.growth->last_length.value_or(std::numeric_limits<double>::infinity());
-  if (arm > longest * (1.0 + same_length)) {
-    return fmt::format("AMAX is {:.6g}, it is for a = {:.6g}", longest, arm);
+  const bool first = integrator.growth_state().stations.empty();
+  std::string why_not;
+  const std::optional<growth::CrackGeometry> cracks =
+      kept.state.reals.contains("station.s")
+          ? cracks_of_earlier_growth(growth::growth_state_from_arrays(kept.state.reals), integrator,
+                                     why_not)
+          : cracks_of_given_size(kept.increment.a, integrator, why_not);
+  if (!cracks) {
+    return why_not;
   }
-  base::Diagnostics trouble;
-  const std::optional<growth::CrackGeometry> cracks = integrator.extend_cracks_to({arm}, trouble);
-  if (!cracks || (!first && !(arm > stations.back().tips.front().a))) {
-    return fmt::format("the crack cannot grow to a = {:.6g} there", arm);
-  }
-  const double begin =
-      geometry::polyline_length(cracks->lines[integrator.tips().front().line].points);
-  if (first && std::abs(begin - arm) > same_length * arm) {
-    return fmt::format("the growth begins at a = {:.6g}, it is for a = {:.6g}", begin, arm);
-  }
+  const auto back = [&](std::string why) {
+    integrator.go_back_to_last_station();
+    return why;
+  };
   if (continues_K_below_closing(model) && faces_close(kept.increment)) {
-    return "the law knows R < 0, and K with faces that overlap was not kept";
+    return back("the law knows R < 0, and K with faces that overlap was not kept");
+  }
+  if (model.growth->spectrum &&
+      kept.increment.paths.size() <= model.spectra[*model.growth->spectrum].path) {
+    return back("K along the path of its spectrum was not kept");
   }
   const std::optional<results::LoadPathResult> path =
       corrected_growth_load_path(model, kept.increment);
@@ -120,19 +117,22 @@ std::string add_kept_front(const model::Model& model, const archive::StoredIncre
                                   no_overlap, path ? &*path : nullptr},
                                  integrator.tips());
   if (!found) {
-    return measure.trouble()->why;
+    return back(measure.trouble()->why);
   }
   if (first && !measure.spectrum() && measure.is_load_reversed()) {
-    return "K is larger at KMIN than at KMAX";
+    return back("K is larger at KMIN than at KMAX");
   }
-  integrator.accept_station(std::move(*found));
+  if (!integrator.accept_station_of_another_law(std::move(*found))) {
+    return "the tips share the growth otherwise by the law now, which leads to other fronts: the "
+           "cycles would be off by more than TOL";
+  }
   return {};
 }
 
 std::optional<archive::StoredIncrement>
 KeptFrontsOfAnotherLaw::take_over(growth::GrowthIntegrator& integrator,
                                   const std::function<std::vector<bool>(int number)>& pictured) {
-  archive::Checkpoint& checkpoint = *options_.checkpoint;
+  archive::IncrementStore& checkpoint = *options_.checkpoint;
   std::optional<archive::StoredIncrement> last;
   for (int number = 1; !integrator.growth_end() && checkpoint.has_stored_increment(number);
        ++number) {

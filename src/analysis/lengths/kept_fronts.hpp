@@ -2,7 +2,7 @@
 #pragma once
 #include "analysis/lengths/growth_measure.hpp"
 #include "analysis/lengths/solve_options.hpp"
-#include "archive/checkpoint.hpp"
+#include "archive/increment_store.hpp"
 #include "growth/growth_integrator.hpp"
 #include "model/forward.hpp"
 
@@ -14,19 +14,21 @@
 /// Fronts that an earlier run solved as stations of a growth by another law or spectrum.
 namespace spricka::analysis {
 
-/// Why the law of $GROW has a part in where its fronts are, or in what is kept of them, so that
-/// those of one law cannot serve another, and what would do; empty: it has none.
+/// Why fronts of one law of $GROW cannot serve another, wherever that leads, and what would do;
+/// empty: they serve it as far as the tips share the growth as they did.
 std::string why_law_moves_fronts(const model::Model& model);
 
-/// Makes the next station of a front that was kept: its K stands, the rate is that of the law now.
-/// Empty, or why it cannot be: then there is no such station. Throws base::CorruptStoredField.
+/// Makes the next station of a front that was kept: its K stands, the rates are those of the law
+/// now. Of several tips these may lead a little elsewhere, as long as the cycles are right to the
+/// tolerance. Empty, or why it cannot be: then there is no such station. Throws
+/// base::CorruptStoredField.
 std::string add_kept_front(const model::Model& model, const archive::StoredIncrement& kept,
                            GrowthRateEvaluator& measure, growth::GrowthIntegrator& integrator);
 
-/// Takes fronts of another law out of a checkpoint.
+/// Takes fronts of another law out of what an earlier run has kept.
 class KeptFrontsOfAnotherLaw {
 public:
-  /// All must outlive it; `options` with a checkpoint, `run` gets what is taken over.
+  /// All must outlive it; `options` with an increment store, `run` gets what is taken over.
   KeptFrontsOfAnotherLaw(const model::Model& model, const SolveOptions& options,
                          GrowthRateEvaluator& measure, results::RunResult& run)
       : model_(model), options_(options), measure_(measure), run_(run) {}

@@ -30,7 +30,7 @@ bool fit_pictures(const std::vector<bool>& pictured, results::CrackLengthResult&
 } // namespace
 
 std::optional<archive::StoredIncrement> accept_stored_increment(const model::Model& model,
-                                                                archive::Checkpoint* checkpoint,
+                                                                archive::IncrementStore* checkpoint,
                                                                 int number, double asked,
                                                                 const std::vector<bool>& pictured) {
   if (checkpoint == nullptr || !checkpoint->has_stored_increment(number)) {
@@ -49,8 +49,10 @@ std::optional<archive::StoredIncrement> accept_stored_increment(const model::Mod
     return std::nullopt;
   }
   checkpoint->accept_increment(number);
-  keep_removed_set_members(model.mesh, kept.increment.mesh);
-  add_face_sets_as_node_sets(model, kept.increment.mesh);
+  if (kept.increment.mesh.node_count() > 0) { // in memory only what the law needs is kept
+    keep_removed_set_members(model.mesh, kept.increment.mesh);
+    add_face_sets_as_node_sets(model, kept.increment.mesh);
+  }
   return kept;
 }
 
@@ -71,7 +73,7 @@ void report_resumed_increment(const SolveOptions& options, const results::RunRes
   }
 }
 
-bool is_time_up(const archive::Checkpoint* checkpoint, base::OptionalFailure& trouble) {
+bool is_time_up(const archive::IncrementStore* checkpoint, base::OptionalFailure& trouble) {
   if (checkpoint == nullptr || !checkpoint->would_exceed_time_limit()) {
     return false;
   }
@@ -80,7 +82,7 @@ bool is_time_up(const archive::Checkpoint* checkpoint, base::OptionalFailure& tr
   return true;
 }
 
-void IncrementRecorder::store_increment(archive::Checkpoint* checkpoint, double asked,
+void IncrementRecorder::store_increment(archive::IncrementStore* checkpoint, double asked,
                                         const results::CrackLengthResult& increment,
                                         results::NamedArrays state) const {
   if (checkpoint == nullptr) {

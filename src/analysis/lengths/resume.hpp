@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "analysis/lengths/solve_options.hpp"
-#include "archive/checkpoint.hpp"
+#include "archive/increment_store.hpp"
 #include "archive/safe_file.hpp"
 #include "base/clock.hpp"
 #include "base/damaged_field.hpp"
@@ -17,7 +17,7 @@ namespace spricka::analysis {
 /// Increment `number`, asked for length `asked`, from an earlier run; empty: it is to be solved.
 /// Its stresses are those of the steps in `pictured`; where one is missing it is solved anew.
 std::optional<archive::StoredIncrement> accept_stored_increment(const model::Model& model,
-                                                                archive::Checkpoint* checkpoint,
+                                                                archive::IncrementStore* checkpoint,
                                                                 int number, double asked,
                                                                 const std::vector<bool>& pictured);
 
@@ -41,7 +41,7 @@ void report_resumed_increment(const SolveOptions& options, const results::RunRes
                               std::size_t increments);
 
 /// Whether the time is up before the next increment; then `trouble` says so.
-bool is_time_up(const archive::Checkpoint* checkpoint, base::OptionalFailure& trouble);
+bool is_time_up(const archive::IncrementStore* checkpoint, base::OptionalFailure& trouble);
 
 /// Where a loop stood when it began with an increment.
 class IncrementRecorder {
@@ -49,7 +49,7 @@ public:
   explicit IncrementRecorder(const std::vector<results::LogLine>& log)
       : log_(log), lines_(log.size()) {}
   /// Keeps the increment that was solved since, with the log's lines since then.
-  void store_increment(archive::Checkpoint* checkpoint, double asked,
+  void store_increment(archive::IncrementStore* checkpoint, double asked,
                        const results::CrackLengthResult& increment,
                        results::NamedArrays state) const;
 

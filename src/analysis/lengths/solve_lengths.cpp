@@ -6,7 +6,7 @@
 #include "analysis/lengths/pictured_steps.hpp"
 #include "analysis/lengths/recorder.hpp"
 #include "analysis/lengths/resume.hpp"
-#include "archive/checkpoint.hpp"
+#include "archive/increment_store.hpp"
 #include "base/clock.hpp"
 #include "base/memory.hpp"
 #include "growth/crack_lines.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 
 namespace spricka::archive {
-class Checkpoint;
+class IncrementStore;
 }
 
 namespace spricka::analysis {
@@ -29,12 +29,13 @@ struct SolveOptions {
   int threads = 1;
   CondensationMode condensing = CondensationMode::automatic;
   /// Keeps increments, and gives back those of an earlier run.
-  archive::Checkpoint* checkpoint = nullptr;
+  archive::IncrementStore* checkpoint = nullptr;
   std::function<void(const RunProgress&)> progress = {}; ///< may be empty
   /// Given the increment under way with all its steps so far, whenever there is a new K in it; may
   /// be empty.
   std::function<void(const results::CrackLengthResult&)> found = {};
   ProfileRecorder* recorder = nullptr; ///< of a profile, where one is asked for
+  bool stresses = true; ///< those of steps that outputs or the report show; false: nobody sees them
 };
 
 } // namespace spricka::analysis

@@ -313,8 +313,8 @@ constexpr std::array advice{
                 "Is the path right? AT= up to an increment that is whole may help; else start "
                 "from the beginning: exit code 7."},
     CodeMeaning{"E561", "Take the deck that wrote the state, or start from the beginning. $OUTPUT, "
-                        "$CHECK, $CONTROL, $TASK and lengths of $GROW may change; so may the law "
-                        "and the spectrum of one tip in the plane that follows its path."},
+                        "$CHECK, $CONTROL, $TASK and lengths of $GROW may change; so may its law "
+                        "and the spectrum, without friction, SFLOW and $TIPNET TOL."},
     CodeMeaning{"E562", "Give an AT that the file holds, or none: exit code 3."},
     CodeMeaning{"E563",
                 "Is the disk full, may you write there, does another run write it? What was "
