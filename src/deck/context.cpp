@@ -1,11 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
 
+#include "grammar/lexeme.hpp"
+
 #include <algorithm>
 
 #include <fmt/format.h>
 
 namespace spricka::deck {
+
+namespace {
+
+template <class Entities>
+void define_entity_names(NameTable& names, EntityKind kind, const Entities& entities) {
+  for (std::size_t i = 0; i < entities.size(); ++i) {
+    if (!entities[i].name.empty()) {
+      names.define(entities[i].name, {kind, i, {}, {}, false});
+    }
+  }
+}
+
+} // namespace
 
 const CheckedCard* DeckContext::find_first_card(std::string_view name) const {
   const auto found =
@@ -41,6 +56,26 @@ const CheckedCard* DeckContext::find_sound_card_named(std::string_view card,
 base::NetId DeckContext::find_net(std::string_view name) const {
   const auto found = std::ranges::find(model.nets, name, &model::NetDefinition::name);
   return base::NetId(static_cast<std::size_t>(found - model.nets.begin()));
+}
+
+void define_names_of_model(DeckContext& context, const model::Model& model) {
+  context.scope.sources = &context.sources;
+  for (const auto& [name, value] : model.parameters) {
+    context.scope.values.emplace(grammar::to_upper(name), value);
+  }
+  NameTable& names = context.names;
+  define_entity_names(names, EntityKind::load_case, model.cases);
+  define_entity_names(names, EntityKind::contact, model.contacts);
+  define_entity_names(names, EntityKind::crack, model.cracks);
+  define_entity_names(names, EntityKind::step, model.steps);
+  names.define("NOW", {EntityKind::step, model.steps.size(), {}, {}, false});
+  define_entity_names(names, EntityKind::material, model.materials);
+  define_entity_names(names, EntityKind::path, model.load_paths);
+  define_entity_names(names, EntityKind::test, model.tests);
+  define_entity_names(names, EntityKind::net, model.nets);
+  define_entity_names(names, EntityKind::node_set, model.mesh.node_sets);
+  define_entity_names(names, EntityKind::element_set, model.mesh.element_sets);
+  define_entity_names(names, EntityKind::face_set, model.mesh.face_sets);
 }
 
 } // namespace spricka::deck

@@ -131,6 +131,9 @@ bool check_contact_or_crack_faces(DeckContext& context, const NameReference& ref
 void check_cards_and_define_names(DeckContext& context,
                                   const std::vector<grammar::CardHeader>& cards,
                                   const DeckReadOptions& options);
+/// Parameters and names of a deck that has been read before, for cards and lines behind it; NOW is
+/// a step.
+void define_names_of_model(DeckContext& context, const model::Model& model);
 /// $COOR, $ELEMENT, $MESH, $IMPORT.
 void build_mesh(DeckContext& context);
 /// Parameters that reach no script, though they seem to be meant to.

@@ -2,7 +2,6 @@
 #include "deck/typed_line.hpp"
 
 #include "deck/checks.hpp"
-#include "grammar/lexeme.hpp"
 #include "grammar/parse.hpp"
 
 #include <cstdint>
@@ -12,37 +11,12 @@ namespace spricka::deck {
 
 namespace {
 
-template <class Entities>
-void define_names(NameTable& names, EntityKind kind, const Entities& entities) {
-  for (std::size_t i = 0; i < entities.size(); ++i) {
-    if (!entities[i].name.empty()) {
-      names.define(entities[i].name, {kind, i, {}, {}, false});
-    }
-  }
-}
-
 // What stands in the reading of a deck before its steps and checks, without its mesh.
 void fill_context(const model::Model& model, DeckContext& context) {
-  context.scope.sources = &context.sources;
   context.scope.units = model.units;
-  for (const auto& [name, value] : model.parameters) {
-    context.scope.values.emplace(grammar::to_upper(name), value);
-  }
   context.model.mesh.dim = model.mesh.dim;
   context.model.growth = model.growth;
-  NameTable& names = context.names;
-  define_names(names, EntityKind::load_case, model.cases);
-  define_names(names, EntityKind::contact, model.contacts);
-  define_names(names, EntityKind::crack, model.cracks);
-  define_names(names, EntityKind::step, model.steps);
-  names.define("NOW", {EntityKind::step, model.steps.size(), {}, {}, false});
-  define_names(names, EntityKind::material, model.materials);
-  define_names(names, EntityKind::path, model.load_paths);
-  define_names(names, EntityKind::test, model.tests);
-  define_names(names, EntityKind::net, model.nets);
-  define_names(names, EntityKind::node_set, model.mesh.node_sets);
-  define_names(names, EntityKind::element_set, model.mesh.element_sets);
-  define_names(names, EntityKind::face_set, model.mesh.face_sets);
+  define_names_of_model(context, model);
 }
 
 // The line as the only row of a card; empty after an error.

@@ -59,8 +59,9 @@ void warn_of_locking(const model::Model& model, base::Diagnostics& list) {
   }
 }
 
-// Without what was said before, word for word. Places move where a card above has changed.
-base::Diagnostics news_of(const base::Diagnostics& list, const base::Diagnostics* reported) {
+} // namespace
+
+base::Diagnostics find_news(const base::Diagnostics& list, const base::Diagnostics* reported) {
   if (reported == nullptr) {
     return list;
   }
@@ -79,8 +80,6 @@ base::Diagnostics news_of(const base::Diagnostics& list, const base::Diagnostics
   }
   return news;
 }
-
-} // namespace
 
 std::string first_error_text(const base::SourceTexts& sources,
                              const base::Diagnostics& diagnostics) {
@@ -101,7 +100,7 @@ std::string first_error_text(const base::SourceTexts& sources,
 RunOutcomeWithResults report_refusal(const base::SourceTexts& sources,
                                      const base::Diagnostics& list, base::ProgramOutcome kind,
                                      const Log& log, const base::Diagnostics* reported) {
-  log.report_diagnostics(sources, news_of(list, reported));
+  log.report_diagnostics(sources, find_news(list, reported));
   return {kind, first_error_text(sources, list), {}};
 }
 
@@ -141,7 +140,7 @@ CheckedDeck read_and_check_deck(const std::filesystem::path& deck,
                                    base::ProgramOutcome::deck_error, log, reported);
     return ready;
   }
-  log.report_diagnostics(ready.sources, news_of(ready.diagnostics, reported));
+  log.report_diagnostics(ready.sources, find_news(ready.diagnostics, reported));
   ready.model = std::move(model);
   return ready;
 }

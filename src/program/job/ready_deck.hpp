@@ -52,6 +52,10 @@ RunOutcomeWithResults report_refusal(const base::SourceTexts& sources,
                                      const base::Diagnostics& list, base::ProgramOutcome kind,
                                      const Log& log, const base::Diagnostics* reported = nullptr);
 
+/// Without what was `reported` before, word for word: places move where a card above has changed.
+/// Null: nothing was.
+base::Diagnostics find_news(const base::Diagnostics& list, const base::Diagnostics* reported);
+
 /// "lug.deck:12:18: E108: text" of the first error; empty without one.
 std::string first_error_text(const base::SourceTexts& sources,
                              const base::Diagnostics& diagnostics);

@@ -76,6 +76,9 @@ base::OptionalFailure evaluate_result_line(ShellSession& session, const std::str
   base::OptionalFailure trouble = read_result_request(session.model(), line, check);
   trouble = trouble ? trouble : solve_pending_changes(session, reply);
   trouble = trouble ? trouble : evaluate_result(session, check, value);
+  if (!trouble && (check.quantity == "N" || check.quantity == "LIFE")) {
+    reply.messages += growth_notes(session);
+  }
   if (!trouble) {
     const std::string unit = base::unit_name(
         session.model().units, grammar::find_result_quantity(check.quantity)->quantity);
@@ -89,10 +92,15 @@ base::OptionalFailure apply_deck_change(ShellSession& session, const std::string
                                         bool is_card, ShellReply& reply) {
   base::OptionalFailure trouble = solve_pending_changes(session, reply);
   const std::string before = K_and_contact_state_reply(session);
+  const InteractiveSolver* const solver = &session.solver();
   trouble =
       trouble ? trouble : (is_card ? session.change_card(line) : session.change_parameter(line));
   if (trouble) {
     return trouble;
+  }
+  if (&session.solver() == solver) {
+    reply.messages += "note: another law of growth: K and the contacts do not depend on it\n";
+    return {};
   }
   const analysis::CondensationStatistics& log = session.solver().condensation_figures();
   reply.messages += fmt::format("note: {} nets condensed, {} reused\n", log.condensed, log.reused);
@@ -246,6 +254,19 @@ base::OptionalFailure do_follow_load_path(const ShellCall& call) {
         "{}{}\n", results::is_warning(note) ? "" : "note: ", results::text_with_code(note));
   }
   return {};
+}
+
+base::OptionalFailure do_grow(const ShellCall& call) {
+  const bool anew = call.words.size() == 2 && name_argument(call, 1) == "ANEW";
+  if (call.words.size() > 2 || (call.words.size() == 2 && !anew)) {
+    return wrong_usage(call);
+  }
+  base::OptionalFailure trouble = call.session.grow(anew);
+  if (!trouble) {
+    call.reply.out = growth_reply(call.session);
+    call.reply.messages += growth_notes(call.session);
+  }
+  return trouble;
 }
 
 namespace {

@@ -27,6 +27,8 @@ base::OptionalFailure do_solve(const ShellCall& call);
 base::OptionalFailure do_go_to_step(const ShellCall& call);
 /// Lists what is set, a table of results, or cards.
 base::OptionalFailure do_list(const ShellCall& call);
+/// Grows the cracks by the law of $GROW: stations, end and life.
+base::OptionalFailure do_grow(const ShellCall& call);
 /// Solves a load path of the deck, or a load case from one factor to another.
 base::OptionalFailure do_follow_load_path(const ShellCall& call);
 /// Writes a picture.

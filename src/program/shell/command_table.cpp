@@ -128,6 +128,10 @@ const std::vector<ShellCommand>& shell_commands() {
        "K along a load, every breakpoint, without friction",
        "A load path runs over its t; a load case over its factor, all else as it is set.",
        do_follow_load_path},
+      {"grow", "[anew]", ".", "the growth by $GROW: its stations, end and life",
+       "Of the deck's own steps, with cards as they are now. Solved fronts serve other laws and "
+       "spectra where these lead to them; anew solves all of them again.",
+       do_grow},
       {"plot", "k|pressure|mesh|path FILE.svg [replace]", "kf", "a picture into a file",
        "k: K1 over the lengths tried with these loads and cards, in space K along the front; path: "
        "the last map. A file that is there is left as it is unless replace stands behind its name.",

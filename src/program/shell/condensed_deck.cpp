@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/shell/condensed_deck.hpp"
 
+#include "deck/growth_cards.hpp"
+#include "grammar/lexeme.hpp"
 #include "growth/crack_lines.hpp"
 #include "model/model.hpp"
 #include "program/shell/deck_edit.hpp"
@@ -69,7 +71,8 @@ analysis::CrackRegionPlan plan_lengths(const model::Model& model,
 
 CondensedDeck::CondensedDeck(CheckedDeck deck, const deck::DeckCardList& text,
                              const SolverThreadsAndStop& controls)
-    : deck_(std::move(deck)), controls_(controls), other_cards_(cards_without_cracks_text(text)) {}
+    : deck_(std::move(deck)), controls_(controls), other_cards_(cards_without_cracks_text(text)),
+      growth_(controls) {}
 
 void CondensedDeck::reuse_region(const CondensedDeck& before) {
   if (other_cards_ == before.other_cards_ &&
@@ -144,6 +147,33 @@ base::OptionalFailure CondensedDeck::renew_solver(const SessionDeckChanges& chan
     std::erase_if(cache_->bodies, [](const auto& entry) { return entry.second.use_count() == 1; });
   }
   return {};
+}
+
+base::OptionalFailure CondensedDeck::change_growth_law(const deck::DeckCardList& text,
+                                                       const std::filesystem::path& file,
+                                                       base::Diagnostics& news) {
+  std::optional<deck::GrowthCards> cards =
+      deck::read_growth_cards(model(), text, file, deck_.sources, news);
+  if (!cards) {
+    return located_failure(base::ProgramOutcome::deck_error, deck_.sources, news);
+  }
+  model::Model& model = *deck_.model;
+  model.growth = std::move(cards->growth);
+  model.spectra = std::move(cards->spectra);
+  model.parameters = std::move(cards->parameters);
+  other_cards_ = cards_without_cracks_text(text);
+  growth_.forget_result();
+  return {};
+}
+
+std::set<std::string> CondensedDeck::script_constants() const {
+  std::set<std::string> names;
+  for (const deck::ImportedScript& script : deck_.scripts) {
+    for (const mesh::GeometryScriptConstant& constant : script.constants) {
+      names.insert(grammar::to_upper(constant.name));
+    }
+  }
+  return names;
 }
 
 std::string CondensedDeck::setting_to_compare() const {

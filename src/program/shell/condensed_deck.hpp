@@ -5,18 +5,16 @@
 #include "program/job/ready_deck.hpp"
 #include "program/shell/bench.hpp"
 #include "program/shell/deck_changes.hpp"
+#include "program/shell/shell_growth.hpp"
+#include "program/shell/solver_controls.hpp"
 
+#include <filesystem>
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 
 namespace spricka::program {
-
-/// What solvers may take of the machine.
-struct SolverThreadsAndStop {
-  std::function<int(const model::Model&)> threads; ///< empty: one
-  std::function<bool()> stopped;                   ///< may be empty
-};
 
 /// A deck as it was read, its nets condensed for one size of each crack, and the solver that is
 /// asked of it.
@@ -38,6 +36,18 @@ public:
   /// A new solver for the same model, at the end of the steps.
   base::OptionalFailure renew_solver(const SessionDeckChanges& changes);
 
+  /// Another law of growth, cycles or ends: `text` differs from the deck's in these alone. All else
+  /// stays as it is. `news`: warnings of the new cards, with the places in sources().
+  base::OptionalFailure change_growth_law(const deck::DeckCardList& text,
+                                          const std::filesystem::path& file,
+                                          base::Diagnostics& news);
+  /// Parameters, in upper case, that geometry scripts take for their constants.
+  [[nodiscard]] std::set<std::string> script_constants() const;
+  /// The growth by the law that the cards have now.
+  base::OptionalFailure grow(bool anew) { return growth_.grow(model(), deck_.sources, anew); }
+  [[nodiscard]] const ShellGrowth& growth() const { return growth_; }
+  [[nodiscard]] const base::SourceTexts& sources() const { return deck_.sources; }
+
   [[nodiscard]] const model::Model& model() const { return *deck_.model; }
   [[nodiscard]] InteractiveSolver& solver() { return *solver_; }
   [[nodiscard]] const InteractiveSolver& solver() const { return *solver_; }
@@ -57,6 +67,7 @@ private:
       std::make_shared<analysis::ContactDataForNextLength>();
   std::shared_ptr<analysis::MountOffsetMemory> memory_; ///< where $GROW says MOUNTED=FIRST
   std::unique_ptr<InteractiveSolver> solver_;
+  ShellGrowth growth_;
 };
 
 } // namespace spricka::program

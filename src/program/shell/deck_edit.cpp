@@ -24,6 +24,9 @@ using deck::DeckCardList;
 
 // The key by which cards of one kind are told apart; empty: there is none.
 std::string_view telling_key(const grammar::CardSpec& spec) {
+  if (spec.once) {
+    return {};
+  }
   if (spec.find("NAME") != nullptr) {
     return "NAME";
   }
@@ -60,10 +63,36 @@ base::OptionalFailure find_card(const DeckCardList& text, const DeckCard& typed,
   return {};
 }
 
-// Where a key stands in a list "A B C".
+// Whether a word stands in a list "A B C" or "A|B|C".
 bool is_listed(std::string_view list, std::string_view key) {
   const std::vector<std::string> words = grammar::split_words(list);
   return std::ranges::find(words, key) != words.end();
+}
+
+// Keys that those typed exclude: of a list of which at most one may stand there, or by a rule.
+void erase_excluded_keys(const grammar::CardSpec& spec, const DeckCard& typed, DeckCard& card) {
+  const auto exclude = [&](std::string_view key) {
+    if (!typed.has_key(key)) {
+      card.erase(key);
+    }
+  };
+  for (const auto& [name, value] : typed.keys) {
+    for (const grammar::KeySpec& other : spec.keys) {
+      if (is_listed(spec.exclusive, name) && is_listed(spec.exclusive, other.name)) {
+        exclude(other.name);
+      }
+    }
+    for (const grammar::KeyPresenceRule& rule : spec.when) {
+      if (rule.key == name &&
+          (rule.words.empty() || is_listed(rule.words, typed.word_value(name)))) {
+        for (const std::string& key : grammar::split_words(rule.forbids)) {
+          exclude(key);
+        }
+      } else if (rule.words.empty() && is_listed(rule.forbids, name)) {
+        exclude(rule.key);
+      }
+    }
+  }
 }
 
 } // namespace
@@ -130,13 +159,8 @@ base::OptionalFailure set_card_keys(const std::string& header, DeckCardList& tex
     return trouble;
   }
   DeckCard& card = text[changed];
+  erase_excluded_keys(*spec, typed, card);
   for (const auto& [name, value] : typed.keys) {
-    for (const grammar::KeySpec& other : spec->keys) {
-      if (is_listed(spec->exclusive, name) && is_listed(spec->exclusive, other.name) &&
-          !typed.has_key(other.name)) {
-        card.erase(other.name);
-      }
-    }
     if (name != key) {
       card.set_key(name, value);
     }

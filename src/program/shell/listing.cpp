@@ -6,6 +6,7 @@
 #include "program/shell/deck_edit.hpp"
 #include "program/shell/known_names.hpp"
 #include "report/drawing/table.hpp"
+#include "report/topics/growth_tables.hpp"
 #include "report/topics/k_tables.hpp"
 #include "report/topics/sensitivity_tables.hpp"
 
@@ -278,6 +279,26 @@ std::string K_along_load_path_reply(const ShellSession& session) {
     table.rows.push_back(std::move(row));
   }
   return report::table_to_text(table);
+}
+
+std::string growth_reply(const ShellSession& session) {
+  const results::RunResult& run = session.growth().result();
+  return report::table_to_text(
+             report::without_title(report::growth_station_table(session.model(), run))) +
+         report::life_summary(session.model(), run);
+}
+
+std::string growth_notes(const ShellSession& session) {
+  const ShellGrowth& growth = session.growth();
+  std::string text = fmt::format("note: {} of {} fronts solved", growth.solved_count(),
+                                 growth.result().increments.size());
+  text += growth.why_solved_anew().empty()
+              ? "\n"
+              : fmt::format(", earlier ones did not serve: {}\n", growth.why_solved_anew());
+  for (const std::string& warning : results::text_with_code(growth.result().warnings)) {
+    text += warning + "\n";
+  }
+  return text;
 }
 
 namespace {

@@ -26,6 +26,10 @@ std::string sensitivity_reply(const ShellSession& session);
 std::string contact_reply(const ShellSession& session, const results::ContactResult& contact);
 /// K at the breakpoints of the path that was followed last.
 std::string K_along_load_path_reply(const ShellSession& session);
+/// Stations, end and life of the growth that was made last, as the listing of a run has them.
+std::string growth_reply(const ShellSession& session);
+/// What fronts it took, and what its reader must not miss, one line each.
+std::string growth_notes(const ShellSession& session);
 /// The step that the state began with, what was changed since, and the state.
 std::string changes_and_state_reply(const ShellSession& session);
 /// The cards of a name (upper case, without $) as they are now, with the steps typed; empty: none.

@@ -25,9 +25,9 @@ base::OptionalFailure read_result_request(const model::Model& model, const std::
     return located_failure(base::ProgramOutcome::usage, sources, diagnostics);
   }
   check = std::move(*found);
-  if (check.quantity == "N" || check.quantity == "LIFE" || check.quantity.starts_with("TEST.")) {
+  if (check.quantity.starts_with("TEST.")) {
     return invalid_input(
-        fmt::format("{} needs a growth run; the shell looks at states", check.quantity));
+        fmt::format("{} needs a run; the shell looks at states and lives", check.quantity));
   }
   return {};
 }
@@ -35,7 +35,8 @@ base::OptionalFailure read_result_request(const model::Model& model, const std::
 base::OptionalFailure evaluate_result(ShellSession& session, const model::ResultCheck& check,
                                       double& value) {
   const model::Model& model = session.model();
-  if (base::OptionalFailure trouble = session.solve()) {
+  const bool is_life = check.quantity == "N" || check.quantity == "LIFE";
+  if (base::OptionalFailure trouble = is_life ? session.grow(false) : session.solve()) {
     return trouble;
   }
   for (const auto& argument : check.arguments) {
@@ -66,7 +67,8 @@ base::OptionalFailure evaluate_result(ShellSession& session, const model::Result
   } else if (q == "ERROR") {
     session.estimate_net_errors();
   }
-  const results::CheckResult found = evaluate_check(model, check, session.run_results());
+  const results::CheckResult found =
+      evaluate_check(model, check, is_life ? session.growth().result() : session.run_results());
   if (!found.trouble.empty()) {
     return base::OperationFailure{.kind = base::ProgramOutcome::check_failed, .why = found.trouble};
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/shell/session.hpp"
 
+#include "deck/growth_cards.hpp"
 #include "model/model.hpp"
 #include "program/shell/deck_edit.hpp"
 #include "program/shell/known_names.hpp"
@@ -129,9 +130,27 @@ base::OptionalFailure ShellSession::change_deck(SessionDeckChanges to, deck::Dec
   to.text = std::make_shared<deck::DeckCardList>(std::move(text));
   to.lines.push_back(line);
   SessionDeckChanges before = set_;
-  base::OptionalFailure trouble = read_again(std::move(to));
+  base::OptionalFailure trouble = differs_in_growth_law_alone(to) ? change_growth_law(std::move(to))
+                                                                  : read_again(std::move(to));
   if (!trouble) {
     earlier_.push_back(std::move(before));
+  }
+  return trouble;
+}
+
+bool ShellSession::differs_in_growth_law_alone(const SessionDeckChanges& to) const {
+  return deck::differ_in_growth_law_alone(*set_.text, *to.text, deck_->script_constants());
+}
+
+// The state does not depend on it.
+base::OptionalFailure ShellSession::change_growth_law(SessionDeckChanges to) {
+  base::Diagnostics news;
+  base::OptionalFailure trouble = deck_->change_growth_law(*to.text, files_.front(), news);
+  if (!trouble) {
+    set_ = std::move(to);
+    if (options_.report) {
+      options_.report(deck_->sources(), news);
+    }
   }
   return trouble;
 }
@@ -161,6 +180,13 @@ base::OptionalFailure ShellSession::undo() {
   }
   const SessionDeckChanges to = earlier_.back();
   const bool same_cards = to.text == set_.text;
+  if (!same_cards && differs_in_growth_law_alone(to)) {
+    base::OptionalFailure trouble = change_growth_law(to);
+    if (!trouble) {
+      earlier_.pop_back();
+    }
+    return trouble;
+  }
   if (base::OptionalFailure trouble =
           same_cards ? deck_->solver().solve_from_unloaded(steps_up_to(model(), to))
                      : read_again(to)) {

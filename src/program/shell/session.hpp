@@ -20,6 +20,8 @@ namespace spricka::program {
 struct SessionOptions : SolverThreadsAndStop {
   /// Reads and checks the deck.
   std::function<CheckedDeck(const deck::DeckReadOptions&)> read;
+  /// Told what is odd about cards that were read anew by themselves; may be empty.
+  std::function<void(const base::SourceTexts&, const base::Diagnostics&)> report;
   std::vector<std::pair<std::string, std::string>> defines; ///< -D of the command line
 };
 
@@ -79,6 +81,10 @@ public:
   base::OptionalFailure include_deck_step_result(std::size_t step) {
     return deck_->solver().add_deck_step_result(step);
   }
+  /// The growth by the law of $GROW, of the deck's own steps and loads. Fronts that are solved
+  /// serve other laws where they do not hang on the law; with `anew` all are solved again.
+  base::OptionalFailure grow(bool anew) { return deck_->grow(anew); }
+  [[nodiscard]] const ShellGrowth& growth() const { return deck_->growth(); }
   /// K along a $LOADPATH of the deck.
   base::OptionalFailure follow_deck_load_path(const std::string& name);
   /// K while the factor of a load case goes from one value to another, all else as it is; the path
@@ -112,6 +118,8 @@ private:
   base::OptionalFailure read_again(SessionDeckChanges to);
   base::OptionalFailure change_deck(SessionDeckChanges to, deck::DeckCardList text,
                                     const std::string& line);
+  base::OptionalFailure change_growth_law(SessionDeckChanges to);
+  [[nodiscard]] bool differs_in_growth_law_alone(const SessionDeckChanges& to) const;
   void take_state();
   base::OptionalFailure follow(const model::LoadPathDefinition& card,
                                const std::vector<model::Step>& from,

@@ -80,6 +80,13 @@ private:
       }
       return deck;
     };
+    options.report = [this](const base::SourceTexts& sources, const base::Diagnostics& list) {
+      const base::Diagnostics news = find_news(list, &reported_);
+      log_.report_diagnostics(sources, news);
+      for (const base::Diagnostic& d : news.messages()) {
+        reported_.warning(d.span, d.code, d.text, d.hint);
+      }
+    };
     options.threads = [this](const model::Model& model) {
       return solve::reserve_blas_workspace(thread_count(options_.deck, model));
     };
