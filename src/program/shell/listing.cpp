@@ -165,7 +165,8 @@ std::string k_reply(const ShellSession& session, const std::string& only) {
 
 std::string k_notes(const ShellSession& session, const std::string& only) {
   std::string text;
-  for (const FrontResult& front : present_state_of_crack(session, only).steps.front().fronts) {
+  const results::CrackLengthResult now = present_state_of_crack(session, only);
+  for (const FrontResult& front : now.steps.front().fronts) {
     text += invalid_reason_note(front) + touching_note(front);
     if (!front.has_error_bar()) {
       text += fmt::format("note: {}: no error bar: {}\n", front.name, front.missing_bar_reason);
