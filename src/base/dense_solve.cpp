@@ -52,7 +52,8 @@ Vector solve_square_system(const Matrix& A, const Vector& b) {
 }
 
 Matrix solve_square_system(const Matrix& A, const Matrix& B) {
-  return A.partialPivLu().solve(B);
+  // Eigen takes the address of the first of no columns.
+  return B.size() == 0 ? Matrix::Zero(A.cols(), B.cols()) : Matrix(A.partialPivLu().solve(B));
 }
 
 Vector solve_semidefinite_system(const Matrix& A, const Vector& b) {

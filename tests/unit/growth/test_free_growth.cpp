@@ -81,7 +81,7 @@ void grows_as(const HashStateDeleter& truth) {
         return exact.K_at(x);
       },
       law);
-  ASSERT_EQ(march.growth_end()->word(), "AMAX");
+  ASSERT_STREQ(march.growth_end()->word(), "AMAX");
   double a = 0.0;
   double c = 0.0;
   for (const Vec3& x : aims) {

@@ -50,7 +50,7 @@ TEST(TurningFronts, APennyBecomesACone) {
     last = *cracks;
     march.accept_or_reject_station(found_at(*cracks, first));
   }
-  EXPECT_EQ(march.growth_end()->word(), "AMAX");
+  EXPECT_STREQ(march.growth_end()->word(), "AMAX");
   for (const Vec3& x : last.aims) {
     EXPECT_NEAR(off_cone(x), 0.0, 1e-4);
     EXPECT_NEAR((x - x.normalized()).norm(), 0.5, 0.03); // from the first front
@@ -105,7 +105,7 @@ TEST(TurningFronts, EndWhereTheyStandOnTheirPlane) {
     }
   }
   ASSERT_TRUE(march.growth_end());
-  EXPECT_EQ(march.growth_end()->word(), "CURL");
+  EXPECT_STREQ(march.growth_end()->word(), "CURL");
 }
 
 } // namespace
