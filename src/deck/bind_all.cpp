@@ -322,14 +322,17 @@ void declare_names(DeckContext& c) {
     if (is_set(definition.kind)) {
       definition.card = i;
     } else {
-      definition.index = count[definition.kind]++;
+      definition.index = count[definition.kind];
     }
     const std::string full =
         is_set(definition.kind) ? qualified_name(card.net, name->text) : name->text;
     const NameDefinition* before = c.names.define(full, definition);
     if (before != nullptr && !before->poisoned && definition.kind != EntityKind::net) {
+      // Not built, so it takes no number: those behind it would mean the wrong entities.
       card.bad = true;
       c.report_duplicate_name(definition, name->text, *before);
+    } else if (!is_set(definition.kind)) {
+      ++count[definition.kind];
     }
   }
 }

@@ -243,6 +243,22 @@ TEST(ReadDeck, WhatHasNoAnalysisIsNotedNotIgnored) {
   EXPECT_EQ(what, (std::vector<std::string>{"$CONTROL TOL"}));
 }
 
+TEST(ReadDeck, ANameDefinedTwiceDoesNotShiftThoseBehindIt) {
+  const Folder folder;
+  const std::string line = " SHAPE=LINE X0=0 Y0=1 X1=1 Y1=1\n";
+  // Were the second WALL counted, BACK would be taken for FLAT, a target of solids, and FLAT for
+  // none.
+  for (const std::string target : {"BACK", "WALL"}) {
+    const Reading r(folder, k_square + "$RIGID NAME=WALL" + line + "$RIGID NAME=WALL" + line +
+                                "$RIGID NAME=BACK" + line +
+                                "$RIGID NAME=FLAT SHAPE=PLANE X0=0 Y0=0 Z0=0 X1=0 Y1=0 Z1=1\n"
+                                "$FSET NAME=TOP WHERE=(y == 1)\n"
+                                "$CONTACT NAME=C SLAVE=TOP MASTER=" +
+                                target + "\n$END\n");
+    EXPECT_EQ(r.codes(), "E302") << r.messages();
+  }
+}
+
 TEST(ReadDeck, LoadValuesAndPrescribedFreedoms) {
   const Folder folder;
   const auto read = [&](const std::string& load) {
