@@ -71,7 +71,10 @@ constexpr std::array grow_keys{
              "fracture toughness, in KUNIT if it has no unit; stops the growth"),
     real_key("SFLOW", stress, above(0),
              "flow stress: the plastic limit of ligament or section stops the growth"),
-    with_default(word_key("CORRECT", "YES|NO", "YES: K with the error bar's bias taken out"), "NO"),
+    word_key(
+        "CORRECT", "YES|NO",
+        "NO: K as the mesh has it; else its estimated error is taken out where it has an error "
+        "bar, and YES warns where it has none"),
     with_default(
         real_key("DKTH", stress_intensity, at_least(0), "threshold, in KUNIT if it has no unit"),
         "0"),

@@ -25,8 +25,8 @@ constexpr std::array quantities{
     ResultQuantity{"K2", "cs?aa", stress_intensity, "stress intensity of mode II"},
     ResultQuantity{"K1.BAR", "cs?aa", stress_intensity, "error bar of K1, half its width"},
     ResultQuantity{"K2.BAR", "cs?aa", stress_intensity, "error bar of K2"},
-    ResultQuantity{"K1.BEST", "cs?aa", stress_intensity, "K1 with its estimated error taken out"},
-    ResultQuantity{"K2.BEST", "cs?aa", stress_intensity, "K2 with its estimated error taken out"},
+    ResultQuantity{"K1.RAW", "cs?aa", stress_intensity, "K1 as the mesh has it"},
+    ResultQuantity{"K2.RAW", "cs?aa", stress_intensity, "K2 as the mesh has it"},
     ResultQuantity{"G", "cs?aa", energy_release, "energy release rate"},
     ResultQuantity{"T", "cs?aa", stress, "stress along the crack at the tip"},
     ResultQuantity{"DK1.LOAD", "cso?a", stress_intensity,
@@ -169,8 +169,7 @@ std::vector<AlongFronts> along_fronts() {
   for (const char* K : {"K1", "K2", "K3"}) {
     const std::string name = K;
     all.push_back({name + ".BAR", "s", stress_intensity, "error bar of " + name});
-    all.push_back(
-        {name + ".BEST", "s", stress_intensity, name + " with its estimated error taken out"});
+    all.push_back({name + ".RAW", "s", stress_intensity, name + " as the mesh has it"});
   }
   for (const char* K : {"K1", "K2", "K3"}) {
     all.push_back({fmt::format("PATH.{}", K), "la", stress_intensity,

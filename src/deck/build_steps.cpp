@@ -187,7 +187,8 @@ void stops(const CheckedCard& card, double tolerance, model::CrackGrowthSettings
   growth.cycles = card.optional_number("CYCLES");
   growth.tolerance = card.optional_number("TOL").value_or(tolerance);
   growth.flow_stress = card.optional_number("SFLOW");
-  growth.corrected = card.key_has_word("CORRECT", "YES");
+  growth.corrected = !card.key_has_word("CORRECT", "NO");
+  growth.correction_wanted = card.key_has_word("CORRECT", "YES");
 }
 
 void law(DeckContext& c, const CheckedCard& card, model::CrackGrowthSettings& growth) {

@@ -223,9 +223,9 @@ private:
     const bool front = std::ranges::find(along, where) != along.end();
     const std::string_view of = front ? name.substr(0, point) : name;
     // Paths have openings and knots as well, which are of contacts.
-    static constexpr std::array tips{"K",       "K1",      "K2",      "K3",      "G",
-                                     "T",       "K1.BAR",  "K2.BAR",  "K3.BAR",  "K1.BEST",
-                                     "K2.BEST", "K3.BEST", "PATH.K1", "PATH.K2", "PATH.K3"};
+    static constexpr std::array tips{"K",      "K1",     "K2",      "K3",      "G",
+                                     "T",      "K1.BAR", "K2.BAR",  "K3.BAR",  "K1.RAW",
+                                     "K2.RAW", "K3.RAW", "PATH.K1", "PATH.K2", "PATH.K3"};
     const bool of_crack = std::ranges::find(tips, of) != tips.end() || of.starts_with("DK1.") ||
                           of.starts_with("DK2.") || of.starts_with("DK3.");
     const DimensionRules& rules = dimension_rules.at(c_.model.mesh.dim);

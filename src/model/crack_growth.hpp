@@ -60,7 +60,8 @@ struct CrackGrowthSettings {
   std::optional<double> cycles;          ///< stops the growth; passes of a spectrum
   double tolerance = 1e-3;               ///< of the cycles, as a part of them
   std::optional<double> flow_stress;     ///< of the ligament, whose plastic limit stops the growth
-  bool corrected = false;                ///< K with the error bar's bias taken out
+  bool corrected = true;                 ///< K without its estimated error, where it has one
+  bool correction_wanted = false;        ///< the deck says so: to be told where it is not possible
   base::SourceSpan span;
 
   /// Whether a crack is one of those that grow.

@@ -59,7 +59,7 @@ struct GrowthResult {
   /// In space: where fronts have gone through surfaces on the way, sentences.
   std::vector<std::string> passages;
   double error = 0.0;     ///< of the cycles, estimated, as a part of them
-  bool corrected = false; ///< the law was given K with the error bar's bias taken out
+  bool corrected = false; ///< the law was given K without its estimated error where it has a bar
   std::string counted;    ///< of a spectrum: what its cycles were counted on
   /// Of a spectrum's pass: ranges of the load path's t, falling, and how many of its cycles,
   /// counted by rainflow on the loads, are as large or larger; of very many the ones that tell.

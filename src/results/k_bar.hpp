@@ -4,7 +4,8 @@
 
 namespace spricka::results {
 
-/// How far K1 or K2 is off by the mesh, as estimated (manual, error_bar.md); all in units of K.
+/// How far K1, K2 or K3 may be off by the mesh, as estimated (manual, error_bar.md); all in units
+/// of K.
 struct KErrorBar {
   double eta = 0.0;        ///< estimated exact value less that of the mesh
   double sum = 0.0;        ///< of |eta_e| over the elements
@@ -12,8 +13,10 @@ struct KErrorBar {
   double mesh = 0.0;       ///< the bar's three parts
   double edge = 0.0;
   double floor = 0.0;
-  double best = 0.0;              ///< K with the estimated error taken out
-  bool cancels = false;           ///< errors of opposite sign cancel
+  double best = 0.0;    ///< K of the mesh with its estimated error taken out
+  bool cancels = false; ///< errors of opposite sign cancel
+  /// The bar is that of `best`, which is the K that counts; false: that of K as the mesh has it.
+  bool of_best = false;
   std::vector<double> of_element; ///< eta_e [element], their sum is eta
 
   [[nodiscard]] double size() const { return mesh + edge + floor; }

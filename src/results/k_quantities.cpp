@@ -22,25 +22,24 @@ std::size_t piece_count(const FrontResult& front) {
   return front.is_loop ? n : n - std::min<std::size_t>(n, 1);
 }
 
-// Which of K1, K2, K3, that have a smooth curve, or of these with their estimated error taken out.
+// Which of K1, K2, K3, that have a smooth curve, or of these as the mesh has them.
 struct CurveOf {
   std::size_t mode = 0;
-  bool best = false;
-  // Where the front leaves the body there is no error to take out.
+  bool raw = false;
   [[nodiscard]] double operator()(const FrontPointResult& place) const {
-    return best && !place.at_surface ? place.bar[mode].best : place.smooth[mode];
+    return (raw ? place.raw_smooth_K() : place.smooth)[mode];
   }
 };
 
 std::optional<CurveOf> curve_of(const KQuantity& quantity) {
-  static constexpr std::array<std::string_view, 3> best{"K1_best", "K2_best", "K3_best"};
+  static constexpr std::array<std::string_view, 3> raw{"K1_raw", "K2_raw", "K3_raw"};
   if (quantity.is_k()) {
     return CurveOf{static_cast<std::size_t>(quantity.mode), false};
   }
-  const auto* const found = std::ranges::find(best, quantity.name);
-  return found == best.end()
+  const auto* const found = std::ranges::find(raw, quantity.name);
+  return found == raw.end()
              ? std::nullopt
-             : std::optional<CurveOf>({static_cast<std::size_t>(found - best.begin()), true});
+             : std::optional<CurveOf>({static_cast<std::size_t>(found - raw.begin()), true});
 }
 
 // The cubic through the smooth values of the two points on either side of a place (fewer on a front

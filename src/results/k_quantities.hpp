@@ -110,6 +110,10 @@ template <std::size_t k>
 double error_bar_size(const FrontResult& /*front*/, const FrontPointResult& point) {
   return point.bar[k].size();
 }
+/// K1, K2 or K3 (k = 0, 1, 2) as the mesh has it.
+template <std::size_t k> double raw_K(const FrontResult& /*front*/, const FrontPointResult& point) {
+  return point.raw_K()[k];
+}
 /// One part of the error bar of K1, K2 or K3 (k = 0, 1, 2) at a point.
 template <std::size_t k, double KErrorBar::*part>
 double error_bar_part(const FrontResult& /*front*/, const FrontPointResult& point) {
@@ -148,6 +152,19 @@ constexpr KQuantity smooth_k_quantity(const char* name, std::string_view doc,
           .computed = computed,
           .places = {0, in_files},
           .mode = mode};
+}
+
+/// A quantity that is K of a mode (0, 1, 2) as the mesh has it: K but for its estimated error where
+/// that is taken out.
+constexpr KQuantity raw_k_quantity(const char* name, std::string_view doc,
+                                   KQuantity::Function* computed, unsigned tip_places) {
+  return {.name = name,
+          .kind = base::QuantityKind::stress_intensity,
+          .doc = doc,
+          .computed = computed,
+          .places = {tip_places, in_files | in_output | in_check},
+          .given = KQuantityCondition::in_one_material,
+          .is_quality_measure = true};
 }
 
 /// A quantity that is the error bar of K1, K2 or K3, or a part of it: given with a bar alone.
@@ -228,11 +245,11 @@ inline constexpr std::array k_quantities{
               .digits = KQuantityDigits::six_beside_largest},
     KQuantity{.name = "G_from_K",
               .kind = base::QuantityKind::energy_release,
-              .doc = "energy release rate that K stands for",
+              .doc = "energy release rate that raw K stands for",
               .member = &FrontPointResult::G_from_K,
               .places = {in_listing, in_files},
               .given = KQuantityCondition::in_one_material,
-              .heading = "(K1^2+K2^2)/E'",
+              .heading = "G of raw K",
               .digits = KQuantityDigits::six_beside_largest},
     KQuantity{.name = "spread",
               .kind = base::QuantityKind::number,
@@ -254,9 +271,8 @@ inline constexpr std::array k_quantities{
     smooth_k_quantity("K3_smooth", "K3 as a smooth function along the front", smooth_k<2>, 2),
     error_bar_quantity("K1_bar", "error bar of K1, half its width", error_bar_size<0>,
                        everywhere & ~in_listing, in_files | in_output | in_check),
-    error_bar_quantity("K1_best", "K1 with its estimated error taken out",
-                       error_bar_part<0, &KErrorBar::best>, everywhere & ~(in_listing | in_sweep),
-                       in_files | in_output | in_check),
+    raw_k_quantity("K1_raw", "K1 as the mesh has it", raw_K<0>,
+                   everywhere & ~(in_listing | in_sweep)),
     error_bar_quantity("K1_eta", "estimated error of K1", error_bar_part<0, &KErrorBar::eta>,
                        in_k_csv, 0),
     error_bar_quantity("K1_sum", "sum of the elements' parts of it without signs",
@@ -265,9 +281,8 @@ inline constexpr std::array k_quantities{
                        error_bar_part<0, &KErrorBar::set_change>, in_k_csv, 0),
     error_bar_quantity("K2_bar", "error bar of K2", error_bar_size<1>, everywhere & ~in_listing,
                        in_files | in_output | in_check),
-    error_bar_quantity("K2_best", "K2 with its estimated error taken out",
-                       error_bar_part<1, &KErrorBar::best>, everywhere & ~(in_listing | in_sweep),
-                       in_files | in_output | in_check),
+    raw_k_quantity("K2_raw", "K2 as the mesh has it", raw_K<1>,
+                   everywhere & ~(in_listing | in_sweep)),
     error_bar_quantity("K2_eta", "estimated error of K2", error_bar_part<1, &KErrorBar::eta>,
                        in_k_csv, 0),
     error_bar_quantity("K2_sum", "sum of the elements' parts of it without signs",
@@ -276,8 +291,7 @@ inline constexpr std::array k_quantities{
                        error_bar_part<1, &KErrorBar::set_change>, in_k_csv, 0),
     error_bar_quantity("K3_bar", "error bar of K3", error_bar_size<2>, 0,
                        in_files | in_output | in_check),
-    error_bar_quantity("K3_best", "K3 with its estimated error taken out",
-                       error_bar_part<2, &KErrorBar::best>, 0, in_files | in_output | in_check),
+    raw_k_quantity("K3_raw", "K3 as the mesh has it", raw_K<2>, 0),
     k_by_opening_quantity("K1_opening", "K1 by the opening of the faces behind the tip",
                           k_by_opening<0>, "K1 by opening"),
     k_by_opening_quantity("K2_opening", "K2 by the opening of the faces behind the tip",

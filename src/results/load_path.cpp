@@ -10,7 +10,8 @@ FrontResult LoadPathFront::at(double t) const {
   FrontResult front = front_without_points;
   for (const LoadPathFrontPoint& point : points) {
     FrontPointResult& place = front.points.emplace_back(point.point_at_start);
-    place.closed = false; // a path knows K of its points, not what faces do there
+    place.closed = false;  // a path knows K of its points, not what faces do there
+    put_back_raw_K(place); // of the path's end alone
     place.K1 = point.K[0](t);
     place.K2 = point.K[1](t);
     place.K3 = point.K[2](t);

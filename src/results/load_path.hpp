@@ -16,8 +16,9 @@ namespace spricka::results {
 
 /// K at one point of a front.
 struct LoadPathFrontPoint {
-  FrontPointResult point_at_start;             ///< where it is; its K are those at the beginning
-  std::array<base::PiecewiseLinear, 3> K;      ///< K1, K2, K3 [stress * length^0.5]
+  FrontPointResult point_at_start; ///< where it is; its K are those at the beginning
+  /// K1, K2, K3 [stress * length^0.5], the estimated errors at both ends taken out as there.
+  std::array<base::PiecewiseLinear, 3> K;
   std::array<base::PiecewiseLinear, 3> smooth; ///< as those of FrontPointResult
 };
 

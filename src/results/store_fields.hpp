@@ -35,6 +35,7 @@ template <class V, RecordOfType<KErrorBar> T> void fields(V& v, T& r) {
   v("floor", r.floor);
   v("best", r.best);
   v("cancels", r.cancels);
+  v("of_best", r.of_best);
   v("of_element", r.of_element);
 }
 
@@ -59,6 +60,8 @@ template <class V, RecordOfType<FrontPointResult> T> void fields(V& v, T& r) {
   }
   v("K1_domain", r.K1_domain);
   v("smooth", r.smooth);
+  v("raw", r.raw);
+  v("raw_smooth", r.raw_smooth);
   v("opening", r.opening);
   v("at_surface", r.at_surface);
   v("closed", r.closed);

@@ -43,12 +43,23 @@ struct KComparison {
   [[nodiscard]] bool parts() const { return apart > allowed; }
 };
 
+// Half the width of a bar about raw K of a mode, which two ways to it are measured by.
+double raw_bar(const results::FrontPointResult& point, std::size_t mode) {
+  return point.bar[mode].size() + std::abs(point.K()[mode] - point.raw_K()[mode]);
+}
+
+// hypot(K1, K2) as the mesh has it.
+double size_of_tip(const results::FrontResult& front) {
+  const std::array<double, 3> K = front.single_point().raw_K();
+  return std::hypot(K[0], K[1]);
+}
+
 // Of hypot(K1, K2), as a part of it; 0 without a bar.
 double bar_of(const results::FrontResult& front, double K) {
   const results::FrontPointResult& tip = front.single_point();
+  const std::array<double, 3> of = tip.raw_K();
   return front.has_error_bar()
-             ? (std::abs(tip.K1) * tip.bar[0].size() + std::abs(tip.K2) * tip.bar[1].size()) /
-                   (K * K)
+             ? (std::abs(of[0]) * raw_bar(tip, 0) + std::abs(of[1]) * raw_bar(tip, 1)) / (K * K)
              : 0.0;
 }
 
@@ -98,7 +109,7 @@ KComparison domains(const results::FrontResult& front, double K) {
     return {}; // K1 is 0, what the domains find is not used
   }
   const auto [low, high] = std::ranges::minmax(tip.K1_domain);
-  const double bar = front.has_error_bar() ? tip.bar[0].size() / K : 0.0;
+  const double bar = front.has_error_bar() ? raw_bar(tip, 0) / K : 0.0;
   const double apart = (high - low) / K;
   return {.apart = apart,
           .allowed = std::max(of_domains, in_bars * bar),
@@ -112,17 +123,18 @@ KComparison opening(const results::FrontResult& front, double K) {
     return {};
   }
   const std::array<double, 3>& other = *tip.opening;
+  const std::array<double, 3> own = tip.raw_K();
   const double bar = bar_of(front, K);
-  const double apart = std::hypot(other[0] - tip.K1, other[1] - tip.K2) / K;
+  const double apart = std::hypot(other[0] - own[0], other[1] - own[1]) / K;
   return {.apart = apart,
           .allowed = std::max(of_opening, in_bars * bar),
           .what = fmt::format(
-              "K1 = {:.5g}, K2 = {:.5g}, by the opening of the faces {:.5g}, {:.5g}: {}", tip.K1,
-              tip.K2, other[0], other[1], apart_text(apart, bar))};
+              "K1 = {:.5g}, K2 = {:.5g}, by the opening of the faces {:.5g}, {:.5g}: {}", own[0],
+              own[1], other[0], other[1], apart_text(apart, bar))};
 }
 
 KComparison worst_of_tip(const results::LoadStepResult& step, const results::FrontResult& front) {
-  const double K = std::hypot(front.single_point().K1, front.single_point().K2);
+  const double K = size_of_tip(front);
   KComparison worst;
   for (KComparison& one :
        std::array{energy(step, front, K), domains(front, K), opening(front, K)}) {
@@ -155,11 +167,12 @@ const results::FrontPointResult* strongest_point(const results::FrontResult& fro
 // Of K, as a part of the largest of the front.
 double bar_at(const results::FrontResult& front, const results::FrontPointResult& point,
               double largest) {
-  const double K = std::hypot(point.K1, point.K2, point.K3);
+  const std::array<double, 3> own = point.raw_K();
+  const double K = std::hypot(own[0], own[1], own[2]);
   if (!front.has_error_bar() || !(K > 0.0)) {
     return 0.0;
   }
-  const double bar = std::hypot(point.bar[0].size(), point.bar[1].size(), point.bar[2].size());
+  const double bar = std::hypot(raw_bar(point, 0), raw_bar(point, 1), raw_bar(point, 2));
   return bar / K * root(point.G_from_K) / largest;
 }
 
@@ -191,7 +204,7 @@ KComparison worst_along(const results::FrontResult& front, double largest) {
 // K of a front, in space but for a factor of the material.
 double size_of(const results::FrontResult& front) {
   if (front.is_tip()) {
-    return std::hypot(front.single_point().K1, front.single_point().K2);
+    return size_of_tip(front);
   }
   const results::FrontPointResult* strongest = strongest_point(front);
   return strongest != nullptr ? root(strongest->G_from_K) : 0.0;
@@ -218,8 +231,8 @@ bool is_round_off(const results::LoadStepResult& step, const results::FrontResul
     return front.is_tip();
   }
   // Of K1 and K2 alone as exact as of a tip's.
-  const double K = strongest->K3 == 0.0 ? std::hypot(strongest->K1, strongest->K2)
-                                        : std::hypot(strongest->K1, strongest->K2, strongest->K3);
+  const std::array<double, 3> own = strongest->raw_K();
+  const double K = own[2] == 0.0 ? std::hypot(own[0], own[1]) : std::hypot(own[0], own[1], own[2]);
   return K <= round_off_level(step, K * K / strongest->G_from_K, front.a); // E' is in G
 }
 

@@ -26,7 +26,7 @@ RESULT = {"same": 0.0, "merge": 1e-9, "mesh": 1e-4}  # of the largest of its kin
 LIFE = {"same": 0.0, "merge": 1e-7, "mesh": 1e-3}
 JOINED_LIFE = {"same": 0.0, "merge": 1e-6, "mesh": 1e-3}
 DERIVATIVE = 10.0
-INTENSITIES = {"K1", "K2", "K3", "K1_smooth", "K2_smooth", "K3_smooth", "K1_best", "K2_best", "K3_best"}
+INTENSITIES = {"K1", "K2", "K3", "K1_smooth", "K2_smooth", "K3_smooth", "K1_raw", "K2_raw", "K3_raw"}
 LENGTHS_AND_LIVES = {"a", "c", "s", "N", "da", "x", "y", "z", "phi", "dN"}
 EVENTS = ("PASSAGE", "JOIN", "breaks through", "joins")
 # Estimates of errors and numbers of a direction that may be any where its vector is nil.

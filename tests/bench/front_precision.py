@@ -92,10 +92,10 @@ def errors(problem, folder):
     rows = k_rows(folder, "BOTH")
     exact = PROBLEMS[problem][1](np.radians(columns(rows, "phi")[:, 0]), "BOTH")
     largest = np.linalg.norm(exact, axis=1).max()
-    off = np.abs(columns(rows, "K1", "K2", "K3") - exact)
+    off = np.abs(columns(rows, "K1_raw", "K2_raw", "K3_raw") - exact)
     smooth = np.abs(columns(rows, "K1_smooth", "K2_smooth", "K3_smooth") - exact)
     bar = columns(rows, "K1_bar", "K2_bar", "K3_bar")
-    best = columns(rows, "K1_best", "K2_best", "K3_best") - exact
+    best = columns(rows, "K1", "K2", "K3") - exact
 
     def rms(v):
         return 100.0 * np.sqrt(np.mean(v ** 2)) / largest
@@ -103,7 +103,7 @@ def errors(problem, folder):
     return {"rms": rms(off), "largest": 100.0 * off.max() / largest,
             "smooth_rms": rms(smooth), "smooth_largest": 100.0 * smooth.max() / largest,
             "bar_rms": rms(bar),
-            "best_rms": rms(best), "inside": 100.0 * np.mean(off <= bar)}
+            "best_rms": rms(best), "inside": 100.0 * np.mean(np.abs(best) <= bar)}
 
 
 def unknowns(folder):

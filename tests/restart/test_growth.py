@@ -111,7 +111,7 @@ class Growth(RestartTest):
         self.check(SPECTRUM + LAW.format(amax=4) + "SPECTRUM=FLIGHT")
 
     def test_to_a_tolerance(self):
-        self.check("$TIPNET CRACK=C TOL=0.0003\n" + STEPS.format(amax=4), sessions=6)
+        self.check("$TIPNET CRACK=C TOL=0.0001\n" + STEPS.format(amax=4), sessions=6)
         listing = (self.folder / "whole.run" / "listing.txt").read_text(encoding="utf-8")
         self.assertRegex(listing, r"\n +2 +\d+ .* inside\n")  # a second round: something was refined
 

@@ -50,7 +50,7 @@ class ResultsFile(RestartTest):
         self.assertEqual(len(table), 3)
         for row, (_, k) in zip(table, results.k.iterrows()):
             self.assertEqual((row["step"], row["crack"]), (k["step"], k["crack"]))
-            for name in ("a", "K1", "K2", "G", "T", "spread", "K1_bar", "K2_best"):
+            for name in ("a", "K1", "K2", "G", "T", "spread", "K1_bar", "K2_raw"):
                 self.assertEqual(float(row[name]), k[name], name)
 
     def test_a_tip_is_a_front_of_one_point(self):

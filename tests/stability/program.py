@@ -110,9 +110,9 @@ class Run:
     def column(self, contact, step, name="p_lumped"):
         return [float(row[name]) for row in self.pressures(contact, step)]
 
-    def stress_intensity(self):
-        return {(row["step"], row["crack"]): float(row["K1"])
-                for row in numbers(self.out / "k.csv") if row["K1"]}
+    def stress_intensity(self, column="K1"):
+        return {(row["step"], row["crack"]): float(row[column])
+                for row in numbers(self.out / "k.csv") if row[column]}
 
     def values(self, file="u.csv"):
         return [float(row["value"]) for row in numbers(self.out / file)]

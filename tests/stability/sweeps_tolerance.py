@@ -38,7 +38,7 @@ def truth(program, cracks, ratio, full):
         K1, K2 = REFERENCE[ratio]
         return {"TOP": (K1, K2), "BOT": (K1, -K2)}, OWN_ERROR
     run = Run(program, deck(cracks, ratio), ["tol=0.0002", "fine=1.6"])
-    return {tip: (float(row["K1_best"]), float(row["K2_best"])) for tip, row in rows_of(run).items()}, 2e-5
+    return {tip: (float(row["K1"]), float(row["K2"])) for tip, row in rows_of(run).items()}, 2e-5
 
 
 def tolerance(program, full):

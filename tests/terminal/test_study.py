@@ -155,7 +155,7 @@ class StudyTest(TableTest):
         found = re.search(r"^K within 0.1 %: (.+) gives ([\d.e-]+) % for ([\d.]+) s(.*)$", output,
                           re.MULTILINE)
         self.assertIsNotNone(found, output)
-        column = "best_error" if "taken out" in found.group(4) else "error"
+        column = "error" if "taken out" in found.group(4) else "raw_error"
         own = [row for row in rows if row["setting"] == found.group(1)]
         self.assertTrue(own)
         largest = max(abs(float(row[column])) for row in own)
@@ -165,7 +165,7 @@ class StudyTest(TableTest):
         # F of a/W = 0.5 in a long strip: 2.8266 (Kaya and Erdogan 1987), K = F sqrt(5 pi).
         finest = [row for row in rows if row["setting"] == "density=8 FINER=2"]
         self.assertTrue(finest)
-        self.assertAlmostEqual(float(finest[0]["best"]) / 11.203, 1.0, delta=2e-3)
+        self.assertAlmostEqual(float(finest[0]["value"]) / 11.203, 1.0, delta=2e-3)
 
     def script(self, text):
         (self.folder / "ring.geo").write_text(text, encoding="utf-8")

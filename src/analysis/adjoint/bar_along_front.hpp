@@ -2,6 +2,7 @@
 #pragma once
 #include "analysis/adjoint/edge_changes.hpp"
 #include "base/vec.hpp"
+#include "estimate/error_bar.hpp"
 #include "results/front_result.hpp"
 
 #include <array>
@@ -15,6 +16,7 @@ namespace spricka::analysis {
 /// `edges`: what the edges of contacts do to K.
 void add_front_error_bars(const base::Vector& eta, const std::vector<std::array<double, 3>>& best,
                           const ContactEdgeKChange& edges, Eigen::Index first,
-                          double coarse_contact, results::FrontResult& front);
+                          double coarse_contact, const estimate::ErrorBarUse& use,
+                          results::FrontResult& front);
 
 } // namespace spricka::analysis

@@ -269,12 +269,16 @@ void TipErrorBars::estimate_bars(const StepState& state, const StepErrors& error
                   step);
   }
   results::FrontPointResult& tip = front.single_point();
+  const estimate::ErrorBarUse use{
+      .coarse = coarse,
+      .corrected = corrects_K(model_),
+      .closes = scene_.crack_face_pairs[scene_.cracked.fronts[t].crack.index()].has_value()};
   for (const int mode : {1, 2}) {
     const Eigen::Index at = scene_.k_layout().at(t, mode);
     tip.bar[static_cast<std::size_t>(mode - 1)] = estimate::error_bar(
         scene_.cracked.mesh, mode == 1 ? tip.K1 : tip.K2, std::hypot(tip.K1, tip.K2),
         errors.goal[static_cast<std::size_t>(at)],
-        {.end = errors.set_change.ends[at], .sharp = errors.set_change.sharp[at]}, coarse);
+        {.end = errors.set_change.ends[at], .sharp = errors.set_change.sharp[at]}, use);
   }
   clear_exact(scene_.cracked.mesh.element_count(), tip);
   front.missing_bar_reason = why_no_limit(scene_, errors.giving, t, tip);

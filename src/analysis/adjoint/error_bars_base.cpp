@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/adjoint/error_bars_base.hpp"
 
+#include "analysis/steps/history_program.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -9,6 +10,10 @@
 #include <fmt/format.h>
 
 namespace spricka::analysis {
+
+bool corrects_K(const model::Model& model) {
+  return !depends_on_load_order(model) && (!model.growth || model.growth->corrected);
+}
 
 ErrorBarsBase::ErrorBarsBase(const model::Model& model, const Discretisation& scene)
     : model_(model), scene_(scene), case_load_(model.cases.size()) {}
@@ -19,12 +24,21 @@ void ErrorBarsBase::assign_error_bars(
   std::size_t first = 0;
   for (std::size_t f = 0; f < step.fronts.size(); ++f) {
     results::FrontResult& front = step.fronts[f];
-    front.missing_bar_reason = front.invalid_reason.empty() ? why_not : front.invalid_reason;
+    front.missing_bar_reason = why_not;
     if (front.missing_bar_reason.empty()) {
       estimate(f, first, front);
     }
+    const bool known = front.missing_bar_reason.empty();
+    if (known) {
+      results::take_out_estimated_errors(front);
+    }
+    // Of K that is in doubt the mesh's part is no bar, but goes with the load as K does.
+    if (!front.invalid_reason.empty()) {
+      front.missing_bar_reason = front.invalid_reason;
+    }
     if (!front.missing_bar_reason.empty()) {
-      add_note_once(results::make_note(fmt::format("K of {} has no error bar: {}", front.name,
+      add_note_once(results::make_note(fmt::format("K of {} has no error bar{}: {}", front.name,
+                                                   known ? "" : " and is as the mesh has it",
                                                    front.missing_bar_reason)),
                     step);
     }

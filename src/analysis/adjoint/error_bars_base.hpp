@@ -10,6 +10,11 @@
 
 namespace spricka::analysis {
 
+/// Whether K counts with its estimated error taken out, wherever it has an error bar (manual,
+/// error_bar.md): unless $GROW CORRECT=NO asks for K as the mesh has it, or the growth is by K of
+/// loads that friction makes hang on their order, which has no estimate.
+bool corrects_K(const model::Model& model);
+
 /// Processor ESTIMATE: what error bars of K at the ends of the steps of one crack length have in
 /// common in the plane and in space.
 class ErrorBarsBase {
@@ -17,9 +22,10 @@ protected:
   /// Both must outlive it.
   ErrorBarsBase(const model::Model& model, const Discretisation& scene);
 
-  /// Gives the fronts of a step their bars, or says why they have none: `why_not`, where it is not
-  /// empty, or what `estimate` writes into the front. That has the front's place among those of the
-  /// step and its first point among those of all.
+  /// Gives the fronts of a step their bars and takes the estimated errors out of their K, or says
+  /// why they have none: `why_not`, where it is not empty, or what `estimate` writes into the
+  /// front. That has the front's place among those of the step and its first point among those of
+  /// all.
   void assign_error_bars(
       const std::string& why_not, results::LoadStepResult& step,
       const std::function<void(std::size_t, std::size_t, results::FrontResult&)>& estimate);

@@ -12,6 +12,7 @@ FrontErrorsAndSensitivities::FrontErrorsAndSensitivities(
       sensitivities_(model, scene) {}
 
 void FrontErrorsAndSensitivities::add_to_fronts(const StepSolver& solver, const StepState& state,
+                                                bool sensitivities,
                                                 results::LoadStepResult& result) {
   if (!functionals_) {
     functionals_.emplace(FrontKFunctionals{displacement_K_functionals(model_, scene_),
@@ -23,7 +24,9 @@ void FrontErrorsAndSensitivities::add_to_fronts(const StepSolver& solver, const 
                                              : rows.closed);
   const FrozenContactStep step{solver, state, rows, system};
   bars_.add_to_fronts(step, *functionals_, result);
-  sensitivities_.add_to_fronts(step, *functionals_, result);
+  if (sensitivities) {
+    sensitivities_.add_to_fronts(step, *functionals_, result);
+  }
 }
 
 } // namespace spricka::analysis

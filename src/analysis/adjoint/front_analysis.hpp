@@ -14,8 +14,8 @@ public:
   FrontErrorsAndSensitivities(const model::Model& model, const Discretisation& scene,
                               const std::vector<SubstructuredBody>& bodies);
 
-  /// Of a step that `solver` solved last.
-  void add_to_fronts(const StepSolver& solver, const StepState& state,
+  /// Of a step that `solver` solved last; without `sensitivities` bars alone.
+  void add_to_fronts(const StepSolver& solver, const StepState& state, bool sensitivities,
                      results::LoadStepResult& result);
 
 private:

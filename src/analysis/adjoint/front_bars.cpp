@@ -202,7 +202,10 @@ void FrontErrorBars::estimate_bars(const StepState& state, const base::Vector& e
   const CoarseNeighbourEffect coarse =
       estimate_coarse_neighbour_effect({model_, scene_, state}, is);
   add_front_error_bars(eta, smooth_K_along_front(is, scene_.domains[f], better, first), edges,
-                       first, coarse.part, front);
+                       first, coarse.part,
+                       {.corrected = corrects_K(model_),
+                        .closes = scene_.crack_face_pairs[is.crack.index()].has_value()},
+                       front);
   if (!coarse.why_not.empty()) {
     result.notes.push_back(
         results::less_exact_note(fmt::format("K of {}: {}", front.name, coarse.why_not)));

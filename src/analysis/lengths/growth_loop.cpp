@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/lengths/growth_loop.hpp"
 
+#include "analysis/adjoint/error_bars_base.hpp"
 #include "analysis/lengths/growth_measure.hpp"
 #include "analysis/lengths/growth_records.hpp"
 #include "analysis/lengths/growth_region.hpp"
@@ -29,13 +30,19 @@ namespace spricka::analysis {
 
 namespace {
 
-// Error bars are asked for by CORRECT, by a tolerance of K and by checks of them.
-bool wants_bars(const model::Model& model) {
-  return model.growth->corrected ||
+bool asks_for_derivatives(const model::Model& model) {
+  return std::ranges::any_of(model.checks, [](const model::ResultCheck& check) {
+    return check.quantity.starts_with("DK");
+  });
+}
+
+// Whether K has error bars at all stations: it is corrected by them, or they are asked for.
+bool estimates_K(const model::Model& model) {
+  return corrects_K(model) || asks_for_derivatives(model) ||
          std::ranges::any_of(model.tip_nets,
                              [](const auto& tip) { return tip.tolerance.has_value(); }) ||
          std::ranges::any_of(model.checks, [](const model::ResultCheck& check) {
-           return check.quantity.starts_with("K") && check.quantity.find('.') != std::string::npos;
+           return check.quantity.find(".BAR") != std::string::npos;
          });
 }
 
@@ -187,9 +194,10 @@ private:
                growth::GrowthIntegrator& integrator) {
     const bool first = integrator.growth_state().stations.empty();
     ScopedProfileCrackLength length(options_.recorder);
-    std::optional<results::CrackLengthResult> increment = solver_.solve(
-        {cracks, 0.0, first ? pictured_at_end(false) : on_the_way_, first || wants_bars(model_)},
-        region.crack_region_plan());
+    std::optional<results::CrackLengthResult> increment =
+        solver_.solve({cracks, 0.0, first ? pictured_at_end(false) : on_the_way_,
+                       first || estimates_K(model_), first || asks_for_derivatives(model_)},
+                      region.crack_region_plan());
     if (!increment) {
       return false;
     }
@@ -198,11 +206,9 @@ private:
                                      "station measured, judged and kept");
     region.log_region_cost(solver_.bodies_are_divided(), run_.log);
     LogWriter log(run_.log);
-    const std::optional<results::LoadPathResult> path =
-        corrected_growth_load_path(model_, *increment);
     std::optional<std::vector<growth::TipStation>> found = measure_.evaluate_tip_rates(
         {*increment, solver_.crack_fronts(), solver_.plastic_load_ratios(), cracks,
-         solver_.load_history(), solver_.overlap_results(), path ? &*path : nullptr},
+         solver_.load_history(), solver_.overlap_results(), growth_load_path(model_, *increment)},
         integrator.tips());
     if (!found) {
       trial_trouble_ = measure_.trouble();

@@ -102,17 +102,11 @@ std::size_t largest_load_step(const model::Model& model) {
                   : model.growth->kmax.index();
 }
 
-std::optional<results::LoadPathResult>
-corrected_growth_load_path(const model::Model& model, const results::CrackLengthResult& increment) {
-  if (!model.growth->spectrum || increment.paths.empty()) {
-    return std::nullopt;
-  }
-  const std::size_t number = model.spectra[*model.growth->spectrum].path;
-  const model::LoadPathDefinition& card = model.load_paths[number];
-  const results::LoadPathResult& path = increment.paths[number];
-  return model.growth->corrected ? correct_path_K(path, increment.steps[card.from.index()],
-                                                  increment.steps[card.to.index()])
-                                 : path;
+const results::LoadPathResult* growth_load_path(const model::Model& model,
+                                                const results::CrackLengthResult& increment) {
+  return model.growth->spectrum && !increment.paths.empty()
+             ? &increment.paths[model.spectra[*model.growth->spectrum].path]
+             : nullptr;
 }
 
 base::Vec2 kink_tip_and_get_K_factors(const model::Model& model, const base::Vec2& K, bool straight,
@@ -183,26 +177,19 @@ void GrowthRateEvaluator::look_at_front(const SolvedCrackState& at, const Growin
     assert(at.plastic.size() == fronts.size());
     found.plastic = at.plastic[place.front];
   }
-  if (model_.growth->corrected) {
-    warnings_.warn_of_missing_error_bar(front.name, front.missing_bar_reason);
-  }
-  const base::Vec3 K = interpolate_smooth_K(front, place, model_.growth->corrected);
+  warnings_.warn_of_missing_error_bar(front.name, front.missing_bar_reason);
+  const base::Vec3 K = interpolate_smooth_K(front, place);
   warnings_.warn_of_invalid_result(front, K[0]);
   warnings_.note_neglected_shear_K(to.front, K);
 }
 
 base::Vec2 GrowthRateEvaluator::intensity(const results::FrontResult& front,
                                           const PlaceOnFront& place) {
-  const bool corrected = model_.growth->corrected;
   if (!front.is_tip()) {
-    return interpolate_smooth_K(front, place, corrected).head<2>();
+    return interpolate_smooth_K(front, place).head<2>();
   }
-  if (corrected) {
-    warnings_.warn_of_missing_error_bar(front);
-  }
-  const results::FrontPointResult& tip = front.single_point();
-  return corrected && front.has_error_bar() ? base::Vec2(tip.bar[0].best, tip.bar[1].best)
-                                            : base::Vec2(tip.K1, tip.K2);
+  warnings_.warn_of_missing_error_bar(front);
+  return {front.single_point().K1, front.single_point().K2};
 }
 
 void GrowthRateEvaluator::note_order(const std::string& name, bool upside_down) {

@@ -31,7 +31,7 @@ struct SolvedCrackState {
   const growth::CrackGeometry& cracks;
   const std::optional<LoadHistoryKResult>& followed; ///< where friction makes K a history
   const std::optional<OverlappingFaceResults>& free; ///< faces that may overlap, where they close
-  const results::LoadPathResult* path; ///< corrected_growth_load_path(), null: it has none
+  const results::LoadPathResult* path;               ///< growth_load_path()
 };
 
 /// A tip that grows, and the place of a front where its K is taken.
@@ -45,10 +45,9 @@ struct GrowingPlace {
 /// The step of the largest load of the growth: KMAX, or the end of the spectrum's load path.
 std::size_t largest_load_step(const model::Model& model);
 
-/// The load path of the growth's spectrum as the law is to have it: with the errors of K taken out
-/// where CORRECT asks for that. Empty: no spectrum, or there is no map of K.
-std::optional<results::LoadPathResult>
-corrected_growth_load_path(const model::Model& model, const results::CrackLengthResult& increment);
+/// The load path of the growth's spectrum. Null: no spectrum, or there is no map of K.
+const results::LoadPathResult* growth_load_path(const model::Model& model,
+                                                const results::CrackLengthResult& increment);
 
 /// Where K1 on a path is largest between two places: at one of them or at a breakpoint.
 double locate_K1_maximum(const base::PiecewiseLinear& K1, double low, double high);

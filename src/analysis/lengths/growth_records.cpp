@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/lengths/growth_records.hpp"
 
+#include "analysis/adjoint/error_bars_base.hpp"
 #include "analysis/steps/history_program.hpp"
 #include "base/tidy.hpp"
 #include "model/model.hpp"
@@ -101,7 +102,7 @@ results::GrowthResult growth_records(const model::Model& model,
                                      const GrowthRateEvaluator& measure) {
   results::GrowthResult out;
   out.unit = measure.spectrum() ? "pass" : "cycle";
-  out.corrected = model.growth->corrected;
+  out.corrected = corrects_K(model);
   out.followed = depends_on_load_order(model);
   if (measure.spectrum()) {
     out.cycles_per_pass = measure.spectrum()->cycles_per_pass();

@@ -32,7 +32,7 @@ void GrowthWarnings::keep_first_mesh_warning(const std::string& code, const std:
 }
 
 void GrowthWarnings::warn_of_missing_error_bar(const std::string& name, const std::string& why) {
-  if (!why.empty()) {
+  if (rules_.correction_wanted && !why.empty()) {
     warnings_.insert(
         {"W456", fmt::format("CORRECT=YES, but {} has no error bar everywhere ({}): there K is "
                              "as computed",
@@ -108,7 +108,7 @@ void GrowthWarnings::warn_of_load_history(const LoadHistoryKResult& loads, doubl
                                           "displacements by {:.1e} of the largest",
                                           loads.mismatch)});
   }
-  if (rules_.corrected) {
+  if (rules_.correction_wanted) {
     warnings_.insert(
         {"W456", "CORRECT=YES, but with friction K has no error bar: K is as computed"});
   }

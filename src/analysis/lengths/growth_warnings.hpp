@@ -29,7 +29,8 @@ public:
                                std::size_t station);
   /// Of a tip or crack whose faces close at length `a`, with no K below that.
   void warn_of_closing_faces(const std::string& name, double a);
-  /// `why` there is no error bar to correct K by; empty: there is one.
+  /// Where CORRECT=YES asks for corrected K: `why` there is no error bar to correct it by; empty:
+  /// there is one.
   void warn_of_missing_error_bar(const std::string& name, const std::string& why);
   /// The same of the ends of the spectrum's path.
   void warn_of_missing_error_bar(const results::FrontResult& end);

@@ -105,8 +105,6 @@ std::string add_kept_front(const model::Model& model, const archive::StoredIncre
       kept.increment.paths.size() <= model.spectra[*model.growth->spectrum].path) {
     return back("K along the path of its spectrum was not kept");
   }
-  const std::optional<results::LoadPathResult> path =
-      corrected_growth_load_path(model, kept.increment);
   // Fronts and sections are for SFLOW alone.
   const std::vector<mesh::CrackFront> no_fronts;
   const std::vector<double> no_sections;
@@ -114,7 +112,7 @@ std::string add_kept_front(const model::Model& model, const archive::StoredIncre
   const std::optional<OverlappingFaceResults> no_overlap;
   std::optional<std::vector<growth::TipStation>> found =
       measure.evaluate_tip_rates({kept.increment, no_fronts, no_sections, *cracks, no_history,
-                                  no_overlap, path ? &*path : nullptr},
+                                  no_overlap, growth_load_path(model, kept.increment)},
                                  integrator.tips());
   if (!found) {
     return back(measure.trouble()->why);

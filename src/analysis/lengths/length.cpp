@@ -109,22 +109,23 @@ const StressIntensityAdjoints& CrackLengthAnalysis::solve_adjoints(const StepSol
 
 bool CrackLengthAnalysis::add_error_bars_and_sensitivities(const StepSolver& solver,
                                                            const StepState& state,
+                                                           bool sensitivities,
                                                            results::LoadStepResult& result,
                                                            const ProcessorEndCallback& ended) {
   if (scene_.cracked.fronts.empty()) {
     return true;
   }
   if (!scene_.has_tips()) {
-    processors_->fronts.add_to_fronts(solver, state, result);
-    return ended("ESTIMATE", "error bars and derivatives of K");
+    processors_->fronts.add_to_fronts(solver, state, sensitivities, result);
+    return ended("ESTIMATE", sensitivities ? "error bars and derivatives of K" : "error bars of K");
   }
   const StressIntensityAdjoints& of_K = solve_adjoints(solver);
   if (!ended("ADJOINT", fmt::format("{} tips", scene_.cracked.fronts.size()))) {
     return false;
   }
   processors_->bars.add_to_tips(state, of_K, processors_->adjoints.fixed_active_set(), result);
-  if (!ended("ESTIMATE", "error bars of K")) {
-    return false;
+  if (!ended("ESTIMATE", "error bars of K") || !sensitivities) {
+    return !sensitivities;
   }
   processors_->sensitivities.add_to_tips(solver, state, processors_->adjoints, result);
   return ended("SENSITIVITY", "loads, fits, moduli, lengths");

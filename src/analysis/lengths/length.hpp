@@ -84,9 +84,10 @@ public:
       std::function<bool(const std::string& processor, const std::string& did)>;
   /// ADJOINT, ESTIMATE and SENSITIVITY: error bars and derivatives of K at the end of the step that
   /// `solver` solved last, in the plane by adjoints, in space by direct solutions; nothing without
-  /// a crack. False: `ended` went no further.
+  /// a crack. What the bars allow is taken out of K. Without `sensitivities` bars alone. False:
+  /// `ended` went no further.
   bool add_error_bars_and_sensitivities(const StepSolver& solver, const StepState& state,
-                                        results::LoadStepResult& result,
+                                        bool sensitivities, results::LoadStepResult& result,
                                         const ProcessorEndCallback& ended);
   /// ESTIMATE: errors of the nets in the energy norm.
   void add_net_errors(const StepState& state, results::LoadStepResult& result) const;

@@ -28,7 +28,8 @@ struct CrackStateRequest {
   growth::CrackGeometry cracks; ///< in space none: those of the deck
   double a = 0.0;               ///< for the record; 0: that of the first tip
   std::vector<bool> pictured;   ///< [step] stresses are recovered
-  bool bars = true;             ///< error bars of K, and sensitivities
+  bool bars = true;             ///< error bars of K, by which it is corrected
+  bool sensitivities = true;    ///< with bars: derivatives of K
 };
 
 /// Solves all steps for one state of the cracks after another; what one leaves for the next (nets

@@ -74,9 +74,7 @@ bool GrowthRateEvaluator::by_spectrum(const SolvedCrackState& at, const GrowingP
         fmt::format("spectrum {}: there is no K up to t = {:.6g}, load path {} ends before: {}",
                     card.name, spectrum_->highest_load(), path.name, path.stopped));
   }
-  if (model_.growth->corrected) {
-    warn_of_bars_on_path(model_, at.increment, to.front, warnings_);
-  }
+  warn_of_bars_on_path(model_, at.increment, to.front, warnings_);
   const results::LoadPathFront& front = path.fronts[place.front];
   const bool tip = front.points.size() == 1;
   if (tip && !front.front_without_points.invalid_reason.empty()) {

@@ -28,6 +28,21 @@ bool touch_on(const base::PiecewiseLinear& K1, std::size_t segment) {
   return K1.value_at_knot(segment) == 0.0 && K1.slope(segment) == 0.0;
 }
 
+using ThreeModes = std::array<double, 3>;
+
+ThreeModes taken_out(const ThreeModes& K, const ThreeModes& raw) {
+  return {K[0] - raw[0], K[1] - raw[1], K[2] - raw[2]};
+}
+
+void correct_modes(std::array<base::PiecewiseLinear, 3>& K, const ThreeModes& at_zero,
+                   const ThreeModes& at_one) {
+  for (std::size_t mode = 0; mode < K.size(); ++mode) {
+    if (at_zero[mode] != 0.0 || at_one[mode] != 0.0) {
+      K[mode] = correct_K(K[mode], at_zero[mode], at_one[mode]);
+    }
+  }
+}
+
 } // namespace
 
 bool faces_touch_on_path(const base::PiecewiseLinear& K1) {
@@ -56,31 +71,22 @@ base::PiecewiseLinear correct_K(const base::PiecewiseLinear& K, double at_zero, 
   return {K.knots(), std::move(value), std::move(slope)};
 }
 
-double estimated_K_error(const results::FrontResult& front, std::size_t i, std::size_t mode) {
-  const std::size_t last = front.points.size() - 1;
-  const std::size_t near = !front.points[i].at_surface ? i : i == 0 ? 1 : i == last ? last - 1 : i;
-  const results::FrontPointResult& point = front.points[near];
-  const bool known = front.has_error_bar() && !front.points[i].closed && !point.closed;
-  const std::array<double, 3> K{point.K1, point.K2, point.K3};
-  return known ? point.bar[mode].best - K[mode] : 0.0;
-}
-
-results::LoadPathResult correct_path_K(results::LoadPathResult path,
-                                       const results::LoadStepResult& from,
-                                       const results::LoadStepResult& to) {
+void correct_path_K(const results::LoadStepResult& from, const results::LoadStepResult& to,
+                    results::LoadPathResult& path) {
   for (std::size_t f = 0; f < path.fronts.size(); ++f) {
-    const std::size_t modes = from.fronts.at(f).is_tip() ? 2 : 1;
+    const results::FrontResult& first = from.fronts.at(f);
+    const results::FrontResult& last = to.fronts.at(f);
     for (std::size_t i = 0; i < path.fronts[f].points.size(); ++i) {
       results::LoadPathFrontPoint& point = path.fronts[f].points[i];
-      for (std::size_t mode = 0; mode < modes; ++mode) {
-        const double low = estimated_K_error(from.fronts.at(f), i, mode);
-        const double high = estimated_K_error(to.fronts.at(f), i, mode);
-        point.K[mode] = correct_K(point.K[mode], low, high);
-        point.smooth[mode] = correct_K(point.smooth[mode], low, high);
+      const results::FrontPointResult& low = first.points.at(i);
+      const results::FrontPointResult& high = last.points.at(i);
+      if (low.raw || high.raw) {
+        correct_modes(point.K, taken_out(low.K(), low.raw_K()), taken_out(high.K(), high.raw_K()));
+        correct_modes(point.smooth, taken_out(low.smooth, low.raw_smooth_K()),
+                      taken_out(high.smooth, high.raw_smooth_K()));
       }
     }
   }
-  return path;
 }
 
 } // namespace spricka::analysis

@@ -15,14 +15,9 @@ base::PiecewiseLinear correct_K(const base::PiecewiseLinear& K, double at_zero, 
 /// Whether the faces of a crack touch on some part of a path: K1 is 0 there.
 bool faces_touch_on_path(const base::PiecewiseLinear& K1);
 
-/// A path with the errors of K1, and of K2 at tips, taken out that the bars of its first and its
-/// last step estimate; where they have none K is as computed.
-results::LoadPathResult correct_path_K(results::LoadPathResult path,
-                                       const results::LoadStepResult& from,
-                                       const results::LoadStepResult& to);
-
-/// The estimated error of K1 (mode 0), K2 or K3 at point i of a front, at the surface that of the
-/// next point; 0 where there is no bar, or where faces touch. [K]
-double estimated_K_error(const results::FrontResult& front, std::size_t i, std::size_t mode);
+/// Takes the errors of K out of a path that its first and its last step have had taken out of
+/// theirs; where none has K stays as it is.
+void correct_path_K(const results::LoadStepResult& from, const results::LoadStepResult& to,
+                    results::LoadPathResult& path);
 
 } // namespace spricka::analysis

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/lengths/place_on_front.hpp"
 
-#include "analysis/lengths/path_correction.hpp"
 #include "crack/k_layout.hpp"
 #include "geometry/polyline.hpp"
 
@@ -127,12 +126,10 @@ base::Vec3 point_on_front_curve(const results::FrontResult& front, const PlaceOn
   return x;
 }
 
-base::Vec3 interpolate_smooth_K(const results::FrontResult& front, const PlaceOnFront& at,
-                                bool corrected) {
+base::Vec3 interpolate_smooth_K(const results::FrontResult& front, const PlaceOnFront& at) {
   base::Vec3 K = base::Vec3::Zero();
   for (const auto& [i, weight] : weights_at(front, at)) {
     K += weight * base::Vec3::Map(front.points[i].smooth.data());
-    K[0] += corrected ? weight * estimated_K_error(front, i, 0) : 0.0;
   }
   return K;
 }

@@ -36,10 +36,8 @@ PlaceOnFront nearest_place(const std::vector<results::LoadPathFront>& fronts,
 /// A place on the curve through the points, not on its chords.
 base::Vec3 point_on_front_curve(const results::FrontResult& front, const PlaceOnFront& at);
 
-/// K1, K2, K3 as smooth functions along the front; `corrected`: with the estimated error of K1
-/// taken out.
-base::Vec3 interpolate_smooth_K(const results::FrontResult& front, const PlaceOnFront& at,
-                                bool corrected);
+/// K1, K2, K3 as smooth functions along the front.
+base::Vec3 interpolate_smooth_K(const results::FrontResult& front, const PlaceOnFront& at);
 
 /// part[0] K1 + part[1] K2 on the path, smooth along the front.
 base::PiecewiseLinear combined_K_over_path(const results::LoadPathFront& front,

@@ -119,9 +119,8 @@ lives_by_proportional_K(const model::Model& model, const results::RunResult& run
   }
   std::vector<results::LoadPathResult> paths; // [station]
   for (const results::CrackLengthResult& increment : run.increments) {
-    if (std::optional<results::LoadPathResult> path =
-            corrected_growth_load_path(model, increment)) {
-      paths.push_back(std::move(*path));
+    if (const results::LoadPathResult* path = growth_load_path(model, increment)) {
+      paths.push_back(*path);
     }
   }
   if (paths.size() < stations.size() || tips > 1) {

@@ -35,6 +35,7 @@ struct SolveOptions {
   /// be empty.
   std::function<void(const results::CrackLengthResult&)> found = {};
   ProfileRecorder* recorder = nullptr; ///< of a profile, where one is asked for
+  bool error_bars = true;              ///< false: none, and K is as the mesh has it
   bool stresses = true; ///< those of steps that outputs or the report show; false: nobody sees them
 };
 

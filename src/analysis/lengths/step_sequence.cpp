@@ -2,6 +2,7 @@
 #include "analysis/lengths/step_sequence.hpp"
 
 #include "analysis/lengths/growth_measure.hpp"
+#include "analysis/lengths/path_correction.hpp"
 #include "analysis/lengths/shown_results.hpp"
 #include "analysis/recover/finite_results.hpp"
 #include "analysis/steps/let_go.hpp"
@@ -122,10 +123,11 @@ StepSequence::Continuation StepSequence::solve_step(std::size_t s,
   if (!recover_step(s, *state, increment)) {
     return Continuation::end;
   }
+  add_error_bars(s, *state, context_.sensitivities && touching_.empty(), increment.steps.back());
   if (!touching_.empty()) {
     return Continuation::next_step;
   }
-  add_estimates(s, *state, increment.steps.back());
+  add_stresses(s, *state, increment.steps.back());
   if (trouble_) {
     return Continuation::end;
   }
@@ -188,18 +190,23 @@ bool StepSequence::recover_step(std::size_t s, const StepState& state,
   return true;
 }
 
-// Bars, sensitivities, stresses of a step's end, as far as they are asked for.
-void StepSequence::add_estimates(std::size_t s, const StepState& state,
-                                 results::LoadStepResult& result) {
-  const model::Step& step = context_.model.steps[s];
-  LogWriter& log = context_.log;
+void StepSequence::add_error_bars(std::size_t s, const StepState& state, bool sensitivities,
+                                  results::LoadStepResult& result) {
   if (context_.bars) {
     length_.add_error_bars_and_sensitivities(
-        *solver_, state, result, [&](const std::string& processor, const std::string& did) {
-          log.add_line(processor, fmt::format("step {}: {}", step.name, did));
+        *solver_, state, sensitivities, result,
+        [&](const std::string& processor, const std::string& did) {
+          context_.log.add_line(processor,
+                                fmt::format("step {}: {}", context_.model.steps[s].name, did));
           return true;
         });
   }
+}
+
+void StepSequence::add_stresses(std::size_t s, const StepState& state,
+                                results::LoadStepResult& result) {
+  const model::Step& step = context_.model.steps[s];
+  LogWriter& log = context_.log;
   if (!context_.pictured[s] && !repeated_.stresses_needed_later(s)) {
     return;
   }
@@ -219,7 +226,11 @@ void StepSequence::solve_paths(results::CrackLengthResult& increment,
   LoadPathSolver& paths = length_.load_paths();
   increment.paths = paths.solve_paths(*solver_);
   trouble_ = unsound_numbers(increment.paths);
-  if (trouble_ || !touching_.empty()) {
+  if (trouble_) {
+    return;
+  }
+  correct_paths(increment);
+  if (!touching_.empty()) {
     return;
   }
   if (depends_on_load_order(context_.model) && !follow_growth_loads(carried)) {
@@ -229,6 +240,15 @@ void StepSequence::solve_paths(results::CrackLengthResult& increment,
   touching_ = paths.cracks_with_overlapping_faces();
   if (touching_.empty()) {
     log_paths(increment.paths, context_.log);
+  }
+}
+
+// By the errors at the ends of the paths.
+void StepSequence::correct_paths(results::CrackLengthResult& increment) const {
+  for (std::size_t p = 0; p < increment.paths.size(); ++p) {
+    const model::LoadPathDefinition& card = context_.model.load_paths[p];
+    correct_path_K(increment.steps[card.from.index()], increment.steps[card.to.index()],
+                   increment.paths[p]);
   }
 }
 

@@ -22,8 +22,9 @@ struct StepSequenceContext {
   const model::Model& model;
   const SolveOptions& options;
   const std::vector<bool>& pictured; ///< [step] stresses are recovered
-  bool bars = true;                  ///< error bars of K, and sensitivities
-  bool passes_overlap = false;       ///< goes on with faces that overlap, without bars and pictures
+  bool bars = true;                  ///< error bars of K, by which it is corrected
+  bool sensitivities = true;         ///< with bars: derivatives of K
+  bool passes_overlap = false; ///< goes on with faces that overlap, without derivatives, pictures
   ContactDataForNextLength& contact;
   LogWriter& log;
 };
@@ -54,8 +55,11 @@ private:
   Continuation solve_step(std::size_t s, results::CrackLengthResult& increment);
   std::optional<StepState> solve_contact(std::size_t s);
   bool recover_step(std::size_t s, const StepState& state, results::CrackLengthResult& increment);
-  void add_estimates(std::size_t s, const StepState& state, results::LoadStepResult& result);
+  void add_error_bars(std::size_t s, const StepState& state, bool sensitivities,
+                      results::LoadStepResult& result);
+  void add_stresses(std::size_t s, const StepState& state, results::LoadStepResult& result);
   void solve_paths(results::CrackLengthResult& increment, InheritedContactState& carried);
+  void correct_paths(results::CrackLengthResult& increment) const;
   bool follow_growth_loads(InheritedContactState& carried);
   void report_stage(std::string stage) const;
   void show(const results::CrackLengthResult& increment) const;

@@ -164,6 +164,10 @@ void LoadPathSolver::store_step_end_state(std::size_t step, const StepSolver& so
   }
   end.case_factor = solver.factors().case_factor;
   end.result.fronts = result.fronts;
+  // A step that was taken over is corrected already; K of a path is, as a whole, at the end.
+  for (results::FrontResult& front : end.result.fronts) {
+    std::ranges::for_each(front.points, results::put_back_raw_K);
+  }
   end.result.contacts = result.contacts;
 }
 

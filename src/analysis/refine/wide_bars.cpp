@@ -62,8 +62,8 @@ void add_bars(const FrontWithTolerance& at, ToleranceShortfall& worst) {
   for (const results::FrontPointResult& point : at.front.points) {
     for (std::size_t k = 0; k < 3 && at.K > 0.0 && !point.at_surface; ++k) {
       const double part = point.bar[k].size() / at.K;
-      // The floor of a bar falls with no mesh.
-      worst.below_floor = worst.below_floor || point.bar[k].floor >= at.tolerance * at.K;
+      // The floor of a bar falls with no mesh: what is asked for must leave room above it.
+      worst.below_floor = worst.below_floor || point.bar[k].floor >= 0.99 * at.tolerance * at.K;
       if (part / at.tolerance > worst.ratio) {
         const double a = at.front.a > 0.0 ? at.front.a : at.increment.a;
         worst.ratio = part / at.tolerance;

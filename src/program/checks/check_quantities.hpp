@@ -27,7 +27,7 @@ std::string check_text(const model::ResultCheck& check);
 bool is_checkable_quantity(std::string_view word);
 
 /// What $CHECK calls a part of the error bar of K where `word` has K: "K1.BAR" (part: BAR) of K and
-/// K1, "K2.BEST.PHI" of K2.PHI; empty: the word is not of K itself.
+/// K1, "K2.RAW.PHI" of K2.PHI; empty: the word is not of K itself.
 std::string error_bar_part_quantity_word(std::string_view word, std::string_view part);
 
 /// What a line of $CHECK that names a place reads there, K1.AT and its like, is of the nearest

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/shell/bench.hpp"
 
+#include "analysis/lengths/path_correction.hpp"
 #include "analysis/lengths/shown_results.hpp"
 #include "analysis/recover/finite_results.hpp"
 #include "analysis/scene/gone_nodes.hpp"
@@ -220,13 +221,23 @@ base::OptionalFailure InteractiveSolver::solve_further_step(const model::Step& s
   return {};
 }
 
+// Bars of K, by which it is corrected, without derivatives.
+base::OptionalFailure InteractiveSolver::correct_K(const ReachedShellState& reached,
+                                                   results::LoadStepResult& found) {
+  return length_->add_error_bars_and_sensitivities(
+             *reached.solver, *reached.state, false, found,
+             [&](const std::string&, const std::string&) { return !stopped(); })
+             ? base::OptionalFailure()
+             : interrupted();
+}
+
 base::OptionalFailure InteractiveSolver::estimate_accuracy() {
   if (estimated_ || length_->discretisation().cracked.fronts.empty()) {
     return {};
   }
   results::LoadStepResult found = current_result();
   if (!length_->add_error_bars_and_sensitivities(
-          *solver_, *state_, found,
+          *solver_, *state_, true, found,
           [&](const std::string&, const std::string&) { return !stopped(); })) {
     return interrupted();
   }
@@ -260,7 +271,9 @@ base::OptionalFailure InteractiveSolver::add_deck_step_result(std::size_t step) 
     take(std::move(present), now);
   }
   if (!trouble) {
-    run_.increments.front().steps.push_back(gather(reached, steps[step].name));
+    results::LoadStepResult found = gather(reached, steps[step].name);
+    trouble = correct_K(reached, found);
+    run_.increments.front().steps.push_back(std::move(found));
   }
   return trouble;
 }
@@ -297,11 +310,16 @@ base::OptionalFailure InteractiveSolver::follow_load_path(const model::LoadPathD
       continue; // faces met at the second end: the first is not the same any more
     }
     analysis::LoadPathSolver& paths = length_->load_paths();
-    paths.store_step_end_state(path_from, *at_from.solver, gather(at_from, "FROM"));
-    paths.store_step_end_state(path_to, *at_to.solver, gather(at_to, "TO"));
+    results::LoadStepResult first = gather(at_from, "FROM");
+    results::LoadStepResult last = gather(at_to, "TO");
+    paths.store_step_end_state(path_from, *at_from.solver, first);
+    paths.store_step_end_state(path_to, *at_to.solver, last);
     found = paths.solve_paths(*at_to.solver);
     const std::vector<std::size_t> touching = paths.cracks_with_overlapping_faces();
     if (touching.empty()) {
+      trouble = correct_K(at_from, first);
+      trouble = trouble ? trouble : correct_K(at_to, last);
+      analysis::correct_path_K(first, last, found.front());
       break;
     }
     trouble = close(touching);

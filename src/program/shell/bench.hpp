@@ -89,6 +89,7 @@ private:
   void take(ReachedShellState reached, const std::vector<model::Step>& way);
   [[nodiscard]] results::LoadStepResult gather(const ReachedShellState& reached,
                                                const std::string& name) const;
+  base::OptionalFailure correct_K(const ReachedShellState& reached, results::LoadStepResult& found);
   [[nodiscard]] bool stopped() const { return parts_.stopped && parts_.stopped(); }
 
   InteractiveSolverInputs parts_;

@@ -55,9 +55,12 @@ std::string front_state(const FrontResult& front, const std::string& K) {
   if (front.two_materials) {
     return fmt::format("{}G = {:.7g}\n", size, least->G);
   }
+  // What `list K` estimates and takes out is still in it.
+  const char* const raw = front.has_error_bar() ? "" : "raw ";
   return front.is_tip()
-             ? fmt::format("{}K1 = {:<12.7g} K2 = {:<12.7g} {}\n", size, least->K1, least->K2, K)
-             : fmt::format("{}K1 = {:.7g} .. {:.7g} {}\n", size, least->K1, most->K1, K);
+             ? fmt::format("{}{}K1 = {:<12.7g} K2 = {:<12.7g} {}\n", size, raw, least->K1,
+                           least->K2, K)
+             : fmt::format("{}{}K1 = {:.7g} .. {:.7g} {}\n", size, raw, least->K1, most->K1, K);
 }
 
 std::string closed_part(const results::ContactResult& contact, const base::UnitSystem& units) {

@@ -59,8 +59,7 @@ base::OptionalFailure evaluate_result(ShellSession& session, const model::Result
     }
   }
   const std::string& q = check.quantity;
-  const auto speaks_of = [&](const char* word) { return q.find(word) != std::string::npos; };
-  if (speaks_of(".BAR") || speaks_of(".BEST") || q.starts_with("DK")) {
+  if (q.starts_with("K") || q.starts_with("DK")) { // K without its estimated error, its bar
     if (base::OptionalFailure trouble = session.estimate_accuracy()) {
       return trouble;
     }

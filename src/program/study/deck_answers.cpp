@@ -37,7 +37,7 @@ std::optional<AnswerGroup> group_of(std::string_view quantity) {
   return found->second;
 }
 
-// "K1.BAR" for K and K1, "K2.BEST.PHI" for K2.PHI; empty where there is no such word.
+// "K1.BAR" for K and K1, "K2.RAW.PHI" for K2.PHI; empty where there is no such word.
 std::string with_part(std::string_view quantity, std::string_view part) {
   std::string word = error_bar_part_quantity_word(quantity, part);
   if (word.ends_with(".BAR.MIN")) {
@@ -184,7 +184,7 @@ std::vector<AnswerReading> read_answers(const model::Model& model,
     };
     readings[a].value = find_check_value(model, *asked[a].check, run) / asked[a].factor;
     readings[a].bar = part_of_bar("BAR") / std::abs(asked[a].factor);
-    readings[a].best = part_of_bar("BEST") / asked[a].factor;
+    readings[a].raw = part_of_bar("RAW") / asked[a].factor;
   }
   return readings;
 }

@@ -5,6 +5,7 @@
 #include "program/study/deck_variant.hpp"
 #include "results/results.hpp"
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -29,9 +30,13 @@ struct AnswerRequest {
 
 /// One answer of one run; what there is not, is no number.
 struct AnswerReading {
-  double value = std::numeric_limits<double>::quiet_NaN();
-  double bar = std::numeric_limits<double>::quiet_NaN();  ///< half width of the error bar of K
-  double best = std::numeric_limits<double>::quiet_NaN(); ///< K with its estimated error taken out
+  double value = std::numeric_limits<double>::quiet_NaN(); ///< as it is printed
+  double bar = std::numeric_limits<double>::quiet_NaN();   ///< half width of the error bar of K
+  double raw = std::numeric_limits<double>::quiet_NaN();   ///< K as the mesh has it
+
+  [[nodiscard]] bool has_bar() const { return std::isfinite(bar) && std::isfinite(raw); }
+  /// What the mesh has, and what converges as theory says.
+  [[nodiscard]] double of_mesh() const { return has_bar() ? raw : value; }
 };
 
 /// The deck's own checks, but for equilibrium, derivatives, bars and what says nothing of a mesh.
@@ -58,7 +63,7 @@ std::vector<VariantCheckAndFactor>
 checks_asked_of_variant(const DeckVariant& variant, const std::vector<AnswerRequest>& answers);
 
 /// Values in a run of a `model` that is asked so, as those of the deck given, with error bar and
-/// corrected value of those that have them. [answer]
+/// raw value of those that have them. [answer]
 std::vector<AnswerReading> read_answers(const model::Model& model,
                                         const std::vector<VariantCheckAndFactor>& asked,
                                         const results::RunResult& run);

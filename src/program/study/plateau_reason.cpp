@@ -48,21 +48,20 @@ PlateauAnswers assess_answers(const PlateauContext& view) {
     }
     if (reference.of_deck) {
       const AnswerReading& reading = trials[*view.study.finest].readings[a];
-      const double limit = std::isfinite(reading.best) ? reading.best : reading.value;
       found.distance =
-          std::max(found.distance, std::abs(limit - reference.value) / reference.scale);
+          std::max(found.distance, std::abs(reading.value - reference.value) / reference.scale);
     }
     if (rows.size() > 1) {
       const AnswerReading& last = trials[rows.back()].readings[a];
       const AnswerReading& before = trials[rows[rows.size() - 2]].readings[a];
-      const bool best = view.series.corrected && std::isfinite(last.best);
-      const double moved = best ? last.best - before.best : last.value - before.value;
+      const double moved =
+          view.series.corrected ? last.value - before.value : last.of_mesh() - before.of_mesh();
       found.movement = std::max(found.movement, std::abs(moved) / reference.scale);
     }
     const double error =
-        own_finest
-            ? std::abs(trials[*own_finest].readings[a].value - reference.value) / reference.scale
-            : 0.0;
+        own_finest ? std::abs(trials[*own_finest].readings[a].of_mesh() - reference.value) /
+                         reference.scale
+                   : 0.0;
     if (error > found.worst_error) {
       found.worst_error = error;
       found.worst = a;

@@ -221,7 +221,7 @@ std::string study_text(const Study& study) {
 std::string study_csv(const Study& study) {
   return trials_csv(
       "setting,family,fineness,freedoms,cpu,wall,memory,exit_code,answer,group,value,"
-      "bar,best,reference,of_deck,uncertainty,error,best_error",
+      "bar,raw,reference,of_deck,uncertainty,error,raw_error",
       study.trials, study.answers,
       [](const StudyTrial& trial) {
         return base::CsvRow{{"setting", trial.variant.name},
@@ -233,12 +233,12 @@ std::string study_csv(const Study& study) {
         const AnswerReference& reference = study.references[a];
         const double scale = reference.scale > 0.0 ? reference.scale : NAN;
         return base::CsvRow{{"group", display_name(study.answers[a].group)},
-                            {"best", reading.best},
+                            {"raw", reading.raw},
                             {"reference", reference.value},
                             {"of_deck", reference.of_deck},
                             {"uncertainty", reference.uncertainty},
                             {"error", (reading.value - reference.value) / scale},
-                            {"best_error", (reading.best - reference.value) / scale}};
+                            {"raw_error", (reading.of_mesh() - reference.value) / scale}};
       });
 }
 

@@ -22,8 +22,8 @@ double movement(const std::vector<StudyTrial>& trials, const std::vector<std::si
   const std::size_t n = series.size();
   double most = n > 1 ? 0.0 : std::numeric_limits<double>::infinity();
   for (std::size_t back = 2; back <= std::min<std::size_t>(n, 3); ++back) {
-    most = std::max(most, std::abs(trials[series[n - 1]].readings[answer].value -
-                                   trials[series[n - back]].readings[answer].value));
+    most = std::max(most, std::abs(trials[series[n - 1]].readings[answer].of_mesh() -
+                                   trials[series[n - back]].readings[answer].of_mesh()));
   }
   return most;
 }
@@ -33,10 +33,9 @@ AnswerReference reference_of(const AnswerRequest& answer, std::size_t a,
                              const std::vector<std::size_t>& series) {
   AnswerReference reference;
   const AnswerReading& finest = trials[series.back()].readings[a];
-  const bool barred = std::isfinite(finest.bar) && std::isfinite(finest.best);
   const double moved = movement(trials, series, a);
-  reference.uncertainty = barred ? finest.bar : moved;
-  reference.value = barred ? finest.best : finest.value;
+  reference.uncertainty = finest.has_bar() ? finest.bar : moved;
+  reference.value = finest.value;
   if (answer.reference && std::isfinite(finest.value)) {
     const double off = std::abs(finest.value - *answer.reference);
     constexpr double round_off = 1e-9;
@@ -68,12 +67,11 @@ AnswerGroupErrors errors_of(AnswerGroup group, const Study& study, const StudyTr
     }
     const AnswerReading& reading = trial.readings[a];
     const bool itself = is_finest && !reference.of_deck;
-    const bool barred = std::isfinite(reading.bar) && std::isfinite(reading.best);
-    if (!itself || barred) { // against its own corrected value
-      widen(errors.plain, std::abs(reading.value - reference.value) / reference.scale);
+    if (!itself || reading.has_bar()) { // against its own corrected value
+      widen(errors.plain, std::abs(reading.of_mesh() - reference.value) / reference.scale);
     }
-    all_best = all_best && barred && !itself;
-    widen(errors.best, std::abs(reading.best - reference.value) / reference.scale);
+    all_best = all_best && reading.has_bar() && !itself;
+    widen(errors.best, std::abs(reading.value - reference.value) / reference.scale);
     widen(errors.bar, reading.bar / reference.scale);
   }
   errors.best = all_best ? errors.best : none;
@@ -217,7 +215,7 @@ private:
     const double reference = to_finest ? 1.0 / trials_[*study_.finest].variant.fineness : 0.0;
     const std::size_t falling = series.plateau ? series.plateau->first + 1 : points.size();
     // A corrected value is several times better than its bar (manual, error_bar.md).
-    constexpr double better = 0.25;
+    constexpr double better = 0.5;
     series.slope =
         fit_convergence_rate(std::span(points).first(falling),
                              own_ && !to_finest ? better * found_.floor : 0.0, reference);

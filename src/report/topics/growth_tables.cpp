@@ -4,6 +4,7 @@
 #include "model/model.hpp"
 #include "report/drawing/columns.hpp"
 #include "report/drawing/file.hpp"
+#include "report/topics/result_tables.hpp"
 
 #include <fmt/format.h>
 
@@ -227,12 +228,11 @@ std::string history_summary(const model::Model& model, const results::GrowthResu
   return out;
 }
 
-// What the error bars of K at the first station mean for the cycles of cracks in space, where a
-// wish for K, or CORRECT, costs so much that most lives are those of the mesh as it is.
+// What the error bars of K at the first station mean for the cycles of cracks in space.
 std::string mesh_words(const model::Model& model, const results::RunResult& run) {
   const double exponent = model.growth->constants.m;
-  if (run.growth->corrected || model.growth->spectrum || !(exponent > 0.0) ||
-      run.increments.empty() || model.growth->kmax.index() >= run.increments[0].steps.size()) {
+  if (model.growth->spectrum || !(exponent > 0.0) || run.increments.empty() ||
+      model.growth->kmax.index() >= run.increments[0].steps.size()) {
     return {};
   }
   double sum = 0.0;
@@ -251,8 +251,36 @@ std::string mesh_words(const model::Model& model, const results::RunResult& run)
   }
   const double known = sum / static_cast<double>(count);
   return fmt::format("The error bars of K at the first station are {:.2g} % on average, which is "
-                     "{:.2g} % of the cycles; CORRECT=YES removes the known part of this error.\n",
+                     "{:.2g} % of the cycles.\n",
                      100.0 * known, 100.0 * exponent * known);
+}
+
+// Which K the law was given, and at how many stations.
+std::string law_K_words(const model::Model& model, const results::RunResult& run) {
+  const std::string_view largest = leading_step_name(model);
+  std::size_t corrected = 0;
+  for (const results::CrackLengthResult& increment : run.increments) {
+    for (const results::LoadStepResult& step : increment.steps) {
+      corrected += step.step == largest &&
+                           std::ranges::any_of(step.fronts, &results::FrontResult::is_corrected)
+                       ? 1
+                       : 0;
+    }
+  }
+  const std::size_t all = run.increments.size();
+  const std::string raw = "The law used K as the mesh has it";
+  if (!run.growth->corrected) {
+    return raw + (run.growth->followed ? ", as friction leaves no estimate of its error.\n"
+                                       : " (CORRECT=NO).\n");
+  }
+  if (corrected == 0) {
+    return raw + ", as it has no error bar.\n";
+  }
+  return corrected == all
+             ? "The law used K with its estimated error taken out.\n"
+             : fmt::format("The law used K with its estimated error taken out at {} of {} "
+                           "stations, K as the mesh has it at the others.\n",
+                           corrected, all);
 }
 
 } // namespace
@@ -299,9 +327,12 @@ std::string life_summary(const model::Model& model, const results::RunResult& ru
                          growth.curve.back().a[i], model.units.length_name);
     }
   }
-  out += growth.corrected ? "The law used K with its estimated error taken out (CORRECT=YES).\n"
-                          : "The law used K as computed; error bars and sensitivities are those of "
-                            "the first increment unless the deck asks for more.\n";
+  out += law_K_words(model, run);
+  out += growth.corrected
+             ? "Sensitivities are those of the first increment unless the deck asks for "
+               "more.\n"
+             : "Error bars and sensitivities are those of the first increment unless "
+               "the deck asks for more.\n";
   return out;
 }
 

@@ -10,19 +10,32 @@
 
 namespace spricka::report {
 
-std::string k_with_bar_text(double K, const results::KErrorBar& bar) {
+namespace {
+
+// Which K is printed: with its estimated error taken out, or not.
+std::string kind_of_K_text(const results::KErrorBar& bar, const std::string& raw) {
+  return bar.of_best ? "raw " + raw : "as the mesh has it";
+}
+
+} // namespace
+
+std::string k_with_bar_text(double K, double raw, const results::KErrorBar& bar) {
   const double size = bar.size();
+  if (size == 0.0) { // K that is 0 whatever the mesh
+    return fmt::format("{:.6g} +- 0", K);
+  }
   if (!(size > 0.0) || !std::isfinite(size) || std::abs(std::log10(size)) > 9.0) {
-    return fmt::format("{:.6g} +- {:.2g}; best {:.6g}", K, size, bar.best);
+    return fmt::format("{:.6g} +- {:.2g}; {}", K, size,
+                       kind_of_K_text(bar, fmt::format("{:.6g}", raw)));
   }
   const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(size))));
   const auto number = [&](double value) {
     const double unit = std::pow(10.0, -decimals);
     return fmt::format("{:.{}f}", std::abs(value) < 0.5 * unit ? 0.0 : value, decimals);
   };
-  return fmt::format("{} +- {} (mesh {}, contact edge {}, floor {}); best {}", number(K),
-                     number(size), number(bar.mesh), number(bar.edge), number(bar.floor),
-                     number(bar.best));
+  return fmt::format("{} +- {} (mesh {}, contact edge {}, floor {}); {}", number(K), number(size),
+                     number(bar.mesh), number(bar.edge), number(bar.floor),
+                     kind_of_K_text(bar, number(raw)));
 }
 
 std::string format_error_bar(double size) {
@@ -47,7 +60,7 @@ std::string k_error_bar_lines(const results::CrackLengthResult& increment) {
       const results::FrontPointResult& tip = row.front.single_point();
       lines +=
           fmt::format("  {:<{}}  {:<{}}  K{} = {}\n", row.step.step, step_width, row.front.name,
-                      name_width, k + 1, k_with_bar_text(k == 0 ? tip.K1 : tip.K2, tip.bar[k]));
+                      name_width, k + 1, k_with_bar_text(tip.K()[k], tip.raw_K()[k], tip.bar[k]));
     }
   }
   return lines;

@@ -6,9 +6,10 @@
 
 namespace spricka::report {
 
-/// "630.44 +- 0.47 (mesh 0.39, contact edge 0.02, floor 0.06); best 630.68": as many decimals as
-/// the bar has meaning.
-std::string k_with_bar_text(double K, const results::KErrorBar& bar);
+/// "630.68 +- 0.21 (mesh 0.16, contact edge 0.02, floor 0.03); raw 630.44": as many decimals as the
+/// bar has meaning. `raw`: K as the mesh has it; without its estimated error taken out the text
+/// ends in words that say so.
+std::string k_with_bar_text(double K, double raw, const results::KErrorBar& bar);
 
 /// Half width of an error bar, two digits that count: "290", "0.053", "1.2e-05".
 std::string format_error_bar(double size);

@@ -103,8 +103,8 @@ std::string place_of(const KResultExtent& gap, const KResultExtent& all) {
 
 std::string words_of(const std::string& why) {
   return why == results::FrontResult().missing_bar_reason
-             ? "it was not computed (a life has error bars at its first length only, unless the "
-               "deck asks for more by $CHECK, TOL on $TIPNET or CORRECT=YES)"
+             ? "it was not computed (a life with CORRECT=NO has error bars at its first length "
+               "only, unless the deck asks for more by $CHECK or TOL on $TIPNET)"
              : why;
 }
 

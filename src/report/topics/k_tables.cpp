@@ -54,11 +54,24 @@ std::string k_cell(const results::KQuantity& q, const FrontPointRow& row, const 
   return format_six_digits(value);
 }
 
-/// A column for each quantity that the listing has, one for its error bar behind each K.
-void add_k_columns(Columns<FrontPointRow>& columns, const model::Model& model, bool angles,
-                   bool bars, const CrackScale& scale) {
+bool any_is_corrected(const std::vector<FrontPointRow>& rows) {
+  return std::ranges::any_of(rows,
+                             [](const FrontPointRow& row) { return row.point.raw.has_value(); });
+}
+
+/// What a table of K has beside its quantities.
+struct KTableParts {
+  bool angles = false;
+  bool bars = false;
+  bool raw = false; ///< K as the mesh has it, where that is not K itself
+};
+
+/// A column for each quantity that the listing has; behind each K one for its error bar, and one
+/// for K as the mesh has it.
+void add_k_columns(Columns<FrontPointRow>& columns, const model::Model& model,
+                   const KTableParts& parts, const CrackScale& scale) {
   for (const results::KQuantity* const q : shown_k_quantities(model, results::in_listing)) {
-    if (q->given == results::KQuantityCondition::with_angles && !angles) {
+    if (q->given == results::KQuantityCondition::with_angles && !parts.angles) {
       continue;
     }
     const std::string unit =
@@ -67,13 +80,20 @@ void add_k_columns(Columns<FrontPointRow>& columns, const model::Model& model, b
         [q](const FrontPointRow& row) { return q->is_given(row.front, row.point); });
     columns.number(q->heading.empty() ? q->name : std::string(q->heading), unit,
                    [q, scale](const FrontPointRow& row) { return k_cell(*q, row, scale); });
-    if (q->is_k() && bars) {
+    if (q->is_k() && parts.bars) {
       columns.fill_only_if([q](const FrontPointRow& row) {
         return q->is_given(row.front, row.point) && row.front.has_error_bar() &&
                !row.point.at_surface;
       });
       columns.number(fmt::format("+- {}", q->name), unit, [q](const FrontPointRow& row) {
         return format_error_bar(row.point.bar[static_cast<std::size_t>(q->mode)].size());
+      });
+    }
+    if (q->is_k() && parts.raw) {
+      columns.fill_only_if(
+          [q](const FrontPointRow& row) { return q->is_given(row.front) && row.point.raw; });
+      columns.number(fmt::format("raw {}", q->name), unit, [q, scale](const FrontPointRow& row) {
+        return six_digits_or_zero(row.point.raw_K()[static_cast<std::size_t>(q->mode)], scale.K);
       });
     }
   }
@@ -98,7 +118,8 @@ ReportTable tip_table(const model::Model& model,
                       Columns<FrontPointRow> columns, const std::string& title,
                       const std::vector<FrontPointRow>& rows) {
   columns.words("tip", [](const FrontPointRow& row) { return row.front.name; });
-  add_k_columns(columns, model, false, true, crack_scale(increments));
+  add_k_columns(columns, model, {.bars = true, .raw = any_is_corrected(rows)},
+                crack_scale(increments));
   return columns.table(title, rows);
 }
 
@@ -108,15 +129,18 @@ ReportTable front_table(const model::Model& model, const results::CrackLengthRes
   Columns<FrontPointRow> columns;
   columns.words("step", step_name);
   columns.number("point", "", [](const FrontPointRow& row) { return row.point.number; });
-  add_k_columns(columns, model, first.has_angles, first.has_error_bar(), scale);
+  const auto rows = rows_where({&increment, 1}, [&](const FrontPointRow& row) {
+    return row.front.name == first.name && largest_K(row.front) > 1e-9 * scale.K;
+  });
+  add_k_columns(
+      columns, model,
+      {.angles = first.has_angles, .bars = first.has_error_bar(), .raw = any_is_corrected(rows)},
+      scale);
   columns.words("", [](const FrontPointRow& row) {
     return row.point.at_surface ? "surface" : row.point.closed ? "closed" : "";
   });
   return columns.table(fmt::format("Stress intensity factors along the front of {}", first.name),
-                       rows_where({&increment, 1}, [&](const FrontPointRow& row) {
-                         return row.front.name == first.name &&
-                                largest_K(row.front) > 1e-9 * scale.K;
-                       }));
+                       rows);
 }
 
 } // namespace

@@ -75,6 +75,11 @@ double size_of(const FrontPointResult& K) {
   return std::hypot(K.K1, K.K2);
 }
 
+// What G of the mesh is compared with.
+double raw_size_of(const FrontPointResult& K) {
+  return std::hypot(K.raw_K()[0], K.raw_K()[1]);
+}
+
 constexpr const char* each = R"($STEP NAME=PULL
   LOAD PULL 1
 $STEP NAME=FACES
@@ -119,7 +124,8 @@ TEST(AxialCracks, GAndKTellTheSameInAllDomains) {
     ASSERT_TRUE(solved);
     for (std::size_t s = 0; s < 4; ++s) {
       const FrontPointResult& K = tip(solved, s);
-      EXPECT_NEAR(size_of(K) * size_of(K) / E_effective, K.G, 2e-4 * K.G) << rise << " " << s;
+      EXPECT_NEAR(raw_size_of(K) * raw_size_of(K) / E_effective, K.G, 2e-4 * K.G)
+          << rise << " " << s;
       EXPECT_LT(K.spread, 1.5e-4) << rise << " " << s;
     }
   }
@@ -214,9 +220,9 @@ TEST(AxialCracks, DerivativesAreDifferences) {
           by(at, results::SensitivityParameter::load, load, mode);
     }
   }
-  // K is linear in the loads, rows and constants together.
-  EXPECT_NEAR(sum.x(), tip(at).K1, 1e-9 * size_of(tip(at)));
-  EXPECT_NEAR(sum.y(), tip(at).K2, 1e-9 * size_of(tip(at)));
+  // K of the mesh is linear in the loads, rows and constants together.
+  EXPECT_NEAR(sum.x(), tip(at).raw_K()[0], 1e-9 * size_of(tip(at)));
+  EXPECT_NEAR(sum.y(), tip(at).raw_K()[1], 1e-9 * size_of(tip(at)));
 }
 
 // A ring pressed on a tube with a crack from the bore under the ring, or in the fit beside its
@@ -283,8 +289,8 @@ TEST(AxialCracks, ReleaseWhatAPressFitLoses) {
       const double lost = (potential(*shorter, s) - potential(*longer, s)) / (2.0 * h) /
                           (2.0 * std::numbers::pi * fit.radius());
       EXPECT_NEAR(tip(at, s).G, lost, 0.01 * lost) << in_bore << " " << s;
-      EXPECT_NEAR(size_of(tip(at, s)) * size_of(tip(at, s)) / E_effective, tip(at, s).G,
-                  2e-4 * tip(at, s).G);
+      const double K = raw_size_of(tip(at, s));
+      EXPECT_NEAR(K * K / E_effective, tip(at, s).G, 2e-4 * tip(at, s).G);
     }
     EXPECT_GT(tip(at, 1).K1, 100.0);
   }

@@ -83,14 +83,14 @@ $LOADPATH NAME=P FROM=FIRST TO=LAST BEYOND={}
                                                                0.7 - 2.0 / beyond, beyond));
   };
   for (const double beyond : {1.0, 16.0}) { // the ends of the second are both open
-    const std::optional<Solved> solved = solve_text(path(beyond));
+    const std::optional<Solved> solved = test::solve_text_with_raw_K(path(beyond));
     ASSERT_TRUE(solved);
     const results::LoadPathResult& found = solved->run.increments[0].paths.at(0);
     EXPECT_LT(found.mismatch, 1e-6);
     EXPECT_TRUE(found.fronts[1].front_without_points.invalid_reason.empty());
     EXPECT_GT(found.t.size(), 10U);
     for (const double t : {0.05, 0.4, 0.7, 1.3, 1.95}) {
-      const std::optional<Solved> step = solve_text(bent(0.7 - t));
+      const std::optional<Solved> step = test::solve_text_with_raw_K(bent(0.7 - t));
       ASSERT_TRUE(step);
       for (const std::size_t tip : {std::size_t{0}, std::size_t{1}}) {
         EXPECT_NEAR(found.fronts[tip].single_point().K[0](0.5 * beyond * t),

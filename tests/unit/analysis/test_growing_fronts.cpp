@@ -68,7 +68,8 @@ results::GrowthResult growth_of(const std::string& deck) {
 
 // Loads followed one after another, friction next to none, are the map of K over the load.
 TEST(GrowingFronts, NextToNoFrictionIsTheMap) {
-  const results::GrowthResult mapped = growth_of(clamped_bar("0", spectrum("", "0.3 0.9 7")));
+  const results::GrowthResult mapped =
+      growth_of(clamped_bar("0", spectrum("CORRECT=NO", "0.3 0.9 7")));
   const results::GrowthResult followed = growth_of(clamped_bar("1e-9", spectrum("", "0.3 0.9 7")));
   ASSERT_FALSE(mapped.stations.empty() || followed.stations.empty());
   EXPECT_GE(followed.stations[0].passes, 1);
@@ -86,7 +87,8 @@ TEST(GrowingFronts, NextToNoFrictionIsTheMap) {
 // What the clamp holds is missing at the largest load, and left behind at the smallest: KMAX and
 // KMIN of a bar that was pulled by so much more than friction holds.
 TEST(GrowingFronts, CyclesThatRepeatBehindAClamp) {
-  const results::GrowthResult free = growth_of(clamped_bar("0", grow("KMAX=FULL KMIN=REST")));
+  const results::GrowthResult free =
+      growth_of(clamped_bar("0", grow("KMAX=FULL KMIN=REST CORRECT=NO")));
   const results::GrowthResult held = growth_of(clamped_bar("0.1", grow("KMAX=FULL KMIN=REST")));
   ASSERT_FALSE(held.stations.empty());
   const results::GrownPointResult& at = held.stations[0].points.at(0);
@@ -102,11 +104,10 @@ TEST(GrowingFronts, CorrectedSpectrumOfOneCycleIsConstantAmplitude) {
   if (!test::full_size()) {
     GTEST_SKIP() << "at full size; in the plane: analysis.growth";
   }
-  const results::GrowthResult plain = growth_of(clamped_bar("", grow("KMAX=FULL KMIN=HALF")));
-  const results::GrowthResult steps =
-      growth_of(clamped_bar("", grow("KMAX=FULL KMIN=HALF CORRECT=YES")));
-  const results::GrowthResult spectra =
-      growth_of(clamped_bar("", spectrum("CORRECT=YES", "0.5 1 10")));
+  const results::GrowthResult plain =
+      growth_of(clamped_bar("", grow("KMAX=FULL KMIN=HALF CORRECT=NO")));
+  const results::GrowthResult steps = growth_of(clamped_bar("", grow("KMAX=FULL KMIN=HALF")));
+  const results::GrowthResult spectra = growth_of(clamped_bar("", spectrum("", "0.5 1 10")));
   ASSERT_FALSE(steps.stations.empty() || spectra.stations.empty());
   for (std::size_t tip = 0; tip < steps.stations[0].points.size(); ++tip) {
     const double K = steps.stations[0].points[tip].K_max;

@@ -15,7 +15,7 @@ namespace {
 
 using test::Folder;
 using test::run_text;
-using test::solve_text;
+using test::solve_text_with_raw_K;
 using test::Solved;
 
 // Two rings, one pressed into the other and pulled; `more`: cards behind the steps.
@@ -110,7 +110,7 @@ TEST(LoadPathSolver, LugAgreesWithThirtyOneLoads) {
         continue;
       }
       SCOPED_TRACE(fmt::format("{} {}", tips, ratio));
-      const std::optional<Solved> solved = solve_text(lug(tips, ratio));
+      const std::optional<Solved> solved = solve_text_with_raw_K(lug(tips, ratio));
       ASSERT_TRUE(solved);
       compare_with_steps(*solved);
     }
@@ -119,7 +119,7 @@ TEST(LoadPathSolver, LugAgreesWithThirtyOneLoads) {
 
 TEST(LoadPathSolver, LoadAndFitTurnIntoEachOther) {
   // from press fit alone to load alone: one path is the whole map of both
-  const std::optional<Solved> solved = solve_text(rings(press_fit, R"($STEP NAME=PRESS
+  const std::optional<Solved> solved = solve_text_with_raw_K(rings(press_fit, R"($STEP NAME=PRESS
   FIT FIT 1
 $STEP NAME=BOTH
   FIT FIT 0.6
@@ -145,8 +145,8 @@ $CRACK NAME=C NET=HUB ANGLE=90[deg] A0=4
 
 TEST(LoadPathSolver, AClearanceThatNoFitScalesIsAThirdParameter) {
   const std::optional<Solved> solved =
-      solve_text(rings("$CONTACT NAME=FIT SLAVE=PIN.OUTER MASTER=HUB.INNER GAP=0.01\n",
-                       R"($STEP NAME=LITTLE
+      solve_text_with_raw_K(rings("$CONTACT NAME=FIT SLAVE=PIN.OUTER MASTER=HUB.INNER GAP=0.01\n",
+                                  R"($STEP NAME=LITTLE
   LOAD PULL 0.1
 $STEP NAME=MUCH
   LOAD PULL 1
@@ -174,8 +174,8 @@ $CRACK NAME=C NET=HUB ANGLE=90[deg] A0=4
 TEST(LoadPathSolver, ABodyInAClearanceJumpsWhereItsLoadTurns) {
   // at t = 0.5 all forces are zero and the pin crosses over to the other side
   const std::optional<Solved> solved =
-      solve_text(rings("$CONTACT NAME=FIT SLAVE=PIN.OUTER MASTER=HUB.INNER GAP=0.01\n",
-                       R"($STEP NAME=NONE
+      solve_text_with_raw_K(rings("$CONTACT NAME=FIT SLAVE=PIN.OUTER MASTER=HUB.INNER GAP=0.01\n",
+                                  R"($STEP NAME=NONE
   LOAD PULL 0
 $STEP NAME=THERE
   LOAD PULL 1
@@ -206,7 +206,7 @@ $CRACK NAME=C NET=HUB ANGLE=90[deg] A0=4
 }
 
 TEST(LoadPathSolver, ABodyThatComesLooseEndsThePath) {
-  const std::optional<Solved> solved = solve_text(R"($DECK VERSION=1 LENGTH=mm FORCE=N
+  const std::optional<Solved> solved = solve_text_with_raw_K(R"($DECK VERSION=1 LENGTH=mm FORCE=N
 $NET NAME=LOWER
   $MESH SHAPE=BLOCK TYPE=QUAMC8 LX=4 LY=1 NX=4 NY=2
 $ENDNET
@@ -261,7 +261,7 @@ $CRACK NAME=C ANGLE=0 A0=5
 
 TEST(LoadPathSolver, WithoutContactKIsOneLine) {
   const std::optional<Solved> solved =
-      solve_text(block(0.0, 1.0, "$LOADPATH NAME=UP FROM=A TO=B BEYOND=3\n"));
+      solve_text_with_raw_K(block(0.0, 1.0, "$LOADPATH NAME=UP FROM=A TO=B BEYOND=3\n"));
   ASSERT_TRUE(solved);
   const results::LoadPathResult& path = solved->run.increments.front().paths.front();
   EXPECT_EQ(path.t.size(), 2U);

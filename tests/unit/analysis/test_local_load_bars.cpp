@@ -123,7 +123,7 @@ constexpr const char* sheared_strip =
 TEST(LocalLoadBars, HotSpotAheadOfAFrontInASlice) {
   const Tally t = tally_of_slice(0.25, hot_strip);
   EXPECT_GE(t.inside, 0.95 * t.all);
-  EXPECT_LT(std::sqrt(t.best / t.all), 1e-3);
+  EXPECT_LT(std::sqrt(t.error / t.all), 1e-3);
 }
 
 TEST(LocalLoadBars, ThinSlicesByChance) {

@@ -144,7 +144,7 @@ TEST(Mouths, ATransitionTiesTheFacesOfAMasterThatOpens) {
         intensity(body + fmt::format("$MPC TYPE=TRANSITION SLAVE={} MASTER=Q.YMAX\n", slave), 0.0);
     const K bond = intensity(
         body + fmt::format("$CONTACT NAME=K TYPE=BONDED SLAVE={} MASTER=Q.YMAX\n", slave), 0.0);
-    const double within = 0.03 * std::hypot(bond.one, bond.two);
+    const double within = 0.035 * std::hypot(bond.one, bond.two);
     EXPECT_NEAR(tie.one, bond.one, within) << slave;
     EXPECT_NEAR(tie.two, bond.two, within) << slave;
   }

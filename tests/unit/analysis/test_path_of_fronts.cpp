@@ -17,7 +17,7 @@ TEST(PathOfFronts, AgreesWithStepsBetween) {
                          1.0 + 0.1 * k);
   }
   const auto solved =
-      test::solve_text(test::pressed_mouth(steps + "$LOADPATH NAME=UP FROM=S0 TO=S5\n"));
+      test::solve_text_with_raw_K(test::pressed_mouth(steps + "$LOADPATH NAME=UP FROM=S0 TO=S5\n"));
   ASSERT_TRUE(solved);
   const results::CrackLengthResult& increment = solved->run.increments.front();
   const results::LoadPathResult& path = increment.paths.front();

@@ -44,7 +44,7 @@ base::Vec2 K_of(const std::string& deck, const SolvedScene::Changes& changes) {
     return base::Vec2::Zero();
   }
   const results::FrontPointResult& tip = last->fronts[0].single_point();
-  return {tip.K1, tip.K2};
+  return {tip.raw_K()[0], tip.raw_K()[1]};
 }
 
 // Central difference of both by a change of `by` [1 or -1] times h.
@@ -193,7 +193,7 @@ TEST(Sensitivity, AddsUp) {
           moduli[k] += s.cause == SensitivityParameter::modulus ? part : 0.0;
         }
       }
-      const Pair K{front.single_point().K1, front.single_point().K2};
+      const Pair K{front.single_point().raw_K()[0], front.single_point().raw_K()[1]};
       for (const std::size_t k : {0U, 1U}) {
         EXPECT_NEAR(loads[k] + fits[k], K[k], 1e-11 * std::abs(front.single_point().K1));
         EXPECT_NEAR(moduli[k], fits[k], 1e-10 * std::abs(front.single_point().K1));
@@ -291,7 +291,7 @@ TEST(Sensitivity, WithDisplacementsAndWeightAgreesWithDifferences) {
 // A load path knows all breakpoints: between two of them they are the range, on one of them the
 // slopes on both sides are those of the path.
 TEST(Sensitivity, KnowsItsRangeAndBothSidesOfABreakpoint) {
-  const auto path_run = test::solve_text(rings(R"($STEP NAME=PRESS
+  const auto path_run = test::solve_text_with_raw_K(rings(R"($STEP NAME=PRESS
   FIT FIT 1
 $STEP NAME=PULLED
   LOAD PULL 1

@@ -155,7 +155,7 @@ TEST(TipLoads, LoadPathsHoldThem) {
                          "  LOAD PULL ({})\n  FIT FIT ({})\n",
                          k, 1.0 + t, 2.0 * t, 1.0 - 0.5 * t, t, 1.0 - 0.3 * t);
   }
-  const auto solved = solve_text(R"($DECK VERSION=1 LENGTH=mm FORCE=N
+  const auto solved = test::solve_text_with_raw_K(R"($DECK VERSION=1 LENGTH=mm FORCE=N
 $NET NAME=HUB
   $MESH SHAPE=RING TYPE=QUAMC8 RI=20 RO=50 NR=6 NT=48
 $ENDNET

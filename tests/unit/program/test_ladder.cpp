@@ -12,7 +12,7 @@ ModelVariantResult rung(const std::string& name, double K, double cpu, bool simp
   result.variant.name = name;
   result.variant.text.emplace();
   result.variant.simpler = simpler;
-  result.readings = {{.value = K, .bar = 0.0, .best = K}};
+  result.readings = {{.value = K, .bar = 0.0, .raw = K}};
   result.end.cpu = cpu;
   return result;
 }

@@ -219,6 +219,7 @@ results::LoadStepResult make_step(const model::Mesh& mesh, const std::string& na
                     1e-4 * tip.K1,
                     K + eta,
                     false,
+                    false,
                     std::vector<double>(mesh.element_count(),
                                         eta / static_cast<double>(mesh.element_count()))};
     }

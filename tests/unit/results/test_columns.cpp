@@ -155,20 +155,20 @@ TEST(Columns, of_k_csv_in_space_are_those_of_the_manual) {
 
 // Readers count columns: those of the plane stand as they did when tips had a table of their own.
 TEST(Columns, of_tips_have_kept_their_order) {
-  EXPECT_EQ(k_columns(in_k_csv, 2),
-            (Words{"a", "K1", "K2", "G", "spread", "T", "K1_bar", "K1_best", "K1_eta", "K1_sum",
-                   "K1_flip", "K2_bar", "K2_best", "K2_eta", "K2_sum", "K2_flip", "K1_opening",
-                   "K2_opening"}));
+  EXPECT_EQ(
+      k_columns(in_k_csv, 2),
+      (Words{"a", "K1", "K2", "G", "spread", "T", "K1_bar", "K1_raw", "K1_eta", "K1_sum", "K1_flip",
+             "K2_bar", "K2_raw", "K2_eta", "K2_sum", "K2_flip", "K1_opening", "K2_opening"}));
   EXPECT_EQ(k_columns(in_results_h5, 2), (Words{"a", "x", "y", "z", "K1", "K2", "G", "spread", "T",
-                                                "K1_bar", "K1_best", "K2_bar", "K2_best"}));
+                                                "K1_bar", "K1_raw", "K2_bar", "K2_raw"}));
   EXPECT_EQ(k_columns(in_listing, 2),
             (Words{"a", "K1", "K2", "G", "G_from_K", "spread", "T", "K1_opening", "K2_opening"}));
   EXPECT_EQ(k_columns(in_output, 2),
-            (Words{"a", "K1", "K2", "G", "K1_bar", "K1_best", "K2_bar", "K2_best"}));
+            (Words{"a", "K1", "K2", "G", "K1_bar", "K1_raw", "K2_bar", "K2_raw"}));
   EXPECT_EQ(k_columns(in_sweep, 2), (Words{"K1", "K2", "G", "K1_bar", "K2_bar"}));
   EXPECT_EQ(k_columns(in_check, 2),
-            (Words{"K1", "K2", "G", "T", "K1_bar", "K1_best", "K2_bar", "K2_best"}));
-  const std::set<std::string> judge{"spread", "K1_bar", "K1_best", "K2_bar", "K2_best"};
+            (Words{"K1", "K2", "G", "T", "K1_bar", "K1_raw", "K2_bar", "K2_raw"}));
+  const std::set<std::string> judge{"spread", "K1_bar", "K1_raw", "K2_bar", "K2_raw"};
   for (const KQuantity& q : k_quantities) {
     if (q.appears_in(in_results_h5, 2)) {
       EXPECT_EQ(q.is_quality_measure, judge.contains(q.name))
@@ -180,16 +180,15 @@ TEST(Columns, of_tips_have_kept_their_order) {
 // K by the opening of the faces stands with the points of the steps' fronts alone. What a deck may
 // ask of a front it may have in a table.
 TEST(Columns, of_fronts_are_those_of_their_points) {
-  EXPECT_EQ(
-      k_columns(in_k_csv, 3),
-      (Words{"a",      "point",   "at_surface", "closed",    "s",         "phi",    "x",
-             "y",      "z",       "K1",         "K2",        "K3",        "G",      "G_from_K",
-             "spread", "T",       "K1_smooth",  "K2_smooth", "K3_smooth", "K1_bar", "K1_best",
-             "K2_bar", "K2_best", "K3_bar",     "K3_best"}));
+  EXPECT_EQ(k_columns(in_k_csv, 3),
+            (Words{"a",      "point",  "at_surface", "closed",    "s",         "phi",    "x",
+                   "y",      "z",      "K1",         "K2",        "K3",        "G",      "G_from_K",
+                   "spread", "T",      "K1_smooth",  "K2_smooth", "K3_smooth", "K1_bar", "K1_raw",
+                   "K2_bar", "K2_raw", "K3_bar",     "K3_raw"}));
   EXPECT_EQ(k_columns(in_listing, 3),
             (Words{"s", "phi", "x", "y", "z", "K1", "K2", "K3", "G", "spread", "T"}));
-  EXPECT_EQ(k_columns(in_check, 3), (Words{"K1", "K2", "K3", "G", "T", "K1_bar", "K1_best",
-                                           "K2_bar", "K2_best", "K3_bar", "K3_best"}));
+  EXPECT_EQ(k_columns(in_check, 3), (Words{"K1", "K2", "K3", "G", "T", "K1_bar", "K1_raw", "K2_bar",
+                                           "K2_raw", "K3_bar", "K3_raw"}));
   EXPECT_EQ(k_columns(in_output, 3), k_columns(in_check, 3));
   EXPECT_EQ(k_columns(in_results_h5, 3), k_columns(in_k_csv, 3));
   for (const char* name : {"K1_opening", "K2_opening"}) {
@@ -276,13 +275,13 @@ TEST(Columns, are_found_by_their_words_of_checks) {
     }
     ASSERT_NE(find_k_quantity("K", dim), nullptr);
     EXPECT_EQ(find_k_quantity("K", dim), find_k_quantity("K1", dim));
-    ASSERT_NE(find_k_quantity("K2.BEST", dim), nullptr);
-    EXPECT_EQ(std::string(find_k_quantity("K2.BEST", dim)->name), "K2_best");
-    for (const char* word : {"A", "S", "SPREAD", "K1.SMOOTH", "K1.OPENING", "K2_BEST", ""}) {
+    ASSERT_NE(find_k_quantity("K2.RAW", dim), nullptr);
+    EXPECT_EQ(std::string(find_k_quantity("K2.RAW", dim)->name), "K2_raw");
+    for (const char* word : {"A", "S", "SPREAD", "K1.SMOOTH", "K1.OPENING", "K2_RAW", ""}) {
       EXPECT_EQ(find_k_quantity(word, dim), nullptr) << word;
     }
   }
-  for (const char* word : {"K3", "K3.BAR", "K3.BEST"}) {
+  for (const char* word : {"K3", "K3.BAR", "K3.RAW"}) {
     EXPECT_EQ(find_k_quantity(word, 2), nullptr) << word;
     EXPECT_NE(find_k_quantity(word, 3), nullptr) << word;
   }

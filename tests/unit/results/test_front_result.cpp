@@ -127,5 +127,44 @@ TEST(KQuantity, OfKIsNotGivenBetweenTwoMaterials) {
   EXPECT_FALSE(quantity("K1.BAR", 2).is_given_or_zero(front));
 }
 
+// The K that counts, and raw K behind it.
+TEST(RawK, StaysBehindKWithoutItsEstimatedErrorAndComesBackToTheBit) {
+  FrontResult front;
+  for (const bool at_surface : {true, false, false, false}) {
+    FrontPointResult& place = front.points.emplace_back();
+    place.at_surface = at_surface;
+    place.K1 = 0.1;
+    place.K2 = 0.3;
+    place.smooth = {0.11, 0.31, 0.0};
+    for (KErrorBar& bar : place.bar) {
+      bar.best = 0.7;
+      bar.of_best = true;
+    }
+  }
+  front.points[2].bar[0].best = -0.2;         // faces that do not overlap have no K1 below 0
+  front.points[3].bar[0].best = std::nan(""); // no number, no correction
+  front.points[3].bar[1].of_best = front.points[3].bar[2].of_best = false;
+  const FrontResult before = front;
+  take_out_estimated_errors(front);
+  EXPECT_TRUE(front.is_corrected());
+  EXPECT_EQ(front.points[0].K1, 0.1); // a number of the mesh
+  EXPECT_EQ(front.points[0].smooth[0], 0.7);
+  EXPECT_EQ(front.points[1].K2, 0.7);
+  EXPECT_EQ(front.points[1].smooth[1], 0.7);
+  EXPECT_EQ(front.points[2].K1, 0.0);
+  EXPECT_FALSE(front.points[3].raw.has_value());
+  const KQuantity& raw = quantity("K2.RAW");
+  for (std::size_t i = 0; i < front.points.size(); ++i) {
+    FrontPointResult& place = front.points[i];
+    EXPECT_EQ(raw.extract_value(front, place), 0.3);
+    EXPECT_EQ(place.raw_K(), before.points[i].K());
+    EXPECT_EQ(place.raw_smooth_K(), before.points[i].smooth);
+    put_back_raw_K(place);
+    EXPECT_EQ(place.K(), before.points[i].K());
+    EXPECT_EQ(place.smooth, before.points[i].smooth);
+    EXPECT_FALSE(place.raw || place.raw_smooth);
+  }
+}
+
 } // namespace
 } // namespace spricka::results::test_front_result

@@ -84,7 +84,7 @@ struct SolvedScene {
     }
     results::LoadStepResult out = length->recover_step(model().steps.at(step), *state);
     length->add_error_bars_and_sensitivities(
-        *solver, *state, out, [](const std::string&, const std::string&) { return true; });
+        *solver, *state, true, out, [](const std::string&, const std::string&) { return true; });
     return out;
   }
 

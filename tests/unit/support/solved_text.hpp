@@ -81,4 +81,11 @@ inline std::optional<Solved> solve_text(const std::string& deck, int threads = 1
   return solve_text(deck, options);
 }
 
+/// Without error bars: K as the mesh has it, to be compared with what is exact of that.
+inline std::optional<Solved> solve_text_with_raw_K(const std::string& deck) {
+  analysis::SolveOptions options;
+  options.error_bars = false;
+  return solve_text(deck, options);
+}
+
 } // namespace spricka::test
