@@ -127,57 +127,84 @@ std::optional<base::Vector> FrontErrorBars::changes(const FrozenContactStep& ste
                                                     const FrontKFunctionals& K) {
   const base::Vector r =
       load(step.state) - enrichment_->stiffness_forces_on_modes(&step.state.u, nullptr);
+  base::Vector start; // of a step that mounts or opens something where no force is
   for (const ReusableFrontEstimate& one : known_) {
     const double factor = r.dot(one.residual) / one.residual.squaredNorm();
-    if (one.mounted == step.state.mounted && one.closed == step.contact.closed &&
-        (r - factor * one.residual).norm() <= alike * r.norm()) {
-      return factor * one.eta;
+    if ((r - factor * one.residual).norm() <= alike * r.norm()) {
+      if (one.mounted == step.state.mounted && one.closed == step.contact.closed) {
+        return factor * one.solution.eta;
+      }
+      start = factor * one.solution.modes;
     }
   }
-  std::optional<base::Vector> eta = solve(step, K, r);
-  if (eta && r.squaredNorm() > 0.0) {
+  std::optional<ModeSolution> found = solve(step, K, r, std::move(start));
+  if (!found) {
+    return std::nullopt;
+  }
+  base::Vector eta = found->eta;
+  if (r.squaredNorm() > 0.0) {
     if (known_.size() == remembered) {
       known_.erase(known_.begin());
     }
-    known_.push_back({step.state.mounted, step.contact.closed, r, *eta});
+    known_.push_back({step.state.mounted, step.contact.closed, r, std::move(*found)});
   }
   return eta;
 }
 
-// Conjugate gradients on the modes with the nodes eliminated (estimate.23): each step is one
-// back-substitution.
-std::optional<base::Vector> FrontErrorBars::solve(const FrozenContactStep& step,
-                                                  const FrontKFunctionals& K,
-                                                  base::Vector r) const {
-  const estimate::SolidEnrichment& modes = *enrichment_;
-  base::Vector eta = base::Vector::Zero(K.rows.cols());
-  base::Vector s = modes.apply_preconditioner(r);
+// One back-substitution (estimate.23).
+std::optional<FrontErrorBars::ModeResponse>
+FrontErrorBars::respond(const FrozenContactStep& step, const FrontKFunctionals& K,
+                        const base::Vector& modes) const {
+  ModeResponse out;
+  base::Vector on_nodes;
+  enrichment_->stiffness_product(modes, on_nodes, out.force);
+  const FrozenContactResponse change = step.system.solve_response(-on_nodes, {});
+  if (!change.why_not.empty()) {
+    return std::nullopt;
+  }
+  const base::Vector v = change.u.col(0);
+  out.force += enrichment_->stiffness_forces_on_modes(&v, nullptr);
+  out.K = goals_.transpose() * modes + K.rows.transpose() * v + K.of_force * change.force.col(0);
+  return out;
+}
+
+// Conjugate gradients on the modes with the nodes eliminated.
+std::optional<FrontErrorBars::ModeSolution> FrontErrorBars::solve(const FrozenContactStep& step,
+                                                                  const FrontKFunctionals& K,
+                                                                  base::Vector r,
+                                                                  base::Vector start) const {
+  const bool from_another = start.size() > 0;
+  ModeSolution found{base::Vector::Zero(r.size()), base::Vector::Zero(K.rows.cols())};
+  if (from_another) {
+    const std::optional<ModeResponse> of_start = respond(step, K, start);
+    if (!of_start) {
+      return std::nullopt;
+    }
+    r -= of_start->force;
+    found = {std::move(start), of_start->K};
+  }
+  base::Vector s = enrichment_->apply_preconditioner(r);
   base::Vector p = s;
   double rs = r.dot(s);
   for (int i = 0; i < most_steps && rs > 0.0; ++i) {
-    base::Vector on_nodes;
-    base::Vector Sp;
-    modes.stiffness_product(p, on_nodes, Sp);
-    const FrozenContactResponse change = step.system.solve_response(-on_nodes, {});
-    if (!change.why_not.empty()) {
+    const std::optional<ModeResponse> response = respond(step, K, p);
+    if (!response) {
       return std::nullopt;
     }
-    const base::Vector v = change.u.col(0);
-    Sp += modes.stiffness_forces_on_modes(&v, nullptr);
-    const double alpha = rs / p.dot(Sp);
-    const base::Vector more = alpha * (goals_.transpose() * p + K.rows.transpose() * v +
-                                       K.of_force * change.force.col(0));
-    eta += more;
-    if (i > 0 && settled(scene_, more, eta)) {
+    const double alpha = rs / p.dot(response->force);
+    const base::Vector more = alpha * response->K;
+    found.modes += alpha * p;
+    found.eta += more;
+    if ((i > 0 || from_another) && settled(scene_, more, found.eta)) {
       break;
     }
-    r -= alpha * Sp;
-    s = modes.apply_preconditioner(r);
+    r -= alpha * response->force;
+    s = enrichment_->apply_preconditioner(r);
     const double next = r.dot(s);
     p = s + (next / rs) * p;
     rs = next;
   }
-  return eta;
+  return found;
 }
 
 void FrontErrorBars::estimate_bars(const StepState& state, const base::Vector& eta,

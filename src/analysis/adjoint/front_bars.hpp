@@ -30,20 +30,33 @@ private:
   /// What cubic elements add to K. [K]; empty: a solution failed
   [[nodiscard]] std::optional<base::Vector> changes(const FrozenContactStep& step,
                                                     const FrontKFunctionals& K);
-  /// The same from the residual of the modes.
-  [[nodiscard]] std::optional<base::Vector> solve(const FrozenContactStep& step,
-                                                  const FrontKFunctionals& K, base::Vector r) const;
+  /// The modes of a solution, with the nodes eliminated, and what they add to K. [K]
+  struct ModeSolution {
+    base::Vector modes, eta;
+  };
+  /// What displacements of modes do to the modes' own forces and to K; empty: a solution failed.
+  struct ModeResponse {
+    base::Vector force, K;
+  };
+  [[nodiscard]] std::optional<ModeResponse> respond(const FrozenContactStep& step,
+                                                    const FrontKFunctionals& K,
+                                                    const base::Vector& modes) const;
+  /// The solution for loads r on the modes, from `start` on; empty: a solution failed.
+  [[nodiscard]] std::optional<ModeSolution> solve(const FrozenContactStep& step,
+                                                  const FrontKFunctionals& K, base::Vector r,
+                                                  base::Vector start) const;
   void estimate_bars(const StepState& state, const base::Vector& eta,
                      const ContactEdgeKChange& edges, std::size_t f, std::size_t first_point,
                      results::FrontResult& front, results::LoadStepResult& result) const;
 
   std::optional<estimate::SolidEnrichment> enrichment_;
   crack::SparseLinearFunctionals goals_; ///< [freedoms of modes, K]
-  /// Steps with bars: where the same rows are closed in another and its residual is a multiple of
-  /// this one's, as in load cycles, so is the rest.
+  /// Steps with bars: where the residual of another is a multiple of this one's, as in load cycles,
+  /// and the same rows are closed, so is the rest; with other rows the solution is near.
   struct ReusableFrontEstimate {
     std::vector<bool> mounted, closed;
-    base::Vector residual, eta;
+    base::Vector residual;
+    ModeSolution solution;
   };
   std::vector<ReusableFrontEstimate> known_;
 };
