@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/adjoint/adjoints.hpp"
 
-#include "analysis/scene/front_functionals.hpp"
 #include "model/model.hpp"
 
 #include <utility>
@@ -15,17 +14,17 @@ constexpr UnheldLoadLimit felt_motion{1e-4, "K depends on a motion that no close
 
 } // namespace
 
-IntensityAdjointSolver::IntensityAdjointSolver(const model::Model& model,
-                                               const Discretisation& scene,
-                                               const std::vector<SubstructuredBody>& bodies)
-    : model_(model), scene_(scene), bodies_(bodies) {}
+IntensityAdjointSolver::IntensityAdjointSolver(const Discretisation& scene,
+                                               const std::vector<SubstructuredBody>& bodies,
+                                               const KFunctionals& K)
+    : scene_(scene), bodies_(bodies), K_(K) {}
 
 StressIntensityAdjoints
 IntensityAdjointSolver::solve_with_closed_rows(const FrozenContactSystem& system,
                                                const std::vector<bool>& closed) {
   if (rows_.size() == 0) {
-    rows_ = displacement_K_functionals(model_, scene_);
-    by_force_ = contact_force_K_functionals(model_, scene_).transpose();
+    rows_ = K_.of_displacements();
+    by_force_ = K_.of_contact_forces().transpose();
     condensed_ = condense_loads(scene_, bodies_, rows_);
   }
   // K has a term of the forces between faces, for which z leaves a gap there (sensitivity.13); w on

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "analysis/adjoint/frozen_change.hpp"
+#include "analysis/scene/front_functionals.hpp"
 
 #include <optional>
 #include <string>
@@ -27,8 +28,8 @@ struct StressIntensityAdjoints {
 class IntensityAdjointSolver {
 public:
   /// All must outlive it; nothing is computed yet.
-  IntensityAdjointSolver(const model::Model& model, const Discretisation& scene,
-                         const std::vector<SubstructuredBody>& bodies);
+  IntensityAdjointSolver(const Discretisation& scene, const std::vector<SubstructuredBody>& bodies,
+                         const KFunctionals& K);
 
   /// Of the step that was solved last, its contact frozen as it ended; steps that end with the same
   /// rows closed share the answer.
@@ -43,9 +44,9 @@ public:
                                                  const std::vector<bool>& closed);
 
 private:
-  const model::Model& model_;
   const Discretisation& scene_;
   const std::vector<SubstructuredBody>& bodies_;
+  const KFunctionals& K_;
   base::Matrix rows_;        ///< [dim * node, K]
   CondensedLoads condensed_; ///< those
   base::Matrix by_force_;    ///< [table row, K] of forces between crack faces

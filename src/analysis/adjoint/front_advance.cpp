@@ -336,9 +336,9 @@ base::Vector VirtualAxisExtension::openings(const Discretisation& side,
 
 // K with u and contact forces kept, less what it is now.
 base::Vector VirtualAxisExtension::change(const FrozenContactStep& step,
-                                          const FrontKFunctionals& K) const {
+                                          const KFunctionals& K) const {
   const StepState& state = step.state;
-  base::Vector out = rows_.transpose() * state.u - K.rows.transpose() * state.u;
+  base::Vector out = rows_.transpose() * state.u - K.of_displacements().transpose() * state.u;
   out += K_added_by_loads(model_, moved_, state.case_factor) -
          K_added_by_loads(model_, scene_, state.case_factor);
   if (!pairs_.empty()) {
@@ -347,14 +347,14 @@ base::Vector VirtualAxisExtension::change(const FrozenContactStep& step,
       lambda.segment(static_cast<Eigen::Index>(scene_.table.first[c]),
                      state.pair_lambda[c].size()) = state.pair_lambda[c];
     }
-    out += of_force_ * lambda - K.of_force * lambda;
+    out += of_force_ * lambda - K.of_contact_forces() * lambda;
   }
   return out;
 }
 
 ParameterPartialDerivatives
 VirtualAxisExtension::axis_partial_derivatives(const FrozenContactStep& step,
-                                               const FrontKFunctionals& K) const {
+                                               const KFunctionals& K) const {
   ParameterPartialDerivatives out;
   out.is.cause = axis_ == EllipseAxis::a ? results::SensitivityParameter::length
                                          : results::SensitivityParameter::axis;

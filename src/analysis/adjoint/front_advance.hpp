@@ -28,8 +28,8 @@ public:
   /// Why there is no derivative in this step; empty: there is one.
   [[nodiscard]] std::string why_no_derivative(const FrozenContactStep& step) const;
   /// d/da of loads, gaps and K, u and contact forces kept; K at an angle phi (sensitivity.15).
-  [[nodiscard]] ParameterPartialDerivatives
-  axis_partial_derivatives(const FrozenContactStep& step, const FrontKFunctionals& K) const;
+  [[nodiscard]] ParameterPartialDerivatives axis_partial_derivatives(const FrozenContactStep& step,
+                                                                     const KFunctionals& K) const;
 
 private:
   void shift_mesh();
@@ -40,8 +40,7 @@ private:
   [[nodiscard]] base::Vector loads(const Discretisation& side, const StepState& state) const;
   [[nodiscard]] base::Vector openings(const Discretisation& side,
                                       const FrozenContactStep& step) const;
-  [[nodiscard]] base::Vector change(const FrozenContactStep& step,
-                                    const FrontKFunctionals& K) const;
+  [[nodiscard]] base::Vector change(const FrozenContactStep& step, const KFunctionals& K) const;
 
   const model::Model& model_;
   const Discretisation& scene_;

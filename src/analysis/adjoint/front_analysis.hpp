@@ -3,8 +3,6 @@
 #include "analysis/adjoint/front_bars.hpp"
 #include "analysis/adjoint/front_sensitivities.hpp"
 
-#include <optional>
-
 namespace spricka::analysis {
 
 /// Bars and derivatives of K along fronts in space at the ends of the steps of one crack length.
@@ -12,17 +10,16 @@ class FrontErrorsAndSensitivities {
 public:
   /// All must outlive it; nothing is computed before the first step.
   FrontErrorsAndSensitivities(const model::Model& model, const Discretisation& scene,
-                              const std::vector<SubstructuredBody>& bodies);
+                              const std::vector<SubstructuredBody>& bodies, const KFunctionals& K);
 
   /// Of a step that `solver` solved last; without `sensitivities` bars alone.
   void add_to_fronts(const StepSolver& solver, const StepState& state, bool sensitivities,
                      results::LoadStepResult& result);
 
 private:
-  const model::Model& model_;
   const Discretisation& scene_;
   const std::vector<SubstructuredBody>& bodies_;
-  std::optional<FrontKFunctionals> functionals_;
+  const KFunctionals& K_;
   FrontErrorBars bars_;
   FrontSensitivityAnalysis sensitivities_;
 };

@@ -124,7 +124,7 @@ base::Vector FrontErrorBars::load(const StepState& state) {
 }
 
 std::optional<base::Vector> FrontErrorBars::changes(const FrozenContactStep& step,
-                                                    const FrontKFunctionals& K) {
+                                                    const KFunctionals& K) {
   const base::Vector r =
       load(step.state) - enrichment_->stiffness_forces_on_modes(&step.state.u, nullptr);
   base::Vector start; // of a step that mounts or opens something where no force is
@@ -153,7 +153,7 @@ std::optional<base::Vector> FrontErrorBars::changes(const FrozenContactStep& ste
 
 // One back-substitution (estimate.23).
 std::optional<FrontErrorBars::ModeResponse>
-FrontErrorBars::respond(const FrozenContactStep& step, const FrontKFunctionals& K,
+FrontErrorBars::respond(const FrozenContactStep& step, const KFunctionals& K,
                         const base::Vector& modes) const {
   ModeResponse out;
   base::Vector on_nodes;
@@ -164,17 +164,18 @@ FrontErrorBars::respond(const FrozenContactStep& step, const FrontKFunctionals& 
   }
   const base::Vector v = change.u.col(0);
   out.force += enrichment_->stiffness_forces_on_modes(&v, nullptr);
-  out.K = goals_.transpose() * modes + K.rows.transpose() * v + K.of_force * change.force.col(0);
+  out.K = goals_.transpose() * modes + K.of_displacements().transpose() * v +
+          K.of_contact_forces() * change.force.col(0);
   return out;
 }
 
 // Conjugate gradients on the modes with the nodes eliminated.
 std::optional<FrontErrorBars::ModeSolution> FrontErrorBars::solve(const FrozenContactStep& step,
-                                                                  const FrontKFunctionals& K,
+                                                                  const KFunctionals& K,
                                                                   base::Vector r,
                                                                   base::Vector start) const {
   const bool from_another = start.size() > 0;
-  ModeSolution found{base::Vector::Zero(r.size()), base::Vector::Zero(K.rows.cols())};
+  ModeSolution found{base::Vector::Zero(r.size()), base::Vector::Zero(K.of_displacements().cols())};
   if (from_another) {
     const std::optional<ModeResponse> of_start = respond(step, K, start);
     if (!of_start) {
@@ -239,7 +240,7 @@ void FrontErrorBars::estimate_bars(const StepState& state, const base::Vector& e
   }
 }
 
-void FrontErrorBars::add_to_fronts(const FrozenContactStep& step, const FrontKFunctionals& K,
+void FrontErrorBars::add_to_fronts(const FrozenContactStep& step, const KFunctionals& K,
                                    results::LoadStepResult& result) {
   if (!prepared_) {
     prepare();

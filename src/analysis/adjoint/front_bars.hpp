@@ -20,7 +20,7 @@ public:
   FrontErrorBars(const model::Model& model, const Discretisation& scene);
 
   /// Gives the fronts of a step, which was solved last, their bars, or says why they have none.
-  void add_to_fronts(const FrozenContactStep& step, const FrontKFunctionals& K,
+  void add_to_fronts(const FrozenContactStep& step, const KFunctionals& K,
                      results::LoadStepResult& result);
 
 private:
@@ -29,7 +29,7 @@ private:
   [[nodiscard]] base::Vector load(const StepState& state);
   /// What cubic elements add to K. [K]; empty: a solution failed
   [[nodiscard]] std::optional<base::Vector> changes(const FrozenContactStep& step,
-                                                    const FrontKFunctionals& K);
+                                                    const KFunctionals& K);
   /// The modes of a solution, with the nodes eliminated, and what they add to K. [K]
   struct ModeSolution {
     base::Vector modes, eta;
@@ -38,12 +38,11 @@ private:
   struct ModeResponse {
     base::Vector force, K;
   };
-  [[nodiscard]] std::optional<ModeResponse> respond(const FrozenContactStep& step,
-                                                    const FrontKFunctionals& K,
-                                                    const base::Vector& modes) const;
+  [[nodiscard]] std::optional<ModeResponse>
+  respond(const FrozenContactStep& step, const KFunctionals& K, const base::Vector& modes) const;
   /// The solution for loads r on the modes, from `start` on; empty: a solution failed.
   [[nodiscard]] std::optional<ModeSolution> solve(const FrozenContactStep& step,
-                                                  const FrontKFunctionals& K, base::Vector r,
+                                                  const KFunctionals& K, base::Vector r,
                                                   base::Vector start) const;
   void estimate_bars(const StepState& state, const base::Vector& eta,
                      const ContactEdgeKChange& edges, std::size_t f, std::size_t first_point,

@@ -204,9 +204,9 @@ double share_together(const Discretisation& scene, const FrozenContactStep& step
 } // namespace
 
 ContactEdgeKChange contact_edge_K_changes(const Discretisation& scene,
-                                          const FrozenContactStep& step,
-                                          const FrontKFunctionals& K) {
-  ContactEdgeKChange changes{base::Vector::Zero(K.rows.cols()), base::Vector::Zero(K.rows.cols())};
+                                          const FrozenContactStep& step, const KFunctionals& K) {
+  ContactEdgeKChange changes{base::Vector::Zero(K.of_displacements().cols()),
+                             base::Vector::Zero(K.of_displacements().cols())};
   const std::vector<RowLine> lines = lines_of(scene, step.state);
   if (lines.empty() || step.system.fixed_active_set() == nullptr ||
       !step.system.fixed_active_set()->is_consistent()) {
@@ -226,7 +226,8 @@ ContactEdgeKChange contact_edge_K_changes(const Discretisation& scene,
     if (!lines[l].closed) { // what closes them presses on the front's domains, too
       force += alone;
     }
-    const base::Vector change = (share * (K.rows.transpose() * u + K.of_force * force)).cwiseAbs();
+    const base::Vector change =
+        (share * (K.of_displacements().transpose() * u + K.of_contact_forces() * force)).cwiseAbs();
     if (lines[l].sharp) {
       changes.sharp += change;
     } else {

@@ -7,7 +7,6 @@ namespace spricka::analysis {
 
 /// Of the step that was solved last; rows of bonded contacts and of those of single nodes stay.
 ContactEdgeKChange contact_edge_K_changes(const Discretisation& scene,
-                                          const FrozenContactStep& step,
-                                          const FrontKFunctionals& K);
+                                          const FrozenContactStep& step, const KFunctionals& K);
 
 } // namespace spricka::analysis

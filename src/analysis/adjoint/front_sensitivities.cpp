@@ -55,8 +55,7 @@ void FrontSensitivityAnalysis::prepare() {
   }
 }
 
-void FrontSensitivityAnalysis::add_lengths(const FrozenContactStep& step,
-                                           const FrontKFunctionals& K,
+void FrontSensitivityAnalysis::add_lengths(const FrozenContactStep& step, const KFunctionals& K,
                                            std::vector<ParameterPartialDerivatives>& causes,
                                            results::LoadStepResult& result) const {
   for (const std::unique_ptr<VirtualAxisExtension>& advance : advances_) {
@@ -69,7 +68,7 @@ void FrontSensitivityAnalysis::add_lengths(const FrozenContactStep& step,
   }
 }
 
-void FrontSensitivityAnalysis::solve(const FrozenContactStep& step, const FrontKFunctionals& K,
+void FrontSensitivityAnalysis::solve(const FrozenContactStep& step, const KFunctionals& K,
                                      const std::vector<ParameterPartialDerivatives>& causes,
                                      results::LoadStepResult& result) const {
   LoadAndGapRates rates;
@@ -96,14 +95,14 @@ void FrontSensitivityAnalysis::solve(const FrozenContactStep& step, const FrontK
       }
     }
   }
-  base::Matrix dK = K.rows.transpose() * change.u + K.of_force * change.force;
+  base::Matrix dK =
+      K.of_displacements().transpose() * change.u + K.of_contact_forces() * change.force;
   dK += gather_load_or_gap_columns(causes, &ParameterPartialDerivatives::direct, dK.rows());
   hold_closed_points(scene_.k_layout(), result, dK);
   store_derivatives(scene_.k_layout(), dK, reach, result);
 }
 
-void FrontSensitivityAnalysis::add_to_fronts(const FrozenContactStep& step,
-                                             const FrontKFunctionals& K,
+void FrontSensitivityAnalysis::add_to_fronts(const FrozenContactStep& step, const KFunctionals& K,
                                              results::LoadStepResult& result) {
   if (step.contact.rubs) {
     add_sensitivity_note(depends_on_history, result);
@@ -124,7 +123,7 @@ void FrontSensitivityAnalysis::add_to_fronts(const FrozenContactStep& step,
       step.state,
       case_load_,
       of_loads_,
-      [&K](const base::Vector& u) -> base::Vector { return K.rows.transpose() * u; }};
+      [&K](const base::Vector& u) -> base::Vector { return K.of_displacements().transpose() * u; }};
   std::vector<ParameterPartialDerivatives> causes = load_and_fit_partial_derivatives(of);
   if ((step.solver.gap_offset_at_mounting().array() != 0.0).any()) {
     add_sensitivity_note("no derivatives by moduli: parts were mounted on deformed ones", result);

@@ -20,15 +20,15 @@ public:
   ~FrontSensitivityAnalysis();
 
   /// Adds to the fronts of `result` what the end of a step, which was solved last, gives.
-  void add_to_fronts(const FrozenContactStep& step, const FrontKFunctionals& K,
+  void add_to_fronts(const FrozenContactStep& step, const KFunctionals& K,
                      results::LoadStepResult& result);
 
 private:
   void prepare();
-  void add_lengths(const FrozenContactStep& step, const FrontKFunctionals& K,
+  void add_lengths(const FrozenContactStep& step, const KFunctionals& K,
                    std::vector<ParameterPartialDerivatives>& causes,
                    results::LoadStepResult& result) const;
-  void solve(const FrozenContactStep& step, const FrontKFunctionals& K,
+  void solve(const FrozenContactStep& step, const KFunctionals& K,
              const std::vector<ParameterPartialDerivatives>& causes,
              results::LoadStepResult& result) const;
 

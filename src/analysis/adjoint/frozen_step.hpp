@@ -5,12 +5,6 @@
 
 namespace spricka::analysis {
 
-/// K along the fronts of a scene as functions of displacements and contact forces.
-struct FrontKFunctionals {
-  crack::SparseLinearFunctionals rows; ///< [3 * node, K]
-  base::Matrix of_force;               ///< [K, row of the table]
-};
-
 /// One solved step and what its answer is when something is changed.
 struct FrozenContactStep {
   const StepSolver& solver;

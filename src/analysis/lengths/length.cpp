@@ -40,12 +40,13 @@ CrackLengthAnalysis::CrackLengthAnalysis(const CrackLengthContext& parts, Discre
     : parts_(parts), scene_(std::move(scene)) {}
 
 CrackLengthAnalysis::PostProcessors::PostProcessors(const CrackLengthAnalysis& length)
-    : paths(length.parts_.with_paths != nullptr ? *length.parts_.with_paths : length.model(),
-            length.scene_, length.bodies_),
-      adjoints(length.model(), length.scene_, length.bodies_),
+    : K(length.model(), length.scene_),
+      paths(length.parts_.with_paths != nullptr ? *length.parts_.with_paths : length.model(),
+            length.scene_, length.bodies_, K),
+      adjoints(length.scene_, length.bodies_, K),
       bars(length.model(), length.scene_, length.parts_.modes),
       sensitivities(length.model(), length.scene_, length.bodies_),
-      fronts(length.model(), length.scene_, length.bodies_) {}
+      fronts(length.model(), length.scene_, length.bodies_, K) {}
 
 double CrackLengthAnalysis::first_crack_size() const {
   return scene_.cracked.fronts.empty() ? 0.0 : scene_.cracked.fronts.front().a;

@@ -102,6 +102,7 @@ private:
   /// What stands on the scene and its condensed bodies.
   struct PostProcessors {
     explicit PostProcessors(const CrackLengthAnalysis& length);
+    KFunctionals K;
     LoadPathSolver paths;
     IntensityAdjointSolver adjoints;
     TipErrorBars bars;

@@ -21,20 +21,13 @@ LoadPathFunctionals::contact_functionals(const StepSolver& solver) {
   return *of_contact_;
 }
 
-const crack::SparseLinearFunctionals& LoadPathFunctionals::K_of_displacements() {
-  if (!K_of_displacements_) {
-    K_of_displacements_ = displacement_K_functionals(model_, scene_);
-  }
-  return *K_of_displacements_;
-}
-
 ContactAndRigidModeFunctionals LoadPathFunctionals::condense_functionals(const StepSolver& solver) {
   const Eigen::Index all = count();
   ContactAndRigidModeFunctionals out;
   if (solver.contact_system() == nullptr || all == 0) {
     return out;
   }
-  const crack::SparseLinearFunctionals& K = K_of_displacements();
+  const crack::SparseLinearFunctionals& K = K_.of_displacements();
   const contact::ContactSystem& system = *solver.contact_system();
   Eigen::Index modes = 0;
   for (const std::size_t b : solver.condensed_body_indices()) {
@@ -75,7 +68,7 @@ ContactAndRigidModeFunctionals LoadPathFunctionals::condense_functionals(const S
     first += nodal.cols();
   }
   // Between faces in contact a unit of a row changes K without moving anything, too (crack.33).
-  out.of_row.topRows(K_count()) += contact_force_K_functionals(model_, scene_);
+  out.of_row.topRows(K_count()) += K_.of_contact_forces();
   return out;
 }
 
@@ -97,7 +90,7 @@ base::Vector LoadPathFunctionals::evaluate_without_contact(const base::Vector& c
   // With contact the functionals are needed all the same; their product costs next to nothing.
   values.head(K_count()) = solver.contact_system() == nullptr
                                ? evaluate_K_values(model_, scene_, u, case_factor)
-                               : base::Vector(K_of_displacements().transpose() * u +
+                               : base::Vector(K_.of_displacements().transpose() * u +
                                               K_added_by_loads(model_, scene_, case_factor));
   values.tail(openings_.count()) = openings_.evaluate_openings(u);
   return values;

@@ -21,8 +21,8 @@ struct ContactAndRigidModeFunctionals {
 class LoadPathFunctionals {
 public:
   LoadPathFunctionals(const model::Model& model, const Discretisation& scene,
-                      const std::vector<SubstructuredBody>& bodies)
-      : model_(model), scene_(scene), bodies_(bodies), openings_(model, scene) {}
+                      const std::vector<SubstructuredBody>& bodies, const KFunctionals& K)
+      : model_(model), scene_(scene), bodies_(bodies), K_(K), openings_(model, scene) {}
 
   /// Of the bodies alone, without contact forces and rigid motions. [functional]
   [[nodiscard]] base::Vector evaluate_without_contact(const base::Vector& case_factor,
@@ -44,16 +44,14 @@ private:
   [[nodiscard]] Eigen::Index K_count() const { return scene_.k_layout().count(); }
   [[nodiscard]] Eigen::Index count() const { return K_count() + openings_.count(); }
   [[nodiscard]] ContactAndRigidModeFunctionals condense_functionals(const StepSolver& solver);
-  /// [dim * node, K]; made once.
-  [[nodiscard]] const crack::SparseLinearFunctionals& K_of_displacements();
 
   const model::Model& model_;
   const Discretisation& scene_;
   const std::vector<SubstructuredBody>& bodies_;
+  const KFunctionals& K_;
   CrackFaceOpenings openings_;
-  std::optional<crack::SparseLinearFunctionals> K_of_displacements_; ///< made once
-  std::optional<ContactAndRigidModeFunctionals> of_contact_;         ///< made once
-  base::Matrix of_case_; ///< [functional, case]; made once
+  std::optional<ContactAndRigidModeFunctionals> of_contact_; ///< made once
+  base::Matrix of_case_;                                     ///< [functional, case]; made once
 };
 
 } // namespace spricka::analysis

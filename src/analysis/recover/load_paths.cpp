@@ -146,8 +146,8 @@ bool between_faces(const Discretisation& scene, std::size_t row) {
 } // namespace
 
 LoadPathSolver::LoadPathSolver(const model::Model& model, const Discretisation& scene,
-                               const std::vector<SubstructuredBody>& bodies)
-    : model_(model), scene_(scene), functionals_(model, scene, bodies) {}
+                               const std::vector<SubstructuredBody>& bodies, const KFunctionals& K)
+    : model_(model), scene_(scene), functionals_(model, scene, bodies, K) {}
 
 void LoadPathSolver::store_step_end_state(std::size_t step, const StepSolver& solver,
                                           const results::LoadStepResult& result) {

@@ -19,7 +19,7 @@ namespace spricka::analysis {
 class LoadPathSolver {
 public:
   LoadPathSolver(const model::Model& model, const Discretisation& scene,
-                 const std::vector<SubstructuredBody>& bodies);
+                 const std::vector<SubstructuredBody>& bodies, const KFunctionals& K);
 
   /// Keeps what paths that begin or end at this step need; called behind each step.
   void store_step_end_state(std::size_t step, const StepSolver& solver,

@@ -4,6 +4,7 @@
 #include "crack/front_rows.hpp"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 /// K of the fronts of a scene as linear functions, by its KLayout: rows^T u, what contact forces
@@ -22,6 +23,35 @@ crack::SparseLinearFunctionals displacement_K_functionals(const model::Model& mo
 /// What a unit of each row of the table adds to K by its traction on sides that domains move
 /// (crack_space.9), in the plane by its forces between faces of cracks (crack.33). [K, row]
 base::Matrix contact_force_K_functionals(const model::Model& model, const Discretisation& scene);
+
+/// Both, found at first use and kept for all that ask: they cost about what K itself does.
+class KFunctionals {
+public:
+  /// Both must outlive it.
+  KFunctionals(const model::Model& model, const Discretisation& scene)
+      : model_(model), scene_(scene) {}
+
+  /// [dim * node, K]
+  [[nodiscard]] const crack::SparseLinearFunctionals& of_displacements() const {
+    if (!of_displacements_) {
+      of_displacements_ = displacement_K_functionals(model_, scene_);
+    }
+    return *of_displacements_;
+  }
+  /// [K, row of the table]
+  [[nodiscard]] const base::Matrix& of_contact_forces() const {
+    if (!of_contact_forces_) {
+      of_contact_forces_ = contact_force_K_functionals(model_, scene_);
+    }
+    return *of_contact_forces_;
+  }
+
+private:
+  const model::Model& model_;
+  const Discretisation& scene_;
+  mutable std::optional<crack::SparseLinearFunctionals> of_displacements_;
+  mutable std::optional<base::Matrix> of_contact_forces_;
+};
 
 /// K of displacements [dim * node] under the cases' factors [case], without contact forces and
 /// without the SHIFT of $VCE: linear in both.
