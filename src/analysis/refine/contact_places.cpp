@@ -2,6 +2,7 @@
 #include "analysis/refine/contact_places.hpp"
 
 #include "estimate/error_bar.hpp"
+#include "mesh/plane_element.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -23,10 +24,11 @@ double patch_size(const results::CrackLengthResult& increment, const base::Vec2&
   double closest = std::numeric_limits<double>::infinity();
   double size = 0.0;
   for (std::size_t e = increment.kept; e < increment.mesh.element_count(); ++e) {
-    const double distance = (element_centroid(increment.mesh, base::ElementId(e)) - at).norm();
+    const double distance =
+        (mesh::element_centroid(increment.mesh, base::ElementId(e)) - at).norm();
     if (distance < closest) {
       closest = distance;
-      size = mean_side_length(increment.mesh, base::ElementId(e));
+      size = mesh::mean_side_length(increment.mesh, base::ElementId(e));
     }
   }
   // Farther off than one element the place belongs to the host.
@@ -51,25 +53,6 @@ base::CrackId crack_of_face_contact(const model::Model& model, const std::string
     }
   }
   return {};
-}
-
-base::Vec2 element_centroid(const model::Mesh& mesh, base::ElementId e) {
-  const auto corners = static_cast<std::size_t>(base::element_info(mesh.type[e.index()]).corners);
-  base::Vec2 sum = base::Vec2::Zero();
-  for (const base::NodeId n : mesh.element_nodes(e).first(corners)) {
-    sum += mesh.x[n.index()].head<2>();
-  }
-  return sum / static_cast<double>(corners);
-}
-
-double mean_side_length(const model::Mesh& mesh, base::ElementId e) {
-  const auto corners = static_cast<std::size_t>(base::element_info(mesh.type[e.index()]).corners);
-  const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < corners; ++i) {
-    sum += (mesh.x[nodes[(i + 1) % corners].index()] - mesh.x[nodes[i].index()]).norm();
-  }
-  return sum / static_cast<double>(corners);
 }
 
 void add_points_that_widen_bar(const model::Model& model, const ExcessiveErrorBar& wide,

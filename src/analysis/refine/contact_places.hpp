@@ -12,11 +12,6 @@
 
 namespace spricka::analysis {
 
-/// Mean of an element's corners, and of the lengths of its sides.
-base::Vec2 element_centroid(const model::Mesh& mesh, base::ElementId e);
-/// Mean length of the sides of a plane element, from corner to corner [length].
-double mean_side_length(const model::Mesh& mesh, base::ElementId e);
-
 using SizeRequestsByNet = std::map<std::string, std::vector<mesh::SizeMap::SizeRequest>>; // by net
 
 /// A place on contact surfaces that needs smaller elements.

@@ -3,6 +3,7 @@
 
 #include "analysis/refine/contact_places.hpp"
 #include "analysis/refine/wide_bars.hpp"
+#include "mesh/plane_element.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -144,8 +145,8 @@ void add_cavities(const model::Model& model, const results::CrackLengthResult& i
   }
   for (std::size_t e = 0; e < host.element_count(); ++e) {
     if (!kept.contains({host.element_net[e].value, host.element_label[e]})) {
-      requests[net_of(model, host, e)].push_back({element_centroid(host, base::ElementId(e)),
-                                                  mean_side_length(host, base::ElementId(e)),
+      requests[net_of(model, host, e)].push_back({mesh::element_centroid(host, base::ElementId(e)),
+                                                  mesh::mean_side_length(host, base::ElementId(e)),
                                                   false});
     }
   }
@@ -181,8 +182,8 @@ void add_elements(const model::Model& model, const results::CrackLengthResult& i
   for (std::size_t e = 0; e < increment.kept; ++e) {
     const double f = factors.host[e];
     const std::string net = net_of(model, increment.mesh, e);
-    const base::Vec2 centre = element_centroid(increment.mesh, base::ElementId(e));
-    const double size = mean_side_length(increment.mesh, base::ElementId(e));
+    const base::Vec2 centre = mesh::element_centroid(increment.mesh, base::ElementId(e));
+    const double size = mesh::mean_side_length(increment.mesh, base::ElementId(e));
     demands.elements.kept[net].push_back({centre, size, false});
     demands.requests[net].push_back({centre, f * size, f < no_change});
     double& least = demands.least.try_emplace(net, 1.0).first->second;
