@@ -211,8 +211,10 @@ constexpr std::array texts{
         "The patch is the new mesh round a tip: rings of quarter-point elements (the "
         "rosette), and a graded mesh that joins them to the net. It moves with the tip. "
         "Without this card the sizes follow from the crack's length and from what is near "
-        "(boundaries, contact surfaces, other cracks); the listing names them. Smaller SIZE: "
-        "finer. JOIN=TRANSITION divides the patch's rim into finer edges "
+        "(boundaries, contact surfaces, other cracks); the listing names them. In the plane the "
+        "tip mesh follows a net that is finer than it, as if FINER were so large; not where "
+        "SIZE, RINGS, SECTORS or TOL is given. Smaller SIZE: finer. JOIN=TRANSITION divides the "
+        "patch's rim into finer edges "
         "that follow those of the net: for nets that are coarse round the crack.",
         "$TIPNET CRACK=TOP RADIUS=0.5 SIZE=0.02 RINGS=6\n"},
     CardHelpText{

@@ -158,7 +158,7 @@ constexpr std::array tipnet_keys{
         real_key(
             "FINER", number, closed_interval(0.2, 20.0),
             "makes elements this many times smaller than the other keys say; in the plane also "
-            "more rings and sectors"),
+            "more rings and sectors, and of FINER and a fine net the finer counts"),
         "1"),
     with_default(word_key("QUARTER", "YES|NO", "quarter-point tip elements"), "YES"),
     with_default(

@@ -170,6 +170,7 @@ void tip_net(DeckContext& c, const CheckedCard& card, std::set<std::size_t>& see
   };
   tip.rings = count("RINGS", rules.tip_rings);
   tip.sectors = count("SECTORS", rules.tip_sectors);
+  tip.sizes_given = card.has_key("SIZE") || card.has_key("RINGS") || card.has_key("SECTORS");
   tip.quarter_point = card.key_has_word("QUARTER", "YES");
   tip.join = card.key_has_word("JOIN", "TRANSITION") ? model::PatchCoupling::transition
                                                      : model::PatchCoupling::conforming;
@@ -181,8 +182,7 @@ void tip_net(DeckContext& c, const CheckedCard& card, std::set<std::size_t>& see
   }
   tip.tolerance = card.optional_number("TOL");
   tip.finer = card.number_value("FINER");
-  if (tip.tolerance && !rules.ends_in_fronts && !card.has_key("FINER") && !card.has_key("SIZE") &&
-      !card.has_key("RINGS") && !card.has_key("SECTORS")) {
+  if (tip.tolerance && !rules.ends_in_fronts && !card.has_key("FINER") && !tip.sizes_given) {
     tip.finer = finer_for(*tip.tolerance);
   }
   tip.span = card.span;

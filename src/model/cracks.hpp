@@ -72,7 +72,8 @@ struct TipMeshSettings {
   std::optional<double> radius; ///< of the rosette [length]
   std::optional<double> size;   ///< of the tip elements [length]
   int rings = 5;
-  int sectors = 24; ///< of a full circle
+  int sectors = 24;         ///< of a full circle
+  bool sizes_given = false; ///< the deck has SIZE, RINGS or SECTORS
   bool quarter_point = true;
   PatchCoupling join = PatchCoupling::conforming;
   bool patch = true;

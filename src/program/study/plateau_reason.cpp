@@ -89,7 +89,7 @@ const char* unchanged_part(SettingFamily family) {
   case SettingFamily::peer:
     return "CalculiX; the program goes below it on the same meshes";
   case SettingFamily::host:
-    return "the nets of the tips stay as they are";
+    return "the nets of the tips follow in part only, or not at all";
   case SettingFamily::tip:
     return "the meshes of the bodies stay as they are";
   default:

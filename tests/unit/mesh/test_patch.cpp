@@ -271,6 +271,49 @@ TEST(Patch, TipMeshFollowsTheRoomThereIs) {
   EXPECT_NEAR(radius(9.5), 0.2, 1e-9); // 0.5 of ligament
 }
 
+/// The mesh at the tip of one crack, of length 2, in elements of 1 / n.
+mesh::TipMeshParameters tip_mesh_in_net(int n, const model::TipMeshSettings* settings = nullptr) {
+  const model::Mesh host = test::block(10.0, 8.0, 10 * n, 8 * n);
+  return mesh::choose_tip_mesh(host, test::crack({{0, 4, 0}, {2, 4, 0}}), settings);
+}
+
+TEST(Patch, TipMeshIsTheSameInAllNetsThatAreNotFiner) {
+  const mesh::TipMeshParameters usual = tip_mesh_in_net(1);
+  const mesh::TipMeshParameters next = tip_mesh_in_net(3); // outermost ring 0.307, edges 0.333
+  for (const mesh::TipMeshParameters& tip : {usual, next}) {
+    EXPECT_EQ(tip.finer, 1.0);
+    EXPECT_EQ(tip.rings, 5);
+    EXPECT_EQ(tip.sectors, 24);
+  }
+  EXPECT_EQ(usual.size, next.size);
+}
+
+TEST(Patch, TipMeshFollowsAFinerNet) {
+  for (const int n : {6, 12}) {
+    const mesh::TipMeshParameters tip = tip_mesh_in_net(n);
+    EXPECT_EQ(tip.radius, tip_mesh_in_net(1).radius);
+    // Its outermost ring is as thick as the edges are long, but for whole numbers of rings.
+    const double growth = std::pow(1.5, 1.0 / tip.finer);
+    EXPECT_NEAR(tip.size * std::pow(growth, tip.rings - 1), 1.0 / n, 0.2 / n);
+    EXPECT_NEAR(2.0 * pi * tip.radius / tip.sectors, 0.68 / n, 0.05 / n);
+  }
+  EXPECT_NEAR(tip_mesh_in_net(12).finer, 2.0 * tip_mesh_in_net(6).finer, 1e-6);
+}
+
+TEST(Patch, TipMeshThatTheDeckGivesDoesNotFollow) {
+  model::TipMeshSettings settings;
+  settings.finer = 3.0; // finer than the net asks for: it stands as it is
+  EXPECT_EQ(tip_mesh_in_net(6, &settings).finer, 3.0);
+  settings.finer = 0.5;
+  EXPECT_NEAR(tip_mesh_in_net(6, &settings).finer, 0.5 * tip_mesh_in_net(6).finer, 1e-12);
+  settings.finer = 1.0;
+  settings.sizes_given = true;
+  EXPECT_EQ(tip_mesh_in_net(6, &settings).rings, 5);
+  settings.sizes_given = false;
+  settings.tolerance = 1e-3;
+  EXPECT_EQ(tip_mesh_in_net(6, &settings).sectors, 24);
+}
+
 TEST(Patch, RegionHoldsEveryCavityAndALayer) {
   const model::Mesh host = test::lug();
   std::vector<mesh::CrackLine> lines;
