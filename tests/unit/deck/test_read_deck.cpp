@@ -299,6 +299,21 @@ TEST(ReadDeck, AFreeCrackOfOnePointAndGrowth) {
   EXPECT_EQ(std::get<std::string>(m.checks.at(0).arguments.at(0)), "C.2");
 }
 
+TEST(ReadDeck, ATipMeshWhoseSizesTheDeckGives) {
+  const Folder folder;
+  const auto sizes_are_given = [&](const std::string& keys) {
+    const Reading r(folder, k_square +
+                                "$CRACK NAME=C ANGLE=90[deg] A0=0.2\n 0.5 0\n$TIPNET CRACK=C" +
+                                keys + "\n$STEP NAME=S\n$END\n");
+    EXPECT_TRUE(r.model) << r.messages();
+    return r.model && r.model->tip_nets.at(0).sizes_given;
+  };
+  EXPECT_FALSE(sizes_are_given(" RADIUS=0.05 FINER=2"));
+  EXPECT_TRUE(sizes_are_given(" RINGS=5")); // the usual number, but the deck's own
+  EXPECT_TRUE(sizes_are_given(" SECTORS=24"));
+  EXPECT_TRUE(sizes_are_given(" SIZE=0.01"));
+}
+
 TEST(ReadDeck, ChecksAtAPoint) {
   const Folder folder;
   const auto arguments = [&](const std::string& quantity) {
