@@ -11,6 +11,10 @@
 /// What an advance of all tips has missed, by the station that it led to, the last of all.
 namespace spricka::growth {
 
+/// Solutions whose error is more times the tolerance than this do not count. The error is that of a
+/// polynomial one order below the one that is used.
+inline constexpr double largest_error_over_tolerance = 1.5;
+
 /// Error of the last interval, as a part of the cycles that count there; not a number with two
 /// stations.
 double interval_cycle_error(const std::vector<SolvedStation>& all, const GrowthRateFunction& law);

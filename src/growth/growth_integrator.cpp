@@ -261,7 +261,7 @@ bool GrowthIntegrator::accept_station_of_another_law(std::vector<TipStation> fou
   append_station(std::move(found));
   SolvedStation& here = state_.stations.back();
   const double misplaced = deferred_cycle_error(here);
-  if (misplaced > model_.growth->tolerance) {
+  if (misplaced > largest_error_over_tolerance * model_.growth->tolerance) {
     state_.stations.pop_back();
     go_back_to_last_station();
     return false;

@@ -17,9 +17,6 @@ namespace {
 /// Steps are logarithms of the ratio by which an arm grows at most.
 constexpr double longest_step = 0.7;
 constexpr double shortest_step = 0.02; ///< below it only the scatter of meshes is seen
-/// Solutions whose error is more times the tolerance than this do not count. The error is that of
-/// a polynomial one order below the one that is used.
-constexpr double still_good = 1.5;
 /// Part of the tolerance that is aimed at: errors of intervals add up.
 constexpr double aimed_part = 0.4;
 constexpr double of_straight_line = 0.15;
@@ -63,9 +60,10 @@ bool GrowthIntegrator::judge_last_advance() {
   // three stations: the error is that of a straight line, a parabola is used
   const double missed =
       interval_cycle_error(state_.stations, law_) * (n > 3 ? 1.0 : of_straight_line);
-  judge(missed, aimed_part * tolerance, still_good * tolerance, n > 3 ? 3.0 : 2.0);
-  judge(deferred_cycle_error(here), aimed_part * tolerance, still_good * tolerance,
-        n > 2 ? 3.0 : 2.0);
+  judge(missed, aimed_part * tolerance, largest_error_over_tolerance * tolerance,
+        n > 3 ? 3.0 : 2.0);
+  judge(deferred_cycle_error(here), aimed_part * tolerance,
+        largest_error_over_tolerance * tolerance, n > 2 ? 3.0 : 2.0);
   // Behind the first kink of a front headings miss by the root of the advance, however short.
   const double scatter = kinematics_->heading_mesh_scatter();
   if (kinematics_->can_kink() && (scatter == 0.0 || n > 2)) {

@@ -224,10 +224,11 @@ class Growth(RestartTest):
         """Through the far face, too."""
         for shape in ("FREE", "ELLIPSE"):
             with self.subTest(shape):
-                deck = corner(shape)
+                # the ellipse breaks the body at 50700
+                cycles = (60000 if shape == "FREE" else 50000) if FULL else 15000
+                deck = corner(shape).replace("CYCLES=60000", f"CYCLES={cycles}")
                 self.expect(0, "run", self.deck(keeping(deck)), "--quiet")
                 kept = len(self.increments())
-                cycles = 60000 if FULL else 15000
                 other = deck.replace("C=1e-12", "C=2e-12").replace(f"CYCLES={cycles}", f"CYCLES={cycles // 2}")
                 self.expect(0, "run", self.deck(keeping(other), "other.deck"), "--restart", "--quiet")
                 listing = (self.folder / "other.run" / "listing.txt").read_text(encoding="utf-8")
