@@ -112,24 +112,32 @@ TEST(Growth, CorrectedSpectrumOfOneCycleIsConstantAmplitude) {
 // The error goes with K, and with t where K turns back; faces that touch have none.
 TEST(Growth, ErrorOfKBetweenTheEndsOfAPath) {
   using base::PiecewiseLinear;
-  const auto line = analysis::correct_K(PiecewiseLinear({0.0, 2.0}, {10.0}, {30.0}), 1.0, 4.0);
+  const auto line =
+      analysis::correct_K(PiecewiseLinear({0.0, 2.0}, {10.0}, {30.0}), {{0.0, 1.0}, {1.0, 4.0}});
   for (const double t : {0.0, 0.5, 1.0, 2.0}) {
     EXPECT_NEAR(line(t), 10.0 + 30.0 * t + 1.0 + 3.0 * t, 1e-12);
   }
   // Open from t = 0.5 on.
-  const auto opens =
-      analysis::correct_K(PiecewiseLinear({0.0, 0.5, 1.0}, {0.0, 0.0}, {0.0, 20.0}), 0.0, 1.0);
+  const auto opens = analysis::correct_K(PiecewiseLinear({0.0, 0.5, 1.0}, {0.0, 0.0}, {0.0, 20.0}),
+                                         {{0.0, 0.0}, {1.0, 1.0}});
   EXPECT_EQ(opens(0.25), 0.0);
   EXPECT_NEAR(opens(0.75), 5.0 + 0.5, 1e-12);
   EXPECT_NEAR(opens(1.0), 10.0 + 1.0, 1e-12);
-  const auto turns =
-      analysis::correct_K(PiecewiseLinear({0.0, 0.5, 1.0}, {10.0, 6.0}, {-8.0, 8.2}), 1.0, 2.0);
+  const auto turns = analysis::correct_K(PiecewiseLinear({0.0, 0.5, 1.0}, {10.0, 6.0}, {-8.0, 8.2}),
+                                         {{0.0, 1.0}, {1.0, 2.0}});
   EXPECT_NEAR(turns(0.5), 6.0 + 1.5, 1e-12);
   EXPECT_NEAR(turns(1.0), 10.1 + 2.0, 1e-12);
   // Next to level between the ends, steep beyond: by K the error would be 1e4 times K.
   const auto level = analysis::correct_K(
-      PiecewiseLinear({0.0, 1.0, 2.0}, {10.0, 10.00001}, {1e-5, 5.0}), 0.0, 1.0);
+      PiecewiseLinear({0.0, 1.0, 2.0}, {10.0, 10.00001}, {1e-5, 5.0}), {{0.0, 0.0}, {1.0, 1.0}});
   EXPECT_NEAR(level(2.0), 15.00001 + 2.0, 1e-9);
+  // From t = 0.5 on another error than that which goes with K from the beginning.
+  const auto bears =
+      analysis::correct_K(PiecewiseLinear({0.0, 0.5, 1.0}, {10.0, 4.0}, {-12.0, -4.0}),
+                          {{0.0, 1.0}, {0.5, 0.4}, {1.0, -0.2}});
+  EXPECT_NEAR(bears(0.25), 7.0 + 0.7, 1e-12);
+  EXPECT_NEAR(bears(0.75), 3.0 + 0.1, 1e-12);
+  EXPECT_NEAR(bears(1.0), 2.0 - 0.2, 1e-12);
 }
 
 TEST(Growth, EndsWhereKReachesTheToughness) {
