@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass, field
 
-COLOURS = {"spricka": "#1b5e9b", "ccx": "#c2571a"}
+COLOURS = {"spricka": "#1b5e9b", "ccx": "#c2571a", "limit": "#777"}
 
 
 @dataclass
