@@ -14,6 +14,7 @@
 #include "analysis/lengths/resume.hpp"
 #include "analysis/lengths/scaled_lives.hpp"
 #include "analysis/lengths/shown_results.hpp"
+#include "growth/advance_error.hpp"
 #include "growth/crack_lines.hpp"
 #include "growth/growth_integrator.hpp"
 #include "model/model.hpp"
@@ -296,7 +297,7 @@ private:
       run_.warnings.push_back({"W456", std::move(text)});
     }
     if (options_.checkpoint != nullptr && options_.checkpoint->is_of_another_law() &&
-        run_.growth->error > model_.growth->tolerance) {
+        run_.growth->error > growth::largest_error_over_tolerance * model_.growth->tolerance) {
       run_.warnings.push_back(
           {"W456", fmt::format("the fronts taken over were set for another law or spectrum: cycles "
                                "may be off by {:.1e}, above TOL={:.1e}; a growth from the start "
