@@ -38,30 +38,29 @@ ThreeModes taken_out(const ThreeModes& K, const ThreeModes& raw) {
   return {K[0] - raw[0], K[1] - raw[1], K[2] - raw[2]};
 }
 
-// Places where faces of a front's crack begin to bear, or cease to, if they do that once: by which
-// end they are open. Empty: otherwise.
+// Where on a path the faces of a crack begin to bear, or cease to.
 struct FaceOpening {
   double t = 0.0;
-  bool open_at_zero = false;
+  bool open_at_zero = false; ///< the end at which they are open; false: at t = 1
 };
+
+// Empty: they do neither before t = 1, or more than once.
 std::optional<FaceOpening> find_face_opening(const results::LoadPathResult& path,
                                              const std::string& front) {
-  for (const results::LoadPathContact& contact : path.contacts) {
-    const std::string crack = front.substr(0, front.find('.'));
-    if (contact.name != crack + ".FACES") {
-      continue;
-    }
-    std::vector<std::size_t> changes;
-    for (std::size_t k = 1; k < contact.closed.size(); ++k) {
-      if ((contact.closed[k] > 0) != (contact.closed[k - 1] > 0)) {
-        changes.push_back(k);
-      }
-    }
-    if (changes.size() == 1 && path.t[changes.front()] < 1.0) {
-      return FaceOpening{path.t[changes.front()], contact.closed.front() == 0};
+  const results::LoadPathContact* faces =
+      results::find_contact(path, front.substr(0, front.find('.')) + ".FACES");
+  if (faces == nullptr) {
+    return std::nullopt;
+  }
+  std::vector<std::size_t> changes;
+  for (std::size_t k = 1; k < faces->closed.size(); ++k) {
+    if ((faces->closed[k] > 0) != (faces->closed[k - 1] > 0)) {
+      changes.push_back(k);
     }
   }
-  return std::nullopt;
+  return changes.size() == 1 && path.t[changes.front()] < 1.0
+             ? std::optional(FaceOpening{path.t[changes.front()], faces->closed.front() == 0})
+             : std::nullopt;
 }
 
 // Errors that are known at the ends of a path, and where faces begin to bear.
