@@ -77,9 +77,10 @@ def faces_of_crack(x, used):
     return {place: nodes for place, nodes in places.items() if len(nodes) == 2}
 
 
-def write(path, results, half):
+def write(path, results):
     """The deck; returns what extrapolation needs: coordinates and the pairs of nodes."""
     x = results.mesh(1)["x"]
+    half = np.abs(x).max()  # of the block
     elements = results.elements(1)
     tets = next(nodes for name, nodes in elements if name == "TET10")
     corners, middle = tets[:, :4], tet_middles(x, tets)

@@ -140,7 +140,7 @@ def ccx(problem, number, folder):
     from spricka_results import Results
     out = folder / f"{problem}_{number}.run"
     name = f"{problem}_{number}_ccx"
-    x, pairs = front_calculix.write(folder / f"{name}.inp", Results(out / "results.h5"), 10.0)
+    x, pairs = front_calculix.write(folder / f"{name}.inp", Results(out / "results.h5"))
     cost, moved = front_calculix.run(folder, name)
     rows = k_rows(out, "PULL")
     phi = np.radians(columns(rows, "phi")[:, 0])

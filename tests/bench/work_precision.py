@@ -184,19 +184,23 @@ def ratios(rows):
                   f"error {peer.cpu / equal:.1f} times the CPU")
 
 
+CURVES = {"limit": "flops at dgemm's rate"}
+chart.COLOURS[CURVES["limit"]] = chart.COLOURS["limit"]
+
+
 def panels(rows):
     sheet = []
     for name, problem in PROBLEMS.items():
         line = []
         for what, label in (("cpu", "CPU s"), ("freedoms", "freedoms")):
             panel = chart.Panel(problem.title if what == "cpu" else "", label, "error of K1 %",
-                                floor=100.0 * problem.doubt)
+                                floor=100.0 * problem.doubt, names_beside=True)
             for program in ("spricka", "ccx", "limit") if what == "cpu" else ("spricka", "ccx"):
                 points = [(getattr(r, what), max(100.0 * abs(r.error), 1e-4)) for r in rows
                           if r.problem == name and r.program == program and r.error == r.error and
                           getattr(r, what) > 0]
                 if points:
-                    panel.curves[program] = sorted(points)
+                    panel.curves[CURVES.get(program, program)] = sorted(points)
             line.append(panel)
         if any(panel.curves for panel in line):
             sheet.append(line)
