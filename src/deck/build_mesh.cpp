@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
-#include "deck/dimension_rules.hpp"
 #include "deck/import_card.hpp"
 #include "deck/mesh_limits.hpp"
+#include "deck/mesh_shapes.hpp"
 #include "grammar/bulk_table.hpp"
 #include "mesh/generate/generate.hpp"
+#include "mesh/generate/swept_solid.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -21,10 +22,6 @@ namespace spricka::deck {
 namespace {
 
 constexpr double more_than_a_turn = 6.29; // radians
-
-base::ElementType type_of(const CheckedCard& card) {
-  return base::element_type_by_name(card.word_value("TYPE"));
-}
 
 /// The set of a kind that a table adds to, made at its first use. Null after an error.
 template <class Set>
@@ -129,7 +126,7 @@ void report_row(DeckContext& c, const CheckedCard& card,
 }
 
 void elements(DeckContext& c, const CheckedCard& card) {
-  const base::ElementType type = type_of(card);
+  const base::ElementType type = element_type_of_card(card);
   const base::ElementInfo& info = base::element_info(type);
   grammar::BulkRowFormat form;
   form.columns = static_cast<std::size_t>(info.nodes);
@@ -168,88 +165,64 @@ void elements(DeckContext& c, const CheckedCard& card) {
 
 constexpr base::ByDimension block_generators{&mesh::generate_block, &mesh::generate_solid_block};
 
+void generate_block(model::Mesh& mesh, const CheckedCard& card, const std::string& prefix,
+                    int times) {
+  mesh::BlockSpec spec = block_spec(card);
+  spec.nx *= times;
+  spec.ny *= times;
+  spec.nz *= times;
+  block_generators.at(base::element_info(spec.type).dim)(mesh, card.net_id, prefix, spec);
+}
+
+/// A mesh of a shape other than a block, of plane elements of a type; sizes times as fine.
+void generate_outline(model::Mesh& mesh, const CheckedCard& card, const std::string& prefix,
+                      base::ElementType type, int times) {
+  const auto finer = [&](auto spec) {
+    spec.type = type;
+    spec.nr *= times;
+    spec.nt *= times;
+    return spec;
+  };
+  if (card.key_has_word("SHAPE", "RING")) {
+    mesh::generate_ring(mesh, card.net_id, prefix, finer(ring_spec(card)));
+  } else if (card.key_has_word("SHAPE", "PLATE")) {
+    mesh::generate_plate(mesh, card.net_id, prefix, finer(plate_spec(card)));
+  } else {
+    mesh::generate_lug(mesh, card.net_id, prefix, finer(lug_spec(card)));
+  }
+}
+
+void generate_plane(model::Mesh& mesh, const CheckedCard& card, const std::string& prefix,
+                    int times) {
+  generate_outline(mesh, card, prefix, element_type_of_card(card), times);
+}
+
+void generate_solid(model::Mesh& mesh, const CheckedCard& card, const std::string& prefix,
+                    int times) {
+  const mesh::SweepSpec spec{.type = element_type_of_card(card),
+                             .z0 = card.number_value("Z0"),
+                             .depth = card.number_value("LZ"),
+                             .layers = times * card.integer_value("NZ")};
+  model::Mesh plane;
+  generate_outline(plane, card, "", mesh::swept_plane_type(spec.type), times);
+  mesh::sweep_plane_mesh(mesh, card.net_id, prefix, plane, spec);
+}
+
+constexpr base::ByDimension outline_generators{&generate_plane, &generate_solid};
+
 void generate(DeckContext& c, const CheckedCard& card) {
-  const base::ElementType type = type_of(card);
   const std::string prefix = card.net.empty() ? "" : card.net + ".";
-  model::Mesh& mesh = c.model.mesh;
   const NetRefinement* finer = c.net_refinement(card.net);
   const int times = finer == nullptr ? 1 : finer->counts;
   if (times > 1) {
     c.remeshed.insert(card.net);
   }
   if (card.key_has_word("SHAPE", "BLOCK")) {
-    mesh::BlockSpec spec;
-    spec.type = type;
-    spec.origin = {card.number_value("X0"), card.number_value("Y0"), card.number_value("Z0")};
-    spec.size = {card.number_value("LX"), card.number_value("LY"), card.number_value("LZ")};
-    spec.nx = times * card.integer_value("NX");
-    spec.ny = times * card.integer_value("NY");
-    spec.nz = times * card.integer_value("NZ");
-    spec.bias = card.number_value("BIAS");
-    block_generators.at(base::element_info(type).dim)(mesh, card.net_id, prefix, spec);
-  } else if (card.key_has_word("SHAPE", "RING")) {
-    mesh::RingSpec spec;
-    spec.type = type;
-    spec.x0 = card.number_value("X0");
-    spec.y0 = card.number_value("Y0");
-    spec.ri = card.number_value("RI");
-    spec.ro = card.number_value("RO");
-    spec.t0 = card.number_value("T0");
-    spec.t1 = card.number_value("T1");
-    spec.nr = times * card.integer_value("NR");
-    spec.nt = times * card.integer_value("NT");
-    spec.bias = card.number_value("BIAS");
-    mesh::generate_ring(mesh, card.net_id, prefix, spec);
+    generate_block(c.model.mesh, card, prefix, times);
   } else {
-    mesh::LugSpec spec;
-    spec.type = type;
-    spec.x0 = card.number_value("X0");
-    spec.y0 = card.number_value("Y0");
-    spec.ri = card.number_value("RI");
-    spec.width = card.number_value("W");
-    spec.length = card.number_value("L");
-    spec.nr = times * card.integer_value("NR");
-    spec.nt = times * card.integer_value("NT");
-    mesh::generate_lug(mesh, card.net_id, prefix, spec);
+    outline_generators.at(base::element_info(element_type_of_card(card)).dim)(c.model.mesh, card,
+                                                                              prefix, times);
   }
-}
-
-// Sizes that only together make a shape.
-bool sizes_fit(DeckContext& c, const CheckedCard& card) {
-  const DimensionRules& rules = dimension_rules.at(base::element_info(type_of(card)).dim);
-  if (!rules.mesh_shape.empty() && !card.key_has_word("SHAPE", rules.mesh_shape)) {
-    c.error(card.find("TYPE")->span, "E110",
-            fmt::format("{} is for SHAPE={} only", card.word_value("TYPE"), rules.mesh_shape));
-    return false;
-  }
-  if (!rules.mesh_size.empty() && !card.has_key(rules.mesh_size)) {
-    c.error(card.span, "E106",
-            fmt::format("$MESH with elements in {} needs {}", rules.where, rules.mesh_size));
-    return false;
-  }
-  const std::size_t errors = c.diagnostics.error_count();
-  const auto wrong = [&](std::string_view key, std::string text) {
-    c.error(card.find(key)->span, "E109", std::move(text));
-  };
-  if (card.key_has_word("SHAPE", "RING")) {
-    const double turn = card.number_value("T1") - card.number_value("T0");
-    if (card.number_value("RO") <= card.number_value("RI")) {
-      wrong("RO", "RO: the outer radius is larger than RI");
-    }
-    if (turn <= 0.0 || turn > 2.0 * std::acos(-1.0) * (1.0 + 1e-12)) {
-      wrong("T1", "T1: the ring goes from T0 to a larger T1, at most once round");
-    }
-  } else if (card.key_has_word("SHAPE", "LUG")) {
-    const double radius = card.number_value("RI");
-    if (radius <= 0.0) {
-      wrong("RI", "RI: a lug has a bore");
-    } else if (card.number_value("W") <= 2.0 * radius) {
-      wrong("W", "W: the lug is wider than its bore");
-    } else if (card.number_value("L") <= radius) {
-      wrong("L", "L: END lies outside the bore");
-    }
-  }
-  return c.diagnostics.error_count() == errors;
 }
 
 // Names of the sets that came with a generated or imported mesh. False after an error: one name
@@ -297,7 +270,7 @@ void mesh_card(DeckContext& c, const CheckedCard& card) {
   const std::size_t errors = c.diagnostics.error_count();
   if (card.spec->name == "IMPORT") {
     import_mesh_file(c, card);
-  } else if (check_requested_mesh_size(c, card) && sizes_fit(c, card)) {
+  } else if (check_mesh_shape(c, card) && check_requested_mesh_size(c, card)) {
     generate(c, card);
   }
   adopt_labels(c, card, before[0], before[1]);
@@ -323,7 +296,8 @@ void reserve_tables(DeckContext& c) {
     } else if (card.spec->name == "ELEMENT" && !card.bad) {
       const std::size_t lines = grammar::count_lines(c.sources, card.data);
       elements += lines;
-      entries += lines * static_cast<std::size_t>(base::element_info(type_of(card)).nodes);
+      entries +=
+          lines * static_cast<std::size_t>(base::element_info(element_type_of_card(card)).nodes);
     }
   }
   model::reserve(c.model.mesh, nodes, elements, entries);
@@ -361,7 +335,7 @@ void build_mesh(DeckContext& context) {
   mesh.dim = 2;
   for (const std::string_view name : {"MESH", "ELEMENT"}) {
     context.for_each_sound_card(name, [&](const CheckedCard& card) {
-      mesh.dim = std::max(mesh.dim, base::element_info(type_of(card)).dim);
+      mesh.dim = std::max(mesh.dim, base::element_info(element_type_of_card(card)).dim);
     });
   }
   for (const base::ElementType type : mesh.type) {

@@ -17,7 +17,6 @@ struct DimensionRules {
   bool ends_in_fronts;             ///< cracks end in fronts, not in tips
 
   std::string_view corner_order; ///< of elements that are not turned inside out
-  std::string_view mesh_shape;   ///< the only one of $MESH; empty: all
   std::string_view mesh_size;    ///< a key that $MESH needs; empty: none
   std::string_view rigid_targets;
 
@@ -46,7 +45,6 @@ inline constexpr base::ByDimension<DimensionRules> dimension_rules{
      .side_measure = base::QuantityKind::length,
      .ends_in_fronts = false,
      .corner_order = "corners run counter-clockwise",
-     .mesh_shape = {},
      .mesh_size = {},
      .rigid_targets = "in the plane and about an axis a target is a LINE or an ARC",
      .tip_rings = {},
@@ -61,7 +59,6 @@ inline constexpr base::ByDimension<DimensionRules> dimension_rules{
      .side_measure = base::QuantityKind::area,
      .ends_in_fronts = true,
      .corner_order = "corners of the first side run clockwise, seen from outside",
-     .mesh_shape = "BLOCK",
      .mesh_size = "LZ",
      .rigid_targets = "solids meet a PLANE, CYLINDER, CONE or SPHERE",
      .tip_rings = 3,

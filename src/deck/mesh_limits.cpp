@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/mesh_limits.hpp"
+#include "deck/mesh_shapes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,7 +21,8 @@ constexpr double k_most_unknowns = 1e7; // some 50 GB of factor in the plane, fa
 double per_cell(const base::ElementInfo& info) {
   constexpr std::array<double, 4> simplices{1.0, 1.0, 2.0, 6.0}; // by the dimension: its factorial
   const bool simplex = info.corners == info.dim + 1;
-  return simplex ? simplices.at(static_cast<std::size_t>(info.dim)) : 1.0;
+  const bool prism = info.domain == base::ReferenceDomain::prism;
+  return simplex ? simplices.at(static_cast<std::size_t>(info.dim)) : prism ? 2.0 : 1.0;
 }
 
 // Of a large grid: those at the corners, in the edges and in the middle that a cell adds.
@@ -33,14 +35,13 @@ double nodes_per_cell(const base::ElementInfo& info) {
   return sparse ? 1.0 + info.dim : 1 << info.dim;
 }
 
-// Cells of the generator's grid: at least as many as it will make.
-double cells_of(const CheckedCard& card, const base::ElementInfo& info) {
+// Cells of the generator's grid in the plane: at least as many as it will make.
+double plane_cells(const CheckedCard& card) {
   if (card.key_has_word("SHAPE", "BLOCK")) {
-    double cells = 1.0;
-    for (int axis = 0; axis < info.dim; ++axis) {
-      cells *= card.number_value(std::string{'N', "XYZ"[axis]});
-    }
-    return cells;
+    return card.number_value("NX") * card.number_value("NY");
+  }
+  if (card.key_has_word("SHAPE", "PLATE")) {
+    return mesh::plate_cell_count(plate_spec(card));
   }
   const double round = std::max(card.number_value("NT"), 8.0);
   double cells = card.number_value("NR") * round;
@@ -55,26 +56,30 @@ double cells_of(const CheckedCard& card, const base::ElementInfo& info) {
   return cells;
 }
 
+double cells_of(const CheckedCard& card) {
+  return plane_cells(card) * card.number_value("NZ"); // 1 in the plane
+}
+
 } // namespace
 
 bool check_requested_mesh_size(DeckContext& context, const CheckedCard& card) {
   const base::ElementInfo& info =
       base::element_info(base::element_type_by_name(card.word_value("TYPE")));
-  const double elements = cells_of(card, info) * per_cell(info);
+  const double elements = cells_of(card) * per_cell(info);
   const auto present = static_cast<double>(context.model.mesh.nodes.size());
   const double room = static_cast<double>(context.largest_mesh) - present;
   if (!(elements * info.nodes <= room)) {
-    const std::string_view hint = card.key_has_word("SHAPE", "BLOCK") ? "see NX, NY and NZ"
+    const std::string_view hint = card.key_has_word("SHAPE", "BLOCK") ? "see NX and NY"
                                   : card.key_has_word("SHAPE", "LUG") ? "see NR, NT and L over W"
                                                                       : "see NR and NT";
     context.error(card.span, "E321",
                   fmt::format("about {:.3g} elements of type {} are too many, there is room for "
                               "{:.3g}",
                               elements, info.name, std::max(0.0, room / info.nodes)),
-                  std::string(hint));
+                  std::string(hint) + (card.has_key("NZ") ? ", and NZ" : ""));
     return false;
   }
-  const double unknowns = cells_of(card, info) * nodes_per_cell(info) * info.dim;
+  const double unknowns = cells_of(card) * nodes_per_cell(info) * info.dim;
   if (unknowns > k_most_unknowns) {
     context.error(
         card.span, "E321",

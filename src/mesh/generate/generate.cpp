@@ -283,4 +283,8 @@ void generate_ring(model::Mesh& mesh, base::NetId net, const std::string& prefix
   lattice.add_body_set(prefix);
 }
 
+bool divides_into_quadrilaterals(const RingSpec& disc) {
+  return sector_count(Turn(disc)) > 0;
+}
+
 } // namespace spricka::mesh

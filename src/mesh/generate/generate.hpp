@@ -35,17 +35,35 @@ struct RingSpec {
 /// Sets BODY, INNER (not for a disc), OUTER. Nodes on the circles lie on them exactly.
 void generate_ring(model::Mesh& mesh, base::NetId net, const std::string& prefix,
                    const RingSpec& spec);
+/// Whether a disc of quadrilaterals can be of these alone; else it is of triangles.
+bool divides_into_quadrilaterals(const RingSpec& disc);
 
 struct LugSpec {
   base::ElementType type = base::ElementType::quamc8;
-  double x0 = 0.0, y0 = 0.0;
-  double ri = 1.0;     ///< bore radius
-  double width = 4.0;  ///< W
-  double length = 8.0; ///< L, bore centre to END at x = x0 - L; round head of radius W/2 at +x
-  int nr = 4, nt = 32; ///< elements from the bore to the edge, and round the bore (8 or more)
+  double x0 = 0.0, y0 = 0.0; ///< centre of the bore
+  double ri = 1.0;           ///< bore radius
+  double ro = 2.0;           ///< radius of the head
+  double ex = 0.0, ey = 0.0; ///< the head's centre as seen from the bore's
+  double width = 4.0;        ///< W at END, at least 2 ro
+  double length = 8.0;       ///< L, bore centre to END at x = x0 - L; the head points to +x
+  int nr = 4, nt = 32;       ///< elements from the bore to the edge, and round the bore (8 or more)
 };
-/// Sets BODY, BORE, HEAD, END.
+/// Sides run from END as tangents to the head. Sets BODY, BORE, HEAD, SIDES, END.
 void generate_lug(model::Mesh& mesh, base::NetId net, const std::string& prefix,
                   const LugSpec& spec);
+
+struct PlateSpec {
+  base::ElementType type = base::ElementType::quamc8;
+  base::Vec3 origin = base::Vec3::Zero(); ///< corner
+  base::Vec3 size = base::Vec3::Ones();   ///< LX LY 0 [length]
+  base::Vec3 hole = base::Vec3::Zero();   ///< centre of the hole, within the plate
+  double ri = 0.1;                        ///< its radius
+  int nr = 4, nt = 32; ///< elements from the hole to a box about it, and round the hole (8 or more)
+};
+/// A rectangle with a round hole. Sets BODY, BORE, XMIN XMAX YMIN YMAX.
+void generate_plate(model::Mesh& mesh, base::NetId net, const std::string& prefix,
+                    const PlateSpec& spec);
+/// Cells of the mesh that generate_plate would make.
+double plate_cell_count(const PlateSpec& spec);
 
 } // namespace spricka::mesh

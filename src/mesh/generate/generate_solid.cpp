@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/generate/generate.hpp"
 #include "mesh/generate/lattice.hpp"
+#include "mesh/generate/solid_points.hpp"
 #include "mesh/numbering.hpp"
 #include "shape/solid.hpp"
 #include "shape/topology.hpp"
@@ -111,30 +112,14 @@ private:
 
   /// The element with these corners; its other nodes lie halfway between them.
   void add(std::span<const Place> corner) {
-    std::array<Place, 27> p;
-    std::copy(corner.begin(), corner.end(), p.begin());
-    std::size_t n = corner.size();
-    if (info_.quadratic) {
-      for (int m = 0; m < shape::edge_count(spec_.type); ++m) {
-        const auto [a, b] = shape::edge_corners(spec_.type, m);
-        p[n++] = (corner[static_cast<std::size_t>(a)] + corner[static_cast<std::size_t>(b)]) / 2;
-      }
-    }
-    if (spec_.type == base::ElementType::hexec27) {
-      for (int s = 0; s < info_.sides; ++s) {
-        const auto local = shape::side_nodes(spec_.type, s);
-        p[n++] = (corner[static_cast<std::size_t>(local[0])] +
-                  corner[static_cast<std::size_t>(local[2])]) /
-                 2;
-      }
-      p[n++] = (corner[0] + corner[6]) / 2;
-    }
-    assert(n == static_cast<std::size_t>(info_.nodes));
+    const std::array<Place, 27> p = solid_element_points<Place>(
+        spec_.type, corner, [](const Place& a, const Place& b) { return Place((a + b) / 2); });
     std::array<NodeId, 27> nodes;
     std::transform(p.begin(), p.begin() + info_.nodes, nodes.begin(),
                    [&](const Place& place) { return node(place); });
-    const base::ElementId e =
-        model::add_element(mesh_, spec_.type, std::span(nodes).first(n), next_element_++, net_);
+    const base::ElementId e = model::add_element(
+        mesh_, spec_.type, std::span(nodes).first(static_cast<std::size_t>(info_.nodes)),
+        next_element_++, net_);
     note_sides(e, corner);
   }
 

@@ -35,6 +35,7 @@ inline model::Mesh lug(int nr = 12, int nt = 72) {
   model::Mesh mesh;
   mesh::LugSpec spec;
   spec.ri = 36.0;
+  spec.ro = 86.5;
   spec.width = 173.0;
   spec.length = 232.5;
   spec.nr = nr;

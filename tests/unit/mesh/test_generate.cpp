@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/boundary.hpp"
 #include "mesh/generate/generate.hpp"
+#include "mesh/generate/swept_solid.hpp"
 #include "mesh/quality.hpp"
 #include "meshes.hpp"
 
@@ -159,6 +160,7 @@ TEST_P(Generate, Lug) {
       spec.type = GetParam();
       spec.x0 = 1.0;
       spec.ri = 1.5;
+      spec.ro = 3.0;
       spec.width = 6.0;
       spec.length = length;
       spec.nr = 4;
@@ -178,6 +180,79 @@ TEST_P(Generate, Lug) {
       const auto bore = mesh::build_face_chains(mesh, test::faces(mesh, "L.BORE").faces);
       ASSERT_EQ(bore.size(), 1U);
       EXPECT_TRUE(bore[0].closed);
+    }
+  }
+}
+
+TEST_P(Generate, TaperedLugWithAnOffsetBore) {
+  for (const double width : {6.0, 7.0, 14.0}) {
+    SCOPED_TRACE(width);
+    model::Mesh mesh;
+    mesh::LugSpec spec;
+    spec.type = GetParam();
+    spec.ri = 1.2;
+    spec.ro = 3.0;
+    spec.ex = 0.5;
+    spec.ey = -0.7;
+    spec.width = width;
+    spec.length = 9.0;
+    spec.nt = 40;
+    mesh::generate_lug(mesh, base::NetId(std::size_t{0}), "", spec);
+    expect_sound(mesh);
+    expect_sets_cover(mesh, {"BORE", "HEAD", "SIDES", "END"});
+    // the side is a tangent: distance of the head's centre from it is RO
+    const double along = spec.length + spec.ex;
+    const double up = 0.5 * width;
+    const double tilt = std::acos(spec.ro / std::hypot(up, along));
+    const double angle = std::atan2(up, -along) - tilt; // of the tangent's point
+    const base::Vec3 tangent = 3.0 * base::Vec3(std::cos(angle), std::sin(angle), 0.0);
+    const auto head = static_cast<int>(test::faces(mesh, "HEAD").faces.size());
+    EXPECT_NEAR(test::area(mesh),
+                sector_area(3.0, 2.0 * angle, head, quadratic()) - tangent.x() * tangent.y() +
+                    (tangent.x() + along) * (tangent.y() + up) -
+                    sector_area(1.2, 2.0 * angle, head, quadratic()) -
+                    sector_area(1.2, 2.0 * (pi - angle), 40 - head, quadratic()),
+                1e-11);
+    for (const base::NodeId n : mesh::nodes_of_faces(mesh, test::faces(mesh, "BORE").faces)) {
+      EXPECT_NEAR(mesh.x[n.index()].norm(), 1.2, 1e-14 * 8);
+    }
+  }
+}
+
+mesh::PlateSpec off_centre_plate(ElementType type) {
+  mesh::PlateSpec spec;
+  spec.type = type;
+  spec.origin = {-2.0, 1.0, 0.0};
+  spec.size = {20.0, 8.0, 0.0};
+  spec.hole = {4.0, 4.0, 0.0};
+  spec.ri = 1.0;
+  spec.nr = 3;
+  spec.nt = 24;
+  return spec;
+}
+
+TEST_P(Generate, PlateWithAHole) {
+  for (const double x : {-0.5, 4.0, 8.0, 16.8}) {
+    for (const int nt : {12, 24, 61}) {
+      SCOPED_TRACE(testing::Message() << "x " << x << " nt " << nt);
+      model::Mesh mesh;
+      mesh::PlateSpec spec = off_centre_plate(GetParam());
+      spec.hole.x() = x;
+      spec.nt = nt;
+      mesh::generate_plate(mesh, base::NetId(std::size_t{0}), "P.", spec);
+      expect_sound(mesh);
+      expect_sets_cover(mesh, {"P.BORE", "P.XMIN", "P.XMAX", "P.YMIN", "P.YMAX"});
+      const auto& bore = test::faces(mesh, "P.BORE").faces;
+      const auto round = static_cast<int>(bore.size());
+      EXPECT_GE(round, nt);
+      EXPECT_NEAR(test::area(mesh), 160.0 - sector_area(1.0, 2.0 * pi, round, quadratic()), 1e-10);
+      for (const base::NodeId n : mesh::nodes_of_faces(mesh, bore)) {
+        EXPECT_NEAR((mesh.x[n.index()] - spec.hole).norm(), 1.0, 1e-14 * 8);
+      }
+      EXPECT_NEAR(test::chord_length(mesh, test::faces(mesh, "P.YMAX").faces), 20.0, 1e-12);
+      const double cells_of_types = base::element_info(GetParam()).corners == 4 ? 1.0 : 2.0;
+      EXPECT_GE(mesh::plate_cell_count(spec) * cells_of_types,
+                static_cast<double>(mesh.element_count()));
     }
   }
 }
@@ -241,6 +316,52 @@ TEST_P(GenerateSolid, ManyCellsShareTheirSides) {
   const std::size_t sides = base::element_info(GetParam()).corners == 4 ? 2 : 1;
   const std::size_t ends = base::element_info(GetParam()).corners == 8 ? 1 : 2;
   EXPECT_EQ(mesh::boundary_faces(mesh).size(), 144 * (4 * sides + 2 * ends));
+}
+
+TEST_P(GenerateSolid, SweptPlateAndDisc) {
+  const mesh::SweepSpec sweep{.type = GetParam(), .z0 = -1.5, .depth = 2.0, .layers = 3};
+  model::Mesh plate;
+  mesh::generate_plate(plate, base::NetId(std::size_t{0}), "",
+                       off_centre_plate(mesh::swept_plane_type(GetParam())));
+  model::Mesh disc; // of quadrilaterals for hexahedra
+  mesh::RingSpec ring;
+  ring.type = mesh::swept_plane_type(GetParam());
+  ring.ri = 0.0;
+  ring.ro = 2.0;
+  ring.nr = 2;
+  ring.nt = 16;
+  mesh::generate_ring(disc, base::NetId(std::size_t{0}), "", ring);
+  for (const model::Mesh* plane : {&plate, &disc}) {
+    model::Mesh mesh;
+    mesh::sweep_plane_mesh(mesh, base::NetId(std::size_t{0}), "S.", *plane, sweep);
+    expect_sound(mesh);
+    EXPECT_EQ(mesh.dim, 3);
+    EXPECT_NEAR(test::area(mesh), 2.0 * test::area(*plane), 1e-10);
+    std::vector<std::string> names{"S.ZMIN", "S.ZMAX"};
+    for (const model::FaceSet& set : plane->face_sets) {
+      names.push_back("S." + set.name);
+    }
+    expect_sets_cover(mesh, names);
+    for (const base::NodeId n : mesh::nodes_of_faces(mesh, test::faces(mesh, "S.ZMAX").faces)) {
+      EXPECT_DOUBLE_EQ(mesh.x[n.index()].z(), 0.5);
+    }
+  }
+}
+
+TEST(GenerateInSpace, DiscOfTrianglesAndQuadrilateralsFitsTogether) {
+  model::Mesh plane;
+  mesh::RingSpec ring;
+  ring.ri = 0.0;
+  ring.nr = 3;
+  ring.nt = 22; // no equal sectors: all of it is of triangles
+  mesh::generate_ring(plane, base::NetId(std::size_t{0}), "", ring);
+  EXPECT_FALSE(mesh::divides_into_quadrilaterals(ring));
+  model::Mesh mesh;
+  mesh::sweep_plane_mesh(mesh, base::NetId(std::size_t{0}), "", plane,
+                         {.type = ElementType::hexec20, .z0 = 0.0, .depth = 1.0, .layers = 2});
+  expect_sound(mesh);
+  EXPECT_EQ(mesh.type.front(), ElementType::pentac15);
+  expect_sets_cover(mesh, {"OUTER", "ZMIN", "ZMAX"});
 }
 
 } // namespace
