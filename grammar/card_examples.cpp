@@ -27,6 +27,16 @@ constexpr std::array texts{
         "  F     = 97.1[kN]\n"
         "  sigma = F/(101*14)\n"},
     CardHelpText{
+        "REQUIRE",
+        "For decks whose parameters others change, by hand, with -D or in a sweep. The message "
+        "is the text and the values of the parameters in the condition. Nothing else of the deck "
+        "is looked at then.",
+        "$PARAMETER\n"
+        "  bore = 40\n"
+        "  pin  = 39.95\n"
+        "$REQUIRE\n"
+        "  (pin < bore)  'the pin is not thinner than the bore'\n"},
+    CardHelpText{
         "INCLUDE",
         "The file holds whole cards and neither $DECK nor $END. Includes may include others, 16 "
         "deep at most.",
@@ -53,9 +63,12 @@ constexpr std::array texts{
     CardHelpText{
         "MESH",
         "Every shape makes the element set BODY and sets of its sides: BLOCK makes XMIN XMAX "
-        "YMIN YMAX (ZMIN ZMAX), RING makes INNER and OUTER, LUG makes BORE, HEAD and END. A "
-        "RING with RI=0 is a disc.",
-        "$MESH SHAPE=RING TYPE=QUAMC8 RI=20 RO=40 NR=8 NT=48\n"},
+        "YMIN YMAX, RING makes INNER and OUTER, LUG makes BORE, HEAD, SIDES and END, PLATE makes "
+        "BORE XMIN XMAX YMIN YMAX. With a solid TYPE the shape is swept through the thickness LZ "
+        "in NZ layers and has ZMIN and ZMAX as well. A RING with RI=0 is a disc. A LUG whose W is "
+        "more than 2 RO is tapered; a straight lug with a square end is a PLATE with its hole "
+        "near XMAX. Elements of a PLATE grow from the hole outwards.",
+        "$MESH SHAPE=LUG TYPE=HEXEC20 RI=20 RO=45 W=120 L=130 LZ=15 NR=5 NT=40 NZ=3\n"},
     CardHelpText{
         "COOR",
         "One node a line. Node numbers are free and need no order; they count in the net that "

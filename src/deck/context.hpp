@@ -135,6 +135,9 @@ void check_cards_and_define_names(DeckContext& context,
 /// a step.
 void define_names_of_model(DeckContext& context, const model::Model& model);
 /// $COOR, $ELEMENT, $MESH, $IMPORT.
+/// Whether all conditions of $REQUIRE hold; those that do not are reported with the values of their
+/// parameters.
+bool check_requirements(DeckContext& context);
 void build_mesh(DeckContext& context);
 /// Parameters that reach no script, though they seem to be meant to.
 void warn_of_unused_script_parameters(DeckContext& context);

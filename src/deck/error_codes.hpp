@@ -34,6 +34,7 @@ inline constexpr std::array error_codes{
     CodeMeaning{"E120", "a table row ends early or holds no number here"},
     CodeMeaning{"E121", "a table row goes on behind its last column"},
     CodeMeaning{"E122", "a file that is not a plain text"},
+    CodeMeaning{"E123", "a condition of $REQUIRE does not hold"},
     CodeMeaning{"E201", "no such parameter"},
     CodeMeaning{"E202", "no such function"},
     CodeMeaning{"E203", "a function with the wrong number of arguments"},

@@ -47,6 +47,9 @@ std::optional<model::Model> read_deck(const std::filesystem::path& deck,
     context.property_sound = false;
   }
   check_cards_and_define_names(context, loaded.cards, options);
+  if (!check_requirements(context)) { // what would follow from such numbers is no news
+    return std::nullopt;
+  }
   build_mesh(context);
   warn_of_unused_script_parameters(context);
   build_sets(context);

@@ -42,6 +42,8 @@ constexpr std::array advice{
                         "leading &."},
     CodeMeaning{"E121", "One node or element a line. $COOR with DIM=2 has no z."},
     CodeMeaning{"E122", "Save the file as plain text in UTF-8."},
+    CodeMeaning{"E123", "The deck's author asks for this. Change the parameters that the message "
+                        "names; nothing else of the deck was looked at."},
     CodeMeaning{"E201", "Parameters are defined above their use, or by -D NAME=value."},
     CodeMeaning{"E202", "spricka help functions lists them."},
     CodeMeaning{"E203", "spricka help functions shows how each is written."},

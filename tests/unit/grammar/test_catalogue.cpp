@@ -22,10 +22,10 @@ TEST(Catalogue, HoldsTheWholeLanguage) {
         "COOR",    "ELEMENT",   "NSET",     "ESET",     "FSET",     "MATERIAL", "PROPERTY",
         "FREEDOM", "MPC",       "SYMMETRY", "LOAD",     "CONTACT",  "RIGID",    "CRACK",
         "TIPNET",  "VCE",       "STEP",     "LOADPATH", "SPECTRUM", "GROW",     "TEST",
-        "SWEEP",   "CONTROL",   "RESTART",  "TASK",     "OUTPUT",   "CHECK",    "END"}) {
+        "SWEEP",   "CONTROL",   "RESTART",  "TASK",     "OUTPUT",   "CHECK",    "END",       "REQUIRE"}) {
     EXPECT_NE(find_card(name), nullptr) << name;
   }
-  EXPECT_EQ(card_catalogue().size(), 35U);
+  EXPECT_EQ(card_catalogue().size(), 36U);
   EXPECT_EQ(find_card("ENDE"), nullptr);
 }
 
