@@ -25,7 +25,8 @@ class Install(ProgramTest):
                 "share/man/man1/spricka.1",
                 "share/bash-completion/completions/spricka",
             }
-            | {f"share/spricka/decks/{f.name}" for f in (TOP / "decks").iterdir() if f.name != "run"},
+            | {f"share/spricka/decks/{f.relative_to(TOP / 'decks')}" for f in (TOP / "decks").rglob("*")
+               if f.is_file() and f.name != "run"},
         )
         self.deck(CRACKED)  # its patches are filled by the mesher that was installed
         done = subprocess.run(

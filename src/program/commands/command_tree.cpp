@@ -90,6 +90,7 @@ CommandTree::CommandTree() : app_(fmt::format("spricka: {}", k_about), "spricka"
   add_shell();
   add_study();
   add_ladder();
+  add_new();
   add_convert();
   add_verify();
   add_help();
@@ -163,6 +164,34 @@ void CommandTree::add_shell() {
   command.add_flag("--strict", session_.strict,
                    "end with the exit code of the first command that fails");
   command.add_flag("--quiet", run_.quiet, "do not print what each answer cost");
+}
+
+void CommandTree::add_new() {
+  CLI::App& command = add("new", "write a deck for a joint from the dimensions of its drawing",
+                          "  spricka new                         what there is\n"
+                          "  spricka new bushed-lug              asks, and writes bushed-lug.deck\n"
+                          "  spricka new lug joint7 -D d=36 -D 'F=50[kN]' --defaults\n"
+                          "  spricka new surface-crack --units in",
+                          [this] { return new_deck(new_); });
+  command.add_option("TEMPLATE", new_.name, "what is drawn; without it they are listed")
+      ->type_name("");
+  add_path_option(command, "FILE", new_.out, "the deck to write (default: the template's name)",
+                  "");
+  add_define_option(command, new_.defines, "a dimension, which is not asked; may be given again");
+  command
+      .add_option_function<std::string>(
+          "--units",
+          [this](const std::string& word) {
+            new_.units = word == "in" ? TemplateUnits::inches : TemplateUnits::millimetres;
+          },
+          "mm, N and MPa, or inches, pounds and psi (default: mm)")
+      ->check(one_of_words_validator({"mm", "in"}))
+      ->type_name("mm|in");
+  CLI::Option* defaults =
+      command.add_flag("--defaults", new_.defaults, "ask nothing: take the defaults and say them");
+  command.add_flag("--ask", new_.ask, "ask although standard input is no terminal")
+      ->excludes(defaults);
+  command.add_flag("--replace", new_.replace, "overwrite the deck if it exists");
 }
 
 void CommandTree::add_convert() {

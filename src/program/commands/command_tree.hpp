@@ -7,6 +7,7 @@
 #include "program/shell/shell.hpp"
 #include "program/study/ladder.hpp"
 #include "program/study/study.hpp"
+#include "program/templates/new_deck.hpp"
 #include "program/verify/verify.hpp"
 
 #include <functional>
@@ -51,6 +52,7 @@ private:
   void add_shell();
   void add_study();
   void add_ladder();
+  void add_new();
   void add_convert();
   void add_verify();
   void add_help();
@@ -62,6 +64,7 @@ private:
   std::vector<Command> commands_;
   RunOptions run_;
   ShellOptions session_;
+  NewDeckOptions new_;
   ConvertOptions convert_;
   VerifyOptions verify_;
   StudyOptions study_;

@@ -9,12 +9,13 @@ namespace spricka::program {
 namespace {
 
 // -D NAME=expression
-void add_define(const std::string& text, RunOptions& options) {
+void add_define(const std::string& text,
+                std::vector<std::pair<std::string, std::string>>& defines) {
   const std::size_t equal = text.find('=');
   if (equal == std::string::npos || equal == 0) {
     throw CLI::ValidationError("-D", "write -D NAME=expression, not '" + text + "'");
   }
-  options.defines.emplace_back(text.substr(0, equal), text.substr(equal + 1));
+  defines.emplace_back(text.substr(0, equal), text.substr(equal + 1));
 }
 
 void add_mesh_limits(CLI::App& command) {
@@ -34,19 +35,25 @@ void add_mesh_limits(CLI::App& command) {
 
 } // namespace
 
-void add_deck_options(CLI::App& command, RunOptions& options) {
-  add_path_option(command, "DECK", options.deck, "the deck file", "").required();
+void add_define_option(CLI::App& command, std::vector<std::pair<std::string, std::string>>& defines,
+                       const std::string& doc) {
   command
       .add_option_function<std::vector<std::string>>(
           "-D",
-          [&options](const std::vector<std::string>& texts) {
+          [&defines](const std::vector<std::string>& texts) {
             for (const std::string& text : texts) {
-              add_define(text, options);
+              add_define(text, defines);
             }
           },
-          "overrides a parameter of the deck; may be given again")
+          doc)
       ->type_name("NAME=EXPR")
       ->allow_extra_args(false);
+}
+
+void add_deck_options(CLI::App& command, RunOptions& options) {
+  add_path_option(command, "DECK", options.deck, "the deck file", "").required();
+  add_define_option(command, options.defines,
+                    "overrides a parameter of the deck; may be given again");
   command
       .add_option_function<std::string>(
           "--log-format",

@@ -3,6 +3,8 @@
 #include "program/job/run_options.hpp"
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -11,6 +13,10 @@ namespace spricka::program {
 
 /// DECK, -D, --log-format and the limits of meshing.
 void add_deck_options(CLI::App& command, RunOptions& options);
+
+/// -D NAME=EXPR, which may be given again; `doc` is what the help says of it.
+void add_define_option(CLI::App& command, std::vector<std::pair<std::string, std::string>>& defines,
+                       const std::string& doc);
 
 /// --threads, a whole number from 0.
 void add_threads_option(CLI::App& command, int& threads, const std::string& doc);
