@@ -206,7 +206,11 @@ constexpr std::array texts{
         "friction and part again; K1 is 0 at a tip where they touch. Faces that touch are a "
         "contact NAME.FACES in the listing, in CPRESS and in $CHECK; places on it are lengths "
         "along the crack from its mouth or first point. FACES=FREE lets them overlap and says so. "
-        "In space a crack is plane: an ellipse, given by its centre and its semi-axes A and C "
+        "In space a flaw can be told by words: AT names two faces of NET for a corner flaw in the "
+        "edge where they meet, or one face for a surface flaw, with DEPTH and LENGTH; ANGLE about "
+        "the axis of a round face or edge, or any of X0 Y0 Z0, say where. It is normal to the edge "
+        "or face; ALONG turns the mouth of a surface flaw. "
+        "A crack is plane: an ellipse, given by its centre and its semi-axes A and C "
         "(without C a circle), or the area inside a front, given by points that a smooth curve "
         "joins. Only what lies inside the body is cut: with the centre inside the body the crack "
         "is embedded, on a face it is a surface crack, on an edge a corner crack. An open front "
@@ -218,7 +222,8 @@ constexpr std::array texts{
         "front.",
         "$CRACK NAME=TOP NET=LUG A0=1.8 ANGLE=90[deg]\n"
         "  0  36\n"
-        "$CRACK NAME=CORNER NET=LUG A=3.6 X0=20 Y0=0 Z0=0 NORMAL=Y\n"},
+        "$CRACK NAME=CORNER NET=LUG A=3.6 X0=20 Y0=0 Z0=0 NORMAL=Y\n"
+        "$CRACK NAME=FLAW NET=LUG AT=BORE,ZMAX DEPTH=1.27 ANGLE=90[deg]\n"},
     CardHelpText{
         "TIPNET",
         "The patch is the new mesh round a tip: rings of quarter-point elements (the "

@@ -91,19 +91,32 @@ constexpr std::array crack_keys{
     reference_key("PATH", set, "ordered nodes from the mouth on, along element edges"),
     reference_key("NET", net, "the net a free crack cuts"),
     real_key("A0", length, above(0), "first length, from the mouth or from the middle"),
-    real_key("ANGLE", angle, closed_interval(-6.2832, 6.2832),
-             "direction of a free crack of one point, from +x; in radians, or 45[deg]"),
+    real_key(
+        "ANGLE", angle, closed_interval(-6.2832, 6.2832),
+        "direction of a free crack of one point, from +x; of a flaw by words the place round a "
+        "round face or edge; in radians, or 45[deg]"),
     with_default(
         word_key("LINE", "STRAIGHT|SMOOTH",
                  "how a free crack runs from point to point: straight, or on a smooth curve"),
         "STRAIGHT"),
+    key_of_type(
+        KeyType::references, "AT", face_set,
+        "a flaw by words: the face of a surface flaw, or two faces that meet in the edge of a "
+        "corner flaw; names of NET"),
+    real_key("DEPTH", length, above(0),
+             "of a flaw by words, into the body; of a corner flaw along the first face of AT"),
+    real_key("LENGTH", length, above(0),
+             "of its mouth on the face (of a corner flaw on the second face of AT); default: twice "
+             "the DEPTH, of a corner flaw the DEPTH"),
+    word_key("ALONG", "X|Y|Z",
+             "direction of the mouth of a surface flaw; default on a round face: along its axis"),
     reference_key("FRONT", set, "nodes of the front of a crack in space that the mesh has already"),
     real_key("A", length, above(0), "semi-axis of an ellipse in space, at right angles to C"),
     real_key("C", length, above(0), "its other semi-axis; left out: a circle"),
     real_key(
         "X0", length, anything,
         "centre of an ellipse, in the body, on its surface or beside it; of a front drawn by its "
-        "points a point within the crack"),
+        "points a point within the crack; with AT any of X0 Y0 Z0 say where on the face or edge"),
     real_key("Y0", length, anything, "see X0"),
     real_key("Z0", length, anything, "see X0"),
     word_key("NORMAL", "X|Y|Z",
@@ -128,7 +141,11 @@ constexpr std::array crack_keys{
 constexpr std::array crack_when{
     KeyPresenceRule{"PATH", "", "A0", "ANGLE FRONT NORMAL A X0"},
     KeyPresenceRule{"FRONT", "", "", "PATH ANGLE A0 A X0"},
-    KeyPresenceRule{"ANGLE", "", "A0", "PATH FRONT A X0"},
+    KeyPresenceRule{"ANGLE", "", "", "PATH FRONT A"},
+    KeyPresenceRule{"AT", "", "DEPTH", "PATH FRONT A A0 X1 X2 CLOSED"},
+    KeyPresenceRule{"DEPTH", "", "AT", ""},
+    KeyPresenceRule{"LENGTH", "", "AT", ""},
+    KeyPresenceRule{"ALONG", "", "AT", ""},
     KeyPresenceRule{"NET", "", "", "PATH FRONT"},
     KeyPresenceRule{"LINE", "SMOOTH", "", "PATH FRONT ANGLE A"},
     KeyPresenceRule{"A", "", "X0 Y0 Z0", "PATH FRONT ANGLE A0 CLOSED"},

@@ -87,11 +87,14 @@ base::FaceSetId crack_face(DeckContext& c, const model::CrackDefinition& crack,
 void drawn_crack(DeckContext& c, const CheckedCard& card, model::CrackDefinition& crack) {
   const bool meshed = c.mesh_sound && c.model.mesh.element_count() > 0;
   const bool plane = c.is_certainly_plane();
-  const char* of_space = card.has_key("A") ? "A" : card.has_key("X0") ? "X0" : nullptr;
+  const char* of_space = card.has_key("A")    ? "A"
+                         : card.has_key("AT") ? "AT"
+                         : card.has_key("X0") ? "X0"
+                                              : nullptr;
   const bool three = !card.rows.empty() && card.rows.front().fields.size() == 3;
   if (plane && of_space != nullptr) {
     c.error(card.find(of_space)->span, "E313",
-            "an ellipse, or a front by its points, belongs to elements in space",
+            "an ellipse, a flaw by words, or a front by its points, belongs to elements in space",
             "in the plane a crack has PATH and A0, or points x y");
   } else if (meshed ? plane : of_space == nullptr && !three) {
     free_crack(c, card, crack);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/build_solid_cracks.hpp"
+#include "deck/flaw_place.hpp"
 
 #include <algorithm>
 #include <array>
@@ -193,6 +194,18 @@ bool read_crack_points(DeckContext& context, const CheckedCard& card, std::size_
 
 void read_solid_crack(DeckContext& context, const CheckedCard& card,
                       model::CrackDefinition& crack) {
+  if (card.has_key("AT")) {
+    crack.kind = model::CrackDefinitionKind::ellipse;
+    crack.plane = place_flaw(context, card).value_or(model::PlanarCrack{});
+    if (!card.rows.empty()) {
+      context.error(card.rows.front().span, "E110", "points mean nothing with AT");
+    }
+    return;
+  }
+  if (card.has_key("ANGLE")) {
+    context.error(card.find("ANGLE")->span, "E110", "in space ANGLE belongs to AT",
+                  "AT=BORE,ZMAX DEPTH=1 ANGLE=90[deg]: a corner flaw round a bore");
+  }
   if (card.has_key("A")) {
     ellipse(context, card, crack);
   } else {

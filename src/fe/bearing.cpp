@@ -2,8 +2,8 @@
 #include "fe/bearing.hpp"
 
 #include "base/by_dimension.hpp"
-#include "fe/circle_fit.hpp"
 #include "fe/load_rule.hpp"
+#include "geometry/circle_fit.hpp"
 #include "model/mesh_side.hpp"
 #include "model/model.hpp"
 
@@ -138,13 +138,13 @@ std::optional<Pin> pin_on_edges(const model::Mesh& mesh, const std::vector<model
   Pin pin;
   pin.axes.setIdentity();
   // Nodes shared by two edges count twice, which does no harm to nodes on a circle.
-  std::vector<WeightedPoint> points;
+  std::vector<geometry::WeightedPoint> points;
   for (const model::Face& face : faces) {
     for (const base::NodeId n : model::side_nodes(mesh, face)) {
       points.push_back({mesh.x[n.index()].head<2>(), 1.0});
     }
   }
-  pin.circle = fit_circle(points);
+  pin.circle = geometry::fit_circle(points);
   double inward = 0.0; // outer normals of a bore point to its centre
   for (const model::Face& face : faces) {
     const ElementSide edge = model::element_side(mesh, face);
@@ -180,11 +180,11 @@ std::optional<Pin> pin_on_faces(const model::Mesh& mesh, const std::vector<model
   }
   Pin pin;
   pin.axes << F.normalized(), axis.cross(F.normalized());
-  std::vector<WeightedPoint> points;
+  std::vector<geometry::WeightedPoint> points;
   for_area_vectors(mesh, faces, [&](const Vec3& x, const Vec3& a) {
     points.push_back({pin.axes.transpose() * x, a.norm()});
   });
-  pin.circle = fit_circle(points);
+  pin.circle = geometry::fit_circle(points);
   pin.force = {F.norm(), 0.0};
   return pin;
 }

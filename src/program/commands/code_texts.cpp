@@ -91,6 +91,9 @@ constexpr std::array advice{
     CodeMeaning{"E326",
                 "A test needs readings N a, a reference of rates (the law of $GROW, or lines "
                 "RATE), and $GROW with the crack lengths and steps to compare with."},
+    CodeMeaning{"E328",
+                "spricka check prints what the body has of a flaw. AT=BORE,ZMAX is the edge "
+                "where two faces of NET meet, AT=BORE one face; ANGLE counts about its axis."},
     CodeMeaning{"E331", "The words are gmsh's. Try the file in gmsh itself."},
     CodeMeaning{"E332", "Give curves and surfaces their names with Physical in the .geo file."},
     CodeMeaning{"E336",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/study/joint.hpp"
 
-#include "fe/circle_fit.hpp"
+#include "geometry/circle_fit.hpp"
 #include "geometry/element_side.hpp"
 #include "grammar/lexeme.hpp"
 #include "model/mesh_side.hpp"
@@ -177,14 +177,14 @@ std::optional<DeckCard> line_of(const std::string& name,
 // The circle of round edges with the bodies of others on the side where theirs was not.
 std::optional<DeckCard> circle_of(const std::string& name,
                                   const std::vector<geometry::ElementSide>& edges) {
-  std::vector<fe::WeightedPoint> points;
+  std::vector<geometry::WeightedPoint> points;
   for (const base::Vec3& x : corners(edges)) {
     points.push_back({x.head<2>(), 1.0});
   }
-  const fe::FittedCircle circle = fe::fit_circle(points);
+  const geometry::FittedCircle circle = geometry::fit_circle(points);
   constexpr std::size_t fewest = 4; // edges
   constexpr double uneven = 1e-5;   // of the radius
-  const bool on_it = std::ranges::all_of(points, [&](const fe::WeightedPoint& point) {
+  const bool on_it = std::ranges::all_of(points, [&](const geometry::WeightedPoint& point) {
     return std::abs((point.x - circle.centre).norm() - circle.radius) <= uneven * circle.radius;
   });
   if (edges.size() < fewest || !on_it) {

@@ -2,7 +2,7 @@
 #include "fe/bearing.hpp"
 
 #include "fe/assemble.hpp"
-#include "fe/circle_fit.hpp"
+#include "geometry/circle_fit.hpp"
 #include "model/mesh_side.hpp"
 #include "model/model.hpp"
 #include "tests/unit/fe/plane_problem.hpp"
@@ -119,13 +119,13 @@ INSTANTIATE_TEST_SUITE_P(load, Bearing, testing::ValuesIn(every_case()), [](cons
 });
 
 TEST_P(Bearing, circle_is_found) {
-  std::vector<WeightedPoint> points;
+  std::vector<geometry::WeightedPoint> points;
   for (const model::Face& face : model.mesh.set_with_id(load.faces).faces) {
     for (const base::NodeId n : model::side_nodes(model.mesh, face)) {
       points.push_back({model.mesh.x[n.index()].head<2>(), 1.0});
     }
   }
-  const FittedCircle circle = fit_circle(points);
+  const geometry::FittedCircle circle = geometry::fit_circle(points);
   EXPECT_LT((circle.centre - centre).norm(), 1e-11);
   EXPECT_NEAR(circle.radius, radius, 1e-11);
 }

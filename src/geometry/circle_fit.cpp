@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fe/circle_fit.hpp"
+#include "geometry/circle_fit.hpp"
 
 #include <Eigen/LU>
 
 #include <cmath>
 
-namespace spricka::fe {
+namespace spricka::geometry {
 
 FittedCircle fit_circle(const std::vector<WeightedPoint>& points) {
   base::Vec2 mean = base::Vec2::Zero();
@@ -30,4 +30,4 @@ FittedCircle fit_circle(const std::vector<WeightedPoint>& points) {
   return {mean + a, std::sqrt(solution[2] + a.squaredNorm())};
 }
 
-} // namespace spricka::fe
+} // namespace spricka::geometry

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace spricka::fe {
+namespace spricka::geometry {
 
 /// Points of the plane with what each counts.
 struct WeightedPoint {
@@ -21,4 +21,4 @@ struct FittedCircle {
 /// lie on one.
 FittedCircle fit_circle(const std::vector<WeightedPoint>& points);
 
-} // namespace spricka::fe
+} // namespace spricka::geometry
