@@ -2,6 +2,7 @@
 #include "mesh/link/mesher_process.hpp"
 
 #include "base/clock.hpp"
+#include "base/shipped_files.hpp"
 
 #include <algorithm>
 #include <array>
@@ -138,20 +139,8 @@ pid_t spawn(const std::string& path, std::size_t memory, const MesherChannels& e
 } // namespace
 
 std::string mesher_program_path() {
-  std::error_code unknown;
-  const fs::path self = fs::read_symlink("/proc/self/exe", unknown);
-  std::vector<fs::path> places{self.parent_path() / program,
-                               self.parent_path().parent_path() / "libexec" / "spricka" / program};
-  const fs::path built = fs::path(SPRICKA_BUILD_TREE);
-  if (std::mismatch(built.begin(), built.end(), self.begin(), self.end()).first == built.end()) {
-    places.push_back(built / "libexec" / "spricka" / program);
-  }
-  for (const fs::path& place : places) {
-    if (!self.empty() && access(place.c_str(), X_OK) == 0) {
-      return place.string();
-    }
-  }
-  return {};
+  const fs::path place = base::find_shipped_file(fs::path("libexec") / "spricka" / program);
+  return access(place.c_str(), X_OK) == 0 ? place.string() : std::string();
 }
 
 std::unique_ptr<MesherProcess> MesherProcess::start(std::size_t memory) {

@@ -55,8 +55,8 @@ private:
   std::optional<int> status_;
 };
 
-/// Where spricka-mesher is: beside the running program, in ../libexec/spricka, or for a program of
-/// a build tree in that tree. Empty if there is none.
+/// Where spricka-mesher is, in libexec/spricka beside the program (base/shipped_files.hpp). Empty
+/// if there is none.
 std::string mesher_program_path();
 
 } // namespace spricka::mesh

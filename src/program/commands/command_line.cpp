@@ -113,10 +113,10 @@ base::ProgramOutcome act(CommandTree& tree, int argc, const char* const* argv) {
 
 } // namespace
 
-int run_command_line(int argc, const char* const* argv) {
+int run_command_line(int argc, const char* const* argv, const std::string& source_digest) {
   ensure_standard_streams_open();
   std::signal(SIGXFSZ, SIG_IGN); // the limit on the size of files: the write fails, and is told
-  CommandTree tree;
+  CommandTree tree(source_digest);
   const base::ProgramOutcome outcome = act(tree, argc, argv);
   const bool whole = check_streams_written(tree.log_format());
   return base::exit_code(outcome == base::ProgramOutcome::done && !whole

@@ -79,9 +79,14 @@ void add_verify_options(CLI::App& command, VerifyOptions& options) {
 
 } // namespace
 
-CommandTree::CommandTree() : app_(fmt::format("spricka: {}", k_about), "spricka") {
-  app_.set_version_flag("--version", archive::version_text,
-                        "version of the program and its libraries");
+CommandTree::CommandTree(const std::string& source_digest)
+    : app_(fmt::format("spricka: {}", k_about), "spricka") {
+  app_.set_version_flag(
+      "--version",
+      [source_digest] {
+        return fmt::format("{}\n  {:<14} {}", archive::version_text(), "source", source_digest);
+      },
+      "version of the program and its libraries, digest of its sources");
   app_.get_help_ptr()->description("this text");
   app_.require_subcommand(1);
   app_.footer(exit_footer());

@@ -22,7 +22,8 @@ namespace spricka::program {
 /// function that calls add() and a line in the constructor.
 class CommandTree {
 public:
-  CommandTree();
+  /// The digest of the sources is what cmake/source_digest prints.
+  explicit CommandTree(const std::string& source_digest);
   CommandTree(const CommandTree&) = delete;
   CommandTree& operator=(const CommandTree&) = delete;
 

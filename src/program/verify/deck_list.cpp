@@ -5,7 +5,6 @@
 #include "base/diagnostics.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
-#include "program/trials/child_run.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -148,18 +147,6 @@ std::vector<BenchmarkProblem> read_benchmark_coverage(const fs::path& folder) {
                         .remark = row.text("remark")});
   }
   return problems;
-}
-
-fs::path shipped_deck_folder() {
-  const fs::path self = running_program_file();
-  const fs::path built = fs::path(SPRICKA_BUILD_TREE);
-  const bool in_build =
-      std::mismatch(built.begin(), built.end(), self.begin(), self.end()).first == built.end();
-  const fs::path decks = in_build
-                             ? fs::path(SPRICKA_SOURCE_TREE) / "decks"
-                             : self.parent_path().parent_path() / "share" / "spricka" / "decks";
-  std::error_code unknown;
-  return fs::is_directory(decks, unknown) ? decks : fs::path();
 }
 
 } // namespace spricka::program

@@ -73,8 +73,4 @@ struct BenchmarkProblem {
 /// Throws std::system_error.
 std::vector<BenchmarkProblem> read_benchmark_coverage(const std::filesystem::path& folder);
 
-/// The decks that ship with the running program: share/spricka/decks beside its bin, or for a
-/// program of a build tree those of its source. Empty if there are none.
-std::filesystem::path shipped_deck_folder();
-
 } // namespace spricka::program

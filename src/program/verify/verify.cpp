@@ -3,6 +3,7 @@
 
 #include "base/clock.hpp"
 #include "base/output_file.hpp"
+#include "base/shipped_files.hpp"
 #include "program/job/failures.hpp"
 #include "program/job/log.hpp"
 #include "program/job/point_record.hpp"
@@ -234,7 +235,8 @@ private:
 base::ProgramOutcome verify_decks(const VerifyOptions& options) {
   const Log log(LogFormat::text);
   return run_reporting_file_failures(log, [&] {
-    const fs::path decks = options.decks.empty() ? shipped_deck_folder() : options.decks;
+    const fs::path decks =
+        options.decks.empty() ? base::find_shipped_file("share/spricka/decks") : options.decks;
     if (decks.empty()) {
       log.report_message(
           base::Severity::error, "E530",
