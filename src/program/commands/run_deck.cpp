@@ -68,7 +68,7 @@ base::ProgramOutcome run_once(const RunOptions& options, const CheckedDeck& deck
   }
   RunOutcomeWithResults outcome;
   try {
-    outcome = solve_and_write(options, deck, *folder, opened.checkpoint.get(), log);
+    outcome = solve_and_write(options, deck, &*folder, opened.checkpoint.get(), log);
   } catch (...) {
     tell_of_earlier(options, *folder, log);
     throw;

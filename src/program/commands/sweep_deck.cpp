@@ -247,7 +247,7 @@ private:
     set_current(opened.checkpoint.get());
     try {
       RunOutcomeWithResults outcome =
-          solve_and_write(options, deck, *folder_, opened.checkpoint.get(), log_);
+          solve_and_write(options, deck, &*folder_, opened.checkpoint.get(), log_);
       set_current(nullptr);
       return outcome;
     } catch (...) {

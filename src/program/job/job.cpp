@@ -102,7 +102,7 @@ bool is_stopped(const base::OptionalFailure& trouble) {
 }
 
 // Once, or as often as K needs to come within its tolerance.
-Solved solve_deck(const RunOptions& options, const CheckedDeck& deck, RunFolder& folder,
+Solved solve_deck(const RunOptions& options, const CheckedDeck& deck, RunFolder* folder,
                   archive::Checkpoint* checkpoint, base::Diagnostics& diagnostics) {
   analysis::SolveOptions solve;
   solve.checkpoint = checkpoint;
@@ -113,15 +113,20 @@ Solved solve_deck(const RunOptions& options, const CheckedDeck& deck, RunFolder&
   const auto once = [&](const model::Model& model, base::OptionalFailure& trouble) {
     base::Diagnostics own;
     ProgressLine line(options.log_format, options.quiet);
-    InterimKTable so_far(model, folder);
+    std::optional<InterimKTable> so_far;
+    if (folder != nullptr) {
+      so_far.emplace(model, *folder);
+    }
     solve.progress = [&](const analysis::RunProgress& progress) {
       line.report_progress(progress);
-      if (progress.stage.empty()) {
-        so_far.set_finished_increments(progress.increment);
+      if (so_far && progress.stage.empty()) {
+        so_far->set_finished_increments(progress.increment);
       }
     };
     solve.found = [&](const results::CrackLengthResult& increment) {
-      so_far.update_increment(increment);
+      if (so_far) {
+        so_far->update_increment(increment);
+      }
     };
     std::optional<results::RunResult> run = analysis::solve_run(model, solve, own, trouble);
     if (!run && !trouble) {
@@ -207,7 +212,7 @@ std::string write_profile(const RunOptions& options, const base::SourceTexts& so
 } // namespace
 
 RunOutcomeWithResults solve_and_write(const RunOptions& options, const CheckedDeck& deck,
-                                      RunFolder& folder, archive::Checkpoint* checkpoint,
+                                      RunFolder* folder, archive::Checkpoint* checkpoint,
                                       const Log& log) {
   const double cpu_before = base::cpu_seconds();
   base::Diagnostics diagnostics;
@@ -245,13 +250,15 @@ RunOutcomeWithResults solve_and_write(const RunOptions& options, const CheckedDe
   run.checks = evaluate_checks(*used.model, run);
   run.cpu += cpu_before;
   checking.reset();
-  {
+  if (folder != nullptr) {
     const analysis::ScopedProfileInterval span(options.recorder.get(), "OUTPUT",
                                                "tables, pictures, report");
-    folder.write_results(deck.sources, *used.model, run, list_script_constants(deck));
+    folder->write_results(deck.sources, *used.model, run, list_script_constants(deck));
   }
   RunOutcomeWithResults outcome = judged(solved, run, log);
-  outcome.profile = write_profile(options, deck.sources, *used.model, folder);
+  if (folder != nullptr) {
+    outcome.profile = write_profile(options, deck.sources, *used.model, *folder);
+  }
   outcome.run = std::move(solved.run);
   return outcome;
 }

@@ -19,11 +19,12 @@ class Checkpoint;
 
 namespace spricka::program {
 
-/// Solves a deck and writes its folder, which is not yet put in place; messages go to the log. With
-/// a checkpoint (or null) what an earlier run has solved is taken over, and increments are kept.
-/// Throws std::system_error or FileFailure when a file cannot be written.
+/// Solves a deck and writes its folder (null: no file is written), which is not yet put in place;
+/// messages go to the log. With a checkpoint (or null) what an earlier run has solved is taken
+/// over, and increments are kept. Throws std::system_error or FileFailure when a file cannot be
+/// written.
 RunOutcomeWithResults solve_and_write(const RunOptions& options, const CheckedDeck& deck,
-                                      RunFolder& folder, archive::Checkpoint* checkpoint,
+                                      RunFolder* folder, archive::Checkpoint* checkpoint,
                                       const Log& log);
 
 /// What bodies have of cracks in space, and the table of results, on stdout.

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <iostream>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -26,31 +27,53 @@ void write_record(const Json& record) {
   write_to_stderr(record.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-Json record_of(const base::SourceTexts& sources, base::SourceIndex& places,
-               const base::Diagnostic& d) {
+LoggedMessage message_of(const base::SourceTexts& sources, base::SourceIndex& places,
+                         const base::Diagnostic& d) {
+  LoggedMessage message{
+      .severity = d.severity, .code = d.code, .text = d.text, .hint = d.hint, .file = {}};
+  if (d.span.valid()) {
+    message.file = sources.file_name(d.span.file);
+    message.begin = places.locate(d.span.file, d.span.begin);
+    message.end = places.locate(d.span.file, d.span.end);
+  }
+  return message;
+}
+
+Json record_of(const LoggedMessage& message) {
   Json record;
   record["type"] = "diagnostic";
-  record["severity"] = base::display_word(d.severity);
-  record["code"] = d.code;
-  if (d.span.valid()) {
-    const base::SourceLocation begin = places.locate(d.span.file, d.span.begin);
-    const base::SourceLocation end = places.locate(d.span.file, d.span.end);
-    record["file"] = sources.file_name(d.span.file);
-    record["line"] = begin.line;
-    record["column"] = begin.column;
-    record["end_line"] = end.line;
-    record["end_column"] = end.column;
+  record["severity"] = base::display_word(message.severity);
+  record["code"] = message.code;
+  if (!message.file.empty()) {
+    record["file"] = message.file;
   }
-  record["text"] = d.text;
-  if (!d.hint.empty()) {
-    record["hint"] = d.hint;
+  if (message.begin.line > 0) {
+    record["line"] = message.begin.line;
+    record["column"] = message.begin.column;
+    record["end_line"] = message.end.line;
+    record["end_column"] = message.end.column;
+  }
+  record["text"] = message.text;
+  if (!message.hint.empty()) {
+    record["hint"] = message.hint;
   }
   return record;
+}
+
+std::string failed_check_text(const results::CheckResult& check) {
+  return check.trouble.empty()
+             ? fmt::format("check failed: {} = {:.8g}, wanted {:.8g}: {} {:.2e} > {:.2e}",
+                           check.text, check.found, check.wanted, check.relative ? "REL" : "ABS",
+                           std::abs(check.error), check.tolerance)
+             : fmt::format("check failed: {}: {}", check.text, check.trouble);
 }
 
 } // namespace
 
 Log::Log(LogFormat format) : format_(format), colour_(message_colour()) {}
+
+Log::Log(std::function<void(const LoggedMessage&)> receive)
+    : format_(LogFormat::json), colour_(base::MessageColour::none), receive_(std::move(receive)) {}
 
 void Log::report_diagnostics(const base::SourceTexts& sources,
                              const base::Diagnostics& diagnostics) const {
@@ -60,12 +83,26 @@ void Log::report_diagnostics(const base::SourceTexts& sources,
   }
   base::SourceIndex places(sources);
   for (const base::Diagnostic* d : base::messages_by_severity(diagnostics)) {
-    write_record(record_of(sources, places, *d));
+    const LoggedMessage message = message_of(sources, places, *d);
+    if (receive_) {
+      receive_(message);
+    } else {
+      write_record(record_of(message));
+    }
   }
 }
 
 void Log::report_message(base::Severity severity, std::string_view code, std::string_view text,
                          std::string_view file) const {
+  const LoggedMessage message{.severity = severity,
+                              .code = std::string(code),
+                              .text = std::string(text),
+                              .hint = {},
+                              .file = std::string(file)};
+  if (receive_) {
+    receive_(message);
+    return;
+  }
   if (format_ == LogFormat::text) {
     base::Diagnostics one;
     const auto add = severity == base::Severity::error     ? &base::Diagnostics::error
@@ -76,16 +113,17 @@ void Log::report_message(base::Severity severity, std::string_view code, std::st
                                 base::format_messages({}, one, colour_)));
     return;
   }
-  Json record{{"type", "diagnostic"}, {"severity", base::display_word(severity)}, {"code", code}};
-  if (!file.empty()) {
-    record["file"] = file;
-  }
-  record["text"] = text;
-  write_record(record);
+  write_record(record_of(message));
 }
 
 void Log::report_failed_check(const results::CheckResult& check) const {
-  if (format_ == LogFormat::json) {
+  if (receive_) {
+    receive_({.severity = base::Severity::error,
+              .code = {},
+              .text = failed_check_text(check),
+              .hint = {},
+              .file = {}});
+  } else if (format_ == LogFormat::json) {
     Json record{{"type", "check"}, {"passed", false}, {"quantity", check.text}};
     if (check.trouble.empty()) {
       record.update({{"found", check.found},
@@ -97,12 +135,8 @@ void Log::report_failed_check(const results::CheckResult& check) const {
       record["trouble"] = check.trouble;
     }
     write_record(record);
-  } else if (!check.trouble.empty()) {
-    write_to_stderr(fmt::format("check failed: {}: {}\n", check.text, check.trouble));
   } else {
-    write_to_stderr(fmt::format(
-        "check failed: {} = {:.8g}, wanted {:.8g}: {} {:.2e} > {:.2e}\n", check.text, check.found,
-        check.wanted, check.relative ? "REL" : "ABS", std::abs(check.error), check.tolerance));
+    write_to_stderr(failed_check_text(check) + "\n");
   }
 }
 
