@@ -7,6 +7,9 @@
 # those in which g++ takes the company for a fault (a class with members of an unnamed namespace, a
 # guess about what is not set).
 # So no two sources of a room may give one name in their unnamed namespaces to two things.
+# Rooms are compiled once, for the programs and for the shared library: position independent, and with hidden symbols,
+# so that calls between sources are as direct as in a program.
+option(SPRICKA_LIBRARY "build the shared library for other programs" ON)
 function(spricka_room name)
   cmake_parse_arguments(room "" "" "SOURCES;ALONE;USES;LINKS;HIDES" ${ARGN})
   string(REPLACE "/" "_" name ${name})
@@ -24,6 +27,10 @@ function(spricka_room name)
     endif()
   endforeach()
   set_source_files_properties(${room_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  if(SPRICKA_LIBRARY)
+    set_target_properties(spricka_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden
+                                                     VISIBILITY_INLINES_HIDDEN ON)
+  endif()
   spricka_warnings(spricka_${name})
   spricka_precompiled(spricka_${name} spricka_base)
 endfunction()

@@ -29,9 +29,9 @@ def call(*words, **more):
 
 
 def build_library_example(folder, prefix):
-    """The program of manual/howto/library.md, compiled against what is installed in `prefix`."""
+    """The program of manual/library.md, compiled against what is installed in `prefix`."""
     for name, language in (("k_of_deck.cpp", "cpp"), ("CMakeLists.txt", "cmake")):
-        text = next(b.text for b in blocks_of("howto/library.md") if b.language == language)
+        text = next(b.text for b in blocks_of("library.md") if b.language == language)
         (folder / name).write_text(text, encoding="utf-8")
     call("cmake", "-S", folder, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={prefix}")
     call("cmake", "--build", folder / "build")
