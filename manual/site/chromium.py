@@ -2,6 +2,7 @@
 """A headless Chromium for the manual and for tests, driven by its DevTools protocol through a pipe:
 nothing but Python's own library is needed."""
 
+import base64
 import json
 import os
 import select
@@ -14,6 +15,7 @@ PROGRAM = shutil.which("chromium")
 FLAGS = ("--headless --no-sandbox --disable-gpu --disable-quic --no-first-run --hide-scrollbars "
          "--disable-background-networking --disable-component-update --disable-sync "
          "--disable-extensions --remote-debugging-pipe").split()
+WEBGL = "--use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader".split()  # without a graphics card
 SECONDS = 300.0  # that one answer may take, as a PDF on a busy machine does
 
 
@@ -23,9 +25,9 @@ class BrowserError(Exception):
 
 class Browser:
     """One browser with one page. `errors`: what scripts, the console and loading had to complain of
-    since the last open()."""
+    since the last open(). `webgl`: it draws in space."""
 
-    def __init__(self):
+    def __init__(self, webgl=False):
         self._profile = tempfile.TemporaryDirectory()
         to_browser, self._out = os.pipe()
         self._in, from_browser = os.pipe()
@@ -36,7 +38,7 @@ class Browser:
             os.dup2(writing, 4)
 
         self._child = subprocess.Popen(
-            [PROGRAM, *FLAGS, f"--user-data-dir={self._profile.name}", "about:blank"],
+            [PROGRAM, *FLAGS, *(WEBGL if webgl else ()), f"--user-data-dir={self._profile.name}", "about:blank"],
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
             preexec_fn=hand_over, pass_fds=(3, 4))
         os.close(to_browser)
@@ -135,3 +137,28 @@ class Browser:
         if "exceptionDetails" in result:
             raise BrowserError(result["exceptionDetails"]["exception"]["description"])
         return result["result"].get("value")
+
+    def picture(self, x, y, width, height):
+        """A part of the page as it is seen, PNG; pixels of the window."""
+        self.settle()
+        left, top = self.value("[window.scrollX, window.scrollY]")
+        clip = {"x": left + x, "y": top + y, "width": width, "height": height, "scale": 1}
+        return base64.b64decode(self.call("Page.captureScreenshot", format="png", clip=clip, optimizeForSpeed=True)["data"])
+
+    def settle(self):
+        """Waits until what was changed has been drawn."""
+        self.value("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))")
+
+    def mouse(self, kind, x, y, buttons=0, **more):
+        """Moves ("mouseMoved"), presses, lets go or rolls the mouse at a pixel of the window; `buttons` are held."""
+        button = "left" if kind in ("mousePressed", "mouseReleased") else "none"
+        self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button=button, buttons=buttons,
+                  clickCount=1 if button == "left" else 0, **more)
+
+    def drag(self, begin, end):
+        """The mouse pressed at a pixel, moved to another one, and let go."""
+        self.mouse("mouseMoved", *begin)
+        self.mouse("mousePressed", *begin, buttons=1)
+        for part in (0.3, 0.6, 1.0):
+            self.mouse("mouseMoved", *(a + part * (b - a) for a, b in zip(begin, end)), buttons=1)
+        self.mouse("mouseReleased", *end)

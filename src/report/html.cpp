@@ -12,6 +12,7 @@
 #include "report/topics/notes.hpp"
 #include "report/topics/result_tables.hpp"
 #include "report/topics/sensitivity_tables.hpp"
+#include "report/view/view.hpp"
 
 #include <fmt/format.h>
 
@@ -240,6 +241,7 @@ std::string html_report(const base::SourceTexts& sources, const model::Model& mo
   add_head(page, title, sources, model);
   add_verdict(page, run);
   add_warnings(page, run);
+  page.add_html(view_section(model, run));
   add_cracks(page, model, run);
   add_growth(page, model, run);
   add_tests(page, model, run);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/page.hpp"
 
+#include "report/view/view.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -110,10 +112,11 @@ void HtmlPage::add_figure(const Figure& figure) {
 }
 
 std::string HtmlPage::finish_page(const std::string& title) const {
-  return fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                     "<meta name=\"viewport\" content=\"width=device-width\">\n"
-                     "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
-                     escape_xml(title), style_sheet, body_);
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width\">\n"
+      "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}{}</body>\n</html>\n",
+      escape_xml(title), style_sheet, body_, curve_script(body_));
 }
 
 } // namespace spricka::report

@@ -22,7 +22,7 @@ public:
   void add_table(const ReportTable& table);
   /// Adds drawings with legend and caption under the next figure number.
   void add_figure(const Figure& figure);
-  /// The whole HTML document with style sheet and title.
+  /// The whole HTML document with style sheet and title, and the script for its plots.
   [[nodiscard]] std::string finish_page(const std::string& title) const;
 
 private:

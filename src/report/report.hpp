@@ -67,7 +67,7 @@ std::string listing_text(const base::SourceTexts& sources, const model::Model& m
                          const results::RunResult& run,
                          const std::vector<results::LoadTotal>& loads = {});
 
-/// report.html: one page, inline SVG, no script, no network.
+/// report.html: one page with its pictures, data and scripts in it; no network.
 std::string html_report(const base::SourceTexts& sources, const model::Model& model,
                         const results::RunResult& run,
                         const std::vector<results::LoadTotal>& loads = {});

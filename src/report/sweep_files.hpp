@@ -35,7 +35,7 @@ void write_sweep_csv(const std::filesystem::path& file, const model::Model& mode
 void write_sweep_request_csv(const std::filesystem::path& file, const model::Model& model,
                              const results::SweepResult& sweep);
 
-/// sweep.html: K1 over the swept parameter, table of the points; inline SVG, no script.
+/// sweep.html: K1 over the swept parameter, table of the points; nothing is loaded from elsewhere.
 std::string sweep_page(const base::SourceTexts& sources, const model::Model& model,
                        const results::SweepResult& sweep);
 

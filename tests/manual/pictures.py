@@ -61,6 +61,7 @@ def nested(drawing, x, y, scale, tag):
     width, height = (float(v) for v in SIZE.match(drawing).groups())
     drawing = re.sub(r'\bid="', f'id="{tag}', drawing)
     drawing = re.sub(r"url\(#", f"url(#{tag}", drawing)
+    drawing = re.sub(r' data-[a-z-]+="[^"]*"', "", drawing)  # for the pointer on curves, which has no script here
     head, body = drawing.split(">", 1)
     head = re.sub(r' width="[^"]*"', f' width="{width * scale:.1f}"', head, count=1)
     head = re.sub(r' height="[^"]*"', f' height="{height * scale:.1f}"', head, count=1)

@@ -7,20 +7,16 @@ pictures every fifth; with SPRICKA_FULL=1 all of them, and the PDF.
 """
 
 import os
-import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-TOP = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(TOP / "manual" / "site"))
-from chromium import Browser  # noqa: E402
+from looking import LOOK, TOP, WIDTHS, run
+from chromium import Browser
 
 PROGRAM, FOLDER = Path(sys.argv[1]).resolve(), Path(sys.argv[2])
 FULL = bool(os.environ.get("SPRICKA_FULL"))
-WIDTHS = (1280, 400)
-LOOK = (Path(__file__).parent / "look.js").read_text(encoding="utf-8")
 
 # Text, a deck, printed lines, wide tables, equations, pictures, lists of words: what pages are made of.
 SOME = ["index", "quickstart", "tutorial", "command_line", "cards", "verification", "stability", "glossary",
@@ -46,12 +42,6 @@ $CRACK NAME=C1 A0=4 ANGLE=0
   0  20
 $END
 """
-
-
-def run(*command):
-    done = subprocess.run([str(c) for c in command], text=True, capture_output=True, timeout=600, check=False)
-    if done.returncode != 0:
-        raise AssertionError(f"{command}: {done.returncode}\n{done.stdout}{done.stderr}")
 
 
 class Look(unittest.TestCase):

@@ -14,6 +14,7 @@ from pathlib import Path
 from blocks import MANUAL, blocks_of, pages, setup_of
 from pictures import pictures_of, write_picture
 from reader import NUMBER, VARIES, Reader, same_line, same_number
+from report_view import views_of, write_views
 
 
 def words_of(line):
@@ -105,6 +106,7 @@ def write_page(program, page):
                 write_picture(picture, folder, path.parent)
             except (LookupError, OSError) as error:
                 print(f"{page}: {error}")
+        write_views(text, folder, path.parent)
     if text != path.read_text(encoding="utf-8"):
         path.write_text(text, encoding="utf-8")
         print(f"{page}: numbers changed")
@@ -114,7 +116,8 @@ def main():
     program = Path(sys.argv[1]).resolve()
     chosen = sys.argv[2:]
     if not chosen:
-        chosen = ["../README.md"] + [p for p in pages() if pictures_of((MANUAL / p).read_text(encoding="utf-8"))]
+        texts = {p: (MANUAL / p).read_text(encoding="utf-8") for p in pages()}
+        chosen = ["../README.md"] + [p for p, text in texts.items() if pictures_of(text) or views_of(text)]
     for page in chosen:
         write_page(program, page)
 

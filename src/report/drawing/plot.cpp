@@ -209,6 +209,27 @@ void draw_series(SvgDrawing& svg, const PlotSeries& series, const AxisRange& x,
   }
 }
 
+/// What the pointer on a curve asks for: its name and the numbers of its points.
+std::string curve_attributes(const PlotSeries& series) {
+  std::string points;
+  for (const DrawingPoint& p : series.points) {
+    if (std::isfinite(p.x) && std::isfinite(p.y)) {
+      points += fmt::format("{}{:.6g},{:.6g}", points.empty() ? "" : " ", p.x, p.y);
+    }
+  }
+  return fmt::format(R"(class="curve" data-name="{}" data-points="{}")", escape_xml(series.name),
+                     points);
+}
+
+/// The box of the axes and what they run from and to, of a logarithmic one in powers of ten.
+std::string plot_attributes(const Plot& plot, const AxisRange& x, const AxisRange& y) {
+  return fmt::format(
+      R"(class="plot" data-box="{} {} {} {}" data-x="{} {} {:d}" data-y="{} {} {:d}" )"
+      R"(data-x-name="{}" data-y-name="{}")",
+      x.left, box_top, box_width, box_height, x.low, x.high, x.log, y.low, y.high, y.log,
+      escape_xml(plot.x_name), escape_xml(plot.y_name));
+}
+
 /// Words in lines of at most `letters` bytes; a longer word stands alone.
 std::vector<std::string> wrap(std::string_view words, std::size_t letters) {
   std::vector<std::string> lines{""};
@@ -301,10 +322,14 @@ std::string draw_svg(const Plot& plot) {
                  plot.legend_below ? foot + 6.0 + legend_height(entries)
                                    : std::max(foot, box_top + legend_height(entries)),
                  plot.label);
+  svg.begin_group(plot_attributes(plot, x, y));
   draw_axes(svg, plot, x, y);
   for (const PlotSeries& series : plot.series) {
+    svg.begin_group(curve_attributes(series));
     draw_series(svg, series, x, y);
+    svg.end_group();
   }
+  svg.end_group();
   draw_legend(svg, entries,
               plot.legend_below ? DrawingPoint{x.left, foot + 6.0}
                                 : DrawingPoint{legend_left, box_top});

@@ -191,6 +191,14 @@ void SvgDrawing::clip(std::string_view id, DrawingPoint corner, double width, do
 }
 
 void SvgDrawing::unclip() {
+  end_group();
+}
+
+void SvgDrawing::begin_group(std::string_view attributes) {
+  ((body_ += "<g ") += attributes) += ">\n";
+}
+
+void SvgDrawing::end_group() {
   body_ += "</g>\n";
 }
 

@@ -81,6 +81,9 @@ public:
   /// Until unclip() nothing shows outside the rectangle. `id` is unique on the page.
   void clip(std::string_view id, DrawingPoint corner, double width, double height);
   void unclip();
+  /// Until end_group() all stands in a group with these attributes, which are HTML already.
+  void begin_group(std::string_view attributes);
+  void end_group();
   /// The whole element, readable alone and inside HTML.
   [[nodiscard]] std::string svg_text() const;
 

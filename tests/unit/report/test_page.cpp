@@ -14,6 +14,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <regex>
+
 #include <charconv>
 
 namespace spricka::report::test_page {
@@ -163,8 +165,10 @@ TEST(Plots, WritePowersOfTenAsReadersDo) {
   for (const char* const number : {">1000<", ">10⁶<", ">10⁻⁵<", ">0.01<", ">1<"}) {
     EXPECT_TRUE(contains(drawing, number)) << number;
   }
-  EXPECT_FALSE(contains(drawing, "e+"));
-  EXPECT_FALSE(contains(drawing, "e-0"));
+  const std::string seen =
+      std::regex_replace(drawing, std::regex(R"re( data-[a-z-]+="[^"]*")re"), "");
+  EXPECT_FALSE(contains(seen, "e+"));
+  EXPECT_FALSE(contains(seen, "e-0"));
 }
 
 // All stresses times a factor, displacements as they are: a body that expands freely.

@@ -1,0 +1,20 @@
+# cmake "-DEMBEDDED=name:file;.." -DOUTPUT=source.cpp -P embed_texts.cmake: a C++ source with each file as the string
+# that report/view/embedded.hpp declares.
+set(source "#include \"report/view/embedded.hpp\"\n\nnamespace spricka::report::embedded {\n\n")
+foreach(entry IN LISTS EMBEDDED)
+  string(FIND "${entry}" ":" colon)
+  string(SUBSTRING "${entry}" 0 ${colon} name)
+  math(EXPR colon "${colon} + 1")
+  string(SUBSTRING "${entry}" ${colon} -1 file)
+  file(READ "${file}" text)
+  # These would end or change a <script> that holds the text, or the string below.
+  foreach(mark IN ITEMS "</script" "<!--" ")embedded\"")
+    string(FIND "${text}" "${mark}" found)
+    if(NOT found EQUAL -1)
+      message(FATAL_ERROR "${file} has ${mark} in it, so it cannot stand within a page")
+    endif()
+  endforeach()
+  string(APPEND source "const std::string_view ${name} = R\"embedded(${text})embedded\";\n\n")
+endforeach()
+string(APPEND source "} // namespace spricka::report::embedded\n")
+file(WRITE "${OUTPUT}" "${source}")

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <string_view>
+
+/// Scripts and styles that pages carry within them; the build makes strings of the files
+/// (cmake/embed_texts.cmake).
+namespace spricka::report::embedded {
+
+extern const std::string_view three_library; ///< three.js as Debian ships it
+extern const std::string_view line_geometry; ///< its lines of several pixels, in three parts
+extern const std::string_view line_material;
+extern const std::string_view line_segments;
+
+extern const std::string_view data_script;
+extern const std::string_view surface_script;
+extern const std::string_view camera_script;
+extern const std::string_view colours_script;
+extern const std::string_view scene_script;
+extern const std::string_view panel_script;
+extern const std::string_view view_script;
+extern const std::string_view curves_script;
+extern const std::string_view view_style;
+
+} // namespace spricka::report::embedded

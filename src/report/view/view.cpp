@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/view/view.hpp"
+
+#include "report/drawing/table.hpp"
+#include "report/view/embedded.hpp"
+#include "report/view/view_data.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace spricka::report {
+namespace {
+
+/// Functions of several files, known to each other alone.
+std::string own_script(std::initializer_list<std::string_view> parts) {
+  std::string text = "<script>\n(() => {\n\"use strict\";\n";
+  for (const std::string_view part : parts) {
+    text += part;
+  }
+  return text + "})();\n</script>\n";
+}
+
+} // namespace
+
+std::string view_section(const model::Model& model, const results::RunResult& run) {
+  const ViewData data = make_view_data(model, run);
+  if (data.json.empty()) {
+    return {};
+  }
+  std::string html = fmt::format(
+      "<section id=\"view\" class=\"screen\">\n<h2>View</h2>\n<style>{}</style>\n"
+      "<noscript><p class=\"note\">Without scripts the pictures below are all there is to see."
+      "</p></noscript>\n<p class=\"note\" id=\"view-word\"></p>\n<div id=\"view-stage\"></div>\n",
+      embedded::view_style);
+  if (!data.left_out.empty()) {
+    html += fmt::format("<p class=\"note\">{}</p>\n", escape_xml(data.left_out));
+  }
+  html += "<script type=\"application/json\" id=\"view-data\">" + data.json + "</script>\n";
+  for (const std::string_view part : {embedded::three_library, embedded::line_geometry,
+                                      embedded::line_material, embedded::line_segments}) {
+    ((html += "<script>") += part) += "</script>\n";
+  }
+  html += own_script({embedded::data_script, embedded::surface_script, embedded::camera_script,
+                      embedded::colours_script, embedded::scene_script, embedded::panel_script,
+                      embedded::view_script});
+  return html + "</section>\n";
+}
+
+std::string curve_script(const std::string& page) {
+  return page.find("<g class=\"plot\"") == std::string::npos
+             ? std::string()
+             : own_script({embedded::curves_script});
+}
+
+} // namespace spricka::report

@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The view of reports in a browser that draws in space: no script complains, no text is cut, labels do not overlap;
+it is turned, cut and painted anew, and its picture changes each time; plots tell the numbers of their curves.
+
+test_view.py PROGRAM: one deck; with SPRICKA_FULL=1 ten.
+test_view.py PROGRAM --pictures FOLDER DECK ..: pictures of the reports' views, to be looked at.
+"""
+
+import csv
+import os
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from looking import LOOK, TOP, WIDTHS, run
+from report_view import Browser, Report
+
+PROGRAM = Path(sys.argv[1]).resolve()
+FULL = bool(os.environ.get("SPRICKA_FULL"))
+OVERLAPS = (Path(__file__).parent / "overlaps.js").read_text(encoding="utf-8")
+
+# Bodies in contact with a crack in space; in --full planes and solids, lives, and bodies without a crack, too.
+DECKS = ["lug_slice_crack_solid"]
+MORE = ["lug_single", "lug_corner_crack_solid", "lug_corner_life", "penny_solid", "lug_solid", "edge_crack_life",
+        "link_up", "lame_press_fit", "kirsch"]
+LARGEST = 3_000_000  # bytes of a report of a solid of a few ten thousand unknowns
+
+
+class Views(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = Browser(webgl=True)
+        cls.addClassCleanup(cls.browser.close)
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.runs = Path(folder.name)
+        cls.decks = DECKS + (MORE if FULL else [])
+        for deck in cls.decks:
+            run(PROGRAM, "run", TOP / "decks" / f"{deck}.deck", "--out", cls.runs / deck, "--quiet")
+
+    def page(self, deck):
+        return self.runs / deck / "report.html"
+
+    def each(self, act):
+        """Does it with the report of each deck at both widths; day by day one alone is set and moved."""
+        for deck in self.decks:
+            for width in WIDTHS:
+                with self.subTest(f"{deck} at {width}"):
+                    act(Report(self.browser, self.page(deck), width))
+
+    def assert_changes(self, report, what, act):
+        """The picture after it is not the one before."""
+        before = report.last or report.picture()
+        act()
+        report.last = report.picture()
+        self.assertNotEqual(before, report.last, f"{what} changes nothing")
+
+    def test_nothing_complains_is_cut_or_overlaps(self):
+        def look(report):
+            self.assertTrue(self.browser.value("document.querySelector('.view-works') !== null"), "no view")
+            self.assertEqual([], self.browser.value(LOOK) + self.browser.value(OVERLAPS) + report.errors())
+
+        self.each(look)
+
+    def test_size(self):
+        for deck in self.decks:
+            self.assertLess(self.page(deck).stat().st_size, LARGEST, deck)
+
+    def test_everything_that_is_set_changes_the_picture(self):
+        self.each(self.set_all)
+
+    def move(self, report):
+        left, top, width, height = report.canvas()
+        middle = (left + 0.5 * width, top + 0.5 * height)
+        first = report.last = report.picture()
+        self.assert_changes(report, "dragging", lambda: self.browser.drag(middle, (middle[0] + 60, middle[1] + 25)))
+        self.assert_changes(report, "the wheel", lambda: self.browser.mouse("mouseWheel", *middle, deltaX=0, deltaY=-240))
+        self.browser.mouse("mouseMoved", 1, 1)
+        report.press("reset")
+        report.last = report.picture()
+        self.assertEqual(first, report.last, "reset is not the first picture")
+
+    def set_all(self, report):
+        self.move(report)
+        fields, chosen = report.options("field")
+        for field in fields:
+            if field != chosen:
+                self.assert_changes(report, f"field {field}", lambda: report.set("field", field))
+                chosen = field
+        report.set("field", "1")  # displacement
+        report.last = None
+        for control in ("step", "length"):
+            entries, chosen = report.options(control) if report.has(control) else ([], "")
+            for other in [e for e in entries if e != chosen][:1]:
+                self.assert_changes(report, control, lambda: report.set(control, other))
+                report.set(control, chosen)
+                report.last = None
+        self.assert_changes(report, "displacement", lambda: report.set("displacement", 90))
+        for control, value in (("opening", 100), ("cut-axis", 2), ("cut", 30), ("mark", 0)):
+            if report.has(control):
+                self.assert_changes(report, control, lambda: report.set(control, value))
+        if report.has("cut-axis"):
+            report.set("cut-axis", 0)
+        bodies = self.browser.value("[...document.querySelectorAll('[id^=view-body-]')].map(e => e.id.slice(5))")
+        report.last = None
+        for body in bodies[:1]:
+            self.assert_changes(report, body, lambda: report.set(body, False))
+            self.assert_changes(report, body, lambda: report.set(body, True))
+        self.assert_changes(report, "edges", lambda: report.press("edges"))
+        for control in ("crack", "from-x"):
+            if report.has(control):
+                self.assert_changes(report, control, lambda: report.press(control))
+        self.assertEqual([], report.errors())
+
+    def test_the_pointer_reads_places_and_values(self):
+        def read(report):
+            report.set("field", "1")
+            left, top, width, height = report.canvas()
+            texts = []
+            for part in range(1, 10):  # along a slanted line over the bodies
+                self.browser.mouse("mouseMoved", left + width * part / 10, top + height * (0.3 + 0.04 * part))
+                self.browser.settle()
+                texts.append(report.text("view-tip"))
+            found = [t for t in texts if t]
+            self.assertGreater(len(found), 2, texts)
+            self.assertRegex(found[0], r"node \d+\nat [-\d.e]+, [-\d.e]+.*\ndisplacement [-\d.e]+ \w+")
+
+        self.each(read)
+
+    def test_plots_tell_what_k_csv_has(self):
+        deck = DECKS[0]
+        report = Report(self.browser, self.page(deck), 1280)
+        with (self.runs / deck / "k.csv").open(encoding="utf-8") as file:
+            rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+        known = {(r["step"], f"{float(r['phi'] or r['s']):.6g}", f"{float(r['K1']):.6g}") for r in rows}
+        places = self.browser.value(
+            "(() => { const p = [...document.querySelectorAll('g.plot')].find(p => /^K/.test(p.dataset.yName));"
+            "p.scrollIntoView({ block: 'center' }); return [...p.querySelectorAll('g.curve path')]"
+            ".filter(c => c.parentNode.dataset.name.endsWith('K1')).map(c => { const m = c.getScreenCTM();"
+            "const at = new DOMPoint(...c.getAttribute('d').match(/[-\\d.]+/g).slice(0, 2).map(Number))"
+            ".matrixTransform(m); return [at.x, at.y]; }); })()")
+        self.assertGreater(len(places), 0)
+        for x, y in places:
+            self.browser.mouse("mouseMoved", x + 1, y + 1)
+            name, across, up = report.text("curve-tip").split("\n")
+            number = [words.split(" = ")[1].split(" ")[0] for words in (across, up)]
+            self.assertIn((name.partition(":")[0], *number), known)
+
+
+def take_pictures(folder, decks):
+    """Screens of the views of these decks, at both widths."""
+    folder = Path(folder)
+    with Browser(webgl=True) as browser:
+        for deck in decks:
+            run(PROGRAM, "run", TOP / "decks" / f"{deck}.deck", "--out", folder / deck, "--quiet")
+            for width in WIDTHS:
+                report = Report(browser, folder / deck / "report.html", width)
+                (folder / f"{deck}_{width}.png").write_bytes(report.stage())
+
+
+if __name__ == "__main__":
+    if "--pictures" in sys.argv:
+        take_pictures(sys.argv[3], sys.argv[4:])
+    else:
+        unittest.main(argv=[sys.argv[0], "-v"] + sys.argv[2:])
