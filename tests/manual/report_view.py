@@ -25,6 +25,8 @@ class Report:
         self.last = None  # what picture() was after all that was done
         browser.width(width)
         browser.open(page.as_uri())
+        browser.value("new Promise(done => { const wait = (n) => n === 0 || window.spricka ? done(true) :"
+                      " setTimeout(() => wait(n - 1), 50); wait(400); })")
         browser.settle()
 
     def has(self, control):

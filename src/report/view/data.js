@@ -10,6 +10,12 @@ function bytesOf(text) {
   return bytes;
 }
 
+// The text of an element that was packed by zlib.
+function unpack(id) {
+  const packed = new Blob([bytesOf(document.getElementById(id).textContent)]);
+  return new Response(packed.stream().pipeThrough(new DecompressionStream("deflate"))).text();
+}
+
 // Whole numbers of one, two or four bytes.
 function readCounts(encoded) {
   if ("u8" in encoded) {

@@ -2,10 +2,13 @@
 #include "report/view/encoded_array.hpp"
 
 #include <nlohmann/json.hpp>
+#include <zlib.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <limits>
+#include <system_error>
 
 namespace spricka::report {
 namespace {
@@ -42,6 +45,19 @@ std::string base64_text(std::string_view bytes) {
     }
   }
   return text;
+}
+
+std::string packed_text(std::string_view text) {
+  uLongf size = compressBound(static_cast<uLong>(text.size()));
+  std::string packed(size, '\0');
+  // zlib reads and writes bytes
+  if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
+                reinterpret_cast<const Bytef*>(text.data()), static_cast<uLong>(text.size()),
+                Z_BEST_COMPRESSION) != Z_OK) {
+    throw std::system_error(ENOMEM, std::generic_category(), "zlib");
+  }
+  packed.resize(size);
+  return base64_text(packed);
 }
 
 nlohmann::ordered_json encode_numbers(const std::vector<double>& values) {

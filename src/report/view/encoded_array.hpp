@@ -14,6 +14,10 @@ namespace spricka::report {
 /// The bytes as text, four letters for three of them.
 std::string base64_text(std::string_view bytes);
 
+/// Text packed by zlib, as base64: DecompressionStream of a browser unpacks it. Throws
+/// std::system_error without memory.
+std::string packed_text(std::string_view text);
+
 /// Numbers in 65535 even steps from their least to their largest: {"low", "high", "u16"}; what is
 /// not a number stays none. Of one number alone {"value", "count"}.
 nlohmann::ordered_json encode_numbers(const std::vector<double>& values);

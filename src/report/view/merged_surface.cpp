@@ -4,10 +4,9 @@
 #include "geometry/box.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <span>
+#include <unordered_map>
 
 namespace spricka::report {
 namespace {
@@ -87,7 +86,7 @@ ShownSurface merge_points(const model::Mesh& mesh, const ShownSurface& surface, 
   for (const std::uint32_t p : surface.coincident) {
     fixed[p] = true;
   }
-  std::map<std::array<long long, 4>, std::uint32_t> first; // point of a cube
+  std::unordered_map<std::uint64_t, std::uint32_t> first; // point of a cube
   std::vector<std::uint32_t> merged(surface.node.size(), no_point);
   ShownSurface out = surface;
   out.outline.clear();
@@ -98,8 +97,10 @@ ShownSurface merge_points(const model::Mesh& mesh, const ShownSurface& surface, 
     for (const std::uint32_t p : points) {
       if (merged[p] == no_point) {
         const base::Vec3 d = (mesh.x[surface.node[p].index()] - box.low) / size;
-        const std::array<long long, 4> key{std::llround(d[0]), std::llround(d[1]),
-                                           std::llround(d[2]), surface.body[f]};
+        std::uint64_t key = surface.body[f];
+        for (int c = 0; c < 3; ++c) { // at most 1024 cubes in a row
+          key = (key << 12U) | static_cast<std::uint64_t>(std::llround(d[c]));
+        }
         merged[p] = fixed[p] ? p : first.try_emplace(key, p).first->second;
       }
       if (std::ranges::find(left, merged[p]) == left.end()) {

@@ -9,7 +9,7 @@ namespace spricka::report {
 ShownSurface without_straight_mid_nodes(const model::Mesh& mesh, const ShownSurface& surface);
 
 /// The surface with the points of each of its bodies that lie in one cube made one; `cubes` of them
-/// along the largest extent. Points of crack faces stay. Faces that become a line go.
+/// along the largest extent, at most 1024. Points of crack faces stay. Faces that become a line go.
 ShownSurface merge_points(const model::Mesh& mesh, const ShownSurface& surface, std::size_t cubes);
 
 } // namespace spricka::report

@@ -331,11 +331,30 @@ class BodyScene {
     }
     const hit = hits[0];
     const body = seen.find((candidate) => candidate.mesh === hit.object);
+    if (this.clip && !this.plane && hit.face.normal.dot(this.ray.ray.direction) > 0) {
+      return { body: body.number, inside: true }; // where it is cut
+    }
     const points = [0, 1, 2].map((i) => body.points[3 * hit.faceIndex + i]);
     const corners = points.map((p) => new THREE.Vector3(...this.places.subarray(3 * p, 3 * p + 3)));
     const weights = new THREE.Triangle(...corners).getBarycoord(hit.point, new THREE.Vector3()).toArray();
     const nearest = points[weights.indexOf(Math.max(...weights))];
     const value = this.values ? points.reduce((sum, p, i) => sum + weights[i] * this.values[p], 0) : NaN;
     return { body: body.number, point: nearest, value };
+  }
+
+  // The list and the place in it of what is within ten pixels of the pointer, or null; places as
+  // fronts have them, `seen` says where they are.
+  nearestOf(lists, seen, eye, x, y, width, height) {
+    let best = null;
+    let least = 10;
+    lists.forEach((places, list) => places.forEach((place, at) => {
+      const p = new THREE.Vector3(...seen(place)).project(eye.camera);
+      const d = Math.hypot((p.x - x) * width / 2, (p.y - y) * height / 2);
+      if (d < least) {
+        least = d;
+        best = { list, at };
+      }
+    }));
+    return best;
   }
 }

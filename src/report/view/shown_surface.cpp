@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <span>
 #include <utility>
 
 namespace spricka::report {
@@ -54,31 +54,41 @@ private:
   double step_ = 1.0;
 };
 
-/// Pairs of points at the places that just two nodes of a body share.
+/// Adds what points at one place are to each other, if just two nodes of a body are there: the
+/// partner of a point is the first one of the other node.
+void pair_points(const ShownSurface& surface, std::span<const std::uint32_t> points,
+                 std::vector<std::uint32_t>& pairs) {
+  const base::NodeId first = surface.node[points.front()];
+  const auto is_first = [&](std::uint32_t p) { return surface.node[p] == first; };
+  const auto other = std::ranges::find_if_not(points, is_first);
+  if (other == points.end()) {
+    return;
+  }
+  const base::NodeId second = surface.node[*other];
+  if (std::ranges::all_of(
+          points, [&](std::uint32_t p) { return is_first(p) || surface.node[p] == second; })) {
+    for (const std::uint32_t p : points) {
+      pairs.insert(pairs.end(), {p, is_first(p) ? *other : points.front()});
+    }
+  }
+}
+
 std::vector<std::uint32_t> pair_coincident(const model::Mesh& mesh, const ShownSurface& surface,
                                            const std::vector<std::uint32_t>& body_of_point) {
   const PlaceNumbers places(mesh);
-  std::map<PlaceNumbers::Key, std::vector<std::uint32_t>> at;
+  std::vector<std::pair<PlaceNumbers::Key, std::uint32_t>> sorted;
+  sorted.reserve(surface.node.size());
   for (std::uint32_t p = 0; p < surface.node.size(); ++p) {
-    at[places.key(surface.node[p], body_of_point[p])].push_back(p);
+    sorted.emplace_back(places.key(surface.node[p], body_of_point[p]), p);
   }
+  std::ranges::sort(sorted);
   std::vector<std::uint32_t> pairs;
-  for (const auto& [key, points] : at) {
-    const base::NodeId first = surface.node[points.front()];
-    const auto other =
-        std::ranges::find_if(points, [&](std::uint32_t p) { return surface.node[p] != first; });
-    if (other == points.end()) {
-      continue;
-    }
-    const base::NodeId second = surface.node[*other];
-    const bool two = std::ranges::all_of(points, [&](std::uint32_t p) {
-      return surface.node[p] == first || surface.node[p] == second;
-    });
-    for (const std::uint32_t p : points) {
-      if (two) { // the partner of a point is the first one of the other node
-        pairs.push_back(p);
-        pairs.push_back(surface.node[p] == first ? *other : points.front());
-      }
+  std::vector<std::uint32_t> here;
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    here.push_back(sorted[i].second);
+    if (i + 1 == sorted.size() || sorted[i + 1].first != sorted[i].first) {
+      pair_points(surface, here, pairs);
+      here.clear();
     }
   }
   return pairs;

@@ -3,11 +3,12 @@
 
 #include "report/drawing/table.hpp"
 #include "report/view/embedded.hpp"
+#include "report/view/encoded_array.hpp"
 #include "report/view/view_data.hpp"
 
 #include <fmt/format.h>
 
-#include <array>
+#include <initializer_list>
 
 namespace spricka::report {
 namespace {
@@ -19,6 +20,11 @@ std::string own_script(std::initializer_list<std::string_view> parts) {
     text += part;
   }
   return text + "})();\n</script>\n";
+}
+
+/// What scripts find by its id and unpack; its letters can end no element.
+std::string packed_element(std::string_view id, std::string_view text) {
+  return fmt::format("<script type=\"text/plain\" id=\"{}\">{}</script>\n", id, packed_text(text));
 }
 
 } // namespace
@@ -36,11 +42,14 @@ std::string view_section(const model::Model& model, const results::RunResult& ru
   if (!data.left_out.empty()) {
     html += fmt::format("<p class=\"note\">{}</p>\n", escape_xml(data.left_out));
   }
-  html += "<script type=\"application/json\" id=\"view-data\">" + data.json + "</script>\n";
+  html += packed_element("view-data", data.json);
+  std::string library;
   for (const std::string_view part : {embedded::three_library, embedded::line_geometry,
                                       embedded::line_material, embedded::line_segments}) {
-    ((html += "<script>") += part) += "</script>\n";
+    (library += part) += '\n';
   }
+  html += "<!-- three.js, the drawing library of the view: MIT licence, threejs.org/license -->\n";
+  html += packed_element("view-library", library);
   html += own_script({embedded::data_script, embedded::surface_script, embedded::camera_script,
                       embedded::colours_script, embedded::scene_script, embedded::panel_script,
                       embedded::view_script});

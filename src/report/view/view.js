@@ -278,7 +278,7 @@ class View {
     this.scene.mark.draw(marks.length > 1 ? lists(marks[this.state.mark].fronts) : []);
     if (marks.length > 1) {
       const mark = marks[this.state.mark];
-      const cycles = mark.N === undefined ? "" : `N = ${shortNumber(mark.N)} ${this.data.cycleUnit}s, `;
+      const cycles = mark.N === undefined ? "" : `N = ${shortNumber(mark.N)} ${this.data.cycleUnits}, `;
       this.markWords.textContent = `${cycles}a = ${shortNumber(mark.a)} ${this.data.lengthUnit}`;
     }
   }
@@ -371,25 +371,48 @@ class View {
     this.parts.tip.hidden = true;
   }
 
-  // Net, node, place and value under the pointer.
+  // K of a front's point, or net, node, place and value of a body, under the pointer.
   tell(at) {
     const { clientWidth: width, clientHeight: height } = this.parts.canvas;
-    const hit = this.scene.pick(this.eye, 2 * at.x / width - 1, 1 - 2 * at.y / height);
+    const [x, y] = [2 * at.x / width - 1, 1 - 2 * at.y / height];
+    const lines = this.wordsOfFront(x, y, width, height) || this.wordsOfBody(this.scene.pick(this.eye, x, y));
+    const tip = this.parts.tip;
+    tip.hidden = !lines;
+    if (lines) {
+      tip.replaceChildren(...lines.filter(Boolean).map((words) => element("div", { textContent: words })));
+      const left = at.x + 14 + tip.offsetWidth > width ? Math.max(0, at.x - 14 - tip.offsetWidth) : at.x + 14;
+      const top = at.y + 14 + tip.offsetHeight > height ? Math.max(0, at.y - 14 - tip.offsetHeight) : at.y + 14;
+      Object.assign(tip.style, { left: `${left}px`, top: `${top}px` });
+    }
+  }
+
+  wordsOfFront(x, y, width, height) {
+    const fronts = this.length.fronts;
+    const seen = (place) => this.scene.seenPlace(place, this.step.u, this.factor);
+    const hit = this.scene.nearestOf(fronts.map((front) => front.x), seen, this.eye, x, y, width, height);
     if (!hit) {
-      this.hideTip();
-      return;
+      return null;
+    }
+    const front = fronts[hit.list];
+    const K = this.step.raw.K1[hit.list][hit.at];
+    return [front.x.length > 1 ? `${front.name}, point ${hit.at + 1}` : front.name,
+      `at ${this.placeWords(front.x[hit.at])}`,
+      K === null ? "K here depends on the mesh" : `K₁ ${shortNumber(K)} ${this.data.kUnit}`];
+  }
+
+  placeWords(x) {
+    return `${[...x].slice(0, this.data.dim).map(shortNumber).join(", ")} ${this.data.lengthUnit}`;
+  }
+
+  wordsOfBody(hit) {
+    if (!hit || hit.inside) {
+      return hit && [`${this.bodyName(hit.body)}, cut`];
     }
     const { surface } = this.length;
-    const x = [...surface.x.subarray(3 * hit.point, 3 * hit.point + this.data.dim)].map(shortNumber);
-    const value = this.scene.values
-      ? `${this.field.name} ${Number.isFinite(hit.value) ? `${shortNumber(hit.value)} ${this.field.unit}` : "not known here"}` : "";
-    const lines = [`${this.bodyName(hit.body)}, node ${surface.label[hit.point]}`, `at ${x.join(", ")} ${this.data.lengthUnit}`, value];
-    const tip = this.parts.tip;
-    tip.replaceChildren(...lines.filter(Boolean).map((words) => element("div", { textContent: words })));
-    tip.hidden = false;
-    const left = at.x + 14 + tip.offsetWidth > width ? Math.max(0, at.x - 14 - tip.offsetWidth) : at.x + 14;
-    const top = at.y + 14 + tip.offsetHeight > height ? Math.max(0, at.y - 14 - tip.offsetHeight) : at.y + 14;
-    Object.assign(tip.style, { left: `${left}px`, top: `${top}px` });
+    const value = Number.isFinite(hit.value) ? `${shortNumber(hit.value)} ${this.field.unit}` : "not known here";
+    return [`${this.bodyName(hit.body)}, node ${surface.label[hit.point]}`,
+      `at ${this.placeWords(surface.x.subarray(3 * hit.point, 3 * hit.point + 3))}`,
+      this.scene.values ? `${this.field.name} ${value}` : ""];
   }
 }
 
@@ -399,17 +422,30 @@ function contextOf(canvas) {
   return canvas.getContext("webgl2", wanted) || canvas.getContext("webgl", wanted);
 }
 
-function begin() {
+// three.js, which runs as soon as it stands in the page.
+async function loadLibrary() {
+  document.head.append(element("script", { textContent: await unpack("view-library") }));
+}
+
+function stayStill(why) {
+  document.getElementById("view-stage").remove();
+  document.getElementById("view-word").textContent = `${why}: the pictures of this page are still.`;
+}
+
+async function begin() {
+  if (typeof DecompressionStream === "undefined") {
+    stayStill("This browser is too old for the view");
+    return;
+  }
   const stage = document.getElementById("view-stage");
-  const data = JSON.parse(document.getElementById("view-data").textContent);
   const parts = makeStage(stage, "The bodies, to be turned; the pictures of this page show the same");
   const context = contextOf(parts.canvas);
   if (!context) {
-    stage.remove();
-    document.getElementById("view-word").textContent =
-      "This browser does not draw in space (WebGL): the pictures below are still.";
+    stayStill("This browser does not draw in space (WebGL)");
     return;
   }
+  await loadLibrary();
+  const data = JSON.parse(await unpack("view-data"));
   stage.classList.add("view-works");
   window.spricka = { view: new View(data, stage, parts, context) };
 }

@@ -240,17 +240,6 @@ Json encode_field_names(const model::Model& model) {
   return fields;
 }
 
-/// JSON in which nothing ends a <script>; `<` stands within strings alone.
-std::string script_text(const Json& data) {
-  const std::string text = data.dump(-1, ' ', false, Json::error_handler_t::replace);
-  std::string out;
-  out.reserve(text.size());
-  for (const char c : text) {
-    c == '<' ? out += "\\u003c" : out += c;
-  }
-  return out;
-}
-
 } // namespace
 
 ViewData make_view_data(const model::Model& model, const results::RunResult& run,
@@ -276,14 +265,14 @@ ViewData make_view_data(const model::Model& model, const results::RunResult& run
   const Json data{{"dim", last.increment->mesh.dim},
                   {"lengthUnit", model.units.length_name},
                   {"kUnit", typeset_unit(model.units.stress_intensity_name())},
-                  {"cycleUnit", run.growth ? run.growth->unit : std::string()},
+                  {"cycleUnits", run.growth && run.growth->unit == "pass" ? "passes" : "cycles"},
                   {"colours", std::move(colours)},
                   {"bodies", std::move(bodies)},
                   {"fields", encode_field_names(model)},
                   {"startStep", last.increment->steps[start].step},
                   {"marks", encode_marks(run)},
                   {"lengths", std::move(lengths)}};
-  return {.json = script_text(data),
+  return {.json = data.dump(-1, ' ', false, Json::error_handler_t::replace),
           .left_out = chosen.without.empty()
                           ? std::string()
                           : fmt::format("To keep the page small the view is without {}.",

@@ -14,8 +14,8 @@ struct ViewData {
   std::string left_out; ///< what of the results it has not, in a sentence; empty: it has all
 };
 
-/// Letters that the data of a page take at most, about: what is more is left out, first steps, then
-/// lengths, then points are merged.
+/// Letters that the data of a page take at most before they are packed, about: what is more is left
+/// out, first steps, then lengths, then points are merged.
 inline constexpr std::size_t view_budget = 1400000;
 
 /// Surfaces, fields, fronts and marks of a run's lengths and steps for data.js.

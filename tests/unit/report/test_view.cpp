@@ -4,6 +4,7 @@
 #include "report/view/encoded_array.hpp"
 #include "report/view/merged_surface.hpp"
 #include "report/view/start_step.hpp"
+#include "report/view/view.hpp"
 #include "report/view/view_data.hpp"
 #include "sample.hpp"
 
@@ -81,12 +82,13 @@ TEST(ViewData, LeavesOutStepsThenLengthsThenDetailAndSaysSo) {
   EXPECT_EQ(met, order.size()) << "not said: " << order[std::min(met, order.size() - 1)];
 }
 
-TEST(ViewData, HasNoNameThatEndsAScript) {
+TEST(ViewSection, HasNoNameThatEndsAScript) {
   test::Sample sample = test::make_sample();
   sample.model.nets[0].name = "</SCRIPT><B>";
-  const ViewData data = make_view_data(sample.model, sample.run);
-  EXPECT_EQ(data.json.find('<'), std::string::npos);
-  EXPECT_NE(data.json.find("\\u003c/SCRIPT>"), std::string::npos);
+  const std::string section = view_section(sample.model, sample.run);
+  EXPECT_NE(section.find("id=\"view-data\""), std::string::npos);
+  EXPECT_EQ(section.find("SCRIPT>"), std::string::npos);
+  EXPECT_NE(make_view_data(sample.model, sample.run).json.find("</SCRIPT>"), std::string::npos);
 }
 
 } // namespace
