@@ -16,6 +16,8 @@ FLAGS = ("--headless --no-sandbox --disable-gpu --disable-quic --no-first-run --
          "--disable-background-networking --disable-component-update --disable-sync "
          "--disable-extensions --remote-debugging-pipe").split()
 WEBGL = "--use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader".split()  # without a graphics card
+NO_WEBGL = ["--disable-3d-apis"]
+SLOW = "GPU stall due to ReadPixels"  # as a picture of the page is taken: not the page's fault
 SECONDS = 300.0  # that one answer may take, as a PDF on a busy machine does
 
 
@@ -27,7 +29,7 @@ class Browser:
     """One browser with one page. `errors`: what scripts, the console and loading had to complain of
     since the last open(). `webgl`: it draws in space."""
 
-    def __init__(self, webgl=False):
+    def __init__(self, webgl=True):
         self._profile = tempfile.TemporaryDirectory()
         to_browser, self._out = os.pipe()
         self._in, from_browser = os.pipe()
@@ -38,7 +40,7 @@ class Browser:
             os.dup2(writing, 4)
 
         self._child = subprocess.Popen(
-            [PROGRAM, *FLAGS, *(WEBGL if webgl else ()), f"--user-data-dir={self._profile.name}", "about:blank"],
+            [PROGRAM, *FLAGS, *(WEBGL if webgl else NO_WEBGL), f"--user-data-dir={self._profile.name}", "about:blank"],
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
             preexec_fn=hand_over, pass_fds=(3, 4))
         os.close(to_browser)
@@ -110,7 +112,8 @@ class Browser:
             self.errors.append(" ".join(str(a.get("value", a.get("description"))) for a in params["args"]))
         elif method == "Log.entryAdded" and params["entry"]["level"] in ("error", "warning"):
             entry = params["entry"]
-            self.errors.append(f"{entry['text']} {entry.get('url', '')}")
+            if SLOW not in entry["text"]:
+                self.errors.append(f"{entry['text']} {entry.get('url', '')}")
         elif method == "Network.loadingFailed" and not params.get("canceled"):
             self.errors.append(f"not loaded: {params['errorText']}")
 

@@ -25,7 +25,7 @@ class Report:
         self.last = None  # what picture() was after all that was done
         browser.width(width)
         browser.open(page.as_uri())
-        browser.value("new Promise(done => { const wait = (n) => n === 0 || window.spricka ? done(true) :"
+        browser.value("new Promise(done => { const wait = (n) => n === 0 || window.spricka || document.getElementById('view-word').textContent ? done(true) :"
                       " setTimeout(() => wait(n - 1), 50); wait(400); })")
         browser.settle()
 
@@ -67,10 +67,6 @@ class Report:
         """What an element says; empty if it is hidden."""
         return self.browser.value(f"(e => e.hidden ? '' : e.innerText)(document.getElementById('{name}'))")
 
-    def errors(self):
-        """What the browser complains of; that pixels of a picture are read slowly, as here, is none of it."""
-        return [e for e in self.browser.errors if "GPU stall due to ReadPixels" not in e]
-
     def press(self, control):
         self.browser.value(f"(e => {{ e.focus(); e.click(); }})(document.getElementById('view-{control}'))")
 
@@ -85,7 +81,7 @@ def write_views(text, folder, page_folder):
     views = views_of(text)
     if not views:
         return
-    with Browser(webgl=True) as browser:
+    with Browser() as browser:
         for name, controls, file in views:
             report = Report(browser, Path(folder) / name, 1060)
             for control in controls:

@@ -31,7 +31,7 @@ LARGEST = 3_000_000  # bytes of a report of a solid of a few ten thousand unknow
 class Views(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.browser = Browser(webgl=True)
+        cls.browser = Browser()
         cls.addClassCleanup(cls.browser.close)
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
@@ -60,9 +60,15 @@ class Views(unittest.TestCase):
     def test_nothing_complains_is_cut_or_overlaps(self):
         def look(report):
             self.assertTrue(self.browser.value("document.querySelector('.view-works') !== null"), "no view")
-            self.assertEqual([], self.browser.value(LOOK) + self.browser.value(OVERLAPS) + report.errors())
+            self.assertEqual([], self.browser.value(LOOK) + self.browser.value(OVERLAPS) + self.browser.errors)
 
         self.each(look)
+
+    def test_without_webgl_a_word_says_why_pictures_are_still(self):
+        with Browser(webgl=False) as browser:
+            report = Report(browser, self.page(self.decks[0]), 1280)
+            self.assertIn("WebGL", report.text("view-word"))
+            self.assertEqual([], browser.errors)
 
     def test_size(self):
         for deck in [d for d in self.decks if d.endswith("_solid")]:
@@ -112,7 +118,7 @@ class Views(unittest.TestCase):
         for control in ("crack", "from-x"):
             if report.has(control):
                 self.assert_changes(report, control, lambda: report.press(control))
-        self.assertEqual([], report.errors())
+        self.assertEqual([], self.browser.errors)
 
     def test_the_pointer_reads_places_and_values(self):
         def read(report):
@@ -153,7 +159,7 @@ class Views(unittest.TestCase):
 def take_pictures(folder, decks):
     """Screens of the views of these decks, at both widths."""
     folder = Path(folder)
-    with Browser(webgl=True) as browser:
+    with Browser() as browser:
         for deck in decks:
             run(PROGRAM, "run", TOP / "decks" / f"{deck}.deck", "--out", folder / deck, "--quiet")
             for width in WIDTHS:
