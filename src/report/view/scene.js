@@ -4,6 +4,7 @@
 const tints = ["#b4c7dd", "#e3cda6", "#b5d3b8", "#d3bad3", "#c9c9c9"];
 const frontColour = 0xd55e00;
 const markColour = 0x0072b2;
+const chosenColour = 0x7b1fa2;
 
 // Copies the places of points into an attribute.
 function fillPlaces(attribute, points, places) {
@@ -208,7 +209,7 @@ class BodyScene {
     this.texture = bandTexture(data.colours);
     this.fronts = new Strokes(frontColour, 4, 0.45, 2002);
     this.marks = new Strokes(markColour, 1.5, 0.5, 2000);
-    this.mark = new Strokes(markColour, 4, 0.7, 2001);
+    this.mark = new Strokes(chosenColour, 4, 0.8, 2001);
     this.pressed = new THREE.Group(); // values along edges of plane bodies
     this.scene.add(this.fronts.group, this.marks.group, this.mark.group, this.pressed);
     this.bodies = [];
@@ -222,7 +223,7 @@ class BodyScene {
       body.group.traverse((part) => part.geometry && part.geometry.dispose());
     }
     this.surface = surface;
-    this.followed = new Map(); // places of fronts -> the points they move with
+    this.anchors = new Map(); // places of fronts -> what they move with
     const normals = surface.cornerNormals();
     const numbers = [...new Set(surface.body)].sort((a, b) => a - b);
     this.bodies = numbers.map((number) => new Body(surface, normals, number, this.plane));
@@ -235,12 +236,12 @@ class BodyScene {
     this.depth = largestNorm(places.map((v, i) => v - this.surface.centre[i % 3]));
   }
 
-  // Where a place of a front is seen: it moves with the nearest point.
+  // Where a place of a front is seen: it moves with the surface.
   seenPlace(place, u, factor) {
-    if (!this.followed.has(place)) {
-      this.followed.set(place, this.surface.nearestPoint(place));
+    if (!this.anchors.has(place)) {
+      this.anchors.set(place, this.surface.anchorOf(place));
     }
-    return this.surface.follow(place, this.followed.get(place), u, factor);
+    return this.surface.follow(place, this.anchors.get(place), u, factor);
   }
 
   paint(values, scale) {

@@ -206,6 +206,19 @@ class Surface {
       size: Math.hypot(...low.map((v, c) => high[c] - v)) } : null;
   }
 
+  // Triangles by a point that they have.
+  trianglesAt(point) {
+    if (!this.trianglesOfPoints) {
+      this.trianglesOfPoints = new Map();
+      this.triangles.forEach((p, i) => {
+        const list = this.trianglesOfPoints.get(p) || [];
+        list.push((i / 3) | 0);
+        this.trianglesOfPoints.set(p, list);
+      });
+    }
+    return this.trianglesOfPoints.get(point) || [];
+  }
+
   // The point that is nearest to a place, of crack faces where there are some.
   nearestPoint(place) {
     let best = 0;
@@ -224,10 +237,30 @@ class Surface {
     return best;
   }
 
-  // Where a place that moves with a point is seen.
-  follow(place, point, u, factor) {
-    const other = this.partner[point];
-    return place.map((v, c) => v + 0.5 * factor * (u[3 * point + c] + u[3 * other + c]));
+  // What a place of a front moves with: three points and their weights, those of the nearest place
+  // of the surface.
+  anchorOf(place) {
+    const at = new THREE.Vector3(...place);
+    const corner = (p) => new THREE.Vector3(...this.x.subarray(3 * p, 3 * p + 3));
+    let best = null;
+    let least = Infinity;
+    for (const t of this.trianglesAt(this.nearestPoint(place))) {
+      const points = [...this.triangles.subarray(3 * t, 3 * t + 3)];
+      const triangle = new THREE.Triangle(...points.map(corner));
+      const foot = triangle.closestPointToPoint(at, new THREE.Vector3());
+      const distance = foot.distanceToSquared(at);
+      if (distance < least) {
+        least = distance;
+        best = { points, weights: triangle.getBarycoord(foot, new THREE.Vector3()).toArray() };
+      }
+    }
+    return best;
+  }
+
+  // Where a place with that anchor is seen: between the faces of a crack.
+  follow(place, anchor, u, factor) {
+    return place.map((v, c) => v + 0.5 * factor * anchor.points.reduce((sum, p, i) =>
+      sum + anchor.weights[i] * (u[3 * p + c] + u[3 * this.partner[p] + c]), 0));
   }
 }
 

@@ -315,12 +315,14 @@ class View {
     this.eye.fit(corners, slantedAgainst(this.wayOfGrowth()), 1);
   }
 
+  // Round the fronts of all lengths.
   frontBox() {
-    const places = this.length.fronts.flatMap((front) => front.x);
+    const all = [...this.length.fronts, ...this.data.marks.flatMap((mark) => mark.fronts)];
+    const places = all.flatMap((front) => front.x);
     const low = [0, 1, 2].map((c) => Math.min(...places.map((x) => x[c])));
     const high = [0, 1, 2].map((c) => Math.max(...places.map((x) => x[c])));
     const size = Math.hypot(...low.map((v, c) => high[c] - v));
-    return { centre: low.map((v, c) => 0.5 * (v + high[c])), size: size || 0.05 * this.length.surface.size };
+    return { centre: low.map((v, c) => 0.5 * (v + high[c])), size: Math.max(size, 0.05 * this.length.surface.size) };
   }
 
   key(event) {
