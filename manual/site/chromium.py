@@ -30,7 +30,7 @@ class Browser:
     since the last open(). `webgl`: it draws in space."""
 
     def __init__(self, webgl=True):
-        self._profile = tempfile.TemporaryDirectory()
+        self._profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         to_browser, self._out = os.pipe()
         self._in, from_browser = os.pipe()
 
@@ -71,7 +71,7 @@ class Browser:
             self._child.wait()
         os.close(self._in)
         os.close(self._out)
-        shutil.rmtree(self._profile.name, ignore_errors=True)
+        self._profile.cleanup()
 
     def _read(self, deadline):
         while b"\0" not in self._rest:

@@ -20,7 +20,7 @@ FULL = bool(os.environ.get("SPRICKA_FULL"))
 
 # Text, a deck, printed lines, wide tables, equations, pictures, lists of words: what pages are made of.
 SOME = ["index", "quickstart", "tutorial", "command_line", "cards", "verification", "stability", "glossary",
-        "solid_crack", "theory/estimate", "gallery/index", "gallery/penalty", "howto/symmetry"]
+        "solid_crack", "view", "theory/estimate", "gallery/index", "gallery/penalty", "howto/symmetry"]
 
 # A crack on both sides of a bore, a life, a front in space, a path of loads, a spectrum.
 DECKS = ["lug_single", "lug_spectrum", "surface_crack_solid", "lug_load_path"]

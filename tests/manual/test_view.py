@@ -64,6 +64,13 @@ class Views(unittest.TestCase):
 
         self.each(look)
 
+    def test_paper_has_the_still_pictures_alone(self):
+        Report(self.browser, self.page(self.decks[0]), 1280)
+        self.browser.call("Emulation.setEmulatedMedia", media="print")
+        shown = self.browser.value("['#view', 'figure svg'].map(e => document.querySelector(e).getClientRects().length > 0)")
+        self.browser.call("Emulation.setEmulatedMedia", media="")
+        self.assertEqual([False, True], shown)
+
     def test_without_webgl_a_word_says_why_pictures_are_still(self):
         with Browser(webgl=False) as browser:
             report = Report(browser, self.page(self.decks[0]), 1280)

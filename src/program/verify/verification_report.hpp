@@ -10,7 +10,7 @@
 
 namespace spricka::program {
 
-/// verification.html: one page without script or network, in the style of report.html.
+/// verification.html: one page that needs no network, in the style of report.html.
 std::string verification_page(const Verification& verification,
                               const std::vector<BenchmarkProblem>& problems,
                               const std::optional<VerificationComparison>& comparison);

@@ -84,8 +84,7 @@ function listen(svg, tip) {
       mark.setAttribute("visibility", "hidden");
     }
   };
-  svg.addEventListener("pointerleave", hide);
-  svg.addEventListener("pointermove", (event) => {
+  const show = (event) => {
     points = points || pointsOf(plot);
     mark = mark || makeMark(plot);
     const place = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
@@ -99,7 +98,10 @@ function listen(svg, tip) {
     mark.setAttribute("cy", best.down);
     mark.setAttribute("visibility", "visible");
     showTip(tip, wordsOf(plot, best), event);
-  });
+  };
+  svg.addEventListener("pointermove", show);
+  svg.addEventListener("pointerdown", show); // a finger does not move before
+  svg.addEventListener("pointerleave", hide);
 }
 
 const plots = [...document.querySelectorAll("svg")].filter((svg) => svg.querySelector("g.plot"));
