@@ -146,7 +146,8 @@ class Browser:
         self.settle()
         left, top = self.value("[window.scrollX, window.scrollY]")
         clip = {"x": left + x, "y": top + y, "width": width, "height": height, "scale": 1}
-        return base64.b64decode(self.call("Page.captureScreenshot", format="png", clip=clip, optimizeForSpeed=True)["data"])
+        picture = self.call("Page.captureScreenshot", format="png", clip=clip, optimizeForSpeed=True)
+        return base64.b64decode(picture["data"])
 
     def settle(self):
         """Waits until what was changed has been drawn."""

@@ -25,8 +25,9 @@ class Report:
         self.last = None  # what picture() was after all that was done
         browser.width(width)
         browser.open(page.as_uri())
-        browser.value("new Promise(done => { const wait = (n) => n === 0 || window.spricka || document.getElementById('view-word').textContent ? done(true) :"
-                      " setTimeout(() => wait(n - 1), 50); wait(400); })")
+        browser.value("new Promise(done => { const wait = (n) => n === 0 || window.spricka ||"
+                      " document.getElementById('view-word').textContent ? done(true)"
+                      " : setTimeout(() => wait(n - 1), 50); wait(400); })")
         browser.settle()
 
     def has(self, control):
@@ -51,7 +52,8 @@ class Report:
             "const b = e.getBoundingClientRect(); return [b.left, b.top, b.width, b.height]; })()")
 
     def set(self, control, value):
-        """A form element gets a value, as by a hand: True and False tick boxes, lists take the words of an entry too."""
+        """A form element gets a value, as by a hand: True and False tick boxes, lists take the words of an entry
+        too."""
         assign = (f"e.checked = {str(value).lower()}" if isinstance(value, bool) else
                   f"e.value = ([...(e.options || [])].find(o => o.text === '{value}') || {{ value: '{value}' }}).value")
         self.browser.value(f"(() => {{ const e = document.getElementById('view-{control}'); {assign};"

@@ -67,7 +67,8 @@ class Views(unittest.TestCase):
     def test_paper_has_the_still_pictures_alone(self):
         Report(self.browser, self.page(self.decks[0]), 1280)
         self.browser.call("Emulation.setEmulatedMedia", media="print")
-        shown = self.browser.value("['#view', 'figure svg'].map(e => document.querySelector(e).getClientRects().length > 0)")
+        shown = self.browser.value(
+            "['#view', 'figure svg'].map(e => document.querySelector(e).getClientRects().length > 0)")
         self.browser.call("Emulation.setEmulatedMedia", media="")
         self.assertEqual([False, True], shown)
 
@@ -89,7 +90,8 @@ class Views(unittest.TestCase):
         middle = (left + 0.5 * width, top + 0.5 * height)
         first = report.last = report.picture()
         self.assert_changes(report, "dragging", lambda: self.browser.drag(middle, (middle[0] + 60, middle[1] + 25)))
-        self.assert_changes(report, "the wheel", lambda: self.browser.mouse("mouseWheel", *middle, deltaX=0, deltaY=-240))
+        self.assert_changes(report, "the wheel",
+                            lambda: self.browser.mouse("mouseWheel", *middle, deltaX=0, deltaY=-240))
         self.browser.mouse("mouseMoved", 1, 1)
         report.press("reset")
         report.last = report.picture()

@@ -54,7 +54,8 @@ function makeTip() {
 
 function makeMark(plot) {
   const mark = document.createElementNS("http://www.w3.org/2000/svg", "circle");
-  for (const [key, value] of Object.entries({ r: 5, fill: "none", stroke: "#000", "stroke-width": 1.6, visibility: "hidden" })) {
+  const ring = { r: 5, fill: "none", stroke: "#000", "stroke-width": 1.6, visibility: "hidden" };
+  for (const [key, value] of Object.entries(ring)) {
     mark.setAttribute(key, value);
   }
   plot.append(mark);

@@ -17,6 +17,7 @@ extern const std::string_view camera_script;
 extern const std::string_view colours_script;
 extern const std::string_view scene_script;
 extern const std::string_view panel_script;
+extern const std::string_view readings_script;
 extern const std::string_view view_script;
 extern const std::string_view curves_script;
 extern const std::string_view view_style;

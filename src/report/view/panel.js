@@ -42,7 +42,8 @@ function makeStage(stage, label) {
   const canvas = element("canvas", { id: "view-canvas", tabIndex: 0 });
   canvas.setAttribute("role", "img");
   canvas.setAttribute("aria-label", label);
-  const axes = svgElement("svg", { class: "view-axes", width: 66, height: 66, viewBox: "-42 -42 84 84", "aria-hidden": "true" });
+  const axes = svgElement("svg", { class: "view-axes", width: 66, height: 66, viewBox: "-42 -42 84 84",
+    "aria-hidden": "true" });
   const tip = element("div", { id: "view-tip", className: "view-tip", hidden: true });
   const bar = svgElement("svg", { id: "view-bar", "aria-label": "values of the colours", role: "img" });
   const field = element("div", { id: "view-field-name", className: "view-field-name" });

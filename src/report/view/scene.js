@@ -84,7 +84,8 @@ class Body {
       stencilFunc: THREE.NotEqualStencilFunc, stencilFail: THREE.ReplaceStencilOp,
       stencilZFail: THREE.ReplaceStencilOp, stencilZPass: THREE.ReplaceStencilOp }));
     cap.onAfterRender = (renderer) => renderer.clearStencil();
-    this.counters = [count(THREE.BackSide, THREE.IncrementWrapStencilOp), count(THREE.FrontSide, THREE.DecrementWrapStencilOp)];
+    this.counters = [count(THREE.BackSide, THREE.IncrementWrapStencilOp),
+      count(THREE.FrontSide, THREE.DecrementWrapStencilOp)];
     this.cap = cap;
     [...this.counters, cap].forEach((part, i) => {
       part.renderOrder = 10 * this.number + (i < 2 ? 1 : 2);

@@ -52,7 +52,7 @@ std::string view_section(const model::Model& model, const results::RunResult& ru
   html += packed_element("view-library", library);
   html += own_script({embedded::data_script, embedded::surface_script, embedded::camera_script,
                       embedded::colours_script, embedded::scene_script, embedded::panel_script,
-                      embedded::view_script});
+                      embedded::readings_script, embedded::view_script});
   return html + "</section>\n";
 }
 

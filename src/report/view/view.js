@@ -22,8 +22,7 @@ class View {
     this.resize();
     this.home();
     new ResizeObserver(() => this.resize()).observe(parts.screen);
-    parts.canvas.addEventListener("pointermove", (event) => this.readLater(event));
-    parts.canvas.addEventListener("pointerleave", () => this.hideTip());
+    this.readings = new Readings(this);
     parts.canvas.addEventListener("keydown", (event) => this.key(event));
   }
 
@@ -60,10 +59,12 @@ class View {
     add(row("Step", this.stepChoice = choice("view-step", [], (step) => this.set({ step, range: null }))));
     add(this.colourRow());
     this.factorWords = element("output");
-    add(row("Displacements", slider("view-displacement", this.state.displacement, (displacement) => this.set({ displacement })), this.factorWords));
+    add(row("Displacements", slider("view-displacement", this.state.displacement,
+      (displacement) => this.set({ displacement })), this.factorWords));
     if (this.lengths.some((length) => length.raw.coincident && Object.values(length.raw.coincident)[0] !== "")) {
       this.openingWords = element("output");
-      add(row("Crack faces", slider("view-opening", this.state.opening, (opening) => this.set({ opening })), this.openingWords));
+      add(row("Crack faces", slider("view-opening", this.state.opening,
+        (opening) => this.set({ opening })), this.openingWords));
     }
     if (this.data.dim === 3) {
       add(this.cutRow());
@@ -103,7 +104,8 @@ class View {
   }
 
   cutRow() {
-    const select = choice("view-cut-axis", ["none", "x", "y", "z"], (axis) => this.set({ axis, side: this.farSide(axis - 1) }));
+    const select = choice("view-cut-axis", ["none", "x", "y", "z"],
+      (axis) => this.set({ axis, side: this.farSide(axis - 1) }));
     select.setAttribute("aria-label", "axis of the cut");
     const where = slider("view-cut", this.state.cut, (cut) => this.set({ cut }));
     where.setAttribute("aria-label", "place of the cut");
@@ -114,10 +116,11 @@ class View {
   bodyBoxes() {
     const name = (number) => this.data.bodies[number] || (this.data.bodies.length > 1 ? `body ${number + 1}` : "body");
     const numbers = [...new Set(this.length.surface.body)].sort((a, b) => a - b);
-    const boxes = numbers.length < 2 ? [] : numbers.map((number) => box(`view-body-${number}`, name(number), true, (on) => {
+    const toggle = (number) => box(`view-body-${number}`, name(number), true, (on) => {
       this.state.hidden[on ? "delete" : "add"](number);
       this.refresh();
-    }));
+    });
+    const boxes = numbers.length < 2 ? [] : numbers.map(toggle);
     this.bodyName = name;
     return element("div", { className: "view-boxes" }, ...boxes,
       box("view-edges", "element edges", this.state.edges, (edges) => this.set({ edges })));
@@ -127,8 +130,8 @@ class View {
     const look = (axis) => button(`view-from-${axis}`, axis, `look from ${axis}`, () => this.eye.lookFrom(views[axis]));
     const near = this.length.fronts.length > 0
       ? [button("view-crack", "crack", "look at the crack", () => this.lookAtCrack())] : [];
-    return element("div", { className: "view-buttons" }, button("view-reset", "reset", "as at first", () => this.home()), ...near,
-      ...(this.data.dim === 3 ? Object.keys(views).map(look) : []));
+    return element("div", { className: "view-buttons" },
+      button("view-reset", "reset", "as at first", () => this.home()), ...near, ...(this.data.dim === 3 ? Object.keys(views).map(look) : []));
   }
 
   addMarks() {
@@ -169,9 +172,11 @@ class View {
 
   // A surface is shown, with its steps to choose from.
   showLength() {
-    const name = this.stepChoice.options.length > 0 ? this.stepChoice.selectedOptions[0].textContent : this.data.startStep;
+    const before = this.stepChoice.selectedOptions[0];
+    const name = before ? before.textContent : this.data.startStep;
     const names = this.length.steps.map((step) => step.name);
-    this.stepChoice.replaceChildren(...names.map((words, i) => element("option", { value: String(i), textContent: words })));
+    const option = (words, i) => element("option", { value: String(i), textContent: words });
+    this.stepChoice.replaceChildren(...names.map(option));
     this.state.step = Math.max(0, names.indexOf(name));
     this.stepChoice.value = String(this.state.step);
     this.stepChoice.disabled = names.length < 2;
@@ -213,14 +218,16 @@ class View {
     this.scene.show(this.state.hidden, this.state.edges);
     this.scene.cut(this.cutPlane(surface));
     this.drawFronts(factor);
-    this.parts.place.textContent = [`step ${this.step.name}`, this.length.name, this.largestK()].filter(Boolean).join(", ");
+    const shown = [`step ${this.step.name}`, this.length.name, this.largestK()];
+    this.parts.place.textContent = shown.filter(Boolean).join(", ");
     this.drawSoon();
   }
 
   // Of all points of fronts that have a K.
   largestK() {
     const all = this.step.raw.K1.flat().filter((K) => K !== null);
-    return all.length > 0 ? `K₁ ${all.length > 1 ? "up to " : ""}${shortNumber(Math.max(...all))} ${this.data.kUnit}` : "";
+    const most = all.length > 1 ? "up to " : "";
+    return all.length > 0 ? `K₁ ${most}${shortNumber(Math.max(...all))} ${this.data.kUnit}` : "";
   }
 
   paint(surface) {
@@ -352,69 +359,6 @@ class View {
         drawAxes(this.parts.axes, this.eye.turn, this.data.dim);
       });
     }
-  }
-
-  readLater(event) {
-    const place = { x: event.offsetX, y: event.offsetY };
-    if (this.eye.dragging) {
-      this.hideTip();
-      return;
-    }
-    if (!this.reading) {
-      requestAnimationFrame(() => {
-        this.tell(this.reading);
-        this.reading = null;
-      });
-    }
-    this.reading = place;
-  }
-
-  hideTip() {
-    this.parts.tip.hidden = true;
-  }
-
-  // K of a front's point, or net, node, place and value of a body, under the pointer.
-  tell(at) {
-    const { clientWidth: width, clientHeight: height } = this.parts.canvas;
-    const [x, y] = [2 * at.x / width - 1, 1 - 2 * at.y / height];
-    const lines = this.wordsOfFront(x, y, width, height) || this.wordsOfBody(this.scene.pick(this.eye, x, y));
-    const tip = this.parts.tip;
-    tip.hidden = !lines;
-    if (lines) {
-      tip.replaceChildren(...lines.filter(Boolean).map((words) => element("div", { textContent: words })));
-      const left = at.x + 14 + tip.offsetWidth > width ? Math.max(0, at.x - 14 - tip.offsetWidth) : at.x + 14;
-      const top = at.y + 14 + tip.offsetHeight > height ? Math.max(0, at.y - 14 - tip.offsetHeight) : at.y + 14;
-      Object.assign(tip.style, { left: `${left}px`, top: `${top}px` });
-    }
-  }
-
-  wordsOfFront(x, y, width, height) {
-    const fronts = this.length.fronts;
-    const seen = (place) => this.scene.seenPlace(place, this.step.u, this.factor);
-    const hit = this.scene.nearestOf(fronts.map((front) => front.x), seen, this.eye, x, y, width, height);
-    if (!hit) {
-      return null;
-    }
-    const front = fronts[hit.list];
-    const K = this.step.raw.K1[hit.list][hit.at];
-    return [front.x.length > 1 ? `${front.name}, point ${hit.at + 1}` : front.name,
-      `at ${this.placeWords(front.x[hit.at])}`,
-      K === null ? "K here depends on the mesh" : `K₁ ${shortNumber(K)} ${this.data.kUnit}`];
-  }
-
-  placeWords(x) {
-    return `${[...x].slice(0, this.data.dim).map(shortNumber).join(", ")} ${this.data.lengthUnit}`;
-  }
-
-  wordsOfBody(hit) {
-    if (!hit || hit.inside) {
-      return hit && [`${this.bodyName(hit.body)}, cut`];
-    }
-    const { surface } = this.length;
-    const value = Number.isFinite(hit.value) ? `${shortNumber(hit.value)} ${this.field.unit}` : "not known here";
-    return [`${this.bodyName(hit.body)}, node ${surface.label[hit.point]}`,
-      `at ${this.placeWords(surface.x.subarray(3 * hit.point, 3 * hit.point + 3))}`,
-      this.scene.values ? `${this.field.name} ${value}` : ""];
   }
 }
 
