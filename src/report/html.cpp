@@ -3,6 +3,7 @@
 #include "report/deck_name.hpp"
 #include "report/page.hpp"
 #include "report/report.hpp"
+#include "report/topics/answer.hpp"
 #include "report/topics/figures.hpp"
 #include "report/topics/growth_tables.hpp"
 #include "report/topics/growth_test_tables.hpp"
@@ -36,16 +37,6 @@ void add_head(HtmlPage& page, const std::string& title, const base::SourceTexts&
                       : fmt::format("; K in {}", typeset_unit(units.stress_intensity_name()))));
 }
 
-void add_verdict(HtmlPage& page, const results::RunResult& run) {
-  const auto passed = static_cast<std::size_t>(std::count_if(
-      run.checks.begin(), run.checks.end(), [](const auto& check) { return check.passed; }));
-  if (!run.checks.empty()) {
-    page.add_html(fmt::format("<p class=\"{}\">{} of the deck's {} checks passed.</p>\n",
-                              passed == run.checks.size() ? "about" : "failed", passed,
-                              run.checks.size()));
-  }
-}
-
 constexpr std::size_t most_at_head = 3;      // warnings; the others stand under Notes
 constexpr std::size_t longest_at_head = 220; // bytes of one
 
@@ -65,10 +56,10 @@ std::string warning_item(const std::string& code, const std::string& text) {
 }
 
 /// What puts the numbers below in doubt is said above them, the worst first.
-void add_warnings(HtmlPage& page, const results::RunResult& run) {
+std::string warnings_at_head(const results::RunResult& run) {
   const std::size_t count = run.warnings.size();
   if (count == 0) {
-    return;
+    return {};
   }
   std::string items;
   for (std::size_t i = 0; i < std::min(count, most_at_head); ++i) {
@@ -76,9 +67,9 @@ void add_warnings(HtmlPage& page, const results::RunResult& run) {
   }
   const std::string more =
       count > most_at_head ? fmt::format("; the first {}:", most_at_head) : std::string(":");
-  page.add_html(fmt::format("<div class=\"warnings\"><p class=\"failed\"><a href=\"#notes\">{} "
-                            "warning{}</a>{}</p>\n<ul>\n{}</ul></div>\n",
-                            count, count > 1 ? "s" : "", more, items));
+  return fmt::format("<div class=\"warnings\"><p class=\"failed\"><a href=\"#notes\">{} "
+                     "warning{}</a>{}</p>\n<ul>\n{}</ul></div>\n",
+                     count, count > 1 ? "s" : "", more, items);
 }
 
 /// The tables of all increments as one, with a column for the crack length in front; without
@@ -119,6 +110,9 @@ void add_cracks(HtmlPage& page, const model::Model& model, const results::RunRes
   for (const ReportTable& table : section.tables) {
     page.add_table(table);
   }
+  for (const ReportTable& table : section.folded) {
+    page.add_folded_table(table);
+  }
   for (const std::string& remark : section.remarks) {
     page.add_paragraph(remark);
   }
@@ -136,7 +130,7 @@ void add_growth(HtmlPage& page, const model::Model& model, const results::RunRes
   }
   page.add_heading("Crack growth");
   add_figures(page, figures);
-  page.add_table(without_title(growth_station_table(model, run)));
+  page.add_table(without_title(reported_growth_station_table(model, run)));
 }
 
 void add_tests(HtmlPage& page, const model::Model& model, const results::RunResult& run) {
@@ -239,8 +233,7 @@ std::string html_report(const base::SourceTexts& sources, const model::Model& mo
   HtmlPage page;
   const std::string title = model.title.empty() ? "spricka report" : model.title;
   add_head(page, title, sources, model);
-  add_verdict(page, run);
-  add_warnings(page, run);
+  page.add_html(answer_html(model, run, warnings_at_head(run)));
   page.add_html(view_section(model, run));
   add_cracks(page, model, run);
   add_growth(page, model, run);

@@ -3,6 +3,7 @@
 #include "model/model.hpp"
 #include "report/deck_name.hpp"
 #include "report/report.hpp"
+#include "report/topics/answer.hpp"
 #include "report/topics/growth_tables.hpp"
 #include "report/topics/growth_test_tables.hpp"
 #include "report/topics/k_bars.hpp"
@@ -11,6 +12,7 @@
 #include "report/topics/model_tables.hpp"
 #include "report/topics/result_tables.hpp"
 #include "report/topics/sensitivity_tables.hpp"
+#include "results/shown_step.hpp"
 
 #include <fmt/format.h>
 
@@ -164,7 +166,8 @@ std::string listing_text(const base::SourceTexts& sources, const model::Model& m
     out += increment_text(model, increment);
   }
   if (run.increments.size() > 1) {
-    const ReportTable table = tip_k_table_over_increments(model, run, leading_step_name(model));
+    const ReportTable table =
+        tip_k_table_over_increments(model, run, results::shown_step_name(model, run.increments));
     if (!table.rows.empty()) {
       out += heading("Crack growth") + table_to_text(table);
     }
@@ -175,6 +178,7 @@ std::string listing_text(const base::SourceTexts& sources, const model::Model& m
   }
   out += tests_text(model, run);
   out += check_text(run);
+  out += heading("Answer") + answer_text(model, run);
   if (!run.warnings.empty()) {
     out += heading("Warnings");
     for (const results::Warning& warning : run.warnings) {

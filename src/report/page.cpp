@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* style_sheet = R"(
 body { font: 15px/1.45 Helvetica, Arial, 'Liberation Sans', sans-serif; color: #000;
-  background: #fff; max-width: 1010px; margin: 2em auto; padding: 0 1em; }
+  background: #fff; max-width: 1200px; margin: 2em auto; padding: 0 1em; }
 h1 { font-size: 1.6em; margin: 0 0 .2em; }
 h2 { font-size: 1.2em; margin: 2em 0 .6em; border-bottom: 1px solid #000; break-after: avoid; }
 p.about { color: #333; margin: .2em 0; }
@@ -22,6 +22,18 @@ p.note { color: #222; font-size: .9em; max-width: 60em; margin: .3em 0 .6em; bre
 div.warnings { border-left: 4px solid #b00000; padding: .1em 0 .1em .8em; margin: .8em 0; }
 div.warnings p { margin: .1em 0; }
 div.warnings ul { margin: .2em 0; padding-left: 1.2em; max-width: 60em; }
+section.answer { display: flex; flex-wrap: wrap; gap: 4px 24px; align-items: flex-start;
+  margin: .5em 0 1em; break-inside: avoid; }
+section.answer .joint { flex: 0 1 460px; min-width: 0; }
+section.answer .joint svg { max-width: 100%; height: auto; }
+section.answer .words { flex: 1 1 360px; min-width: 0; }
+section.answer dl { display: grid; grid-template-columns: max-content 1fr; gap: .35em 1em;
+  margin: .5em 0; }
+section.answer dt { font-weight: bold; max-width: 9em; overflow-wrap: anywhere; }
+section.answer dd { margin: 0; overflow-wrap: anywhere; }
+section.answer dd.failed { font-weight: bold; color: #b00000; }
+details { margin: .6em 0; }
+summary { cursor: pointer; font-size: .9em; }
 table { border-collapse: collapse; margin: 1em 0; font-size: .87em;
   font-variant-numeric: tabular-nums; border-bottom: 1.5px solid #000; }
 caption { text-align: left; font-weight: bold; padding: .2em 0; break-after: avoid; }
@@ -98,6 +110,13 @@ void HtmlPage::add_paragraph(std::string_view words, std::string_view kind) {
 void HtmlPage::add_table(const ReportTable& table) {
   if (!table.rows.empty()) {
     body_ += table_to_html(table);
+  }
+}
+
+void HtmlPage::add_folded_table(const ReportTable& table) {
+  if (!table.rows.empty()) {
+    body_ += fmt::format("<details><summary>{}</summary>\n", escape_xml(table.title));
+    body_ += table_to_html(without_title(table)) + "</details>\n";
   }
 }
 

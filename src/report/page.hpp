@@ -20,6 +20,8 @@ public:
   void add_paragraph(std::string_view words, std::string_view kind = "note");
   /// Tables without rows are left out.
   void add_table(const ReportTable& table);
+  /// The same behind its title, which opens it.
+  void add_folded_table(const ReportTable& table);
   /// Adds drawings with legend and caption under the next figure number.
   void add_figure(const Figure& figure);
   /// The whole HTML document with style sheet and title, and the script for its plots.

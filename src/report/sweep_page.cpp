@@ -7,7 +7,7 @@
 #include "report/sweep_files.hpp"
 #include "report/topics/k_bars.hpp"
 #include "report/topics/parameter_unit.hpp"
-#include "report/topics/result_tables.hpp"
+#include "results/shown_step.hpp"
 
 #include <fmt/format.h>
 
@@ -249,7 +249,7 @@ void add_cell_columns(Columns<SweepPoint>& columns, const model::Model& model,
 }
 
 ReportTable points_table(const model::Model& model, const SweepResult& sweep, const Units& units) {
-  const std::string step = leading_step_name(model);
+  const std::string step = results::shown_step_name(model, {});
   const std::vector<SweepResultValue> shown = shown_cells(sweep, step);
   Columns<SweepPoint> columns;
   for (std::size_t p = 0; p < sweep.parameters.size(); ++p) {

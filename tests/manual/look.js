@@ -75,6 +75,32 @@
       }
     }
   }
+  // labels of a drawing can be told from each other
+  for (const drawing of document.querySelectorAll("svg")) {
+    if (!shown(drawing) || drawing.closest("svg svg")) {
+      continue;
+    }
+    const labels = [...drawing.querySelectorAll("text")].filter((text) => text.textContent.trim());
+    const boxes = labels.map((text) => text.getBoundingClientRect());
+    for (let i = 0; i < boxes.length; ++i) {
+      for (let k = 0; k < i; ++k) {
+        const across = Math.min(boxes[i].right, boxes[k].right) - Math.max(boxes[i].left, boxes[k].left);
+        const down = Math.min(boxes[i].bottom, boxes[k].bottom) - Math.max(boxes[i].top, boxes[k].top);
+        // the box of a text has room above and below its letters
+        if (across > slack && down > 0.35 * Math.min(boxes[i].height, boxes[k].height)) {
+          faults.push(`${name(labels[k])} and ${name(labels[i])} cover each other`);
+        }
+      }
+    }
+  }
+  // on a screen no table needs to be scrolled
+  if (root.clientWidth >= 1000) {
+    for (const table of document.querySelectorAll("table")) {
+      if (shown(table) && getComputedStyle(table).overflowX === "auto" && table.scrollWidth > table.clientWidth + slack) {
+        faults.push(`table ${name(table)} is ${table.scrollWidth} wide in a box of ${table.clientWidth}`);
+      }
+    }
+  }
   for (const formula of document.querySelectorAll(".tex")) {
     if (!formula.querySelector(".katex")) {
       faults.push(`formula ${name(formula)} is not set`);

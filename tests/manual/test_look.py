@@ -23,7 +23,7 @@ SOME = ["index", "quickstart", "tutorial", "command_line", "cards", "verificatio
         "solid_crack", "view", "theory/estimate", "gallery/index", "gallery/penalty", "howto/symmetry"]
 
 # A crack on both sides of a bore, a life, a front in space, a path of loads, a spectrum.
-DECKS = ["lug_single", "lug_spectrum", "surface_crack_solid", "lug_load_path"]
+DECKS = ["lug_single", "lug_spectrum", "surface_crack_solid", "lug_load_path", "lame_press_fit", "link_up"]
 SWEEP = """$DECK VERSION=1 LENGTH=mm FORCE=N TITLE='Widths'
 $PARAMETER
   W = 20
@@ -56,6 +56,7 @@ class Look(unittest.TestCase):
         for width in WIDTHS:
             self.browser.width(width)
             self.browser.open(page.as_uri())
+            self.browser.value("document.querySelectorAll('details').forEach(d => d.open = true)")
             found = self.browser.value(LOOK) + [f"the browser says: {e}" for e in self.browser.errors]
             faults += [f"{page.name} at {width}: {fault}" for fault in found]
         return faults
@@ -72,6 +73,8 @@ class Faults(Look):
 <img src="lost.png"><div style="width: 50px; overflow: hidden">cut off in the middle</div>
 <div style="width: 2000px; text-align: right">out on the right</div>
 <svg width="50" height="20"><text x="40" y="15">leaves</text></svg>
+<svg width="90" height="20"><text x="2" y="15">one over</text><text x="9" y="14">another</text></svg>
+<table style="display: block; overflow-x: auto; width: 40px"><tr><td>a table that is too wide</td></tr></table>
 <div style="overflow: auto; width: 50px">this one can be scrolled</div><script>nothing.there()</script>"""
 
     def test_faults_are_found(self):
@@ -80,7 +83,8 @@ class Faults(Look):
             page.write_text(self.PAGE, encoding="utf-8")
             faults = "\n".join(self.look(page))
         for words in ("is 2008 wide", "lost.png is missing", '"cut off in the middle" is cut', '"out on the right" goes',
-                      '"leaves" leaves', "nothing is not defined", "ERR_FILE_NOT_FOUND"):
+                      '"leaves" leaves', "nothing is not defined", "ERR_FILE_NOT_FOUND",
+                      '"one over" and <text> "another" cover each other', "wide in a box of 40"):
             self.assertIn(words, faults)
         self.assertNotIn("scrolled", faults)
 

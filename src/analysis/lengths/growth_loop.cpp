@@ -53,8 +53,9 @@ public:
              base::OptionalFailure& trouble, results::RunResult& run)
       : model_(model), options_(options), diagnostics_(diagnostics), trouble_(trouble), run_(run),
         measure_(model), solver_(model, options, run.log, trial_, trial_trouble_),
-        on_the_way_(options.stresses ? steps_with_requested_stresses(model, false)
-                                     : std::vector<bool>(model.steps.size(), false)) {}
+        on_the_way_(options.stresses
+                        ? steps_with_requested_stresses(model, false)
+                        : PicturedSteps{std::vector<bool>(model.steps.size(), false)}) {}
 
   bool run() {
     std::unique_ptr<growth::CrackKinematics> kinematics =
@@ -170,13 +171,14 @@ private:
     mark_.emplace(run_.log);
   }
 
-  [[nodiscard]] std::vector<bool> pictured_at(int number) const {
+  [[nodiscard]] PicturedSteps pictured_at(int number) const {
     return number == 1 ? pictured_at_end(false) : on_the_way_;
   }
 
   // Of the first increment, or of the last.
-  [[nodiscard]] std::vector<bool> pictured_at_end(bool last) const {
-    return options_.stresses ? steps_with_stress_recovery(model_, last) : on_the_way_;
+  [[nodiscard]] PicturedSteps pictured_at_end(bool last) const {
+    return options_.stresses ? steps_with_stress_recovery(model_, run_.increments, last)
+                             : on_the_way_;
   }
 
   // Where to solve next; empty: no state can be made there.
@@ -279,7 +281,7 @@ private:
   void finish(const growth::GrowthIntegrator& integrator) {
     const ScopedProfileInterval span(options_.recorder, "GROW", "lives");
     results::CrackLengthResult& last = run_.increments.back();
-    const std::vector<bool> pictured = pictured_at_end(true);
+    const std::vector<bool> pictured = pictured_at_end(true).known;
     for (std::size_t s = 0; s < last.steps.size(); ++s) {
       // Which station is the last is known only now.
       if (pictured[s] && last.steps[s].stress.empty()) {
@@ -318,7 +320,7 @@ private:
   base::OptionalFailure trial_trouble_; ///< the same
   GrowthRateEvaluator measure_;
   CrackStateSolver solver_;
-  std::vector<bool> on_the_way_;
+  PicturedSteps on_the_way_;
   std::optional<IncrementRecorder> mark_; ///< where the search for the next station began
 };
 

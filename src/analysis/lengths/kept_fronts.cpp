@@ -129,7 +129,7 @@ std::string add_kept_front(const model::Model& model, const archive::StoredIncre
 
 std::optional<archive::StoredIncrement>
 KeptFrontsOfAnotherLaw::take_over(growth::GrowthIntegrator& integrator,
-                                  const std::function<std::vector<bool>(int number)>& pictured) {
+                                  const std::function<PicturedSteps(int number)>& pictured) {
   archive::IncrementStore& checkpoint = *options_.checkpoint;
   std::optional<archive::StoredIncrement> last;
   for (int number = 1; !integrator.growth_end() && checkpoint.has_stored_increment(number);

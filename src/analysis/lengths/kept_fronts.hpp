@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "analysis/lengths/growth_measure.hpp"
+#include "analysis/lengths/pictured_steps.hpp"
 #include "analysis/lengths/solve_options.hpp"
 #include "archive/increment_store.hpp"
 #include "growth/growth_integrator.hpp"
@@ -39,7 +40,7 @@ public:
   /// base::CorruptStoredField.
   std::optional<archive::StoredIncrement>
   take_over(growth::GrowthIntegrator& integrator,
-            const std::function<std::vector<bool>(int number)>& pictured);
+            const std::function<PicturedSteps(int number)>& pictured);
 
 private:
   archive::StoredIncrement append(archive::StoredIncrement kept,

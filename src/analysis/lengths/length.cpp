@@ -132,9 +132,9 @@ bool CrackLengthAnalysis::add_error_bars_and_sensitivities(const StepSolver& sol
   return ended("SENSITIVITY", "loads, fits, moduli, lengths");
 }
 
-void CrackLengthAnalysis::add_net_errors(const StepState& state,
+void CrackLengthAnalysis::add_net_errors(const std::vector<double>& energy,
                                          results::LoadStepResult& result) const {
-  add_energy_errors(parts_.model, scene_, state.energy, result);
+  add_energy_errors(parts_.model, scene_, energy, result);
 }
 
 } // namespace spricka::analysis

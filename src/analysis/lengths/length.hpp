@@ -89,8 +89,8 @@ public:
   bool add_error_bars_and_sensitivities(const StepSolver& solver, const StepState& state,
                                         bool sensitivities, results::LoadStepResult& result,
                                         const ProcessorEndCallback& ended);
-  /// ESTIMATE: errors of the nets in the energy norm.
-  void add_net_errors(const StepState& state, results::LoadStepResult& result) const;
+  /// ESTIMATE: errors of the nets in the energy norm; `energy`: of strain [element].
+  void add_net_errors(const std::vector<double>& energy, results::LoadStepResult& result) const;
 
   /// The scene of a length that is done with.
   [[nodiscard]] static Discretisation

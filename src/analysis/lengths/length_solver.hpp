@@ -27,7 +27,7 @@ namespace spricka::analysis {
 struct CrackStateRequest {
   growth::CrackGeometry cracks; ///< in space none: those of the deck
   double a = 0.0;               ///< for the record; 0: that of the first tip
-  std::vector<bool> pictured;   ///< [step] stresses are recovered
+  PicturedSteps pictured;       ///< at their ends stresses are recovered
   bool bars = true;             ///< error bars of K, by which it is corrected
   bool sensitivities = true;    ///< with bars: derivatives of K
 };

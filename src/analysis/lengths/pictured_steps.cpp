@@ -3,24 +3,31 @@
 
 #include "model/model.hpp"
 #include "model/wanted_steps.hpp"
+#include "results/shown_step.hpp"
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <variant>
 
 namespace spricka::analysis {
 
-std::vector<bool> steps_with_stress_recovery(const model::Model& model, bool last_increment) {
-  std::vector<bool> pictured = steps_with_requested_stresses(model, last_increment);
-  if (model.growth && model.growth->kmax.valid()) {
-    pictured[model.growth->kmax.index()] = true;
-  } else if (!pictured.empty()) {
-    pictured.back() = true;
+PicturedSteps steps_with_stress_recovery(const model::Model& model,
+                                         std::span<const results::CrackLengthResult> solved,
+                                         bool last_increment) {
+  PicturedSteps pictured = steps_with_requested_stresses(model, last_increment);
+  if (solved.empty() && !results::shown_step_of_deck(model)) {
+    pictured.most_loaded = true;
+    return pictured;
+  }
+  const std::string shown = results::shown_step_name(model, solved);
+  for (std::size_t s = 0; s < model.steps.size(); ++s) {
+    pictured.known[s] = pictured.known[s] || model.steps[s].name == shown;
   }
   return pictured;
 }
 
-std::vector<bool> steps_with_requested_stresses(const model::Model& model, bool last_increment) {
+PicturedSteps steps_with_requested_stresses(const model::Model& model, bool last_increment) {
   std::vector<bool> pictured(model.steps.size(), false);
   for (const model::OutputFileRequest& output : model.outputs) {
     const bool stress = std::any_of(output.requests.begin(), output.requests.end(),
@@ -37,7 +44,7 @@ std::vector<bool> steps_with_requested_stresses(const model::Model& model, bool 
       pictured[s] = pictured[s] || (step != nullptr && *step == model.steps[s].name);
     }
   }
-  return pictured;
+  return {.known = std::move(pictured)};
 }
 
 } // namespace spricka::analysis

@@ -4,6 +4,7 @@
 #include "analysis/lengths/shown_results.hpp"
 #include "analysis/scene/gone_nodes.hpp"
 #include "model/model.hpp"
+#include "results/shown_step.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +14,11 @@ namespace {
 
 // Outputs may have changed since: stresses that nobody asks for any more go; false: some are
 // missing.
-bool fit_pictures(const std::vector<bool>& pictured, results::CrackLengthResult& increment) {
+bool fit_pictures(const PicturedSteps& wanted, results::CrackLengthResult& increment) {
+  std::vector<bool> pictured = wanted.known;
+  if (wanted.most_loaded && !increment.steps.empty()) {
+    pictured[results::most_loaded_step(increment)] = true;
+  }
   bool complete = true;
   for (std::size_t s = 0; s < increment.steps.size(); ++s) {
     results::LoadStepResult& step = increment.steps[s];
@@ -32,7 +37,7 @@ bool fit_pictures(const std::vector<bool>& pictured, results::CrackLengthResult&
 std::optional<archive::StoredIncrement> accept_stored_increment(const model::Model& model,
                                                                 archive::IncrementStore* checkpoint,
                                                                 int number, double asked,
-                                                                const std::vector<bool>& pictured) {
+                                                                const PicturedSteps& pictured) {
   if (checkpoint == nullptr || !checkpoint->has_stored_increment(number)) {
     return std::nullopt;
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "analysis/lengths/pictured_steps.hpp"
 #include "analysis/lengths/solve_options.hpp"
 #include "archive/increment_store.hpp"
 #include "archive/safe_file.hpp"
@@ -19,7 +20,7 @@ namespace spricka::analysis {
 std::optional<archive::StoredIncrement> accept_stored_increment(const model::Model& model,
                                                                 archive::IncrementStore* checkpoint,
                                                                 int number, double asked,
-                                                                const std::vector<bool>& pictured);
+                                                                const PicturedSteps& pictured);
 
 /// What `take` makes of the state that was kept; where that lacks something, or names what is not
 /// there, the file is in trouble: throws FileFailure E560, which names the field.

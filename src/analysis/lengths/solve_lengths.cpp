@@ -83,7 +83,8 @@ bool solve_lengths(const model::Model& model, const SolveOptions& options,
   CrackStateSolver solver(model, options, run.log, diagnostics, trouble);
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     const int number = static_cast<int>(i) + 1;
-    const std::vector<bool> pictured = steps_with_stress_recovery(model, i + 1 == lengths.size());
+    const PicturedSteps pictured =
+        steps_with_stress_recovery(model, run.increments, i + 1 == lengths.size());
     const base::Stopwatch resuming;
     if (auto kept =
             accept_stored_increment(model, options.checkpoint, number, lengths[i], pictured)) {

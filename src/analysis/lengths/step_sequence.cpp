@@ -7,6 +7,7 @@
 #include "analysis/recover/finite_results.hpp"
 #include "analysis/steps/let_go.hpp"
 #include "model/model.hpp"
+#include "results/shown_step.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -79,7 +80,7 @@ std::string describe_fronts(const Discretisation& scene) {
 
 StepSequence::StepSequence(const StepSequenceContext& context, CrackLengthAnalysis& length)
     : context_(context), length_(length), solver_(length.make_solver()),
-      repeated_(context.model, context.pictured),
+      repeated_(context.model, context.pictured.known),
       history_(context.model, length.discretisation(), length.bodies(), length.load_paths()) {}
 
 base::OptionalFailure StepSequence::solve(results::CrackLengthResult& increment,
@@ -93,7 +94,10 @@ base::OptionalFailure StepSequence::solve(results::CrackLengthResult& increment,
     }
   }
   repeated_.drop_extra_stresses(increment.steps);
-  solve_paths(increment, carried);
+  add_stresses_of_most_loaded_step(increment);
+  if (!trouble_) {
+    solve_paths(increment, carried);
+  }
   return trouble_;
 }
 
@@ -126,6 +130,9 @@ StepSequence::Continuation StepSequence::solve_step(std::size_t s,
   add_error_bars(s, *state, context_.sensitivities && touching_.empty(), increment.steps.back());
   if (!touching_.empty()) {
     return Continuation::next_step;
+  }
+  if (context_.pictured.most_loaded && results::most_loaded_step(increment) == s) {
+    energy_ = state->energy;
   }
   add_stresses(s, *state, increment.steps.back());
   if (trouble_) {
@@ -205,20 +212,34 @@ void StepSequence::add_error_bars(std::size_t s, const StepState& state, bool se
 
 void StepSequence::add_stresses(std::size_t s, const StepState& state,
                                 results::LoadStepResult& result) {
-  const model::Step& step = context_.model.steps[s];
-  LogWriter& log = context_.log;
-  if (!context_.pictured[s] && !repeated_.stresses_needed_later(s)) {
-    return;
+  if (context_.pictured.known[s] || repeated_.stresses_needed_later(s)) {
+    recover_stresses(s, state.energy, result);
   }
+}
+
+// Energy: of strain, by element.
+void StepSequence::recover_stresses(std::size_t s, const std::vector<double>& energy,
+                                    results::LoadStepResult& result) {
   add_stress_fields(context_.model, length_.discretisation().cracked.mesh, result);
-  log.add_line("RECOVER", fmt::format("step {}: stresses", step.name));
-  trouble_ = unsound_numbers(result, step);
+  context_.log.add_line("RECOVER", fmt::format("step {}: stresses", result.step));
+  trouble_ = unsound_numbers(result, context_.model.steps[s]);
   if (trouble_) {
     return;
   }
-  length_.add_net_errors(state, result);
-  log.add_line("ESTIMATE", fmt::format("step {}: energy error {:.1f} %", step.name,
-                                       100.0 * result.errors.back().part));
+  length_.add_net_errors(energy, result);
+  context_.log.add_line("ESTIMATE", fmt::format("step {}: energy error {:.1f} %", result.step,
+                                                100.0 * result.errors.back().part));
+}
+
+// A step that repeats an earlier one is loaded as much and comes later: it is none of them.
+void StepSequence::add_stresses_of_most_loaded_step(results::CrackLengthResult& increment) {
+  if (!context_.pictured.most_loaded || !touching_.empty()) {
+    return;
+  }
+  const std::size_t s = results::most_loaded_step(increment);
+  if (increment.steps[s].stress.empty()) {
+    recover_stresses(s, energy_, increment.steps[s]);
+  }
 }
 
 void StepSequence::solve_paths(results::CrackLengthResult& increment,

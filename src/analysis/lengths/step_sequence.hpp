@@ -3,6 +3,7 @@
 #include "analysis/lengths/length.hpp"
 #include "analysis/lengths/load_history.hpp"
 #include "analysis/lengths/log_writer.hpp"
+#include "analysis/lengths/pictured_steps.hpp"
 #include "analysis/lengths/solve_options.hpp"
 #include "analysis/steps/contact_memory.hpp"
 #include "analysis/steps/repeated_steps.hpp"
@@ -21,10 +22,10 @@ namespace spricka::analysis {
 struct StepSequenceContext {
   const model::Model& model;
   const SolveOptions& options;
-  const std::vector<bool>& pictured; ///< [step] stresses are recovered
-  bool bars = true;                  ///< error bars of K, by which it is corrected
-  bool sensitivities = true;         ///< with bars: derivatives of K
-  bool passes_overlap = false; ///< goes on with faces that overlap, without derivatives, pictures
+  const PicturedSteps& pictured; ///< at their ends stresses are recovered
+  bool bars = true;              ///< error bars of K, by which it is corrected
+  bool sensitivities = true;     ///< with bars: derivatives of K
+  bool passes_overlap = false;   ///< goes on with faces that overlap, without derivatives, pictures
   ContactDataForNextLength& contact;
   LogWriter& log;
 };
@@ -58,6 +59,9 @@ private:
   void add_error_bars(std::size_t s, const StepState& state, bool sensitivities,
                       results::LoadStepResult& result);
   void add_stresses(std::size_t s, const StepState& state, results::LoadStepResult& result);
+  void recover_stresses(std::size_t s, const std::vector<double>& energy,
+                        results::LoadStepResult& result);
+  void add_stresses_of_most_loaded_step(results::CrackLengthResult& increment);
   void solve_paths(results::CrackLengthResult& increment, InheritedContactState& carried);
   void correct_paths(results::CrackLengthResult& increment) const;
   bool follow_growth_loads(InheritedContactState& carried);
@@ -70,6 +74,7 @@ private:
   RepeatedSteps repeated_;
   CyclicLoadHistorySolver history_;
   std::vector<std::size_t> touching_;
+  std::vector<double> energy_; ///< [element] of the most loaded step so far
   std::optional<LoadHistoryKResult> followed_;
   base::OptionalFailure trouble_;
   std::size_t solved_ = 0;

@@ -16,7 +16,7 @@
 #include "program/profile/profile.hpp"
 #include "report/drawing/file.hpp"
 #include "report/sweep_files.hpp"
-#include "report/topics/result_tables.hpp"
+#include "results/shown_step.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -321,7 +321,7 @@ private:
       write_to_stdout(fmt::format("  N = {:.7g}", life->value));
       return;
     }
-    const std::string step = report::leading_step_name(*deck_.model);
+    const std::string step = results::shown_step_name(*deck_.model, {});
     int last = 0;
     for (const results::SweepResultValue& cell : point.cells) {
       last = std::max(last, cell.increment);

@@ -3,7 +3,7 @@
 
 #include "model/model.hpp"
 #include "report/report.hpp"
-#include "report/topics/result_tables.hpp"
+#include "results/shown_step.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -71,7 +71,7 @@ std::vector<report::PvdEntry> write_step(const model::Model& model,
 void write_vtu_files(const model::Model& model, const results::RunResult& run,
                      const FileCreator& put) {
   const std::string stem = picture_stem(model);
-  const std::string leading = report::leading_step_name(model);
+  const std::string leading = results::shown_step_name(model, run.increments);
   const bool grows = run.increments.size() > 1 || run.growth;
   std::map<std::string, std::vector<report::PvdEntry>> collections{{stem, {}}};
   for (std::size_t i = 0; i < run.increments.size(); ++i) {

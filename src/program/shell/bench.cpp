@@ -249,7 +249,7 @@ base::OptionalFailure InteractiveSolver::estimate_accuracy() {
 void InteractiveSolver::estimate_net_errors() {
   results::LoadStepResult& step = run_.increments.front().steps.front();
   if (step.errors.empty()) {
-    length_->add_net_errors(*state_, step);
+    length_->add_net_errors(state_->energy, step);
   }
 }
 

@@ -5,7 +5,7 @@
 #include "model/model.hpp"
 #include "program/checks/check_quantities.hpp"
 #include "program/study/convergence.hpp"
-#include "report/topics/result_tables.hpp"
+#include "results/shown_step.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,25 +26,8 @@ bool is_of_step(const AnswerRequest& answer, const std::string& step) {
   });
 }
 
-// The step with the largest amount among these answers.
-std::string largest_step(const std::vector<AnswerRequest>& answers, const model::Model& model,
-                         const results::RunResult& run) {
-  double most = -1.0;
-  std::string largest = report::leading_step_name(model);
-  for (const AnswerRequest& answer : answers) {
-    const double amount = std::abs(find_check_value(model, answer.check, run));
-    for (const model::Step& step : model.steps) {
-      if (amount > most && is_of_step(answer, step.name)) {
-        most = amount;
-        largest = step.name;
-      }
-    }
-  }
-  return largest;
-}
-
 // Answers of the most telling group that there are: K before pressures and the rest. Those that are
-// not the deck's own checks: of the step with the largest of them, with $GROW of its KMAX.
+// not the deck's own checks: of the step that the run shows first.
 std::vector<AnswerRequest> choose_hierarchy_answers(const model::Model& model,
                                                     const results::RunResult& run) {
   std::vector<AnswerRequest> all = collect_answer_requests(model, run);
@@ -58,8 +41,7 @@ std::vector<AnswerRequest> choose_hierarchy_answers(const model::Model& model,
         return answer.check.span.valid();
       });
   // What matters is where the crack is driven most; in the end the joint may be unloaded.
-  const std::string step =
-      model.growth ? report::leading_step_name(model) : largest_step(all, model, run);
+  const std::string step = results::shown_step_name(model, run.increments);
   const bool has_step = std::ranges::any_of(
       all, [&](const AnswerRequest& answer) { return is_of_step(answer, step); });
   if (!own && has_step) {

@@ -26,6 +26,22 @@ ColourScale make_colour_scale(double low, double high) {
   return high - low > 1e-6 * std::abs(high) ? ColourScale{low, high} : ColourScale{0.0, high};
 }
 
+double value_above_share(std::vector<std::pair<double, double>> values_with_shares, double part) {
+  std::ranges::sort(values_with_shares);
+  double total = 0.0;
+  for (const auto& [value, share] : values_with_shares) {
+    total += share;
+  }
+  double sum = 0.0;
+  for (const auto& [value, share] : values_with_shares) {
+    sum += share;
+    if (sum >= part * total) {
+      return value;
+    }
+  }
+  return values_with_shares.empty() ? 0.0 : values_with_shares.back().first;
+}
+
 std::string band_colour(std::size_t band) {
   const double at = static_cast<double>(band) / static_cast<double>(colour_bands - 1) *
                     static_cast<double>(ramp.size() - 1);

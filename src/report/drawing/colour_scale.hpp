@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace spricka::report {
 
@@ -21,6 +23,9 @@ struct ColourScale {
 
 /// From low to high, or from 0 where there is nothing between them but round-off.
 ColourScale make_colour_scale(double low, double high);
+
+/// The value below which that part of the shares of all values lies; 0 of no values.
+double value_above_share(std::vector<std::pair<double, double>> values_with_shares, double part);
 
 /// Dark to light, even steps to the eye (Smith and van der Walt's viridis, five of its colours).
 std::string band_colour(std::size_t band);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/drawing/mesh_picture.hpp"
 
-#include "model/mesh.hpp"
+#include "model/mesh_side.hpp"
+#include "model/model.hpp"
+#include "report/drawing/label_placer.hpp"
 #include "report/drawing/model_marks.hpp"
 #include "report/drawing/picture_frame.hpp"
 #include "report/drawing/rigid_picture.hpp"
@@ -17,6 +19,7 @@ namespace {
 constexpr double title_height = 22.0;
 constexpr double foot_height = 26.0;
 constexpr double scale_height = 48.0;
+constexpr const char* crack_colour = "#d55e00";
 
 constexpr std::array<const char*, 5> tints{"#dfe8f1", "#f5e9d8", "#e2efe3", "#efe4ef", "#ececec"};
 
@@ -207,6 +210,28 @@ void draw_edges(SvgDrawing& svg, const Projection& project, const std::vector<Dr
   svg.path(outline, {"#000", 1.3, "none", ""});
 }
 
+void draw_crack_faces(SvgDrawing& svg, const MeshView& view, const Projection& project) {
+  SvgPathData path;
+  for (const model::Face& face : view.crack_faces) {
+    const std::vector<base::NodeId> nodes = model::side_nodes(*view.mesh, face);
+    path.move(project(nodes[0]));
+    add_edge(path, project, nodes[0], nodes[1], nodes.size() > 2 ? nodes[2] : base::NodeId());
+  }
+  svg.path(path, {crack_colour, 2.6, "none", ""});
+}
+
+void draw_labels(SvgDrawing& svg, const MeshView& view, const Projection& project) {
+  LabelPlacer placer({0.0, title_height}, {view.width, title_height + project.height()});
+  for (const auto& [at, words] : view.labels) {
+    const DrawingPoint p = project(at);
+    placer.keep_free({p.x - 3.0, p.y - 3.0}, 6.0, 6.0);
+    svg.circle(p, 2.6, {crack_colour, 1.2, crack_colour, ""});
+  }
+  for (const auto& [at, words] : view.labels) {
+    placer.write(svg, project(at), words, {TextAnchor::start, 12.0, crack_colour, 0.0, true, true});
+  }
+}
+
 /// A bar of a round length that takes about a quarter of the width.
 void draw_bar(SvgDrawing& svg, const MeshView& view, const Projection& project) {
   const double length = round_number_below(0.25 * view.width / project.scale());
@@ -226,6 +251,25 @@ void draw_bar(SvgDrawing& svg, const MeshView& view, const Projection& project) 
 
 } // namespace
 
+MeshView whole_mesh_view(const model::Model& model, const model::Mesh& mesh,
+                         const PictureLimits& limits) {
+  constexpr double beside = 0.06; // of the size, for arrows and hatches
+  MeshView view;
+  view.mesh = &mesh;
+  view.length_name = model.units.length_name;
+  PictureBox box;
+  for (const base::NodeId n : mesh.nodes) {
+    box.add({mesh.x[n.index()][0], mesh.x[n.index()][1]});
+  }
+  view.rigids = model.rigids;
+  const double margin = beside * std::max(box.width(), box.height());
+  view.low = {box.low.x - margin, box.low.y - margin};
+  view.high = {box.high.x + margin, box.high.y + margin};
+  const double slender = (view.high.y - view.low.y) / (view.high.x - view.low.x);
+  view.width = std::min(limits.width, limits.height / slender);
+  return view;
+}
+
 std::string draw_svg(const MeshView& view) {
   const Projection project(view);
   const Drawn drawn = collect(view, project);
@@ -238,7 +282,9 @@ std::string draw_svg(const MeshView& view) {
     const std::string tint = coloured ? band_colour(i) : tints[i % tints.size()];
     svg.path(drawn.areas[i], {tint, 0.6, tint, ""}); // the stroke hides the seams
   }
-  draw_edges(svg, project, drawn.edges, !coloured && !drawn.outlines_alone());
+  draw_edges(svg, project, drawn.edges,
+             view.inner_edges && !coloured && !drawn.outlines_alone());
+  draw_crack_faces(svg, view, project);
   const DrawingWindow window{view.low, view.high, project.scale(),
                              [&](const DrawingPoint& p) { return project(p); }};
   for (const model::RigidTarget& rigid : view.rigids) {
@@ -248,13 +294,9 @@ std::string draw_svg(const MeshView& view) {
     }
   }
   if (view.marks != nullptr) {
-    draw_model_marks(svg, *view.marks, window);
+    draw_model_marks(svg, *view.marks, {.eye = {}, .project = window.project});
   }
-  for (const auto& [at, words] : view.labels) {
-    const DrawingPoint p = project(at);
-    svg.circle(p, 2.6, {"#d55e00", 1.2, "#d55e00", ""});
-    svg.text({p.x + 6.0, p.y - 6.0}, words, {TextAnchor::start, 12.0, "#d55e00", 0.0, true, true});
-  }
+  draw_labels(svg, view, project);
   svg.unclip();
   svg.rectangle({0.5, title_height}, view.width - 1.0, project.height(), {"#999", 0.8, "none", ""});
   draw_bar(svg, view, project);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/drawing/model_marks.hpp"
 
+#include "base/by_dimension.hpp"
 #include "model/mesh_side.hpp"
 #include "model/model.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -18,6 +20,7 @@ using model::LoadType;
 
 constexpr std::size_t most_marks = 24; ///< of one set: more run into each other
 constexpr double longest_arrow = 34.0; ///< [px]
+constexpr double shortest_arrow = 1.0;
 constexpr const char* held_colour = "#0072b2";
 constexpr const char* moved_colour = "#009e73";
 constexpr const char* load_colour = "#b00000";
@@ -33,19 +36,24 @@ std::size_t stride(std::size_t count) {
   return std::max<std::size_t>(1, (count + most_marks - 1) / most_marks);
 }
 
-DrawingPoint point_of(const base::Vec3& x) {
-  return {x[0], x[1]};
+DrawingPoint pixel_of(const MarkWindow& window, const base::Vec3& x) {
+  return window.project(window.eye(x));
+}
+
+bool is_marked(const MarkWindow& window, const base::Vec3& x, const base::Vec3& normal) {
+  return !window.is_marked || window.is_marked(x, normal);
 }
 
 /// An arrow that ends at a place, with the value it stands for.
 struct Arrow {
   base::Vec3 at;
   base::Vec3 value;
+  base::Vec3 normal = base::Vec3::Zero(); ///< of the face it acts on
 };
 
 base::Vec3 vector_of(const model::Load& load, const base::Vec3& x) {
   base::Vec3 value = base::Vec3::Zero();
-  for (std::size_t c = 0; c < std::min<std::size_t>(load.value.size(), 2); ++c) {
+  for (std::size_t c = 0; c < std::min<std::size_t>(load.value.size(), 3); ++c) {
     value[static_cast<Eigen::Index>(c)] = load.value[c](x);
   }
   return value;
@@ -60,7 +68,7 @@ void add_on_faces(const model::Mesh& mesh, const model::Load& load, std::vector<
     const base::Vec3 value = pressure && !load.value.empty()
                                  ? base::Vec3(-load.value.front()(middle.x) * middle.normal())
                                  : vector_of(load, middle.x);
-    arrows.push_back({middle.x, value});
+    arrows.push_back({middle.x, value, middle.normal()});
   }
 }
 
@@ -93,7 +101,7 @@ std::vector<Arrow> arrows_of(const model::Mesh& mesh, const model::Load& load) {
     const std::vector<base::NodeId>& nodes = mesh.set_with_id(load.nodes).nodes;
     for (std::size_t i = 0; i < nodes.size(); i += stride(nodes.size())) {
       const base::Vec3& x = mesh.x[nodes[i].index()];
-      arrows.push_back({x, vector_of(load, x)});
+      arrows.push_back({.at = x, .value = vector_of(load, x)});
     }
   } else if ((load.type == LoadType::traction || load.type == LoadType::pressure) &&
              load.faces.valid()) {
@@ -101,7 +109,7 @@ std::vector<Arrow> arrows_of(const model::Mesh& mesh, const model::Load& load) {
   } else if (load.type == LoadType::resultant || load.type == LoadType::bearing ||
              load.type == LoadType::body) {
     const base::Vec3 x = middle_of(mesh, load);
-    arrows.push_back({x, vector_of(load, x)});
+    arrows.push_back({.at = x, .value = vector_of(load, x)});
   }
   return arrows;
 }
@@ -120,7 +128,7 @@ void draw_arrow(SvgDrawing& svg, DrawingPoint tip, const base::Vec2& way, const 
   svg.path(head.close(), {colour, 0.5, colour, ""});
 }
 
-void draw_loads(SvgDrawing& svg, const model::Model& model, const DrawingWindow& window) {
+void draw_loads(SvgDrawing& svg, const model::Model& model, const MarkWindow& window) {
   for (const model::LoadCase& load_case : model.cases) {
     for (const model::Load& load : load_case.loads) {
       const std::vector<Arrow> arrows = arrows_of(model.mesh, load);
@@ -131,9 +139,13 @@ void draw_loads(SvgDrawing& svg, const model::Model& model, const DrawingWindow&
       }
       for (const Arrow& arrow : arrows) {
         const double part = largest > 0.0 ? arrow.value.norm() / largest : 0.0;
-        if (std::isfinite(part) && part > 0.05) {
-          const base::Vec2 up = longest_arrow * part * arrow.value.head<2>().normalized();
-          draw_arrow(svg, window.project(point_of(arrow.at)), {up.x(), -up.y()},
+        if (!std::isfinite(part) || part <= 0.05 || !is_marked(window, arrow.at, arrow.normal)) {
+          continue;
+        }
+        const DrawingPoint way = window.eye(arrow.value.normalized());
+        const base::Vec2 up = longest_arrow * part * base::Vec2(way.x, -way.y);
+        if (up.norm() > shortest_arrow) { // else it points to the eye
+          draw_arrow(svg, pixel_of(window, arrow.at), up,
                      load.type == LoadType::displacement ? moved_colour : load_colour);
         }
       }
@@ -146,7 +158,7 @@ void draw_dot(SvgDrawing& svg, DrawingPoint at) {
 }
 
 /// Dots inside the elements that a case gives a temperature.
-void draw_heated(SvgDrawing& svg, const model::Model& model, const DrawingWindow& window) {
+void draw_heated(SvgDrawing& svg, const model::Model& model, const MarkWindow& window) {
   for (const model::LoadCase& load_case : model.cases) {
     for (const model::Load& load : load_case.loads) {
       if (load.type != LoadType::temperature || !load.elements.valid()) {
@@ -161,53 +173,64 @@ void draw_heated(SvgDrawing& svg, const model::Model& model, const DrawingWindow
         for (const base::NodeId n : model.mesh.element_nodes(elements[i]).first(corners)) {
           sum += model.mesh.x[n.index()];
         }
-        draw_dot(svg, window.project(point_of(sum / static_cast<double>(corners))));
+        const base::Vec3 middle = sum / static_cast<double>(corners);
+        if (is_marked(window, middle, base::Vec3::Zero())) {
+          draw_dot(svg, pixel_of(window, middle));
+        }
       }
     }
   }
 }
 
-/// A triangle below a node for y, beside it for x; both for both.
-void draw_held(SvgDrawing& svg, DrawingPoint at, const std::array<bool, 3>& dof) {
-  const auto triangle = [&](double dx, double dy) {
+/// A triangle before a node along each axis that is held: beside it for x, below it for y.
+void draw_held(SvgDrawing& svg, DrawingPoint at, const std::array<bool, 3>& dof,
+               const PictureViewpoint& eye) {
+  for (std::size_t c = 0; c < dof.size(); ++c) {
+    const DrawingPoint axis = eye(base::Vec3::Unit(static_cast<Eigen::Index>(c)));
+    const base::Vec2 back(-axis.x, axis.y); // y runs down on the drawing
+    if (!dof[c] || back.norm() < 0.2) {     // it points to the eye
+      continue;
+    }
+    const base::Vec2 foot = 7.0 * back;
+    const base::Vec2 half = 4.0 * base::Vec2(-back.y(), back.x()).normalized();
     SvgPathData path;
     path.move(at);
-    path.line({at.x + 7.0 * dx + 4.0 * dy, at.y + 7.0 * dy + 4.0 * dx});
-    path.line({at.x + 7.0 * dx - 4.0 * dy, at.y + 7.0 * dy - 4.0 * dx});
+    path.line({at.x + foot.x() + half.x(), at.y + foot.y() + half.y()});
+    path.line({at.x + foot.x() - half.x(), at.y + foot.y() - half.y()});
     svg.path(path.close(), {held_colour, 0.9, "#fff", ""});
-  };
-  if (dof[0]) {
-    triangle(-1.0, 0.0);
-  }
-  if (dof[1]) {
-    triangle(0.0, 1.0);
   }
 }
 
-void draw_supports(SvgDrawing& svg, const model::Model& model, const DrawingWindow& window) {
+void draw_supports(SvgDrawing& svg, const model::Model& model, const MarkWindow& window) {
   for (const model::NodeSetFreedomRole& freedom : model.freedoms) {
     if (!is_held(freedom.cls) || !freedom.nodes.valid()) {
       continue;
     }
     const std::vector<base::NodeId>& nodes = model.mesh.set_with_id(freedom.nodes).nodes;
     for (std::size_t i = 0; i < nodes.size(); i += stride(nodes.size())) {
-      draw_held(svg, window.project(point_of(model.mesh.x[nodes[i].index()])), freedom.dof);
+      const base::Vec3& x = model.mesh.x[nodes[i].index()];
+      if (is_marked(window, x, base::Vec3::Zero())) {
+        draw_held(svg, pixel_of(window, x), freedom.dof, window.eye);
+      }
     }
   }
 }
 
-void draw_contacts(SvgDrawing& svg, const model::Model& model, const DrawingWindow& window) {
+void draw_contacts(SvgDrawing& svg, const model::Model& model, const MarkWindow& window) {
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
     for (const base::FaceSetId set : {model.contacts[c].slave, model.contacts[c].master}) {
       SvgPathData path;
       for (const model::Face& face :
            set.valid() ? model.mesh.set_with_id(set).faces : std::vector<model::Face>()) {
         const geometry::ElementSide side = model::element_side(model.mesh, face);
+        if (!side.is_edge()) {
+          return; // a surface in space is no line
+        }
         const base::Vec3 from = side.X.col(0);
         const base::Vec3 to = side.X.col(1);
         const base::Vec3 control = 2.0 * side.position(base::Vec2::Zero()) - 0.5 * (from + to);
-        path.move(window.project(point_of(from)));
-        path.quadratic(window.project(point_of(control)), window.project(point_of(to)));
+        path.move(pixel_of(window, from));
+        path.quadratic(pixel_of(window, control), pixel_of(window, to));
       }
       if (!path.empty()) {
         svg.path(path, {std::string(palette_colour(c)), 2.6, "none", ""});
@@ -228,7 +251,9 @@ std::vector<MarkEntry> entries_of(const model::Model& model) {
   const bool held = std::ranges::any_of(
       model.freedoms, [](const model::NodeSetFreedomRole& f) { return is_held(f.cls); });
   if (held) {
-    entries.push_back({MarkEntry::Sign::held, "held in x (beside), in y (below)"});
+    constexpr base::ByDimension<const char*> words{"held in x (beside), in y (below)",
+                                                   "held along the triangles' axes"};
+    entries.push_back({MarkEntry::Sign::held, words.at(model.mesh.dim)});
   }
   for (const model::LoadCase& load_case : model.cases) {
     std::vector<bool> kinds(2, false);
@@ -254,7 +279,8 @@ std::vector<MarkEntry> entries_of(const model::Model& model) {
   if (!heated.empty()) {
     entries.push_back({MarkEntry::Sign::heated, heated});
   }
-  for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+  constexpr base::ByDimension lines_of_contacts{true, false};
+  for (std::size_t c = 0; c < model.contacts.size() && lines_of_contacts.at(model.mesh.dim); ++c) {
     entries.push_back({MarkEntry::Sign::contact, "contact " + model.contacts[c].name, c});
   }
   return entries;
@@ -262,7 +288,7 @@ std::vector<MarkEntry> entries_of(const model::Model& model) {
 
 } // namespace
 
-void draw_model_marks(SvgDrawing& svg, const model::Model& model, const DrawingWindow& window) {
+void draw_model_marks(SvgDrawing& svg, const model::Model& model, const MarkWindow& window) {
   draw_heated(svg, model, window);
   draw_contacts(svg, model, window);
   draw_supports(svg, model, window);
@@ -286,7 +312,7 @@ std::string model_marks_legend(const model::Model& model, double width) {
                           line * (static_cast<double>(row) + 0.5)};
     const MarkEntry& entry = entries[i];
     if (entry.sign == MarkEntry::Sign::held) {
-      draw_held(svg, {at.x + 14.0, at.y - 2.0}, {true, true, false});
+      draw_held(svg, {at.x + 14.0, at.y - 2.0}, {true, true, false}, {});
     } else if (entry.sign == MarkEntry::Sign::heated) {
       for (const double x : {6.0, 13.0, 20.0}) {
         draw_dot(svg, {at.x + x, at.y});

@@ -11,6 +11,10 @@
 namespace spricka::report {
 namespace {
 
+constexpr double round_off_part = 1e-9;
+/// Where forces balance, they are measured by so much of the stiffness.
+constexpr double least_part_of_stiffness = 1e-3;
+
 /// Diagonal of the box round the nodes that elements have.
 double size_of(const model::Mesh& mesh) {
   geometry::Box<3> box;
@@ -52,6 +56,25 @@ double reference_elastic_force(const model::Model& model,
   return stiffness_times_way(model, increment) * depth;
 }
 
+double least_contact_pressure(const model::Model& model,
+                              const results::CrackLengthResult& increment) {
+  double largest = least_part_of_stiffness * reference_elastic_stress(model, increment);
+  for (const results::LoadStepResult& step : increment.steps) {
+    for (const results::ContactResult& contact : step.contacts) {
+      largest = std::max({largest, std::abs(contact.max_pressure), std::abs(contact.min_pressure)});
+    }
+  }
+  return round_off_part * largest;
+}
+
+double least_contact_pressure(const model::Model& model, const results::RunResult& run) {
+  double least = 0.0;
+  for (const results::CrackLengthResult& increment : run.increments) {
+    least = std::max(least, least_contact_pressure(model, increment));
+  }
+  return least;
+}
+
 double largest_von_mises_stress(const results::LoadStepResult& step) {
   double largest = 0.0;
   for (const results::Stress& stress : step.stress) {
@@ -62,12 +85,11 @@ double largest_von_mises_stress(const results::LoadStepResult& step) {
 
 bool has_significant_stress(const model::Model& model, const results::CrackLengthResult& increment,
                             const results::LoadStepResult& step) {
-  constexpr double round_off = 1e-9;
   double scale = reference_elastic_stress(model, increment);
   for (const results::LoadStepResult& other : increment.steps) {
     scale = std::max(scale, largest_von_mises_stress(other));
   }
-  return largest_von_mises_stress(step) > round_off * scale;
+  return largest_von_mises_stress(step) > round_off_part * scale;
 }
 
 } // namespace spricka::report

@@ -24,4 +24,11 @@ double largest_von_mises_stress(const results::LoadStepResult& step);
 bool has_significant_stress(const model::Model& model, const results::CrackLengthResult& increment,
                             const results::LoadStepResult& step);
 
+/// A contact pressure below which there is nothing but round-off in a run: of the largest pressure
+/// of all steps, where that is round-off itself of the stiffness [stress].
+double least_contact_pressure(const model::Model& model, const results::RunResult& run);
+/// The same of one crack length.
+double least_contact_pressure(const model::Model& model,
+                              const results::CrackLengthResult& increment);
+
 } // namespace spricka::report

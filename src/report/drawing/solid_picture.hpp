@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "report/drawing/body_surface.hpp"
 #include "results/results.hpp"
 
-#include <cstddef>
+#include <functional>
 #include <string>
 
 namespace spricka::report {
 
-/// So many faces are drawn at most: more make a page that is slow to show and no clearer.
-inline constexpr std::size_t most_drawn_faces = 20000;
-
-/// The outer surface of a solid mesh, seen from x, -y and z, deformed, coloured by von Mises.
+/// The outer surface of a solid mesh, seen from x, -y and z, deformed, coloured by stresses.
 struct SolidView {
   const results::CrackLengthResult* increment = nullptr;
   const results::LoadStepResult* step = nullptr;
-  std::string stress_name;
-  double width = 560.0; ///< [px]
+  std::function<double(const results::Stress&)> value; ///< what is shown of them [stress]
+  std::string title;                                   ///< "Surface, von Mises stress"
+  std::string field_words;                             ///< "von Mises, MPa"
+  double width = 560.0;                                ///< [px]
 };
 
-/// The picture as SVG, faces painted from the back to the front, with colour legend and axes.
+/// The picture as SVG, faces painted from the back to the front, with colour legend and axes. Its
+/// colours leave out the highest hundredth of what is seen, and the lowest where stresses may be
+/// negative: the tip of a crack would have them all for itself.
 std::string draw_svg(const SolidView& view);
 
 } // namespace spricka::report

@@ -2,9 +2,10 @@
 #include "model/model.hpp"
 #include "report/drawing/colour_scale.hpp"
 #include "report/drawing/plot.hpp"
+#include "report/drawing/round_off.hpp"
 #include "report/topics/figures.hpp"
-#include "report/topics/result_tables.hpp"
 #include "report/topics/unrolled.hpp"
+#include "results/shown_step.hpp"
 
 #include <fmt/format.h>
 
@@ -36,21 +37,24 @@ bool is_consistent(const model::Contact& contact) {
   return contact.recovery == model::PressureRecovery::consistent;
 }
 
-// Adds what a step of an increment has of a contact, where it is closed anywhere.
+// Adds what a step of an increment has of a contact, where it carries more than round-off.
 void add_closed(std::vector<Seen>& all, const results::LoadStepResult* step,
-                const model::Contact& contact, const std::string& label) {
+                const model::Contact& contact, const std::string& label, double least_pressure) {
   const results::ContactResult* const result =
       step == nullptr ? nullptr : results::find_contact(*step, contact.name);
-  if (result != nullptr && result->mounted && result->radius > 0.0 && result->closed > 0) {
+  if (result != nullptr && result->mounted && result->radius > 0.0 && result->closed > 0 &&
+      result->max_pressure > least_pressure) {
     all.push_back({result, label, UnrolledSurface(*result, is_consistent(contact))});
   }
 }
 
 /// The steps of the last length.
-std::vector<Seen> of_steps(const results::RunResult& run, const model::Contact& contact) {
+std::vector<Seen> of_steps(const model::Model& model, const results::RunResult& run,
+                           const model::Contact& contact) {
+  const double least = least_contact_pressure(model, run);
   std::vector<Seen> all;
   for (const results::LoadStepResult& step : run.increments.back().steps) {
-    add_closed(all, &step, contact, step.step);
+    add_closed(all, &step, contact, step.step, least);
   }
   return all;
 }
@@ -58,11 +62,13 @@ std::vector<Seen> of_steps(const results::RunResult& run, const model::Contact& 
 /// The leading step as the crack grows.
 std::vector<Seen> of_sizes(const model::Model& model, const results::RunResult& run,
                            const model::Contact& contact) {
-  const std::string step = leading_step_name(model);
+  const std::string step = results::shown_step_name(model, run.increments);
+  const double least = least_contact_pressure(model, run);
   std::vector<Seen> all;
   for (const results::CrackLengthResult* increment : sample_increments(run, most_sizes)) {
     add_closed(all, results::find_step(*increment, step), contact,
-               fmt::format("{}, a = {:.4g} {}", step, increment->a, model.units.length_name));
+               fmt::format("{}, a = {:.4g} {}", step, increment->a, model.units.length_name),
+               least);
   }
   return all;
 }
@@ -294,7 +300,7 @@ std::optional<Figure> unrolled_pressure_figure(const model::Model& model,
           Map(model, seen, fmt::format("bore-{}-{}", contact.name, drawn++)).draw(scale));
     }
   };
-  const std::vector<Seen> steps = of_steps(run, contact);
+  const std::vector<Seen> steps = of_steps(model, run, contact);
   if (steps.empty()) {
     return std::nullopt;
   }
@@ -306,7 +312,7 @@ std::optional<Figure> unrolled_pressure_figure(const model::Model& model,
     draw_maps(sizes, common_scale(sizes));
   }
   for (const Seen& seen : steps) {
-    if (sizes.empty() || seen.label != leading_step_name(model)) {
+    if (sizes.empty() || seen.label != results::shown_step_name(model, run.increments)) {
       draw_maps({seen}, common_scale({seen}));
     }
   }

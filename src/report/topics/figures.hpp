@@ -91,6 +91,15 @@ std::optional<Figure> unrolled_pressure_figure(const model::Model& model,
                                                const results::RunResult& run,
                                                const model::Contact& contact);
 
+/// The deck's contacts, and the faces of its cracks where they touch.
+std::vector<model::Contact> shown_contacts(const model::Model& model,
+                                           const results::RunResult& run);
+
+/// The point of a contact with the largest pressure, but for those next to a crack's mouth or the
+/// edge of a surface, where it has no bound; null: there is none.
+const results::ContactPoint* find_peak_pressure(const model::Contact& contact,
+                                                const results::ContactResult& result);
+
 /// The pressure at a node by the recovery that the deck asks for.
 double recovered_pressure(const model::Contact& contact, const results::ContactPoint& point);
 /// "consistent" or "lumped".

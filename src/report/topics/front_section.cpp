@@ -5,9 +5,11 @@
 #include "report/drawing/beach_marks.hpp"
 #include "report/drawing/columns.hpp"
 #include "report/drawing/crack_picture.hpp"
+#include "report/drawing/joint_picture.hpp"
 #include "report/drawing/plot.hpp"
+#include "report/topics/front_places.hpp"
 #include "report/topics/result_rows.hpp"
-#include "report/topics/result_tables.hpp"
+#include "results/shown_step.hpp"
 
 #include <fmt/format.h>
 
@@ -95,11 +97,12 @@ std::vector<std::vector<base::Vec3>> fronts_of(const results::CrackLengthResult&
   return fronts;
 }
 
-/// The front in its body and the opened crack, at the end of the leading step.
-std::optional<Figure> crack_pictures(const model::Model& model,
-                                     const results::CrackLengthResult& increment,
+/// The front in its body and the opened crack, at the end of the shown step.
+std::optional<Figure> crack_pictures(const model::Model& model, const results::RunResult& run,
                                      const std::string& name) {
-  const results::LoadStepResult& step = *leading_step_result(model, increment);
+  const results::CrackLengthResult& increment = run.increments.back();
+  const results::LoadStepResult& step =
+      *results::shown_step_result(model, run.increments, increment);
   const auto front = std::ranges::find(step.fronts, name, &results::FrontResult::name);
   if (front == step.fronts.end() || increment.surface.size() > most_drawn_faces) {
     return std::nullopt;
@@ -108,10 +111,21 @@ std::optional<Figure> crack_pictures(const model::Model& model,
   view.increment = &increment;
   view.step = &step;
   view.front = &*front;
-  view.k_name = typeset_unit(model.units.stress_intensity_name());
   view.length_name = model.units.length_name;
+  JointView body;
+  body.increment = &increment;
+  body.step = &step;
+  body.fronts = {&*front};
+  body.is_close = true;
+  body.marks = &model;
+  for (const FrontPlace& place : front_places(*front, FaceNames(increment.mesh))) {
+    body.labels.emplace_back(place.point->x, place.name);
+  }
+  body.id = fmt::format("front-{}", name);
+  body.title = fmt::format("{} in its body", name);
+  body.k_name = typeset_unit(model.units.stress_intensity_name());
   Figure figure;
-  for (const std::string& drawing : {draw_crack_front(view), draw_crack_opening(view)}) {
+  for (const std::string& drawing : {draw_svg(body), draw_crack_opening(view)}) {
     if (!drawing.empty()) {
       figure.drawings.push_back(drawing);
     }
@@ -120,9 +134,10 @@ std::optional<Figure> crack_pictures(const model::Model& model,
     return std::nullopt;
   }
   figure.caption = fmt::format(
-      "Crack {} at the end of step {}: its front in the body (other bodies are left out), and its "
-      "upper face seen along the normal. Colours of the face: how far the two faces have moved "
-      "apart or along each other. Circles: the points of the front.",
+      "Crack {} at the end of step {}: its front and its face, which show through the body (other "
+      "bodies are left out; arrows and triangles: loads and supports), and its upper face seen "
+      "along the normal. Colours of the face: how far the two faces have moved apart or along each "
+      "other. Circles: the points of the front.",
       name, step.step);
   return figure;
 }
@@ -175,7 +190,7 @@ std::vector<Figure> k_along_front_figures(const model::Model& model,
   }
   for (const results::FrontResult* front : find_fronts_in_space(run.increments.back())) {
     figures.push_back(k_along_front_figure(model, run.increments.back(), front->name));
-    add_figure(figures, crack_pictures(model, run.increments.back(), front->name));
+    add_figure(figures, crack_pictures(model, run, front->name));
   }
   return figures;
 }

@@ -5,6 +5,7 @@
 #include "report/drawing/picture_frame.hpp"
 #include "report/drawing/plot.hpp"
 #include "report/topics/figures.hpp"
+#include "report/topics/front_places.hpp"
 #include "report/topics/front_section.hpp"
 #include "report/topics/growth_tables.hpp"
 #include "report/topics/load_path_tables.hpp"
@@ -38,11 +39,35 @@ std::vector<DrawingPoint> life_points(const std::vector<results::LifeCurvePoint>
   return points;
 }
 
+/// A point whose growth is drawn, with the face that it lies on in its name.
+struct ReportedGrowthPoint {
+  std::size_t index = 0; ///< of point_names
+  std::string name;
+};
+
+std::vector<ReportedGrowthPoint> reported_points(const results::RunResult& run) {
+  const GrowthResult& growth = *run.growth;
+  const std::vector<std::size_t> reported = reported_growth_points(growth);
+  const bool some_are_left_out = reported.size() < growth.point_names.size();
+  std::vector<ReportedGrowthPoint> points;
+  for (const std::size_t i : reported) {
+    std::string name = growth.point_names[i];
+    const std::string face =
+        some_are_left_out
+            ? FaceNames(run.increments.front().mesh).at(growth.stations.front().points[i].x)
+            : std::string();
+    points.push_back({i, face.empty() ? name : fmt::format("{} at {}", name, face)});
+  }
+  return points;
+}
+
 /// Lengths over cycles: the curve as a line, what was solved as marks on it.
-void add_life_curve(Plot& plot, const GrowthResult& growth, std::size_t front) {
-  PlotSeries line = styled_curve(growth.point_names[front], front, front);
+void add_life_curve(Plot& plot, const GrowthResult& growth, const ReportedGrowthPoint& reported,
+                    std::size_t ink) {
+  const std::size_t front = reported.index;
+  PlotSeries line = styled_curve(reported.name, ink, ink);
   line.points = life_points(growth.curve, front);
-  PlotSeries marks = marker_series("", palette_marker_shape(front));
+  PlotSeries marks = marker_series("", palette_marker_shape(ink));
   marks.colour = line.colour;
   for (const GrowthStation& station : growth.stations) {
     marks.points.push_back({station.cycles, station.points[front].a});
@@ -123,17 +148,18 @@ Figure life_figure(const model::Model& model, const results::RunResult& run) {
             axis_title("N", units),
             axis_title("a", model.units.length_name),
             {}};
-  for (std::size_t t = 0; t < growth.point_names.size(); ++t) {
-    add_life_curve(plot, growth, t);
+  const std::vector<ReportedGrowthPoint> reported = reported_points(run);
+  for (std::size_t t = 0; t < reported.size(); ++t) {
+    add_life_curve(plot, growth, reported[t], t);
   }
   add_checks(plot, model);
   std::string more;
   for (std::size_t k = 0; k < growth.scaled.size(); ++k) {
     PlotSeries& series = plot.series.emplace_back(
-        styled_curve(scaled_k_life_legend(growth.scaled[k]), growth.point_names.size() + k, 1 + k));
+        styled_curve(scaled_k_life_legend(growth.scaled[k]), reported.size() + k, 1 + k));
     series.points = life_points(growth.scaled[k].curve, 0);
     plot.legend_below = true;
-    plot.series.front().name = growth.point_names.front() + ", K of every load";
+    plot.series.front().name = reported.front().name + ", K of every load";
     more = " Dashed: the life if K is taken from a straight line over the load, which the computed "
            "K does not follow.";
   }
@@ -169,14 +195,15 @@ Figure range_figure(const model::Model& model, const results::RunResult& run) {
             axis_title("a", model.units.length_name),
             axis_title("K", model.units.stress_intensity_name()),
             {}};
-  for (std::size_t t = 0; t < growth.point_names.size(); ++t) {
+  const std::vector<ReportedGrowthPoint> reported = reported_points(run);
+  for (std::size_t t = 0; t < reported.size(); ++t) {
     for (const bool largest : {true, false}) {
-      PlotSeries series = styled_curve(
-          fmt::format("{}, {}", growth.point_names[t], largest ? "largest" : "smallest"), t,
-          largest ? 0 : 1);
+      PlotSeries series =
+          styled_curve(fmt::format("{}, {}", reported[t].name, largest ? "largest" : "smallest"), t,
+                       largest ? 0 : 1);
       series.marker = palette_marker_shape(t);
       for (const GrowthStation& station : growth.stations) {
-        const results::GrownPointResult& tip = station.points[t];
+        const results::GrownPointResult& tip = station.points[reported[t].index];
         series.points.push_back({tip.a, largest ? tip.K_max : tip.K_min});
         if (largest) {
           series.bars.push_back(bar_at(model, run, station, tip.name));
@@ -195,7 +222,8 @@ Figure range_figure(const model::Model& model, const results::RunResult& run) {
 
 /// GrowthResult per cycle or pass over the range of K, as the law gave it at the stations: the part
 /// of the law that was used.
-std::optional<Figure> law_figure(const model::Model& model, const GrowthResult& growth) {
+std::optional<Figure> law_figure(const model::Model& model, const results::RunResult& run) {
+  const GrowthResult& growth = *run.growth;
   const std::string unit = typeset_unit(model.units.stress_intensity_name());
   Plot plot{"Growth law over the range it was used in",
             axis_title("ΔK", model.units.stress_intensity_name()),
@@ -205,11 +233,12 @@ std::optional<Figure> law_figure(const model::Model& model, const GrowthResult& 
   plot.log_y = true;
   double low = std::numeric_limits<double>::max();
   double high = 0.0;
-  for (std::size_t t = 0; t < growth.point_names.size(); ++t) {
-    PlotSeries series = styled_curve(growth.point_names[t], t, 0);
+  const std::vector<ReportedGrowthPoint> reported = reported_points(run);
+  for (std::size_t t = 0; t < reported.size(); ++t) {
+    PlotSeries series = styled_curve(reported[t].name, t, 0);
     series.marker = palette_marker_shape(t);
     for (const GrowthStation& station : growth.stations) {
-      const results::GrownPointResult& tip = station.points[t];
+      const results::GrownPointResult& tip = station.points[reported[t].index];
       const double range = tip.K_max - tip.K_min;
       if (range > 0.0 && tip.rate > 0.0) {
         series.points.push_back({range, tip.rate});
@@ -361,7 +390,7 @@ std::vector<Figure> growth_figures(const model::Model& model, const results::Run
   }
   const GrowthResult& growth = *run.growth;
   std::vector<Figure> figures{life_figure(model, run), range_figure(model, run)};
-  add_figure(figures, law_figure(model, growth));
+  add_figure(figures, law_figure(model, run));
   add_figure(figures, exceedance_figure(model, growth));
   constexpr base::ByDimension grown{path_figures, beach_mark_figures};
   std::ranges::move(grown.at(model.mesh.dim)(model, run), std::back_inserter(figures));

@@ -4,6 +4,7 @@
 #include "model/model.hpp"
 #include "report/drawing/columns.hpp"
 #include "report/drawing/file.hpp"
+#include "report/topics/front_places.hpp"
 #include "report/topics/result_tables.hpp"
 
 #include <fmt/format.h>
@@ -91,14 +92,21 @@ struct StationRow {
 };
 using Grown = results::GrownPointResult;
 
-std::vector<StationRow> station_rows(const results::GrowthResult& growth) {
+std::vector<StationRow> station_rows(const results::GrowthResult& growth,
+                                     const std::vector<std::size_t>& points) {
   std::vector<StationRow> rows;
   for (const results::GrowthStation& station : growth.stations) {
-    for (const Grown& point : station.points) {
-      rows.push_back({station, point});
+    for (const std::size_t i : points) {
+      rows.push_back({station, station.points.at(i)});
     }
   }
   return rows;
+}
+
+std::vector<std::size_t> all_growth_points(const results::GrowthResult& growth) {
+  std::vector<std::size_t> all(growth.point_names.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
 }
 
 /// A value of a row's point, times a unit.
@@ -139,7 +147,7 @@ void write_life_csv(const std::filesystem::path& file, const model::Model& model
       "{3}{4}",
       model.units.length_name, model.units.stress_intensity_name(), growth.unit, growth.ended,
       continued_below_closing(model, growth) ? "; K_min below 0: of faces that could overlap" : "");
-  write_file(file, columns.csv(units, station_rows(growth)));
+  write_file(file, columns.csv(units, station_rows(growth, all_growth_points(growth))));
 }
 
 void write_life_curve_csv(const std::filesystem::path& file, const model::Model& model,
@@ -166,9 +174,11 @@ void write_life_curve_csv(const std::filesystem::path& file, const model::Model&
   write_file(file, columns.csv(units, points));
 }
 
-ReportTable growth_station_table(const model::Model& model, const results::RunResult& run) {
+namespace {
+
+ReportTable station_table(const model::Model& model, const results::GrowthResult& growth,
+                          const std::vector<std::size_t>& points) {
   const base::UnitSystem& units = model.units;
-  const results::GrowthResult growth = run.growth.value_or(results::GrowthResult());
   const std::string K = units.stress_intensity_name();
   Columns<StationRow> columns;
   columns.number("increment", "", [](const StationRow& row) { return row.station.increment; })
@@ -185,7 +195,20 @@ ReportTable growth_station_table(const model::Model& model, const results::RunRe
         .number("K min first", K, grown(&Grown::first_min))
         .number("passes", "", [](const StationRow& row) { return row.station.passes; });
   }
-  return columns.table("Growth", station_rows(growth));
+  return columns.table("Growth", station_rows(growth, points));
+}
+
+} // namespace
+
+ReportTable growth_station_table(const model::Model& model, const results::RunResult& run) {
+  const results::GrowthResult growth = run.growth.value_or(results::GrowthResult());
+  return station_table(model, growth, all_growth_points(growth));
+}
+
+ReportTable reported_growth_station_table(const model::Model& model,
+                                          const results::RunResult& run) {
+  const results::GrowthResult growth = run.growth.value_or(results::GrowthResult());
+  return station_table(model, growth, reported_growth_points(growth));
 }
 
 namespace {

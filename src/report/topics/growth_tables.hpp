@@ -20,6 +20,8 @@ void write_life_curve_csv(const std::filesystem::path& file, const model::Model&
 
 /// Stations of a growth by a law; without rows where there is none.
 ReportTable growth_station_table(const model::Model& model, const results::RunResult& run);
+/// The same of the points that are reported (front_places.hpp).
+ReportTable reported_growth_station_table(const model::Model& model, const results::RunResult& run);
 /// How it ended, after how many cycles, and how good they are: lines of text.
 std::string life_summary(const model::Model& model, const results::RunResult& run);
 

@@ -19,19 +19,43 @@ std::string kind_of_K_text(const results::KErrorBar& bar, const std::string& raw
 
 } // namespace
 
+namespace {
+
+/// Decimals that show two digits of a bar.
+int decimals_of_bar(double size) {
+  return std::max(0, 1 - static_cast<int>(std::floor(std::log10(size))));
+}
+
+bool has_no_digits(double size) {
+  return !(size > 0.0) || !std::isfinite(size) || std::abs(std::log10(size)) > 9.0;
+}
+
+std::string rounded_text(double value, int decimals) {
+  const double unit = std::pow(10.0, -decimals);
+  return fmt::format("{:.{}f}", std::abs(value) < 0.5 * unit ? 0.0 : value, decimals);
+}
+
+} // namespace
+
+std::string k_and_bar_text(double K, double size) {
+  if (has_no_digits(size)) {
+    return fmt::format("{:.4g} +- {:.2g}", K, size);
+  }
+  const int decimals = decimals_of_bar(size);
+  return fmt::format("{} +- {}", rounded_text(K, decimals), rounded_text(size, decimals));
+}
+
 std::string k_with_bar_text(double K, double raw, const results::KErrorBar& bar) {
   const double size = bar.size();
   if (size == 0.0) { // K that is 0 whatever the mesh
     return fmt::format("{:.6g} +- 0", K);
   }
-  if (!(size > 0.0) || !std::isfinite(size) || std::abs(std::log10(size)) > 9.0) {
+  if (has_no_digits(size)) {
     return fmt::format("{:.6g} +- {:.2g}; {}", K, size,
                        kind_of_K_text(bar, fmt::format("{:.6g}", raw)));
   }
-  const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(size))));
-  const auto number = [&](double value) {
-    const double unit = std::pow(10.0, -decimals);
-    return fmt::format("{:.{}f}", std::abs(value) < 0.5 * unit ? 0.0 : value, decimals);
+  const auto number = [decimals = decimals_of_bar(size)](double value) {
+    return rounded_text(value, decimals);
   };
   return fmt::format("{} +- {} (mesh {}, contact edge {}, floor {}); {}", number(K), number(size),
                      number(bar.mesh), number(bar.edge), number(bar.floor),

@@ -6,6 +6,9 @@
 
 namespace spricka::report {
 
+/// "630.68 +- 0.21": as many decimals as the bar has meaning.
+std::string k_and_bar_text(double K, double size);
+
 /// "630.68 +- 0.21 (mesh 0.16, contact edge 0.02, floor 0.03); raw 630.44": as many decimals as the
 /// bar has meaning. `raw`: K as the mesh has it; without its estimated error taken out the text
 /// ends in words that say so.

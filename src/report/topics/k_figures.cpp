@@ -5,7 +5,7 @@
 #include "report/topics/figures.hpp"
 #include "report/topics/k_bars.hpp"
 #include "report/topics/result_rows.hpp"
-#include "report/topics/result_tables.hpp"
+#include "results/shown_step.hpp"
 
 #include <fmt/format.h>
 
@@ -267,7 +267,7 @@ std::optional<Figure> k_over_crack_length_figure(const model::Model& model,
 std::optional<Figure> normalised_k_figure(const model::Model& model,
                                           const results::RunResult& run) {
   const KFigureScale scale{find_figure_reference_values(model)};
-  const std::string step = leading_step_name(model);
+  const std::string step = results::shown_step_name(model, run.increments);
   const std::vector<std::string> fronts = front_names(run);
   if (!scale.state || !grows(run, fronts, step)) {
     return std::nullopt;

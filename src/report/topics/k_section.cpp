@@ -6,7 +6,7 @@
 #include "report/topics/front_section.hpp"
 #include "report/topics/k_tables.hpp"
 #include "report/topics/result_rows.hpp"
-#include "report/topics/result_tables.hpp"
+#include "results/shown_step.hpp"
 
 #include <fmt/format.h>
 
@@ -125,7 +125,15 @@ KReportSection front_section(const model::Model& model, const results::RunResult
   KReportSection section;
   if (!run.increments.empty()) {
     section.pictures = k_along_front_figures(model, run);
-    section.tables = front_tables(model, run.increments.back());
+    section.tables = front_place_tables(model, run.increments.back());
+    section.folded = front_tables(model, run.increments.back());
+    for (ReportTable& table : section.folded) {
+      table.title += ": every point";
+    }
+    if (!section.tables.empty()) {
+      section.remarks.push_back("At the ends of a front K is what the points within go on to, with "
+                                "the bar of the next one. All points are in k.csv.");
+    }
   }
   return section;
 }
@@ -133,7 +141,7 @@ KReportSection front_section(const model::Model& model, const results::RunResult
 KReportSection tip_section(const model::Model& model, const results::RunResult& run) {
   KReportSection section;
   const auto steps = largest_of_steps(run);
-  const std::string leading = leading_step_name(model);
+  const std::string leading = results::shown_step_name(model, run.increments);
   double largest = 0.0;
   for (const auto& [step, size] : steps) {
     largest = std::max(largest, size);

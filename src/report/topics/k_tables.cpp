@@ -4,6 +4,7 @@
 #include "base/quantity.hpp"
 #include "model/model.hpp"
 #include "report/drawing/columns.hpp"
+#include "report/topics/front_places.hpp"
 #include "report/topics/k_bars.hpp"
 #include "report/topics/result_rows.hpp"
 #include "results/k_quantities.hpp"
@@ -143,6 +144,73 @@ ReportTable front_table(const model::Model& model, const results::CrackLengthRes
                        rows);
 }
 
+/// A point of a front with the name of its place.
+struct FrontPlaceRow : FrontPointRow {
+  std::string place;
+};
+
+/// K of a mode at a place, at the end of a front that which the points within go on to.
+double place_K(const FrontPlaceRow& row, std::size_t mode) {
+  return row.point.at_surface ? row.point.smooth[mode] : row.point.K()[mode];
+}
+
+std::vector<FrontPlaceRow> place_rows(const results::CrackLengthResult& increment,
+                                      const std::string& name, double least_K) {
+  const FaceNames faces(increment.mesh);
+  std::vector<FrontPlaceRow> rows;
+  for (const FrontRow& row : front_rows({&increment, 1})) {
+    if (row.front.name == name && largest_K(row.front) > least_K) {
+      for (const FrontPlace& place : front_places(row.front, faces)) {
+        rows.push_back({{row, *place.point}, place.name});
+      }
+    }
+  }
+  return rows;
+}
+
+ReportTable front_place_table(const model::Model& model,
+                              const results::CrackLengthResult& increment,
+                              const results::FrontResult& first) {
+  constexpr double shown_beside_largest = 1e-3;
+  const CrackScale scale = crack_scale({&increment, 1});
+  const std::vector<FrontPlaceRow> rows = place_rows(increment, first.name, 1e-9 * scale.K);
+  const std::string unit = model.units.stress_intensity_name();
+  Columns<FrontPlaceRow> columns;
+  columns.words("step", [](const FrontPlaceRow& row) { return row.step.step; })
+      .words("place", &FrontPlaceRow::place)
+      .number("point", "", [](const FrontPlaceRow& row) { return row.point.number; });
+  for (std::size_t mode = 0; mode < 3; ++mode) {
+    const bool reported = mode == 0 || std::ranges::any_of(rows, [&](const FrontPlaceRow& row) {
+                            return std::abs(place_K(row, mode)) > shown_beside_largest * scale.K;
+                          });
+    if (!reported) {
+      continue;
+    }
+    columns.number(fmt::format("K{}", mode + 1), unit, [=](const FrontPlaceRow& row) {
+      return six_digits_or_zero(place_K(row, mode), scale.K);
+    });
+    if (first.has_error_bar()) {
+      columns.fill_only_if([](const FrontPlaceRow& row) { return row.front.has_error_bar(); });
+      columns.number("+-", unit, [=](const FrontPlaceRow& row) {
+        return format_error_bar(row.point.bar[mode].size());
+      });
+      columns.fill_only_if({});
+    }
+  }
+  columns.number(
+      "length along the front", model.units.length_name,
+      [](const FrontPlaceRow& row) { return row.point.s; }, "{:.4g}");
+  if (first.has_angles) {
+    columns.number(
+        "angle", "deg", [](const FrontPlaceRow& row) { return row.point.phi * degrees_per_radian; },
+        "{:.1f}");
+  }
+  columns.words("", [](const FrontPlaceRow& row) { return row.point.closed ? "closed" : ""; });
+  return columns.table(fmt::format("Stress intensity factors of {}, a = {:.4g} {}", first.name,
+                                   first.a, model.units.length_name),
+                       rows);
+}
+
 } // namespace
 
 ReportTable tip_k_table(const model::Model& model, const results::CrackLengthResult& increment) {
@@ -167,6 +235,15 @@ std::vector<ReportTable> front_tables(const model::Model& model,
   std::vector<ReportTable> tables;
   for (const results::FrontResult* front : find_fronts_in_space(increment)) {
     tables.push_back(front_table(model, increment, *front));
+  }
+  return tables;
+}
+
+std::vector<ReportTable> front_place_tables(const model::Model& model,
+                                            const results::CrackLengthResult& increment) {
+  std::vector<ReportTable> tables;
+  for (const results::FrontResult* front : find_fronts_in_space(increment)) {
+    tables.push_back(front_place_table(model, increment, *front));
   }
   return tables;
 }

@@ -24,6 +24,10 @@ ReportTable tip_k_table_over_increments(const model::Model& model, const results
 std::vector<ReportTable> front_tables(const model::Model& model,
                                       const results::CrackLengthResult& increment);
 
+/// The same at the places by which a front is reported (front_places.hpp), K and its bars alone.
+std::vector<ReportTable> front_place_tables(const model::Model& model,
+                                            const results::CrackLengthResult& increment);
+
 /// The quantities of K that a model's runs have at a place, in the order of the table; those by
 /// opening where the deck asks for them.
 std::vector<const results::KQuantity*> shown_k_quantities(const model::Model& model,

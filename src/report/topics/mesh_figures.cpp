@@ -8,11 +8,12 @@
 #include "report/drawing/round_off.hpp"
 #include "report/drawing/solid_picture.hpp"
 #include "report/topics/figures.hpp"
-#include "report/topics/result_tables.hpp"
+#include "results/shown_step.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -76,7 +77,8 @@ void set_window(MeshView& view, const base::Vec3& centre, double half) {
 }
 
 std::string tip_drawing(const model::Model& model, const results::CrackLengthResult& increment,
-                        const results::FrontResult& tip, bool close) {
+                        const results::LoadStepResult& step, const results::FrontResult& tip,
+                        bool close) {
   const results::FrontPointResult& end = tip.single_point();
   const TipMeshPlace place = find_tip_place(increment.mesh, end.x);
   MeshView view;
@@ -88,40 +90,20 @@ std::string tip_drawing(const model::Model& model, const results::CrackLengthRes
                            model.units.length_name);
   const base::Vec3 middle = end.x - 0.45 * tip.a * end.direction;
   set_window(view, close ? end.x : middle, close ? 5.0 * place.element : 0.85 * tip.a);
-  if (const results::LoadStepResult* const step = leading_step_result(model, increment)) {
-    deform(view, *step, place.node);
-  }
+  deform(view, step, place.node);
   return draw_svg(view);
 }
 
-/// A view of all there is, at most `width` wide, with room for what stands beside the bodies.
-MeshView whole_view(const model::Model& model, const results::CrackLengthResult& increment,
-                    double width, double share) {
+Figure whole_mesh(const model::Model& model, const results::RunResult& run) {
+  const results::CrackLengthResult& increment = run.increments.back();
   const model::Mesh& mesh = increment.mesh;
-  MeshView view;
-  view.mesh = &mesh;
-  view.length_name = model.units.length_name;
-  PictureBox box;
-  for (const base::NodeId n : mesh.nodes) {
-    box.add({mesh.x[n.index()][0], mesh.x[n.index()][1]});
-  }
-  view.rigids = model.rigids;
-  const double margin = share * std::max(box.width(), box.height());
-  view.low = {box.low.x - margin, box.low.y - margin};
-  view.high = {box.high.x + margin, box.high.y + margin};
-  const double slender = (view.high.y - view.low.y) / (view.high.x - view.low.x);
-  view.width = std::min(width, 480.0 / slender);
-  return view;
-}
-
-Figure whole_mesh(const model::Model& model, const results::CrackLengthResult& increment) {
-  const model::Mesh& mesh = increment.mesh;
-  MeshView view = whole_view(model, increment, 660.0, 0.06); // room for arrows and hatches
+  MeshView view = whole_mesh_view(model, mesh, {660.0, 480.0}); // room for arrows and hatches
   view.id = "mesh-whole";
   view.title = "Mesh";
   view.marks = &model;
   std::string cracks;
-  if (const results::LoadStepResult* const step = leading_step_result(model, increment)) {
+  if (const results::LoadStepResult* const step =
+          results::shown_step_result(model, run.increments, increment)) {
     for (const results::FrontResult& tip : step->fronts) {
       if (const results::FrontPointResult& end = tip.single_point(); !end.direction.isZero()) {
         view.labels.push_back({{end.x[0], end.x[1]}, tip.name});
@@ -150,11 +132,11 @@ void deform_all(MeshView& view, const results::LoadStepResult& step) {
   magnify(view, step, largest, std::max(view.high.x - view.low.x, view.high.y - view.low.y) / 15.0);
 }
 
-/// The value that 99 % of the area stay below: a crack tip would have all colours for itself.
-double level_of_most(const model::Mesh& mesh, const std::vector<double>& field) {
-  constexpr double counted = 0.99;
-  std::vector<std::pair<double, double>> values; // with their share of the area
-  double total = 0.0;
+/// Values at the nodes of elements with their shares of the area: a crack tip would have all
+/// colours for itself.
+std::vector<std::pair<double, double>> values_by_area(const model::Mesh& mesh,
+                                                      const std::vector<double>& field) {
+  std::vector<std::pair<double, double>> values;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const std::span<const base::NodeId> nodes = mesh.element_nodes(base::ElementId(e));
     const auto corners = static_cast<std::size_t>(base::element_info(mesh.type[e]).corners);
@@ -165,37 +147,46 @@ double level_of_most(const model::Mesh& mesh, const std::vector<double>& field) 
       area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
     }
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      const double share = area / static_cast<double>(nodes.size());
-      values.emplace_back(field[static_cast<std::size_t>(mesh.first[e]) + i], share);
-      total += share;
+      values.emplace_back(field[static_cast<std::size_t>(mesh.first[e]) + i],
+                          area / static_cast<double>(nodes.size()));
     }
   }
-  std::ranges::sort(values);
-  double sum = 0.0;
-  for (const auto& [value, share] : values) {
-    sum += share;
-    if (sum >= counted * total) {
-      return value;
-    }
-  }
-  return values.empty() ? 0.0 : values.back().first;
+  return values;
 }
 
-/// Von Mises stress, deformed; its largest value.
+constexpr double counted_area = 0.99;
+
+/// What of a stress a picture shows.
+struct StressPicture {
+  const char* id;
+  const char* title;
+  const char* words; ///< in the legend
+  double (*value)(const results::Stress&);
+};
+double largest_principal_stress(const results::Stress& stress) {
+  return results::principal_stresses(stress).front();
+}
+constexpr std::array stress_pictures{
+    StressPicture{"stress-whole", "Von Mises stress", "von Mises", results::von_mises},
+    StressPicture{"principal-whole", "Largest principal stress", "largest principal",
+                  largest_principal_stress}};
+
+/// A stress, deformed.
 std::string stress_drawing(const model::Model& model, const results::CrackLengthResult& increment,
-                           const results::LoadStepResult& step, double& largest) {
-  MeshView view = whole_view(model, increment, 480.0, 0.06);
-  view.id = "stress-whole";
-  view.title = "Von Mises stress";
+                           const results::LoadStepResult& step, const StressPicture& picture) {
+  MeshView view = whole_mesh_view(model, increment.mesh, {480.0, 480.0});
+  view.id = picture.id;
+  view.title = picture.title;
   const model::FieldPointsByProperty points = model::property_points(increment.mesh);
   for (const std::int32_t point : points.of) {
-    view.field.push_back(results::von_mises(step.stress[static_cast<std::size_t>(point)]));
+    view.field.push_back(picture.value(step.stress[static_cast<std::size_t>(point)]));
   }
   const auto [low, high] = std::ranges::minmax(view.field);
-  largest = high;
-  const double most = level_of_most(increment.mesh, view.field);
-  view.scale = make_colour_scale(low, most > low ? most : high);
-  view.field_words = fmt::format("von Mises, {}", typeset_unit(model.units.stress_name()));
+  const auto values = values_by_area(increment.mesh, view.field);
+  const double top = value_above_share(values, counted_area);
+  const double foot = low < 0.0 ? value_above_share(values, 1.0 - counted_area) : low;
+  view.scale = make_colour_scale(foot, top > foot ? top : high);
+  view.field_words = fmt::format("{}, {}", picture.words, typeset_unit(model.units.stress_name()));
   deform_all(view, step);
   return draw_svg(view);
 }
@@ -203,7 +194,7 @@ std::string stress_drawing(const model::Model& model, const results::CrackLength
 std::string displacement_drawing(const model::Model& model,
                                  const results::CrackLengthResult& increment,
                                  const results::LoadStepResult& step) {
-  MeshView view = whole_view(model, increment, 480.0, 0.06);
+  MeshView view = whole_mesh_view(model, increment.mesh, {480.0, 480.0});
   view.id = "displacement-whole";
   view.title = "Displacement";
   for (const base::NodeId n : increment.mesh.nodes) {
@@ -215,11 +206,12 @@ std::string displacement_drawing(const model::Model& model,
   return draw_svg(view);
 }
 
-/// The leading step, or where its stresses are round-off that with the largest; null without
+/// The shown step, or where its stresses are round-off that with the largest; null without
 /// stresses.
-const results::LoadStepResult* stressed(const model::Model& model,
+const results::LoadStepResult* stressed(const model::Model& model, const results::RunResult& run,
                                         const results::CrackLengthResult& increment) {
-  const results::LoadStepResult* best = leading_step_result(model, increment);
+  const results::LoadStepResult* best =
+      results::shown_step_result(model, run.increments, increment);
   if (best == nullptr || has_significant_stress(model, increment, *best)) {
     return best == nullptr || best->stress.empty() ? nullptr : best;
   }
@@ -237,16 +229,15 @@ std::string place_words(const model::Model& model, const results::CrackLengthRes
                            : fmt::format("step {}", step.step);
 }
 
-/// Stresses and displacements of the last length's leading step, where they were recovered.
-std::optional<Figure> field_figure(const model::Model& model,
-                                   const results::CrackLengthResult& increment) {
-  const results::LoadStepResult* const step = stressed(model, increment);
+/// Stresses and displacements of the last length's shown step, where they were recovered.
+std::optional<Figure> field_figure(const model::Model& model, const results::RunResult& run) {
+  const results::CrackLengthResult& increment = run.increments.back();
+  const results::LoadStepResult* const step = stressed(model, run, increment);
   const model::Mesh& mesh = increment.mesh;
   if (step == nullptr || mesh.element_count() > most_coloured ||
       step->u.size() != static_cast<Eigen::Index>(2 * mesh.node_count())) {
     return std::nullopt;
   }
-  double largest = 0.0;
   Figure figure;
   const std::string place = place_words(model, increment, *step);
   if (!has_significant_stress(model, increment, *step)) {
@@ -260,13 +251,17 @@ std::optional<Figure> field_figure(const model::Model& model,
                         : "");
     return figure;
   }
-  figure.drawings.push_back(stress_drawing(model, increment, *step, largest));
+  for (const StressPicture& picture : stress_pictures) {
+    figure.drawings.push_back(stress_drawing(model, increment, *step, picture));
+  }
   figure.drawings.push_back(displacement_drawing(model, increment, *step));
   figure.caption = fmt::format(
-      "Von Mises stress, mean of the elements that meet at a node, and displacement at the end of "
-      "{}, deformed. The stress colours end at the value that 99 % of the area is below. The "
-      "largest stress is {:.4g} {}; at a crack tip or a sharp corner it depends on the mesh.",
-      place, largest, typeset_unit(model.units.stress_name()));
+      "Von Mises stress and largest principal stress, means of the elements that meet at a node, "
+      "and "
+      "displacement at the end of {}, deformed. The stress colours end at the value that 99 % of "
+      "the area is below. The largest von Mises stress is {:.4g} {}; at a crack tip or a sharp "
+      "corner it depends on the mesh.",
+      place, largest_von_mises_stress(*step), typeset_unit(model.units.stress_name()));
   return figure;
 }
 
@@ -277,11 +272,12 @@ std::optional<Figure> crack_figure(const model::Model& model, const results::Run
   const results::CrackLengthResult* last = nullptr;
   const results::FrontResult* last_tip = nullptr;
   for (const results::CrackLengthResult* const increment : sample_increments(run, 2)) {
-    const results::LoadStepResult* const step = leading_step_result(model, *increment);
+    const results::LoadStepResult* const step =
+        results::shown_step_result(model, run.increments, *increment);
     const results::FrontResult* const tip =
         step == nullptr ? nullptr : results::find_front(*step, name);
     if (tip != nullptr && !tip->single_point().direction.isZero() && tip->a > 0.0) {
-      figure.drawings.push_back(tip_drawing(model, *increment, *tip, false));
+      figure.drawings.push_back(tip_drawing(model, *increment, *step, *tip, false));
       last = increment;
       last_tip = tip;
     }
@@ -289,17 +285,20 @@ std::optional<Figure> crack_figure(const model::Model& model, const results::Run
   if (last == nullptr) {
     return std::nullopt;
   }
-  figure.drawings.push_back(tip_drawing(model, *last, *last_tip, true));
+  const results::LoadStepResult& last_step =
+      *results::shown_step_result(model, run.increments, *last);
+  figure.drawings.push_back(tip_drawing(model, *last, last_step, *last_tip, true));
   figure.caption = fmt::format("The mesh round crack {} at the end of step {}, deformed, the tip "
                                "held in its place; other bodies are left out.",
-                               name, leading_step_result(model, *last)->step);
+                               name, last_step.step);
   return figure;
 }
 
-/// The surface of the last length's leading step, or where to see it.
+/// The surface of the last length's shown step, or where to see it.
 std::vector<Figure> solid_figures(const model::Model& model, const results::RunResult& run) {
+  constexpr std::size_t most_faces_for_two = 8000;
   const results::CrackLengthResult& increment = run.increments.back();
-  const results::LoadStepResult* const step = stressed(model, increment);
+  const results::LoadStepResult* const step = stressed(model, run, increment);
   if (step == nullptr || increment.surface.empty()) {
     return {};
   }
@@ -310,17 +309,27 @@ std::vector<Figure> solid_figures(const model::Model& model, const results::RunR
                          "this folder in ParaView.",
                          increment.surface.size())}};
   }
-  SolidView view;
-  view.increment = &increment;
-  view.step = step;
-  view.stress_name = model.units.stress_name();
-  return {{{draw_svg(view)},
-           "",
-           fmt::format(
-               "The outer surface at the end of {}, {} elements, deformed. Colours: von "
-               "Mises stress, mean over the nodes of each face{}.",
-               place_words(model, increment, *step), increment.mesh.element_count(),
-               has_significant_stress(model, increment, *step) ? "" : ": nothing but round-off")}};
+  const bool significant = has_significant_stress(model, increment, *step);
+  Figure figure;
+  for (const StressPicture& picture : stress_pictures) {
+    if (figure.drawings.empty() || (significant && increment.surface.size() < most_faces_for_two)) {
+      figure.drawings.push_back(
+          draw_svg(SolidView{.increment = &increment,
+                             .step = step,
+                             .value = picture.value,
+                             .title = fmt::format("Surface, {}", picture.words),
+                             .field_words = fmt::format("{}, {}", picture.words,
+                                                        typeset_unit(model.units.stress_name()))}));
+    }
+  }
+  figure.caption = fmt::format(
+      "The outer surface at the end of {}, {} elements, deformed. Colours: von Mises stress{}, "
+      "mean "
+      "over the nodes of each face{}; they end at the value that 99 % of what is seen is below.",
+      place_words(model, increment, *step), increment.mesh.element_count(),
+      figure.drawings.size() > 1 ? " and largest principal stress" : "",
+      significant ? "" : ": nothing but round-off");
+  return {figure};
 }
 
 std::vector<Figure> plane_figures(const model::Model& model, const results::RunResult& run) {
@@ -329,9 +338,10 @@ std::vector<Figure> plane_figures(const model::Model& model, const results::RunR
   if (last.mesh.nodes.empty()) {
     return figures;
   }
-  figures.push_back(whole_mesh(model, last));
-  add_figure(figures, field_figure(model, last));
-  if (const results::LoadStepResult* const step = leading_step_result(model, last)) {
+  figures.push_back(whole_mesh(model, run));
+  add_figure(figures, field_figure(model, run));
+  if (const results::LoadStepResult* const step =
+          results::shown_step_result(model, run.increments, last)) {
     for (const results::FrontResult& tip : step->fronts) {
       add_figure(figures, crack_figure(model, run, tip.name));
     }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/model.hpp"
 #include "report/drawing/plot.hpp"
+#include "report/drawing/round_off.hpp"
 #include "report/topics/dimension_columns.hpp"
 #include "report/topics/figures.hpp"
 #include "report/topics/result_rows.hpp"
-#include "report/topics/result_tables.hpp"
+#include "results/shown_step.hpp"
 
 #include <fmt/format.h>
 
@@ -86,35 +87,50 @@ std::vector<ContactRow> mounted_rows(const results::RunResult& run, const std::s
 
 constexpr double near_mouth = std::numbers::pi / 18.0; ///< ten degrees
 
+std::vector<ContactPoint> mouths_of(const results::ContactResult& result) {
+  std::vector<ContactPoint> mouths;
+  std::ranges::copy_if(result.points, std::back_inserter(mouths),
+                       [](const ContactPoint& point) { return point.crack_face != 0; });
+  return mouths;
+}
+
+bool is_near_mouth(const std::vector<ContactPoint>& mouths, const ContactPoint& point) {
+  return std::ranges::any_of(mouths,
+                             [&](const ContactPoint& m) { return turn(m, point) < near_mouth; });
+}
+
 /// The pressures a plot must show. Those next to a mouth are left out: they have no bound.
 void widen(PolarPlot& plot, const model::Contact& contact, const results::ContactResult& result) {
-  std::vector<ContactPoint> mouths;
-  std::copy_if(result.points.begin(), result.points.end(), std::back_inserter(mouths),
-               [](const ContactPoint& point) { return point.crack_face != 0; });
+  const std::vector<ContactPoint> mouths = mouths_of(result);
   for (const ContactPoint& point : result.points) {
-    if (std::none_of(mouths.begin(), mouths.end(),
-                     [&](const ContactPoint& m) { return turn(m, point) < near_mouth; })) {
+    if (!is_near_mouth(mouths, point)) {
       plot.low = std::min(plot.low, recovered_pressure(contact, point));
       plot.high = std::max(plot.high, recovered_pressure(contact, point));
     }
   }
 }
 
-PolarPlot polar_plot(const model::Model& model, const model::Contact& contact,
-                     const results::CrackLengthResult& increment) {
+/// Whether the contact carries more than round-off at the end of the step.
+bool is_pressed(const results::ContactResult& contact, double least_pressure) {
+  return std::max(std::abs(contact.max_pressure), std::abs(contact.min_pressure)) > least_pressure;
+}
+
+PolarPlot polar_plot(const model::Model& model, const results::RunResult& run,
+                     const model::Contact& contact, const results::CrackLengthResult& increment) {
+  const double least_pressure = least_contact_pressure(model, run);
   PolarPlot plot;
   plot.title = model.cracks.empty() ? contact.name
                                     : fmt::format("{}, a = {:.4g} {}", contact.name, increment.a,
                                                   model.units.length_name);
   plot.unit = model.units.stress_name();
-  const std::string first = leading_step_name(model);
+  const std::string first = results::shown_step_name(model, run.increments);
   std::size_t others = 0; // their dashes show where curves lie on each other
   for (std::size_t s = 0; s < model.steps.size(); ++s) {
     const std::string& name = model.steps[s].name;
     const results::LoadStepResult* const step = results::find_step(increment, name);
     const results::ContactResult* const result =
         step == nullptr ? nullptr : mounted(*step, contact.name);
-    if (result == nullptr) {
+    if (result == nullptr || !is_pressed(*result, least_pressure)) {
       continue;
     }
     plot.curves.push_back({name, std::string(palette_colour(s)),
@@ -141,7 +157,7 @@ Figure polar_figure(const model::Model& model, const results::RunResult& run,
   Figure figure;
   bool mouths = false;
   for (const results::CrackLengthResult* const increment : sample_increments(run, 9)) {
-    PolarPlot plot = polar_plot(model, contact, *increment);
+    PolarPlot plot = polar_plot(model, run, contact, *increment);
     if (plot.curves.empty()) {
       continue;
     }
@@ -189,7 +205,7 @@ Figure straight_figure(const model::Model& model, const results::RunResult& run,
     for (std::size_t s = 0; s < increment->steps.size(); ++s) {
       const results::LoadStepResult& step = increment->steps[s];
       const results::ContactResult* const result = mounted(step, contact.name);
-      if (result == nullptr) {
+      if (result == nullptr || !is_pressed(*result, least_contact_pressure(model, run))) {
         continue;
       }
       PlotSeries series = styled_curve(step.step, s, s);
@@ -214,18 +230,6 @@ Figure straight_figure(const model::Model& model, const results::RunResult& run,
   return figure;
 }
 
-/// The deck's contacts, and the faces of its cracks where they touch.
-std::vector<model::Contact> shown_contacts(const model::Model& model,
-                                           const results::RunResult& run) {
-  std::vector<model::Contact> shown = model.contacts;
-  for (const ContactRow& row : contact_rows(run.increments)) {
-    if (std::ranges::find(shown, row.contact.name, &model::Contact::name) == shown.end()) {
-      shown.emplace_back().name = row.contact.name;
-    }
-  }
-  return shown;
-}
-
 Figure figure_of_contact(const model::Model& model, const results::RunResult& run,
                          const model::Contact& contact) {
   if (!dimension_columns.at(model.mesh.dim).arcs) {
@@ -237,6 +241,32 @@ Figure figure_of_contact(const model::Model& model, const results::RunResult& ru
 }
 
 } // namespace
+
+std::vector<model::Contact> shown_contacts(const model::Model& model,
+                                           const results::RunResult& run) {
+  std::vector<model::Contact> shown = model.contacts;
+  for (const ContactRow& row : contact_rows(run.increments)) {
+    if (std::ranges::find(shown, row.contact.name, &model::Contact::name) == shown.end()) {
+      shown.emplace_back().name = row.contact.name;
+    }
+  }
+  return shown;
+}
+
+const results::ContactPoint* find_peak_pressure(const model::Contact& contact,
+                                                const results::ContactResult& result) {
+  const std::vector<ContactPoint> mouths = mouths_of(result);
+  const ContactPoint* peak = nullptr;
+  for (const ContactPoint& point : result.points) {
+    const bool unbounded =
+        is_near_mouth(mouths, point) || (!result.space && at_edge(result, point));
+    if (!unbounded && (peak == nullptr ||
+                       recovered_pressure(contact, point) > recovered_pressure(contact, *peak))) {
+      peak = &point;
+    }
+  }
+  return peak;
+}
 
 double recovered_pressure(const model::Contact& contact, const results::ContactPoint& point) {
   return contact.recovery == model::PressureRecovery::consistent ? point.p_consistent

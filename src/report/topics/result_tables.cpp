@@ -55,6 +55,14 @@ double least_force(const model::Model& model, const results::CrackLengthResult& 
   return 1e-3 * reference_elastic_force(model, increment);
 }
 
+double largest_displacement(const results::CrackLengthResult& increment) {
+  double largest = 0.0;
+  for (const results::LoadStepResult& step : increment.steps) {
+    largest = step.u.size() > 0 ? std::max(largest, step.u.lpNorm<Eigen::Infinity>()) : largest;
+  }
+  return largest;
+}
+
 } // namespace
 
 ReportTable contact_result_table(const model::Model& model,
@@ -62,26 +70,27 @@ ReportTable contact_result_table(const model::Model& model,
   const base::UnitSystem& units = model.units;
   const std::vector<ContactRow> rows = contact_rows({&increment, 1});
   double force = least_force(model, increment);
-  double pressure = 0.0; // the largest
   for (const ContactRow& row : rows) {
     force = std::max(force, row.contact.force_on_slave.norm());
-    pressure = std::max(
-        {pressure, std::abs(row.contact.min_pressure), std::abs(row.contact.max_pressure)});
   }
+  const double pressure = least_contact_pressure(model, increment);
   Columns<ContactRow> columns = contact_columns();
   columns.words("closed", [](const ContactRow& row) {
     return row.contact.mounted ? fmt::format("{}/{}", row.contact.closed, row.contact.rows)
                                : "absent";
   });
   columns.fill_only_if([](const ContactRow& row) { return row.contact.mounted; });
-  columns.number(
-      "penetration", units.length_name,
-      [](const ContactRow& row) { return row.contact.max_penetration; }, short_number);
+  const double way = largest_displacement(increment);
+  columns.number("penetration", units.length_name, [=](const ContactRow& row) {
+    const double deep = row.contact.max_penetration;
+    return cell_text(deep > 1e-9 * way ? deep : 0.0, deep > 1e-9 * way ? short_number : nullptr);
+  });
   for (const auto& [name, member] : {std::pair("p min", &results::ContactResult::min_pressure),
                                      {"p mean", &results::ContactResult::mean_pressure},
                                      {"p max", &results::ContactResult::max_pressure}}) {
     columns.number(name, units.stress_name(), [=, member = member](const ContactRow& row) {
-      return six_digits_or_zero(row.contact.*member, pressure);
+      return std::abs(row.contact.*member) > pressure ? format_six_digits(row.contact.*member)
+                                                      : "0";
     });
   }
   add_vector(columns, "force", units.force_name, directions(model, increment), force,
@@ -283,13 +292,6 @@ std::string leading_step_name(const model::Model& model) {
     return model.steps[model.growth->kmax.index()].name;
   }
   return model.steps.empty() ? std::string() : model.steps.back().name;
-}
-
-const results::LoadStepResult* leading_step_result(const model::Model& model,
-                                                   const results::CrackLengthResult& increment) {
-  const results::LoadStepResult* const step =
-      results::find_step(increment, leading_step_name(model));
-  return step != nullptr || increment.steps.empty() ? step : &increment.steps.back();
 }
 
 } // namespace spricka::report

@@ -36,6 +36,9 @@ ReportTable energy_error_table(const results::CrackLengthResult& increment);
 /// What a reader of forces has to know of the model; may be empty.
 std::string force_direction_note(const model::Model& model);
 
+/// The step by which a growth is reported: KMAX, else the deck's last step; empty without steps.
+std::string leading_step_name(const model::Model& model);
+
 /// Every check of the deck: found, wanted, error, tolerance, source.
 ReportTable checks_table(const results::RunResult& run);
 
@@ -45,12 +48,5 @@ ReportTable run_log_table(const results::RunResult& run);
 /// The solutions on the way to K within its tolerance; without rows where no $TIPNET has TOL.
 /// `times`: with the CPU time of each, which is another in every run.
 ReportTable tolerance_rounds_table(const results::RunResult& run, bool times);
-
-/// The step whose K the report shows first: KMAX of the growth, else the deck's last step; empty
-/// without steps.
-std::string leading_step_name(const model::Model& model);
-/// Its results in an increment, where there are none those of the last step; null without steps.
-const results::LoadStepResult* leading_step_result(const model::Model& model,
-                                                   const results::CrackLengthResult& increment);
 
 } // namespace spricka::report

@@ -7,7 +7,7 @@
 #include "report/drawing/tornado.hpp"
 #include "report/topics/dimension_columns.hpp"
 #include "report/topics/result_rows.hpp"
-#include "report/topics/result_tables.hpp"
+#include "results/shown_step.hpp"
 
 #include <fmt/format.h>
 
@@ -289,7 +289,7 @@ void write_sensitivity_csv(const std::filesystem::path& file, const model::Model
 
 ReportTable sensitivity_table(const model::Model& model,
                               const results::CrackLengthResult& increment) {
-  const std::string step = leading_step_name(model);
+  const std::string step = results::shown_step_name(model, {&increment, 1});
   std::vector<CauseRow> rows;
   if (const results::LoadStepResult* const found = results::find_step(increment, step)) {
     for (const SensitivePoint& point : leading_points(*found)) {
@@ -306,7 +306,8 @@ ReportTable sensitivity_table(const model::Model& model,
 std::vector<std::string> missing_sensitivity_reasons(const model::Model& model,
                                                      const results::CrackLengthResult& increment) {
   std::vector<std::string> notes;
-  const results::LoadStepResult* found = results::find_step(increment, leading_step_name(model));
+  const results::LoadStepResult* found =
+      results::find_step(increment, results::shown_step_name(model, {&increment, 1}));
   if (found != nullptr) {
     for (const results::FrontResult& front : found->fronts) {
       for (const std::string& note : front.sensitivities.notes) {
@@ -318,7 +319,7 @@ std::vector<std::string> missing_sensitivity_reasons(const model::Model& model,
 }
 
 std::vector<Figure> sensitivity_figures(const model::Model& model, const results::RunResult& run) {
-  const std::string step = leading_step_name(model);
+  const std::string step = results::shown_step_name(model, run.increments);
   Figure figure;
   for (const results::CrackLengthResult* increment : sample_increments(run, 3)) {
     const results::LoadStepResult* found = results::find_step(*increment, step);

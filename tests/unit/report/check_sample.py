@@ -126,7 +126,7 @@ def check_quarter_points(file):
 def check_drawings(page):
     """Each inline drawing is well-formed XML of its own."""
     drawings = re.findall(r"<svg.*?</svg>", page.read_text(encoding="utf-8"), re.S)
-    assert len(drawings) == 12, len(drawings)
+    assert len(drawings) == 14, len(drawings)
     for drawing in drawings:
         root = tree.fromstring(drawing)
         assert root.get("aria-label") and len(root) > 1

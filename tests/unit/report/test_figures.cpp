@@ -135,7 +135,7 @@ TEST(MeshFigures, ShowTheWholeMeshAndEachTipOfAPlaneMesh) {
   test::Sample sample = test::make_sample();
   const std::vector<Figure> figures = mesh_figures(sample.model, sample.run);
   ASSERT_EQ(figures.size(), 3U);
-  EXPECT_EQ(figures[1].drawings.size(), 2U) << "stress and displacement";
+  EXPECT_EQ(figures[1].drawings.size(), 3U) << "two stresses and displacement";
   EXPECT_EQ(figures[2].drawings.size(), 3U) << "two lengths and the tip";
   for (results::CrackLengthResult& increment : sample.run.increments) {
     increment.mesh.dim = 3;
@@ -252,7 +252,12 @@ TEST(SolidPicture, ShowsTheFacesTurnedToTheEyeTheNearestLast) {
   add_cube(increment, step, {0.0, 0.0, 0.0}, 10.0);
   add_cube(increment, step, {2.0, -3.0, 1.8}, 30.0);
   const std::vector<std::string> fills =
-      fills_of_paths(draw_svg(SolidView{&increment, &step, "MPa", 400.0}));
+      fills_of_paths(draw_svg(SolidView{.increment = &increment,
+                                        .step = &step,
+                                        .value = results::von_mises,
+                                        .title = "Surface",
+                                        .field_words = "von Mises, MPa",
+                                        .width = 400.0}));
   ASSERT_EQ(fills.size(), 6U) << "three faces of each cube";
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(fills[i], fills[0]);
@@ -270,7 +275,7 @@ TEST(SolidPicture, OfTooManyFacesIsLeftToOthers) {
   add_cube(increment, increment.steps[0], base::Vec3::Zero(), 1.0);
   sample.run.increments = {increment};
   ASSERT_EQ(mesh_figures(sample.model, sample.run).size(), 1U);
-  EXPECT_EQ(mesh_figures(sample.model, sample.run)[0].drawings.size(), 1U);
+  EXPECT_EQ(mesh_figures(sample.model, sample.run)[0].drawings.size(), 2U);
   sample.run.increments[0].surface.resize(most_drawn_faces + 1);
   const std::vector<Figure> figures = mesh_figures(sample.model, sample.run);
   ASSERT_EQ(figures.size(), 1U);

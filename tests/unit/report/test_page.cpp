@@ -43,17 +43,17 @@ TEST(HtmlPage, SaysAtItsHeadThatThereAreWarnings) {
   test::Sample sample = test::make_sample();
   EXPECT_FALSE(contains(page_of(sample), "class=\"warnings\""));
   for (const char* const name : {"first", "second", "third", "fourth"}) {
-    sample.run.warnings.push_back({"W508", fmt::format("the {} <thing>{:>300}", name, "end")});
+    sample.run.warnings.push_back({"W508", fmt::format("the {} <thing>{:>300}", name, "zzz")});
   }
   const std::string page = page_of(sample);
   const std::string head = page.substr(0, page.find("<h2"));
   EXPECT_TRUE(contains(head, "<a href=\"#notes\">4 warnings</a>; the first 3:"));
   EXPECT_TRUE(contains(head, "<b>W508, no answer:</b> the third &lt;thing&gt;"));
   EXPECT_FALSE(contains(head, "fourth")) << "it stands under the notes";
-  EXPECT_FALSE(contains(head, "end")) << "a long one is cut";
+  EXPECT_FALSE(contains(head, "zzz")) << "a long one is cut";
   const std::string notes = page.substr(page.find("<h2 id=\"notes\">"));
   EXPECT_TRUE(contains(notes, "fourth"));
-  EXPECT_TRUE(contains(notes, "end"));
+  EXPECT_TRUE(contains(notes, "zzz"));
 }
 
 TEST(KReportSection, HasEveryStepThatLoadsTheCracks) {
@@ -189,7 +189,7 @@ TEST(RoundOff, StressesThatAreNothingElseAreNotDrawn) {
   EXPECT_TRUE(contains(mesh_figures(sample.model, sample.run)[1].caption, "step LOAD, a = "));
   scale_stresses(sample, "LOAD", 1e-16);
   const Figure other = mesh_figures(sample.model, sample.run)[1];
-  EXPECT_EQ(other.drawings.size(), 2U);
+  EXPECT_EQ(other.drawings.size(), 3U);
   EXPECT_TRUE(contains(other.caption, "step PRESS, a = ")) << other.caption;
   scale_stresses(sample, "PRESS", 1e-16);
   const Figure none = mesh_figures(sample.model, sample.run)[1];
