@@ -8,7 +8,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "terminal"))
 
-from program import CRACKED, PROGRAM, TOP, ProgramTest, environment, main  # noqa: E402,F401
+from program import CRACKED, PROGRAM, TOP, ProgramTest, content_without_cost, environment, main  # noqa: E402,F401
 
 KEEP = "$RESTART WRITE='state.rst'\n"
 
@@ -67,7 +67,7 @@ def keeping(text=CRACKED, card=KEEP):
 def contents(folder):
     """Every file of a run folder by name, but for the listing, which tells times."""
     return {
-        str(f.relative_to(folder)): f.read_bytes()
+        str(f.relative_to(folder)): content_without_cost(f)
         for f in sorted(folder.rglob("*"))
         if f.is_file() and f.name != "listing.txt"
     }

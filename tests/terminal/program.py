@@ -3,6 +3,7 @@
 
 import os
 import pty
+import re
 import subprocess
 import sys
 import tempfile
@@ -50,6 +51,11 @@ def environment(**changes):
     result["TERM"] = "xterm"
     result.update(changes)
     return result
+
+
+def content_without_cost(file):
+    """The bytes of a file of a run folder, of the report without the line that tells times and memory."""
+    return re.sub(rb"<dt>Cost</dt><dd>.*?</dd>", b"", file.read_bytes())
 
 
 class ProgramTest(unittest.TestCase):

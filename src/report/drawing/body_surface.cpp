@@ -49,7 +49,7 @@ bool is_ridge(const std::vector<base::Vec3>& normals) {
 /// Light comes over the left shoulder.
 double light_on(const base::Vec3& normal, const PictureViewpoint& eye) {
   const base::Vec3 lamp = (0.8 * eye.towards - 0.35 * eye.right + 0.5 * eye.up).normalized();
-  return std::clamp(0.45 + 0.55 * std::max(0.0, normal.dot(lamp)), 0.0, 1.0);
+  return std::clamp(0.6 + 0.4 * std::max(0.0, normal.dot(lamp)), 0.0, 1.0);
 }
 
 } // namespace

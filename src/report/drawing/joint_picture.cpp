@@ -78,6 +78,13 @@ ColourScale k_scale(const std::vector<const results::FrontResult*>& fronts) {
   return high >= low ? make_colour_scale(low, high) : ColourScale{};
 }
 
+void add_line(SvgPathData& path, const std::vector<DrawingPoint>& points) {
+  path.move(points.front());
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    path.line(points[i]);
+  }
+}
+
 class JointPainter {
 public:
   JointPainter(const JointView& view, const std::optional<FittedFrontPlane>& plane)
@@ -134,7 +141,16 @@ private:
     });
   }
 
+  /// Facets of one colour that follow each other are one path: most of a flat face.
   void draw_body(SvgDrawing& svg) const {
+    SvgPathData area;
+    SvgPathData ridges;
+    std::string fill;
+    const auto paint = [&] {
+      svg.path(area, {fill, 1.0, fill, ""}); // the stroke hides the seams
+      svg.path(ridges, {"#223", 0.9, "none", ""});
+      area = ridges = {};
+    };
     for (const DrawnFacet& facet : facets_) {
       const std::vector<DrawingPoint> outline = pixels(facet.outline);
       if (!is_inside(outline)) {
@@ -142,12 +158,18 @@ private:
       }
       const base::NetId net = view_.increment->mesh.element_net[facet.face->element.index()];
       const std::size_t tint = net.valid() ? net.index() % solid_tints.size() : 0;
-      const std::string fill = shaded_colour(solid_tints[tint], facet.light);
-      svg.polygon(outline, {fill, 0.6, fill, ""}); // the stroke hides the seams
+      const std::string own = shaded_colour(solid_tints[tint], facet.light);
+      if (own != fill) {
+        paint();
+        fill = own;
+      }
+      add_line(area, outline);
+      area.close();
       for (const std::vector<DrawingPoint>& ridge : facet.ridges) {
-        svg.polyline(pixels(ridge), {"#223", 0.9, "none", ""});
+        add_line(ridges, pixels(ridge));
       }
     }
+    paint();
   }
 
   void draw_marks(SvgDrawing& svg, const SurfaceSides& sides, bool before_the_body) const {

@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <utility>
 
 namespace spricka::report {
 namespace {
@@ -53,7 +55,11 @@ private:
 struct DrawnEdge {
   base::NodeId low; ///< the smaller of the two ends
   base::NodeId high;
-  base::NodeId mid; ///< invalid on straight edges
+  base::NodeId mid;    ///< invalid on straight edges
+  base::NetId net;     ///< of its element
+  bool upward = false; ///< the element runs it from low to high
+  [[nodiscard]] base::NodeId from() const { return upward ? low : high; }
+  [[nodiscard]] base::NodeId to() const { return upward ? high : low; }
   [[nodiscard]] auto key() const { return std::array{low.value, high.value, mid.value}; }
 };
 
@@ -150,6 +156,38 @@ void add_cells(const MeshView& view, const Projection& project, base::ElementId 
   }
 }
 
+/// The bodies of each net by their outlines alone, which run round holes the other way. [net]
+std::vector<SvgPathData> bodies_by_outlines(const std::vector<DrawnEdge>& edges,
+                                            const Projection& project) {
+  std::map<std::pair<base::NetId, base::NodeId>, std::vector<const DrawnEdge*>> next;
+  for (std::size_t i = 0; i < edges.size();) {
+    std::size_t end = i + 1;
+    while (end < edges.size() && edges[end].key() == edges[i].key()) {
+      ++end;
+    }
+    if (end == i + 1) {
+      next[{edges[i].net, edges[i].from()}].push_back(&edges[i]);
+    }
+    i = end;
+  }
+  std::vector<SvgPathData> bodies;
+  for (auto& [begin, first] : next) {
+    while (!first.empty()) {
+      const std::size_t layer = begin.first.valid() ? begin.first.index() : 0;
+      bodies.resize(std::max(bodies.size(), layer + 1));
+      SvgPathData& path = bodies[layer].move(project(begin.second));
+      for (auto at = next.find(begin); at != next.end() && !at->second.empty();) {
+        const DrawnEdge& edge = *at->second.back();
+        at->second.pop_back();
+        add_edge(path, project, edge.from(), edge.to(), edge.mid);
+        at = next.find({begin.first, edge.to()});
+      }
+      path.close();
+    }
+  }
+  return bodies;
+}
+
 Drawn collect(const MeshView& view, const Projection& project) {
   const model::Mesh& mesh = *view.mesh;
   Drawn drawn;
@@ -168,7 +206,7 @@ Drawn collect(const MeshView& view, const Projection& project) {
     };
     if (drawn.outlines_alone()) {
       drawn.areas.clear();
-    } else if (view.field.empty()) {
+    } else if (view.field.empty() && view.inner_edges) {
       const std::size_t layer = net.valid() ? net.index() : 0;
       drawn.areas.resize(std::max(drawn.areas.size(), layer + 1));
       SvgPathData& area = drawn.areas[layer].move(project(nodes[0]));
@@ -176,17 +214,20 @@ Drawn collect(const MeshView& view, const Projection& project) {
         add_edge(area, project, nodes[s], nodes[(s + 1) % corners], mid(s));
       }
       area.close();
-    } else {
+    } else if (!view.field.empty()) {
       drawn.areas.resize(colour_bands);
       add_cells(view, project, e, drawn.areas);
     }
     for (std::size_t s = 0; s < corners; ++s) {
       const auto [low, high] = std::minmax(nodes[s], nodes[(s + 1) % corners]);
-      drawn.edges.push_back({low, high, mid(s)});
+      drawn.edges.push_back({low, high, mid(s), net, low == nodes[s]});
     }
   }
   std::sort(drawn.edges.begin(), drawn.edges.end(),
             [](const DrawnEdge& a, const DrawnEdge& b) { return a.key() < b.key(); });
+  if (view.field.empty() && !view.inner_edges) {
+    drawn.areas = bodies_by_outlines(drawn.edges, project);
+  }
   return drawn;
 }
 

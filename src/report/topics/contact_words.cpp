@@ -157,10 +157,9 @@ std::string open_since_words(const results::CrackLengthResult& increment, const 
   if (fullest == nullptr) {
     return {};
   }
-  return most == rows
-             ? fmt::format("; in step {} all of it touches", fullest->step)
-             : fmt::format("; in step {} {:.0f} % more of it touches", fullest->step,
-                           100.0 * (most - (now.mounted ? now.closed : 0)) / std::max(rows, 1));
+  return most == rows ? fmt::format("; in step {} all of it touches", fullest->step)
+                      : fmt::format("; in step {} {:.0f} % of it touches", fullest->step,
+                                    100.0 * most / std::max(rows, 1));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/topics/front_places.hpp"
 
+#include "geometry/box.hpp"
 #include "model/mesh_side.hpp"
 
 #include <fmt/format.h>
@@ -39,6 +40,20 @@ double size_of_elements_at(const model::Mesh& mesh, base::NodeId n) {
 base::NodeId node_at(const model::Mesh& mesh, const base::Vec3& x) {
   return *std::ranges::min_element(
       mesh.nodes, {}, [&](base::NodeId n) { return (mesh.x[n.index()] - x).squaredNorm(); });
+}
+
+/// "z = 5" of a place at an end of the mesh along an axis; else empty.
+std::string plane_of_end(const model::Mesh& mesh, const base::Vec3& x, double near) {
+  geometry::Box<3> box;
+  for (const base::NodeId n : mesh.nodes) {
+    box.extend({mesh.x[n.index()], mesh.x[n.index()]});
+  }
+  for (const Eigen::Index c : {2, 1, 0}) {
+    if (std::min(std::abs(x[c] - box.low[c]), std::abs(x[c] - box.high[c])) < near) {
+      return fmt::format("{} = {:.4g}", "xyz"[c], std::abs(x[c]) < near ? 0.0 : x[c]);
+    }
+  }
+  return {};
 }
 
 void add_place(std::vector<FrontPlace>& places, std::string name,
@@ -86,6 +101,9 @@ std::string FaceNames::at(const base::Vec3& x) const {
     if (best.empty() && !set.name.empty()) {
       offer(set.name, set.nodes.size(), std::ranges::find(set.nodes, n) != set.nodes.end());
     }
+  }
+  if (best.empty()) {
+    return plane_of_end(mesh_, x, near);
   }
   const std::size_t dot = best.find('.');
   return dot != std::string::npos && has_one_net(mesh_) ? best.substr(dot + 1) : best;

@@ -16,7 +16,8 @@ public:
   /// The mesh must outlive it.
   explicit FaceNames(const model::Mesh& mesh) : mesh_(mesh) {}
   /// The smallest set, but for faces of cracks, that a node at this place belongs to, without the
-  /// name of its net where the mesh has one net only; empty: there is none.
+  /// name of its net where the mesh has one net only; where there is none the end of the mesh along
+  /// an axis that the place lies at, "z = 5"; empty: neither.
   [[nodiscard]] std::string at(const base::Vec3& x) const;
 
 private:
