@@ -69,10 +69,24 @@ TEST(RunProgress, UnloadingIsNotSolvedAnew) {
   EXPECT_EQ(solved->step(2).fronts.front().single_point().K1,
             solved->step(0).fronts.front().single_point().K1);
   EXPECT_TRUE(solved->step(2).fronts.front().missing_bar_reason.empty());
-  // Pictures are of the last step alone.
-  EXPECT_TRUE(solved->step(0).stress.empty());
-  EXPECT_FALSE(solved->step(2).stress.empty());
-  EXPECT_FALSE(solved->step(2).errors.empty());
+}
+
+// Stresses are those of the step with the largest K, which is known when all are solved, or of the
+// one that the deck names, here one that repeats another.
+TEST(ShownStep, AloneHasStresses) {
+  for (const bool named : {false, true}) {
+    const std::string deck = test::cracked_hub("A0=4", "INTERFERENCE=0.01",
+                                               std::string("$STEP NAME=BACK\n  LOAD PULL 0\n") +
+                                                   (named ? "$CONTROL SHOW=BACK\n" : ""));
+    const std::optional<test::Solved> solved = test::solve_text(deck);
+    ASSERT_TRUE(solved);
+    for (const std::size_t s : {0U, 1U, 2U}) {
+      const bool shown = s == (named ? 2U : 1U);
+      EXPECT_EQ(solved->step(s).stress.empty(), !shown) << s;
+      EXPECT_EQ(solved->step(s).element_stress.empty(), !shown) << s;
+      EXPECT_EQ(solved->step(s).errors.empty(), !shown) << s;
+    }
+  }
 }
 
 } // namespace
