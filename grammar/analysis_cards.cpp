@@ -137,6 +137,10 @@ constexpr std::array control_keys{
             real_key("TOL", number, open_interval(0, 1), "relative tolerance of contact"), "*"),
         "1e-8"),
     with_default(integer_key("THREADS", at_least(0), "0: one for each core"), "0"),
+    reference_key(
+        "SHOW", step,
+        "the step that report, pictures and ladder show first; left out: KMAX of a growth, "
+        "else the one with the largest K, else with the largest contact pressure"),
 };
 
 constexpr std::array restart_keys{
@@ -200,7 +204,7 @@ constexpr std::array cards{
              .group = "requests",
              .keys = control_keys,
              .once = true,
-             .doc = "Numerics: contact iterations, threads."},
+             .doc = "Numerics: contact iterations, threads; and the step that is shown."},
     CardSpec{.name = "RESTART",
              .group = "requests",
              .keys = restart_keys,

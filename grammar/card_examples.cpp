@@ -315,8 +315,10 @@ constexpr std::array texts{
                  "  0  0.042  0.084\n"},
     CardHelpText{
         "CONTROL",
-        "Seldom needed. THREADS never changes a result; the command line's --threads goes first.",
-        "$CONTROL THREADS=2\n"},
+        "Seldom needed. THREADS never changes a result; the command line's --threads goes first. "
+        "SHOW changes no result either: it names the step whose state the report opens with and "
+        "whose stresses are kept where no $OUTPUT asks for more.",
+        "$CONTROL SHOW=UNLOAD\n"},
     CardHelpText{
         "RESTART",
         "The state is kept after every crack length. spricka run DECK --restart continues a "

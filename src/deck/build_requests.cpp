@@ -120,6 +120,12 @@ void control(DeckContext& c, const CheckedCard& card) {
   c.model.control.max_iterations = card.integer_value("MAXITER");
   c.model.control.tolerance = card.number_value("TOL");
   c.model.control.threads = card.integer_value("THREADS");
+  if (card.has_key("SHOW")) {
+    if (const NameDefinition* const step =
+            find_referenced_definition(c, EntityKind::step, card.name_reference("SHOW"))) {
+      c.model.control.shown_step = base::StepId(step->index);
+    }
+  }
 }
 
 void restart(DeckContext& c, const CheckedCard& card) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/id.hpp"
 #include "base/source.hpp"
 
 #include <optional>
@@ -7,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-/// What a deck asks for beside its answers: files, checks, restarts, sweeps, limits.
+/// What a deck asks for beside its answers: files, checks, restarts, sweeps, limits, what is shown.
 namespace spricka::model {
 
 enum class OutputFormat { vtu, csv, json };
@@ -56,7 +57,8 @@ struct ParameterSweep {
 struct SolverControl {
   int max_iterations = 100;
   double tolerance = 1e-8;
-  int threads = 0; ///< 0: as many as there are cores
+  int threads = 0;         ///< 0: as many as there are cores
+  base::StepId shown_step; ///< whose state pictures show; invalid: results/shown_step.hpp
 };
 
 } // namespace spricka::model

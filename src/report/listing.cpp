@@ -109,7 +109,7 @@ std::string increment_text(const model::Model& model, const results::CrackLength
        {force_balance_table(model, increment), net_balance_table(model, increment),
         energy_error_table(increment), contact_result_table(model, increment),
         contact_moment_table(model, increment), friction_table(model, increment),
-        tip_k_table(model, increment), sensitivity_table(model, increment),
+        tip_k_table(model, increment, KTableExtent::full), sensitivity_table(model, increment),
         load_path_table(model, increment), contact_opening_onset_table(increment)}) {
     out += to_text_after_blank_line(table);
   }
@@ -166,8 +166,8 @@ std::string listing_text(const base::SourceTexts& sources, const model::Model& m
     out += increment_text(model, increment);
   }
   if (run.increments.size() > 1) {
-    const ReportTable table =
-        tip_k_table_over_increments(model, run, results::shown_step_name(model, run.increments));
+    const ReportTable table = tip_k_table_over_increments(
+        model, run, results::shown_step_name(model, run.increments), KTableExtent::full);
     if (!table.rows.empty()) {
       out += heading("Crack growth") + table_to_text(table);
     }

@@ -34,6 +34,8 @@ section.answer dd { margin: 0; overflow-wrap: anywhere; }
 section.answer dd.failed { font-weight: bold; color: #b00000; }
 details { margin: .6em 0; }
 summary { cursor: pointer; font-size: .9em; }
+details table { font-size: .7em; }
+details th, details td { padding-right: .7em; }
 table { border-collapse: collapse; margin: 1em 0; font-size: .87em;
   font-variant-numeric: tabular-nums; border-bottom: 1.5px solid #000; }
 caption { text-align: left; font-weight: bold; padding: .2em 0; break-after: avoid; }
@@ -55,6 +57,8 @@ pre { font-size: .8em; line-height: 1.3; overflow-x: auto; }
   table { display: block; width: fit-content; max-width: 100%; overflow-x: auto; }
 }
 @media screen and (max-width: 800px) {
+  section > table, body > table { font-size: .8em; }
+  th, td { padding-right: .6em; }
   figure { overflow-x: auto; }
   figure div { flex-wrap: nowrap; flex-direction: column; }
   figure svg { max-width: none; flex: none; }

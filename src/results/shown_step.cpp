@@ -34,7 +34,9 @@ LoadingMeasures measure_loading(const LoadStepResult& step) {
 } // namespace
 
 std::optional<std::size_t> shown_step_of_deck(const model::Model& model) {
-  const base::StepId named = model.growth ? model.growth->kmax : base::StepId();
+  const base::StepId named = model.control.shown_step.valid() ? model.control.shown_step
+                             : model.growth                   ? model.growth->kmax
+                                                              : base::StepId();
   // a shell may have other steps than the deck
   return named.valid() && named.index() < model.steps.size() ? std::optional(named.index())
                                                              : std::nullopt;

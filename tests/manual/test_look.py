@@ -22,8 +22,10 @@ FULL = bool(os.environ.get("SPRICKA_FULL"))
 SOME = ["index", "quickstart", "tutorial", "command_line", "cards", "verification", "stability", "glossary",
         "solid_crack", "view", "theory/estimate", "gallery/index", "gallery/penalty", "howto/symmetry"]
 
-# A crack on both sides of a bore, a life, a front in space, a path of loads, a spectrum.
-DECKS = ["lug_single", "lug_spectrum", "surface_crack_solid", "lug_load_path", "lame_press_fit", "link_up"]
+# A crack on both sides of a bore, a life, fronts in space, a path of loads, a spectrum, contact in the plane and in
+# space, many tips, no crack.
+DECKS = ["lug_single", "lug_spectrum", "surface_crack_solid", "lug_load_path", "lame_press_fit", "link_up", "kirsch",
+         "edge_crack_life", "lug_solid", "lug_corner_crack_solid"]
 SWEEP = """$DECK VERSION=1 LENGTH=mm FORCE=N TITLE='Widths'
 $PARAMETER
   W = 20
@@ -74,7 +76,7 @@ class Faults(Look):
 <div style="width: 2000px; text-align: right">out on the right</div>
 <svg width="50" height="20"><text x="40" y="15">leaves</text></svg>
 <svg width="90" height="20"><text x="2" y="15">one over</text><text x="9" y="14">another</text></svg>
-<table style="display: block; overflow-x: auto; width: 40px"><tr><td>a table that is too wide</td></tr></table>
+<table style="display: block; overflow-x: auto; width: 40px"><tr><td style="white-space: nowrap">a table that is too wide</td></tr></table>
 <div style="overflow: auto; width: 50px">this one can be scrolled</div><script>nothing.there()</script>"""
 
     def test_faults_are_found(self):

@@ -156,8 +156,8 @@ std::string k_reply(const ShellSession& session, const std::string& only) {
   std::vector<ReportTable> tables =
       report::front_tables(session.solver().displayed_model(), fronts);
   if (tables.empty()) {
-    tables.push_back(
-        report::without_title(report::tip_k_table(session.solver().displayed_model(), fronts)));
+    tables.push_back(report::without_title(report::tip_k_table(
+        session.solver().displayed_model(), fronts, report::KTableExtent::full)));
   }
   std::string text;
   for (const ReportTable& table : tables) {

@@ -21,7 +21,7 @@ namespace {
 constexpr std::array<const char*, 5> solid_tints{"#ccd8e6", "#ead9bd", "#cfe3d1", "#e3d2e3",
                                                  "#d9d9d9"};
 constexpr const char* crack_tint = "#f0b27a";
-constexpr double foot_of_axes = 22.0; // below the box [px]
+constexpr double foot_of_axes = 32.0; // below the box [px]
 
 /// Of slanted views with z up the one that sees most of the crack's face and its mouth.
 PictureViewpoint eye_for(const FittedFrontPlane& frame) {

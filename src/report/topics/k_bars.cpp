@@ -37,6 +37,10 @@ std::string rounded_text(double value, int decimals) {
 
 } // namespace
 
+std::string k_by_bar_text(double K, double size) {
+  return has_no_digits(size) ? fmt::format("{:.6g}", K) : rounded_text(K, decimals_of_bar(size));
+}
+
 std::string k_and_bar_text(double K, double size) {
   if (has_no_digits(size)) {
     return fmt::format("{:.4g} +- {:.2g}", K, size);

@@ -6,6 +6,9 @@
 
 namespace spricka::report {
 
+/// "630.68": as many decimals as a bar has meaning, six digits without a bar.
+std::string k_by_bar_text(double K, double size);
+
 /// "630.68 +- 0.21": as many decimals as the bar has meaning.
 std::string k_and_bar_text(double K, double size);
 

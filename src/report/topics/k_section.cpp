@@ -153,26 +153,35 @@ KReportSection tip_section(const model::Model& model, const results::RunResult& 
   }
   if (run.increments.size() == 1) {
     shown.insert(shown.end(), nothing.begin(), nothing.end());
-    section.tables = {tip_k_table(model, run.increments.front())};
-    section.tables.front().title = "Stress intensity factors at the ends of the steps";
+    for (const KTableExtent extent : {KTableExtent::brief, KTableExtent::full}) {
+      ReportTable table = tip_k_table(model, run.increments.front(), extent);
+      table.title = "Stress intensity factors at the ends of the steps";
+      (extent == KTableExtent::brief ? section.tables : section.folded).push_back(std::move(table));
+    }
   } else {
     std::stable_partition(shown.begin(), shown.end(),
                           [&](const std::string& s) { return s == leading; });
     for (const std::string& step : shown) {
-      section.tables.push_back(tip_k_table_over_increments(model, run, step));
+      section.tables.push_back(tip_k_table_over_increments(model, run, step, KTableExtent::brief));
     }
     if (rows_of(section.tables) > most_rows && shown.size() > 1) {
-      section.tables = {tip_k_table_over_increments(model, run, leading)};
+      section.tables = {tip_k_table_over_increments(model, run, leading, KTableExtent::brief)};
       section.remarks.push_back(
           fmt::format("K at the ends of the other steps ({}) is in k.csv and in the listing.",
                       fmt::join(others_than(leading, shown), ", ")));
       shown = {leading};
+    }
+    for (const std::string& step : shown) {
+      section.folded.push_back(tip_k_table_over_increments(model, run, step, KTableExtent::full));
     }
     if (!nothing.empty()) {
       section.remarks.push_back(fmt::format("K is 0 at the end of {}.", fmt::join(nothing, ", ")));
     }
   }
   std::erase_if(section.tables, [](const ReportTable& table) { return table.rows.empty(); });
+  for (ReportTable& table : section.folded) {
+    table.title += ": raw K, G, T";
+  }
   for (std::string& words : missing_error_bar_reasons(run, shown)) {
     section.remarks.push_back(std::move(words));
   }

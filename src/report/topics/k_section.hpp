@@ -16,8 +16,8 @@ struct KReportSection {
   /// steps. Several: one of each step whose K is not nothing, the leading step's first, of too many
   /// rows alone.
   std::vector<ReportTable> tables;
-  /// In space K and all that goes with it at every point, behind a fold; the tables have the places
-  /// by which a front is reported.
+  /// Behind a fold K and all that goes with it, in space at every point: the tables have K with its
+  /// bars, in space at the places by which a front is reported.
   std::vector<ReportTable> folded;
   std::vector<std::string> remarks; ///< what the tables leave out, and why some K have no bar
   std::vector<Figure> curves;       ///< below: K over the length, in the plane

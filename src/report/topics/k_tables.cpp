@@ -55,6 +55,12 @@ std::string k_cell(const results::KQuantity& q, const FrontPointRow& row, const 
   return format_six_digits(value);
 }
 
+/// K with the digits that its bar leaves meaning to.
+std::string k_by_bar_cell(const results::KQuantity& q, const FrontPointRow& row) {
+  return k_by_bar_text(q.extract_value(row.front, row.point),
+                       row.point.bar[static_cast<std::size_t>(q.mode)].size());
+}
+
 bool any_is_corrected(const std::vector<FrontPointRow>& rows) {
   return std::ranges::any_of(rows,
                              [](const FrontPointRow& row) { return row.point.raw.has_value(); });
@@ -65,6 +71,8 @@ struct KTableParts {
   bool angles = false;
   bool bars = false;
   bool raw = false; ///< K as the mesh has it, where that is not K itself
+  KTableExtent extent = KTableExtent::full;
+  bool G = false; ///< in a brief table too: of tips that have no K
 };
 
 /// A column for each quantity that the listing has; behind each K one for its error bar, and one
@@ -75,12 +83,21 @@ void add_k_columns(Columns<FrontPointRow>& columns, const model::Model& model,
     if (q->given == results::KQuantityCondition::with_angles && !parts.angles) {
       continue;
     }
+    const bool brief = parts.extent == KTableExtent::brief;
+    if (brief && !q->is_k() && q->kind != base::QuantityKind::length &&
+        !(parts.G && std::string_view(q->name) == "G")) {
+      continue;
+    }
     const std::string unit =
         q->kind == base::QuantityKind::angle ? "deg" : base::unit_name(model.units, q->kind);
     columns.fill_only_if(
         [q](const FrontPointRow& row) { return q->is_given(row.front, row.point); });
     columns.number(q->heading.empty() ? q->name : std::string(q->heading), unit,
-                   [q, scale](const FrontPointRow& row) { return k_cell(*q, row, scale); });
+                   [q, scale, brief](const FrontPointRow& row) {
+                     return brief && q->is_k() && row.front.has_error_bar()
+                                ? k_by_bar_cell(*q, row)
+                                : k_cell(*q, row, scale);
+                   });
     if (q->is_k() && parts.bars) {
       columns.fill_only_if([q](const FrontPointRow& row) {
         return q->is_given(row.front, row.point) && row.front.has_error_bar() &&
@@ -90,7 +107,7 @@ void add_k_columns(Columns<FrontPointRow>& columns, const model::Model& model,
         return format_error_bar(row.point.bar[static_cast<std::size_t>(q->mode)].size());
       });
     }
-    if (q->is_k() && parts.raw) {
+    if (q->is_k() && parts.raw && !brief) {
       columns.fill_only_if(
           [q](const FrontPointRow& row) { return q->is_given(row.front) && row.point.raw; });
       columns.number(fmt::format("raw {}", q->name), unit, [q, scale](const FrontPointRow& row) {
@@ -117,9 +134,14 @@ std::string step_name(const FrontPointRow& row) {
 ReportTable tip_table(const model::Model& model,
                       std::span<const results::CrackLengthResult> increments,
                       Columns<FrontPointRow> columns, const std::string& title,
-                      const std::vector<FrontPointRow>& rows) {
+                      const std::vector<FrontPointRow>& rows, KTableExtent extent) {
   columns.words("tip", [](const FrontPointRow& row) { return row.front.name; });
-  add_k_columns(columns, model, {.bars = true, .raw = any_is_corrected(rows)},
+  add_k_columns(columns, model,
+                {.bars = true,
+                 .raw = any_is_corrected(rows),
+                 .extent = extent,
+                 .G = std::ranges::any_of(
+                     rows, [](const FrontPointRow& row) { return row.front.two_materials; })},
                 crack_scale(increments));
   return columns.table(title, rows);
 }
@@ -187,7 +209,9 @@ ReportTable front_place_table(const model::Model& model,
       continue;
     }
     columns.number(fmt::format("K{}", mode + 1), unit, [=](const FrontPlaceRow& row) {
-      return six_digits_or_zero(place_K(row, mode), scale.K);
+      return row.front.has_error_bar()
+                 ? k_by_bar_text(place_K(row, mode), row.point.bar[mode].size())
+                 : six_digits_or_zero(place_K(row, mode), scale.K);
     });
     if (first.has_error_bar()) {
       columns.fill_only_if([](const FrontPlaceRow& row) { return row.front.has_error_bar(); });
@@ -213,21 +237,24 @@ ReportTable front_place_table(const model::Model& model,
 
 } // namespace
 
-ReportTable tip_k_table(const model::Model& model, const results::CrackLengthResult& increment) {
+ReportTable tip_k_table(const model::Model& model, const results::CrackLengthResult& increment,
+                        KTableExtent extent) {
   const std::span<const results::CrackLengthResult> one(&increment, 1);
-  return tip_table(model, one, Columns<FrontPointRow>().words("step", step_name),
-                   "Stress intensity factors",
-                   rows_where(one, [](const FrontPointRow& row) { return row.front.is_tip(); }));
+  return tip_table(
+      model, one, Columns<FrontPointRow>().words("step", step_name), "Stress intensity factors",
+      rows_where(one, [](const FrontPointRow& row) { return row.front.is_tip(); }), extent);
 }
 
 ReportTable tip_k_table_over_increments(const model::Model& model, const results::RunResult& run,
-                                        std::string_view step) {
+                                        std::string_view step, KTableExtent extent) {
   const auto number = [](const FrontPointRow& row) { return row.increment.number; };
   return tip_table(model, run.increments, Columns<FrontPointRow>().number("increment", "", number),
                    fmt::format("Stress intensity factors at the end of step {}", step),
-                   rows_where(run.increments, [&](const FrontPointRow& row) {
-                     return row.front.is_tip() && row.step.step == step;
-                   }));
+                   rows_where(run.increments,
+                              [&](const FrontPointRow& row) {
+                                return row.front.is_tip() && row.step.step == step;
+                              }),
+                   extent);
 }
 
 std::vector<ReportTable> front_tables(const model::Model& model,

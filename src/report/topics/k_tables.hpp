@@ -12,12 +12,17 @@
 /// (results/k_quantities.hpp).
 namespace spricka::report {
 
+/// What a table of K has: K with its bars, as many digits as these have meaning, or all that there
+/// is.
+enum class KTableExtent { brief, full };
+
 /// For each step and tip of one increment; no rows in space.
-ReportTable tip_k_table(const model::Model& model, const results::CrackLengthResult& increment);
+ReportTable tip_k_table(const model::Model& model, const results::CrackLengthResult& increment,
+                        KTableExtent extent);
 
 /// The same at the end of one step, one row for each increment and tip.
 ReportTable tip_k_table_over_increments(const model::Model& model, const results::RunResult& run,
-                                        std::string_view step);
+                                        std::string_view step, KTableExtent extent);
 
 /// A table for each front in space: its points, of all steps of an increment in which K is not
 /// nothing but round-off.

@@ -52,7 +52,7 @@ TEST(ShownStep, IsTheMostLoadedOneUnlessTheDeckNamesAnother) {
   model.growth.emplace();
   model.growth->kmax = base::StepId(std::size_t{1});
   EXPECT_EQ(results::shown_step_name(model, {&length, 1}), "LOAD");
-  model.growth->kmax = base::StepId(std::size_t{0});
+  model.control.shown_step = base::StepId(std::size_t{0});
   EXPECT_EQ(results::shown_step_name(model, {&length, 1}), "PRESS");
   EXPECT_EQ(results::shown_step_result(model, {&length, 1}, length), length.steps.data());
 }
@@ -86,7 +86,7 @@ TEST(Answer, TellsKContactChecksAndCost) {
 
 TEST(Answer, OfRoundOffIsNothing) {
   test::Sample sample = test::make_sample();
-  sample.model.growth->kmax = base::StepId(std::size_t{2});
+  sample.model.control.shown_step = base::StepId(std::size_t{2});
   for (results::CrackLengthResult& increment : sample.run.increments) {
     results::ContactResult& unloaded = increment.steps[2].contacts[0];
     unloaded.mounted = true;

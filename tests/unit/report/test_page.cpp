@@ -92,10 +92,11 @@ TEST(KReportSection, ShowsRoundOffAsZero) {
   results::FrontPointResult& tip = sample.run.increments[0].steps[2].fronts[0].single_point();
   tip.K1 = 1e-12;
   tip.G = tip.G_from_K = 1e-30;
-  const std::vector<std::string> row =
-      make_k_report_section(sample.model, sample.run).tables[0].rows[2];
-  EXPECT_EQ(row[3], "0");
-  EXPECT_EQ(row[7], "0");
+  const KReportSection section = make_k_report_section(sample.model, sample.run);
+  for (const ReportTable& table : {section.tables.at(0), section.folded.at(0)}) {
+    EXPECT_EQ(table.rows[2][3], "0");
+  }
+  EXPECT_EQ(section.folded[0].rows[2][7], "0") << "G";
 }
 
 TEST(MissingBars, AreGroupedByTheirReason) {
