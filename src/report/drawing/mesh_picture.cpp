@@ -93,8 +93,21 @@ struct Drawn {
   std::vector<SvgPathData> areas; ///< [net], of a field [colour band]
   std::vector<DrawnEdge> edges;   ///< of every element: inner ones twice
   std::size_t elements = 0;
-  [[nodiscard]] bool outlines_alone() const { return elements > most_drawn_elements; }
+  [[nodiscard]] bool has_outlines_alone() const { return elements > most_drawn_elements; }
 };
+
+/// Leaves those of one element only; `edges` are sorted.
+void remove_inner_edges(std::vector<DrawnEdge>& edges) {
+  std::vector<DrawnEdge> outer;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const bool again = (i > 0 && edges[i - 1].key() == edges[i].key()) ||
+                       (i + 1 < edges.size() && edges[i + 1].key() == edges[i].key());
+    if (!again) {
+      outer.push_back(edges[i]);
+    }
+  }
+  edges = std::move(outer);
+}
 
 /// A corner of a cell: where it is drawn and the field there.
 struct DrawnCorner {
@@ -204,7 +217,7 @@ Drawn collect(const MeshView& view, const Projection& project) {
     const auto mid = [&](std::size_t s) {
       return info.quadratic ? nodes[corners + s] : base::NodeId();
     };
-    if (drawn.outlines_alone()) {
+    if (drawn.has_outlines_alone()) {
       drawn.areas.clear();
     } else if (view.field.empty() && view.inner_edges) {
       const std::size_t layer = net.valid() ? net.index() : 0;
@@ -227,6 +240,9 @@ Drawn collect(const MeshView& view, const Projection& project) {
             [](const DrawnEdge& a, const DrawnEdge& b) { return a.key() < b.key(); });
   if (view.field.empty() && !view.inner_edges) {
     drawn.areas = bodies_by_outlines(drawn.edges, project);
+  }
+  if (drawn.has_outlines_alone()) {
+    remove_inner_edges(drawn.edges);
   }
   return drawn;
 }
@@ -323,8 +339,7 @@ std::string draw_svg(const MeshView& view) {
     const std::string tint = coloured ? band_colour(i) : tints[i % tints.size()];
     svg.path(drawn.areas[i], {tint, 0.6, tint, ""}); // the stroke hides the seams
   }
-  draw_edges(svg, project, drawn.edges,
-             view.inner_edges && !coloured && !drawn.outlines_alone());
+  draw_edges(svg, project, drawn.edges, view.inner_edges && !coloured);
   draw_crack_faces(svg, view, project);
   const DrawingWindow window{view.low, view.high, project.scale(),
                              [&](const DrawingPoint& p) { return project(p); }};

@@ -53,7 +53,7 @@ std::string packed_text(std::string_view text) {
   // zlib reads and writes bytes
   if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
                 reinterpret_cast<const Bytef*>(text.data()), static_cast<uLong>(text.size()),
-                Z_BEST_COMPRESSION) != Z_OK) {
+                Z_DEFAULT_COMPRESSION) != Z_OK) {
     throw std::system_error(ENOMEM, std::generic_category(), "zlib");
   }
   packed.resize(size);
