@@ -30,7 +30,7 @@ constexpr int pressure_degree = 15;
 /// A pin and the circle that it touches, in a plane across its axis.
 struct Pin {
   Eigen::Matrix<double, 3, 2> axes; ///< columns: of that plane, the x and y of what follows
-  FittedCircle circle;
+  geometry::FittedCircle circle;
   double side = 1.0;         ///< of edges; 1: the body is outside (a bore), -1: inside (a shaft)
   Vec2 force = Vec2::Zero(); ///< the resultant [force]
   Vec2 d = Vec2::Zero();     ///< unit vector along it

@@ -4,12 +4,12 @@
 #include "archive/safe_file.hpp"
 #include "base/diagnostics.hpp"
 #include "base/printable.hpp"
+#include "base/shipped_files.hpp"
 #include "deck/read_deck.hpp"
 #include "grammar/lexeme.hpp"
 #include "program/job/failures.hpp"
 #include "program/job/log.hpp"
 #include "program/job/standard_streams.hpp"
-#include "program/verify/deck_list.hpp"
 #include "report/drawing/file.hpp"
 
 #include <algorithm>
@@ -198,10 +198,9 @@ base::ProgramOutcome write_new_deck(const fs::path& folder, const NewDeckOptions
 base::ProgramOutcome new_deck(const NewDeckOptions& options) {
   const Log log(LogFormat::text);
   return run_reporting_file_failures(log, [&] {
-    const fs::path decks = shipped_deck_folder();
-    const fs::path folder = decks / "templates";
+    const fs::path folder = base::find_shipped_file("share/spricka/decks/templates");
     const std::vector<std::string> names = template_names(folder);
-    if (decks.empty() || names.empty()) {
+    if (names.empty()) {
       throw archive::FileFailure("E530", "the templates that ship with the program are not there");
     }
     if (options.name.empty()) {

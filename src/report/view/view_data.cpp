@@ -6,8 +6,8 @@
 #include "report/drawing/table.hpp"
 #include "report/view/encoded_array.hpp"
 #include "report/view/merged_surface.hpp"
-#include "report/view/start_step.hpp"
 #include "report/view/step_fields.hpp"
+#include "results/shown_step.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -103,7 +103,15 @@ struct ChosenLengths {
   std::vector<std::string> without;
 };
 
-ChosenLengths choose_lengths(const results::RunResult& run, std::size_t budget) {
+/// The number of the shown step in an increment.
+std::size_t shown_step_index(const model::Model& model, const results::RunResult& run,
+                             const results::CrackLengthResult& increment) {
+  return static_cast<std::size_t>(results::shown_step_result(model, run.increments, increment) -
+                                  increment.steps.data());
+}
+
+ChosenLengths choose_lengths(const model::Model& model, const results::RunResult& run,
+                             std::size_t budget) {
   ChosenLengths chosen;
   std::vector<ShownLength>& lengths = chosen.lengths;
   for (const results::CrackLengthResult& increment : run.increments) {
@@ -112,8 +120,8 @@ ChosenLengths choose_lengths(const results::RunResult& run, std::size_t budget) 
     }
   }
   const std::size_t all = lengths.size();
-  const auto keep_start_step = [](ShownLength& length) {
-    length.steps = {find_start_step(*length.increment)};
+  const auto keep_start_step = [&](ShownLength& length) {
+    length.steps = {shown_step_index(model, run, *length.increment)};
   };
   const bool steps = std::ranges::any_of(
       lengths, [](const ShownLength& length) { return length.steps.size() > 1; });
@@ -244,7 +252,7 @@ Json encode_field_names(const model::Model& model) {
 
 ViewData make_view_data(const model::Model& model, const results::RunResult& run,
                         std::size_t budget) {
-  const ChosenLengths chosen = choose_lengths(run, budget);
+  const ChosenLengths chosen = choose_lengths(model, run, budget);
   if (chosen.lengths.empty()) {
     return {};
   }
@@ -261,7 +269,7 @@ ViewData make_view_data(const model::Model& model, const results::RunResult& run
   for (const ShownLength& length : chosen.lengths) {
     lengths.push_back(encode_length(model, length));
   }
-  const std::size_t start = find_start_step(*last.increment);
+  const std::size_t start = shown_step_index(model, run, *last.increment);
   const Json data{{"dim", last.increment->mesh.dim},
                   {"lengthUnit", model.units.length_name},
                   {"kUnit", typeset_unit(model.units.stress_intensity_name())},

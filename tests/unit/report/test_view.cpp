@@ -3,7 +3,6 @@
 #include "report/report.hpp"
 #include "report/view/encoded_array.hpp"
 #include "report/view/merged_surface.hpp"
-#include "report/view/start_step.hpp"
 #include "report/view/view.hpp"
 #include "report/view/view_data.hpp"
 #include "sample.hpp"
@@ -57,10 +56,10 @@ TEST(MergedSurface, KeepsTheFacesOfCracksAndLosesOthers) {
   EXPECT_GT(merged.coincident.size(), 0U);
 }
 
-TEST(StartStep, IsThatOfTheLargestK) {
+TEST(ViewData, StartsWithTheShownStep) {
   const test::Sample sample = test::make_sample();
-  const results::CrackLengthResult& length = sample.run.increments.back();
-  EXPECT_EQ(length.steps[find_start_step(length)].step, "LOAD");
+  const ViewData data = make_view_data(sample.model, sample.run);
+  EXPECT_NE(data.json.find("\"startStep\":\"LOAD\""), std::string::npos);
 }
 
 TEST(ViewData, LeavesOutStepsThenLengthsThenDetailAndSaysSo) {
