@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/flaw_place.hpp"
 
+#include "base/tidy.hpp"
 #include "deck/sets.hpp"
 #include "geometry/circle_about_axis.hpp"
 #include "mesh/boundary.hpp"
@@ -143,6 +144,13 @@ CircleAboutAxis circle_of(const std::vector<Vec3>& points) {
   return flat ? geometry::fit_circle_about_axis(points, spread.direction) : CircleAboutAxis{};
 }
 
+/// Without what round-off leaves of a zero.
+std::string place_text(const Vec3& x) {
+  const double least = 1e-9 * x.norm();
+  return base::format_coordinates(
+      x.unaryExpr([&](double v) { return std::abs(v) < least ? 0.0 : v; }), 3);
+}
+
 class FlawPlacer {
 public:
   FlawPlacer(DeckContext& context, const CheckedCard& card)
@@ -228,8 +236,8 @@ private:
     if (cost(x) > allowed) {
       return fail(card_.has_key("ANGLE") ? "ANGLE" : "X0",
                   fmt::format("the edge of {} and {} does not go there; its nearest point is "
-                              "({:.6g}, {:.6g}, {:.6g})",
-                              first.name, second.name, x.x(), x.y(), x.z()));
+                              "{}",
+                              first.name, second.name, place_text(x)));
     }
     model::PlanarCrack plane;
     plane.place = x;
@@ -328,8 +336,8 @@ private:
       if (std::sqrt(least) > place_misfit * (high - low + circle.radius)) {
         const Vec3 x = circle.point(angle, height);
         return fail("X0", fmt::format("{} does not go there; at that angle its nearest point is "
-                                      "({:.6g}, {:.6g}, {:.6g})",
-                                      set.name, x.x(), x.y(), x.z()));
+                                      "{}",
+                                      set.name, place_text(x)));
       }
     }
     const Vec3 x = circle.point(angle, height);
@@ -351,8 +359,7 @@ private:
     });
     if (!on_face) {
       return fail(card_.has_key("ANGLE") ? "ANGLE" : "X0",
-                  fmt::format("the point ({:.6g}, {:.6g}, {:.6g}) lies beside {}", x.x(), x.y(),
-                              x.z(), set.name));
+                  fmt::format("the point {} lies beside {}", place_text(x), set.name));
     }
     const Vec3 mouth = card_.has_key("ALONG")
                            ? Vec3(Vec3::Unit(card_.word_value("ALONG").front() - 'X'))
