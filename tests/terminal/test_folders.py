@@ -8,7 +8,7 @@ import socket
 import subprocess
 import time
 
-from program import CRACKED, PROGRAM, ProgramTest, environment, main, plate
+from program import CRACKED, PROGRAM, ProgramTest, content_without_cost, environment, main, plate
 
 LOOSE = plate().replace("$FREEDOM CLASS=SUPPRESSED DOF=XY\n  XMIN\n", "")
 # Some seconds of work, so that a signal or a second run meets it.
@@ -19,7 +19,7 @@ LONG = LONG.replace("NX=4 NY=2", "NX=40 NY=20")
 def contents(folder):
     """Every file below a folder but for the listing, which tells times."""
     return {
-        str(f.relative_to(folder)): f.read_bytes()
+        str(f.relative_to(folder)): content_without_cost(f)
         for f in sorted(folder.rglob("*"))
         if f.is_file() and f.name != "listing.txt"
     }

@@ -51,7 +51,7 @@ class Verify(ProgramTest):
         self.assertIn("spricka", good["program"])
         page = (self.folder / "verification/verification.html").read_text(encoding="utf-8")
         self.assertIn("S.XX.AT(5,2.5,LOAD)", page)
-        self.assertNotIn("<script", page)
+        self.assertNotIn("<script src", page)  # nothing is loaded from elsewhere
         self.assertEqual(
             {f.name for f in (self.folder / "verification").iterdir()},
             {"verification.csv", "verification.html"},

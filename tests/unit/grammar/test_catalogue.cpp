@@ -18,11 +18,11 @@ bool has_word(std::string_view words, std::string_view word) {
 
 TEST(Catalogue, HoldsTheWholeLanguage) {
   for (const char* name :
-       {"DECK",    "PARAMETER", "INCLUDE",  "NET",      "ENDNET",   "IMPORT",   "MESH",
-        "COOR",    "ELEMENT",   "NSET",     "ESET",     "FSET",     "MATERIAL", "PROPERTY",
-        "FREEDOM", "MPC",       "SYMMETRY", "LOAD",     "CONTACT",  "RIGID",    "CRACK",
-        "TIPNET",  "VCE",       "STEP",     "LOADPATH", "SPECTRUM", "GROW",     "TEST",
-        "SWEEP",   "CONTROL",   "RESTART",  "TASK",     "OUTPUT",   "CHECK",    "END",       "REQUIRE"}) {
+       {"DECK",     "PARAMETER", "INCLUDE", "NET",    "ENDNET",   "IMPORT",   "MESH",    "COOR",
+        "ELEMENT",  "NSET",      "ESET",    "FSET",   "MATERIAL", "PROPERTY", "FREEDOM", "MPC",
+        "SYMMETRY", "LOAD",      "CONTACT", "RIGID",  "CRACK",    "TIPNET",   "VCE",     "STEP",
+        "LOADPATH", "SPECTRUM",  "GROW",    "TEST",   "SWEEP",    "CONTROL",  "RESTART", "TASK",
+        "OUTPUT",   "CHECK",     "END",     "REQUIRE"}) {
     EXPECT_NE(find_card(name), nullptr) << name;
   }
   EXPECT_EQ(card_catalogue().size(), 36U);
