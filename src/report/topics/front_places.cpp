@@ -37,9 +37,20 @@ double size_of_elements_at(const model::Mesh& mesh, base::NodeId n) {
   return size;
 }
 
+/// The nearest node, of the cracked body where several meet: of a crack's face.
 base::NodeId node_at(const model::Mesh& mesh, const base::Vec3& x) {
+  std::vector<base::NodeId> of_cracks;
+  for (const model::FaceSet& set : mesh.face_sets) {
+    for (const model::Face& face : set.faces) {
+      if (is_of_crack_faces(set.name)) {
+        const std::vector<base::NodeId> nodes = model::side_nodes(mesh, face);
+        of_cracks.insert(of_cracks.end(), nodes.begin(), nodes.end());
+      }
+    }
+  }
   return *std::ranges::min_element(
-      mesh.nodes, {}, [&](base::NodeId n) { return (mesh.x[n.index()] - x).squaredNorm(); });
+      of_cracks.empty() ? mesh.nodes : of_cracks, {},
+      [&](base::NodeId n) { return (mesh.x[n.index()] - x).squaredNorm(); });
 }
 
 /// "z = 5" of a place at an end of the mesh along an axis; else empty.
@@ -93,7 +104,8 @@ std::string FaceNames::at(const base::Vec3& x) const {
     }
     offer(set.name, set.faces.size(), std::ranges::any_of(set.faces, [&](const model::Face& face) {
             return std::ranges::any_of(model::side_nodes(mesh_, face), [&](base::NodeId other) {
-              return other == n || (mesh_.x[other.index()] - x).norm() < near;
+              return other == n || (mesh_.node_net[other.index()] == mesh_.node_net[n.index()] &&
+                                    (mesh_.x[other.index()] - x).norm() < near);
             });
           }));
   }
