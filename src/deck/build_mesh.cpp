@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/by_dimension.hpp"
 #include "deck/context.hpp"
 #include "deck/import_card.hpp"
 #include "deck/mesh_limits.hpp"

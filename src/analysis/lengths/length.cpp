@@ -7,6 +7,7 @@
 #include "analysis/scene/scene_loads.hpp"
 #include "analysis/steps/crack_face_contact.hpp"
 #include "growth/crack_lines.hpp"
+#include "model/model.hpp"
 
 #include <utility>
 

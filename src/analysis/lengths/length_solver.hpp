@@ -3,6 +3,7 @@
 #include "analysis/lengths/length.hpp"
 #include "analysis/lengths/load_history.hpp"
 #include "analysis/lengths/log_writer.hpp"
+#include "analysis/lengths/pictured_steps.hpp"
 #include "analysis/lengths/solve_options.hpp"
 #include "analysis/scene/free_faces.hpp"
 #include "analysis/steps/carried_state.hpp"

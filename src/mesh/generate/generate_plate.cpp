@@ -172,7 +172,7 @@ private:
   /// Elements round the hole are all of one size; those of the side at +x lie about its middle.
   [[nodiscard]] Point ray_point(int i, int j) const {
     const auto [u, v] = on_box(j);
-    const Point outer = grid_point(u, v);
+    Point outer = grid_point(u, v);
     if (i == 2 * spec_.nr) {
       return outer;
     }

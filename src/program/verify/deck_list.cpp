@@ -5,6 +5,7 @@
 #include "base/diagnostics.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
+#include "program/trials/child_run.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -280,7 +280,7 @@ std::string mesh_words(const model::Model& model, const results::RunResult& run)
 
 // Which K the law was given, and at how many stations.
 std::string law_K_words(const model::Model& model, const results::RunResult& run) {
-  const std::string_view largest = leading_step_name(model);
+  const std::string largest = leading_step_name(model);
   std::size_t corrected = 0;
   for (const results::CrackLengthResult& increment : run.increments) {
     for (const results::LoadStepResult& step : increment.steps) {
