@@ -214,6 +214,10 @@ private:
     for (const SharedEdge& edge : edges) {
       points.insert(points.end(), edge.x.begin(), edge.x.end());
     }
+    if (card_.has_key("ALONG")) {
+      return fail("ALONG",
+                  "a corner flaw is normal to its edge, so that ALONG means nothing there");
+    }
     std::function<double(const Vec3&)> cost = [&](const Vec3& x) { return off_coordinates(x); };
     double allowed = std::pow(place_misfit * extent(points), 2);
     if (card_.has_key("ANGLE")) {
@@ -227,6 +231,9 @@ private:
       }
       cost = [this, circle](const Vec3& x) { return off_angle(circle, x); };
       allowed = place_misfit;
+      if (has_coordinates()) { // neither may be passed over
+        return fail("ANGLE", "ANGLE and coordinates both say where on the edge the flaw lies");
+      }
     } else if (!has_coordinates()) {
       return fail("AT", "where on the edge the flaw lies is not said",
                   "ANGLE round a bore, or X0, Y0 or Z0 of a point of the edge");

@@ -50,7 +50,7 @@ TEST(FlawPlace, CornerFlawRoundABore) {
       const Vec3 radial(std::cos(angle), std::sin(angle), 0.0);
       EXPECT_NEAR((plane.place - (5.0 * radial + Vec3(0, 0, 6))).norm(), 0.0, 0.01);
       EXPECT_NEAR(std::abs(plane.normal.dot(radial)), 0.0, 0.01);
-      EXPECT_NEAR(plane.along.dot(radial), 1.0, 1e-4); // into the plate
+      EXPECT_NEAR(plane.along.dot(radial), 1.0, 1e-4);      // into the plate
       EXPECT_NEAR(plane.transverse_axis().z(), -1.0, 1e-9); // angles count into it
       EXPECT_EQ(plane.a, 1.0);
       EXPECT_EQ(plane.c, 2.0);
@@ -91,6 +91,8 @@ TEST(FlawPlace, WhatDoesNotPlaceAFlawIsRefused) {
       {"AT=BORE,XMAX DEPTH=1 ANGLE=0", "do not meet in an edge"},
       {"AT=BORE,ZMAX DEPTH=1", "where on the edge the flaw lies is not said"},
       {"AT=XMAX,ZMAX DEPTH=1 ANGLE=0", "is no circle"},
+      {"AT=BORE,ZMAX DEPTH=1 ANGLE=0 X0=5", "both say where"},
+      {"AT=BORE,ZMAX DEPTH=1 ANGLE=0 ALONG=X", "means nothing there"},
       {"AT=XMAX,ZMAX DEPTH=1 Y0=90", "does not go there"},
       {"AT=BORE DEPTH=1", "where round PLATE.BORE the flaw lies is not said"},
       {"AT=BORE DEPTH=1 ANGLE=0 Z0=9", "does not go there"},
