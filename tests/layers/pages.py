@@ -17,6 +17,9 @@ FILE = re.compile(r"\b[\w/]+\.(?:cpp|hpp)\b")
 
 
 def is_there(top, name):
+    """Whether NAME is below TOP or TOP/src; what a build makes is not, as a clone has none."""
+    if name.startswith("build/"):
+        return False
     return (top / name).exists() or (top / "src" / name).exists()
 
 

@@ -223,11 +223,13 @@ class Page(Tree):
         put(self.top, "manual/glossary.md", "In `solve/solve.cpp` and\n`mesh/cut`, `grammar/card.cpp`,"
             " `src/base/base.hpp`, `deck/no_*.cpp`.\n")
         self.assertEqual(run(self.top)[0], 0)
-        add(self.top, "manual/glossary.md", "Not `solve/gone.cpp`, nor `mesh/gone`.\n")
+        (self.top / "build/dev").mkdir(parents=True, exist_ok=True)
+        add(self.top, "manual/glossary.md", "Not `solve/gone.cpp`, `mesh/gone`, `build/dev`.\n")
         code, text = run(self.top)
         self.assertEqual(code, 1)
         self.assertIn("manual/glossary.md:3: there is no solve/gone.cpp", text)
         self.assertIn("manual/glossary.md:3: there is no mesh/gone", text)
+        self.assertIn("manual/glossary.md:3: there is no build/dev", text)
 
     def test_what_a_comment_cites_is_missed(self):
         put(self.top, "manual/theory/mesh.md", "$$ x = 1 \\tag{mesh.1} $$ and (mesh.2)\n")
