@@ -31,8 +31,10 @@ using base::Vec3;
 // 1e-10.
 constexpr double part_of_size = 1e-6;
 
-// Of the shorter axis: how far beyond the tube the mesh gives way.
-constexpr double share_of_axis = 0.5;
+// Of the shorter axis: how far beyond the tube the mesh gives way; in the plane of the crack to its
+// middle if the tube leaves as much as the least of them, and no farther.
+constexpr double least_share_of_axis = 0.5;
+constexpr double largest_share_of_axis = 0.8;
 
 // Nodes of free sides of the body, without those of the crack's faces.
 std::set<base::NodeId> skin_of(const model::Mesh& mesh, const crack::FrontIntegralDomains& fields) {
@@ -136,7 +138,7 @@ std::vector<bool> VirtualAxisExtension::resting() const {
   const mesh::CrackFaceNodes& faces = scene_.cracked.faces[crack_.index()];
   std::set<model::Face> own(faces.left_sides.begin(), faces.left_sides.end());
   own.insert(faces.right_sides.begin(), faces.right_sides.end());
-  for (const model::Face& face : mesh::boundary_faces(mesh)) {
+  for (const model::Face& face : mesh::outer_surface_faces(mesh)) {
     for (const base::NodeId n : model::side_nodes(mesh, face)) {
       rests[n.index()] = rests[n.index()] || !own.contains(face);
     }
@@ -163,7 +165,9 @@ std::vector<Vec3> VirtualAxisExtension::motion_of(std::size_t f) const {
   // Elements beyond the domains take part, so that none is strained much.
   const std::vector<bool> rests = resting();
   const double tube = std::ranges::max(front.points, {}, &mesh::FrontPoint::radius).radius;
-  const double room = share_of_axis * std::min(plane.a, plane.c);
+  const double axis = std::min(plane.a, plane.c);
+  const double room =
+      std::clamp(axis - tube, least_share_of_axis * axis, largest_share_of_axis * axis);
   for (std::size_t n = 0; n < velocity.size(); ++n) {
     const Vec3& x = mesh.x[n];
     if (rests[n] || std::abs(plane.normal.dot(x - plane.place)) > tube + room) {
@@ -171,7 +175,9 @@ std::vector<Vec3> VirtualAxisExtension::motion_of(std::size_t f) const {
     }
     const Vec3 foot = front.curve->at(front.curve->nearest_length(x)).x;
     const double part = std::clamp((tube + room - (x - foot).norm()) / room, 0.0, 1.0);
-    const Vec3 own = part * direction_.dot(foot - plane.place) / size_ * direction_;
+    // Without kinks at its ends: coarse elements over one would be strained unevenly.
+    const double share = part * part * (3.0 - 2.0 * part);
+    const Vec3 own = share * direction_.dot(foot - plane.place) / size_ * direction_;
     velocity[n] = own.norm() > velocity[n].norm() ? own : velocity[n];
   }
   // Where rows tie nodes of the patch, they still hold of the mesh that moves.

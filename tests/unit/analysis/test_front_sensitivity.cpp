@@ -205,9 +205,9 @@ $END
   for (std::size_t i = 0; i < front.points.size(); ++i) {
     const double phi = front.points[i].phi;
     // d ln K/da at a = c of (sin^2 phi + (a/c)^2 cos^2 phi)^(1/4) sqrt(pi a) / E
-    EXPECT_NEAR(a->above[i][0], 0.5 * K * std::pow(std::cos(phi), 2), 0.02 * K) << phi;
-    EXPECT_NEAR(c->above[i][0], 0.5 * K * std::pow(std::sin(phi), 2), 0.02 * K) << phi;
-    EXPECT_NEAR(a->above[i][0] + c->above[i][0], 0.573, 0.015 * K) << phi;
+    EXPECT_NEAR(a->above[i][0], 0.5 * K * std::pow(std::cos(phi), 2), 0.012 * K) << phi;
+    EXPECT_NEAR(c->above[i][0], 0.5 * K * std::pow(std::sin(phi), 2), 0.012 * K) << phi;
+    EXPECT_NEAR(a->above[i][0] + c->above[i][0], 0.573, 0.008 * K) << phi;
   }
 }
 
