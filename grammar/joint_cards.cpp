@@ -110,7 +110,8 @@ constexpr std::array crack_keys{
              "the DEPTH, of a corner flaw the DEPTH"),
     word_key("ALONG", "X|Y|Z",
              "direction of the mouth of a surface flaw; default on a round face: along its axis"),
-    reference_key("FRONT", set, "nodes of the front of a crack in space that the mesh has already"),
+    reference_key("FRONT", set,
+                  "nodes of the front of a crack that the mesh has already, in the plane its tip"),
     real_key("A", length, above(0), "semi-axis of an ellipse in space, at right angles to C"),
     real_key("C", length, above(0), "its other semi-axis; left out: a circle"),
     real_key(

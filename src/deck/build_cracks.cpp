@@ -2,11 +2,14 @@
 #include "deck/build_solid_cracks.hpp"
 #include "deck/dimension_rules.hpp"
 #include "deck/sets.hpp"
+#include "geometry/polyline.hpp"
+#include "mesh/cut/existing_crack.hpp"
 #include "mesh/cut/path_gap.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -75,6 +78,29 @@ void free_crack(DeckContext& c, const CheckedCard& card, model::CrackDefinition&
   }
 }
 
+// A crack in the plane that the mesh has already is a path without a patch.
+void existing_crack_path(DeckContext& c, const CheckedCard& card, model::CrackDefinition& crack) {
+  mesh::CrackFaceNodes faces;
+  const std::string why = mesh::find_existing_crack_path(
+      c.model.mesh, c.model.mesh.set_with_id(crack.path).nodes, faces);
+  if (!why.empty()) {
+    c.error(card.name_reference("FRONT").span, "E439",
+            fmt::format("crack {}: {}", crack.name, why));
+    return;
+  }
+  std::vector<base::Vec3> points;
+  for (const base::NodeId node : faces.left) {
+    points.push_back(c.model.mesh.x[node.index()]);
+  }
+  const bool two_tips = faces.left.front() == faces.right.front();
+  crack.kind = model::CrackDefinitionKind::path;
+  crack.a0 = geometry::polyline_length(points) * (two_tips ? 0.5 : 1.0);
+  crack.path = base::NodeSetId(c.model.mesh.node_sets.size());
+  c.model.mesh.node_sets.push_back(
+      {fmt::format("{}.PATH", crack.name), std::move(faces.left), crack.span});
+  crack.right_face_nodes = std::move(faces.right);
+}
+
 // An empty face set for a crack face; what names it is the load, see build_loads.
 base::FaceSetId crack_face(DeckContext& c, const model::CrackDefinition& crack,
                            std::string_view side) {
@@ -94,7 +120,7 @@ void drawn_crack(DeckContext& c, const CheckedCard& card, model::CrackDefinition
   const bool three = !card.rows.empty() && card.rows.front().fields.size() == 3;
   if (plane && of_space != nullptr) {
     c.error(card.find(of_space)->span, "E313",
-            "an ellipse, a flaw by words, or a front by its points, belongs to elements in space",
+            "an ellipse, or a front by its points, belongs to elements in space",
             "in the plane a crack has PATH and A0, or points x y");
   } else if (meshed ? plane : of_space == nullptr && !three) {
     free_crack(c, card, crack);
@@ -124,9 +150,8 @@ void crack(DeckContext& c, const CheckedCard& card) {
   } else if (card.has_key("FRONT")) {
     crack.kind = model::CrackDefinitionKind::front;
     crack.path = resolve_node_set(c, card.name_reference("FRONT")).value_or(base::NodeSetId());
-    if (c.is_certainly_plane()) {
-      c.error(card.find("FRONT")->span, "E313", "a crack front belongs to elements in space",
-              "in the plane a crack has PATH and A0, or points");
+    if (c.is_certainly_plane() && c.mesh_sound && crack.path.valid()) {
+      existing_crack_path(c, card, crack);
     }
   } else {
     drawn_crack(c, card, crack);
@@ -213,6 +238,23 @@ void vce(DeckContext& c, const CheckedCard& card, std::set<std::size_t>& seen) {
   c.model.vces.push_back(std::move(vce));
 }
 
+// What the mesh has already stays as it is, with a $TIPNET of its own or without one.
+void keep_meshes_of_existing_cracks(DeckContext& c) {
+  for (std::size_t i = 0; i < c.model.cracks.size(); ++i) {
+    if (c.model.cracks[i].right_face_nodes.empty()) {
+      continue;
+    }
+    auto own =
+        std::ranges::find(c.model.tip_nets, base::CrackId(i), &model::TipMeshSettings::crack);
+    if (own == c.model.tip_nets.end()) {
+      own = c.model.tip_nets.insert(own, model::TipMeshSettings());
+      own->crack = base::CrackId(i);
+      own->span = c.model.cracks[i].span;
+    }
+    own->patch = false;
+  }
+}
+
 } // namespace
 
 void build_cracks(DeckContext& context) {
@@ -230,6 +272,7 @@ void build_cracks(DeckContext& context) {
       vce(context, card, with_vce);
     }
   }
+  keep_meshes_of_existing_cracks(context);
 }
 
 } // namespace spricka::deck

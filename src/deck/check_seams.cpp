@@ -90,7 +90,7 @@ void take_out_cracks(const model::Model& model, std::vector<mesh::CoincidentFace
   }
   std::set<std::size_t> cracks;
   for (const model::CrackDefinition& crack : model.cracks) {
-    if (crack.kind == model::CrackDefinitionKind::front && crack.path.valid()) {
+    if (crack.is_in_mesh() && crack.path.valid()) {
       for (const NodeId node : mesh.set_with_id(crack.path).nodes) {
         cracks.insert(joined.root(node.index()));
       }

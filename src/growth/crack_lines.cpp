@@ -122,6 +122,9 @@ struct CrackLineBuilder {
       line.points.push_back(model.mesh.x[n.index()]);
     }
     line.net = model.mesh.node_net[line.path.front().index()];
+    line.right_face_nodes = crack.right_face_nodes;
+    line.embedded =
+        !line.right_face_nodes.empty() && line.right_face_nodes.front() == line.path.front();
     // Seen from the suppressed freedoms: the deck does not say it.
     line.symmetric_half = on_symmetry_line(model, line.path, cls);
     return line;

@@ -42,7 +42,10 @@ struct FrontHistory {
 struct CrackDefinition {
   std::string name;
   CrackDefinitionKind kind = CrackDefinitionKind::path;
-  base::NodeSetId path;            ///< ordered nodes: from the mouth (path), of the front (front)
+  base::NodeSetId path; ///< ordered nodes: from the mouth (path), of the front (front)
+  /// In the plane, of a crack that the mesh has already: the nodes of its right face, as many as
+  /// `path`, which is the left one; the tip is on both.
+  std::vector<base::NodeId> right_face_nodes = {};
   base::NetId net;                 ///< the net a free crack cuts
   std::vector<base::Vec3> points;  ///< free crack: from the mouth (or first tip) on; drawn: front
   bool smooth = false;             ///< free or drawn: a smooth curve through the points
@@ -61,6 +64,10 @@ struct CrackDefinition {
   /// Whether it is a line in the plane; in space a crack is given by its front.
   [[nodiscard]] bool is_line() const {
     return kind == CrackDefinitionKind::path || kind == CrackDefinitionKind::free;
+  }
+  /// Whether the deck's own mesh has it already.
+  [[nodiscard]] bool is_in_mesh() const {
+    return kind == CrackDefinitionKind::front || !right_face_nodes.empty();
   }
 };
 

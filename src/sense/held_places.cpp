@@ -261,8 +261,8 @@ void warn_of_misplaced_crack_mouths(const model::Model& model, base::Diagnostics
   const std::vector<model::FreedomRole> cls = fe::classify_freedoms(model, model.mesh);
   for (std::size_t c = 0; c < model.cracks.size(); ++c) {
     const model::CrackDefinition& crack = model.cracks[c];
-    if (crack.kind != model::CrackDefinitionKind::path || !crack.path.valid() ||
-        model.mesh.set_with_id(crack.path).nodes.size() < 2) {
+    if (crack.kind != model::CrackDefinitionKind::path || crack.is_in_mesh() ||
+        !crack.path.valid() || model.mesh.set_with_id(crack.path).nodes.size() < 2) {
       continue; // E401
     }
     std::vector<base::NodeId> path = model.mesh.set_with_id(crack.path).nodes;

@@ -24,7 +24,9 @@ struct CrackLine {
   bool embedded = false;          ///< starts inside the body
   bool symmetric_half = false;    ///< the line lies on the boundary, held by symmetry
   std::vector<base::NodeId> path; ///< kind path: the ordered host nodes it runs along
-  std::string name;               ///< for messages; empty: "crack 2" by its number
+  /// Of a crack that the host has already: nodes of its right face, as many as `path`.
+  std::vector<base::NodeId> right_face_nodes = {};
+  std::string name; ///< for messages; empty: "crack 2" by its number
 
   [[nodiscard]] std::string display_name() const {
     return "crack " + (name.empty() ? std::to_string(crack.index() + 1) : name);

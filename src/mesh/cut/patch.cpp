@@ -77,6 +77,10 @@ public:
 
 private:
   bool find_path(Work& work) {
+    if (!work.line->right_face_nodes.empty()) {
+      work.path = work.line->path;
+      return true;
+    }
     auto path = find_crack_path_nodes(host_, *work.line, work.span, diagnostics_);
     if (path) {
       work.path = std::move(*path);
@@ -233,7 +237,9 @@ private:
           work.path.push_back(placed_[work.cavity].node_in_mesh(n));
         }
       }
-      if (work.line->symmetric_half) {
+      if (!work.line->right_face_nodes.empty()) {
+        result_.faces.push_back({work.path, work.line->right_face_nodes});
+      } else if (work.line->symmetric_half) {
         add_half_crack_face(work);
       } else if (auto crack_faces =
                      open_crack_along_path(result_.mesh, work.path, work.line->embedded)) {
@@ -271,7 +277,7 @@ private:
     front.a = make_crack_frame(*work.line).a;
     front.symmetric_half = work.line->symmetric_half;
     result_.notes.push_back(work.tip->patch ? add_patch_fronts(work, front)
-                                            : add_own_front(work, front));
+                                            : add_own_fronts(work, front));
   }
 
   /// Adds a front of one point; the next of its crack has the next number.
@@ -314,11 +320,20 @@ private:
     return text + (tied == 0 ? "" : fmt::format(", {} nodes of its rim tied", tied));
   }
 
-  std::string add_own_front(const Work& work, CrackFront front) {
-    const NodeId tip = work.path.back();
-    // The last corner before the tip: growth goes on along the chord of the last edge.
-    const std::size_t before = work.path.size() - 1 - path_step(work);
-    const Vec3 last = mesh_.x[tip.index()] - mesh_.x[work.path[before].index()];
+  std::string add_own_fronts(const Work& work, CrackFront front) {
+    const std::size_t step = path_step(work);
+    const std::vector<NodeId>& path = work.path;
+    std::string text = add_own_front(work, front, path.back(), path[path.size() - 1 - step]);
+    if (work.line->embedded) {
+      text += "; " + add_own_front(work, front, path.front(), path[step]);
+    }
+    return text;
+  }
+
+  /// A tip at a node of the net; the corner before it: growth goes on along the chord of the last
+  /// edge.
+  std::string add_own_front(const Work& work, CrackFront& front, NodeId tip, NodeId before) {
+    const Vec3 last = mesh_.x[tip.index()] - mesh_.x[before.index()];
     front.size = last.norm();
     front.radius = front.size;
     const int moved = work.tip->quarter_point ? make_quarter_point_edges(result_.mesh, tip) : 0;
@@ -331,9 +346,11 @@ private:
                            "QUARTER=YES on $TIPNET moves them to the quarter points");
     }
     add_front(front, tip, last.normalized());
-    return fmt::format("{}: a = {:.6g}, tip at node {} of the net, elements of {:.6g}, {}",
-                       work.line->display_name(), front.a, mesh_.node_label[tip.index()],
-                       front.size, moved > 0 ? "quarter points moved" : "no quarter points");
+    return fmt::format("{}: a = {:.6g}{}, tip at node {} of the net, elements of {:.6g}, {}",
+                       work.line->display_name(), front.a,
+                       work.line->embedded ? " (half its length)" : "",
+                       mesh_.node_label[tip.index()], front.size,
+                       moved > 0 ? "quarter points moved" : "no quarter points");
   }
 
   const model::Mesh& mesh_;

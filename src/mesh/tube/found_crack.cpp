@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/tube/found_crack.hpp"
 
-#include "mesh/boundary.hpp"
-#include "mesh/cut/coincidence.hpp"
-#include "mesh/side_index.hpp"
+#include "mesh/cut/existing_crack.hpp"
 #include "mesh/tube/solid_crack.hpp"
 
 #include <algorithm>
@@ -24,33 +22,14 @@ namespace {
 using base::NodeId;
 using base::Vec3;
 
-/// Nodes within this part of the shortest edge at the front lie at one place.
-constexpr double at_one_place = 1e-4;
-/// Cosine of the angle at which faces of one crack go on from side to side: others that lie on one
-/// another are those of a contact.
-constexpr double least_cosine = 0.5;
 /// Rings of elements that are taken for the surroundings of the front.
 constexpr double rings_of_front = 3.0;
-
-/// A side of the body with its corners by the places they lie at.
-struct PlacedSide : FaceNodes {
-  model::Face face;
-  std::vector<std::size_t> places; ///< [corner]
-  Vec3 normal = Vec3::Zero();      ///< outer, of the size of the side
-};
-
-/// What is found of a crack's faces.
-struct PairedSides {
-  std::vector<PlacedSide> sides;
-  std::vector<std::size_t> twin; ///< [side] the one it lies on, or their number
-  std::vector<std::size_t> upper;
-  double shortest = 0.0; ///< edge at the front
-};
 
 /// Finds the fronts at which the faces of a crack end.
 class ExistingFrontFinder {
 public:
-  ExistingFrontFinder(const ExistingCrack& crack, CrackedMesh& cracked, const PairedSides& found)
+  ExistingFrontFinder(const ExistingCrack& crack, CrackedMesh& cracked,
+                      const ExistingCrackSides& found)
       : crack_(crack), cracked_(cracked), mesh_(cracked.mesh), found_(found) {}
 
   // Edges between nodes of the front that end the crack, in the order of t = m x b.
@@ -190,193 +169,44 @@ private:
   const ExistingCrack& crack_;
   CrackedMesh& cracked_;
   const model::Mesh& mesh_;
-  const PairedSides& found_;
+  const ExistingCrackSides& found_;
 };
 
-/// Finds the sides of the faces.
-class CrackFaceFinder {
-public:
-  CrackFaceFinder(const ExistingCrack& crack, CrackedMesh& cracked)
-      : crack_(crack), cracked_(cracked), mesh_(cracked.mesh) {}
-
-  std::string find() {
-    for (std::string (CrackFaceFinder::*step)() :
-         {&CrackFaceFinder::place_sides, &CrackFaceFinder::pair_sides, &CrackFaceFinder::spread,
-          &CrackFaceFinder::take_faces}) {
-      if (std::string why = (this->*step)(); !why.empty()) {
-        return why;
+// Upper and lower sides and the nodes of both faces.
+std::string take_faces(const model::Mesh& mesh, const ExistingCrackSides& found,
+                       CrackFaceNodes& faces) {
+  std::map<NodeId, NodeId> pairs;
+  for (const std::size_t s : found.upper) {
+    faces.left_sides.push_back(found.sides[s].face);
+    faces.right_sides.push_back(found.sides[found.twin[s]].face);
+    for (const NodeId n : found.sides[s].all) {
+      const NodeId opposite = found.opposite_node(s, n);
+      if (!opposite.valid()) {
+        return fmt::format("the faces at node {} have mid nodes at different places",
+                           mesh.node_label[n.index()]);
       }
-    }
-    return ExistingFrontFinder(crack_, cracked_, found_).find();
-  }
-
-private:
-  [[nodiscard]] const Vec3& x(NodeId n) const { return mesh_.x[n.index()]; }
-  [[nodiscard]] base::Label label(NodeId n) const { return mesh_.node_label[n.index()]; }
-
-  // Sides on the surface, with numbers for the places of their nodes.
-  std::string place_sides() {
-    const std::set<NodeId> front(crack_.front.begin(), crack_.front.end());
-    double shortest = std::numeric_limits<double>::infinity();
-    std::set<NodeId> used;
-    for (const model::Face& face : SideIndex(mesh_).unshared_sides()) {
-      PlacedSide& side = found_.sides.emplace_back(PlacedSide{face_nodes(mesh_, face), face, {}});
-      for (std::size_t k = 0; k < side.corners; ++k) {
-        const auto [a, b] = side.edge(k);
-        if (front.contains(a) || front.contains(b)) {
-          shortest = std::min(shortest, (x(a) - x(b)).norm());
-        }
-      }
-      const Vec3 across = x(side.all[side.corners - 1]) - x(side.all[1]);
-      side.normal =
-          0.5 *
-          (side.corners == 3
-               ? Vec3(x(side.all[1]) - x(side.all[0])).cross(Vec3(x(side.all[2]) - x(side.all[0])))
-               : Vec3(x(side.all[2]) - x(side.all[0])).cross(across));
-      used.insert(side.all.begin(), side.all.end());
-    }
-    if (!std::isfinite(shortest)) {
-      return "no node of its FRONT is a corner of an element on the surface of the body or of a "
-             "crack";
-    }
-    found_.shortest = shortest;
-    number_places({used.begin(), used.end()});
-    for (PlacedSide& side : found_.sides) {
-      for (std::size_t k = 0; k < side.corners; ++k) {
-        side.places.push_back(place_.at(side.all[k]));
-      }
-    }
-    return {};
-  }
-
-  // Nodes nearer to one another than `at_one_place` get one number, in the order of their x.
-  void number_places(std::vector<NodeId> nodes) {
-    std::ranges::sort(nodes, [&](NodeId a, NodeId b) {
-      return std::pair(x(a).x(), a.value) < std::pair(x(b).x(), b.value);
-    });
-    CoincidentPoints places(at_one_place * found_.shortest);
-    for (const NodeId n : nodes) {
-      place_.emplace(n, places.find_or_add_number(x(n)));
+      pairs.emplace(n, opposite);
     }
   }
-
-  // Two sides at the same places, one of each body, are faces of a crack.
-  std::string pair_sides() {
-    std::map<std::vector<std::size_t>, std::vector<std::size_t>> at;
-    for (std::size_t s = 0; s < found_.sides.size(); ++s) {
-      std::vector<std::size_t> key = found_.sides[s].places;
-      std::ranges::sort(key);
-      at[std::move(key)].push_back(s);
-    }
-    found_.twin.assign(found_.sides.size(), found_.sides.size());
-    for (const auto& [key, found] : at) {
-      const auto net = [&](std::size_t s) {
-        return mesh_.element_net[found_.sides[s].face.element.index()];
-      };
-      if (found.size() == 2 && net(found[0]) == net(found[1])) {
-        found_.twin[found[0]] = found[1];
-        found_.twin[found[1]] = found[0];
-      }
-    }
-    return {};
+  for (const auto& [left, right] : pairs) {
+    faces.left.push_back(left);
+    faces.right.push_back(right);
   }
-
-  // From sides that end at the front over common edges, each time to the one whose normal goes on.
-  std::string spread() {
-    const std::set<NodeId> front(crack_.front.begin(), crack_.front.end());
-    std::map<std::size_t, std::vector<std::size_t>> at_place;
-    for (std::size_t s = 0; s < found_.sides.size(); ++s) {
-      for (const std::size_t place : found_.sides[s].places) {
-        if (found_.twin[s] < found_.sides.size()) {
-          at_place[place].push_back(s);
-        }
-      }
-    }
-    std::vector<bool> seen(found_.sides.size(), false);
-    for (std::size_t s = 0; s < found_.sides.size(); ++s) {
-      const bool begins = found_.twin[s] < found_.sides.size() &&
-                          std::any_of(found_.sides[s].all.begin(),
-                                      found_.sides[s].all.begin() +
-                                          static_cast<std::ptrdiff_t>(found_.sides[s].corners),
-                                      [&](NodeId n) { return front.contains(n); });
-      if (begins && !seen[s] && !seen[found_.twin[s]]) {
-        grow(s, at_place, seen);
-      }
-    }
-    if (found_.upper.empty()) {
-      return "no faces begin at its FRONT: of a crack that is in the mesh already each face has "
-             "its own nodes, at the same places, and those of the front are common to both";
-    }
-    return {};
-  }
-
-  void grow(std::size_t first, const std::map<std::size_t, std::vector<std::size_t>>& at_place,
-            std::vector<bool>& seen) {
-    std::vector<std::size_t> open{upward(first) ? found_.twin[first] : first};
-    seen[first] = seen[found_.twin[first]] = true;
-    while (!open.empty()) {
-      const std::size_t s = open.back();
-      open.pop_back();
-      found_.upper.push_back(s);
-      const std::set<std::size_t> own(found_.sides[s].places.begin(), found_.sides[s].places.end());
-      for (const std::size_t place : own) {
-        for (const std::size_t next : at_place.at(place)) {
-          const auto common = std::ranges::count_if(found_.sides[next].places,
-                                                    [&](auto p) { return own.contains(p); });
-          const double turn =
-              found_.sides[next].normal.normalized().dot(found_.sides[s].normal.normalized());
-          if (common >= 2 && !seen[next] && std::abs(turn) > least_cosine) {
-            seen[next] = seen[found_.twin[next]] = true;
-            open.push_back(turn > 0.0 ? next : found_.twin[next]);
-          }
-        }
-      }
-    }
-  }
-
-  // The outer normal of an upper face points down.
-  [[nodiscard]] bool upward(std::size_t s) const {
-    Eigen::Index largest = 0;
-    found_.sides[s].normal.cwiseAbs().maxCoeff(&largest);
-    return found_.sides[s].normal[largest] > 0.0;
-  }
-
-  std::string take_faces() {
-    std::ranges::sort(found_.upper);
-    CrackFaceNodes& faces = cracked_.faces[crack_.crack.index()];
-    std::map<NodeId, NodeId> pairs;
-    for (const std::size_t s : found_.upper) {
-      const PlacedSide& own = found_.sides[s];
-      const PlacedSide& other = found_.sides[found_.twin[s]];
-      faces.left_sides.push_back(own.face);
-      faces.right_sides.push_back(other.face);
-      for (const NodeId n : own.all) {
-        const auto twin =
-            std::ranges::find_if(other.all, [&](NodeId m) { return place_.at(m) == place_.at(n); });
-        if (twin == other.all.end()) {
-          return fmt::format("the faces at node {} have mid nodes at different places", label(n));
-        }
-        pairs.emplace(n, *twin);
-      }
-    }
-    for (const auto& [left, right] : pairs) {
-      faces.left.push_back(left);
-      faces.right.push_back(right);
-    }
-    return {};
-  }
-
-  const ExistingCrack& crack_;
-  CrackedMesh& cracked_;
-  const model::Mesh& mesh_;
-  PairedSides found_;
-  std::map<NodeId, std::size_t> place_;
-};
+  return {};
+}
 
 } // namespace
 
 std::string find_existing_crack(const ExistingCrack& crack, CrackedMesh& cracked) {
-  return CrackFaceFinder(crack, cracked).find();
+  ExistingCrackSides found;
+  if (std::string why = find_existing_crack_sides(cracked.mesh, crack.front, found); !why.empty()) {
+    return why;
+  }
+  if (std::string why = take_faces(cracked.mesh, found, cracked.faces[crack.crack.index()]);
+      !why.empty()) {
+    return why;
+  }
+  return ExistingFrontFinder(crack, cracked, found).find();
 }
 
 } // namespace spricka::mesh

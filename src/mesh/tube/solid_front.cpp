@@ -129,7 +129,8 @@ public:
     if (const std::optional<Vec3> at = place_along_face(surface, crack_, whole_)) {
       return fail("its plane lies in a face of the body", *at,
                   "NORMAL, or the way from X0 to X1, is the normal of the crack's plane: a crack "
-                  "that opens at a face stands across it");
+                  "that opens at a face stands across it; for a crack in a plane of symmetry model "
+                  "the body on both sides of that plane");
     }
     const InteriorFrontArcs arcs = find_interior_front_arcs(surface, whole_);
     if (arcs.trouble) {

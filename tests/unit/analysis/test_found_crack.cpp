@@ -135,5 +135,88 @@ TEST(ExistingCrack, IsNotWhereNodesAreNotDoubled) {
   EXPECT_NE(outcome.messages.find("E439"), std::string::npos) << outcome.messages;
 }
 
+// A strip 1 x 4 of QUAMC8 of edge 1/20 with a crack in y = 0 from `from` to `to` [edges], by its
+// card.
+std::string plane_strip(int from, int to, bool doubled, const std::string& crack) {
+  constexpr int wide = 20;
+  constexpr int high = 40; // above the crack, and below
+  using Place = std::array<int, 3>;
+  std::map<Place, int> number;
+  std::string nodes;
+  std::string elements;
+  std::string line;
+  constexpr std::array<std::array<int, 2>, 8> local{
+      {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {2, 1}, {1, 2}, {0, 1}}};
+  for (int i = 0; i < wide; ++i) {
+    for (int k = -high; k < high; ++k) {
+      elements += fmt::format("{}", (i * 2 * high) + k + high + 1);
+      for (const auto& [right, up] : local) {
+        Place at{2 * i + right, 2 * k + up, 0};
+        const bool inside = at[0] < 2 * to && (at[0] > 2 * from || from == 0);
+        at[2] = doubled && at[1] == 0 && inside && k < 0 ? 1 : 0;
+        const auto [found, fresh] = number.try_emplace(at, static_cast<int>(number.size()) + 1);
+        elements += fmt::format(" {}", found->second);
+        if (fresh) {
+          nodes += fmt::format("{} {:.15g} {:.15g}\n", found->second, 0.025 * at[0], 0.025 * at[1]);
+        }
+      }
+      elements += "\n";
+    }
+  }
+  return "$DECK VERSION=1 LENGTH=mm FORCE=N\n$COOR DIM=2\n" + nodes +
+         "$ELEMENT TYPE=QUAMC8 ESET=BODY\n" + elements +
+         fmt::format(R"($MATERIAL NAME=M E=1000 NU=0.3
+$PROPERTY ESET=BODY MATERIAL=M STATE=STRAIN THICK=1
+$NSET NAME=P1 WHERE=(x > 1 - 1e-9 and y < -2 + 1e-9)
+$NSET NAME=P2 WHERE=(x < 1e-9 and y < -2 + 1e-9)
+$FSET NAME=TOP WHERE=(y > 2 - 1e-9)
+$FSET NAME=FOOT WHERE=(y < -2 + 1e-9)
+$FREEDOM CLASS=SUPPRESSED DOF=XY
+  P1
+$FREEDOM CLASS=SUPPRESSED DOF=Y
+  P2
+$NSET NAME=TIPS
+  {0} {1}
+$NSET NAME=LINE WHERE=(abs(y) < 1e-9) ORDER=(x)
+{2}
+$LOAD CASE=PULL TYPE=TRACTION
+  TOP 0 1
+  FOOT 0 -1
+$STEP NAME=S
+  LOAD PULL 1
+$END
+)",
+                     number.at({2 * to, 0, 0}), number.at({2 * from, 0, 0}), crack);
+}
+
+// In the plane: what the mesh has is what a path of the same nodes is when it is opened.
+TEST(ExistingCrack, InThePlaneIsAPathThatIsOpen) {
+  const auto found = test::solve_text(plane_strip(0, 10, true, "$CRACK NAME=C FRONT=TIPS"));
+  const auto opened = test::solve_text(
+      plane_strip(0, 10, false, "$CRACK NAME=C PATH=LINE A0=0.5\n$TIPNET CRACK=C PATCH=NO"));
+  ASSERT_TRUE(found && opened);
+  ASSERT_EQ(found->step().fronts.size(), 1U);
+  const results::FrontPointResult& tip = found->step().fronts[0].points[0];
+  const double K = 2.824579 * std::sqrt(std::numbers::pi * 0.5); // as above
+  EXPECT_NEAR(tip.K1, opened->step().fronts[0].points[0].K1, 1e-9 * K);
+  EXPECT_NEAR(tip.K1, K, 0.005 * K);
+  EXPECT_NEAR(found->step().fronts[0].a, 0.5, 1e-12);
+}
+
+// Both ends of a crack inside are tips, whether both are named or one.
+TEST(ExistingCrack, InsideAPlateHasTwoTips) {
+  const double shape =
+      (1.0 - 0.025 * 0.16 + 0.06 * 0.0256) / std::sqrt(std::cos(0.2 * std::numbers::pi));
+  const double K = shape * std::sqrt(std::numbers::pi * 0.2); // Tada, 0.1 %
+  const auto solved = test::solve_text(plane_strip(6, 14, true, "$CRACK NAME=C FRONT=TIPS"));
+  ASSERT_TRUE(solved);
+  ASSERT_EQ(solved->step().fronts.size(), 2U);
+  for (const results::FrontResult& front : solved->step().fronts) {
+    EXPECT_NEAR(front.points[0].K1, K, 0.005 * K);
+    EXPECT_NEAR(front.points[0].K2, 0.0, 1e-6 * K);
+    EXPECT_NEAR(front.a, 0.2, 1e-12);
+  }
+}
+
 } // namespace
 } // namespace spricka::test_found_crack
