@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/build_solid_cracks.hpp"
 #include "deck/dimension_rules.hpp"
+#include "deck/flaw_place.hpp"
 #include "deck/sets.hpp"
 #include "geometry/polyline.hpp"
 #include "mesh/cut/existing_crack.hpp"
@@ -50,6 +51,17 @@ void crack_path(DeckContext& c, const CheckedCard& card, model::CrackDefinition&
   }
 }
 
+// Empty where there are several, or where a mesh could not be made.
+std::optional<base::NetId> net_of_all_elements(const model::Model& model) {
+  if (model.nets.size() == 1) {
+    return base::NetId(std::size_t{0});
+  }
+  const std::vector<base::NetId>& nets = model.mesh.element_net;
+  const bool one = !nets.empty() &&
+                   std::ranges::all_of(nets, [&](base::NetId net) { return net == nets.front(); });
+  return one ? std::optional(nets.front()) : std::nullopt;
+}
+
 // The net that a drawn crack cuts.
 void crack_net(DeckContext& c, const CheckedCard& card, model::CrackDefinition& crack) {
   if (card.has_key("NET")) {
@@ -57,8 +69,8 @@ void crack_net(DeckContext& c, const CheckedCard& card, model::CrackDefinition& 
     if (find_referenced_definition(c, EntityKind::net, reference) != nullptr) {
       crack.net = c.find_net(reference.name);
     }
-  } else if (c.model.nets.size() == 1) {
-    crack.net = base::NetId(std::size_t{0});
+  } else if (const std::optional<base::NetId> only = net_of_all_elements(c.model)) {
+    crack.net = *only;
   } else {
     c.error(card.span, "E106", "$CRACK needs NET: the net a free crack cuts");
   }
@@ -109,6 +121,15 @@ base::FaceSetId crack_face(DeckContext& c, const model::CrackDefinition& crack,
   return base::FaceSetId(sets.size() - 1);
 }
 
+// A flaw by words: a free crack of two points, of which ANGLE says the place.
+void flaw_on_edge(DeckContext& c, const CheckedCard& card, model::CrackDefinition& crack) {
+  crack.kind = model::CrackDefinitionKind::free;
+  crack.angle.reset();
+  if (const auto points = place_plane_flaw(c, card)) {
+    crack.points.assign(points->begin(), points->end());
+  }
+}
+
 // What is drawn by keys and points; where there is no mesh to tell, they tell plane from space.
 void drawn_crack(DeckContext& c, const CheckedCard& card, model::CrackDefinition& crack) {
   const bool meshed = c.mesh_sound && c.model.mesh.element_count() > 0;
@@ -118,7 +139,9 @@ void drawn_crack(DeckContext& c, const CheckedCard& card, model::CrackDefinition
                          : card.has_key("X0") ? "X0"
                                               : nullptr;
   const bool three = !card.rows.empty() && card.rows.front().fields.size() == 3;
-  if (plane && of_space != nullptr) {
+  if (plane && card.has_key("AT")) {
+    flaw_on_edge(c, card, crack);
+  } else if (plane && of_space != nullptr) {
     c.error(card.find(of_space)->span, "E313",
             "an ellipse, or a front by its points, belongs to elements in space",
             "in the plane a crack has PATH and A0, or points x y");

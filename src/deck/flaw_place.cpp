@@ -2,9 +2,8 @@
 #include "deck/flaw_place.hpp"
 
 #include "base/tidy.hpp"
+#include "deck/flaw_edges.hpp"
 #include "deck/sets.hpp"
-#include "geometry/circle_about_axis.hpp"
-#include "mesh/boundary.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -33,117 +32,6 @@ constexpr double flat_spread = 1e-4;  // of normals
 constexpr double round_spread = 0.02; // of their components along the axis
 constexpr double place_misfit = 0.01; // of the size of the face or edge
 
-/// A face of a set: corners, outward normal.
-struct FlawFace {
-  std::vector<Vec3> corners;
-  Vec3 centre = Vec3::Zero();
-  Vec3 normal = Vec3::Zero(); ///< unit
-};
-
-/// An edge of elements where two face sets meet, perhaps curved.
-struct SharedEdge {
-  std::array<Vec3, 3> x; ///< its ends and its middle
-  FlawFace second;       ///< the face of the second set beside it
-
-  [[nodiscard]] Vec3 point(double r) const { // -1 .. 1
-    return 0.5 * r * (r - 1.0) * x[0] + 0.5 * r * (r + 1.0) * x[1] + (1.0 - r * r) * x[2];
-  }
-  [[nodiscard]] Vec3 tangent(double r) const {
-    return ((r - 0.5) * x[0] + (r + 0.5) * x[1] - 2.0 * r * x[2]).normalized();
-  }
-};
-
-FlawFace face_of(const model::Mesh& mesh, const model::Face& face) {
-  const mesh::FaceNodes nodes = mesh::face_nodes(mesh, face);
-  FlawFace result;
-  for (const base::NodeId n : nodes.corner_nodes()) {
-    result.corners.push_back(mesh.x[n.index()]);
-    result.centre += mesh.x[n.index()] / static_cast<double>(nodes.corners);
-  }
-  const std::vector<Vec3>& x = result.corners;
-  result.normal = (x[2] - x[0]).cross(x.back() - x[1]).normalized();
-  return result;
-}
-
-std::vector<SharedEdge> shared_edges(const model::Mesh& mesh, const model::FaceSet& first,
-                                     const model::FaceSet& second) {
-  std::set<std::pair<base::NodeId, base::NodeId>> of_first;
-  for (const model::Face& face : first.faces) {
-    const mesh::FaceNodes nodes = mesh::face_nodes(mesh, face);
-    for (std::size_t i = 0; i < nodes.corners; ++i) {
-      of_first.insert(std::minmax(nodes.edge(i).first, nodes.edge(i).second));
-    }
-  }
-  std::vector<SharedEdge> edges;
-  for (const model::Face& face : second.faces) {
-    const mesh::FaceNodes nodes = mesh::face_nodes(mesh, face);
-    for (std::size_t i = 0; i < nodes.corners; ++i) {
-      const auto [a, b] = nodes.edge(i);
-      if (of_first.contains(std::minmax(a, b))) {
-        const Vec3& x = mesh.x[a.index()];
-        const Vec3& y = mesh.x[b.index()];
-        const base::NodeId middle = nodes.mid_node(i);
-        edges.push_back({{x, y, middle.valid() ? mesh.x[middle.index()] : Vec3(0.5 * (x + y))},
-                         face_of(mesh, face)});
-      }
-    }
-  }
-  return edges;
-}
-
-/// The point of some edges where a function is least: an edge and its coordinate.
-std::pair<const SharedEdge*, double> nearest(const std::vector<SharedEdge>& edges,
-                                             const std::function<double(const Vec3&)>& cost) {
-  std::pair<const SharedEdge*, double> best{&edges.front(), 0.0};
-  double least = std::numeric_limits<double>::infinity();
-  constexpr int parts = 16;
-  for (const SharedEdge& edge : edges) {
-    for (int k = 0; k <= parts; ++k) {
-      const double r = -1.0 + 2.0 * k / parts;
-      if (const double value = cost(edge.point(r)); value < least) {
-        least = value;
-        best = {&edge, r};
-      }
-    }
-  }
-  double step = 1.0 / parts;
-  for (int halvings = 0; halvings < 40; ++halvings, step *= 0.5) {
-    for (const double r : {best.second - step, best.second + step}) {
-      const double inside = std::clamp(r, -1.0, 1.0);
-      if (const double value = cost(best.first->point(inside)); value < least) {
-        least = value;
-        best.second = inside;
-      }
-    }
-  }
-  return best;
-}
-
-double extent(const std::vector<Vec3>& points) {
-  Vec3 low = points.front();
-  Vec3 high = low;
-  for (const Vec3& x : points) {
-    low = low.cwiseMin(x);
-    high = high.cwiseMax(x);
-  }
-  return (high - low).norm();
-}
-
-/// Of points in a plane.
-CircleAboutAxis circle_of(const std::vector<Vec3>& points) {
-  Vec3 mean = Vec3::Zero();
-  for (const Vec3& x : points) {
-    mean += x / static_cast<double>(points.size());
-  }
-  std::vector<Vec3> away = points;
-  for (Vec3& x : away) {
-    x -= mean;
-  }
-  const geometry::LeastSpread spread = geometry::least_spread(away);
-  const bool flat = spread.smallest < round_misfit && spread.middle > round_misfit;
-  return flat ? geometry::fit_circle_about_axis(points, spread.direction) : CircleAboutAxis{};
-}
-
 /// Without what round-off leaves of a zero.
 std::string place_text(const Vec3& x) {
   const double least = 1e-9 * x.norm();
@@ -157,26 +45,48 @@ public:
       : c_(context), card_(card), mesh_(context.model.mesh), depth_(card.number_value("DEPTH")) {}
 
   std::optional<model::PlanarCrack> place() {
-    const CheckedValue& at = *card_.find("AT");
-    std::vector<base::FaceSetId> sets;
-    for (NameReference name : at.names) {
-      if (card_.has_key("NET") && name.name.find('.') == std::string::npos) {
-        name.net = card_.word_value("NET"); // the sets are those of the net that is cut
-      }
-      const std::optional<base::FaceSetId> set = resolve_face_set(c_, name);
-      if (!set) {
-        return std::nullopt;
-      }
-      sets.push_back(*set);
-    }
+    const std::vector<base::FaceSetId> sets = face_sets();
     if (sets.size() == 1) {
       return surface_flaw(mesh_.set_with_id(sets.front()));
     }
     if (sets.size() == 2) {
       return corner_flaw(mesh_.set_with_id(sets[0]), mesh_.set_with_id(sets[1]));
     }
-    c_.error(at.span, "E115", "AT names one face, or two that meet in an edge");
-    return std::nullopt;
+    return sets.empty() ? std::nullopt
+                        : fail("AT", "AT names one face, or two that meet in an edge");
+  }
+
+  std::optional<std::array<Vec3, 2>> place_in_plane() {
+    const std::vector<base::FaceSetId> sets = face_sets();
+    for (const char* key : {"LENGTH", "ALONG"}) {
+      if (card_.has_key(key)) {
+        fail(key, fmt::format("{} means nothing in the plane", key),
+             "DEPTH is the length of the flaw, at right angles to the edge");
+        return std::nullopt;
+      }
+    }
+    if (sets.size() != 1) {
+      if (!sets.empty()) {
+        fail("AT", "in the plane AT names one edge of the body");
+      }
+      return std::nullopt;
+    }
+    const model::FaceSet& set = mesh_.set_with_id(sets.front());
+    const std::vector<FlawEdge> edges = side_edges(mesh_, set);
+    const auto found = place_on_edges(edges, set.name);
+    if (!found) {
+      return std::nullopt;
+    }
+    const auto [edge, r] = *found;
+    const Vec3 x = edge->point(r);
+    const Vec3 along = edge->tangent(r);
+    Vec3 inward(-along.y(), along.x(), 0.0);
+    if (const CircleAboutAxis circle = find_flaw_circle(points_of_edges(edges));
+        circle.radius > 0.0) { // facets do not turn the flaw
+      const Vec3 away = (x - circle.centre).normalized();
+      inward = away.dot(inward) < 0.0 ? Vec3(-away) : away;
+    }
+    return std::array{x, Vec3(x + depth_ * inward)};
   }
 
 private:
@@ -185,6 +95,22 @@ private:
     const CheckedValue* value = card_.find(key);
     c_.error(value != nullptr ? value->span : card_.span, "E328", text, hint);
     return std::nullopt;
+  }
+
+  /// Those of AT, as many as are named; none after an error.
+  std::vector<base::FaceSetId> face_sets() {
+    std::vector<base::FaceSetId> sets;
+    for (NameReference name : card_.find("AT")->names) {
+      if (card_.has_key("NET") && name.name.find('.') == std::string::npos) {
+        name.net = card_.word_value("NET"); // the sets are those of the net that is cut
+      }
+      const std::optional<base::FaceSetId> set = resolve_face_set(c_, name);
+      if (!set) {
+        return {};
+      }
+      sets.push_back(*set);
+    }
+    return sets;
   }
 
   /// Squared distance from the coordinates that the card gives; the others are free.
@@ -204,48 +130,58 @@ private:
         std::remainder(circle.angle_of(x) - card_.number_value("ANGLE"), 2.0 * std::numbers::pi));
   }
 
+  /// The point that ANGLE or coordinates say: an edge and its coordinate. `what` names the edges.
+  std::optional<std::pair<const FlawEdge*, double>>
+  place_on_edges(const std::vector<FlawEdge>& edges, const std::string& what) {
+    const std::vector<Vec3> points = points_of_edges(edges);
+    std::function<double(const Vec3&)> cost = [&](const Vec3& x) { return off_coordinates(x); };
+    double allowed = std::pow(place_misfit * diagonal_of_box(points), 2);
+    if (card_.has_key("ANGLE")) {
+      const CircleAboutAxis circle = find_flaw_circle(points);
+      if (circle.radius == 0.0) {
+        fail("ANGLE", fmt::format("{} is no circle, so that ANGLE means nothing there", what),
+             "give X0, Y0 or Z0 of a point of it");
+        return std::nullopt;
+      }
+      cost = [this, circle](const Vec3& x) { return off_angle(circle, x); };
+      allowed = place_misfit;
+      if (has_coordinates()) { // neither may be passed over
+        fail("ANGLE",
+             fmt::format("ANGLE and coordinates both say where on {} the flaw lies", what));
+        return std::nullopt;
+      }
+    } else if (!has_coordinates()) {
+      fail("AT", fmt::format("where on {} the flaw lies is not said", what),
+           "ANGLE round a bore, or X0, Y0 or Z0 of a point");
+      return std::nullopt;
+    }
+    const auto found = find_least_point(edges, cost);
+    const Vec3 x = found.first->point(found.second);
+    if (cost(x) > allowed) {
+      fail(card_.has_key("ANGLE") ? "ANGLE" : "X0",
+           fmt::format("{} does not go there; its nearest point is {}", what, place_text(x)));
+      return std::nullopt;
+    }
+    return found;
+  }
+
   std::optional<model::PlanarCrack> corner_flaw(const model::FaceSet& first,
                                                 const model::FaceSet& second) {
-    const std::vector<SharedEdge> edges = shared_edges(mesh_, first, second);
+    const std::vector<FlawEdge> edges = shared_edges(mesh_, first, second);
     if (edges.empty()) {
       return fail("AT", fmt::format("{} and {} do not meet in an edge", first.name, second.name));
-    }
-    std::vector<Vec3> points;
-    for (const SharedEdge& edge : edges) {
-      points.insert(points.end(), edge.x.begin(), edge.x.end());
     }
     if (card_.has_key("ALONG")) {
       return fail("ALONG",
                   "a corner flaw is normal to its edge, so that ALONG means nothing there");
     }
-    std::function<double(const Vec3&)> cost = [&](const Vec3& x) { return off_coordinates(x); };
-    double allowed = std::pow(place_misfit * extent(points), 2);
-    if (card_.has_key("ANGLE")) {
-      const CircleAboutAxis circle = circle_of(points);
-      if (circle.radius == 0.0 || circle.misfit > round_misfit) {
-        return fail("ANGLE",
-                    fmt::format("the edge of {} and {} is no circle, so that ANGLE means "
-                                "nothing there",
-                                first.name, second.name),
-                    "give X0, Y0 or Z0 of a point of the edge");
-      }
-      cost = [this, circle](const Vec3& x) { return off_angle(circle, x); };
-      allowed = place_misfit;
-      if (has_coordinates()) { // neither may be passed over
-        return fail("ANGLE", "ANGLE and coordinates both say where on the edge the flaw lies");
-      }
-    } else if (!has_coordinates()) {
-      return fail("AT", "where on the edge the flaw lies is not said",
-                  "ANGLE round a bore, or X0, Y0 or Z0 of a point of the edge");
+    const auto found =
+        place_on_edges(edges, fmt::format("the edge of {} and {}", first.name, second.name));
+    if (!found) {
+      return std::nullopt;
     }
-    const auto [edge, r] = nearest(edges, cost);
+    const auto [edge, r] = *found;
     const Vec3 x = edge->point(r);
-    if (cost(x) > allowed) {
-      return fail(card_.has_key("ANGLE") ? "ANGLE" : "X0",
-                  fmt::format("the edge of {} and {} does not go there; its nearest point is "
-                              "{}",
-                              first.name, second.name, place_text(x)));
-    }
     model::PlanarCrack plane;
     plane.place = x;
     plane.normal = edge->tangent(r);
@@ -265,7 +201,7 @@ private:
     std::vector<Vec3> points;
     std::vector<FlawFace> faces;
     for (const model::Face& face : set.faces) {
-      faces.push_back(face_of(mesh_, face));
+      faces.push_back(flaw_face(mesh_, face));
       normals.push_back(faces.back().normal);
       points.insert(points.end(), faces.back().corners.begin(), faces.back().corners.end());
     }
@@ -307,7 +243,7 @@ private:
     }
     const Vec3 normal = faces.front().normal;
     x -= normal.dot(x - points.front()) * normal;
-    if (std::sqrt(off_coordinates(x)) > place_misfit * extent(points)) {
+    if (std::sqrt(off_coordinates(x)) > place_misfit * diagonal_of_box(points)) {
       return fail("X0", fmt::format("the point lies off {}", set.name));
     }
     return flaw_on_face(set, faces, x, normal);
@@ -394,6 +330,11 @@ private:
 
 std::optional<model::PlanarCrack> place_flaw(DeckContext& context, const CheckedCard& card) {
   return FlawPlacer(context, card).place();
+}
+
+std::optional<std::array<base::Vec3, 2>> place_plane_flaw(DeckContext& context,
+                                                          const CheckedCard& card) {
+  return FlawPlacer(context, card).place_in_plane();
 }
 
 } // namespace spricka::deck

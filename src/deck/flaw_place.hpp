@@ -3,6 +3,7 @@
 #include "deck/context.hpp"
 #include "model/cracks.hpp"
 
+#include <array>
 #include <optional>
 
 namespace spricka::deck {
@@ -13,5 +14,11 @@ namespace spricka::deck {
 /// flaw is normal to the face, its mouth along ALONG or the axis of a round face. Angles of the
 /// front count from the (second) face into the body. Empty after an error, which is reported.
 std::optional<model::PlanarCrack> place_flaw(DeckContext& context, const CheckedCard& card);
+
+/// In the plane: mouth and tip of a flaw on the face set of AT, an edge of the body there, at right
+/// angles to it, at ANGLE round a circle or at coordinates. Empty after an error, which is
+/// reported.
+std::optional<std::array<base::Vec3, 2>> place_plane_flaw(DeckContext& context,
+                                                          const CheckedCard& card);
 
 } // namespace spricka::deck

@@ -89,7 +89,8 @@ TEST(FlawPlace, SurfaceFlawOnAFlatFace) {
 TEST(FlawPlace, WhatDoesNotPlaceAFlawIsRefused) {
   const std::pair<const char*, const char*> cases[] = {
       {"AT=BORE,XMAX DEPTH=1 ANGLE=0", "do not meet in an edge"},
-      {"AT=BORE,ZMAX DEPTH=1", "where on the edge the flaw lies is not said"},
+      {"AT=BORE,ZMAX DEPTH=1",
+       "where on the edge of PLATE.BORE and PLATE.ZMAX the flaw lies is not said"},
       {"AT=XMAX,ZMAX DEPTH=1 ANGLE=0", "is no circle"},
       {"AT=BORE,ZMAX DEPTH=1 ANGLE=0 X0=5", "both say where"},
       {"AT=BORE,ZMAX DEPTH=1 ANGLE=0 ALONG=X", "means nothing there"},
@@ -109,6 +110,56 @@ TEST(FlawPlace, WhatDoesNotPlaceAFlawIsRefused) {
     SCOPED_TRACE(flaw);
     const Folder folder;
     const Reading reading(folder, plate_with(flaw));
+    EXPECT_FALSE(reading.model);
+    EXPECT_NE(reading.messages().find(words), std::string::npos) << reading.messages();
+  }
+}
+
+/// The same plate in the plane.
+std::string plane_plate_with(const std::string& flaw, const std::string& type = "QUAMC8") {
+  std::string text = plate_with(flaw, type);
+  const auto take = [&](const std::string& what, const std::string& instead) {
+    text.replace(text.find(what), what.size(), instead);
+  };
+  take(" LZ=6", "");
+  take(" NZ=2", "");
+  take("STATE=SOLID", "STATE=STRESS THICK=6");
+  take("DOF=XYZ", "DOF=XY");
+  take("0 1 0", "0 1");
+  return text;
+}
+
+TEST(FlawPlace, InThePlaneAFlawLeavesAnEdgeAtRightAngles) {
+  for (const char* type : {"QUAMC8", "TRIM3"}) {
+    const Folder folder;
+    const Reading bore(folder, plane_plate_with("AT=BORE DEPTH=2 ANGLE=(33*pi/180)", type));
+    ASSERT_TRUE(bore.model) << bore.messages();
+    const std::vector<Vec3>& points = bore.model->cracks.front().points;
+    const double angle = 33.0 * std::numbers::pi / 180.0;
+    const Vec3 out(std::cos(angle), std::sin(angle), 0.0);
+    ASSERT_EQ(points.size(), 2U);
+    EXPECT_NEAR((points[0] - 5.0 * out).norm(), 0.0, 0.05); // facets of 5 (1 - cos 7.5 deg)
+    EXPECT_NEAR((points[1] - points[0] - 2.0 * out).norm(), 0.0, 2e-3);
+  }
+  const Folder folder;
+  const Reading side(folder, plane_plate_with("AT=XMAX DEPTH=3 Y0=12.5"));
+  ASSERT_TRUE(side.model) << side.messages();
+  EXPECT_NEAR((side.model->cracks.front().points[0] - Vec3(30.0, 12.5, 0.0)).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((side.model->cracks.front().points[1] - Vec3(27.0, 12.5, 0.0)).norm(), 0.0, 1e-9);
+}
+
+TEST(FlawPlace, WhatDoesNotPlaceAFlawInThePlaneIsRefused) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"AT=BORE DEPTH=1", "where on PLATE.BORE the flaw lies is not said"},
+      {"AT=BORE DEPTH=1 LENGTH=2 ANGLE=0", "LENGTH means nothing in the plane"},
+      {"AT=BORE,XMAX DEPTH=1 ANGLE=0", "one edge of the body"},
+      {"AT=XMAX DEPTH=1 ANGLE=0", "is no circle"},
+      {"AT=XMAX DEPTH=1 Y0=70", "does not go there"},
+  };
+  for (const auto& [flaw, words] : cases) {
+    SCOPED_TRACE(flaw);
+    const Folder folder;
+    const Reading reading(folder, plane_plate_with(flaw));
     EXPECT_FALSE(reading.model);
     EXPECT_NE(reading.messages().find(words), std::string::npos) << reading.messages();
   }
