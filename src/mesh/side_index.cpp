@@ -95,4 +95,26 @@ std::vector<model::Face> SideIndex::unshared_sides() const {
   return result;
 }
 
+std::optional<model::Face> find_side_along(const model::Mesh& mesh, const SideIndex& sides,
+                                           std::span<const NodeId> corners) {
+  const std::span<const model::Face> found = sides.find(corners);
+  if (found.empty()) {
+    return std::nullopt;
+  }
+  for (const model::Face& face : found) {
+    const base::ElementType type = mesh.type[face.element.index()];
+    const auto nodes = mesh.element_nodes(face.element);
+    const auto local =
+        shape::side_nodes(type, face.side).first(shape::side_corner_count(type, face.side));
+    for (std::size_t c = 0; c < shape::side_edge_count(type, face.side); ++c) {
+      const std::size_t next = (c + 1) % local.size();
+      if (nodes[static_cast<std::size_t>(local[c])] == corners[0] &&
+          nodes[static_cast<std::size_t>(local[next])] == corners[1]) {
+        return face;
+      }
+    }
+  }
+  return found.front();
+}
+
 } // namespace spricka::mesh

@@ -3,6 +3,7 @@
 #include "model/mesh.hpp"
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -43,5 +44,10 @@ private:
   std::vector<Others> others_;
   std::vector<model::Face> faces_;
 };
+
+/// The side with these corners. Between two elements it is that of the element on the left of their
+/// direction (in space: below their normal). Empty: they are of no side.
+std::optional<model::Face> find_side_along(const model::Mesh& mesh, const SideIndex& sides,
+                                           std::span<const base::NodeId> corners);
 
 } // namespace spricka::mesh

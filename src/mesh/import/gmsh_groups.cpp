@@ -4,7 +4,6 @@
 #include "mesh/gmsh_elements.hpp"
 #include "mesh/set_name.hpp"
 #include "mesh/side_index.hpp"
-#include "shape/topology.hpp"
 
 #include <fmt/format.h>
 
@@ -64,30 +63,6 @@ private:
     mesh_.node_sets.push_back({group.set, {nodes.begin(), nodes.end()}, request_.span});
   }
 
-  /// The side with these corners. Between two elements it is that of the element on the left of the
-  /// group's own direction (in space: below its normal).
-  [[nodiscard]] std::optional<model::Face> side_on(const SideIndex& sides,
-                                                   const std::vector<NodeId>& corners) const {
-    const std::span<const model::Face> found = sides.find(corners);
-    if (found.empty()) {
-      return std::nullopt;
-    }
-    for (const model::Face& face : found) {
-      const base::ElementType type = mesh_.type[face.element.index()];
-      const auto nodes = mesh_.element_nodes(face.element);
-      const auto local =
-          shape::side_nodes(type, face.side).first(shape::side_corner_count(type, face.side));
-      for (std::size_t c = 0; c < shape::side_edge_count(type, face.side); ++c) {
-        const std::size_t next = (c + 1) % local.size();
-        if (nodes[static_cast<std::size_t>(local[c])] == corners[0] &&
-            nodes[static_cast<std::size_t>(local[next])] == corners[1]) {
-          return face;
-        }
-      }
-    }
-    return found.front();
-  }
-
   void add_face_set(const GmshPhysicalGroup& group, const std::vector<GmshElementBlock>& blocks,
                     const SideIndex& sides) {
     model::FaceSet set{group.set, {}, request_.span};
@@ -121,7 +96,7 @@ private:
       for (std::size_t i = 0; i < std::min(corners, count); ++i) {
         key.push_back(numbers_.node_with_tag(block.nodes[e * count + i]));
       }
-      const auto face = key.size() < 2 ? std::nullopt : side_on(sides, key);
+      const auto face = key.size() < 2 ? std::nullopt : find_side_along(mesh_, sides, key);
       if (face) {
         set.faces.push_back(*face);
       } else {
