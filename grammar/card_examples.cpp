@@ -57,7 +57,9 @@ constexpr std::array texts{
         "DefineConstant are replaced by the deck's parameters of the same name, in whatever case. "
         "MSH is a mesh "
         "that gmsh wrote. Physical groups become sets: in 2D surfaces element sets, curves face "
-        "sets, points node sets. A data line gives a group another name.",
+        "sets, points node sets. NASTRAN is bulk data: property 5 is the element set P5. A data "
+        "line gives "
+        "a group or set another name.",
         "$IMPORT FILE='lug.geo' FORMAT=GEO\n"
         "  inner_edge = BORE\n"},
     CardHelpText{

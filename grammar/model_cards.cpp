@@ -28,12 +28,14 @@ constexpr std::array net_keys{
 
 constexpr std::array import_keys{
     required(text_key("FILE", "path from this deck")),
-    required(word_key("FORMAT", "GEO|MSH|INP",
-                      "gmsh script, gmsh mesh, or input of Abaqus or CalculiX")),
+    required(word_key("FORMAT", "GEO|MSH|INP|NASTRAN",
+                      "gmsh script, gmsh mesh, input of Abaqus or CalculiX, Nastran bulk data")),
     with_default(real_key("SCALE", number, above(0), "factor on every coordinate"), "1"),
     with_default(word_key("TYPE", "ASIS|QUADRATIC", "QUADRATIC raises linear elements"), "ASIS"),
     with_default(
-        word_key("SKIP", "NOTHING|LOADS", "INP: LOADS passes over supports, loads and steps"),
+        word_key("SKIP", "NOTHING|LOADS|ALL",
+                 "INP, NASTRAN: LOADS passes over supports, loads and steps, ALL over all else "
+                 "that is not read"),
         "NOTHING"),
 };
 

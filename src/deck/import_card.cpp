@@ -3,6 +3,8 @@
 
 #include "mesh/import/gmsh_import.hpp"
 #include "mesh/import/inp_import.hpp"
+#include "mesh/import/nastran_import.hpp"
+#include "mesh/import/recognise_mesh_file.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -45,6 +47,19 @@ bool took_too_long(const DeckContext& c) {
       all, [](const base::Diagnostic& d) { return d.code == "E481" || d.code == "E482"; });
 }
 
+// True for a file that is another thing than FORMAT says; it is told of then.
+bool is_other_format(DeckContext& c, const CheckedCard& card, const std::filesystem::path& file) {
+  const mesh::MeshFileKind* kind = mesh::recognise_mesh_file(file);
+  if (kind == nullptr || kind->format == card.word_value("FORMAT")) {
+    return false;
+  }
+  c.error(card.find("FORMAT")->span, "E337",
+          fmt::format("'{}' is {}", file.filename().string(), kind->name),
+          kind->format.empty() ? mesh::mesh_file_remedy(*kind, file)
+                               : fmt::format("FORMAT={}", kind->format));
+  return true;
+}
+
 } // namespace
 
 void import_mesh_file(DeckContext& c, const CheckedCard& card) {
@@ -57,6 +72,7 @@ void import_mesh_file(DeckContext& c, const CheckedCard& card) {
   request.scale = card.number_value("SCALE");
   request.quadratic = card.key_has_word("TYPE", "QUADRATIC");
   request.skip_loads = card.key_has_word("SKIP", "LOADS");
+  request.skip_all = card.key_has_word("SKIP", "ALL");
   request.prefix = card.net.empty() ? "" : card.net + ".";
   request.net = card.net_id;
   request.parameters = c.parameters;
@@ -81,9 +97,15 @@ void import_mesh_file(DeckContext& c, const CheckedCard& card) {
                                      : std::string(c.sources.text(row.fields[0].span)),
                                  row.fields[1].text);
   }
-  if (request.skip_loads && !card.key_has_word("FORMAT", "INP")) {
-    c.error(card.find("SKIP")->span, "E110", "SKIP=LOADS is for FORMAT=INP",
+  const bool by_gmsh =
+      !card.key_has_word("FORMAT", "INP") && !card.key_has_word("FORMAT", "NASTRAN");
+  if ((request.skip_loads || request.skip_all) && by_gmsh) {
+    c.error(card.find("SKIP")->span, "E110", "SKIP is for FORMAT=INP and NASTRAN",
             "meshes of gmsh hold no loads");
+    return;
+  }
+  if (request.skip_all && card.key_has_word("FORMAT", "INP")) {
+    c.error(card.find("SKIP")->span, "E110", "SKIP=ALL is for FORMAT=NASTRAN");
     return;
   }
   std::error_code unknown;
@@ -91,9 +113,9 @@ void import_mesh_file(DeckContext& c, const CheckedCard& card) {
   if (!std::filesystem::is_regular_file(request.file, unknown)) {
     c.error(card.find("FILE")->span, "E308",
             fmt::format("there is no file '{}'", request.file.string()));
-  } else if (!card.key_has_word("FORMAT", "INP") && took_too_long(c)) {
+  } else if (is_other_format(c, card, request.file) || (by_gmsh && took_too_long(c))) {
     return; // one file has taken all the time there is: the others wait until it is mended
-  } else if (!card.key_has_word("FORMAT", "INP")) {
+  } else if (by_gmsh) {
     std::vector<mesh::GeometryScriptConstant> constants =
         mesh::import_gmsh_mesh_or_script(c.model.mesh, request, c.diagnostics);
     if (request.format == mesh::ImportFormat::geo) {
@@ -102,6 +124,8 @@ void import_mesh_file(DeckContext& c, const CheckedCard& card) {
   } else if (request.quadratic) {
     c.error(card.find("TYPE")->span, "E110", "TYPE=QUADRATIC is for FORMAT=GEO and MSH",
             "node sets of the file would not hold the new nodes");
+  } else if (card.key_has_word("FORMAT", "NASTRAN")) {
+    adopt_physics(c, card, mesh::import_nastran(c.model.mesh, request, c.diagnostics));
   } else {
     adopt_physics(c, card, mesh::import_inp(c.model.mesh, request, c.diagnostics));
   }

@@ -3,6 +3,7 @@
 
 #include "base/input_file.hpp"
 #include "grammar/parse.hpp"
+#include "mesh/import/recognise_mesh_file.hpp"
 
 #include <algorithm>
 #include <string>
@@ -153,6 +154,13 @@ private:
   bool too_many_ = false;
 };
 
+// What a file that is no deck begins with; empty for bytes that are no text.
+std::string first_printable_line(const fs::path& file) {
+  const std::string text = base::read_file_beginning(file, 80);
+  const std::string line = text.substr(0, text.find_first_of("\r\n"));
+  return std::ranges::all_of(line, [](char c) { return c >= ' ' && c <= '~'; }) ? line : "";
+}
+
 base::SourceSpan end_of_text(const base::SourceTexts& sources, std::int32_t file) {
   const std::string_view text = sources.text(file);
   std::size_t end = text.size();
@@ -190,6 +198,16 @@ DeckFileCards read_deck_and_includes(const std::filesystem::path& deck, base::So
                                      const std::optional<std::string>& text) {
   Loader loader(sources, diagnostics);
   const auto file = static_cast<std::int32_t>(sources.count());
+  if (const mesh::MeshFileKind* kind = text ? nullptr : mesh::recognise_mesh_file(deck)) {
+    sources.add_text(deck.string(), first_printable_line(deck));
+    diagnostics.error({file, 0, 0}, "E337", fmt::format("this is {}, and no deck", kind->name),
+                      kind->format.empty()
+                          ? mesh::mesh_file_remedy(*kind, deck)
+                          : fmt::format("a deck takes it in: $IMPORT FILE='{}' FORMAT={}",
+                                        deck.filename().string(), kind->format));
+    loader.deck.incomplete = true;
+    return std::move(loader.deck);
+  }
   loader.file(deck, deck.string(), text);
   if (!loader.deck.cards.empty() || !loader.deck.incomplete) {
     check_frame(loader.deck.cards, file, sources, diagnostics);

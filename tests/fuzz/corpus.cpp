@@ -69,8 +69,8 @@ Reader::Reader()
   fs::create_directories(folder_);
   for (const char* from : {"decks", "tests/diagnostics", "tests/fuzz"}) {
     for (const fs::path& path : files(fs::path(test::source_folder()) / from)) {
-      const bool mesh =
-          path.extension() == ".geo" || path.extension() == ".msh" || path.extension() == ".inp";
+      const bool mesh = path.extension() == ".geo" || path.extension() == ".msh" ||
+                        path.extension() == ".inp" || path.extension() == ".bdf";
       if (path.extension() == ".inc" || (mesh && std::string_view(from) == "tests/fuzz")) {
         fs::copy_file(path, folder_ / path.filename(), fs::copy_options::overwrite_existing);
       }

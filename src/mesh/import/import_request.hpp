@@ -26,6 +26,7 @@ struct ImportRequest {
   ScriptSizeMap size = {}; ///< for a .geo, in its own coordinates; empty: as the script has it
   base::SourceSpan span;   ///< the $IMPORT card
   bool skip_loads = false; ///< of an .inp: supports, loads and steps are passed over, not refused
+  bool skip_all = false;   ///< of bulk data: all that is not read is passed over
 };
 
 } // namespace spricka::mesh

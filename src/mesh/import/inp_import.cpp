@@ -34,13 +34,13 @@ std::optional<std::size_t> find_duplicate(const std::vector<base::Label>& labels
 
 class InpImport {
 public:
-  InpImport(model::Mesh& mesh, const ImportRequest& request, base::Diagnostics& diagnostics)
+  InpImport(model::Mesh& mesh, const ImportRequest& request, InpData data,
+            base::Diagnostics& diagnostics)
       : mesh_(mesh), request_(request), diagnostics_(diagnostics),
-        errors_(diagnostics.error_count()), words_(request, data_, diagnostics) {}
+        errors_(diagnostics.error_count()), data_(std::move(data)),
+        words_(request, data_, diagnostics) {}
 
-  ImportedMaterialsAndEquations run() {
-    std::vector<InpIssue> complaints;
-    data_ = read_inp_data(request_.file, complaints, request_.skip_loads);
+  ImportedMaterialsAndEquations run(std::vector<InpIssue> complaints) {
     std::stable_sort(
         complaints.begin(), complaints.end(), [](const InpIssue& a, const InpIssue& b) {
           return std::pair(a.place.file, a.place.line) < std::pair(b.place.file, b.place.line);
@@ -330,7 +330,15 @@ private:
 
 ImportedMaterialsAndEquations import_inp(model::Mesh& mesh, const ImportRequest& request,
                                          base::Diagnostics& diagnostics) {
-  return InpImport(mesh, request, diagnostics).run();
+  std::vector<InpIssue> complaints;
+  InpData data = read_inp_data(request.file, complaints, request.skip_loads);
+  return import_inp_data(mesh, request, std::move(data), std::move(complaints), diagnostics);
+}
+
+ImportedMaterialsAndEquations import_inp_data(model::Mesh& mesh, const ImportRequest& request,
+                                              InpData data, std::vector<InpIssue> complaints,
+                                              base::Diagnostics& diagnostics) {
+  return InpImport(mesh, request, std::move(data), diagnostics).run(std::move(complaints));
 }
 
 } // namespace spricka::mesh

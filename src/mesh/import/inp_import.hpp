@@ -3,7 +3,10 @@
 #include "base/diagnostics.hpp"
 #include "mesh/import/import_request.hpp"
 #include "mesh/import/imported_physics.hpp"
+#include "mesh/import/inp_data.hpp"
 #include "model/mesh.hpp"
+
+#include <vector>
 
 namespace spricka::mesh {
 
@@ -15,5 +18,11 @@ namespace spricka::mesh {
 /// manual/meshes.md.
 ImportedMaterialsAndEquations import_inp(model::Mesh& mesh, const ImportRequest& request,
                                          base::Diagnostics& diagnostics);
+
+/// Appends what a file says that has been read already, as import_inp does; `complaints` of the
+/// reading are reported, and nothing is appended then.
+ImportedMaterialsAndEquations import_inp_data(model::Mesh& mesh, const ImportRequest& request,
+                                              InpData data, std::vector<InpIssue> complaints,
+                                              base::Diagnostics& diagnostics);
 
 } // namespace spricka::mesh

@@ -205,9 +205,11 @@ constexpr std::array advice{
     CodeMeaning{"W465",
                 "LENGTH=IN goes with FORCE=LBF (psi), LENGTH=MM with FORCE=N (MPa), LENGTH=M "
                 "with FORCE=N (Pa)."},
-    CodeMeaning{"W466",
-                "gmsh writes curves as bars: nothing is lost. Give them no section; bars that "
-                "carry load cannot be imported."},
+    CodeMeaning{
+        "W466",
+        "gmsh writes curves as bars: nothing is lost. Give them no section; bars that "
+        "carry load cannot be imported. A thin shell on a solid has next to no stiffness; a "
+        "thick one is better meshed as solids."},
     CodeMeaning{"W467", "Say in the deck how the model is held and loaded."},
     CodeMeaning{"E452", "Add $CRACK, or take $GROW away."},
     CodeMeaning{"E453", "KMAX names the step with the largest K of a cycle, KMIN that with the "

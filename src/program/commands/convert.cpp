@@ -8,6 +8,8 @@
 #include "mesh/export/write_msh.hpp"
 #include "mesh/import/gmsh_import.hpp"
 #include "mesh/import/inp_import.hpp"
+#include "mesh/import/nastran_import.hpp"
+#include "mesh/import/recognise_mesh_file.hpp"
 #include "model/model.hpp"
 #include "program/job/failures.hpp"
 #include "program/job/run_options.hpp"
@@ -38,27 +40,39 @@ std::string extension(const std::filesystem::path& file) {
   return text;
 }
 
-bool is_mesh_file(const std::filesystem::path& file) {
-  const std::string kind = extension(file);
-  return kind == ".msh" || kind == ".geo" || kind == ".inp";
+/// The word of $IMPORT FORMAT for a mesh file, told by its contents, else by its ending; empty for
+/// decks and for meshes that are not read.
+std::string_view mesh_format(const std::filesystem::path& file, const mesh::MeshFileKind* kind) {
+  if (kind != nullptr) {
+    return kind->format;
+  }
+  const std::string ending = extension(file);
+  return ending == ".msh"                       ? "MSH"
+         : ending == ".geo"                     ? "GEO"
+         : ending == ".inp"                     ? "INP"
+         : ending == ".bdf" || ending == ".nas" ? "NASTRAN"
+                                                : "";
 }
 
 /// The model of a mesh file, in the units of whoever wrote it.
-model::Model read_mesh(const std::filesystem::path& file, base::Diagnostics& diagnostics) {
+model::Model read_mesh(const std::filesystem::path& file, std::string_view format,
+                       base::Diagnostics& diagnostics) {
   model::Model model;
   model.nets.emplace_back();
   mesh::ImportRequest request;
   request.file = file;
   request.net = base::NetId(std::size_t{0});
-  if (extension(file) == ".inp") {
+  if (format == "INP" || format == "NASTRAN") {
+    request.skip_loads = format == "NASTRAN"; // a mesh is written; sets say where they act
     const mesh::ImportedMaterialsAndEquations physics =
-        mesh::import_inp(model.mesh, request, diagnostics);
+        format == "INP" ? mesh::import_inp(model.mesh, request, diagnostics)
+                        : mesh::import_nastran(model.mesh, request, diagnostics);
     mesh::append_materials_and_equations(model, physics);
     if (!physics.equations.empty()) {
       model.unavailable.push_back({"*EQUATION", request.span});
     }
   } else {
-    request.format = extension(file) == ".msh" ? mesh::ImportFormat::msh : mesh::ImportFormat::geo;
+    request.format = format == "MSH" ? mesh::ImportFormat::msh : mesh::ImportFormat::geo;
     mesh::import_gmsh_mesh_or_script(model.mesh, request, diagnostics);
   }
   return model;
@@ -147,8 +161,9 @@ base::ProgramOutcome convert_mesh_or_deck(const ConvertOptions& options) {
     base::SourceTexts sources;
     base::Diagnostics diagnostics;
     std::optional<model::Model> model;
-    if (is_mesh_file(options.in)) {
-      model = read_mesh(options.in, diagnostics);
+    const mesh::MeshFileKind* kind = mesh::recognise_mesh_file(options.in);
+    if (const std::string_view format = mesh_format(options.in, kind); !format.empty()) {
+      model = read_mesh(options.in, format, diagnostics);
     } else {
       model = deck::read_deck(options.in, {options.defines}, sources, diagnostics);
       if (model) {

@@ -11,7 +11,7 @@
 namespace spricka::program {
 
 struct ConvertOptions {
-  std::filesystem::path in;  ///< .msh, .geo, .inp; any other name is a deck
+  std::filesystem::path in;  ///< .msh, .geo, .inp, Nastran bulk data; else a deck
   std::filesystem::path out; ///< .msh, .vtu or .inp
   std::vector<std::pair<std::string, std::string>> defines; ///< for a deck
   LogFormat log_format = LogFormat::text;

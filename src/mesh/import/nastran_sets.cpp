@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/import/nastran_sets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace spricka::mesh {
+namespace {
+
+using base::Label;
+
+class NastranLoadSets {
+public:
+  NastranLoadSets(const NastranBulk& bulk, int dim, InpData& data,
+                  std::vector<InpIssue>& complaints)
+      : bulk_(bulk), dim_(dim), data_(data), complaints_(complaints), sorted_(data.node) {
+    std::sort(sorted_.begin(), sorted_.end());
+  }
+
+  std::vector<std::string> run() {
+    std::map<Label, std::vector<Label>> sums; // sets of SPCADD by what they add
+    for (const auto& [sum, parts] : bulk_.support_sums) {
+      for (const Label part : parts) {
+        sums[part].push_back(sum);
+      }
+    }
+    for (const NastranBulk::NastranSupport& support : bulk_.supports) {
+      const std::string freedoms = in_order(support.freedoms, support.place);
+      std::vector<Label> sets{support.set};
+      const auto also = sums.find(support.set);
+      sets.insert(sets.end(), also == sums.end() ? sets.end() : also->second.begin(),
+                  also == sums.end() ? sets.end() : also->second.end());
+      for (const Label set : has_say(freedoms) ? sets : std::vector<Label>()) {
+        add(fmt::format("SPC{}_{}", set, freedoms), support.nodes, support.place);
+      }
+    }
+    for (const NastranBulk::NastranGrid& grid : bulk_.grids) {
+      const std::string freedoms =
+          in_order(grid.held.empty() ? bulk_.default_held : grid.held, grid.place);
+      if (has_say(freedoms)) {
+        add("PS_" + freedoms, {{grid.label, grid.label}}, grid.place);
+      }
+    }
+    for (const NastranBulk::NastranForce& force : bulk_.forces) {
+      add(fmt::format("FORCE_{}", force.set), {{force.node, force.node}}, force.place);
+    }
+    std::vector<std::string> names;
+    for (const auto& surface : data_.surfaces) {
+      if (surface.name.starts_with("PLOAD4_")) {
+        names.push_back(surface.name);
+      }
+    }
+    for (auto& [name, set] : sets_) {
+      names.push_back(name);
+      data_.node_sets.push_back(std::move(set));
+    }
+    return names;
+  }
+
+private:
+  /// 321 is 123; what are no freedoms is complained of.
+  std::string in_order(std::string freedoms, InpLocation at) {
+    if (freedoms == "0") {
+      return {};
+    }
+    if (freedoms.find_first_not_of("123456") != std::string::npos) {
+      complaints_.push_back(
+          {at, fmt::format("the freedoms '{}' are no digits from 1 to 6", freedoms), {}});
+      return {};
+    }
+    std::sort(freedoms.begin(), freedoms.end());
+    freedoms.erase(std::unique(freedoms.begin(), freedoms.end()), freedoms.end());
+    return freedoms;
+  }
+  [[nodiscard]] bool has_say(const std::string& freedoms) const {
+    return !freedoms.empty() && freedoms.front() - '0' <= dim_;
+  }
+
+  /// Of a range the nodes that are there; one by its number must be.
+  void add(const std::string& name, const std::vector<NastranBulk::LabelRange>& ranges,
+           InpLocation place) {
+    auto& set = sets_.try_emplace(name, InpData::Named<Label>{name, {}, place}).first->second;
+    for (const auto& [first, last] : ranges) {
+      if (first == last) {
+        set.members.push_back(first);
+        continue;
+      }
+      set.members.insert(set.members.end(), std::lower_bound(sorted_.begin(), sorted_.end(), first),
+                         std::upper_bound(sorted_.begin(), sorted_.end(), last));
+    }
+  }
+
+  const NastranBulk& bulk_;
+  int dim_;
+  InpData& data_;
+  std::vector<InpIssue>& complaints_;
+  std::vector<Label> sorted_;
+  std::map<std::string, InpData::Named<Label>> sets_;
+};
+
+} // namespace
+
+std::vector<std::string> add_nastran_load_sets(const NastranBulk& bulk, int dim, InpData& data,
+                                               std::vector<InpIssue>& complaints) {
+  return NastranLoadSets(bulk, dim, data, complaints).run();
+}
+
+} // namespace spricka::mesh
