@@ -41,6 +41,12 @@ void adopt_physics(DeckContext& c, const CheckedCard& card,
   c.imported.push_back(std::move(physics));
 }
 
+mesh::InpSkip skipped_cards(const CheckedCard& card) {
+  return card.key_has_word("SKIP", "ALL")     ? mesh::InpSkip::all
+         : card.key_has_word("SKIP", "LOADS") ? mesh::InpSkip::loads
+                                              : mesh::InpSkip::nothing;
+}
+
 bool took_too_long(const DeckContext& c) {
   const std::vector<base::Diagnostic>& all = c.diagnostics.messages();
   return std::ranges::any_of(
@@ -71,8 +77,7 @@ void import_mesh_file(DeckContext& c, const CheckedCard& card) {
       card.key_has_word("FORMAT", "GEO") ? mesh::ImportFormat::geo : mesh::ImportFormat::msh;
   request.scale = card.number_value("SCALE");
   request.quadratic = card.key_has_word("TYPE", "QUADRATIC");
-  request.skip_loads = card.key_has_word("SKIP", "LOADS");
-  request.skip_all = card.key_has_word("SKIP", "ALL");
+  request.skip = skipped_cards(card);
   request.prefix = card.net.empty() ? "" : card.net + ".";
   request.net = card.net_id;
   request.parameters = c.parameters;
@@ -99,12 +104,12 @@ void import_mesh_file(DeckContext& c, const CheckedCard& card) {
   }
   const bool by_gmsh =
       !card.key_has_word("FORMAT", "INP") && !card.key_has_word("FORMAT", "NASTRAN");
-  if ((request.skip_loads || request.skip_all) && by_gmsh) {
+  if (request.skip != mesh::InpSkip::nothing && by_gmsh) {
     c.error(card.find("SKIP")->span, "E110", "SKIP is for FORMAT=INP and NASTRAN",
             "meshes of gmsh hold no loads");
     return;
   }
-  if (request.skip_all && card.key_has_word("FORMAT", "INP")) {
+  if (request.skip == mesh::InpSkip::all && card.key_has_word("FORMAT", "INP")) {
     c.error(card.find("SKIP")->span, "E110", "SKIP=ALL is for FORMAT=NASTRAN");
     return;
   }

@@ -95,7 +95,7 @@ std::vector<model::Face> SideIndex::unshared_sides() const {
   return result;
 }
 
-std::optional<model::Face> find_side_along(const model::Mesh& mesh, const SideIndex& sides,
+std::optional<model::Face> find_side_below(const model::Mesh& mesh, const SideIndex& sides,
                                            std::span<const NodeId> corners) {
   const std::span<const model::Face> found = sides.find(corners);
   if (found.empty()) {

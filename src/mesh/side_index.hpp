@@ -45,9 +45,9 @@ private:
   std::vector<model::Face> faces_;
 };
 
-/// The side with these corners. Between two elements it is that of the element on the left of their
-/// direction (in space: below their normal). Empty: they are of no side.
-std::optional<model::Face> find_side_along(const model::Mesh& mesh, const SideIndex& sides,
+/// The side with these corners, in whatever order. Between two elements it is that of the element
+/// on the left of the corners' own direction (in space: below their normal).
+std::optional<model::Face> find_side_below(const model::Mesh& mesh, const SideIndex& sides,
                                            std::span<const base::NodeId> corners);
 
 } // namespace spricka::mesh

@@ -96,7 +96,7 @@ private:
       for (std::size_t i = 0; i < std::min(corners, count); ++i) {
         key.push_back(numbers_.node_with_tag(block.nodes[e * count + i]));
       }
-      const auto face = key.size() < 2 ? std::nullopt : find_side_along(mesh_, sides, key);
+      const auto face = key.size() < 2 ? std::nullopt : find_side_below(mesh_, sides, key);
       if (face) {
         set.faces.push_back(*face);
       } else {

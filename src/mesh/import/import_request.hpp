@@ -13,6 +13,10 @@ namespace spricka::mesh {
 
 enum class ImportFormat { geo, msh };
 
+/// What of an .inp is passed over and listed, not refused: nothing; supports, loads and steps; all
+/// but mesh, sets, surfaces and what is elastic.
+enum class InpSkip { nothing, loads, all };
+
 /// A mesh file or geometry script of another program, and how it is taken over.
 struct ImportRequest {
   std::filesystem::path file;
@@ -25,8 +29,7 @@ struct ImportRequest {
   std::vector<std::pair<std::string, double>> parameters;   ///< for DefineConstant of a .geo
   ScriptSizeMap size = {}; ///< for a .geo, in its own coordinates; empty: as the script has it
   base::SourceSpan span;   ///< the $IMPORT card
-  bool skip_loads = false; ///< of an .inp: supports, loads and steps are passed over, not refused
-  bool skip_all = false;   ///< of bulk data: all that is not read is passed over
+  InpSkip skip = InpSkip::nothing; ///< of an .inp and of bulk data
 };
 
 } // namespace spricka::mesh

@@ -331,7 +331,7 @@ private:
 ImportedMaterialsAndEquations import_inp(model::Mesh& mesh, const ImportRequest& request,
                                          base::Diagnostics& diagnostics) {
   std::vector<InpIssue> complaints;
-  InpData data = read_inp_data(request.file, complaints, request.skip_loads);
+  InpData data = read_inp_data(request.file, complaints, request.skip == InpSkip::loads);
   return import_inp_data(mesh, request, std::move(data), std::move(complaints), diagnostics);
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 #include "base/label.hpp"
 #include "base/vec.hpp"
-#include "mesh/import/inp_data.hpp"
+#include "mesh/import/inp_text.hpp"
 #include "mesh/import/nastran_elements.hpp"
 
 #include <array>
@@ -13,6 +13,21 @@
 #include <vector>
 
 namespace spricka::mesh {
+
+/// Something wrong, or entries that are not understood.
+struct NastranIssue {
+  InpLocation place;
+  std::string text;
+  std::string hint;
+};
+
+/// Entries of one kind.
+struct NastranEntries {
+  InpLocation first;
+  std::size_t count = 0;
+
+  void add(InpLocation at) { first = count++ == 0 ? at : first; }
+};
 
 /// What bulk data say that is imported, as it is written: numbers of entries, nothing looked up.
 struct NastranBulk {
@@ -96,9 +111,9 @@ struct NastranBulk {
   std::vector<NastranPressure> pressures;
   std::vector<NastranForce> forces;
 
-  std::map<std::string, InpData::InpSkippedItems> loads;   ///< entries of supports and loads
-  std::map<std::string, InpData::InpSkippedItems> refused; ///< all others that are not read
-  std::vector<std::string> files;                          ///< paths, for places
+  std::map<std::string, NastranEntries> loads;   ///< entries of supports and loads
+  std::map<std::string, NastranEntries> refused; ///< all others that are not read
+  std::vector<std::string> files;                ///< paths, for places
 };
 
 } // namespace spricka::mesh

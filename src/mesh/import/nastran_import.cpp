@@ -51,6 +51,42 @@ const NastranAdvice* find_nastran_advice(const std::string& name) {
   return at == nastran_advices.end() ? nullptr : at;
 }
 
+/// The model as input files of Abaqus have theirs; materials are called "M<number>".
+InpData as_inp_data(const NastranModel& model, const NastranBulk& bulk) {
+  InpData data;
+  data.files = bulk.files;
+  data.node = model.node;
+  data.x = model.x;
+  data.element = model.element;
+  for (std::size_t e = 0; e < model.type.size(); ++e) {
+    data.type.push_back({model.type[e], model.state[e]});
+  }
+  data.element_place = model.element_place;
+  data.first = model.first;
+  data.connectivity = model.connectivity;
+  data.special = model.special;
+  for (const NastranModel::NastranSet& set : model.node_sets) {
+    data.node_sets.push_back({set.name, set.members, set.place});
+  }
+  for (const NastranModel::NastranSet& set : model.element_sets) {
+    data.element_sets.push_back({set.name, set.members, set.place});
+  }
+  for (const NastranModel::NastranSurface& surface : model.surfaces) {
+    data.surfaces.push_back({surface.name, {}, surface.place});
+    for (const auto& [element, side] : surface.sides) {
+      data.surfaces.back().members.push_back({{}, element, side, surface.place});
+    }
+  }
+  for (const NastranModel::NastranSection& section : model.sections) {
+    data.sections.push_back({section.elements, section.material, section.thickness, section.place});
+  }
+  for (const auto& [label, from] : bulk.materials) {
+    data.materials.push_back({fmt::format("M{}", label), from.E, from.nu,
+                              from.rho * bulk.density_factor, from.alpha, true, from.place});
+  }
+  return data;
+}
+
 class NastranImport {
 public:
   NastranImport(model::Mesh& mesh, const ImportRequest& request, base::Diagnostics& diagnostics)
@@ -60,24 +96,29 @@ public:
     bulk_ = read_nastran_bulk(request_.file, complaints_);
     add_loaded_bars();
     const NastranModel model = make_nastran_model(bulk_, complaints_);
-    if (!request_.skip_all) {
+    if (request_.skip != InpSkip::all) {
       for (const auto& [name, met] : bulk_.refused) {
         refuse(name, met);
       }
       complaints_.insert(complaints_.end(), model.stray_skins.begin(), model.stray_skins.end());
     }
-    const auto held = std::find_if(model.data.node_sets.begin(), model.data.node_sets.end(),
+    const auto held = std::find_if(model.node_sets.begin(), model.node_sets.end(),
                                    [](const auto& set) { return set.name.starts_with("PS_"); });
-    if (held != model.data.node_sets.end()) {
+    if (held != model.node_sets.end()) {
       bulk_.loads["PS of GRID"] = {held->place, held->members.size()};
     }
-    if (!request_.skip_loads && !request_.skip_all) {
+    if (request_.skip == InpSkip::nothing) {
       refuse_loads();
     }
+    InpData data = as_inp_data(model, bulk_);
     if (complaints_.empty()) {
-      warn(model);
+      warn(model, data);
     }
-    return import_inp_data(mesh_, request_, model.data, std::move(complaints_), diagnostics_);
+    std::vector<InpIssue> issues;
+    for (NastranIssue& issue : complaints_) {
+      issues.push_back({issue.place, std::move(issue.text), std::move(issue.hint)});
+    }
+    return import_inp_data(mesh_, request_, std::move(data), std::move(issues), diagnostics_);
   }
 
 private:
@@ -85,13 +126,12 @@ private:
   void add_loaded_bars() {
     for (const NastranBulk::NastranBar& bar : bulk_.bars) {
       if (bulk_.bar_properties.contains(bar.property)) {
-        InpData::InpSkippedItems& met = bulk_.refused[bar.name];
-        met.first = met.count++ == 0 ? bar.place : met.first;
+        bulk_.refused[bar.name].add(bar.place);
       }
     }
   }
 
-  void refuse(const std::string& name, const InpData::InpSkippedItems& met) {
+  void refuse(const std::string& name, const NastranEntries& met) {
     const NastranAdvice* const advice = find_nastran_advice(name);
     const std::string skip = "; SKIP=ALL passes over all that is not read";
     // the first word of a line may be anything in a file that is included by mistake
@@ -119,7 +159,7 @@ private:
          std::string(skip_loads_words)});
   }
 
-  static std::string list_of(const std::map<std::string, InpData::InpSkippedItems>& met) {
+  static std::string list_of(const std::map<std::string, NastranEntries>& met) {
     std::string list;
     std::size_t kinds = 0;
     for (const auto& [name, items] : met) {
@@ -131,18 +171,23 @@ private:
     return list;
   }
 
-  void warn(const NastranModel& model) {
-    InpMessages words(request_, model.data, diagnostics_);
-    std::map<std::string, InpData::InpSkippedItems> skipped = bulk_.loads;
+  void warn(const NastranModel& model, const InpData& data) {
+    InpMessages words(request_, data, diagnostics_);
+    if (!model.bars.empty()) {
+      words.warning(model.bars.begin()->second.first, "W466",
+                    fmt::format("bars without a property are left out: {}", list_of(model.bars)));
+    }
+    std::map<std::string, NastranEntries> skipped = bulk_.loads;
     skipped.insert(bulk_.refused.begin(), bulk_.refused.end());
     std::string list = list_of(skipped);
-    for (const InpIssue& stray : request_.skip_all ? model.stray_skins : std::vector<InpIssue>()) {
+    for (const NastranIssue& stray :
+         request_.skip == InpSkip::all ? model.stray_skins : std::vector<NastranIssue>()) {
       list += (list.empty() ? "" : "; ") + stray.text;
     }
     if (!list.empty()) {
       words.warning({}, "W467",
                     fmt::format("passed over, as SKIP={} asks for: {}{}",
-                                request_.skip_all ? "ALL" : "LOADS", list,
+                                request_.skip == InpSkip::all ? "ALL" : "LOADS", list,
                                 model.load_sets.empty()
                                     ? ""
                                     : fmt::format("; where they act are the sets {}",
@@ -159,7 +204,7 @@ private:
   model::Mesh& mesh_;
   const ImportRequest& request_;
   base::Diagnostics& diagnostics_;
-  std::vector<InpIssue> complaints_;
+  std::vector<NastranIssue> complaints_;
   NastranBulk bulk_;
 };
 

@@ -48,8 +48,7 @@ bool read_nastran_load_card(NastranFields& card, NastranBulk& bulk) {
   if (std::ranges::find(load_entries, name) == load_entries.end()) {
     return false;
   }
-  InpData::InpSkippedItems& met = bulk.loads[name];
-  met.first = met.count++ == 0 ? card.place() : met.first;
+  bulk.loads[name].add(card.place());
   if (name == "SPC") {
     read_single_supports(card, bulk);
   } else if (name == "SPC1") {

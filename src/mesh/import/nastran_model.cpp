@@ -24,11 +24,10 @@ using base::Label;
 
 class NastranModelMaker {
 public:
-  NastranModelMaker(const NastranBulk& bulk, std::vector<InpIssue>& complaints)
+  NastranModelMaker(const NastranBulk& bulk, std::vector<NastranIssue>& complaints)
       : bulk_(bulk), complaints_(complaints) {}
 
   NastranModel run() {
-    data_.files = bulk_.files;
     dim_ = std::any_of(bulk_.elements.begin(), bulk_.elements.end(),
                        [](const auto& e) { return dimension(e) == 3; })
                ? 3
@@ -47,9 +46,9 @@ public:
     add_sections();
     check_plane();
     if (complaints_.empty() && all_nodes_are_there_) {
-      add_nastran_surfaces(bulk_, skins_, *index_, data_, complaints_);
+      add_nastran_surfaces(bulk_, skins_, *index_, model_, complaints_);
       judge_skins();
-      model_.load_sets = add_nastran_load_sets(bulk_, dim_, data_, complaints_);
+      model_.load_sets = add_nastran_load_sets(bulk_, dim_, model_, complaints_);
     }
     return std::move(model_);
   }
@@ -72,18 +71,18 @@ private:
       if (!systems.find_basic(system, grid.x, x, trouble)) {
         bad.try_emplace(system, grid.place, trouble);
       }
-      data_.node.push_back(grid.label);
-      data_.x.push_back(x);
+      model_.node.push_back(grid.label);
+      model_.x.push_back(x);
     }
     for (const auto& [system, trouble] : bad) {
       complain(trouble.first,
                fmt::format("the coordinate system {} of a GRID {}", system, trouble.second));
     }
-    index_.emplace(data_.node);
-    for (std::size_t i = 0; index_->has_duplicates() && i < data_.node.size(); ++i) {
-      if (const std::size_t first = *index_->find(data_.node[i]); first != i) {
+    index_.emplace(model_.node);
+    for (std::size_t i = 0; index_->has_duplicates() && i < model_.node.size(); ++i) {
+      if (const std::size_t first = *index_->find(model_.node[i]); first != i) {
         complain(bulk_.grids[i].place, fmt::format("GRID {} stands in line {} already",
-                                                   data_.node[i], bulk_.grids[first].place.line));
+                                                   model_.node[i], bulk_.grids[first].place.line));
       }
     }
     return complaints_.empty();
@@ -107,18 +106,17 @@ private:
     }
     const auto property = bulk_.properties.find(element.property);
     const bool strain = property != bulk_.properties.end() && property->second.plane_strain;
-    data_.element.push_back(element.label);
-    data_.type.push_back({type,
-                          dim_ == 3 ? model::StressState::solid
-                          : strain  ? model::StressState::plane_strain
-                                    : model::StressState::plane_stress,
-                          entry.special && !element.quadratic});
-    if (data_.type.back().special) {
-      data_.special.try_emplace(fmt::format("{} of {} nodes", entry.name, count), element.place);
+    model_.element.push_back(element.label);
+    model_.type.push_back(type);
+    model_.state.push_back(dim_ == 3 ? model::StressState::solid
+                           : strain  ? model::StressState::plane_strain
+                                     : model::StressState::plane_stress);
+    if (entry.special && !element.quadratic) {
+      model_.special.try_emplace(fmt::format("{} of {} nodes", entry.name, count), element.place);
     }
-    data_.element_place.push_back(element.place);
-    data_.connectivity.insert(data_.connectivity.end(), nodes.begin(), nodes.end());
-    data_.first.push_back(data_.connectivity.size());
+    model_.element_place.push_back(element.place);
+    model_.connectivity.insert(model_.connectivity.end(), nodes.begin(), nodes.end());
+    model_.first.push_back(model_.connectivity.size());
     parts_[element.property].push_back(element.label);
     if (element.own_thickness && dim_ == 2 &&
         thick_.insert(entry.name).second) { // once for each kind
@@ -133,14 +131,14 @@ private:
   void check_plane() {
     double size = 0.0;
     double height = 0.0;
-    for (const Label label : data_.connectivity) {
+    for (const Label label : model_.connectivity) {
       const auto at = index_->find(label);
       if (!at) {
         all_nodes_are_there_ = false; // told where nodes are looked up
         return;
       }
-      size = std::max(size, data_.x[*at].cwiseAbs().maxCoeff());
-      height = std::max(height, std::abs(data_.x[*at].z()));
+      size = std::max(size, model_.x[*at].cwiseAbs().maxCoeff());
+      height = std::max(height, std::abs(model_.x[*at].z()));
     }
     if (dim_ == 2 && height > 1e-9 * size) {
       complain({}, "the shells do not lie in the plane z = 0",
@@ -158,7 +156,7 @@ private:
       if (!at) {
         return false; // a mistake that is told where nodes are looked up
       }
-      x[i] = data_.x[*at];
+      x[i] = model_.x[*at];
     }
     const base::Vec3 triangle = (x[1] - x[0]).cross(x[2] - x[0]);
     const base::Vec3 quadrilateral = (x[2] - x[0]).cross(x[3] - x[1]);
@@ -196,8 +194,7 @@ private:
         skins_.push_back(
             {bar.label, bar.property, {bar.nodes[0], bar.nodes[1]}, bar.name, bar.place});
       } else {
-        InpData::InpSkippedItems& left = data_.bars[bar.name];
-        left.first = left.count++ == 0 ? bar.place : left.first;
+        model_.bars[bar.name].add(bar.place);
       }
     }
   }
@@ -206,7 +203,7 @@ private:
     std::map<std::string, std::vector<Label>> named;
     for (auto& [property, elements] : parts_) {
       const std::string set = fmt::format("P{}", property);
-      data_.element_sets.push_back({set, elements, {}});
+      model_.element_sets.push_back({set, elements, {}});
       if (const auto name = bulk_.property_names.find(property);
           name != bulk_.property_names.end()) {
         std::vector<Label>& all = named[make_valid_set_name(name->second)];
@@ -217,15 +214,11 @@ private:
       }
     }
     for (auto& [name, elements] : named) {
-      const bool taken = std::any_of(data_.element_sets.begin(), data_.element_sets.end(),
+      const bool taken = std::any_of(model_.element_sets.begin(), model_.element_sets.end(),
                                      [&](const auto& set) { return set.name == name; });
       if (!taken) {
-        data_.element_sets.push_back({name, std::move(elements), {}});
+        model_.element_sets.push_back({name, std::move(elements), {}});
       }
-    }
-    for (const auto& [label, from] : bulk_.materials) {
-      data_.materials.push_back({fmt::format("M{}", label), from.E, from.nu,
-                                 from.rho * bulk_.density_factor, from.alpha, true, from.place});
     }
   }
 
@@ -246,8 +239,8 @@ private:
       return;
     }
     if (bulk_.materials.contains(property.material)) {
-      data_.sections.push_back({set, fmt::format("M{}", property.material),
-                                property.shell ? property.thickness : 1.0, property.place});
+      model_.sections.push_back({set, fmt::format("M{}", property.material),
+                                 property.shell ? property.thickness : 1.0, property.place});
       return;
     }
     const bool other = std::any_of(bulk_.refused.begin(), bulk_.refused.end(), [](const auto& met) {
@@ -286,10 +279,9 @@ private:
   }
 
   const NastranBulk& bulk_;
-  std::vector<InpIssue>& complaints_;
+  std::vector<NastranIssue>& complaints_;
   NastranModel model_;
-  InpData& data_ = model_.data;
-  int dim_ = 2;
+  int& dim_ = model_.dim;
   std::optional<LabelIndex> index_;
   std::map<Label, std::vector<Label>> parts_; ///< elements by property
   std::vector<NastranSkin> skins_;
@@ -299,7 +291,7 @@ private:
 
 } // namespace
 
-NastranModel make_nastran_model(const NastranBulk& bulk, std::vector<InpIssue>& complaints) {
+NastranModel make_nastran_model(const NastranBulk& bulk, std::vector<NastranIssue>& complaints) {
   return NastranModelMaker(bulk, complaints).run();
 }
 

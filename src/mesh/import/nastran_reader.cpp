@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 11> harmless_entries{
 } // namespace
 
 NastranBulk read_nastran_bulk(const std::filesystem::path& file,
-                              std::vector<InpIssue>& complaints) {
+                              std::vector<NastranIssue>& complaints) {
   const NastranFields::Complain complain = [&](InpLocation at, std::string words) {
     if (complaints.size() < most_nastran_complaints) {
       complaints.push_back({at, std::move(words), {}});
@@ -41,8 +41,7 @@ NastranBulk read_nastran_bulk(const std::filesystem::path& file,
       bulk.property_names.try_emplace(fields.label(0, "PID"), card.title);
     }
     if (!known && std::ranges::find(harmless_entries, card.name) == harmless_entries.end()) {
-      InpData::InpSkippedItems& refused = bulk.refused[card.name];
-      refused.first = refused.count++ == 0 ? card.place : refused.first;
+      bulk.refused[card.name].add(card.place);
     }
   }
   for (const auto& [label, name] : reader.property_names()) {

@@ -10,6 +10,7 @@ namespace spricka::mesh {
 /// Reads the bulk data of a file with its includes; complaints leave the data incomplete. Entries
 /// that are not read, and have a say in the mechanics, are in `refused`, those of loads and
 /// supports in `loads`.
-NastranBulk read_nastran_bulk(const std::filesystem::path& file, std::vector<InpIssue>& complaints);
+NastranBulk read_nastran_bulk(const std::filesystem::path& file,
+                              std::vector<NastranIssue>& complaints);
 
 } // namespace spricka::mesh

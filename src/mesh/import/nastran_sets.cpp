@@ -13,9 +13,9 @@ using base::Label;
 
 class NastranLoadSets {
 public:
-  NastranLoadSets(const NastranBulk& bulk, int dim, InpData& data,
-                  std::vector<InpIssue>& complaints)
-      : bulk_(bulk), dim_(dim), data_(data), complaints_(complaints), sorted_(data.node) {
+  NastranLoadSets(const NastranBulk& bulk, int dim, NastranModel& model,
+                  std::vector<NastranIssue>& complaints)
+      : bulk_(bulk), dim_(dim), model_(model), complaints_(complaints), sorted_(model.node) {
     std::sort(sorted_.begin(), sorted_.end());
   }
 
@@ -47,14 +47,14 @@ public:
       add(fmt::format("FORCE_{}", force.set), {{force.node, force.node}}, force.place);
     }
     std::vector<std::string> names;
-    for (const auto& surface : data_.surfaces) {
+    for (const auto& surface : model_.surfaces) {
       if (surface.name.starts_with("PLOAD4_")) {
         names.push_back(surface.name);
       }
     }
     for (auto& [name, set] : sets_) {
       names.push_back(name);
-      data_.node_sets.push_back(std::move(set));
+      model_.node_sets.push_back(std::move(set));
     }
     return names;
   }
@@ -81,7 +81,7 @@ private:
   /// Of a range the nodes that are there; one by its number must be.
   void add(const std::string& name, const std::vector<NastranBulk::LabelRange>& ranges,
            InpLocation place) {
-    auto& set = sets_.try_emplace(name, InpData::Named<Label>{name, {}, place}).first->second;
+    auto& set = sets_.try_emplace(name, NastranModel::NastranSet{name, {}, place}).first->second;
     for (const auto& [first, last] : ranges) {
       if (first == last) {
         set.members.push_back(first);
@@ -94,17 +94,18 @@ private:
 
   const NastranBulk& bulk_;
   int dim_;
-  InpData& data_;
-  std::vector<InpIssue>& complaints_;
+  NastranModel& model_;
+  std::vector<NastranIssue>& complaints_;
   std::vector<Label> sorted_;
-  std::map<std::string, InpData::Named<Label>> sets_;
+  std::map<std::string, NastranModel::NastranSet> sets_;
 };
 
 } // namespace
 
-std::vector<std::string> add_nastran_load_sets(const NastranBulk& bulk, int dim, InpData& data,
-                                               std::vector<InpIssue>& complaints) {
-  return NastranLoadSets(bulk, dim, data, complaints).run();
+std::vector<std::string> add_nastran_load_sets(const NastranBulk& bulk, int dim,
+                                               NastranModel& model,
+                                               std::vector<NastranIssue>& complaints) {
+  return NastranLoadSets(bulk, dim, model, complaints).run();
 }
 
 } // namespace spricka::mesh

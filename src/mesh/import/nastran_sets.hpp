@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/import/nastran_bulk.hpp"
+#include "mesh/import/nastran_model.hpp"
 
 #include <string>
 #include <vector>
@@ -10,7 +10,8 @@ namespace spricka::mesh {
 /// Makes node sets of supports, "SPC<set>_<freedoms>" (of PS of a GRID: "PS_<freedoms>"), and of
 /// forces, "FORCE_<set>". Freedoms that elements of so many dimensions do not have count for
 /// nothing. Returns the names of all sets of supports and loads.
-std::vector<std::string> add_nastran_load_sets(const NastranBulk& bulk, int dim, InpData& data,
-                                               std::vector<InpIssue>& complaints);
+std::vector<std::string> add_nastran_load_sets(const NastranBulk& bulk, int dim,
+                                               NastranModel& model,
+                                               std::vector<NastranIssue>& complaints);
 
 } // namespace spricka::mesh

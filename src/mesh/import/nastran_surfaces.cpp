@@ -19,18 +19,19 @@ using base::NodeId;
 /// The surfaces of bulk data, found on a mesh of its elements alone.
 class NastranSurfaces {
 public:
-  NastranSurfaces(const LabelIndex& nodes, InpData& data, std::vector<InpIssue>& complaints)
-      : nodes_(nodes), data_(data), complaints_(complaints), elements_(data.element) {
-    for (std::size_t i = 0; i < data.node.size(); ++i) {
-      model::add_node(mesh_, data.x[i], data.node[i], base::NetId(std::size_t{0}));
+  NastranSurfaces(const LabelIndex& nodes, NastranModel& model,
+                  std::vector<NastranIssue>& complaints)
+      : nodes_(nodes), model_(model), complaints_(complaints), elements_(model.element) {
+    for (std::size_t i = 0; i < model.node.size(); ++i) {
+      model::add_node(mesh_, model.x[i], model.node[i], base::NetId(std::size_t{0}));
     }
     std::vector<NodeId> corners;
-    for (std::size_t e = 0; e < data.element.size(); ++e) {
+    for (std::size_t e = 0; e < model.element.size(); ++e) {
       corners.clear();
-      for (std::size_t k = data.first[e]; k < data.first[e + 1]; ++k) {
-        corners.emplace_back(*nodes.find(data.connectivity[k]));
+      for (std::size_t k = model.first[e]; k < model.first[e + 1]; ++k) {
+        corners.emplace_back(*nodes.find(model.connectivity[k]));
       }
-      model::add_element(mesh_, data.type[e].type, corners, data.element[e],
+      model::add_element(mesh_, model.type[e], corners, model.element[e],
                          base::NetId(std::size_t{0}));
     }
   }
@@ -49,7 +50,7 @@ public:
     const SideIndex sides(mesh_, 0, &marked);
     for (std::size_t s = 0; s < skins.size(); ++s) {
       const auto face = corners[s].size() == skins[s].corners.size()
-                            ? find_side_along(mesh_, sides, corners[s])
+                            ? find_side_below(mesh_, sides, corners[s])
                             : std::nullopt;
       skins[s].lies_on_side = face.has_value();
       if (face) {
@@ -115,19 +116,19 @@ private:
   }
 
   void add(const std::string& name, model::Face face, InpLocation place) {
-    const auto [at, fresh] = surfaces_.try_emplace(name, data_.surfaces.size());
+    const auto [at, fresh] = surfaces_.try_emplace(name, model_.surfaces.size());
     if (fresh) {
-      data_.surfaces.push_back({name, {}, place});
+      model_.surfaces.push_back({name, {}, place});
     }
     if (met_[name].insert(face).second) {
-      data_.surfaces[at->second].members.push_back(
-          {{}, data_.element[face.element.index()], face.side, place});
+      model_.surfaces[at->second].sides.emplace_back(model_.element[face.element.index()],
+                                                     face.side);
     }
   }
 
   const LabelIndex& nodes_;
-  InpData& data_;
-  std::vector<InpIssue>& complaints_;
+  NastranModel& model_;
+  std::vector<NastranIssue>& complaints_;
   LabelIndex elements_;
   model::Mesh mesh_;
   std::map<base::Label, model::Face> of_skin_;
@@ -138,12 +139,12 @@ private:
 } // namespace
 
 void add_nastran_surfaces(const NastranBulk& bulk, std::vector<NastranSkin>& skins,
-                          const LabelIndex& nodes, InpData& data,
-                          std::vector<InpIssue>& complaints) {
+                          const LabelIndex& nodes, NastranModel& model,
+                          std::vector<NastranIssue>& complaints) {
   if (skins.empty() && bulk.pressures.empty()) {
     return;
   }
-  NastranSurfaces surfaces(nodes, data, complaints);
+  NastranSurfaces surfaces(nodes, model, complaints);
   surfaces.add_skins(skins);
   for (const NastranBulk::NastranPressure& pressure : bulk.pressures) {
     surfaces.add_pressure(pressure);

@@ -63,7 +63,7 @@ model::Model read_mesh(const std::filesystem::path& file, std::string_view forma
   request.file = file;
   request.net = base::NetId(std::size_t{0});
   if (format == "INP" || format == "NASTRAN") {
-    request.skip_loads = format == "NASTRAN"; // a mesh is written; sets say where they act
+    request.skip = format == "NASTRAN" ? mesh::InpSkip::all : mesh::InpSkip::nothing;
     const mesh::ImportedMaterialsAndEquations physics =
         format == "INP" ? mesh::import_inp(model.mesh, request, diagnostics)
                         : mesh::import_nastran(model.mesh, request, diagnostics);

@@ -69,8 +69,7 @@ protected:
     request.file = folder_ / "a.bdf";
     request.net = base::NetId(std::size_t{0});
     request.renames = renames_;
-    request.skip_loads = skip_loads_;
-    request.skip_all = skip_all_;
+    request.skip = skip_;
     model_ = {};
     diagnostics_ = {};
     mesh::append_materials_and_equations(model_,
@@ -105,8 +104,7 @@ protected:
 
   fs::path folder_;
   std::vector<std::pair<std::string, std::string>> renames_;
-  bool skip_loads_ = false;
-  bool skip_all_ = false;
+  mesh::InpSkip skip_ = mesh::InpSkip::nothing;
   model::Model model_;
   base::Diagnostics diagnostics_;
 };
@@ -336,7 +334,7 @@ TEST_F(Nastran, ShellsOnSolidsAreSurfacesAndOthersAreRefused) {
   EXPECT_NE(messages().find("a.bdf:7: 2 CTRIA3 of property 8 lie on no side of a solid"),
             std::string::npos)
       << messages();
-  skip_all_ = true;
+  skip_ = mesh::InpSkip::all;
   EXPECT_TRUE(import(stray)) << messages();
   EXPECT_NE(messages().find("W467"), std::string::npos) << messages();
 }
@@ -390,7 +388,7 @@ TEST_F(Nastran, SupportsAndLoadsAreSetsWhereTheyArePassedOver) {
             std::string::npos)
       << messages();
   EXPECT_EQ(diagnostics_.messages().size(), 1U) << messages();
-  skip_loads_ = true;
+  skip_ = mesh::InpSkip::loads;
   ASSERT_TRUE(import(tetrahedron + loads)) << messages();
   EXPECT_EQ(labels("SPC1_123"), (std::vector<base::Label>{1, 2, 3}));
   EXPECT_EQ(labels("SPC9_123"), (std::vector<base::Label>{1, 2, 3}));
@@ -403,7 +401,7 @@ TEST_F(Nastran, SupportsAndLoadsAreSetsWhereTheyArePassedOver) {
   EXPECT_NE(messages().find("where they act are the sets PLOAD4_8, FORCE_7, SPC1_123"),
             std::string::npos)
       << messages();
-  skip_loads_ = false;
+  skip_ = mesh::InpSkip::nothing;
   EXPECT_FALSE(import(tetrahedron + "GRID,5,,0.,0.,0.,,123\n"));
   EXPECT_NE(messages().find("PS of GRID (1)"), std::string::npos) << messages();
 }
@@ -418,7 +416,7 @@ TEST_F(Nastran, WhatIsNotReadIsToldOnceForEachKind) {
       << messages();
   EXPECT_NE(messages().find("'ZZZ' is not imported"), std::string::npos) << messages();
   EXPECT_EQ(model_.mesh.element_count(), 0U);
-  skip_all_ = true;
+  skip_ = mesh::InpSkip::all;
   ASSERT_TRUE(import(tetrahedron + more)) << messages();
   EXPECT_NE(messages().find("SKIP=ALL asks for: CBUSH (1), MAT8 (1), RBE2 (2), ZZZ (1)"),
             std::string::npos)
@@ -466,7 +464,7 @@ TEST_F(Nastran, MistakesNameLineAndColumn) {
       {"SPC1,1,1,5,THRU,2\n", "5 THRU 2 runs downwards"},
       {"SPC1,1,17,1\n", "'17' are no digits from 1 to 6"},
       {"PLOAD4,8,10,5.,,,,1\n", "PLOAD4: element 10 has no side"}};
-  skip_loads_ = true;
+  skip_ = mesh::InpSkip::loads;
   for (const auto& [text, expected] : cases) {
     EXPECT_FALSE(import(tetrahedron + text)) << text;
     EXPECT_NE(messages().find(expected), std::string::npos) << text << messages();
