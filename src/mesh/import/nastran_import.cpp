@@ -3,7 +3,7 @@
 
 #include "mesh/import/inp_import.hpp"
 #include "mesh/import/inp_words.hpp"
-#include "mesh/import/nastran_model.hpp"
+#include "mesh/import/make_nastran_model.hpp"
 #include "mesh/import/nastran_reader.hpp"
 
 #include <fmt/format.h>

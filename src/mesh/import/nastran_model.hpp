@@ -60,10 +60,4 @@ struct NastranModel {
   std::vector<std::string> load_sets;    ///< where supports and loads act
 };
 
-/// Elements in our order of nodes and right-handed, points in the basic system, a set "P<number>"
-/// for each property and one with its name where comments give it, surfaces, sets of supports and
-/// loads. What is wrong goes to `complaints`; the model is not to be used
-/// then.
-NastranModel make_nastran_model(const NastranBulk& bulk, std::vector<NastranIssue>& complaints);
-
 } // namespace spricka::mesh

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/import/nastran_model.hpp"
+#include "mesh/import/make_nastran_model.hpp"
 
 #include "mesh/import/nastran_sets.hpp"
 #include "mesh/import/nastran_surfaces.hpp"
