@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/import/inp_text.hpp"
 
-#include "base/input_file.hpp"
 #include "base/label.hpp"
 #include "mesh/set_name.hpp"
 
@@ -15,8 +14,6 @@
 namespace spricka::mesh {
 namespace {
 
-constexpr std::size_t k_deepest_include = 16;
-constexpr std::size_t k_most_includes = 1000; ///< each as often as it is included
 constexpr std::string_view blanks = " \t\r";
 
 std::string_view trimmed(std::string_view text) {
@@ -65,59 +62,15 @@ const std::string* InpKeyword::find(std::string_view key) const {
 }
 
 InpLineReader::InpLineReader(const std::filesystem::path& file, Complain complain)
-    : complain_(std::move(complain)) {
-  open(file, {});
-}
-
-void InpLineReader::open(const std::filesystem::path& path, InpLocation from) {
-  const auto same = [&](std::uint32_t f) { return files_[f].path == path; };
-  if (std::any_of(open_.begin(), open_.end(), same)) {
-    complain_(from, fmt::format("*INCLUDE: '{}' includes itself", path.string()));
-    return;
-  }
-  if (open_.size() >= k_deepest_include) {
-    complain_(from, "*INCLUDE: files are nested too deep");
-    return;
-  }
-  if (files_.size() > k_most_includes) {
-    if (files_.size() == k_most_includes + 1) { // once: those that follow are as many again
-      complain_(from, fmt::format("*INCLUDE: more than {} files are included", k_most_includes));
-      files_.emplace_back();
-    }
-    return;
-  }
-  InpFile file;
-  file.path = path;
-  std::error_code unknown;
-  if (!std::filesystem::exists(path, unknown)) {
-    complain_(from, fmt::format("there is no file '{}'", path.string()));
-    return;
-  }
-  try {
-    file.text = base::read_file(path, base::largest_mesh_file - bytes_);
-  } catch (const base::UnreadableFile& trouble) {
-    complain_(from, trouble.what());
-    return;
-  }
-  bytes_ += file.text.size();
-  open_.push_back(static_cast<std::uint32_t>(files_.size()));
-  files_.push_back(std::move(file));
-}
+    : complain_(std::move(complain)), files_(file, "*INCLUDE", complain_) {}
 
 bool InpLineReader::raw_line() {
-  while (!open_.empty()) {
-    InpFile& file = files_[open_.back()];
-    while (file.at < file.text.size()) {
-      const std::size_t end = std::min(file.text.find('\n', file.at), file.text.size());
-      line_ = trimmed(std::string_view(file.text).substr(file.at, end - file.at));
-      file.at = end + 1;
-      place_ = {open_.back(), ++file.line};
-      if (!line_.empty() && !line_.starts_with("**")) {
-        return true;
-      }
+  while (files_.next_line()) {
+    line_ = trimmed(files_.line());
+    place_ = files_.location();
+    if (!line_.empty() && !line_.starts_with("**")) {
+      return true;
     }
-    file.text = std::string(); // big files are not kept
-    open_.pop_back();
   }
   return false;
 }
@@ -140,9 +93,8 @@ void InpLineReader::read_keyword() {
   keyword_ = {};
   keyword_.place = place_;
   std::string whole(line_);
-  const std::size_t depth = open_.size();
   while (whole.ends_with(',') && raw_line()) {
-    if (open_.size() != depth) {
+    if (place_.file != keyword_.place.file) {
       complain_(keyword_.place, "a keyword line does not end in its file");
     }
     whole += line_;
@@ -171,15 +123,7 @@ void InpLineReader::include() {
     complain_(keyword_.place, "*INCLUDE needs INPUT=");
     return;
   }
-  open(files_[keyword_.place.file].path.parent_path() / *input, keyword_.place);
-}
-
-std::vector<std::string> InpLineReader::file_paths() const {
-  std::vector<std::string> paths;
-  for (const InpFile& file : files_) {
-    paths.push_back(file.path.string());
-  }
-  return paths;
+  files_.include(*input, keyword_.place);
 }
 
 std::string_view InpFieldReader::next_text() {

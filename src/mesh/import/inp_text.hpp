@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "mesh/import/nested_text_files.hpp"
+
 #include <cstdint>
-#include <deque>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -11,12 +12,6 @@
 #include <vector>
 
 namespace spricka::mesh {
-
-/// A line of an input file or of one that it includes.
-struct InpLocation {
-  std::uint32_t file = 0;
-  std::uint32_t line = 0; ///< from 1
-};
 
 /// A keyword line: blanks left out, upper case; values keep their case.
 struct InpKeyword {
@@ -47,25 +42,15 @@ public:
   [[nodiscard]] std::string_view data_line() const { return line_; }
   [[nodiscard]] InpLocation location() const { return place_; }
   /// Paths of the files met so far, as places count them.
-  [[nodiscard]] std::vector<std::string> file_paths() const;
+  [[nodiscard]] std::vector<std::string> file_paths() const { return files_.file_paths(); }
 
 private:
-  struct InpFile {
-    std::filesystem::path path;
-    std::string text;
-    std::size_t at = 0;
-    std::uint32_t line = 0;
-  };
-
   bool raw_line();
   void read_keyword();
   void include();
-  void open(const std::filesystem::path& path, InpLocation from);
 
   Complain complain_;
-  std::deque<InpFile> files_;
-  std::vector<std::uint32_t> open_;
-  std::size_t bytes_ = 0; ///< of all files so far
+  NestedTextFiles files_;
   std::string_view line_;
   InpLocation place_;
   InpKeyword keyword_;

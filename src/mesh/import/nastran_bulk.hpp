@@ -2,8 +2,8 @@
 #pragma once
 #include "base/label.hpp"
 #include "base/vec.hpp"
-#include "mesh/import/inp_text.hpp"
 #include "mesh/import/nastran_elements.hpp"
+#include "mesh/import/nested_text_files.hpp"
 
 #include <array>
 #include <map>

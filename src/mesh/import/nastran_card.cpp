@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/import/nastran_card.hpp"
 
+#include "mesh/import/inp_text.hpp"
 #include "mesh/set_name.hpp"
 
 #include <fmt/format.h>
@@ -225,13 +226,13 @@ bool NastranCardReader::next_bulk_line() {
 /// A path may be broken over lines, up to the quote that closes it.
 void NastranCardReader::include(std::string_view text) {
   std::string path(trim_blanks(text));
+  const InpLocation at = files_.location();
   const char quote = path.empty() ? ' ' : path.front();
   if (quote != '\'' && quote != '"') {
-    files_.include(path);
+    files_.include(path, at);
     return;
   }
   path.erase(0, 1);
-  const InpLocation at = files_.location();
   while (path.find(quote) == std::string::npos) {
     if (!files_.next_line() || files_.location().file != at.file) {
       complain_(at, "INCLUDE: the quote is not closed");
@@ -239,7 +240,7 @@ void NastranCardReader::include(std::string_view text) {
     }
     path += trim_blanks(files_.line());
   }
-  files_.include(path.substr(0, path.find(quote)));
+  files_.include(path.substr(0, path.find(quote)), at);
 }
 
 void NastranCardReader::take_comment(std::string_view text) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/import/nastran_fields.hpp"
 
+#include "mesh/import/inp_text.hpp"
 #include "mesh/set_name.hpp"
 
 #include <fmt/format.h>

@@ -78,8 +78,8 @@ bool NestedTextFiles::next_line() {
   return false;
 }
 
-void NestedTextFiles::include(const std::string& path) {
-  open(files_[place_.file].path.parent_path() / path, place_);
+void NestedTextFiles::include(const std::string& path, InpLocation from) {
+  open(files_[from.file].path.parent_path() / path, from);
 }
 
 std::vector<std::string> NestedTextFiles::file_paths() const {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/import/inp_text.hpp"
-
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -12,6 +10,12 @@
 #include <vector>
 
 namespace spricka::mesh {
+
+/// A line of an input file or of one that it includes.
+struct InpLocation {
+  std::uint32_t file = 0;
+  std::uint32_t line = 0; ///< from 1
+};
 
 /// The lines of a file and of those that it includes, in the order in which they count.
 class NestedTextFiles {
@@ -27,8 +31,8 @@ public:
   /// The line without its end; it holds until the next one is asked for.
   [[nodiscard]] std::string_view line() const { return line_; }
   [[nodiscard]] InpLocation location() const { return place_; }
-  /// Goes on with the lines of another file, whose path counts from that of this line.
-  void include(const std::string& path);
+  /// Goes on with the lines of another file, whose path counts from that of `from`.
+  void include(const std::string& path, InpLocation from);
   /// All of the first file, before its lines are read.
   [[nodiscard]] std::string_view first_text() const {
     return files_.empty() ? std::string_view() : std::string_view(files_.front().text);
