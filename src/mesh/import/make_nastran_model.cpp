@@ -46,6 +46,7 @@ public:
     add_sections();
     check_plane();
     if (complaints_.empty() && all_nodes_are_there_) {
+      add_nastran_lists(bulk_, model_);
       add_nastran_surfaces(bulk_, skins_, *index_, model_, complaints_);
       judge_skins();
       model_.load_sets = add_nastran_load_sets(bulk_, dim_, model_, complaints_);

@@ -84,6 +84,12 @@ struct NastranBulk {
     base::Label corner = 0, other = 0; ///< 0: not given; the other of a face, or off it
     InpLocation place;
   };
+  struct NastranList {
+    base::Label set = 0;
+    bool elements = false; ///< else nodes
+    std::vector<LabelRange> members;
+    InpLocation place;
+  };
   struct NastranForce {
     base::Label set = 0, node = 0;
     InpLocation place;
@@ -108,6 +114,8 @@ struct NastranBulk {
 
   std::vector<NastranSupport> supports;
   std::map<base::Label, std::vector<base::Label>> support_sums; ///< SPCADD
+  std::vector<NastranList> lists;                               ///< SET3, and SET of OptiStruct
+  std::map<base::Label, std::string> set_names;
   std::vector<NastranPressure> pressures;
   std::vector<NastranForce> forces;
 

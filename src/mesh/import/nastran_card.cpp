@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::size_t narrow = 8;     ///< columns of a small field, and of the first and last
 constexpr std::size_t line_width = 8; ///< fields with data on a line, large ones are half as many
+constexpr std::size_t end_of_fields =
+    80; ///< columns; what stands behind is no part of a fixed line
 constexpr std::string_view card_blanks = " \t\r";
 
 std::string_view trim_blanks(std::string_view text) {
@@ -74,32 +76,41 @@ std::optional<base::Label> take_number(std::string_view& text) {
   return number;
 }
 
+/// Number and quoted name behind a prefix, as HyperMesh writes them: $HMSET 3 1 "bore".
+std::optional<std::pair<base::Label, std::string>> quoted_name_in(std::string_view comment,
+                                                                  std::string_view prefix) {
+  std::string_view rest = text_behind(comment, prefix);
+  const auto id = take_number(rest);
+  const std::size_t quote = rest.find('"');
+  if (!id || quote == std::string_view::npos) {
+    return std::nullopt;
+  }
+  rest.remove_prefix(quote + 1);
+  const std::string_view name = trim_blanks(rest.substr(0, rest.find('"')));
+  return name.empty() ? std::nullopt : std::optional(std::pair(*id, std::string(name)));
+}
+
 /// Number and name of a property, as ANSA, HyperMesh and Femap write them into comments.
 std::optional<std::pair<base::Label, std::string>> property_name_in(std::string_view comment) {
+  if (auto named = quoted_name_in(comment, "$HMNAME PROP ")) {
+    return named;
+  }
   std::string_view rest = text_behind(comment, "$ANSA_NAME_COMMENT;");
-  char quote = ';';
   if (!rest.empty()) {
     const auto id = take_number(rest);
     const bool property = rest.starts_with(";PSOLID;") || rest.starts_with(";PSHELL;");
     rest.remove_prefix(property ? 8 : rest.size());
-    const std::string_view name = trim_blanks(rest.substr(0, rest.find(quote)));
+    const std::string_view name = trim_blanks(rest.substr(0, rest.find(';')));
     return id && !name.empty() ? std::optional(std::pair(*id, std::string(name))) : std::nullopt;
   }
-  rest = text_behind(comment, "$HMNAME PROP ");
-  quote = '"';
-  if (rest.empty()) {
-    rest = text_behind(comment, "$ FEMAP ");
-    const std::size_t at = rest.find("Property ");
-    rest = rest.substr(at == std::string_view::npos ? rest.size() : at + 9);
-    quote = ':';
-  }
+  rest = text_behind(comment, "$ FEMAP ");
+  const std::size_t at = rest.find("Property ");
+  rest = rest.substr(at == std::string_view::npos ? rest.size() : at + 9);
   const auto id = take_number(rest);
-  if (!id || !rest.starts_with(quote)) {
-    return std::nullopt;
-  }
-  rest = rest.substr(1);
-  const std::string_view name = trim_blanks(quote == '"' ? rest.substr(0, rest.find('"')) : rest);
-  return name.empty() ? std::nullopt : std::optional(std::pair(*id, std::string(name)));
+  const std::string_view name = trim_blanks(rest.substr(std::min<std::size_t>(1, rest.size())));
+  return id && rest.starts_with(':') && !name.empty()
+             ? std::optional(std::pair(*id, std::string(name)))
+             : std::nullopt;
 }
 
 } // namespace
@@ -213,7 +224,7 @@ bool NastranCardReader::next_bulk_line() {
     text = text.substr(0, text.find('$'));
     line_ = {};
     line_.place = files_.location();
-    if (text.find(',') == std::string_view::npos) {
+    if (text.substr(0, end_of_fields).find(',') == std::string_view::npos) {
       split_fixed(text);
     } else {
       split_free(text);
@@ -246,6 +257,9 @@ void NastranCardReader::include(std::string_view text) {
 void NastranCardReader::take_comment(std::string_view text) {
   if (auto named = property_name_in(text)) {
     property_names_.insert_or_assign(named->first, std::move(named->second));
+  }
+  if (auto named = quoted_name_in(text, "$HMSET ")) {
+    set_names_.insert_or_assign(named->first, std::move(named->second));
   }
   for (const std::string_view prefix :
        {"$ ELEMENTS AND ELEMENT PROPERTIES FOR REGION", "$* PROPERTY"}) {

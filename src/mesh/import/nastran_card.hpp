@@ -50,6 +50,8 @@ public:
   [[nodiscard]] const std::map<base::Label, std::string>& property_names() const {
     return property_names_;
   }
+  /// Names that comments of HyperMesh give to sets, so far.
+  [[nodiscard]] const std::map<base::Label, std::string>& set_names() const { return set_names_; }
   /// Paths of the files met so far, as places count them.
   [[nodiscard]] std::vector<std::string> file_paths() const { return files_.file_paths(); }
 
@@ -82,6 +84,7 @@ private:
   NastranCard card_;
   std::string title_;
   std::map<base::Label, std::string> property_names_;
+  std::map<base::Label, std::string> set_names_;
 };
 
 } // namespace spricka::mesh

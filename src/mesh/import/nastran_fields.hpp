@@ -47,7 +47,7 @@ private:
 };
 
 // Each takes an entry of its kind into `bulk`; false for those of others.
-/// GRID, GRDSET, coordinate systems, elements of solids, shells and bars.
+/// GRID, GRDSET, coordinate systems, elements of solids, shells and bars, lists of numbers.
 bool read_nastran_mesh_card(NastranFields& card, NastranBulk& bulk);
 /// PSOLID, PSHELL, properties of bars and springs, MAT1, PARAM.
 bool read_nastran_property_card(NastranFields& card, NastranBulk& bulk);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/import/nastran_fields.hpp"
+#include "mesh/set_name.hpp"
 
 #include <algorithm>
 #include <array>
@@ -78,6 +79,19 @@ void read_bar(NastranFields& card, NastranBulk& bulk) {
   }
 }
 
+/// SET3, SID, GRID or ELEM, numbers; OptiStruct has SET, SID, GRID or ELEM, LIST, and the numbers
+/// from its second line on. Lists of others are of no use here.
+void read_list(NastranFields& card, NastranBulk& bulk) {
+  const bool of_optistruct = card.name() == "SET";
+  const std::string kind = upper_case(card.text(1));
+  const std::string form = upper_case(card.text(2));
+  if ((kind != "GRID" && kind != "ELEM") || (of_optistruct && !form.empty() && form != "LIST")) {
+    return;
+  }
+  bulk.lists.push_back({card.label(0, "SID"), kind == "ELEM",
+                        card.ranges(of_optistruct ? 8 : 2, "a number"), card.place()});
+}
+
 } // namespace
 
 bool read_nastran_mesh_card(NastranFields& card, NastranBulk& bulk) {
@@ -95,6 +109,8 @@ bool read_nastran_mesh_card(NastranFields& card, NastranBulk& bulk) {
         bulk.other_systems.try_emplace(card.label(at, "CID"), name);
       }
     }
+  } else if (name == "SET3" || name == "SET") {
+    read_list(card, bulk);
   } else if (const NastranElementEntry* entry = find_nastran_element(name)) {
     read_element(card, *entry, bulk);
   } else if (std::ranges::find(bar_entries, name) != bar_entries.end()) {

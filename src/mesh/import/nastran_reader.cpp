@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t most_nastran_complaints = 50;
 
 /// Entries without a say in statics: what is printed, sets of numbers, control of eigenvalues.
-constexpr std::array<std::string_view, 11> harmless_entries{
-    "EIGRL", "EIGR", "EIGB", "EIGC", "SET1", "SET3", "PLOTEL", "NLPARM", "TSTEP", "MDLPRM", "DTI"};
+constexpr std::array<std::string_view, 10> harmless_entries{
+    "EIGRL", "EIGR", "EIGB", "EIGC", "SET1", "PLOTEL", "NLPARM", "TSTEP", "MDLPRM", "DTI"};
 
 } // namespace
 
@@ -47,6 +47,7 @@ NastranBulk read_nastran_bulk(const std::filesystem::path& file,
   for (const auto& [label, name] : reader.property_names()) {
     bulk.property_names.insert_or_assign(label, name);
   }
+  bulk.set_names = reader.set_names();
   bulk.files = reader.file_paths();
   return bulk;
 }

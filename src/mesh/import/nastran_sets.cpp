@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/import/nastran_sets.hpp"
 
+#include "mesh/set_name.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -101,6 +103,37 @@ private:
 };
 
 } // namespace
+
+std::string name_of_nastran_list(const NastranBulk& bulk, const NastranBulk::NastranList& list) {
+  const auto name = bulk.set_names.find(list.set);
+  return name == bulk.set_names.end() ? fmt::format("SET{}", list.set) : name->second;
+}
+
+void add_nastran_lists(const NastranBulk& bulk, NastranModel& model) {
+  std::vector<Label> nodes = model.node;
+  std::vector<Label> elements = model.element;
+  std::sort(nodes.begin(), nodes.end());
+  std::sort(elements.begin(), elements.end());
+  for (const NastranBulk::NastranList& list : bulk.lists) {
+    const std::vector<Label>& known = list.elements ? elements : nodes;
+    NastranModel::NastranSet set{name_of_nastran_list(bulk, list), {}, list.place};
+    for (const auto& [first, last] : list.members) {
+      set.members.insert(set.members.end(), std::lower_bound(known.begin(), known.end(), first),
+                         std::upper_bound(known.begin(), known.end(), last));
+    }
+    std::vector<NastranModel::NastranSet>& sets =
+        list.elements ? model.element_sets : model.node_sets;
+    const bool taken = std::any_of(sets.begin(), sets.end(), [&](const auto& other) {
+      return make_valid_set_name(other.name) == make_valid_set_name(set.name);
+    });
+    if (taken) { // a property has the name, or another list
+      set.name = fmt::format("SET{}", list.set);
+    }
+    if (!set.members.empty()) {
+      sets.push_back(std::move(set));
+    }
+  }
+}
 
 std::vector<std::string> add_nastran_load_sets(const NastranBulk& bulk, int dim,
                                                NastranModel& model,

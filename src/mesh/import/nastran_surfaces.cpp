@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/import/nastran_surfaces.hpp"
 
+#include "mesh/import/nastran_sets.hpp"
 #include "mesh/side_index.hpp"
 #include "shape/topology.hpp"
 
@@ -56,6 +57,14 @@ public:
       if (face) {
         add(fmt::format("S{}", skins[s].property), *face, skins[s].place);
         of_skin_[skins[s].label] = *face;
+      }
+    }
+  }
+
+  void add_list(const NastranBulk::NastranList& list, const std::string& name) {
+    for (const auto& [first, last] : list.members) {
+      for (auto at = of_skin_.lower_bound(first); at != of_skin_.end() && at->first <= last; ++at) {
+        add(name, at->second, list.place);
       }
     }
   }
@@ -146,6 +155,11 @@ void add_nastran_surfaces(const NastranBulk& bulk, std::vector<NastranSkin>& ski
   }
   NastranSurfaces surfaces(nodes, model, complaints);
   surfaces.add_skins(skins);
+  for (const NastranBulk::NastranList& list : bulk.lists) {
+    if (list.elements) {
+      surfaces.add_list(list, name_of_nastran_list(bulk, list));
+    }
+  }
   for (const NastranBulk::NastranPressure& pressure : bulk.pressures) {
     surfaces.add_pressure(pressure);
   }

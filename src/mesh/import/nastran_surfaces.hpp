@@ -7,8 +7,9 @@
 
 namespace spricka::mesh {
 
-/// Makes surfaces of the sides that skins lie on, "S<property>", and of the sides that PLOAD4 acts
-/// on, "PLOAD4_<set>". Elements and nodes of `model` must be sound.
+/// Makes surfaces of the sides that skins lie on, "S<property>", of those in lists of elements,
+/// "SET<number>" or its name, and of the sides that PLOAD4 acts on, "PLOAD4_<set>". Elements and
+/// nodes of `model` must be sound.
 void add_nastran_surfaces(const NastranBulk& bulk, std::vector<NastranSkin>& skins,
                           const LabelIndex& nodes, NastranModel& model,
                           std::vector<NastranIssue>& complaints);

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <random>
 #include <unistd.h>
 
 namespace spricka::test_nastran_import {
@@ -356,6 +357,27 @@ TEST_F(Nastran, PropertiesAreSetsByNumberAndByTheNamesOfPreprocessors) {
   EXPECT_EQ(elements("EYE"), 1U);
 }
 
+TEST_F(Nastran, ListsOfNumbersAreSets) {
+  ASSERT_TRUE(import(tetrahedron + "CTRIA3,20,8,1,2,3\nSET3,4,GRID,1,THRU,3\nSET3,5,ELEM,10\n"
+                                   "$HMSET        6        2 \"bore side\" 18\n"
+                                   "SET     6       ELEM    LIST\n+       20\n"))
+      << messages();
+  EXPECT_EQ(labels("SET4"), (std::vector<base::Label>{1, 2, 3}));
+  EXPECT_EQ(elements("SET5"), 1U);
+  EXPECT_EQ(test::faces(model_.mesh, "BORE_SIDE").faces,
+            (std::vector<model::Face>{{base::ElementId(std::size_t{0}), 0}}));
+  // a list has its number where its name is taken
+  ASSERT_TRUE(import(tetrahedron + "$HMNAME PROP 5\"lug\"\n$HMSET 6 2 \"lug\"\nSET3,6,ELEM,10\n"));
+  EXPECT_EQ(elements("LUG") + elements("SET6"), 2U);
+}
+
+TEST_F(Nastran, ListsOfOtherThingsAreNone) {
+  ASSERT_TRUE(import(tetrahedron + "SET3,7,PROP,1\nSET1,8,1,2\n")) << messages();
+  EXPECT_EQ(model_.mesh.node_sets.size() + model_.mesh.element_sets.size() +
+                model_.mesh.face_sets.size(),
+            1U); // P5
+}
+
 TEST_F(Nastran, PointsCountInCoordinateSystems) {
   // cylindrical about the line x = 1, y = 2, its zero angle along y; then one within it
   const std::string systems = "CORD2C,3,0,1.,2.,0.,1.,2.,1.\n,1.,3.,0.\n"
@@ -480,6 +502,43 @@ TEST_F(Nastran, MistakesNameLineAndColumn) {
   EXPECT_NE(messages().find("no BEGIN BULK"), std::string::npos) << messages();
   EXPECT_FALSE(import("GRID,1\nGRID,2,,1.\nGRID,3,,0.,1.\nGRID,4,,0.,1.,1.\nCQUAD4,1,1,1,2,3,4\n"));
   EXPECT_NE(messages().find("do not lie in the plane z = 0"), std::string::npos) << messages();
+}
+
+// Whatever stands in a file: it is read, or told what is wrong.
+TEST_F(Nastran, DamagedFilesEndInAMessage) {
+  std::string whole = text_of(samples[0], FieldFormat::narrow, true) + "\n";
+  whole = whole.substr(0, whole.find("ENDDATA")) + tetrahedron.substr(tetrahedron.find("CTETRA")) +
+          "CTRIA3,20,8,1,2,3\nPSOLID,3,2\nMAT1,2,1.,,.3\nCORD2R,7,0,0.,0.,0.,0.,0.,1.\n"
+          ",1.,0.,0.\nSPC1,1,123,1,THRU,9\nPLOAD4,2,7,1.,,,,1,3\nSET3,4,GRID,1,THRU,3\n"
+          "FORCE,3,1,,1.,1.\n";
+  std::mt19937 random(7);
+  const auto below = [&](std::size_t n) { return std::size_t{random() % n}; };
+  skip_ = mesh::InpSkip::all;
+  std::size_t sound = 0;
+  for (int n = 0; n < 400; ++n) {
+    std::string text = whole;
+    for (std::size_t change = 0; change < 1 + below(3); ++change) {
+      const std::size_t at = below(text.size());
+      switch (below(4)) {
+      case 0:
+        text[at] = static_cast<char>(below(256));
+        break;
+      case 1:
+        text.erase(at, 1 + below(80));
+        break;
+      case 2:
+        text.insert(at, std::string("+*,$-.0\n\tTHRU9").substr(below(12)));
+        break;
+      default:
+        text.insert(at, text.substr(below(text.size()), 1 + below(200)));
+      }
+    }
+    const bool read = import(text);
+    sound += read ? 1U : 0U;
+    EXPECT_EQ(read, model_.mesh.element_count() > 0) << text << messages();
+  }
+  EXPECT_GT(sound, 20U);
+  EXPECT_LT(sound, 300U);
 }
 
 TEST_F(Nastran, FilesAreKnownByWhatTheyHold) {
