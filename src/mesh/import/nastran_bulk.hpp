@@ -37,7 +37,8 @@ struct NastranBulk {
     base::Label label = 0;
     base::Label system = blank; ///< of the coordinates
     base::Vec3 x;
-    std::string held; ///< PS, digits of freedoms
+    std::string held;               ///< PS, digits of freedoms
+    base::Label directions = blank; ///< of the freedoms, by the number of a system: CD
     InpLocation place;
   };
   struct NastranSystem {
@@ -98,6 +99,7 @@ struct NastranBulk {
   std::vector<NastranGrid> grids;
   base::Label default_system = 0; ///< by GRDSET
   std::string default_held;
+  base::Label default_directions = 0;
   std::map<base::Label, NastranSystem> systems;
   std::map<base::Label, std::string> other_systems; ///< CORD1R .. by number
 

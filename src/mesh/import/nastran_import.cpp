@@ -171,6 +171,19 @@ private:
     return list;
   }
 
+  /// The sets of supports and loads in words.
+  std::string where_loads_act(const NastranModel& model) const {
+    if (model.load_sets.empty()) {
+      return {};
+    }
+    const bool turned = std::any_of(bulk_.grids.begin(), bulk_.grids.end(), [&](const auto& grid) {
+      return (grid.directions == NastranBulk::blank ? bulk_.default_directions : grid.directions) >
+             0;
+    });
+    return fmt::format("; where they act are the sets {}{}", fmt::join(model.load_sets, ", "),
+                       turned ? "; freedoms of some nodes have directions of their own (CD)" : "");
+  }
+
   void warn(const NastranModel& model, const InpData& data) {
     InpMessages words(request_, data, diagnostics_);
     if (!model.bars.empty()) {
@@ -188,10 +201,7 @@ private:
       words.warning({}, "W467",
                     fmt::format("passed over, as SKIP={} asks for: {}{}",
                                 request_.skip == InpSkip::all ? "ALL" : "LOADS", list,
-                                model.load_sets.empty()
-                                    ? ""
-                                    : fmt::format("; where they act are the sets {}",
-                                                  fmt::join(model.load_sets, ", "))));
+                                where_loads_act(model)));
     }
     if (!model.skins_with_stiffness.empty()) {
       words.warning({}, "W466",

@@ -15,6 +15,7 @@ void read_grid(NastranFields& card, NastranBulk& bulk) {
   grid.label = card.label(0, "ID");
   grid.system = card.label_or(1, "CP", NastranBulk::blank);
   grid.x = {card.real_or(2, "X1", 0.0), card.real_or(3, "X2", 0.0), card.real_or(4, "X3", 0.0)};
+  grid.directions = card.label_or(5, "CD", NastranBulk::blank);
   grid.held = card.text(6);
   grid.place = card.place();
   if (card.is_sound()) {
@@ -100,6 +101,7 @@ bool read_nastran_mesh_card(NastranFields& card, NastranBulk& bulk) {
     read_grid(card, bulk);
   } else if (name == "GRDSET") {
     bulk.default_system = card.label_or(1, "CP", 0);
+    bulk.default_directions = card.label_or(5, "CD", 0);
     bulk.default_held = card.text(6);
   } else if (name == "CORD2R" || name == "CORD2C" || name == "CORD2S") {
     read_coordinate_system(card, bulk);

@@ -423,9 +423,27 @@ TEST_F(Nastran, SupportsAndLoadsAreSetsWhereTheyArePassedOver) {
   EXPECT_NE(messages().find("where they act are the sets PLOAD4_8, FORCE_7, SPC1_123"),
             std::string::npos)
       << messages();
+  ASSERT_TRUE(import(tetrahedron + loads + "GRDSET,,,,,,3\n")) << messages();
+  EXPECT_NE(messages().find("directions of their own (CD)"), std::string::npos) << messages();
   skip_ = mesh::InpSkip::nothing;
   EXPECT_FALSE(import(tetrahedron + "GRID,5,,0.,0.,0.,,123\n"));
   EXPECT_NE(messages().find("PS of GRID (1)"), std::string::npos) << messages();
+}
+
+TEST_F(Nastran, PressuresActOnTheSidesThatTheirCornersName) {
+  skip_ = mesh::InpSkip::loads;
+  const auto side = [&](const Sample& sample, const std::string& corners) {
+    std::string text = text_of(sample, FieldFormat::free, false);
+    text.insert(text.find("ENDDATA"), "PLOAD4,8,7,5.,,,," + corners + "\n");
+    EXPECT_TRUE(import(text)) << messages();
+    return test::faces(model_.mesh, "PLOAD4_8").faces.at(0).side + 1;
+  };
+  EXPECT_EQ(side(samples[0], "1,6"), 3); // S3 of a hexahedron is 1265
+  EXPECT_EQ(side(samples[0], "7,5"), 2);
+  EXPECT_EQ(side(samples[1], "1"), 1); // a triangle by one corner
+  EXPECT_EQ(side(samples[1], "5"), 2);
+  EXPECT_EQ(side(samples[1], "4,3"), 5);
+  EXPECT_EQ(side(samples[2], "2,1"), 3); // of a tetrahedron the side off node 1
 }
 
 TEST_F(Nastran, WhatIsNotReadIsToldOnceForEachKind) {
