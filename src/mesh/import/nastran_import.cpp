@@ -191,7 +191,12 @@ private:
                     fmt::format("bars without a property are left out: {}", list_of(model.bars)));
     }
     std::map<std::string, NastranEntries> skipped = bulk_.loads;
-    skipped.insert(bulk_.refused.begin(), bulk_.refused.end());
+    for (const auto& [name, met] : bulk_.refused) {
+      const bool any_text = find_nastran_advice(name) == nullptr && met.first.file != 0;
+      NastranEntries& items = skipped[any_text ? "others in included files" : name];
+      items.first = met.first;
+      items.count += met.count;
+    }
     std::string list = list_of(skipped);
     for (const NastranIssue& stray :
          request_.skip == InpSkip::all ? model.stray_skins : std::vector<NastranIssue>()) {

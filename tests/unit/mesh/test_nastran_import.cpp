@@ -475,6 +475,11 @@ TEST_F(Nastran, IncludesAreFollowedAndTheirLinesAreNotRepeated) {
   EXPECT_EQ(messages().find("x5"), std::string::npos) << messages();
   EXPECT_NE(messages().find("a.bdf:7: there is no file"), std::string::npos) << messages();
   EXPECT_NE(messages().find("a.bdf:8: INCLUDE: "), std::string::npos) << messages();
+  write("secret", "password 1234\nlogin 5678\n");
+  skip_ = mesh::InpSkip::all;
+  EXPECT_TRUE(import(tetrahedron + "INCLUDE secret\nZZZ,1\n"));
+  EXPECT_NE(messages().find("asks for: ZZZ (1), others in included files (2)"), std::string::npos)
+      << messages();
 }
 
 TEST_F(Nastran, MistakesNameLineAndColumn) {
