@@ -11,7 +11,7 @@ namespace spricka::grammar {
 namespace {
 
 // What a name of each kind is called, in the order of the enumeration.
-constexpr std::array<std::string_view, 18> kind_names{"name",
+constexpr std::array<std::string_view, 19> kind_names{"name",
                                                       "node set",
                                                       "element set",
                                                       "face set",
@@ -28,8 +28,9 @@ constexpr std::array<std::string_view, 18> kind_names{"name",
                                                       "load path",
                                                       "spectrum",
                                                       "test",
-                                                      "set or rigid target"};
-static_assert(kind_names.size() == static_cast<std::size_t>(EntityKind::surface) + 1);
+                                                      "set or rigid target",
+                                                      "solid of the file"};
+static_assert(kind_names.size() == static_cast<std::size_t>(EntityKind::solid) + 1);
 
 /// What is said of a quantity: its dimension in length, force and angle, its name and its formula.
 struct QuantityWords {

@@ -42,7 +42,8 @@ enum class EntityKind {
   path,
   spectrum,
   test,
-  surface ///< node or face set, or a rigid target
+  surface, ///< node or face set, or a rigid target
+  solid    ///< of an imported file
 };
 
 /// The field's word for a kind: "node set".

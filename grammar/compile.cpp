@@ -313,6 +313,15 @@ std::optional<double> evaluate_constant(const ParsedExpression& expression,
   return (*compiled)(base::Vec3::Zero());
 }
 
+bool is_condition(const ParsedExpression& expression) {
+  static constexpr std::array conditions{
+      OpCode::less,  OpCode::less_equal,  OpCode::greater,   OpCode::greater_equal,
+      OpCode::equal, OpCode::logical_and, OpCode::logical_or};
+  return !expression.terms.empty() &&
+         expression.terms.back().kind == ExpressionTerm::ExpressionTermKind::op &&
+         std::ranges::find(conditions, expression.terms.back().op) != conditions.end();
+}
+
 base::SourceSpan explicit_unit_span(const ParsedExpression& expression) {
   if (expression.terms.empty()) {
     return {};

@@ -58,6 +58,10 @@ std::optional<double> evaluate_constant(const ParsedExpression& expression,
                                         const ExpressionScope& scope,
                                         base::Diagnostics& diagnostics);
 
+/// Whether an expression ends in a comparison, and or or; a number would be a condition by accident
+/// only.
+bool is_condition(const ParsedExpression& expression);
+
 /// The unit that the whole value is given in: `0.084[mm]`, `(E/2)[GPa]`; invalid for a bare one.
 base::SourceSpan explicit_unit_span(const ParsedExpression& expression);
 

@@ -28,9 +28,14 @@ constexpr std::array net_keys{
 
 constexpr std::array import_keys{
     required(text_key("FILE", "path from this deck")),
-    required(word_key("FORMAT", "GEO|MSH|INP|NASTRAN",
-                      "gmsh script, gmsh mesh, input of Abaqus or CalculiX, Nastran bulk data")),
+    word_key("FORMAT", "GEO|MSH|INP|NASTRAN|STEP",
+             "gmsh script, gmsh mesh, input of Abaqus or CalculiX, Nastran bulk data, or solids of "
+             "a STEP file; left out: by what FILE holds or its ending"),
     with_default(real_key("SCALE", number, above(0), "factor on every coordinate"), "1"),
+    real_key("SIZE", length, above(0),
+             "STEP: size of the elements; left out: a fifteenth of the part"),
+    key_of_type(KeyType::references, "SOLID", solid,
+                "STEP: which solids of the file; left out: all"),
     with_default(word_key("TYPE", "ASIS|QUADRATIC", "QUADRATIC raises linear elements"), "ASIS"),
     with_default(
         word_key("SKIP", "NOTHING|LOADS|ALL",
@@ -209,7 +214,7 @@ constexpr std::array cards{
              .group = "topology",
              .keys = import_keys,
              .data = DataLineForm::rows,
-             .data_form = "physical-or-set-name = new-name",
+             .data_form = "physical-or-set-name = new-name; STEP: faces = NAME [size]",
              .doc = "A mesh and its sets from a file into the open net."},
     CardSpec{.name = "MESH",
              .group = "topology",

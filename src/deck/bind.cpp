@@ -4,7 +4,6 @@
 #include "grammar/parse.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -141,17 +140,6 @@ private:
     return true;
   }
 
-  // Ends in a comparison, and or or; a number would be a condition by accident only.
-  static bool is_condition(const grammar::ParsedExpression& expression) {
-    using base::OpCode;
-    const grammar::ExpressionTerm& last = expression.terms.back();
-    constexpr std::array conditions{OpCode::less,          OpCode::less_equal, OpCode::greater,
-                                    OpCode::greater_equal, OpCode::equal,      OpCode::logical_and,
-                                    OpCode::logical_or};
-    return last.kind == grammar::ExpressionTerm::ExpressionTermKind::op &&
-           std::ranges::find(conditions, last.op) != conditions.end();
-  }
-
   bool expression(const CardField& field, CheckedValue& value) {
     if (!field.is_number_or_expression()) {
       return fail(field.span, "E108",
@@ -163,7 +151,7 @@ private:
     if (!compiled) {
       return false;
     }
-    if (key_.name == "WHERE" && !is_condition(field.expression)) {
+    if (key_.name == "WHERE" && !grammar::is_condition(field.expression)) {
       return fail(field.span, "E108", "WHERE: a condition is expected", "as in (x > 0 and y < 1)");
     }
     value.expression = std::move(*compiled);

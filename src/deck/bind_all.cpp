@@ -371,7 +371,8 @@ void check_references_of_bad_cards(DeckContext& context) {
     for (const CheckedValue& value : card.values) {
       const bool refers =
           value.key->type == KeyType::reference || value.key->type == KeyType::references;
-      if (!card.bad || !value.sound || !refers || value.key->kind == EntityKind::parameter) {
+      if (!card.bad || !value.sound || !refers || value.key->kind == EntityKind::parameter ||
+          value.key->kind == EntityKind::solid) {
         continue;
       }
       for (const NameReference& name : value.names) {

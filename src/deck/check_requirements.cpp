@@ -3,7 +3,6 @@
 #include "grammar/lexeme.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 
@@ -15,15 +14,6 @@ namespace spricka::deck {
 namespace {
 
 using grammar::CardField;
-
-bool is_condition(const grammar::ParsedExpression& expression) {
-  using base::OpCode;
-  static constexpr std::array conditions{
-      OpCode::less,  OpCode::less_equal,  OpCode::greater,   OpCode::greater_equal,
-      OpCode::equal, OpCode::logical_and, OpCode::logical_or};
-  return !expression.terms.empty() &&
-         std::ranges::find(conditions, expression.terms.back().op) != conditions.end();
-}
 
 /// "d = 40, pin = 41": the parameters of an expression, each once.
 std::string parameter_values(const DeckContext& c, const grammar::ParsedExpression& expression) {
@@ -41,7 +31,7 @@ std::string parameter_values(const DeckContext& c, const grammar::ParsedExpressi
 }
 
 void check_requirement(DeckContext& c, const grammar::DataRow& row) {
-  const bool form = row.fields.size() == 2 && is_condition(row.fields[0].expression) &&
+  const bool form = row.fields.size() == 2 && grammar::is_condition(row.fields[0].expression) &&
                     row.fields[1].kind == CardField::CardFieldKind::text;
   if (!form) {
     c.error(row.span, "E115", "a condition in parentheses and a text are expected",

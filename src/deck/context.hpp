@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "deck/bind.hpp"
-#include "deck/imported_script.hpp"
+#include "deck/imported_step.hpp"
 #include "deck/labels.hpp"
 #include "deck/names.hpp"
 #include "deck/read_options.hpp"
@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -38,7 +39,10 @@ struct DeckContext {
   std::vector<CheckedCard> cards{};
   model::Model model{};
 
-  std::vector<ImportedScript> scripts{}; ///< of $IMPORT FORMAT=GEO, in their order
+  std::vector<ImportedScript> scripts{};      ///< of $IMPORT FORMAT=GEO, in their order
+  std::vector<ImportedStepFile> step_files{}; ///< of $IMPORT FORMAT=STEP, in their order
+  std::map<std::string, std::shared_ptr<const mesh::StepFileContents>>
+      step_contents{}; ///< by file, read once; null: it is refused
   std::vector<mesh::ImportedMaterialsAndEquations>
       imported{}; ///< by $IMPORT FORMAT=INP, in their order
 

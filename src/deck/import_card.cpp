@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/import_card.hpp"
 
+#include "deck/import_step.hpp"
 #include "mesh/import/gmsh_import.hpp"
 #include "mesh/import/inp_import.hpp"
 #include "mesh/import/nastran_import.hpp"
@@ -8,6 +9,7 @@
 #include "model/model.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <utility>
 
@@ -53,17 +55,55 @@ bool took_too_long(const DeckContext& c) {
       all, [](const base::Diagnostic& d) { return d.code == "E481" || d.code == "E482"; });
 }
 
-// True for a file that is another thing than FORMAT says; it is told of then.
-bool is_other_format(DeckContext& c, const CheckedCard& card, const std::filesystem::path& file) {
-  const mesh::MeshFileKind* kind = mesh::recognise_mesh_file(file);
-  if (kind == nullptr || kind->format == card.word_value("FORMAT")) {
-    return false;
+// FORMAT, or what the file holds or its ending says; empty after an error, and of no file.
+std::string import_format(DeckContext& c, const CheckedCard& card,
+                          const std::filesystem::path& file) {
+  const CheckedValue* const given = card.find("FORMAT");
+  const mesh::MeshFileKind* const kind = mesh::recognise_mesh_file(file);
+  if (kind != nullptr &&
+      (kind->format.empty() || (given != nullptr && kind->format != card.word_value("FORMAT")))) {
+    c.error(given != nullptr ? given->span : card.find("FILE")->span, "E337",
+            fmt::format("'{}' is {}", file.filename().string(), kind->name),
+            kind->format.empty() ? mesh::mesh_file_remedy(*kind, file)
+                                 : fmt::format("FORMAT={}", kind->format));
+    return {};
   }
-  c.error(card.find("FORMAT")->span, "E337",
-          fmt::format("'{}' is {}", file.filename().string(), kind->name),
-          kind->format.empty() ? mesh::mesh_file_remedy(*kind, file)
-                               : fmt::format("FORMAT={}", kind->format));
-  return true;
+  if (given != nullptr) {
+    return std::string(card.word_value("FORMAT"));
+  }
+  if (kind != nullptr) {
+    return std::string(kind->format);
+  }
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](unsigned char ch) { return static_cast<char>(std::toupper(ch)); });
+  for (const auto& [known, format] :
+       {std::pair(".GEO", "GEO"), std::pair(".MSH", "MSH"), std::pair(".INP", "INP"),
+        std::pair(".BDF", "NASTRAN"), std::pair(".NAS", "NASTRAN"), std::pair(".STEP", "STEP"),
+        std::pair(".STP", "STEP")}) {
+    if (ending == known) {
+      return format;
+    }
+  }
+  if (std::filesystem::exists(file)) {
+    c.error(card.find("FILE")->span, "E110",
+            fmt::format("the name of {} does not tell what the file is", file.filename().string()),
+            fmt::format("FORMAT={}", card.spec->find("FORMAT")->words));
+  }
+  return {};
+}
+
+// Keys that other formats have no use for.
+bool check_step_keys(DeckContext& c, const CheckedCard& card, bool step) {
+  bool ok = true;
+  for (const std::string_view key : {"SIZE", "SOLID"}) {
+    if (!step && card.has_key(key)) {
+      c.error(card.find(key)->span, "E110", fmt::format("{} is for FORMAT=STEP", key),
+              "meshes have their sizes, scripts say theirs");
+      ok = false;
+    }
+  }
+  return ok;
 }
 
 } // namespace
@@ -73,8 +113,9 @@ void import_mesh_file(DeckContext& c, const CheckedCard& card) {
   // Relative to the file that the card stands in, as $INCLUDE is.
   request.file = std::filesystem::path(c.sources.file_name(card.span.file)).parent_path() /
                  std::string(card.word_value("FILE"));
-  request.format =
-      card.key_has_word("FORMAT", "GEO") ? mesh::ImportFormat::geo : mesh::ImportFormat::msh;
+  const std::string format = import_format(c, card, request.file);
+  const bool step = format == "STEP";
+  request.format = format == "GEO" ? mesh::ImportFormat::geo : mesh::ImportFormat::msh;
   request.scale = card.number_value("SCALE");
   request.quadratic = card.key_has_word("TYPE", "QUADRATIC");
   request.skip = skipped_cards(card);
@@ -87,7 +128,10 @@ void import_mesh_file(DeckContext& c, const CheckedCard& card) {
     c.remeshed.insert(card.net);
     request.size = {finer->size.map, request.scale};
   }
-  for (const grammar::DataRow& row : card.rows) {
+  if (!check_step_keys(c, card, step)) {
+    return;
+  }
+  for (const grammar::DataRow& row : step ? std::vector<grammar::DataRow>() : card.rows) {
     using FieldKind = grammar::CardField::CardFieldKind;
     const auto named = [](const grammar::CardField& f) {
       return f.kind == FieldKind::text || f.is_name();
@@ -102,15 +146,10 @@ void import_mesh_file(DeckContext& c, const CheckedCard& card) {
                                      : std::string(c.sources.text(row.fields[0].span)),
                                  row.fields[1].text);
   }
-  const bool by_gmsh =
-      !card.key_has_word("FORMAT", "INP") && !card.key_has_word("FORMAT", "NASTRAN");
-  if (request.skip != mesh::InpSkip::nothing && by_gmsh) {
+  const bool of_solver = format == "INP" || format == "NASTRAN";
+  if (request.skip != mesh::InpSkip::nothing && !of_solver && !format.empty()) {
     c.error(card.find("SKIP")->span, "E110", "SKIP is for FORMAT=INP and NASTRAN",
             "meshes of gmsh hold no loads");
-    return;
-  }
-  if (request.skip == mesh::InpSkip::all && card.key_has_word("FORMAT", "INP")) {
-    c.error(card.find("SKIP")->span, "E110", "SKIP=ALL is for FORMAT=NASTRAN");
     return;
   }
   std::error_code unknown;
@@ -118,9 +157,11 @@ void import_mesh_file(DeckContext& c, const CheckedCard& card) {
   if (!std::filesystem::is_regular_file(request.file, unknown)) {
     c.error(card.find("FILE")->span, "E308",
             fmt::format("there is no file '{}'", request.file.string()));
-  } else if (is_other_format(c, card, request.file) || (by_gmsh && took_too_long(c))) {
-    return; // one file has taken all the time there is: the others wait until it is mended
-  } else if (by_gmsh) {
+  } else if (format.empty() || (!of_solver && took_too_long(c))) {
+    return; // reported; or one file has taken all the time there is: the others wait for its repair
+  } else if (step) {
+    import_step_file(c, card, request);
+  } else if (!of_solver) {
     std::vector<mesh::GeometryScriptConstant> constants =
         mesh::import_gmsh_mesh_or_script(c.model.mesh, request, c.diagnostics);
     if (request.format == mesh::ImportFormat::geo) {
@@ -129,7 +170,7 @@ void import_mesh_file(DeckContext& c, const CheckedCard& card) {
   } else if (request.quadratic) {
     c.error(card.find("TYPE")->span, "E110", "TYPE=QUADRATIC is for FORMAT=GEO and MSH",
             "node sets of the file would not hold the new nodes");
-  } else if (card.key_has_word("FORMAT", "NASTRAN")) {
+  } else if (format == "NASTRAN") {
     adopt_physics(c, card, mesh::import_nastran(c.model.mesh, request, c.diagnostics));
   } else {
     adopt_physics(c, card, mesh::import_inp(c.model.mesh, request, c.diagnostics));

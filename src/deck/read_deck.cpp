@@ -33,8 +33,7 @@ void divide_elements(DeckContext& context) {
 
 std::optional<model::Model> read_deck(const std::filesystem::path& deck,
                                       const DeckReadOptions& options, base::SourceTexts& sources,
-                                      base::Diagnostics& diagnostics,
-                                      std::vector<ImportedScript>* scripts) {
+                                      base::Diagnostics& diagnostics, ImportedGeometry* imported) {
   const DeckFileCards loaded = read_deck_and_includes(deck, sources, diagnostics, options.text);
   DeckContext context{sources, diagnostics};
   context.largest_mesh = options.largest_mesh;
@@ -69,8 +68,9 @@ std::optional<model::Model> read_deck(const std::filesystem::path& deck,
   check_implausible_values(context);
   check_unused_entities(context);
   check_steps_and_growth(context);
-  if (scripts != nullptr) {
-    *scripts = std::move(context.scripts);
+  if (imported != nullptr) {
+    *imported = {std::move(context.scripts), std::move(context.step_files),
+                 context.scope.units.length_name};
   }
   if (diagnostics.has_errors()) {
     return std::nullopt;

@@ -4,6 +4,7 @@
 #include "mesh/link/grading.hpp"
 #include "mesh/link/mesher_request.hpp"
 #include "mesh/link/region.hpp"
+#include "mesh/step_solids.hpp"
 
 #include <functional>
 
@@ -16,10 +17,17 @@ mesh::TriangleFill fill_region_by_gmsh(const mesh::PlaneRegion& region, const me
 mesh::TetrahedronFill fill_region_by_gmsh(const mesh::SolidRegion& region,
                                           const mesh::SolidGrading& size);
 
-/// Opens the file that `path` names, meshes it if it is a script without a mesh, and takes out all
-/// that is wanted. `meshing` is called when the script is read. Errors and warnings are in the
-/// model.
+/// Opens the file that `path` names, meshes it if it is a script without a mesh or a STEP file, and
+/// takes out all that is wanted. `meshing` is called when the file is read. Errors and warnings are
+/// in the model.
 mesh::GmshModel read_gmsh_model(const mesh::MesherImportRequest& import, const std::string& path,
                                 const std::function<void()>& meshing);
+
+/// The solids and faces of the STEP file that `path` names. Errors and warnings are with them.
+mesh::StepFileContents describe_step_file(const std::string& path);
+
+/// Prepares the STEP file that gmsh has opened for meshing: solids that are not wanted go, groups
+/// are made, sizes are set. False where the request names what is not there.
+bool prepare_step_mesh(const mesh::StepMeshRequest& request);
 
 } // namespace spricka::mesher

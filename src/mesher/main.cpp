@@ -82,6 +82,10 @@ std::string bad_request() {
   return {static_cast<char>(MesherFrameKind::bad_request)};
 }
 
+std::string no_sandbox() {
+  return {static_cast<char>(MesherFrameKind::no_sandbox)};
+}
+
 template <int dim> std::string filling_answer(ByteReader& in) {
   mesh::FillRegion<dim> region;
   mesh::SizeGrading<dim> size;
@@ -101,13 +105,19 @@ std::string answer(std::string_view request, bool locked) {
   }
   if (kind == MesherFrameKind::import) {
     mesh::MesherImportRequest import;
-    const char no_sandbox = static_cast<char>(MesherFrameKind::no_sandbox);
     if (mesh::decode_import_request(in, import) &&
         (!locked ||
          set_memory_file(import.name, import.script ? with_questions(import) : import.text))) {
       return locked ? mesh::encode_model_answer(read_gmsh_model(
                           import, import.name, [] { say(MesherFrameKind::meshing); }))
-                    : std::string(1, no_sandbox);
+                    : no_sandbox();
+    }
+  }
+  if (kind == MesherFrameKind::describe) {
+    mesh::StepFileText file;
+    if (mesh::decode_describe_request(in, file) &&
+        (!locked || set_memory_file(file.name, file.text))) {
+      return locked ? mesh::encode_solids_answer(describe_step_file(file.name)) : no_sandbox();
     }
   }
   return bad_request();

@@ -61,6 +61,11 @@ int make_mesh(const mesh::MesherImportRequest& import) {
     gmsh::model::mesh::generate(std::max(2, gmsh::model::getDimension()));
     dim = find_dim(types);
   }
+  if (import.step && prepare_step_mesh(*import.step)) {
+    gmsh::model::mesh::generate(3);
+    gmsh::model::mesh::removeSizeCallback();
+    dim = find_dim(types);
+  }
   const bool linear = std::any_of(types.begin(), types.end(), [](int number) {
     const auto known = mesh::find_gmsh_element_type(number);
     return known && !base::element_info(known->type).quadratic;

@@ -125,6 +125,20 @@ json of(const results::ReportedScriptConstant& c) {
   return {{"file", c.file}, {"name", c.name}, {"value", c.value}, {"from", c.from}};
 }
 
+json of(const results::ReportedSolid& s) {
+  return {{"file", s.file},     {"number", s.number},  {"name", s.name},       {"set", s.set},
+          {"volume", s.volume}, {"low", place(s.low)}, {"high", place(s.high)}};
+}
+
+json of(const results::ReportedSolidFace& f) {
+  return {{"sets", f.sets},
+          {"kind", f.kind},
+          {"radius", f.radius > 0.0 ? json(f.radius) : json(nullptr)},
+          {"direction", f.direction.norm() > 0.0 ? json(place(f.direction)) : json(nullptr)},
+          {"area", f.area},
+          {"centre", place(f.centre)}};
+}
+
 } // namespace
 
 std::string deck_preview_json(const results::DeckPreview& p, base::ProgramOutcome outcome) {
@@ -143,7 +157,9 @@ std::string deck_preview_json(const results::DeckPreview& p, base::ProgramOutcom
       {"loads", array_of(p.loads, make)},
       {"symmetry", array_of(p.mirrors, make)},
       {"lengths", array_of(p.lengths, [&](const auto& l) { return of(l, front_lists.at(p.dim)); })},
-      {"scripts", array_of(p.scripts, make)},
+      {"scripts", array_of(p.geometry.scripts, make)},
+      {"solids", array_of(p.geometry.solids, make)},
+      {"faces", array_of(p.geometry.faces, make)},
       {"steps", p.steps},
       {"sweep", p.sweep},
       {"warnings", p.warnings},

@@ -236,7 +236,7 @@ std::string deck_preview_listing(const DeckPreview& preview) {
         cracks(preview)}) {
     out += to_text_after_blank_line(table);
   }
-  out += to_text_after_blank_line(script_constant_table(preview.scripts));
+  out += imported_geometry_section(preview.geometry, preview.length_unit);
   for (const results::CrackLengthPreview& length : preview.lengths) {
     if (crack_listings.at(preview.dim).notes) {
       for (const std::string& note : length.notes) {
@@ -264,6 +264,11 @@ std::string deck_preview_listing(const DeckPreview& preview) {
     out += "  warning: " + warning + "\n";
   }
   return base::make_lines_printable(out);
+}
+
+std::string imported_geometry_listing(const results::ReportedGeometry& geometry,
+                                      const std::string& length_unit) {
+  return imported_geometry_section(geometry, length_unit);
 }
 
 } // namespace spricka::report

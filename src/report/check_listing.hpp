@@ -13,4 +13,8 @@ std::string deck_preview_listing(const results::DeckPreview& preview);
 /// The same as one JSON object; memory in bytes, angles in degrees, lengths in deck units.
 std::string deck_preview_json(const results::DeckPreview& preview, base::ProgramOutcome outcome);
 
+/// What there is to tell of the geometries of a deck, as tables for reading.
+std::string imported_geometry_listing(const results::ReportedGeometry& geometry,
+                                      const std::string& length_unit);
+
 } // namespace spricka::report

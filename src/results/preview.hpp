@@ -2,8 +2,8 @@
 #pragma once
 #include "base/id.hpp"
 #include "base/vec.hpp"
+#include "results/imported_geometry.hpp"
 #include "results/load_total.hpp"
-#include "results/script_constant.hpp"
 
 #include <cstddef>
 #include <string>
@@ -122,7 +122,7 @@ struct DeckPreview {
   std::vector<LoadTotal> loads; ///< of each case that has forces
   std::vector<SymmetryPlanePreview> mirrors;
   std::vector<CrackLengthPreview> lengths;
-  std::vector<ReportedScriptConstant> scripts;
+  ReportedGeometry geometry;
   std::vector<std::string> steps;
   /// Contacts that a step behind the first mounts, each with that step: absent before it.
   std::vector<std::pair<std::string, std::string>> mounted_later;

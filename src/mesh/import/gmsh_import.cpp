@@ -5,6 +5,7 @@
 #include "mesh/gmsh_elements.hpp"
 #include "mesh/import/gmsh_groups.hpp"
 #include "mesh/import/gmsh_read.hpp"
+#include "mesh/import/mesher_file.hpp"
 #include "mesh/numbering.hpp"
 
 #include <fmt/format.h>
@@ -67,18 +68,7 @@ private:
     }
     add_elements();
     add_gmsh_sets(mesh_, request_, from_, numbers_, diagnostics_);
-    report_warnings();
-  }
-
-  void report_warnings() {
-    static constexpr std::size_t most = 5;
-    const std::vector<std::string>& warnings = from_.warnings;
-    for (std::size_t i = 0; i < std::min(most, warnings.size()); ++i) {
-      const std::size_t more = i + 1 == most ? warnings.size() - most : 0;
-      diagnostics_.warning(request_.span, "W331",
-                           fmt::format("{}: gmsh says: {}{}", file_name(), warnings[i],
-                                       more > 0 ? fmt::format(" (and {} more)", more) : ""));
-    }
+    MesherFile(request_, diagnostics_).report_gmsh_warnings(from_.warnings);
   }
 
   /// Elements of the mesh's own dimension: those in physical groups if there are such groups, as

@@ -3,6 +3,7 @@
 #include "base/id.hpp"
 #include "base/source.hpp"
 #include "mesh/script_size_request.hpp"
+#include "mesh/step_solids.hpp"
 
 #include <filesystem>
 #include <string>
@@ -11,7 +12,7 @@
 
 namespace spricka::mesh {
 
-enum class ImportFormat { geo, msh };
+enum class ImportFormat { geo, msh, step };
 
 /// What of an .inp is passed over and listed, not refused: nothing; supports, loads and steps; all
 /// but mesh, sets, surfaces and what is elastic.
@@ -27,8 +28,9 @@ struct ImportRequest {
   base::NetId net;
   std::vector<std::pair<std::string, std::string>> renames; ///< physical group -> set name
   std::vector<std::pair<std::string, double>> parameters;   ///< for DefineConstant of a .geo
-  ScriptSizeMap size = {}; ///< for a .geo, in its own coordinates; empty: as the script has it
-  base::SourceSpan span;   ///< the $IMPORT card
+  ScriptSizeMap size = {};   ///< for a .geo, in its own coordinates; empty: as the script has it
+  StepMeshRequest step = {}; ///< of a STEP file
+  base::SourceSpan span;     ///< the $IMPORT card
   InpSkip skip = InpSkip::nothing; ///< of an .inp and of bulk data
 };
 

@@ -3,6 +3,7 @@
 
 #include "base/input_file.hpp"
 #include "mesh/import/nastran_elements.hpp"
+#include "mesh/import/step_check.hpp"
 #include "mesh/set_name.hpp"
 
 #include <algorithm>
@@ -14,6 +15,7 @@ namespace {
 constexpr MeshFileKind gmsh_mesh{"a gmsh mesh", "MSH", ""};
 constexpr MeshFileKind abaqus_input{"an input file of Abaqus or CalculiX", "INP", ""};
 constexpr MeshFileKind nastran_bulk{"Nastran bulk data", "NASTRAN", ""};
+constexpr MeshFileKind step_file{"a STEP file", "STEP", ""};
 constexpr MeshFileKind universal_file{
     "a universal file (UNV) of I-DEAS or Salome", "",
     "gmsh makes a mesh with its groups of it: gmsh FILE.unv -save -o FILE.msh, then FORMAT=MSH"};
@@ -112,6 +114,9 @@ const MeshFileKind* recognise_mesh_file(const std::filesystem::path& file) {
   const std::string ending = upper_case(file.extension().string());
   if (text.starts_with("$MeshFormat")) {
     return &gmsh_mesh;
+  }
+  if (is_step_text(text)) {
+    return &step_file;
   }
   if (ending == ".UNV" || is_universal_file(text)) {
     return &universal_file;

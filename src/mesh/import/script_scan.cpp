@@ -120,10 +120,12 @@ constexpr std::array forbidden{
                   {"Merge", "Include", "MergeWithBoundingBox", "ShapeFromFile", "ListFromFile",
                    "FileExists"}},
     ForbiddenKind{"reads the environment", {"GetEnv"}},
-    ForbiddenKind{"writes a file", {"Save", "Print", "CreateDir"}},
     ForbiddenKind{"ends gmsh", {"Exit", "Abort"}},
     ForbiddenKind{"works on results, not on a geometry", {"View", "Combine", "Alias"}},
 };
+
+/// Statements that write what nobody reads here.
+constexpr std::array<std::string_view, 3> writing{"Save", "Print", "CreateDir"};
 
 class Scanner {
 public:
@@ -134,6 +136,7 @@ public:
       if (tokens_[i].kind == Token::TokenKind::word) {
         scan_.words.emplace(tokens_[i].text);
         look_outside(i);
+        look_at_writing(i);
         look_at_scale(i);
         look_at_block(i);
         if (tokens_[i].text == "DefineConstant" && token(i + 1).is("[") && i >= behind_constants_) {
@@ -158,14 +161,56 @@ private:
   }
 
   void look_outside(std::size_t i) {
-    if (token(i + 1).is(".")) {
+    if (token(i + 1).is(".") || i < behind_passed_) {
       return; // an option: View.Light, Print.Text
     }
     for (const ForbiddenKind& kind : forbidden) {
       if (std::ranges::find(kind.words, tokens_[i].text) != kind.words.end()) {
         scan_.outreach.push_back(
-            {tokens_[i].line, std::string(tokens_[i].text), std::string(kind.does)});
+            {tokens_[i].line, std::string(tokens_[i].text), std::string(kind.does), remedy_of(i)});
       }
+    }
+  }
+
+  [[nodiscard]] std::string remedy_of(std::size_t i) const {
+    const std::string_view file = token(i + 1).text;
+    const bool step = token(i + 1).kind == Token::TokenKind::text &&
+                      (file.ends_with(".step") || file.ends_with(".stp") ||
+                       file.ends_with(".STEP") || file.ends_with(".STP"));
+    return tokens_[i].text == "Merge" && step ? "$IMPORT FILE='..' FORMAT=STEP reads such a file"
+                                              : "";
+  }
+
+  [[nodiscard]] bool begins_statement(std::size_t i) const {
+    return i == 0 || token(i - 1).is(";") || token(i - 1).is("}") || token(i - 1).is(")") ||
+           token(i - 1).is("]") || token(i - 1).is("EndIf") || token(i - 1).is("EndFor") ||
+           token(i - 1).is("Else");
+  }
+
+  /// A whole statement that writes a file is left out; what is no whole one is refused.
+  void look_at_writing(std::size_t i) {
+    if (token(i + 1).is(".") || i < behind_passed_) {
+      return;
+    }
+    const Token& t = tokens_[i];
+    if (t.text == "SaveAll" && i > 1 && token(i - 1).is(".") && token(i - 2).is("Mesh") &&
+        token(i + 1).is("=") && token(i + 2).text != "0") {
+      scan_.passed_over.push_back({t.line, "Mesh.SaveAll", "says what gmsh writes to a file"});
+    }
+    if (std::ranges::find(writing, t.text) == writing.end()) {
+      return;
+    }
+    std::size_t end = i + 1;
+    while (end < tokens_.size() && !tokens_[end].is(";") && !tokens_[end].is("{") &&
+           !tokens_[end].is("}")) {
+      ++end;
+    }
+    if (begins_statement(i) && token(end).is(";")) {
+      scan_.passed_over.push_back({t.line, std::string(t.text), "writes a file"});
+      scan_.passed_over_at.emplace_back(t.at, tokens_[end].at + 1);
+      behind_passed_ = end;
+    } else {
+      scan_.outreach.push_back({t.line, std::string(t.text), "writes a file"});
     }
   }
 
@@ -255,10 +300,7 @@ private:
 
   // name = ..;  at the begin of a statement
   void assignment(std::size_t i) {
-    const bool begins = i == 0 || token(i - 1).is(";") || token(i - 1).is("}") ||
-                        token(i - 1).is(")") || token(i - 1).is("]") || token(i - 1).is("EndIf") ||
-                        token(i - 1).is("EndFor") || token(i - 1).is("Else");
-    if (begins && token(i + 1).is("=")) {
+    if (begins_statement(i) && token(i + 1).is("=")) {
       add(assigned_, scan_.assigned, {std::string(tokens_[i].text), tokens_[i].line, {}});
     }
   }
@@ -274,6 +316,7 @@ private:
   std::vector<Token> tokens_;
   std::set<std::string> constants_, assigned_; ///< names met
   std::size_t behind_constants_ = 0;           ///< what was looked through as DefineConstant
+  std::size_t behind_passed_ = 0;              ///< of a statement that is passed over
   std::vector<ScriptBlock> open_;              ///< not ended so far
   ScriptScan scan_;
 };

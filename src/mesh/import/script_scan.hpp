@@ -5,15 +5,18 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace spricka::mesh {
 
-/// A word of a geometry script that reaches outside of it, or that gmsh would pass over in silence.
+/// A word of a geometry script that reaches outside of it, or that gmsh would pass over in silence,
+/// or that has no effect here.
 struct ForbiddenStatement {
   std::size_t line = 0;
   std::string word; ///< as the script writes it
   std::string does; ///< "runs a command"
+  std::string remedy = {};
 };
 
 /// A name to which a script gives a value: by DefineConstant, which leaves it alone if it has one
@@ -26,9 +29,13 @@ struct ScriptAssignment {
 
 struct ScriptScan {
   std::vector<ForbiddenStatement> outreach; ///< in order of the text
-  std::vector<ScriptAssignment> constants;  ///< each name once
-  std::vector<ScriptAssignment> assigned;   ///< numbers, each name once; also those of constants
-  std::set<std::string> words;              ///< all names and words of the language
+  /// Statements that only write what nobody reads here, in order of the text, and their places in
+  /// it: from the first letter up to behind the semicolon.
+  std::vector<ForbiddenStatement> passed_over;
+  std::vector<std::pair<std::size_t, std::size_t>> passed_over_at;
+  std::vector<ScriptAssignment> constants; ///< each name once
+  std::vector<ScriptAssignment> assigned;  ///< numbers, each name once; also those of constants
+  std::set<std::string> words;             ///< all names and words of the language
 };
 
 /// A number to which a geometry script gives a name.

@@ -82,7 +82,13 @@ PreparedScript prepare_script_with_parameters(const std::string& text, const Scr
       result.text += fmt::format("{} = {:.17g};", each, value);
     }
   }
-  result.text += text;
+  std::string heard = text;
+  for (const auto& [begin, end] : scan.passed_over_at) { // lines keep their numbers
+    std::replace_if(
+        heard.begin() + static_cast<std::ptrdiff_t>(begin),
+        heard.begin() + static_cast<std::ptrdiff_t>(end), [](char c) { return c != '\n'; }, ' ');
+  }
+  result.text += heard;
   for (const ScriptAssignment& constant : scan.constants) {
     result.constants.push_back({.name = constant.name,
                                 .from_deck = from_deck.contains(constant.name),

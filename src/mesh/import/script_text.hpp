@@ -11,7 +11,8 @@ namespace spricka::mesh {
 
 /// A geometry script made ready for gmsh.
 struct PreparedScript {
-  std::string text; ///< with the deck's parameters set in its first line
+  /// With the deck's parameters set in its first line, blanks for what is passed over.
+  std::string text;
   std::vector<GeometryScriptConstant> constants;
 };
 

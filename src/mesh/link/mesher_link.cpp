@@ -87,7 +87,8 @@ public:
   explicit Exchange(MesherProcess& process) : process_(process) {}
 
   MesherAnswer run(std::string_view request) {
-    meshing_ = request.front() != static_cast<char>(MesherFrameKind::import);
+    meshing_ = request.front() != static_cast<char>(MesherFrameKind::import) &&
+               request.front() != static_cast<char>(MesherFrameKind::describe);
     process_.take_output(); // of earlier requests
     const double used = process_.processor_time();
     double waited = 0.0;
@@ -165,7 +166,7 @@ private:
   }
 
   MesherProcess& process_;
-  bool meshing_ = false; ///< not reading a script
+  bool meshing_ = false; ///< not reading a file
 };
 
 /// Ended from outside, not by what it was doing.

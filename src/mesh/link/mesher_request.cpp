@@ -45,6 +45,30 @@ template <class Bytes, class Requests> void exchange_sizes(Bytes& bytes, Request
   });
 }
 
+template <class Bytes, class Step> void exchange_step_request(Bytes& bytes, Step& step) {
+  bytes.exchange_fields(step.solids, step.size);
+  bytes.exchange_list(step.groups, [&](auto& group) {
+    bytes.exchange_fields(group.name, group.solid, group.faces, group.size);
+  });
+}
+
+template <class Bytes, class Contents> void exchange_solids(Bytes& bytes, Contents& contents) {
+  bytes.exchange_list(contents.solids, [&](auto& solid) {
+    bytes.exchange_fields(solid.name, solid.volume, solid.low, solid.high);
+    bytes.exchange_list(solid.faces, [&](auto& face) {
+      bytes.exchange_fields(face.entity, face.kind, face.radius, face.hollow, face.direction,
+                            face.area, face.centre, face.points);
+    });
+  });
+  bytes.exchange_fields(contents.free_faces, contents.errors, contents.warnings, contents.gave_up);
+}
+
+bool is_finite(const StepFace& face) {
+  return std::isfinite(face.radius) && std::isfinite(face.area) && face.direction.allFinite() &&
+         face.centre.allFinite() &&
+         std::ranges::all_of(face.points, [](const base::Vec3& x) { return x.allFinite(); });
+}
+
 template <class Bytes, class Model> void exchange_model(Bytes& bytes, Model& model) {
   bytes.exchange_fields(model.dim, model.node_tags, model.x);
   for (auto* const blocks : {&model.elements, &model.sides}) {
@@ -138,6 +162,10 @@ std::string encode_import_request(const MesherImportRequest& import) {
     out.exchange_fields(import.size.scale);
     exchange_sizes(out, import.size.map->requests());
   }
+  out.exchange_fields(import.step.has_value());
+  if (import.step) {
+    exchange_step_request(out, *import.step);
+  }
   return out.release();
 }
 
@@ -148,6 +176,9 @@ bool decode_import_request(ByteReader& in, MesherImportRequest& import) {
     std::vector<SizeMap::SizeRequest> requests;
     exchange_sizes(in, requests);
     import.size.map = std::make_shared<const SizeMap>(std::move(requests));
+  }
+  if (in.read_value<char>() != 0) {
+    exchange_step_request(in, import.step.emplace());
   }
   return in.at_end();
 }
@@ -167,6 +198,31 @@ bool decode_model_answer(ByteReader& in, GmshModel& model) {
          std::ranges::all_of(model.sides, belongs(model.dim - 1)) && model.dim >= 0 &&
          model.dim <= 3 && model.x.size() == 3 * model.node_tags.size() &&
          std::all_of(model.x.begin(), model.x.end(), [](double x) { return std::isfinite(x); });
+}
+
+std::string encode_describe_request(const StepFileText& file) {
+  ByteWriter out = frame(MesherFrameKind::describe);
+  out.exchange_fields(file.name, file.text);
+  return out.release();
+}
+
+bool decode_describe_request(ByteReader& in, StepFileText& file) {
+  in.exchange_fields(file.name, file.text);
+  return in.at_end();
+}
+
+std::string encode_solids_answer(const StepFileContents& contents) {
+  ByteWriter out = frame(MesherFrameKind::solids);
+  exchange_solids(out, contents);
+  return out.release();
+}
+
+bool decode_solids_answer(ByteReader& in, StepFileContents& contents) {
+  exchange_solids(in, contents);
+  return in.at_end() && std::ranges::all_of(contents.solids, [](const StepSolid& solid) {
+           return std::isfinite(solid.volume) && solid.low.allFinite() && solid.high.allFinite() &&
+                  std::ranges::all_of(solid.faces, is_finite);
+         });
 }
 
 } // namespace spricka::mesh

@@ -16,6 +16,7 @@
 #include "model/model.hpp"
 #include "program/commands/sweep_deck.hpp"
 #include "program/job/failures.hpp"
+#include "program/job/geometry_report.hpp"
 #include "program/job/point_record.hpp"
 #include "program/job/ready_deck.hpp"
 #include "program/job/standard_streams.hpp"
@@ -243,7 +244,7 @@ base::ProgramOutcome check_deck(const RunOptions& options, const CheckedDeck& de
   preview.length_unit = model.units.length_name;
   preview.force_unit = model.units.force_name;
   preview.dim = model.mesh.dim;
-  preview.scripts = list_script_constants(deck);
+  preview.geometry = report_imported_geometry(deck.imported);
   for (const model::Step& step : model.steps) {
     preview.steps.push_back(step.name);
   }
@@ -271,6 +272,12 @@ base::ProgramOutcome check_deck(const RunOptions& options, const CheckedDeck& de
                                                                       : "see the messages"));
   }
   return outcome;
+}
+
+std::string list_refused_geometry(const CheckedDeck& deck) {
+  results::ReportedGeometry geometry = report_imported_geometry(deck.imported);
+  geometry.scripts.clear();
+  return report::imported_geometry_listing(geometry, deck.imported.length_name);
 }
 
 } // namespace spricka::program

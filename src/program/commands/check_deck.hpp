@@ -12,4 +12,8 @@ namespace spricka::program {
 /// Returns deck_error for what a card can be blamed for, not_solvable for loads that nothing holds.
 base::ProgramOutcome check_deck(const RunOptions& options, const CheckedDeck& deck, const Log& log);
 
+/// The solids and faces of the STEP files of a deck that is refused: who names faces in it needs
+/// them first. Empty without such files.
+std::string list_refused_geometry(const CheckedDeck& deck);
+
 } // namespace spricka::program

@@ -95,7 +95,9 @@ constexpr std::array advice{
                 "spricka check prints what the body has of a flaw. AT=BORE,ZMAX is the edge "
                 "where two faces of NET meet, AT=BORE one face; ANGLE counts about its axis."},
     CodeMeaning{"E331", "The words are gmsh's. Try the file in gmsh itself."},
-    CodeMeaning{"E332", "Give curves and surfaces their names with Physical in the .geo file."},
+    CodeMeaning{"E332",
+                "Give curves and surfaces their names with Physical in the .geo file; of a STEP "
+                "file spricka check prints tables of solids and faces."},
     CodeMeaning{"E336",
                 "Supports, loads, steps and contact belong into the deck: take them out of the "
                 "file."},
@@ -238,12 +240,17 @@ constexpr std::array advice{
                 "The message has gmsh's last words. Is the geometry sound for all values of "
                 "its constants: no circle without radius, no division into nothing?"},
     CodeMeaning{"E484", "seccomp filters are a part of the Linux kernel that a container may have "
-                        "switched off. Decks without scripts and .msh files need none."},
+                        "switched off. Decks without scripts, .msh and STEP files need none."},
     CodeMeaning{"E485",
                 "Write the parameter as the constant that is meant, with the same letters."},
     CodeMeaning{"E486",
                 "Names match whatever the case of letters; the listing and spricka check show "
                 "what each constant got."},
+    CodeMeaning{"W482", "Nothing is lost: the mesh goes from gmsh straight into the model."},
+    CodeMeaning{"W483", "Parts that are missing in the table of solids stand in those files."},
+    CodeMeaning{"W484",
+                "Solids that are not to be one body are nets of their own, each by an $IMPORT with "
+                "its SOLID, and meet in a $CONTACT."},
     CodeMeaning{"W480", "Take it away, or is it a misspelt constant of a script?"},
     CodeMeaning{"W481",
                 "In a script DefineConstant[ R = 36 ]; takes the deck's R, R = 36; does not."},

@@ -15,7 +15,7 @@ using deck::CodeMeaning;
 inline constexpr std::array later_codes{
     CodeMeaning{"E330", "a file to import that is not there"},
     CodeMeaning{"E331", "gmsh refuses a geometry or mesh, or the file is damaged"},
-    CodeMeaning{"E332", "no such physical group or set in an imported file"},
+    CodeMeaning{"E332", "no such physical group, set, solid or face in an imported file"},
     CodeMeaning{"E333", "an imported file without elements"},
     CodeMeaning{"E334", "an imported element of a type that is not known"},
     CodeMeaning{"E335", "an imported plane mesh that does not lie in z = 0"},
@@ -87,6 +87,9 @@ inline constexpr std::array later_codes{
     CodeMeaning{"E486", "a parameter that nothing uses, named almost as a constant of a script"},
     CodeMeaning{"W480", "a parameter that nothing uses in a deck with a geometry script"},
     CodeMeaning{"W481", "a parameter that a geometry script sets to another value"},
+    CodeMeaning{"W482", "a statement of a geometry script that only writes a file"},
+    CodeMeaning{"W483", "a STEP file that names other files"},
+    CodeMeaning{"W484", "solids of a STEP file that share a face"},
     CodeMeaning{"E500", "a card, key or word that this version does not run"},
     CodeMeaning{"E510", "a model that cannot be solved"},
     CodeMeaning{"E520", "a solution that did not converge"},

@@ -10,6 +10,7 @@
 #include "mesh/import/inp_import.hpp"
 #include "mesh/import/nastran_import.hpp"
 #include "mesh/import/recognise_mesh_file.hpp"
+#include "mesh/import/step_import.hpp"
 #include "model/model.hpp"
 #include "program/job/failures.hpp"
 #include "program/job/run_options.hpp"
@@ -23,6 +24,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -47,11 +49,12 @@ std::string_view mesh_format(const std::filesystem::path& file, const mesh::Mesh
     return kind->format;
   }
   const std::string ending = extension(file);
-  return ending == ".msh"                       ? "MSH"
-         : ending == ".geo"                     ? "GEO"
-         : ending == ".inp"                     ? "INP"
-         : ending == ".bdf" || ending == ".nas" ? "NASTRAN"
-                                                : "";
+  return ending == ".msh"                        ? "MSH"
+         : ending == ".geo"                      ? "GEO"
+         : ending == ".inp"                      ? "INP"
+         : ending == ".bdf" || ending == ".nas"  ? "NASTRAN"
+         : ending == ".step" || ending == ".stp" ? "STEP"
+                                                 : "";
 }
 
 /// The model of a mesh file, in the units of whoever wrote it.
@@ -70,6 +73,14 @@ model::Model read_mesh(const std::filesystem::path& file, std::string_view forma
     mesh::append_materials_and_equations(model, physics);
     if (!physics.equations.empty()) {
       model.unavailable.push_back({"*EQUATION", request.span});
+    }
+  } else if (format == "STEP") {
+    request.format = mesh::ImportFormat::step;
+    if (const auto contents = mesh::describe_step_file(request, diagnostics)) {
+      std::vector<int> all(contents->solids.size());
+      std::iota(all.begin(), all.end(), 0);
+      request.step = mesh::make_step_mesh_request(*contents, std::move(all));
+      mesh::import_gmsh_mesh_or_script(model.mesh, request, diagnostics);
     }
   } else {
     request.format = format == "MSH" ? mesh::ImportFormat::msh : mesh::ImportFormat::geo;

@@ -107,6 +107,9 @@ base::ProgramOutcome run_deck(const RunOptions& given) {
   return run_reporting_file_failures(log, [&] {
     const CheckedDeck deck = read_recorded(options, log);
     if (!deck.model) {
+      if (options.check_only && !options.json && !options.quiet) {
+        write_to_stdout(list_refused_geometry(deck));
+      }
       return deck.refusal.kind;
     }
     if (options.check_only) {

@@ -10,6 +10,7 @@
 #include "model/model.hpp"
 #include "program/checks/check_quantities.hpp"
 #include "program/job/failures.hpp"
+#include "program/job/geometry_report.hpp"
 #include "program/job/progress_line.hpp"
 #include "program/job/ready_deck.hpp"
 #include "program/job/restart_run.hpp"
@@ -253,7 +254,7 @@ RunOutcomeWithResults solve_and_write(const RunOptions& options, const CheckedDe
   if (folder != nullptr) {
     const analysis::ScopedProfileInterval span(options.recorder.get(), "OUTPUT",
                                                "tables, pictures, report");
-    folder->write_results(deck.sources, *used.model, run, list_script_constants(deck));
+    folder->write_results(deck.sources, *used.model, run, report_imported_geometry(deck.imported));
   }
   RunOutcomeWithResults outcome = judged(solved, run, log);
   if (folder != nullptr) {

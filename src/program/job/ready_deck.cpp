@@ -110,7 +110,7 @@ CheckedDeck read_and_check_deck(const std::filesystem::path& deck,
   CheckedDeck ready;
   ready.options = options;
   std::optional<model::Model> model =
-      deck::read_deck(deck, options, ready.sources, ready.diagnostics, &ready.scripts);
+      deck::read_deck(deck, options, ready.sources, ready.diagnostics, &ready.imported);
   if (model) {
     sense::reduce_to_half_model(*model, ready.diagnostics);
     warn_of_locking(*model, ready.diagnostics);
@@ -160,25 +160,6 @@ CheckedDeck read_deck_silently(const std::filesystem::path& deck,
     ready.model = std::move(model);
   }
   return ready;
-}
-
-std::vector<results::ReportedScriptConstant> list_script_constants(const CheckedDeck& deck) {
-  std::vector<results::ReportedScriptConstant> result;
-  for (const deck::ImportedScript& script : deck.scripts) {
-    std::string file = std::filesystem::path(script.file).filename().string();
-    if (!script.net.empty()) {
-      file += fmt::format(" ({})", script.net);
-    }
-    for (const mesh::GeometryScriptConstant& c : script.constants) {
-      if (c.defined) {
-        result.push_back({.file = file,
-                          .name = c.name,
-                          .value = c.value ? fmt::format("{:.10g}", *c.value) : c.text,
-                          .from = c.from_deck ? "deck" : "file"});
-      }
-    }
-  }
-  return result;
 }
 
 } // namespace spricka::program

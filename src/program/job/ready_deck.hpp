@@ -3,11 +3,11 @@
 #include "base/diagnostics.hpp"
 #include "base/outcome.hpp"
 #include "base/source.hpp"
+#include "deck/imported_step.hpp"
 #include "deck/read_deck.hpp"
 #include "model/model.hpp"
 #include "program/job/log.hpp"
 #include "results/results.hpp"
-#include "results/script_constant.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -27,10 +27,10 @@ struct RunOutcomeWithResults {
 /// A deck that has been read: fit to be solved (model) or refused.
 struct CheckedDeck {
   base::SourceTexts sources;
-  base::Diagnostics diagnostics;             ///< of reading
-  deck::DeckReadOptions options;             ///< as it was read
-  std::vector<deck::ImportedScript> scripts; ///< the constants of geometry scripts
-  std::vector<std::string> flaws;            ///< what bodies in space have of each crack
+  base::Diagnostics diagnostics;   ///< of reading
+  deck::DeckReadOptions options;   ///< as it was read
+  deck::ImportedGeometry imported; ///< what is known of it, with errors too
+  std::vector<std::string> flaws;  ///< what bodies in space have of each crack
   std::optional<model::Model> model;
   RunOutcomeWithResults refusal; ///< without a model
 };
@@ -59,8 +59,5 @@ base::Diagnostics find_news(const base::Diagnostics& list, const base::Diagnosti
 /// "lug.deck:12:18: E108: text" of the first error; empty without one.
 std::string first_error_text(const base::SourceTexts& sources,
                              const base::Diagnostics& diagnostics);
-
-/// The constants of a deck's geometry scripts, for listing and check.
-std::vector<results::ReportedScriptConstant> list_script_constants(const CheckedDeck& deck);
 
 } // namespace spricka::program

@@ -243,8 +243,7 @@ std::optional<fs::path> RunFolder::retain_interim_k() {
 }
 
 void RunFolder::write_results(const base::SourceTexts& sources, const model::Model& model,
-                              results::RunResult& run,
-                              const std::vector<results::ReportedScriptConstant>& scripts) {
+                              results::RunResult& run, const results::ReportedGeometry& geometry) {
   const base::Stopwatch watch;
   using Table = void (*)(const fs::path&, const model::Model&, const results::RunResult&);
   constexpr std::array<std::pair<const char*, Table>, 9> tables{
@@ -274,7 +273,7 @@ void RunFolder::write_results(const base::SourceTexts& sources, const model::Mod
   // The listing comes last, as it has the figures of all before.
   run.peak_memory = base::peak_memory();
   add_file(listing_name, report::listing_text(sources, model, run, totals) +
-                             report::script_constant_section(scripts));
+                             report::imported_geometry_section(geometry, model.units.length_name));
 }
 
 std::uintmax_t RunFolder::written_bytes() const {

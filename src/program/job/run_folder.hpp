@@ -3,8 +3,8 @@
 #include "archive/folder_lock.hpp"
 #include "base/source.hpp"
 #include "model/forward.hpp"
+#include "results/imported_geometry.hpp"
 #include "results/results.hpp"
-#include "results/script_constant.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -46,8 +46,7 @@ public:
   /// Writes listing, k.csv, pressure.csv, pictures and requested files, and adds its own cost to
   /// the run's log before the listing is made. Throws std::system_error.
   void write_results(const base::SourceTexts& sources, const model::Model& model,
-                     results::RunResult& run,
-                     const std::vector<results::ReportedScriptConstant>& scripts);
+                     results::RunResult& run, const results::ReportedGeometry& geometry);
   /// Writes k.csv of what is found so far into FOLDER.part, where it can be read while the run goes
   /// on; write_results() replaces it. From one thread.
   void write_interim_k(const model::Model& model, const results::RunResult& so_far);

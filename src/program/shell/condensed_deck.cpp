@@ -168,7 +168,7 @@ base::OptionalFailure CondensedDeck::change_growth_law(const deck::DeckCardList&
 
 std::set<std::string> CondensedDeck::script_constants() const {
   std::set<std::string> names;
-  for (const deck::ImportedScript& script : deck_.scripts) {
+  for (const deck::ImportedScript& script : deck_.imported.scripts) {
     for (const mesh::GeometryScriptConstant& constant : script.constants) {
       names.insert(grammar::to_upper(constant.name));
     }

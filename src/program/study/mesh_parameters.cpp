@@ -115,7 +115,7 @@ std::string name_of_file(const std::string& file) {
 std::set<std::string> reached_scripts(const MeshRefinementControls& mesh_parameter,
                                       const CheckedDeck& ready) {
   std::set<std::string> reached;
-  for (const deck::ImportedScript& script : ready.scripts) {
+  for (const deck::ImportedScript& script : ready.imported.scripts) {
     for (const mesh::GeometryScriptConstant& constant : script.constants) {
       if (constant.from_deck
               ? is_among(mesh_parameter.parameters, constant.name)
@@ -136,7 +136,7 @@ std::string file_of(const deck::DeckCard& card) {
 std::vector<MeshParameter> find_parameters(const StudiedDeck& deck,
                                            const std::map<std::string, ParameterUse>& uses) {
   std::set<std::string> taken; // by scripts
-  for (const deck::ImportedScript& script : deck.ready->scripts) {
+  for (const deck::ImportedScript& script : deck.ready->imported.scripts) {
     for (const mesh::GeometryScriptConstant& constant : script.constants) {
       if (constant.from_deck) {
         taken.insert(grammar::to_upper(constant.name));
@@ -177,7 +177,7 @@ std::vector<MeshParameter> find_constants(const StudiedDeck& deck,
                                           const fs::path& folder) {
   const std::set<std::string> reached = reached_scripts(mesh_parameter, *deck.ready);
   std::vector<MeshParameter> found;
-  for (const deck::ImportedScript& script : deck.ready->scripts) {
+  for (const deck::ImportedScript& script : deck.ready->imported.scripts) {
     for (const mesh::GeometryScriptConstant& constant : script.constants) {
       const bool free =
           constant.defined && !constant.from_deck && constant.value.value_or(0.0) > 0.0;
@@ -315,7 +315,9 @@ CheckedDeck read_trial_deck(const deck::DeckCardList& text, const ParameterDefin
 }
 
 bool imports_geometry_script(const deck::DeckCard& card) {
-  return card.name == "IMPORT" && card.word_value("FORMAT") == "GEO";
+  const std::string format = card.word_value("FORMAT");
+  return card.name == "IMPORT" &&
+         (format == "GEO" || (format.empty() && file_of(card).ends_with(".geo")));
 }
 
 void import_script_with_added_line(deck::DeckCard& card, const std::string& suffix,

@@ -172,6 +172,8 @@ ReportTable load_total_table(const std::vector<results::LoadTotal>& loads,
       loads);
 }
 
+namespace {
+
 ReportTable script_constant_table(const std::vector<results::ReportedScriptConstant>& constants) {
   using Constant = results::ReportedScriptConstant;
   return Columns<Constant>()
@@ -182,8 +184,55 @@ ReportTable script_constant_table(const std::vector<results::ReportedScriptConst
       .table("Constants of geometry scripts", constants);
 }
 
-std::string script_constant_section(const std::vector<results::ReportedScriptConstant>& constants) {
-  return to_text_after_blank_line(script_constant_table(constants));
+/// Numbers that round-off leaves of zero are zero.
+std::string place_words(const base::Vec3& x, double size) {
+  constexpr double little = 1e-7;
+  const auto number = [&](double value) { return std::abs(value) < little * size ? 0.0 : value; };
+  return fmt::format("{:.6g} {:.6g} {:.6g}", number(x.x()), number(x.y()), number(x.z()));
+}
+
+ReportTable solid_table(const std::vector<results::ReportedSolid>& solids,
+                        const std::string& length) {
+  using Solid = results::ReportedSolid;
+  const auto corner = [](const base::Vec3& x, const Solid& s) {
+    return place_words(x, (s.high - s.low).norm()); // of a box that is a little larger
+  };
+  return Columns<Solid>()
+      .words("file", &Solid::file)
+      .number("number", "", &Solid::number)
+      .words("SOLID", &Solid::name)
+      .words("set", [](const Solid& s) { return s.set.empty() ? "not meshed" : s.set; })
+      .number("volume", length + "^3", &Solid::volume)
+      .words(
+          "from", [&](const Solid& s) { return corner(s.low, s); }, length)
+      .words(
+          "to", [&](const Solid& s) { return corner(s.high, s); }, length)
+      .table("Solids of STEP files", solids);
+}
+
+ReportTable solid_face_table(const std::vector<results::ReportedSolidFace>& faces,
+                             const std::string& length) {
+  using Face = results::ReportedSolidFace;
+  Columns<Face> columns;
+  columns.words("face", &Face::sets).words("kind", &Face::kind);
+  columns.fill_only_if([](const Face& f) { return f.radius > 0.0; });
+  columns.number("radius", length, &Face::radius);
+  columns.fill_only_if([](const Face& f) { return f.direction.norm() > 0.0; });
+  columns.words("normal or axis", [](const Face& f) { return place_words(f.direction, 1e3); });
+  columns.fill_only_if([](const Face&) { return true; });
+  columns.number("area", length + "^2", &Face::area);
+  columns.words(
+      "centre", [](const Face& f) { return place_words(f.centre, std::sqrt(f.area)); }, length);
+  return columns.table("Faces of solids", faces);
+}
+
+} // namespace
+
+std::string imported_geometry_section(const results::ReportedGeometry& geometry,
+                                      const std::string& length_unit) {
+  return to_text_after_blank_line(script_constant_table(geometry.scripts)) +
+         to_text_after_blank_line(solid_table(geometry.solids, length_unit)) +
+         to_text_after_blank_line(solid_face_table(geometry.faces, length_unit));
 }
 
 } // namespace spricka::report

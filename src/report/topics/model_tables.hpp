@@ -2,8 +2,8 @@
 #pragma once
 #include "model/forward.hpp"
 #include "report/drawing/table.hpp"
+#include "results/imported_geometry.hpp"
 #include "results/load_total.hpp"
-#include "results/script_constant.hpp"
 
 #include <string>
 #include <vector>
@@ -35,10 +35,10 @@ struct LoadTableUnits {
 ReportTable load_total_table(const std::vector<results::LoadTotal>& loads,
                              const LoadTableUnits& form);
 
-/// The constants of geometry scripts: name, value, and whether the deck or the file has given it.
-ReportTable script_constant_table(const std::vector<results::ReportedScriptConstant>& constants);
-
-/// The same as a section of the listing; empty if there are none.
-std::string script_constant_section(const std::vector<results::ReportedScriptConstant>& constants);
+/// What there is to tell of imported geometries, as tables with a blank line in front of each: the
+/// constants of scripts, the solids of STEP files and the faces of those that are meshed. Empty
+/// where a deck imports none.
+std::string imported_geometry_section(const results::ReportedGeometry& geometry,
+                                      const std::string& length_unit);
 
 } // namespace spricka::report
