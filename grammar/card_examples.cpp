@@ -58,10 +58,21 @@ constexpr std::array texts{
         "MSH is a mesh "
         "that gmsh wrote. Physical groups become sets: in 2D surfaces element sets, curves face "
         "sets, points node sets. NASTRAN is bulk data: property 5 is the element set P5. A data "
-        "line gives "
-        "a group or set another name.",
+        "line gives a group or set another name. STEP has solids, which "
+        "OpenCASCADE converts to millimetres and the program to the LENGTH of $DECK. One solid "
+        "becomes the element set BODY, its faces F1, F2 .., of second-order tetrahedra; several "
+        "become NAME with NAME_F1 .. each, bodies of their own even where they touch. SOLID takes "
+        "some of them, so that each part can be a net. A data line names faces: by number; by "
+        "kind, as CYLINDER 15 (the radius), PLANE -Z (the way it faces), CONE, SPHERE, TORUS, "
+        "CURVED; by a condition in x y z rho theta that all points of a face fulfil; or by kind "
+        "and condition. A size behind the name holds on these faces, and elements grow away from "
+        "them. spricka check prints tables of solids and faces, also of a deck that is refused.",
         "$IMPORT FILE='lug.geo' FORMAT=GEO\n"
-        "  inner_edge = BORE\n"},
+        "  inner_edge = BORE\n"
+        "$IMPORT FILE='joint.step' SOLID=LUG SIZE=6\n"
+        "  CYLINDER 15 = BORE 1.5\n"
+        "  PLANE Z (z > 11) = ZMAX\n"
+        "  F1 = END\n"},
     CardHelpText{
         "MESH",
         "Every shape makes the element set BODY and sets of its sides: BLOCK makes XMIN XMAX "

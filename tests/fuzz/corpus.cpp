@@ -53,7 +53,7 @@ std::vector<Deck> load() {
         Deck deck;
         deck.name = path.stem().string();
         deck.text = slurp(path);
-        deck.imports = deck.name == "import";
+        deck.imports = deck.name.starts_with("import");
         deck.sound = reader.read(deck.text).model.has_value();
         decks.push_back(std::move(deck));
       }
@@ -70,7 +70,8 @@ Reader::Reader()
   for (const char* from : {"decks", "tests/diagnostics", "tests/fuzz"}) {
     for (const fs::path& path : files(fs::path(test::source_folder()) / from)) {
       const bool mesh = path.extension() == ".geo" || path.extension() == ".msh" ||
-                        path.extension() == ".inp" || path.extension() == ".bdf";
+                        path.extension() == ".inp" || path.extension() == ".bdf" ||
+                        path.extension() == ".step";
       if (path.extension() == ".inc" || (mesh && std::string_view(from) == "tests/fuzz")) {
         fs::copy_file(path, folder_ / path.filename(), fs::copy_options::overwrite_existing);
       }

@@ -22,7 +22,7 @@ const Deck& deck_of(const std::string& name) {
 
 std::set<std::string> words_used() {
   std::set<std::string> used;
-  for (const char* name : {"cards_plane", "cards_space", "import"}) {
+  for (const char* name : {"cards_plane", "cards_space", "import", "import_solid"}) {
     std::string word;
     for (const char c : deck_of(name).text) {
       if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '$') {
@@ -44,7 +44,7 @@ TEST(Cards, EveryCardAndKeyIsRead) {
       EXPECT_TRUE(used.contains(std::string(key.name) + "=")) << card.name << ' ' << key.name;
     }
   }
-  for (const char* name : {"cards_plane", "cards_space", "import"}) {
+  for (const char* name : {"cards_plane", "cards_space", "import", "import_solid"}) {
     EXPECT_TRUE(deck_of(name).sound) << Reader().read(deck_of(name).text).messages();
   }
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Damaged scripts, mesh files and input files: a mesh or words, never a crash and never without
+"""Damaged scripts, mesh files, STEP files and input files: a mesh or words, never a crash and never without
 end. usage: test_fuzz.py PROGRAM; SPRICKA_SEED looks elsewhere, SPRICKA_FULL longer."""
 
 import os
@@ -42,6 +42,7 @@ class Damaged(MeshTest):
         files = [("geo", (TOP / "decks" / f"{name}.geo").read_bytes()) for name in SCRIPTS]
         self.expect(0, "convert", TOP / "decks" / "strip_hole.geo", "whole.msh")
         files.append(("msh", (self.folder / "whole.msh").read_bytes()))
+        files.append(("step", (TOP / "decks" / "lug_joint.step").read_bytes()))
         for i in range(900 if "SPRICKA_FULL" in os.environ else 30):
             kind, text = chance.choice(files)
             text = damaged(text, chance)

@@ -17,8 +17,6 @@ class Outside(MeshTest):
             ('SystemCall "touch made";', "SystemCall"),
             ('NonBlockingSystemCall "touch made";', "NonBlockingSystemCall"),
             ('OnelabRun("foo", "touch made ");', "OnelabRun"),
-            ('Save "made";', "Save"),
-            ('Print "made.png";', "Print"),
             ('Merge "other.geo";', "Merge"),
             ('Include "other.geo";', "Include"),
             ('a = GetEnv("HOME");', "GetEnv"),
@@ -31,6 +29,20 @@ class Outside(MeshTest):
                 deck = self.square(statement)
                 before = self.files()
                 self.assertIn(f"x.geo:7: {name} ", self.refused("E480", name, deck))
+                self.assertEqual(self.files(), before)
+
+    def test_what_only_writes_is_passed_over(self):
+        for statement, name in [
+            ('Mesh 2;\nSave "made";', "8: Save"),
+            ('If (1)\nPrint "made.png"; EndIf', "8: Print"),
+            ('CreateDir "made";', "7: CreateDir"),
+            ("Mesh.SaveAll = 1;", "7: Mesh.SaveAll"),
+        ]:
+            with self.subTest(statement):
+                deck = self.square(statement)
+                before = self.files()
+                told = self.expect(0, "check", deck).stderr
+                self.assertIn(f"warning W482: x.geo:{name} ", told)
                 self.assertEqual(self.files(), before)
 
     def test_a_text_is_printed_to_no_file(self):

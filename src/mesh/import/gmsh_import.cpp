@@ -68,6 +68,11 @@ private:
     }
     add_elements();
     add_gmsh_sets(mesh_, request_, from_, numbers_, diagnostics_);
+    if (request_.format == ImportFormat::step) { // said before such elements are mended
+      std::erase_if(from_.warnings, [](const std::string& words) {
+        return words.starts_with("Volume mesh: worst distortion");
+      });
+    }
     MesherFile(request_, diagnostics_).report_gmsh_warnings(from_.warnings);
   }
 

@@ -66,7 +66,8 @@ std::optional<std::string> MesherFile::ask(std::string_view request, const char*
                          "files; without them no file is given to it");
     return std::nullopt;
   }
-  std::size_t reported = 0; // what gmsh had said so far
+  // what gmsh had said so far; of a lack of memory each of its parts says something
+  std::size_t reported = answer.end == MesherOutcome::no_memory ? most_errors : 0;
   for (const std::string& line : answer.words) {
     for (const std::string_view mark : {"Error   : ", "Fatal   : "}) {
       if (const std::size_t at = line.find(mark);

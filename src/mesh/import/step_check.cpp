@@ -63,7 +63,8 @@ std::string find_step_format_error(std::string_view text) {
   if (schema != std::string_view::npos && schema < whole.find("ENDSEC;")) {
     const std::string_view name = quoted(whole, schema);
     if (name.starts_with("IFC")) {
-      return fmt::format("its schema {} describes buildings, not parts", name.substr(0, 40));
+      return fmt::format("its schema {} describes buildings, not parts",
+                         name.substr(0, std::min<std::size_t>(name.find(' '), 40)));
     }
   }
   return {};
@@ -82,6 +83,18 @@ std::vector<std::string> files_named_by_step(std::string_view text) {
     }
   }
   return files;
+}
+
+int count_solids_in_step(std::string_view text) {
+  int count = 0;
+  constexpr std::string_view blanks = " \t\r\n";
+  for (std::size_t at = text.find('='); at != std::string_view::npos; at = text.find('=', at + 1)) {
+    const std::size_t word = text.find_first_not_of(blanks, at + 1);
+    for (const std::string_view kind : {"MANIFOLD_SOLID_BREP", "BREP_WITH_VOIDS", "FACETED_BREP"}) {
+      count += word != std::string_view::npos && text.substr(word, kind.size()) == kind ? 1 : 0;
+    }
+  }
+  return count;
 }
 
 } // namespace spricka::mesh

@@ -17,4 +17,7 @@ std::string find_step_format_error(std::string_view text);
 /// Files that a STEP file names instead of holding their parts, each once.
 std::vector<std::string> files_named_by_step(std::string_view text);
 
+/// How many solids a STEP file describes, each once however often it is placed.
+int count_solids_in_step(std::string_view text);
+
 } // namespace spricka::mesh

@@ -81,6 +81,14 @@ std::optional<StepFileContents> describe_step_file(const ImportRequest& request,
                                     request.file.filename().string(), fmt::join(files, ", ")),
                         "export all of it into one file where parts are missing");
   }
+  if (const int described = count_solids_in_step(*text);
+      described > static_cast<int>(contents.solids.size())) {
+    diagnostics.warning(request.span, "W485",
+                        fmt::format("{}: it describes {} solids, of which gmsh makes {}",
+                                    request.file.filename().string(), described,
+                                    contents.solids.size()),
+                        "is the file damaged? The table of solids shows what there is");
+  }
   name_solids(contents.solids);
   return contents;
 }

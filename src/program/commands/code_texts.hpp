@@ -90,6 +90,7 @@ inline constexpr std::array later_codes{
     CodeMeaning{"W482", "a statement of a geometry script that only writes a file"},
     CodeMeaning{"W483", "a STEP file that names other files"},
     CodeMeaning{"W484", "solids of a STEP file that share a face"},
+    CodeMeaning{"W485", "solids of a STEP file that are lost"},
     CodeMeaning{"E500", "a card, key or word that this version does not run"},
     CodeMeaning{"E510", "a model that cannot be solved"},
     CodeMeaning{"E520", "a solution that did not converge"},

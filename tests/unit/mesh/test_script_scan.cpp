@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <string>
 #include <vector>
@@ -25,7 +26,28 @@ TEST(ScriptScan, NamesWhatReachesOutside) {
   EXPECT_EQ(refused("a = 1;\nSystemCall \"x\";\nMerge \"y\"; Exit;"),
             (Words{"2 SystemCall", "3 Merge", "3 Exit"}));
   EXPECT_EQ(refused("View.Light = 0; Print.Text = 1;"), Words{});
-  EXPECT_EQ(refused("View \"a\" {}; Print \"a.png\";"), (Words{"1 View", "1 Print"}));
+  EXPECT_EQ(refused("View \"a\" {}; a = 1; Save"), (Words{"1 View", "1 Save"}));
+}
+
+TEST(ScriptScan, LeavesOutWhatOnlyWrites) {
+  const std::string text = "a = 1;\nSave \"x.msh\";\nIf (a)\n  Print Str(\"x\",\n\".png\"); EndIf\n"
+                           "Mesh.SaveAll = 1; Mesh.SaveAll = 0; b = Saved;";
+  const mesh::ScriptScan scan = mesh::scan_script(text);
+  EXPECT_TRUE(scan.outreach.empty());
+  Words words;
+  for (const mesh::ForbiddenStatement& o : scan.passed_over) {
+    words.push_back(std::to_string(o.line) + " " + o.word);
+  }
+  EXPECT_EQ(words, (Words{"2 Save", "4 Print", "6 Mesh.SaveAll"}));
+  base::Diagnostics diagnostics;
+  const mesh::PreparedScript script =
+      mesh::prepare_script_with_parameters(text, scan, {}, diagnostics);
+  EXPECT_EQ(script.text.find("msh"), std::string::npos);
+  EXPECT_EQ(script.text.find("png"), std::string::npos);
+  EXPECT_NE(script.text.find("EndIf"), std::string::npos);
+  EXPECT_EQ(std::ranges::count(script.text, '\n'), std::ranges::count(text, '\n'));
+  EXPECT_EQ(refused("Save GetEnv(\"HOME\");"), Words{});
+  EXPECT_EQ(refused("a = Print;"), Words{"1 Print"});
 }
 
 TEST(ScriptScan, NamesWhatGmshWouldPassOver) {
