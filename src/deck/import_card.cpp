@@ -96,7 +96,7 @@ std::string import_format(DeckContext& c, const CheckedCard& card,
 // Keys that other formats have no use for.
 bool check_step_keys(DeckContext& c, const CheckedCard& card, bool step) {
   bool ok = true;
-  for (const std::string_view key : {"SIZE", "SOLID"}) {
+  for (const std::string_view key : {"SIZE", "SOLID", "FINER"}) {
     if (!step && card.has_key(key)) {
       c.error(card.find(key)->span, "E110", fmt::format("{} is for FORMAT=STEP", key),
               "meshes have their sizes, scripts say theirs");

@@ -99,8 +99,9 @@ bool name_faces(DeckContext& c, const CheckedCard& card, const FaceChoices& face
       ok = false;
       continue;
     }
-    groups.push_back(
-        {.name = named->name, .faces = named->faces, .size = named->size / faces.scale()});
+    groups.push_back({.name = named->name,
+                      .faces = named->faces,
+                      .size = named->size / (faces.scale() * request.finer)});
   }
   // in front, as messages name a face by the first set that has it
   request.groups.insert(request.groups.begin(), groups.begin(), groups.end());
@@ -125,6 +126,8 @@ void import_step_file(DeckContext& c, const CheckedCard& card, mesh::ImportReque
   if (const std::optional<double> size = card.optional_number("SIZE")) {
     request.step.size = *size / request.scale;
   }
+  request.step.finer = card.number_value("FINER");
+  request.step.size /= request.step.finer;
   warn_of_shared_faces(c, card, *contents, solids);
   const bool sound =
       !card.rows_bad && name_faces(c, card, {*contents, request.step, request.scale}, request.step);

@@ -48,9 +48,10 @@ struct StepMeshGroup {
 struct StepMeshRequest {
   std::vector<int> solids; ///< which are meshed
   double size = 0.0;       ///< of the elements
+  double finer = 1.0;      ///< elements of round faces are smaller by it; sizes have it in them
   std::vector<StepMeshGroup> groups;
 
-  /// Elements in one turn of a round face, where `size` would make fewer of them ..
+  /// Elements in one turn of a round face, times `finer`, where `size` would make fewer of them ..
   static constexpr double elements_in_a_turn = 12.0;
   /// .. but for that none is smaller than this part of `size`.
   static constexpr double smallest_part = 0.1;

@@ -6,6 +6,7 @@
 #include <gmsh.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace spricka::mesher {
@@ -72,7 +73,8 @@ void set_sizes(const StepEntities& entities, const mesh::StepMeshRequest& reques
   }
   gmsh::option::setNumber("Mesh.MeshSizeMax", request.size);
   gmsh::option::setNumber("Mesh.MeshSizeMin", smallest);
-  gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", mesh::StepMeshRequest::elements_in_a_turn);
+  gmsh::option::setNumber("Mesh.MeshSizeFromCurvature",
+                          std::round(mesh::StepMeshRequest::elements_in_a_turn * request.finer));
   gmsh::option::setNumber("Mesh.HighOrderOptimize", 1); // where a curved edge turns one inside out
   const mesh::SolidGrading grading = sizes_at_faces(entities, request);
   if (!grading.sources().empty()) {

@@ -78,6 +78,7 @@ class Files(ProgramTest):
             ("E109", "a size is above 0", "SOLID=LUG", "  F7 = BORE 0\n"),
             ("E302", "there is a set BODY already", "SOLID=LUG", "  F7 = BODY\n"),
             ("E110", "SIZE is for FORMAT=STEP", "FORMAT=MSH SIZE=3", ""),
+            ("E109", "FINER: 0 is out of range", "FINER=0", ""),
             ("E331", "it is a STEP file", "FORMAT=GEO", ""),
         ]:
             with self.subTest(words):

@@ -75,6 +75,21 @@ $END
         told = self.expect(3, "check", self.deck(deck)).stdout
         self.assertIn("-24 -24 -8", told)
 
+    def test_finer_makes_all_elements_smaller(self):
+        def elements(text):
+            return [net["elements"] for net in self.checked(self.deck(text))["nets"]]
+
+        coarse = elements(deck_from_step(SIZE))
+        fine = elements(deck_from_step(SIZE).replace("SOLID=", "FINER=1.5 SOLID="))
+        for few, many in zip(coarse, fine):
+            self.assertTrue(1.8 < many / few < 4.5, (few, many))
+
+    def test_lengths_of_other_units_are_converted(self):
+        text = (self.folder / "joint.step").read_text().replace(".MILLI.,.METRE.", ".CENTI.,.METRE.")
+        (self.folder / "joint.step").write_text(text)
+        deck = "$DECK VERSION=1 LENGTH=M FORCE=N\n$IMPORT FILE='joint.step'\n$END\n"
+        self.assertIn("cylinder, bore    0.15", self.expect(3, "check", self.deck(deck)).stdout)
+
     def test_solids_that_touch_are_bodies_of_their_own(self):
         rest = REST.replace("LUG.BODY", "LUG").replace("BUSH.BODY", "BUSH").replace("PIN.BODY", "PIN")
         for old, new in [

@@ -46,7 +46,7 @@ template <class Bytes, class Requests> void exchange_sizes(Bytes& bytes, Request
 }
 
 template <class Bytes, class Step> void exchange_step_request(Bytes& bytes, Step& step) {
-  bytes.exchange_fields(step.solids, step.size);
+  bytes.exchange_fields(step.solids, step.size, step.finer);
   bytes.exchange_list(step.groups, [&](auto& group) {
     bytes.exchange_fields(group.name, group.solid, group.faces, group.size);
   });

@@ -211,7 +211,7 @@ void CommandTree::add_convert() {
                             return convert_mesh_or_deck(convert_);
                           });
   add_deck_options(command, run_);
-  command.get_option("DECK")->description("a deck, or a mesh .msh, .geo, .inp or of Nastran");
+  command.get_option("DECK")->description("a deck, a mesh .msh, .geo, .inp or of Nastran, or STEP");
   command.add_flag("--replace", convert_.replace, "overwrite OUT if it exists");
   add_path_option(command, "OUT", convert_.out,
                   "the file to write; its ending is the format: .msh, .vtu or .inp", "")

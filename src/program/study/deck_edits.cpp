@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <map>
 #include <utility>
 
@@ -278,6 +279,14 @@ void drop_path_checks(DeckCardList& text) {
 }
 
 } // namespace
+
+std::string import_format(const DeckCard& card) {
+  if (card.name != "IMPORT" || card.has_key("FORMAT")) {
+    return card.name == "IMPORT" ? card.word_value("FORMAT") : std::string();
+  }
+  const std::string ending = std::filesystem::path(card.word_value("FILE")).extension().string();
+  return ending.empty() ? ending : ending.substr(1);
+}
 
 bool replace_load_paths_by_steps(DeckCardList& text, const model::Model& model) {
   if (model.load_paths.empty() || !model.spectra.empty()) {

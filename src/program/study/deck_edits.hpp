@@ -55,6 +55,9 @@ void remove_checks_and_requests(deck::DeckCardList& text);
 /// it. The steps stand behind those of the deck, which end with other loads.
 bool replace_load_paths_by_steps(deck::DeckCardList& text, const model::Model& model);
 
+/// FORMAT of an $IMPORT, without it the ending of its file, in upper case; empty for other cards.
+std::string import_format(const deck::DeckCard& card);
+
 /// A number as cards of variants have it.
 std::string format_twelve_digits(double value);
 

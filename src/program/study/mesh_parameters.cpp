@@ -245,7 +245,7 @@ MeshRefinementControls find_mesh_parameters(const StudiedDeck& deck, const fs::p
   for (std::size_t i = 0; i < deck.text.size(); ++i) {
     const deck::DeckCard& card = deck.text[i];
     const std::string file = name_of_file(file_of(card));
-    if (card.name == "MESH" && !reached.contains(i)) {
+    if ((card.name == "MESH" && !reached.contains(i)) || imports_step_file(card)) {
       mesh_parameter.counts = true;
     } else if (imports_geometry_script(card) && scripts.contains(file)) {
       continue;
@@ -271,6 +271,10 @@ DeckVariant refine_deck_mesh(const StudiedDeck& deck, const MeshRefinementContro
   for (std::size_t i = 0; i < text.size() && fineness != 1.0; ++i) {
     if (text[i].name == "MESH" && !reached.contains(i)) {
       multiply_counts(deck, fineness, (*finer.text)[i]);
+    } else if (imports_step_file(text[i])) {
+      const std::string* before = text[i].find("FINER");
+      (*finer.text)[i].set_key(
+          "FINER", fmt::format("({}*{:.6g})", before == nullptr ? "1" : *before, fineness));
     } else if (imports_geometry_script(text[i]) &&
                mesh_parameter.scaled.contains(name_of_file(file_of(text[i])))) {
       copy_finer((*finer.text)[i], fineness, folder);
@@ -315,9 +319,11 @@ CheckedDeck read_trial_deck(const deck::DeckCardList& text, const ParameterDefin
 }
 
 bool imports_geometry_script(const deck::DeckCard& card) {
-  const std::string format = card.word_value("FORMAT");
-  return card.name == "IMPORT" &&
-         (format == "GEO" || (format.empty() && file_of(card).ends_with(".geo")));
+  return import_format(card) == "GEO";
+}
+
+bool imports_step_file(const deck::DeckCard& card) {
+  return import_format(card) == "STEP" || import_format(card) == "STP";
 }
 
 void import_script_with_added_line(deck::DeckCard& card, const std::string& suffix,

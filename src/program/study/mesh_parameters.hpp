@@ -27,7 +27,8 @@ struct MeshParameter {
 struct MeshRefinementControls {
   std::vector<MeshParameter> parameters;
   std::vector<MeshParameter> constants; ///< of geometry scripts that no such parameter reaches
-  bool counts = false; ///< numbers of elements of $MESH cards that no such parameter reaches
+  /// Numbers of elements of $MESH cards that no such parameter reaches, FINER of STEP files.
+  bool counts = false;
   std::set<std::string> scaled;   ///< scripts without either, by file: all sizes by a factor
   std::vector<std::string> fixed; ///< meshes that stay as they are
 
@@ -60,6 +61,9 @@ CheckedDeck read_trial_deck(const deck::DeckCardList& text, const ParameterDefin
 
 /// Whether a card imports what a geometry script makes.
 bool imports_geometry_script(const deck::DeckCard& card);
+
+/// Whether a card imports solids of a STEP file.
+bool imports_step_file(const deck::DeckCard& card);
 
 /// Makes the card import a copy of its script in `folder`, NAME_SUFFIX.geo, with one more line.
 void import_script_with_added_line(deck::DeckCard& card, const std::string& suffix,
