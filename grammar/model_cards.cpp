@@ -40,11 +40,12 @@ constexpr std::array import_keys{
     key_of_type(KeyType::references, "SOLID", solid,
                 "STEP: which solids of the file; left out: all"),
     with_default(word_key("TYPE", "ASIS|QUADRATIC", "QUADRATIC raises linear elements"), "ASIS"),
-    with_default(
-        word_key("SKIP", "NOTHING|LOADS|ALL",
-                 "INP, NASTRAN: LOADS passes over supports, loads and steps, ALL over all else "
-                 "that is not read"),
-        "NOTHING"),
+    with_default(word_key("SKIP", "NOTHING|LOADS|ALL",
+                          "INP, NASTRAN: LOADS passes over supports, loads and steps, ALL over all "
+                          "but mesh, sets, surfaces, sections and what is elastic"),
+                 "NOTHING"),
+    text_key("ESET", "INP: only the elements of this set of the file, and what names them: one "
+                     "body of several"),
 };
 
 constexpr std::array mesh_keys{

@@ -49,6 +49,21 @@ mesh::InpSkip skipped_cards(const CheckedCard& card) {
                                               : mesh::InpSkip::nothing;
 }
 
+// Keys that the format of the file has no use for.
+bool refuse_keys_of_solver_files(DeckContext& c, const CheckedCard& card, std::string_view format) {
+  const bool skips = card.word_value("SKIP") != "NOTHING" && format != "INP" && format != "NASTRAN";
+  if (skips) {
+    c.error(card.find("SKIP")->span, "E110", "SKIP is for FORMAT=INP and NASTRAN",
+            "meshes of gmsh hold no loads");
+  }
+  const bool selects = card.has_key("ESET") && format != "INP";
+  if (selects) {
+    c.error(card.find("ESET")->span, "E110", "ESET is for FORMAT=INP",
+            "of other files take the sets that are wanted");
+  }
+  return skips || selects;
+}
+
 bool took_too_long(const DeckContext& c) {
   const std::vector<base::Diagnostic>& all = c.diagnostics.messages();
   return std::ranges::any_of(
@@ -119,6 +134,7 @@ void import_mesh_file(DeckContext& c, const CheckedCard& card) {
   request.scale = card.number_value("SCALE");
   request.quadratic = card.key_has_word("TYPE", "QUADRATIC");
   request.skip = skipped_cards(card);
+  request.element_set = card.find("ESET") == nullptr ? "" : std::string(card.word_value("ESET"));
   request.prefix = card.net.empty() ? "" : card.net + ".";
   request.net = card.net_id;
   request.parameters = c.parameters;
@@ -147,12 +163,14 @@ void import_mesh_file(DeckContext& c, const CheckedCard& card) {
                                  row.fields[1].text);
   }
   const bool of_solver = format == "INP" || format == "NASTRAN";
-  if (request.skip != mesh::InpSkip::nothing && !of_solver && !format.empty()) {
-    c.error(card.find("SKIP")->span, "E110", "SKIP is for FORMAT=INP and NASTRAN",
-            "meshes of gmsh hold no loads");
+  if (!format.empty() && refuse_keys_of_solver_files(c, card, format)) {
     return;
   }
   std::error_code unknown;
+  request.contact_elsewhere = std::ranges::any_of(
+      c.cards, [](const CheckedCard& other) { return other.spec->name == "CONTACT"; });
+  request.reported = std::ranges::find(c.model.imported_files, request.file.string()) !=
+                     c.model.imported_files.end();
   c.model.imported_files.push_back(request.file.string());
   if (!std::filesystem::is_regular_file(request.file, unknown)) {
     c.error(card.find("FILE")->span, "E308",

@@ -33,8 +33,11 @@ constexpr std::array<Count, 6> solid{{{"4", ElementType::tet4},
                                       {"15", ElementType::pentac15},
                                       {"20", ElementType::hexec20}}};
 
-/// Forms with the same nodes: reduced integration, incompatible modes, hybrid, modified.
-constexpr std::array<std::string_view, 7> special{"R", "I", "H", "RH", "IH", "M", "MH"};
+/// Forms with the same nodes: reduced integration, incompatible modes, hybrid, modified, with
+/// stresses at the surface, with temperatures or pore pressures as further unknowns.
+constexpr std::array<std::string_view, 20> special{"R",   "I", "H",  "RH", "IH",  "M",   "MH",
+                                                   "HS",  "S", "T",  "RT", "HT",  "RHT", "MT",
+                                                   "MHT", "P", "RP", "PH", "RPH", "MP"};
 
 std::span<const Count> counts(StressState state) {
   return state == StressState::solid ? std::span<const Count>(solid)
@@ -59,6 +62,33 @@ std::optional<InpElementType> find_inp_element_type(std::string_view name) {
     }
   }
   return std::nullopt;
+}
+
+std::optional<InpSurfaceElementType> find_inp_surface_element_type(std::string_view name) {
+  static constexpr std::array<std::string_view, 5> plates{"SFM3D", "STRI", "M3D", "R3D", "S"};
+  if (name == "T2D2" || name == "T3D2" || name == "T2D3" || name == "T3D3") {
+    return InpSurfaceElementType{2, static_cast<std::size_t>(name.back() - '0')};
+  }
+  for (const std::string_view prefix : plates) {
+    if (!name.starts_with(prefix)) {
+      continue;
+    }
+    const std::string_view count = name.substr(prefix.size(), 1); // S8R5, STRI65
+    if (count == "3" || count == "6") {
+      return InpSurfaceElementType{3, count == "3" ? 3U : 6U};
+    }
+    if (count == "4" || count == "8" || count == "9") {
+      return InpSurfaceElementType{4, static_cast<std::size_t>(count[0] - '0')};
+    }
+  }
+  return std::nullopt;
+}
+
+bool is_inp_connector(std::string_view name) {
+  static constexpr std::array<std::string_view, 10> begins{
+      "SPRING", "DASHPOT", "MASS", "ROTARYI", "GAP", "DCOUP", "CONN", "JOINT", "HEATCAP", "ITT"};
+  return std::ranges::any_of(begins,
+                             [&](std::string_view begin) { return name.starts_with(begin); });
 }
 
 std::string inp_element_name(ElementType type, StressState state) {

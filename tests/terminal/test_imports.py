@@ -61,10 +61,13 @@ class Imports(ProgramTest):
         (self.folder / "a.inp").write_text(inp, encoding="utf-8")
         return self.expect(code, command, self.deck(DECK.format(skip=skip))).stderr
 
-    def test_bars_of_curves_are_left_out(self):
-        errors = self.messages(0, MESH, command="run")
+    def test_bars_of_curves_are_face_sets(self):
+        held = "$FREEDOM CLASS=SUPPRESSED DOF=Y\n  LOWER\n$LOAD CASE=PULL"
+        (self.folder / "a.inp").write_text(MESH, encoding="utf-8")
+        deck = DECK.format(skip="").replace("$LOAD CASE=PULL", held)
+        errors = self.expect(0, "run", self.deck(deck)).stderr
         self.assertIn("warning W466", errors)
-        self.assertIn("2 lines of type T3D2", errors)
+        self.assertIn("2 elements (T3D2) lie on edges of others", errors)
         self.assertNotIn("W466", self.messages(0, MESH.replace("*ELEMENT, TYPE=T3D2, ELSET=Line1\n 11, 1, 2\n 12, 2, 3\n", "").replace("*ELSET, ELSET=LOWER\n 11, 12\n", "")))
 
     def test_bars_that_carry_load_are_refused(self):
@@ -79,10 +82,13 @@ class Imports(ProgramTest):
         self.assertIn("SKIP=LOADS", errors)
         errors = self.messages(0, MESH + LOADS, "SKIP=LOADS", command="run")
         self.assertIn("warning W467", errors)
-        for word in ("*BOUNDARY (1)", "*STEP (1)", "*CLOAD (1)", "*AMPLITUDE (1)"):
+        for word in ("*BOUNDARY (1, line ", "*STEP (1, line ", "*CLOAD (1, line ", "*AMPLITUDE (1, line "):
             self.assertIn(word, errors)
         # what changes the model itself is not passed over
-        self.assertIn("*TIE", self.messages(3, MESH + LOADS + "*TIE, NAME=T\n A, B\n", "SKIP=LOADS"))
+        tie = MESH + LOADS + "*TIE, NAME=T\n A, B\n"
+        self.assertIn("SKIP=ALL passes over it", self.messages(3, tie, "SKIP=LOADS"))
+        errors = self.messages(0, tie, "SKIP=ALL", command="run")
+        self.assertIn("warning W468: a.inp: left out, though the model is another one without: *TIE (1, line 34)", errors)
 
 
 if __name__ == "__main__":

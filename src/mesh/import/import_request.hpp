@@ -32,6 +32,12 @@ struct ImportRequest {
   StepMeshRequest step = {}; ///< of a STEP file
   base::SourceSpan span;     ///< the $IMPORT card
   InpSkip skip = InpSkip::nothing; ///< of an .inp and of bulk data
+  std::string element_set;         ///< of an .inp: its elements alone are taken; empty: all
+  /// Of an .inp with SKIP=ALL: somebody makes cards of contact, ties, supports and loads, so that
+  /// these are not listed.
+  bool joint_taken = false;
+  bool contact_elsewhere = false; ///< of an .inp: the deck says contact and ties
+  bool reported = false;          ///< of an .inp: it was read before, its warnings are given
 };
 
 } // namespace spricka::mesh

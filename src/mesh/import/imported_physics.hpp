@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "mesh/import/inp_joint.hpp"
 #include "model/forward.hpp"
 #include "model/freedoms.hpp"
 #include "model/materials.hpp"
@@ -17,6 +18,7 @@ struct ImportedMaterialsAndEquations {
       properties; ///< from *SOLID SECTION; material counts from 0 here
   std::vector<model::ConstraintEquation> equations; ///< tied freedoms
   std::vector<std::string> files;                   ///< paths of the file and of those it includes
+  InpJointCards joint;                              ///< of an .inp with SKIP=ALL
 };
 
 /// Puts imported materials, properties and equations behind those of a model and gives the elements

@@ -2,28 +2,44 @@
 #pragma once
 #include "base/label.hpp"
 #include "base/vec.hpp"
+#include "mesh/import/inp_joint.hpp"
+#include "mesh/import/inp_label_list.hpp"
 #include "mesh/import/inp_text.hpp"
 #include "mesh/inp_elements.hpp"
 
+#include <array>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
-#include <unordered_set>
 #include <vector>
 
 namespace spricka::mesh {
 
+/// Something wrong or not understood, or a word about what is read.
+struct InpIssue {
+  InpLocation place;
+  std::string text;
+  std::string hint;
+};
+
 /// The model part of an input file as it is written: numbers and names, nothing looked up yet.
 struct InpData {
-  template <class T> struct Named {
+  struct InpLabelSet {
     std::string name;
-    std::vector<T> members;
+    InpLabelList members;
+    std::vector<std::string> element_sets; ///< of a node set: the nodes of these, too
     InpLocation place;
   };
   struct InpSurfaceSide {
     std::string elements; ///< a set, or empty
     base::Label element = 0;
-    int side = 0;
+    std::optional<int> side; ///< from 0; empty: every free side, of a facet the facet itself
+    InpLocation place;
+  };
+  struct InpSurface {
+    std::string name;
+    std::vector<InpSurfaceSide> members;
     InpLocation place;
   };
   struct InpSection {
@@ -46,6 +62,23 @@ struct InpData {
     bool elastic = false;
     InpLocation place;
   };
+  /// An element that may lie on a side of others: a bar, a facet.
+  struct InpSurfaceElement {
+    base::Label label = 0;
+    std::array<base::Label, 4> corner{}; ///< of a bar its nodes, the middle one second or last
+    std::size_t corners = 0;             ///< 2 of a bar
+    std::size_t type = 0;                ///< its place in `surface_types`
+  };
+  struct InpElementKind {
+    std::string name;
+    InpLocation first;
+    std::size_t count = 0; ///< lines, where it is not known how many of them an element takes
+  };
+  /// Cards of one kind that are passed over.
+  struct InpLeftOut {
+    InpLocation first;
+    std::size_t count = 0;
+  };
 
   std::vector<base::Label> node; ///< numbers, in the order of the file
   std::vector<base::Vec3> x;
@@ -55,29 +88,25 @@ struct InpData {
   std::vector<InpLocation> element_place;
   std::vector<std::size_t> first{0}; ///< [element + 1] into `connectivity`
   std::vector<base::Label> connectivity;
+  std::map<std::string, InpLocation> special; ///< element names taken in full integration instead
 
-  std::vector<Named<base::Label>> node_sets;
-  std::vector<Named<base::Label>> element_sets;
-  std::vector<Named<InpSurfaceSide>> surfaces;
+  std::vector<InpSurfaceElement> surface_elements;
+  std::vector<InpElementKind> surface_types;
+  std::vector<InpElementKind> connectors; ///< springs, masses ..; with SKIP=ALL
+  std::vector<InpElementKind> unknown;
+  InpLabelList connector; ///< their numbers
+
+  std::vector<InpLabelSet> node_sets;
+  std::vector<InpLabelSet> element_sets;
+  std::vector<InpSurface> surfaces;
   std::vector<InpMaterial> materials;
   std::vector<InpSection> sections;
   std::vector<InpEquation> equations;
-  std::vector<std::string> files;             ///< paths, for places
-  std::map<std::string, InpLocation> special; ///< element names taken in full integration instead
-  /// Passed over, by name: bars (T3D3), and keywords of loads where that is wished.
-  struct InpSkippedItems {
-    InpLocation first;
-    std::size_t count = 0;
-  };
-  std::map<std::string, InpSkippedItems> bars, keywords;
-  std::unordered_set<base::Label> bar; ///< their numbers
-};
+  InpJointCards joint; ///< with SKIP=ALL
 
-/// Something wrong or not understood.
-struct InpIssue {
-  InpLocation place;
-  std::string text;
-  std::string hint;
+  std::vector<std::string> files;             ///< paths, for places
+  std::map<std::string, InpLeftOut> left_out; ///< by keyword, "TIE", or keyword and parameter
+  std::vector<InpIssue> remarks;              ///< what is read otherwise than it may be meant
 };
 
 } // namespace spricka::mesh

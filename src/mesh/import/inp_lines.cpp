@@ -9,10 +9,24 @@
 
 namespace spricka::mesh {
 
+void InpKeywordReader::complain_or_leave_out(std::string_view what, std::string words) const {
+  if (shared_.lenient) {
+    shared_.leave_out(fmt::format("{} {}", key_.shown, what), key_.place);
+  } else {
+    complain(key_.place, std::move(words));
+  }
+}
+
 bool InpKeywordReader::only(std::initializer_list<std::string_view> known) const {
   bool ok = true;
   for (const auto& [name, value] : key_.parameters) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
+    const bool says_where = name == "SYSTEM" || name == "INPUT"; // of nodes, or another file
+    if (std::find(known.begin(), known.end(), name) != known.end()) {
+      continue;
+    }
+    if (shared_.lenient && !says_where) {
+      shared_.leave_out(fmt::format("{} {}", key_.shown, name), key_.place);
+    } else {
       complain(key_.place, fmt::format("*{}: {} is not understood", key_.shown, name));
       ok = false;
     }
@@ -41,7 +55,7 @@ std::size_t InpKeywordReader::set_of(std::vector<InpLabelSet>& sets,
                                      const std::string& name) const {
   const auto [at, fresh] = index.try_emplace(upper_case(plain(name)), sets.size());
   if (fresh) {
-    sets.push_back({plain(name), {}, key_.place});
+    sets.push_back({plain(name), {}, {}, key_.place});
   }
   return at->second;
 }

@@ -13,7 +13,7 @@
 
 namespace spricka::mesh {
 
-using InpLabelSet = InpData::Named<base::Label>;
+using InpLabelSet = InpData::InpLabelSet;
 
 /// What the readers of single keywords share.
 struct InpReaderContext {
@@ -24,6 +24,15 @@ struct InpReaderContext {
   std::map<std::string, std::size_t> element_sets{};
   std::string instance{}; ///< name of the one *INSTANCE
   bool in_assembly = false;
+  bool in_step = false;
+  bool lenient = false;     ///< SKIP=ALL: what is not understood is listed
+  std::size_t included = 0; ///< ranges that sets took from other sets so far
+
+  /// Lists a card, or a part of what it says, that is passed over.
+  void leave_out(const std::string& what, InpLocation at) const {
+    InpData::InpLeftOut& kind = data.left_out[what];
+    kind.first = kind.count++ == 0 ? at : kind.first;
+  }
 };
 
 /// Reads the data lines of one keyword.
@@ -45,7 +54,10 @@ protected:
     shared_.complain(at, std::move(words), std::move(hint));
   }
   void complain_here(std::string words) const { complain(text_.location(), std::move(words)); }
-  /// Parameters the keyword is understood with; others could change its meaning.
+  /// A complaint at the keyword; with SKIP=ALL `what` of it is listed as left out.
+  void complain_or_leave_out(std::string_view what, std::string words) const;
+  /// Parameters the keyword is understood with; others could change its meaning. False after a
+  /// complaint.
   bool only(std::initializer_list<std::string_view> known) const;
   /// The value of a parameter; a complaint without one.
   bool needs(std::string_view key, std::string& value) const;
@@ -71,6 +83,9 @@ std::unique_ptr<InpKeywordReader> make_inp_mesh_reader(InpReaderContext& shared,
 /// The reader of *NSET, *ELSET or *SURFACE; null for other keywords.
 std::unique_ptr<InpKeywordReader> make_inp_set_reader(InpReaderContext& shared,
                                                       const InpKeyword& key);
+/// With SKIP=ALL the reader of contact, ties, supports and loads, in steps too; null for others.
+std::unique_ptr<InpKeywordReader> make_inp_joint_reader(InpReaderContext& shared,
+                                                        const InpKeyword& key);
 /// The reader of materials, sections and *EQUATION; null for other keywords.
 std::unique_ptr<InpKeywordReader> make_material_and_equation_reader(InpReaderContext& shared,
                                                                     const InpKeyword& key);

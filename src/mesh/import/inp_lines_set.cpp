@@ -18,9 +18,15 @@ public:
         index_(nodes ? shared.node_sets : shared.element_sets),
         generate_(key_.find("GENERATE") != nullptr) {
     std::string name;
-    sound_ = only({name_key, "GENERATE", "UNSORTED", "INSTANCE", "INTERNAL", "TYPE"}) &&
-             needs(name_key, name);
+    sound_ =
+        (nodes ? only({name_key, "GENERATE", "UNSORTED", "INSTANCE", "INTERNAL", "TYPE", "ELSET"})
+               : only({name_key, "GENERATE", "UNSORTED", "INSTANCE", "INTERNAL", "TYPE"})) &&
+        needs(name_key, name);
     set_ = sound_ ? set_of(sets_, index_, name) : 0;
+    const std::string* of = nodes ? key_.find("ELSET") : nullptr;
+    if (sound_ && of != nullptr) {
+      sets_[set_].element_sets.push_back(plain(*of));
+    }
   }
   void read_line() override {
     InpFieldReader fields(text_.data_line());
@@ -32,16 +38,18 @@ public:
       return;
     }
     while (fields.has_more()) {
-      member(fields.next_text());
+      if (const std::string_view text = fields.next_text(); !text.empty()) {
+        member(text);
+      }
     }
   }
 
 protected:
   [[nodiscard]] bool sound() const { return sound_; }
   void member(std::string_view field) {
-    auto& into = sets_[set_].members;
+    InpLabelList& into = sets_[set_].members;
     if (const auto label = parse_inp_integer(field)) {
-      into.push_back(*label);
+      into.append(*label);
       return;
     }
     const auto other = index_.find(upper_case(plain(field)));
@@ -49,26 +57,35 @@ protected:
       complain_here(fmt::format("there is no set '{}' up to here", field));
       return;
     }
-    const std::vector<Label> members = sets_[other->second].members; // may be the set itself
-    into.insert(into.end(), members.begin(), members.end());
+    const InpLabelList& members = sets_[other->second].members; // may be those of the set itself
+    const std::vector<std::string> more = sets_[other->second].element_sets;
+    shared_.included += members.ranges().size() + more.size();
+    if (shared_.included > most_included) {
+      complain_here("sets name each other over and over");
+      return;
+    }
+    into.append(members);
+    std::vector<std::string>& of = sets_[set_].element_sets;
+    of.insert(of.end(), more.begin(), more.end());
   }
 
 private:
   void generate(InpFieldReader& fields) {
     const auto first = fields.next_integer();
     const auto last = fields.next_integer();
-    const auto step = fields.has_more() ? fields.next_integer() : std::optional<Label>(1);
-    const bool ok = first && last && step && *first > 0 && *step > 0 && *last >= *first;
-    if (!ok || *last - *first > most || fields.has_more()) {
+    const std::string_view third = fields.next_text();
+    const auto step = third.empty() && first && last
+                          ? std::optional<Label>(*last < *first ? -1 : 1) // downwards, too
+                          : parse_inp_integer(third);
+    if (!first || !last || !step || *first <= 0 || *last <= 0 || *step == 0 || fields.has_more() ||
+        (*first != *last && (*last > *first) != (*step > 0))) {
       complain_here("with GENERATE a line is first, last, step");
       return;
     }
-    for (Label label = *first; label <= *last; label += *step) {
-      sets_[set_].members.push_back(label);
-    }
+    sets_[set_].members.append_range(*first, *last, *step);
   }
 
-  static constexpr Label most = 1'000'000'000;
+  static constexpr std::size_t most_included = 8'000'000;
   std::vector<InpLabelSet>& sets_;
   std::map<std::string, std::size_t>& index_;
   std::size_t set_ = 0;
@@ -98,23 +115,34 @@ public:
     std::string name;
     const bool sound = only({"NAME", "TYPE", "INTERNAL"}) && needs("NAME", name);
     if (const std::string* type = key_.find("TYPE"); type && upper_case(*type) != "ELEMENT") {
-      complain(key_.place, fmt::format("*SURFACE: TYPE={} is not understood", *type));
-    } else if (sound) {
+      complain_or_leave_out(fmt::format("TYPE={}", *type),
+                            fmt::format("*SURFACE: TYPE={} is not understood", *type));
+      return;
+    }
+    sound_ = sound;
+    if (sound) {
       set_ = data_.surfaces.size();
-      data_.surfaces.push_back({name, {}, key_.place});
+      data_.surfaces.push_back({plain(name), {}, key_.place});
     }
   }
   void read_line() override {
+    if (!sound_) {
+      return;
+    }
     InpFieldReader fields(text_.data_line());
     const std::string_view what = fields.next_text();
     const std::string side = upper_case(fields.next_text());
     InpData::InpSurfaceSide entry;
     entry.place = text_.location();
-    if (side.size() != 2 || side[0] != 'S' || side[1] < '1' || side[1] > '6' || fields.has_more()) {
+    const bool numbered = side.size() == 2 && side[0] == 'S' && side[1] >= '1' && side[1] <= '6';
+    const bool whole = side.empty() || side == "SPOS" || side == "SNEG";
+    if ((!numbered && !whole) || fields.has_more()) {
       complain_here("a line of *SURFACE is element or set, side S1 to S6");
       return;
     }
-    entry.side = side[1] - '1';
+    if (numbered) {
+      entry.side = side[1] - '1';
+    }
     if (const auto label = parse_inp_integer(what)) {
       entry.element = *label;
     } else {
@@ -126,6 +154,7 @@ public:
   }
 
 private:
+  bool sound_ = false;
   std::optional<std::size_t> set_;
 };
 

@@ -42,7 +42,6 @@ constexpr std::array<Advice, 7> advices{
      {" PLASTIC HYPERELASTIC CREEP VISCOELASTIC ORIENTATION USERMATERIAL ",
       "materials are isotropic and linear elastic"}}};
 
-constexpr std::string_view skip_words = "; $IMPORT SKIP=LOADS passes over them";
 /// How many of the above SKIP=LOADS passes over, from the first one on.
 constexpr std::size_t skippable = 3;
 
@@ -61,20 +60,23 @@ bool is_load(const std::string& name) {
 
 std::string advice(const std::string& name) {
   const Advice* const at = find_advice(name);
-  std::string words(at == advices.end() ? "take it out of the file if it has no say" : at->words);
-  return is_load(name) ? words.append(skip_words) : words;
+  const std::string words(at == advices.end() ? "" : fmt::format("{}; ", at->words));
+  return fmt::format("{}$IMPORT SKIP={} passes over {}", words, is_load(name) ? "LOADS" : "ALL",
+                     is_load(name) ? "them" : "it");
 }
 
 class InpFileReader {
 public:
   InpFileReader(const std::filesystem::path& file, InpData& data, std::vector<InpIssue>& complaints,
-                bool skip_loads)
-      : complaints_(complaints), skip_loads_(skip_loads),
+                InpSkip skip)
+      : complaints_(complaints), skip_(skip),
         text_(file,
               [this](InpLocation at, std::string words) { complain(at, std::move(words), {}); }),
         shared_{text_, data, [this](InpLocation at, std::string words, std::string hint) {
                   complain(at, std::move(words), std::move(hint));
-                }} {}
+                }} {
+    shared_.lenient = skip == InpSkip::all;
+  }
 
   void run() {
     std::unique_ptr<InpKeywordReader> lines;
@@ -83,10 +85,11 @@ public:
         if (lines != nullptr) {
           lines->finish_keyword();
         }
+        at_instance_ = false;
         lines = lines_of(text_.keyword());
       } else if (lines != nullptr) {
         lines->read_line();
-      } else if (in_instance_) {
+      } else if (at_instance_) {
         complain(text_.location(), "an *INSTANCE that is moved or turned is not imported", {});
       }
     }
@@ -94,8 +97,18 @@ public:
       lines->finish_keyword();
     }
     for (const auto& [name, met] : refused_) {
-      const std::string more = met.count > 1 ? fmt::format(" (and {} more)", met.count - 1) : "";
-      complain(met.first, fmt::format("*{} is not imported{}", met.shown, more), advice(name));
+      complain(met.first, fmt::format("*{} is not imported{}", met.shown, and_more(met.count)),
+               advice(name));
+    }
+    for (const InpData::InpElementKind& kind : shared_.data.unknown) {
+      complain(kind.first,
+               fmt::format("elements of type {} are not known ({} lines)", kind.name, kind.count),
+               is_inp_connector(kind.name)
+                   ? "$IMPORT SKIP=ALL leaves springs, masses and the like out"
+                   : "known: CPS, CPE and CAX with 3, 4, 6, 8 nodes; C3D with 4, 6, 8, 10, 15, 20");
+    }
+    for (const auto& [words, met] : said_) {
+      complaints_[met.complaint].text += and_more(met.count);
     }
     shared_.data.files = text_.file_paths();
   }
@@ -107,32 +120,43 @@ private:
     std::size_t count = 0;
   };
 
+  static std::string and_more(std::size_t count) {
+    return count > 1 ? fmt::format(" (and {} more)", count - 1) : "";
+  }
+
+  /// What is said of many lines in the same words is said at the first of them.
   void complain(InpLocation at, std::string words, std::string hint) {
-    if (complaints_.size() < most_complaints) {
+    const auto met = said_.find(words);
+    if (met != said_.end()) {
+      ++met->second.count;
+    } else if (complaints_.size() < most_complaints) {
+      said_.emplace(words, Said{complaints_.size(), 1});
       complaints_.push_back({at, std::move(words), std::move(hint)});
     }
   }
 
   // All that stands in a step, and what loads or holds outside of one.
   bool passed_over(const InpKeyword& key) {
-    if (!skip_loads_) {
+    if (skip_ == InpSkip::nothing) {
       return false;
     }
-    const bool inside = in_step_ || key.name == "STEP";
-    in_step_ = inside && key.name != "ENDSTEP";
+    const bool inside = shared_.in_step || key.name == "STEP";
+    shared_.in_step = inside && key.name != "ENDSTEP";
     if (!inside && !is_load(key.name)) {
       return false;
     }
-    if (!is_harmless(key.name)) {
-      InpData::InpSkippedItems& left = shared_.data.keywords[key.shown];
-      left.first = left.count++ == 0 ? key.place : left.first;
-    }
+    leave_out(key);
     return true;
+  }
+  void leave_out(const InpKeyword& key) const {
+    if (!is_harmless(key.name)) {
+      shared_.leave_out(key.shown, key.place);
+    }
   }
 
   std::unique_ptr<InpKeywordReader> lines_of(const InpKeyword& key) {
     if (passed_over(key)) {
-      return nullptr;
+      return make_inp_joint_reader(shared_, key);
     }
     for (const auto make :
          {make_inp_mesh_reader, make_inp_set_reader, make_material_and_equation_reader}) {
@@ -140,7 +164,14 @@ private:
         return lines;
       }
     }
-    if (!frame(key) && !is_harmless(key.name)) {
+    if (frame(key)) {
+      return nullptr;
+    }
+    if (skip_ == InpSkip::all) {
+      leave_out(key);
+      return make_inp_joint_reader(shared_, key);
+    }
+    if (!is_harmless(key.name)) {
       Refused& refused = refused_[key.name];
       if (refused.count++ == 0) {
         refused.shown = key.shown;
@@ -166,35 +197,38 @@ private:
       if (++instances_ > 1) {
         complain(key.place, "a second *INSTANCE is not imported", std::string(apart));
       }
-      in_instance_ = true;
+      at_instance_ = true;
       if (const std::string* name = key.find("NAME")) {
         shared_.instance = *name;
       }
-    } else if (key.name == "ENDINSTANCE") {
-      in_instance_ = false;
     } else {
-      return false;
+      return key.name == "ENDINSTANCE";
     }
     return true;
   }
 
+  struct Said {
+    std::size_t complaint = 0; ///< its place
+    std::size_t count = 0;
+  };
+
   std::vector<InpIssue>& complaints_;
-  bool skip_loads_;
-  bool in_step_ = false;
+  std::map<std::string, Said> said_; ///< by its words
+  InpSkip skip_;
   InpLineReader text_;
   InpReaderContext shared_;
   std::map<std::string, Refused> refused_;
   int parts_ = 0;
   int instances_ = 0;
-  bool in_instance_ = false;
+  bool at_instance_ = false; ///< lines below are how it is moved and turned
 };
 
 } // namespace
 
 InpData read_inp_data(const std::filesystem::path& file, std::vector<InpIssue>& complaints,
-                      bool skip_loads) {
+                      InpSkip skip) {
   InpData data;
-  InpFileReader(file, data, complaints, skip_loads).run();
+  InpFileReader(file, data, complaints, skip).run();
   return data;
 }
 

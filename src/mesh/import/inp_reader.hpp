@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "mesh/import/import_request.hpp"
 #include "mesh/import/inp_data.hpp"
 
 #include <filesystem>
@@ -7,9 +8,8 @@
 
 namespace spricka::mesh {
 
-/// Reads a file with its includes; complaints leave the data incomplete. With `skip_loads`
-/// supports, loads and steps are passed over.
+/// Reads a file with its includes; complaints leave the data incomplete.
 InpData read_inp_data(const std::filesystem::path& file, std::vector<InpIssue>& complaints,
-                      bool skip_loads = false);
+                      InpSkip skip = InpSkip::nothing);
 
 } // namespace spricka::mesh

@@ -22,9 +22,12 @@ public:
     diagnostics_.error(request_.span, std::move(code),
                        fmt::format("{}: {}", place(at), shown(at, text)), std::move(hint));
   }
-  /// A warning at a line of the file, reported at the card that imports it.
-  void warning(InpLocation at, std::string code, const std::string& text) {
-    diagnostics_.warning(request_.span, std::move(code), fmt::format("{}: {}", place(at), text));
+  /// A warning at a line of the file, reported at the first card that imports it.
+  void warning(InpLocation at, std::string code, const std::string& text, std::string hint = {}) {
+    if (!request_.reported) {
+      diagnostics_.warning(request_.span, std::move(code), fmt::format("{}: {}", place(at), text),
+                           std::move(hint));
+    }
   }
 
 private:

@@ -51,6 +51,14 @@ const NastranAdvice* find_nastran_advice(const std::string& name) {
   return at == nastran_advices.end() ? nullptr : at;
 }
 
+InpLabelList as_list(const std::vector<base::Label>& labels) {
+  InpLabelList list;
+  for (const base::Label label : labels) {
+    list.append(label);
+  }
+  return list;
+}
+
 /// The model as input files of Abaqus have theirs; materials are called "M<number>".
 InpData as_inp_data(const NastranModel& model, const NastranBulk& bulk) {
   InpData data;
@@ -66,10 +74,10 @@ InpData as_inp_data(const NastranModel& model, const NastranBulk& bulk) {
   data.connectivity = model.connectivity;
   data.special = model.special;
   for (const NastranModel::NastranSet& set : model.node_sets) {
-    data.node_sets.push_back({set.name, set.members, set.place});
+    data.node_sets.push_back({set.name, as_list(set.members), {}, set.place});
   }
   for (const NastranModel::NastranSet& set : model.element_sets) {
-    data.element_sets.push_back({set.name, set.members, set.place});
+    data.element_sets.push_back({set.name, as_list(set.members), {}, set.place});
   }
   for (const NastranModel::NastranSurface& surface : model.surfaces) {
     data.surfaces.push_back({surface.name, {}, surface.place});

@@ -209,10 +209,14 @@ constexpr std::array advice{
                 "with FORCE=N (Pa)."},
     CodeMeaning{
         "W466",
-        "gmsh writes curves as bars: nothing is lost. Give them no section; bars that "
-        "carry load cannot be imported. A thin shell on a solid has next to no stiffness; a "
-        "thick one is better meshed as solids."},
+        "gmsh writes curves as bars, surfaces of solids as plane elements: nothing is lost. Give "
+        "them no section; bars and skins that carry load cannot be imported. A thin shell on a "
+        "solid has next to no stiffness; a thick one is better meshed as solids."},
     CodeMeaning{"W467", "Say in the deck how the model is held and loaded."},
+    CodeMeaning{"W468", "Say in the deck how bodies touch and hang together: $CONTACT, with "
+                        "TYPE=BONDED for a tie. spricka convert FILE.inp NEW.deck begins such a "
+                        "deck."},
+    CodeMeaning{"W469", "Mend the file if it is meant otherwise, or give $MATERIAL and $PROPERTY."},
     CodeMeaning{"E452", "Add $CRACK, or take $GROW away."},
     CodeMeaning{"E453", "KMAX names the step with the largest K of a cycle, KMIN that with the "
                         "smallest: exchange them, or look at the sign of the load."},

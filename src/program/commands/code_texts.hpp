@@ -76,8 +76,12 @@ inline constexpr std::array later_codes{
     CodeMeaning{"E468", "a standard output that cannot be written"},
     CodeMeaning{"E469", "a restart file inside the run folder"},
     CodeMeaning{"W466",
-                "bars of an imported file, or stiffness of shells on faces, that are left out"},
-    CodeMeaning{"W467", "supports, loads and steps of an imported file that are passed over"},
+                "bars or shells of an imported file that are left out, or taken as surfaces"},
+    CodeMeaning{"W467", "cards and entries of an imported file that are passed over"},
+    CodeMeaning{"W468",
+                "what joins bodies of an imported file, or makes them of a material that is "
+                "not elastic, and is left out"},
+    CodeMeaning{"W469", "what is read of an imported file otherwise than it may be meant"},
     CodeMeaning{"E480", "a geometry script that reaches outside: commands, files, the end of gmsh"},
     CodeMeaning{"E481", "reading or meshing an imported file takes too long"},
     CodeMeaning{"E482", "meshing an imported file takes too much memory"},
@@ -131,6 +135,7 @@ inline constexpr std::array later_codes{
     CodeMeaning{"W560", "the newest state cannot be read; the one before is taken"},
     CodeMeaning{"W561", "kept increments that are not taken over, or not whole"},
     CodeMeaning{"W540", "a converted deck of which only the first step is written"},
+    CodeMeaning{"W541", "what a deck made of an .inp says otherwise than the file, or lacks"},
 };
 
 /// Every code the program can print, the deck's first.

@@ -1,78 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "distorted.hpp"
+#include "inp_file.hpp"
 #include "mesh/export/write_inp.hpp"
-#include "mesh/import/inp_import.hpp"
 #include "mesh/quality.hpp"
 #include "meshes.hpp"
 #include "model/model.hpp"
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <unistd.h>
-
 namespace spricka::test_inp_import {
 namespace {
 
 namespace fs = std::filesystem;
-
-class Inp : public testing::Test {
-protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("spricka-inp-" + std::to_string(getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-  }
-  /// True without an error; the result is in model_ and diagnostics_.
-  bool import(const std::string& text, const std::string& prefix = "") {
-    write("a.inp", text);
-    mesh::ImportRequest request;
-    request.file = folder_ / "a.inp";
-    request.net = base::NetId(std::size_t{0});
-    request.prefix = prefix;
-    request.renames = renames_;
-    request.scale = scale_;
-    model_ = {};
-    diagnostics_ = {};
-    physics_ = mesh::import_inp(model_.mesh, request, diagnostics_);
-    mesh::append_materials_and_equations(model_, physics_);
-    return !diagnostics_.has_errors();
-  }
-  /// All messages, one a line.
-  [[nodiscard]] std::string messages() const {
-    std::string all;
-    for (const base::Diagnostic& d : diagnostics_.messages()) {
-      all += d.code + " " + d.text + " = " + d.hint + "\n";
-    }
-    return all;
-  }
-  [[nodiscard]] const model::NodeSet& nodes(const std::string& name) const {
-    return *std::find_if(model_.mesh.node_sets.begin(), model_.mesh.node_sets.end(),
-                         [&](const auto& s) { return s.name == name; });
-  }
-  [[nodiscard]] const model::ElementSet& elements(const std::string& name) const {
-    return *std::find_if(model_.mesh.element_sets.begin(), model_.mesh.element_sets.end(),
-                         [&](const auto& s) { return s.name == name; });
-  }
-  [[nodiscard]] std::vector<base::Label> labels(const std::string& node_set) const {
-    std::vector<base::Label> result;
-    for (const base::NodeId n : nodes(node_set).nodes) {
-      result.push_back(model_.mesh.node_label[n.index()]);
-    }
-    return result;
-  }
-
-  fs::path folder_;
-  double scale_ = 1.0;
-  std::vector<std::pair<std::string, std::string>> renames_;
-  model::Model model_;
-  mesh::ImportedMaterialsAndEquations physics_;
-  base::Diagnostics diagnostics_;
-};
+using Inp = test::InpFile;
+using test::two_quads;
 
 TEST_F(Inp, EveryTypeComesBackBitForBit) {
   for (const base::ElementType type : test::all_types) {
@@ -101,25 +42,6 @@ TEST_F(Inp, EveryTypeComesBackBitForBit) {
     EXPECT_EQ(nodes("LINE").nodes, wanted.mesh.node_sets[0].nodes);
   }
 }
-
-const std::string two_quads = R"(*Heading
- a title, with commas
-** a comment
-*NODE, nset=all
- 1, 0., 0.
- 2, 1.0D0, 0.
-3,2,0,0
- 4, +0., 1.
- 5, 1., 1.
- 6, 2., 1.
- 99, 50., 50.
-*Element, type = CPS4R ,
-  elset=Left half
- 10, 1,2,
- 5,4
-*ELEMENT,TYPE=CPS4,ELSET=RIGHT
- 20, 2,3,6,5,
-)";
 
 TEST_F(Inp, FreeFormCommentsContinuationAndStrayNodes) {
   ASSERT_TRUE(import(two_quads)) << messages();
@@ -243,7 +165,8 @@ TEST_F(Inp, EquationsTieFreedoms) {
 
 TEST_F(Inp, MistakesNameTheirLine) {
   const std::vector<std::pair<std::string, std::string>> cases{
-      {"*ELEMENT, TYPE=S4\n 30, 1,2,5,4\n", "a.inp:18: elements of type S4 are not known"},
+      {"*ELEMENT, TYPE=S4\n 30, 1,2,5,4\n",
+       "a.inp:18: 1 of 1 elements of type S4 are no face of a solid"},
       {"*ELEMENT, TYPE=CPS3, OFFSET=1\n 30, 1,2,5\n", "a.inp:18: *ELEMENT: OFFSET is not"},
       {"*ELEMENT, TYPE=CPS3\n 30, 1,2\n", "a.inp:19: CPS3 takes 3 nodes; the element ends early"},
       {"*ELEMENT, TYPE=CPS3\n 30, 1,2,5,4\n", "a.inp:19: CPS3 takes 3 nodes"},
@@ -255,8 +178,9 @@ TEST_F(Inp, MistakesNameTheirLine) {
       {"*NSET, NSET=N\n NOBODY\n", "a.inp:19: there is no set 'NOBODY'"},
       {"*NSET, NSET=N\n 77\n", "a.inp:18: set N has node 77"},
       {"*SURFACE, NAME=S\n RIGHT, S5\n", "a.inp:19: QUAM4 has no side S5"},
-      {"*SURFACE, NAME=S\n RIGHT, SPOS\n", "a.inp:19: a line of *SURFACE"},
-      {"*ELEMENT, TYPE=C3D4\n 30, 1,2,5,4\n", "plane and of space in one file"},
+      {"*SURFACE, NAME=S\n RIGHT, T1\n", "a.inp:19: a line of *SURFACE"},
+      {"*ELEMENT, TYPE=C3D4\n 30, 1,2,5,4\n",
+       "2 of 2 elements of type CPS4 are no face of a solid"},
       {"*EQUATION\n 2\n 1, 1, 1.\n", "a.inp:19: the *EQUATION ends early"},
       {"*EQUATION\n 1\n ALL, 1, 1.\n", "a.inp:20: a term of an *EQUATION"},
       {"*EQUATION\n 1\n 99, 1, 1.\n", "a.inp:19: an *EQUATION names freedom 1 of node 99"},
