@@ -203,7 +203,9 @@ void CommandTree::add_convert() {
   CLI::App& command = add("convert", "write a mesh or deck in another format",
                           "  spricka convert lug.deck lug.vtu      the mesh, for ParaView\n"
                           "  spricka convert plate.inp plate.msh   for gmsh\n"
-                          "  spricka convert plate.deck plate.inp  the first step, for ccx",
+                          "  spricka convert plate.deck plate.inp  the first step, for ccx\n"
+                          "  spricka convert joint.inp joint.deck  its contact, ties, supports as "
+                          "cards",
                           [this] {
                             convert_.in = run_.deck;
                             convert_.defines = run_.defines;
@@ -214,7 +216,8 @@ void CommandTree::add_convert() {
   command.get_option("DECK")->description("a deck, a mesh .msh, .geo, .inp or of Nastran, or STEP");
   command.add_flag("--replace", convert_.replace, "overwrite OUT if it exists");
   add_path_option(command, "OUT", convert_.out,
-                  "the file to write; its ending is the format: .msh, .vtu or .inp", "")
+                  "the file to write; its ending is the format: .msh, .vtu, .inp, of an .inp .deck",
+                  "")
       .required();
 }
 

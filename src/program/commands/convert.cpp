@@ -11,10 +11,12 @@
 #include "mesh/import/nastran_import.hpp"
 #include "mesh/import/recognise_mesh_file.hpp"
 #include "mesh/import/step_import.hpp"
+#include "mesh/set_name.hpp"
 #include "model/model.hpp"
 #include "program/job/failures.hpp"
 #include "program/job/run_options.hpp"
 #include "program/job/standard_streams.hpp"
+#include "program/peers/deck_of_inp.hpp"
 #include "program/peers/inp_of_deck.hpp"
 #include "report/drawing/file.hpp"
 #include "report/report.hpp"
@@ -26,6 +28,7 @@
 #include <cstdio>
 #include <numeric>
 #include <optional>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 
@@ -57,22 +60,27 @@ std::string_view mesh_format(const std::filesystem::path& file, const mesh::Mesh
                                                  : "";
 }
 
-/// The model of a mesh file, in the units of whoever wrote it.
+/// The model of a mesh file, in the units of whoever wrote it; of an .inp the cards that a deck can
+/// have go to `joint`, where there is one.
 model::Model read_mesh(const std::filesystem::path& file, std::string_view format,
-                       base::Diagnostics& diagnostics) {
+                       base::Diagnostics& diagnostics, mesh::InpJointCards* joint) {
   model::Model model;
   model.nets.emplace_back();
   mesh::ImportRequest request;
   request.file = file;
   request.net = base::NetId(std::size_t{0});
   if (format == "INP" || format == "NASTRAN") {
-    request.skip = format == "NASTRAN" ? mesh::InpSkip::all : mesh::InpSkip::nothing;
-    const mesh::ImportedMaterialsAndEquations physics =
+    request.skip = mesh::InpSkip::all;
+    request.joint_taken = joint != nullptr;
+    mesh::ImportedMaterialsAndEquations physics =
         format == "INP" ? mesh::import_inp(model.mesh, request, diagnostics)
                         : mesh::import_nastran(model.mesh, request, diagnostics);
     mesh::append_materials_and_equations(model, physics);
     if (!physics.equations.empty()) {
       model.unavailable.push_back({"*EQUATION", request.span});
+    }
+    if (joint != nullptr) {
+      *joint = std::move(physics.joint);
     }
   } else if (format == "STEP") {
     request.format = mesh::ImportFormat::step;
@@ -87,6 +95,22 @@ model::Model read_mesh(const std::filesystem::path& file, std::string_view forma
     mesh::import_gmsh_mesh_or_script(model.mesh, request, diagnostics);
   }
   return model;
+}
+
+/// Lines of a deck that say a text.
+std::string as_comment(const std::string& text) {
+  constexpr std::size_t full = 110;
+  std::string lines;
+  std::string line;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (!line.empty() && line.size() + word.size() > full) {
+      lines += line + "\n";
+      line.clear();
+    }
+    line += (line.empty() ? (lines.empty() ? "! - " : "!   ") : " ") + word;
+  }
+  return line.empty() ? lines : lines + line + "\n";
 }
 
 /// The mesh with its face sets as node sets too: points can carry a mark, faces cannot.
@@ -128,6 +152,26 @@ void refuse_to_replace_output(const ConvertOptions& options) {
   }
 }
 
+/// A deck that imports the file; what it says otherwise stands in its first lines too.
+void write_deck(const ConvertOptions& options, const model::Model& model,
+                const mesh::InpJointCards& joint, const base::Diagnostics& words, const Log& log) {
+  const std::filesystem::path folder =
+      options.out.has_parent_path() ? options.out.parent_path() : ".";
+  DeckOfInp deck =
+      deck_of_inp(model, joint, std::filesystem::proximate(options.in, folder).string(),
+                  mesh::make_valid_set_name(options.in.stem().string()));
+  std::string head = fmt::format("! made of {} by spricka convert; look at this first:\n",
+                                 options.in.filename().string());
+  for (const base::Diagnostic& d : words.messages()) {
+    head += as_comment(d.text);
+  }
+  for (const std::string& remark : deck.remarks) {
+    head += as_comment(remark);
+    log.report_message(base::Severity::warning, "W541", remark, options.out.string());
+  }
+  report::write_file(options.out, head + deck.text);
+}
+
 base::ProgramOutcome write(const ConvertOptions& options, const base::SourceTexts& sources,
                            const model::Model& model, const Log& log) {
   const std::string kind = extension(options.out);
@@ -157,9 +201,12 @@ base::ProgramOutcome write(const ConvertOptions& options, const base::SourceText
 base::ProgramOutcome convert_mesh_or_deck(const ConvertOptions& options) {
   const Log log(options.log_format);
   const std::string kind = extension(options.out);
-  if (kind != ".msh" && kind != ".vtu" && kind != ".inp") {
-    write_to_stderr(fmt::format("spricka convert: OUT ends with .msh, .vtu or .inp, not '{}'\n",
-                                options.out.string()));
+  const bool to_deck = kind == ".deck" && extension(options.in) == ".inp";
+  if (kind != ".msh" && kind != ".vtu" && kind != ".inp" && !to_deck) {
+    write_to_stderr(
+        fmt::format("spricka convert: OUT ends with .msh, .vtu or .inp, of an .inp with "
+                    ".deck too, not '{}'\n",
+                    options.out.string()));
     return base::ProgramOutcome::usage;
   }
   return run_reporting_file_failures(log, [&] {
@@ -173,8 +220,9 @@ base::ProgramOutcome convert_mesh_or_deck(const ConvertOptions& options) {
     base::Diagnostics diagnostics;
     std::optional<model::Model> model;
     const mesh::MeshFileKind* kind = mesh::recognise_mesh_file(options.in);
+    mesh::InpJointCards joint;
     if (const std::string_view format = mesh_format(options.in, kind); !format.empty()) {
-      model = read_mesh(options.in, format, diagnostics);
+      model = read_mesh(options.in, format, diagnostics, to_deck ? &joint : nullptr);
     } else {
       model = deck::read_deck(options.in, {options.defines}, sources, diagnostics);
       if (model) {
@@ -187,6 +235,10 @@ base::ProgramOutcome convert_mesh_or_deck(const ConvertOptions& options) {
     }
     refuse_to_replace_input(options, sources, *model);
     refuse_to_replace_output(options);
+    if (to_deck) {
+      write_deck(options, *model, joint, diagnostics, log);
+      return base::ProgramOutcome::done;
+    }
     return write(options, sources, *model, log);
   });
 }

@@ -11,8 +11,8 @@
 namespace spricka::program {
 
 struct ConvertOptions {
-  std::filesystem::path in;  ///< .msh, .geo, .inp, Nastran bulk data; else a deck
-  std::filesystem::path out; ///< .msh, .vtu or .inp
+  std::filesystem::path in;  ///< .msh, .geo, .inp, .step, Nastran bulk data; else a deck
+  std::filesystem::path out; ///< .msh, .vtu, .inp; of an .inp .deck
   std::vector<std::pair<std::string, std::string>> defines; ///< for a deck
   LogFormat log_format = LogFormat::text;
   bool replace = false; ///< an OUT that is there already

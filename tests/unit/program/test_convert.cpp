@@ -76,10 +76,29 @@ TEST(Convert, TheFirstStepOfADeckBecomesNodalForcesAndSupports) {
   for (const char* part : {"TYPE=CPS8", "TYPE=CPE3", "ELSET=A_BODY", "NAME=B_XMAX", "*DENSITY"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part;
   }
-  // its own *STEP is not imported again: the words say where it is
+  // a mesh has no step: the words say where it is
   const Outcome back = convert(folder, "a.inp", "b.msh");
-  EXPECT_EQ(back.exit_code, 3);
-  EXPECT_NE(back.messages.find("*STEP is not imported"), std::string::npos);
+  EXPECT_EQ(back.exit_code, 0);
+  EXPECT_NE(back.messages.find("*STEP (1, line "), std::string::npos) << back.messages;
+}
+
+TEST(Convert, ADeckOfAnInpHasItsForcesAndSupports) {
+  const Folder folder;
+  write(folder, "a.deck", two_plates());
+  ASSERT_EQ(convert(folder, "a.deck", "a.inp").exit_code, 0);
+  const Outcome begun = convert(folder, "a.inp", "b.deck");
+  EXPECT_EQ(begun.exit_code, 0) << begun.messages;
+  EXPECT_EQ(begun.messages.find("W467"), std::string::npos) << begun.messages; // all is taken
+  const std::string deck = test::slurp(folder.path() / "b.deck");
+  for (const char* part : {"$NET NAME=A_BODY\n", "ESET='B_BODY'\n", "$STEP NAME=STEP_1\n",
+                           "$FREEDOM CLASS=SUPPRESSED DOF=XY\n"}) {
+    EXPECT_NE(deck.find(part), std::string::npos) << part << deck;
+  }
+  const Outcome again = convert(folder, "b.deck", "c.inp");
+  EXPECT_EQ(again.exit_code, 0) << again.messages;
+  const std::string text = test::slurp(folder.path() / "c.inp");
+  EXPECT_NEAR(sum_of_loads(text), -2.0 * 2.0 * 10.0 * 3.0 * 2.0, 1e-9);
+  EXPECT_EQ(convert(folder, "a.deck", "d.deck").exit_code, 2);
 }
 
 // A solid bar of 2 x 3 x 10: the resultants of a traction, a pressure, a body force and a bearing.
