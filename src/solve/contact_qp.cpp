@@ -105,6 +105,9 @@ ContactStatus pivot_to_the_end(const ControllableProblem& problem, const Contact
     const PivotResult result = pivot_criss_cross(
         problem, A, std::max(tolerance, settings.tolerance), settings.max_pivots - answer.pivots);
     answer.pivots += result.pivots;
+    if (result.status == PivotStatus::infeasible && turn > 0) {
+      break; // a force of round-off that no row can take, on a set that was settled before
+    }
     if (result.status == PivotStatus::infeasible) {
       return ContactStatus::inconsistent;
     }
