@@ -194,12 +194,14 @@ private:
     }
   }
 
+  /// Plane elements that a mesher left beside solids carry nothing there, shells do.
   void say_what_lies_on_no_side() {
     for (std::size_t t = 0; t < on_no_side_.size(); ++t) {
       const InpData::InpElementKind& kind = data_.surface_types[t];
       const auto type = find_inp_surface_element_type(kind.name);
-      if (on_no_side_[t] > 0 && type && type->corners == 2) {
-        result_.bars.push_back({kind.name, kind.first, on_no_side_[t]});
+      const bool idle = type ? type->corners == 2 : request_.skip == InpSkip::all;
+      if (on_no_side_[t] > 0 && idle) {
+        result_.idle.push_back({kind.name, kind.first, on_no_side_[t]});
       } else if (on_no_side_[t] > 0) {
         words_.error(kind.first, "E336",
                      fmt::format("{} of {} elements of type {} are no face of a solid: shells and "

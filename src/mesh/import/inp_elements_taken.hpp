@@ -21,7 +21,7 @@ struct InpElementsTaken {
   std::unordered_map<base::Label, bool> left; ///< whether it is a bar or facet
   std::vector<model::Face> free_sides;        ///< ascending; where a surface asks for them
   std::size_t on_sides = 0;                   ///< bars and facets
-  std::vector<InpData::InpElementKind> bars;  ///< left, by type
+  std::vector<InpData::InpElementKind> idle;  ///< bars and plane elements on no side
 };
 
 /// Sorts the elements: solids, or elements of the plane where there are none; what lies on sides of

@@ -181,11 +181,11 @@ private:
   }
 
   void say_what_is_left_out(const InpElementsTaken& taken) {
-    for (const InpData::InpElementKind& bars : taken.bars) {
-      words_.warning(bars.first, "W466",
-                     fmt::format("{} lines of type {} are left out, as there are no bars; sets of "
-                                 "them too",
-                                 bars.count, bars.name));
+    for (const InpData::InpElementKind& idle : taken.idle) {
+      words_.warning(idle.first, "W466",
+                     fmt::format("{} elements of type {} lie on no side of others and are left "
+                                 "out, with sets of them",
+                                 idle.count, idle.name));
     }
     if (taken.on_sides > 0) {
       words_.warning(data_.surface_types.front().first, "W466",

@@ -28,6 +28,12 @@ public:
     for (const InpData::InpSection& section : data_.sections) {
       add_section(section, taken);
     }
+    for (const auto& [material, without] : inelastic_sections_) {
+      words_.warning(without.first, "W469",
+                     fmt::format("sections of material {} are left out, as it has no isotropic "
+                                 "*ELASTIC: give $MATERIAL and $PROPERTY for {}",
+                                 material, without.sets));
+    }
     if (!request_.element_set.empty()) {
       drop_unused_materials();
     }
@@ -80,10 +86,9 @@ private:
     } else if (!there && is_set_of_file(section.elements)) {
       return; // of what is not taken
     } else if (there && inelastic_.contains(upper_case(section.material))) {
-      words_.warning(section.place, "W469",
-                     fmt::format("the section of {} is left out, as material {} has no isotropic "
-                                 "*ELASTIC: give $MATERIAL and $PROPERTY",
-                                 section.elements, section.material));
+      WithoutProperty& without = inelastic_sections_[section.material];
+      without.first = without.sets.empty() ? section.place : without.first;
+      without.sets += (without.sets.empty() ? "" : ", ") + section.elements;
     } else if (const auto material = index_.find(upper_case(section.material));
                material == index_.end() || !there) {
       words_.error(section.place, "E301",
@@ -205,6 +210,11 @@ private:
     physics_.properties.push_back(property);
   }
 
+  struct WithoutProperty {
+    InpLocation first;
+    std::string sets;
+  };
+
   const InpData& data_;
   const ImportRequest& request_;
   const model::Mesh& mesh_;
@@ -212,6 +222,7 @@ private:
   InpMessages& words_;
   std::map<std::string, std::size_t> index_; ///< place of a material, by its name in upper case
   std::set<std::string> inelastic_;
+  std::map<std::string, WithoutProperty> inelastic_sections_; ///< by material
   std::vector<base::Label> sides_; ///< numbers of bars and facets, ascending
   InpLocation unknown_;            ///< the first equation of nodes that no element has
   std::size_t unknown_count_ = 0;

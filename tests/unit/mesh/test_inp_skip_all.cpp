@@ -111,7 +111,8 @@ TEST_F(InpAsItIs, WhatIsNotElasticIsLeftOutWithItsSections) {
   ASSERT_TRUE(import(ortho)) << messages();
   EXPECT_TRUE(model_.materials.empty());
   EXPECT_FALSE(model_.mesh.property[0].valid());
-  EXPECT_TRUE(says("the section of EALL is left out, as material STEEL has no isotropic *ELASTIC"));
+  EXPECT_TRUE(says("sections of material STEEL are left out, as it has no isotropic *ELASTIC: give "
+                   "$MATERIAL and $PROPERTY for EALL"));
   EXPECT_TRUE(says("W468 a.inp: left out, though the model is another one without: *ELASTIC "
                    "TYPE=ORTHO (1, line 21)"))
       << messages();
@@ -187,12 +188,17 @@ TEST_F(InpAsItIs, ElementsOnFacesOfSolidsAreSurfaces) {
     EXPECT_EQ(test::faces(model_.mesh, name).faces, std::vector<model::Face>{end}) << name;
   }
   EXPECT_EQ(test::faces(model_.mesh, "BETWEEN").faces.size(), 1U);
-  EXPECT_TRUE(says("W466 a.inp:14: 1 lines of type T3D2 are left out")) << messages();
+  EXPECT_TRUE(says("W466 a.inp:14: 1 elements of type T3D2 lie on no side of others"))
+      << messages();
   EXPECT_TRUE(says("2 elements (T3D2, CPS4) lie on faces of others")) << messages();
   EXPECT_FALSE(import(gmsh + "*ELEMENT, TYPE=S3, ELSET=SHELL\n 41, 1, 2, 3\n 42, 1, 2, 4\n"));
   EXPECT_EQ(messages(),
             "E336 a.inp:29: 2 of 2 elements of type S3 are no face of a solid: shells and "
             "membranes are not imported = \n");
+  const std::string inside = "*ELEMENT, type=CPS3, ELSET=IN\n 51, 1, 5, 9\n";
+  EXPECT_FALSE(import_strictly(gmsh + inside));
+  EXPECT_TRUE(import(gmsh + inside)) << messages();
+  EXPECT_TRUE(says("1 elements of type CPS3 lie on no side of others")) << messages();
 }
 
 TEST_F(InpAsItIs, ASetWithoutAFaceMeansItsFreeFaces) {
