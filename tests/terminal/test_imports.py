@@ -67,7 +67,7 @@ class Imports(ProgramTest):
         deck = DECK.format(skip="").replace("$LOAD CASE=PULL", held)
         errors = self.expect(0, "run", self.deck(deck)).stderr
         self.assertIn("warning W466", errors)
-        self.assertIn("2 elements (T3D2) lie on edges of others", errors)
+        self.assertIn("their sets are taken as surfaces: 2 T3D2", errors)
         self.assertNotIn("W466", self.messages(0, MESH.replace("*ELEMENT, TYPE=T3D2, ELSET=Line1\n 11, 1, 2\n 12, 2, 3\n", "").replace("*ELSET, ELSET=LOWER\n 11, 12\n", "")))
 
     def test_bars_that_carry_load_are_refused(self):

@@ -143,10 +143,12 @@ private:
       taken.push_back(keep_[e] ? next++ : no_type);
     }
     const SideIndex sides(mesh);
+    on_side_.assign(data_.surface_types.size(), 0);
+    on_no_side_ = on_side_;
     for (const InpData::InpSurfaceElement& element : data_.surface_elements) {
       place_on_side(element, mesh, sides, taken);
     }
-    say_what_lies_on_no_side();
+    sort_by_type();
     if (free_sides) {
       for (const model::Face& face : sides.unshared_sides()) {
         if (taken[face.element.index()] != no_type) {
@@ -183,22 +185,24 @@ private:
       result_.left.emplace(element.label, true);
     } else if (!face) {
       result_.left.emplace(element.label, true);
-      on_no_side_.resize(data_.surface_types.size(), 0);
       ++on_no_side_[element.type];
     }
     if (face) {
       result_.left.erase(element.label);
       result_.faces.emplace(element.label,
                             model::Face{ElementId(taken[face->element.index()]), face->side});
-      ++result_.on_sides;
+      ++on_side_[element.type];
     }
   }
 
   /// Plane elements that a mesher left beside solids carry nothing there, shells do.
-  void say_what_lies_on_no_side() {
+  void sort_by_type() {
     for (std::size_t t = 0; t < on_no_side_.size(); ++t) {
       const InpData::InpElementKind& kind = data_.surface_types[t];
       const auto type = find_inp_surface_element_type(kind.name);
+      if (on_side_[t] > 0) {
+        result_.on_sides.push_back({kind.name, kind.first, on_side_[t]});
+      }
       const bool idle = type ? type->corners == 2 : request_.skip == InpSkip::all;
       if (on_no_side_[t] > 0 && idle) {
         result_.idle.push_back({kind.name, kind.first, on_no_side_[t]});
@@ -246,7 +250,7 @@ private:
   const ImportRequest& request_;
   InpMessages& words_;
   std::vector<bool> keep_, bodies_;
-  std::vector<std::size_t> on_no_side_; ///< [surface type]
+  std::vector<std::size_t> on_side_, on_no_side_; ///< [surface type]
   InpElementsTaken result_;
 };
 

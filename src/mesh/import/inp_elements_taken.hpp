@@ -18,10 +18,10 @@ struct InpElementsTaken {
   /// Bars and facets that lie on sides, by their numbers.
   std::unordered_map<base::Label, model::Face> faces;
   /// Others that are not taken: no side has them, or they join points, or are of another set.
-  std::unordered_map<base::Label, bool> left; ///< whether it is a bar or facet
-  std::vector<model::Face> free_sides;        ///< ascending; where a surface asks for them
-  std::size_t on_sides = 0;                   ///< bars and facets
-  std::vector<InpData::InpElementKind> idle;  ///< bars and plane elements on no side
+  std::unordered_map<base::Label, bool> left;    ///< whether it is a bar or facet
+  std::vector<model::Face> free_sides;           ///< ascending; where a surface asks for them
+  std::vector<InpData::InpElementKind> on_sides; ///< bars and facets, by type
+  std::vector<InpData::InpElementKind> idle;     ///< bars and plane elements on no side
 };
 
 /// Sorts the elements: solids, or elements of the plane where there are none; what lies on sides of

@@ -187,12 +187,15 @@ private:
                                  "out, with sets of them",
                                  idle.count, idle.name));
     }
-    if (taken.on_sides > 0) {
-      words_.warning(data_.surface_types.front().first, "W466",
-                     fmt::format("{} elements ({}) lie on {} of others: their sets are taken as "
-                                 "surfaces, they carry nothing",
-                                 taken.on_sides, names_of(data_.surface_types),
-                                 dim_ == 3 ? "faces" : "edges"));
+    if (!taken.on_sides.empty()) {
+      std::string kinds;
+      for (const InpData::InpElementKind& kind : taken.on_sides) {
+        kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", kind.count, kind.name);
+      }
+      words_.warning(taken.on_sides.front().first, "W466",
+                     fmt::format("elements that lie on sides of others carry nothing, their sets "
+                                 "are taken as surfaces: {}",
+                                 kinds));
     }
     for (const InpIssue& remark : data_.remarks) {
       words_.warning(remark.place, "W469", remark.text);
@@ -210,13 +213,6 @@ private:
           "spricka convert FILE.inp NEW.deck makes cards of contact, ties, supports and "
           "loads");
     }
-  }
-  static std::string names_of(const std::vector<InpData::InpElementKind>& kinds) {
-    std::string names;
-    for (const InpData::InpElementKind& kind : kinds) {
-      names += names.empty() ? kind.name : ", " + kind.name;
-    }
-    return names;
   }
 
   void warn(bool has_moduli) {

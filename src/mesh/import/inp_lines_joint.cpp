@@ -166,7 +166,7 @@ protected:
 class SupportLines : public StepLines {
 public:
   SupportLines(InpReaderContext& shared, const InpKeyword& key) : StepLines(shared, key) {
-    passed_ = leave_out_with({"USER", "SUBMODEL", "BASEMOTION", "MASSFLOW", "SUBCYCLE"}) ||
+    passed_ = leave_out_with({"FIXED", "USER", "SUBMODEL", "BASEMOTION", "MASSFLOW"}) ||
               (key_.find("TYPE") != nullptr && !has("TYPE", "DISPLACEMENT"));
     step().new_supports = step().new_supports || has("OP", "NEW");
   }

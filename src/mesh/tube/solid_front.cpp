@@ -124,7 +124,9 @@ public:
       return fail(
           fmt::format("its front begins in the body round {} and lies in another one of its net",
                       coordinate_text(host_.bounding_ball(request_.seed).middle)),
-          *other, "give each body a net of its own and name the cracked one with NET=");
+          *other,
+          "give each body a net of its own ($IMPORT ESET= takes one of an .inp) and name the "
+          "cracked one with NET=");
     }
     if (const std::optional<Vec3> at = place_along_face(surface, crack_, whole_)) {
       return fail("its plane lies in a face of the body", *at,

@@ -100,7 +100,7 @@ constexpr std::array advice{
                 "file spricka check prints tables of solids and faces."},
     CodeMeaning{"E336",
                 "Supports, loads, steps and contact belong into the deck: take them out of the "
-                "file."},
+                "file, or pass over them with $IMPORT SKIP=LOADS or SKIP=ALL."},
     CodeMeaning{"E325",
                 "All t of a spectrum lie between 0 and BEYOND of its load path: let the path "
                 "begin at the smallest load and go on to the largest."},
