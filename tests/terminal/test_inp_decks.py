@@ -69,6 +69,10 @@ def joint():
  321, 1, 20.
  322, 1, 40.
 *END STEP
+*STEP
+*FREQUENCY
+ 3
+*END STEP
 """
 
 
@@ -95,6 +99,7 @@ class InpDecks(ProgramTest):
         words, deck = self.convert(0.3)
         self.assertIn("W468", words)  # *PLASTIC
         self.assertNotIn("*TIE", words)
+        self.assertIn("the step of *FREQUENCY is left out", words)
         self.assertIn("! - units are guessed as mm and N", deck)
         for card in (
             "$NET NAME=BLOCK_1\n  $IMPORT FILE='joint.inp' FORMAT=INP SKIP=ALL ESET='BLOCK_1'\n",

@@ -203,8 +203,12 @@ private:
     const InpLeftOutText left = describe_left_out(data_, request_);
     if (!left.of_no_say.empty()) {
       words_.warning({}, "W467",
-                     fmt::format("passed over, as SKIP={} asks for: {}",
-                                 request_.skip == InpSkip::all ? "ALL" : "LOADS", left.of_no_say));
+                     fmt::format("{}: {}",
+                                 request_.joint_taken ? "left out"
+                                 : request_.skip == InpSkip::all
+                                     ? "passed over, as SKIP=ALL asks for"
+                                     : "passed over, as SKIP=LOADS asks for",
+                                 left.of_no_say));
     }
     if (!left.of_the_model.empty()) {
       words_.warning(

@@ -55,6 +55,7 @@ struct InpJointCards {
   /// What cards say outside of steps or in one step.
   struct InpStepContent {
     std::string procedure;                                                ///< "STATIC"
+    bool large_displacements = false;                                     ///< NLGEOM
     bool new_supports = false, new_forces = false, new_pressures = false; ///< OP=NEW
     std::vector<InpDisplacement> displacements;
     std::vector<InpLoad> loads;

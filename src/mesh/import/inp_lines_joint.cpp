@@ -96,7 +96,11 @@ class ParameterCard : public InpKeywordReader {
 public:
   ParameterCard(InpReaderContext& shared, const InpKeyword& key) : InpKeywordReader(shared, key) {
     if (key_.name == "STEP") {
-      data_.joint.steps.push_back({"", false, false, false, {}, {}, key_.place});
+      InpJointCards::InpStepContent step;
+      const std::string* large = key_.find("NLGEOM");
+      step.large_displacements = large != nullptr && upper_case(*large) != "NO";
+      step.place = key_.place;
+      data_.joint.steps.push_back(std::move(step));
     } else if (key_.name == "CLEARANCE") {
       set_clearance();
     } else if (shared.in_step) {

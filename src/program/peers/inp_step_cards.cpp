@@ -126,6 +126,9 @@ private:
                            step.procedure.empty() ? "STEP alone" : step.procedure));
         continue;
       }
+      if (step.large_displacements) {
+        remark("the file reckons with large displacements (NLGEOM): here they are small");
+      }
       add(step, active);
       steps.push_back(active);
     }

@@ -146,7 +146,7 @@ TEST_F(InpAsItIs, ContactSupportsAndLoadsAreKeptForTheCards) {
       hexahedra +
       "*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TIED\n 1e7\n"
       "*FRICTION\n 0.2, 1e6\n*CONTACT PAIR, INTERACTION=I, TYPE=SURFACE TO SURFACE, ADJUST=0.5\n"
-      " A, B\n C, D\n*BOUNDARY\n 3, 2\nALL, ENCASTRE\n*STEP\n*STATIC\n*BOUNDARY, OP=NEW\n"
+      " A, B\n C, D\n*BOUNDARY\n 3, 2\nALL, ENCASTRE\n*STEP, NLGEOM\n*STATIC\n*BOUNDARY, OP=NEW\n"
       " ALL, 1, 6, 0.\n*DLOAD\n LEFT, P2, 5.\n LEFT, GRAV, 9810., 0., 0., -2.\n 2, P2, 7.\n"
       "*END STEP\n"))
       << messages();
@@ -161,6 +161,7 @@ TEST_F(InpAsItIs, ContactSupportsAndLoadsAreKeptForTheCards) {
   EXPECT_EQ(joint.steps[0].displacements[0].of.node, 3);
   EXPECT_EQ(joint.steps[0].displacements[0].dof, 1);
   EXPECT_TRUE(joint.steps[1].new_supports);
+  EXPECT_TRUE(joint.steps[1].large_displacements);
   EXPECT_EQ(joint.steps[1].displacements.size(), 3U); // rotations of solids are none
   ASSERT_EQ(joint.steps[1].loads.size(), 3U);
   EXPECT_EQ(joint.steps[1].loads[1].value, base::Vec3(0.0, 0.0, -9810.0));
