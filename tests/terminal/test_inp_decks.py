@@ -100,6 +100,7 @@ class InpDecks(ProgramTest):
         self.assertIn("W468", words)  # *PLASTIC
         self.assertNotIn("*TIE", words)
         self.assertIn("the step of *FREQUENCY is left out", words)
+        self.assertIn("by MOUNT in a $STEP", words)
         self.assertIn("! - units are guessed as mm and N", deck)
         for card in (
             "$NET NAME=BLOCK_1\n  $IMPORT FILE='joint.inp' FORMAT=INP SKIP=ALL ESET='BLOCK_1'\n",

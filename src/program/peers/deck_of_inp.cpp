@@ -74,6 +74,7 @@ public:
     for (std::size_t i = 0; i < joint_.pairs.size(); ++i) {
       write_contact(joint_.pairs[i], i);
     }
+    say_when_ties_come();
     text_ += steps.loads_and_steps + "$END\n";
     for (std::string& words : steps.remarks) {
       remark(std::move(words));
@@ -257,6 +258,14 @@ private:
       largest = std::max(largest, std::abs((x - place.x).dot(place.normal)));
     }
     return largest;
+  }
+
+  void say_when_ties_come() {
+    const auto tie = [](const InpJointCards::InpContactPair& pair) { return pair.tie; };
+    if (std::ranges::any_of(joint_.pairs, tie) && !std::ranges::all_of(joint_.pairs, tie)) {
+      remark("ties hold from the first step on: one that begins where you let a fit be pressed in "
+             "has to come after it, by MOUNT in a $STEP");
+    }
   }
 
   void say_what_nothing_holds(const std::set<std::string>& held) {
