@@ -126,7 +126,7 @@ json of(const results::ReportedScriptConstant& c) {
 }
 
 json of(const results::ReportedSolid& s) {
-  return {{"file", s.file},     {"number", s.number},  {"name", s.name},       {"set", s.set},
+  return {{"file", s.file},     {"number", s.number},  {"name", s.name},       {"sets", s.sets},
           {"volume", s.volume}, {"low", place(s.low)}, {"high", place(s.high)}};
 }
 

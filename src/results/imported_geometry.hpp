@@ -16,12 +16,12 @@ struct ReportedSolid {
   double volume = 0.0;
   base::Vec3 low = base::Vec3::Zero(); ///< of the box about it
   base::Vec3 high = base::Vec3::Zero();
-  std::string set; ///< of its elements; empty: it is not meshed
+  std::vector<std::string> sets; ///< of its elements; empty: it is not meshed
 };
 
 /// A face of a solid that is meshed; lengths in those of the deck.
 struct ReportedSolidFace {
-  std::string sets;                          ///< all sets that it belongs to, its number first
+  std::vector<std::string> sets;             ///< all that it belongs to, its number first
   std::string kind;                          ///< "cylinder, bore"
   double radius = 0.0;                       ///< of a cylinder or sphere, else 0
   base::Vec3 direction = base::Vec3::Zero(); ///< outward normal of a plane, axis; zero: of none

@@ -31,8 +31,8 @@ void add_constants(const deck::ImportedScript& script,
   }
 }
 
-void append_name(std::string& names, const std::string& net, const std::string& name) {
-  names += (names.empty() ? "" : " ") + (net.empty() ? name : net + "." + name);
+std::string name_outside(const std::string& net, const std::string& name) {
+  return net.empty() ? name : net + "." + name;
 }
 
 /// The solids of a file, each with the sets that any card of the deck has made of it.
@@ -47,11 +47,11 @@ void add_solids(const deck::ImportedGeometry& imported, const deck::ImportedStep
                                .volume = scale * scale * scale * solid.volume,
                                .low = scale * solid.low,
                                .high = scale * solid.high,
-                               .set = {}};
+                               .sets = {}};
     for (const deck::ImportedStepFile& card : imported.step_files) {
       for (const mesh::StepMeshGroup& group : card.request.groups) {
         if (card.file == file.file && group.solid == number - 1) {
-          append_name(row.set, card.net, group.name);
+          row.sets.push_back(name_outside(card.net, group.name));
         }
       }
     }
@@ -79,7 +79,7 @@ void add_faces(const deck::ImportedStepFile& file, std::vector<results::Reported
       const std::vector<mesh::StepMeshGroup>& groups = file.request.groups;
       for (auto group = groups.rbegin(); group != groups.rend(); ++group) { // numbers are last
         if (std::ranges::find(group->faces, place) != group->faces.end()) {
-          append_name(row.sets, file.net, group->name);
+          row.sets.push_back(name_outside(file.net, group->name));
         }
       }
       faces.push_back(std::move(row));

@@ -201,7 +201,10 @@ ReportTable solid_table(const std::vector<results::ReportedSolid>& solids,
       .words("file", &Solid::file)
       .number("number", "", &Solid::number)
       .words("SOLID", &Solid::name)
-      .words("set", [](const Solid& s) { return s.set.empty() ? "not meshed" : s.set; })
+      .words("set",
+             [](const Solid& s) {
+               return s.sets.empty() ? "not meshed" : fmt::format("{}", fmt::join(s.sets, " "));
+             })
       .number("volume", length + "^3", &Solid::volume)
       .words(
           "from", [&](const Solid& s) { return corner(s.low, s); }, length)
@@ -214,7 +217,8 @@ ReportTable solid_face_table(const std::vector<results::ReportedSolidFace>& face
                              const std::string& length) {
   using Face = results::ReportedSolidFace;
   Columns<Face> columns;
-  columns.words("face", &Face::sets).words("kind", &Face::kind);
+  columns.words("face", [](const Face& f) { return fmt::format("{}", fmt::join(f.sets, " ")); })
+      .words("kind", &Face::kind);
   columns.fill_only_if([](const Face& f) { return f.radius > 0.0; });
   columns.number("radius", length, &Face::radius);
   columns.fill_only_if([](const Face& f) { return f.direction.norm() > 0.0; });
