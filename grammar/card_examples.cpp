@@ -299,7 +299,10 @@ constexpr std::array texts{
         "followed one after another until K repeats itself, each length from the beginning "
         "(HISTORY=RESTART) or from what slipped at the one before (CONTINUE). Constants of a law "
         "are "
-        "in KUNIT and AUNIT, which every law needs; KC and DKTH may have a unit of their own.",
+        "in KUNIT and AUNIT, which every law needs; KC, K1C, KIE, DKTH, DK0 and DK1 may have a "
+        "unit "
+        "of their own, and AINTRINSIC, THICK and YIELD are in units of the deck. DK0 or DK1 with "
+        "CTHP and CTHM make a threshold over R, DKTH is one for all R.",
         "$GROW LAW=PARIS KMAX=LOAD KMIN=UNLOAD C=1e-11 M=3 KUNIT='MPa*m^0.5' AUNIT='m' AMAX=30\n"},
     CardHelpText{
         "TEST",

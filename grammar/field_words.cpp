@@ -257,8 +257,9 @@ constexpr std::array words{
     DamageToleranceTerm{
         .word = "threshold",
         .also = "fatigue threshold, crack growth threshold",
-        .text = "It is DKTH on $GROW: a crack does not grow where delta K is not above it.",
-        .topics = "DKTH GROW",
+        .text = "It is DK0 or DK1 on $GROW, with CTHP and CTHM, over R, or DKTH, one for all R: a "
+                "crack does not grow where delta K is not above it.",
+        .topics = "DK0 DKTH GROW",
         .pages = "growth"},
     DamageToleranceTerm{
         .word = "through crack",

@@ -134,6 +134,14 @@ std::string growth_settings_text(const model::Model& model) {
   text += fmt::format(" from {} to {} corrected {} law", g.kmin.value, g.kmax.value, g.corrected);
   add(text, {c.C, c.m, c.p, c.q, c.alpha, c.stress_ratio, c.threshold, c.k_unit, c.a_unit});
   add(text, c.k_c);
+  if (c.k_part_through) { // left out, texts are those of earlier files
+    add(text, c.k_part_through);
+  }
+  if (c.threshold_over_ratio) {
+    const model::ThresholdOverRatio& t = *c.threshold_over_ratio;
+    add(text, {t.delta_k, t.at_zero_ratio ? 1.0 : 0.0, t.slope_above, t.slope_below,
+               t.intrinsic_length, t.largest_ratio});
+  }
   add(text, c.delta_k);
   add(text, c.growth);
   add(text, g.largest_advance);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
 #include "deck/dimension_rules.hpp"
+#include "deck/law_constants.hpp"
 #include "deck/step_actions.hpp"
 #include "model/model.hpp"
 #include "model/spectrum_runs.hpp"
@@ -131,55 +132,6 @@ void lengths(DeckContext& c, const CheckedCard& card, model::CrackGrowthSettings
   }
 }
 
-// The lines `delta_K da/dN` of LAW=TABLE, in KUNIT and AUNIT.
-void law_table(DeckContext& c, const CheckedCard& card, model::GrowthLawConstants& constants) {
-  for (const grammar::DataRow& row : card.rows) {
-    if (row.fields.size() != 2) {
-      c.error(row.span, "E115", "a line of LAW=TABLE is delta_K da/dN");
-      continue;
-    }
-    const auto k = c.read_number(row.fields[0], grammar::QuantityKind::number, "a range of K");
-    const auto rate =
-        c.read_number(row.fields[1], grammar::QuantityKind::number, "a growth per cycle");
-    if (!k || !rate) {
-      continue;
-    }
-    const double before = constants.delta_k.empty() ? 0.0 : constants.delta_k.back();
-    if (*k <= before || *rate <= 0.0) {
-      c.error(row.fields[*k <= before ? 0 : 1].span, "E109",
-              "delta_K grows from line to line and da/dN is positive");
-      continue;
-    }
-    constants.delta_k.push_back(*k);
-    constants.growth.push_back(*rate);
-  }
-  if (card.rows.size() < 2 && !card.rows_bad) {
-    c.error(card.span, "E115", "LAW=TABLE needs two or more data lines: delta_K da/dN");
-  }
-}
-
-// A K of the law in deck units: a number alone counts in KUNIT, as C does.
-double law_intensity(const CheckedCard& card, std::string_view key, double k_unit) {
-  const CheckedValue* value = card.find(key);
-  return value->with_unit ? value->number : value->number * k_unit;
-}
-
-void law_constants(const DeckContext& c, const CheckedCard& card,
-                   model::GrowthLawConstants& constants) {
-  constants.C = card.number_value("C");
-  constants.m = card.number_value("M");
-  constants.p = card.number_value("P");
-  constants.q = card.number_value("Q");
-  constants.alpha = card.number_value("ALPHA");
-  constants.stress_ratio = card.number_value("SMAX");
-  constants.k_unit = c.key_unit_factor(card, "KUNIT");
-  constants.a_unit = c.key_unit_factor(card, "AUNIT");
-  constants.threshold = law_intensity(card, "DKTH", constants.k_unit);
-  if (card.has_key("KC")) {
-    constants.k_c = law_intensity(card, "KC", constants.k_unit);
-  }
-}
-
 // What ends the growth by a law, and how well it is followed.
 void stops(const CheckedCard& card, double tolerance, model::CrackGrowthSettings& growth) {
   growth.largest_advance = card.optional_number("DA");
@@ -192,12 +144,10 @@ void stops(const CheckedCard& card, double tolerance, model::CrackGrowthSettings
 }
 
 void law(DeckContext& c, const CheckedCard& card, model::CrackGrowthSettings& growth) {
-  law_constants(c, card, growth.constants);
+  read_law_constants(c, card, growth);
   if (growth.law == model::CrackGrowthLaw::increment) {
     lengths(c, card, growth);
-  } else if (growth.law == model::CrackGrowthLaw::table) {
-    law_table(c, card, growth.constants);
-  } else if (!card.rows.empty()) {
+  } else if (growth.law != model::CrackGrowthLaw::table && !card.rows.empty()) {
     c.error(card.rows.front().span, "E115",
             fmt::format("LAW={} takes no data lines", card.word_value("LAW")));
   }

@@ -102,14 +102,54 @@ void exchanged_steps(DeckContext& c, const CheckedCard& card,
   }
 }
 
+std::string_view threshold_key(const CheckedCard& card) {
+  return card.has_key("DK0") ? "DK0" : card.has_key("DK1") ? "DK1" : "DKTH";
+}
+
+// Fits have slopes of 0 to 4 above R = 0, of some tenths below, and lengths of some hundredths of
+// a millimetre.
+void odd_threshold(DeckContext& c, const CheckedCard& card,
+                   const model::ThresholdOverRatio& threshold) {
+  constexpr double longest = 1e-3; // [m]
+  if (threshold.intrinsic_length * c.model.units.metre_per_length > longest) {
+    c.warning(card.value_span("AINTRINSIC"), "W455",
+              fmt::format("AINTRINSIC = {:.4g} {}: cracks as long as this would count as short",
+                          threshold.intrinsic_length, c.model.units.length_name),
+              "it is 0.0381 mm in NASGRO's fits, and counts in the unit of lengths of the deck");
+  }
+  if (threshold.slope_above < 0.0 || threshold.slope_above > 5.0 ||
+      std::abs(threshold.slope_below) > 1.0) {
+    const bool above = std::abs(threshold.slope_below) <= 1.0;
+    c.warning(card.value_span(above ? "CTHP" : "CTHM"), "W455",
+              fmt::format("{} = {:.4g}: fits have 0 to 4 for CTHP and some tenths for CTHM",
+                          above ? "CTHP" : "CTHM",
+                          above ? threshold.slope_above : threshold.slope_below),
+              "are the two exchanged?");
+  }
+}
+
 void odd_constants(DeckContext& c, const CheckedCard& card) {
   const model::CrackGrowthSettings& growth = *c.model.growth;
   const model::GrowthLawConstants& law = growth.constants;
-  if (law.k_c && *law.k_c <= law.threshold) {
-    c.error(card.value_span("KC"), "E454",
-            fmt::format("KC = {:.4g} is not above DKTH = {:.4g} (in KUNIT): nothing could grow",
-                        *law.k_c / law.k_unit, law.threshold / law.k_unit),
-            "numbers without a unit are in KUNIT");
+  const double threshold =
+      law.threshold_over_ratio ? law.threshold_over_ratio->delta_k : law.threshold;
+  const auto look = [&](std::string_view key, std::string_view name, const auto& K_c) {
+    if (K_c && *K_c <= threshold) {
+      c.error(card.value_span(key), "E454",
+              fmt::format("{} = {:.4g} is not above {} = {:.4g} (in KUNIT): nothing could grow",
+                          name, *K_c / law.k_unit, threshold_key(card), threshold / law.k_unit),
+              "numbers without a unit are in KUNIT");
+    }
+  };
+  look(card.has_key("K1C") ? "K1C" : "KC", "KC", law.k_c);
+  look("KIE", "KIE", law.k_part_through);
+  if (law.k_part_through && std::ranges::all_of(c.model.cracks, &model::CrackDefinition::is_line)) {
+    c.error(card.value_span("KIE"), "E110",
+            "KIE is the toughness of surface and corner cracks, of which the deck has none",
+            "KC, or K1C and its constants, are those of through cracks");
+  }
+  if (law.threshold_over_ratio) {
+    odd_threshold(c, card, *law.threshold_over_ratio);
   }
   if (growth.law == model::CrackGrowthLaw::walker && (law.p < 0.0 || law.p > 1.0)) {
     c.warning(

@@ -77,7 +77,7 @@ void odd_toughness(DeckContext& c, const CheckedCard& card) {
   const double bound = stiffest * std::sqrt(most / c.model.units.metre_per_length);
   if (*k_c > bound) {
     c.warning(
-        card.value_span("KC"), "W371",
+        card.value_span(card.has_key("K1C") ? "K1C" : "KC"), "W371",
         fmt::format("KC = {:.4g} {}: no material of such a modulus is tougher than {:.2g}, so that "
                     "it would never end a growth",
                     *k_c, c.model.units.stress_intensity_name(), bound),

@@ -21,6 +21,17 @@ bool closed(const SolvedStation& station) {
                              [](const TipStation& tip) { return !(tip.K_max > 0.0); });
 }
 
+// At which K of a tip ends the growth; empty: at none.
+std::optional<double> toughness_at_tip(const TipStation& tip,
+                                       const model::CrackGrowthSettings& rules) {
+  return tip.toughness > 0.0 ? std::optional(tip.toughness) : rules.constants.k_c;
+}
+
+// The key that gave it.
+const char* toughness_key(const TipStation& tip) {
+  return tip.toughness > 0.0 ? "KIE" : "KC";
+}
+
 } // namespace
 
 GrowthEvent GrowthEndCriteria::event_at_last_station(GrowthEventKind kind,
@@ -40,9 +51,10 @@ std::optional<GrowthEvent> GrowthEndCriteria::find_crossing(const GrowthTrajecto
   const SolvedStation& last = stations.back();
   for (std::size_t tip = 0; tip < tips.size(); ++tip) {
     const TipStation& here = last.tips[tip];
-    if (const auto K_c = rules.constants.k_c; K_c && here.K_max >= *K_c) {
+    if (const auto K_c = toughness_at_tip(here, rules); K_c && here.K_max >= *K_c) {
       consider(find_first_crossing([&](double s) { return between.K_max(tip, s) - *K_c; }, s0, s1),
-               GrowthEventKind::fracture, fmt::format("K of {} reaches KC", tips[tip].name));
+               GrowthEventKind::fracture,
+               fmt::format("K of {} reaches {}", tips[tip].name, toughness_key(here)));
     }
     if (rules.flow_stress && here.plastic >= 1.0) {
       consider(find_first_crossing(
@@ -102,10 +114,11 @@ std::optional<GrowthEvent> GrowthEndCriteria::find_end_at_first_station() const 
   const SolvedStation& here = stations.back();
   std::optional<GrowthEvent> end;
   for (std::size_t tip = 0; tip < tips.size(); ++tip) {
-    if (rules.constants.k_c && here.tips[tip].K_max >= *rules.constants.k_c) {
-      end = event_at_last_station(
-          GrowthEventKind::fracture,
-          fmt::format("K of {} is KC or more from the start", tips[tip].name));
+    const TipStation& found = here.tips[tip];
+    if (const auto K_c = toughness_at_tip(found, rules); K_c && found.K_max >= *K_c) {
+      end = event_at_last_station(GrowthEventKind::fracture,
+                                  fmt::format("K of {} is {} or more from the start",
+                                              tips[tip].name, toughness_key(found)));
     } else if (rules.flow_stress && here.tips[tip].plastic >= 1.0) {
       end = event_at_last_station(
           GrowthEventKind::net_section,

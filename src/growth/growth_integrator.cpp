@@ -205,17 +205,26 @@ void GrowthIntegrator::end_at_station(GrowthEvent end) {
   end_ = std::move(end);
 }
 
+std::vector<double> GrowthIntegrator::trial_extents() const {
+  std::vector<double> all;
+  for (std::size_t tip = 0; tip < tips().size(); ++tip) {
+    // The arms are the clock of the growth: summed from advances, not measured on polylines.
+    all.push_back(state_.stations.empty() ? kinematics_->initial_tip_extent(tip)
+                                          : state_.stations.back().tips[tip].a + advance_[tip]);
+  }
+  return all;
+}
+
 void GrowthIntegrator::append_station(std::vector<TipStation> found) {
   SolvedStation station;
   station.breakthroughs = passage_ ? passage_->tip + 1 : 0;
   station.met =
       passage_ && passage_->kind == GrowthEventKind::coalescence ? passage_->crack + 1 : 0;
   kinematics_->evaluate_trial_tips(found);
+  const std::vector<double> extents = trial_extents();
   for (std::size_t tip = 0; tip < tips().size(); ++tip) {
     TipStation& here = found[tip];
-    // The arms are the clock of the growth: summed from advances, not measured on polylines.
-    here.a = state_.stations.empty() ? kinematics_->initial_tip_extent(tip)
-                                     : state_.stations.back().tips[tip].a + advance_[tip];
+    here.a = extents[tip];
     station.s += here.a;
   }
   station.tips = std::move(found);

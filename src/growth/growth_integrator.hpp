@@ -30,6 +30,8 @@ public:
   /// The cracks with the size `a` as LAW=INCREMENT gives it, in place of propose_next_cracks().
   /// Empty, with errors: they are not on the way of this growth, or not ahead of the last station.
   std::optional<CrackGeometry> extend_cracks_to_size(double a, base::Diagnostics& diagnostics);
+  /// Lengths of the tips there, or at first [length].
+  [[nodiscard]] std::vector<double> trial_extents() const;
   /// Takes what was found there: K, rates, turns and plastic parts by tip. False: the advance was
   /// too long for the tolerance and does not count.
   bool accept_or_reject_station(std::vector<TipStation> found);

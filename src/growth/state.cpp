@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
@@ -16,6 +17,9 @@ namespace spricka::growth {
 namespace {
 
 using base::Vec3;
+
+/// Files of earlier versions do not have it.
+constexpr const char* tip_toughness = "station_tip.toughness";
 
 constexpr std::array tip_values{
     std::pair("station_tip.a", &TipStation::a),
@@ -35,7 +39,8 @@ constexpr std::array tip_values{
     std::pair("station_tip.first_max", &TipStation::first_max),
     std::pair("station_tip.first_min", &TipStation::first_min),
     std::pair("station_tip.passes", &TipStation::passes),
-    std::pair("station_tip.change", &TipStation::change)};
+    std::pair("station_tip.change", &TipStation::change),
+    std::pair(tip_toughness, &TipStation::toughness)};
 
 /// Appends values to an array.
 struct ColumnWriter {
@@ -55,6 +60,7 @@ struct StateWriter {
   NamedValueArrays arrays;
 
   ColumnWriter column(const char* name) { return {arrays[name]}; }
+  [[nodiscard]] bool has(const char* /*name*/) const { return true; }
   template <class List> void resize(const char* /*name*/, const List& /*list*/) {}
   void spread(const char* /*name*/, const std::vector<SolvedStation>& /*stations*/) {}
   template <class List> void count(const char* name, const List& list, const char* /*items*/) {
@@ -120,6 +126,7 @@ public:
         .try_emplace(name, name, found != arrays_.end() ? found->second : std::vector<double>())
         .first->second;
   }
+  [[nodiscard]] bool has(const char* name) const { return arrays_.contains(name); }
   template <class List> void resize(const char* name, List& list) {
     list.resize(column(name).size());
   }
@@ -189,6 +196,9 @@ template <class Io, class State> void describe(Io& io, State& state) {
   }
   io.spread("station_tip.a", state.stations);
   for (const auto& [name, member] : tip_values) {
+    if (std::string_view(name) == tip_toughness && !io.has(name)) {
+      continue;
+    }
     auto&& column = io.column(name);
     for (auto& station : state.stations) {
       for (auto& tip : station.tips) {

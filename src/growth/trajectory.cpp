@@ -150,7 +150,8 @@ double GrowthTrajectory::tip_rate(std::size_t tip, std::size_t i, double s,
       const TipStation& t = stations_[k].tips[tip];
       return t.K_max > 0.0 ? t.K_min / t.K_max : 0.0;
     });
-    return extents_differ_ ? extent_rate_ratio(tip, i, s) * law_(K, R * K) : law_(K, R * K);
+    const double rate = law_(K, R * K, place_of_tip(stations_[i].tips[tip], crack_extent(tip, s)));
+    return extents_differ_ ? extent_rate_ratio(tip, i, s) * rate : rate;
   }
   // a spectrum's rates, as far as they are numbers: none at a threshold, no bound at the toughness
   const auto usual = [&](std::size_t k) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "model/crack_growth.hpp"
+
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -24,11 +26,17 @@ struct TipStation {
   double deferred_advance =
       0.0; ///< what the rates found since would have made of the arm more [length]
   double uncertain_fraction = 0.0; ///< part of its rate that may be wrong for its deferred advance
+  double toughness = 0.0;          ///< in place of the law's own; 0: that [stress intensity]
   double plastic = 0.0;            ///< force and moment over the ligament, over their plastic limit
   /// Where friction makes K a history: K of its first cycle or pass, passes until it repeated
   /// itself, and what still changed in the last one over the largest K.
   double first_max = 0.0, first_min = 0.0, passes = 0.0, change = 0.0;
 };
+
+/// Where a tip asks the law, with its arm `a`.
+inline model::PlaceOnCrack place_of_tip(const TipStation& tip, double a) {
+  return {a, tip.toughness > 0.0 ? std::optional(tip.toughness) : std::nullopt};
+}
 
 /// Curvature of the way of a tip from one station to the next [rad/length], left positive; 0 where
 /// it has not grown.
@@ -46,8 +54,10 @@ struct SolvedStation {
   [[nodiscard]] double growth_rate() const; ///< ds per cycle
 };
 
-/// da/dN at K_max, K_min; where it is empty (a spectrum) the stations' rates are interpolated.
-using GrowthRateFunction = std::function<double(double K_max, double K_min)>;
+/// da/dN at K_max, K_min of a place; where it is empty (a spectrum) the stations' rates are
+/// interpolated.
+using GrowthRateFunction =
+    std::function<double(double K_max, double K_min, const model::PlaceOnCrack& place)>;
 
 /// Functions of s between stations by polynomials through the nearest of them: ln K_max, K_min over
 /// K_max (or ln rate) over ln s; arms by cubics that take the rates as slopes (manual, growth.3).

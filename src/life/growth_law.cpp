@@ -8,7 +8,6 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 namespace spricka::life {
@@ -42,24 +41,9 @@ double tensile_K_range(double K_max, double K_min) {
   return K_max - std::max(K_min, 0.0);
 }
 
-NewmanClosure::NewmanClosure(double alpha, double stress_ratio) {
-  const double stress = std::cos(0.5 * std::numbers::pi * stress_ratio);
-  A_[0] = (0.825 - 0.34 * alpha + 0.05 * alpha * alpha) * std::pow(stress, 1.0 / alpha);
-  A_[1] = (0.415 - 0.071 * alpha) * stress_ratio;
-  A_[3] = 2.0 * A_[0] + A_[1] - 1.0;
-  A_[2] = 1.0 - A_[0] - A_[1] - A_[3];
-}
-
-double NewmanClosure::operator()(double R) const {
-  if (R < 0.0) {
-    return A_[0] + std::max(R, -2.0) * A_[1];
-  }
-  return std::max(R, A_[0] + R * (A_[1] + R * (A_[2] + R * A_[3])));
-}
-
 GrowthRateLaw::GrowthRateLaw(CrackGrowthLaw law, GrowthLawConstants constants)
     : law_(law), constants_(std::move(constants)), scale_(scaled_constant(law, constants_)),
-      closure_(constants_.alpha, constants_.stress_ratio) {
+      closure_(constants_.alpha, constants_.stress_ratio), threshold_(constants_) {
   assert((law != CrackGrowthLaw::forman && law != CrackGrowthLaw::nasgro) || constants_.k_c);
   assert(law != CrackGrowthLaw::table ||
          (constants_.delta_k.size() >= 2 && constants_.growth.size() == constants_.delta_k.size()));
@@ -69,16 +53,43 @@ GrowthRateLaw::GrowthRateLaw(CrackGrowthLaw law, GrowthLawConstants constants)
   }
 }
 
-double GrowthRateLaw::growth_rate(double K_max, double K_min) const {
+double GrowthRateLaw::counted_ratio(double R) const {
+  return law_ == CrackGrowthLaw::nasgro ? R : std::max(R, 0.0);
+}
+
+double GrowthRateLaw::threshold(double R, const model::PlaceOnCrack& place) const {
+  const double counted = counted_ratio(R);
+  const double all = threshold_(counted, place.a);
+  // (life.25) is one of K_max - K_min, of which the part above K = 0 is left.
+  return threshold_.varies() && counted < 0.0 ? all / (1.0 - counted) : all;
+}
+
+bool GrowthRateLaw::is_held_by_constant_threshold(double K_max, double K_min) const {
+  constexpr double much = 2.0;  // of the threshold: up to there NASGRO's end term counts
+  constexpr double same = 0.05; // R
   const double range = tensile_K_range(K_max, K_min);
-  if (!(range > constants_.threshold) || !(K_max > 0.0)) {
+  if (!has_constant_threshold() || !(range > 0.0) ||
+      std::abs(counted_ratio(K_min / K_max)) <= same) {
+    return false;
+  }
+  const bool fades = law_ == CrackGrowthLaw::nasgro && constants_.p > 0.0;
+  return range <= (fades ? much : 1.0) * constants_.threshold;
+}
+
+double GrowthRateLaw::growth_rate(double K_max, double K_min,
+                                  const model::PlaceOnCrack& place) const {
+  const double range = tensile_K_range(K_max, K_min);
+  if (!(range > 0.0) || !(K_max > 0.0)) {
     return std::isnan(range) ? no_value : 0.0;
   }
-  return formula(range, K_min / K_max);
+  const double R = K_min / K_max;
+  const double least = threshold(R, place);
+  return range > least ? formula(range, R, least, place) : 0.0;
 }
 
 // range above the threshold; R < 1, below 0 too.
-double GrowthRateLaw::formula(double range, double R) const {
+double GrowthRateLaw::formula(double range, double R, double threshold,
+                              const model::PlaceOnCrack& place) const {
   const double part = 1.0 - std::max(R, 0.0); // range / K_max
   switch (law_) {
   case CrackGrowthLaw::increment:
@@ -90,19 +101,18 @@ double GrowthRateLaw::formula(double range, double R) const {
   case CrackGrowthLaw::forman: {
     // (life.5). The pole is where K_max reaches the toughness; beyond it the rate stays infinite,
     // not negative.
-    const double left = part * *constants_.k_c - range;
+    const double left = part * toughness_at(place) - range;
     return left > 0.0 ? scale_ * std::pow(range, constants_.m) / left : k_infinite;
   }
   case CrackGrowthLaw::nasgro: {
     const double K_max = range / part;
-    const double left = 1.0 - K_max / *constants_.k_c;
+    const double left = 1.0 - K_max / toughness_at(place);
     if (!(left > 0.0)) {
       return k_infinite;
     }
     // (life.6), in which (K_max - K_min) / (1 - R) is K_max whatever the sign of R.
     return scale_ * std::pow((1.0 - closure_(R)) * K_max, constants_.m) *
-           std::pow(1.0 - constants_.threshold / range, constants_.p) /
-           std::pow(left, constants_.q);
+           std::pow(1.0 - threshold / range, constants_.p) / std::pow(left, constants_.q);
   }
   case CrackGrowthLaw::table:
     return tabular(range);
@@ -118,17 +128,18 @@ double GrowthRateLaw::tabular_range(double rate) const {
   return std::exp(on_polyline(log_rate_, log_k_, std::log(rate)));
 }
 
-// Forman and NASGRO rise from the threshold (or 0) to the pole at the toughness: one root between.
-double GrowthRateLaw::by_root(double rate, double R) const {
-  const double end = std::log((1.0 - std::max(R, 0.0)) * *constants_.k_c);
+// Laws with a pole rise from the threshold (or 0) to the pole at the toughness: one root between.
+double GrowthRateLaw::by_root(double rate, double R, double threshold,
+                              const model::PlaceOnCrack& place) const {
+  const double end = std::log((1.0 - std::max(R, 0.0)) * toughness_at(place));
   const auto excess = [&](double log_range) {
-    const double there = formula(std::exp(log_range), R);
+    const double there = formula(std::exp(log_range), R, threshold, place);
     return there > 0.0 ? std::log(there / rate) : -k_infinite;
   };
   // Without a threshold the rate falls to zero with delta K: looked for downwards, twice as far in
   // the logarithm each time.
-  double begin = constants_.threshold > 0.0 ? std::log(constants_.threshold) : end - 1.0;
-  for (double reach = 1.0; constants_.threshold <= 0.0 && !(excess(begin) < 0.0); reach *= 2.0) {
+  double begin = threshold > 0.0 ? std::log(threshold) : end - 1.0;
+  for (double reach = 1.0; threshold <= 0.0 && !(excess(begin) < 0.0); reach *= 2.0) {
     if (reach > 1e3) {
       return no_value;
     }
@@ -138,10 +149,12 @@ double GrowthRateLaw::by_root(double rate, double R) const {
   return root ? std::exp(*root) : no_value;
 }
 
-double GrowthRateLaw::K_range_for_rate(double rate, double R) const {
+double GrowthRateLaw::K_range_for_rate(double rate, double R,
+                                       const model::PlaceOnCrack& place) const {
   if (!(rate > 0.0) || !(R < 1.0) || std::isinf(rate)) {
     return no_value;
   }
+  const double least = threshold(R, place);
   double found = no_value;
   switch (law_) {
   case CrackGrowthLaw::increment:
@@ -160,10 +173,10 @@ double GrowthRateLaw::K_range_for_rate(double rate, double R) const {
     break;
   case CrackGrowthLaw::forman:
   case CrackGrowthLaw::nasgro:
-    found = by_root(rate, R);
+    found = by_root(rate, R, least, place);
     break;
   }
-  return found > constants_.threshold ? found : no_value;
+  return found > least ? found : no_value;
 }
 
 std::optional<std::array<double, 2>> GrowthRateLaw::table_K_range() const {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "life/newman_closure.hpp"
+#include "life/threshold.hpp"
 #include "model/crack_growth.hpp"
 
 #include <array>
@@ -12,48 +14,55 @@ namespace spricka::life {
 /// delta K = K_max - max(K_min, 0) (life.1).
 double tensile_K_range(double K_max, double K_min);
 
-/// Newman's crack opening function K_op / K_max at the stress ratio R (Newman 1984; life.7).
-class NewmanClosure {
-public:
-  NewmanClosure(double alpha, double stress_ratio);
-  [[nodiscard]] double operator()(double R) const;
-
-private:
-  std::array<double, 4> A_;
-};
-
 /// da/dN of one cycle as a function of the K it begins, turns and ends with.
 class GrowthRateLaw {
 public:
   /// Forman and NASGRO need a toughness, a table its rows; increments go as Paris' law does.
   GrowthRateLaw(model::CrackGrowthLaw law, model::GrowthLawConstants constants);
 
-  /// da/dN [length per cycle]. 0 if delta K is not above the threshold; infinite if Forman's or
-  /// NASGRO's K_max reaches the toughness, where they have their pole. The other laws go on beyond
+  /// da/dN [length per cycle]. 0 if delta K is not above the threshold; infinite if K_max of
+  /// a law that needs a toughness reaches it, where the law has its pole. The others go on beyond
   /// it, a table straight on in its logarithms beyond its ends.
-  [[nodiscard]] double growth_rate(double K_max, double K_min) const;
+  [[nodiscard]] double growth_rate(double K_max, double K_min,
+                                   const model::PlaceOnCrack& place = {}) const;
 
   /// The inverse: the delta K (life.1) of cycles with ratio R = K_min / K_max < 1 that grow by
   /// `rate` > 0. Not a number where no delta K above the threshold does so.
-  [[nodiscard]] double K_range_for_rate(double rate, double R) const;
+  [[nodiscard]] double K_range_for_rate(double rate, double R,
+                                        const model::PlaceOnCrack& place = {}) const;
 
-  [[nodiscard]] std::optional<double> toughness() const { return constants_.k_c; }
-  [[nodiscard]] double threshold() const { return constants_.threshold; }
+  /// The delta K (life.1) of cycles with ratio R < 1 that is not enough to grow.
+  [[nodiscard]] double threshold(double R, const model::PlaceOnCrack& place = {}) const;
+  /// The R that the rate is made with: laws that do not know R < 0 count it as 0.
+  [[nodiscard]] double counted_ratio(double R) const;
+  /// Whether the threshold is one constant above 0 for all R.
+  [[nodiscard]] bool has_constant_threshold() const {
+    return !threshold_.varies() && constants_.threshold > 0.0;
+  }
+  /// Whether a threshold that is one constant for all R holds a cycle back, or slows it down to
+  /// much less, that has another R than 0.
+  [[nodiscard]] bool is_held_by_constant_threshold(double K_max, double K_min) const;
   /// Whether delta K lies within the rows of a table; the other laws have no such bounds.
   [[nodiscard]] bool is_within_table(double delta_K) const;
   /// Delta K of the first and the last row of a table [stress intensity]; empty for other laws.
   [[nodiscard]] std::optional<std::array<double, 2>> table_K_range() const;
 
 private:
-  [[nodiscard]] double formula(double range, double R) const;
+  [[nodiscard]] double formula(double range, double R, double threshold,
+                               const model::PlaceOnCrack& place) const;
+  [[nodiscard]] double toughness_at(const model::PlaceOnCrack& place) const {
+    return place.toughness ? *place.toughness : *constants_.k_c;
+  }
   [[nodiscard]] double tabular(double range) const;
   [[nodiscard]] double tabular_range(double rate) const;
-  [[nodiscard]] double by_root(double rate, double R) const;
+  [[nodiscard]] double by_root(double rate, double R, double threshold,
+                               const model::PlaceOnCrack& place) const;
 
   model::CrackGrowthLaw law_;
   model::GrowthLawConstants constants_;
   double scale_ = 0.0; ///< C in the units of the interface
   NewmanClosure closure_;
+  FatigueThreshold threshold_;
   std::vector<double> log_k_, log_rate_; ///< table, units of the interface
 };
 

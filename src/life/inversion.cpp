@@ -18,10 +18,11 @@ std::vector<InferredK> infer_K_from_growth(const MeasuredGrowthRates& rates,
     k.rate_high = point.rate + point.half_width;
     k.R = R(point.a);
     const double open = 1.0 - std::max(k.R, 0.0);
-    const double range = reference.K_range_for_rate(k.rate, k.R);
+    const model::PlaceOnCrack place{point.a};
+    const double range = reference.K_range_for_rate(k.rate, k.R, place);
     k.K_max = range / open;
-    k.low = reference.K_range_for_rate(k.rate_low, k.R) / open;
-    k.high = reference.K_range_for_rate(k.rate_high, k.R) / open;
+    k.low = reference.K_range_for_rate(k.rate_low, k.R, place) / open;
+    k.high = reference.K_range_for_rate(k.rate_high, k.R, place) / open;
     k.covered = reference.is_within_table(range);
     found.push_back(k);
   }

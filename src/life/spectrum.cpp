@@ -208,25 +208,42 @@ std::vector<LoadCycle> CountedSpectrum::cycles_of_K(const base::PiecewiseLinear&
   return all;
 }
 
-double CountedSpectrum::growth_per_pass(const GrowthRateLaw& law,
-                                        const base::PiecewiseLinear& K1) const {
-  if (!within(K1)) {
-    return no_value;
-  }
-  double sum = 0.0;
+template <class Visit>
+void CountedSpectrum::visit_cycles_as_K(const base::PiecewiseLinear& K1, const Visit& visit) const {
   if (requires_counting_on_K(K1)) {
     for (const LoadCycle& cycle : cycles_of_K(K1)) {
-      sum += cycle.count * law.growth_rate(cycle.high, cycle.low);
+      visit(cycle.low, cycle.high, cycle.count);
     }
-    return sum;
+    return;
   }
   const std::vector<double> K = values_at(K1, levels_);
   for (const LoadLevelCycle& cycle : cycles_) {
     // K may fall while the load rises.
     const auto [low, high] = std::minmax(K[cycle.low], K[cycle.high]);
-    sum += cycle.count * law.growth_rate(high, low);
+    visit(low, high, cycle.count);
   }
+}
+
+double CountedSpectrum::growth_per_pass(const GrowthRateLaw& law, const base::PiecewiseLinear& K1,
+                                        const model::PlaceOnCrack& place) const {
+  if (!within(K1)) {
+    return no_value;
+  }
+  double sum = 0.0;
+  visit_cycles_as_K(K1, [&](double low, double high, double count) {
+    sum += count * law.growth_rate(high, low, place);
+  });
   return sum;
+}
+
+std::vector<LoadCycle> CountedSpectrum::cycles_as_K(const base::PiecewiseLinear& K1) const {
+  std::vector<LoadCycle> all;
+  if (within(K1)) {
+    visit_cycles_as_K(K1, [&](double low, double high, double count) {
+      all.push_back({low, high, count});
+    });
+  }
+  return all;
 }
 
 } // namespace spricka::life

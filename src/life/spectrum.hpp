@@ -24,8 +24,10 @@ public:
   /// Growth of one pass, da [length], at a fixed length of the crack whose K is K1(t). Where K1
   /// rises or falls all the way between the lowest and the highest load, cycles of t are cycles of
   /// K; else the history is counted again on K (`requires_counting_on_K`).
-  [[nodiscard]] double growth_per_pass(const GrowthRateLaw& law,
-                                       const base::PiecewiseLinear& K1) const;
+  [[nodiscard]] double growth_per_pass(const GrowthRateLaw& law, const base::PiecewiseLinear& K1,
+                                       const model::PlaceOnCrack& place = {}) const;
+  /// The cycles of a pass as K, of which growth_per_pass() is the sum.
+  [[nodiscard]] std::vector<LoadCycle> cycles_as_K(const base::PiecewiseLinear& K1) const;
   /// Whether `growth` counts on K for this map: K1 turns within the loads.
   [[nodiscard]] bool requires_counting_on_K(const base::PiecewiseLinear& K1) const;
   /// Smallest and largest K of a pass.
@@ -45,6 +47,9 @@ private:
   explicit CountedSpectrum(const std::vector<LoadCycle>& counted);
   [[nodiscard]] bool within(const base::PiecewiseLinear& K1) const;
   [[nodiscard]] std::vector<LoadCycle> cycles_of_K(const base::PiecewiseLinear& K1) const;
+  /// Calls visit(low, high, count) for the cycles as K; all loads lie within K1.
+  template <class Visit>
+  void visit_cycles_as_K(const base::PiecewiseLinear& K1, const Visit& visit) const;
 
   std::vector<double> levels_; ///< different loads, ascending
   std::vector<LoadLevelCycle> cycles_;

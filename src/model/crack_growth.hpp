@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -26,16 +27,36 @@ enum class FrontShapeRule { ellipse, free };
 enum class SlipHistoryOverGrowth { restart, carry_on };
 enum class ContactMountingPolicy { each, first };
 
+/// The threshold of delta K over R and the length of the crack (life.25). Lengths in the units of
+/// the deck.
+struct ThresholdOverRatio {
+  double delta_k = 0.0;       ///< of long cracks, at R = 0 or for R to 1 [stress intensity]
+  bool at_zero_ratio = false; ///< delta_k is that at R = 0
+  double slope_above = 0.0;   ///< C_th+, for R >= 0
+  double slope_below = 0.0;   ///< C_th-, for R < 0
+  double intrinsic_length = 0.0;
+  double largest_ratio = 0.7; ///< above it the threshold stays what it is there
+};
+
+/// Where on a crack a law is asked.
+struct PlaceOnCrack {
+  double a = std::numeric_limits<double>::infinity(); ///< length there; a long crack [length]
+  std::optional<double> toughness = std::nullopt; ///< in place of the law's own [stress intensity]
+};
+
 /// Constants of a growth law. C and the table count K in `k_unit` and lengths in `a_unit`;
 /// threshold and toughness are in the units of the deck.
 struct GrowthLawConstants {
   double C = 0.0;
   double m = 0.0;
-  double p = 0.0;              ///< Walker: gamma; NASGRO: exponent of the threshold term
-  double q = 0.0;              ///< NASGRO: exponent of the toughness term
-  double alpha = 2.0;          ///< NASGRO: constraint factor, 1 plane stress to 3 plane strain
-  double stress_ratio = 0.3;   ///< NASGRO: largest stress over flow stress
-  double threshold = 0.0;      ///< of delta K [stress intensity]
+  double p = 0.0;            ///< Walker: gamma; NASGRO: exponent of the threshold term
+  double q = 0.0;            ///< NASGRO: exponent of the toughness term
+  double alpha = 2.0;        ///< NASGRO: constraint factor, 1 plane stress to 3 plane strain
+  double stress_ratio = 0.3; ///< NASGRO: largest stress over flow stress
+  double threshold = 0.0;    ///< of delta K, one for all R [stress intensity]
+  std::optional<ThresholdOverRatio> threshold_over_ratio; ///< in its place
+  /// Toughness of surface and corner cracks in its place [stress intensity].
+  std::optional<double> k_part_through;
   std::optional<double> k_c;   ///< fracture toughness [stress intensity]; Forman and NASGRO need it
   double k_unit = 1.0;         ///< one unit of K of the constants [stress intensity]
   double a_unit = 1.0;         ///< one unit of length of the constants [length]

@@ -66,7 +66,9 @@ public:
     growth::GrowthRateFunction law;
     // Of a spectrum the rate itself is interpolated between stations: no law is asked there.
     if (!measure_.spectrum()) {
-      law = [this](double K_max, double K_min) { return measure_.law().growth_rate(K_max, K_min); };
+      law = [this](double K_max, double K_min, const model::PlaceOnCrack& place) {
+        return measure_.law().growth_rate(K_max, K_min, place);
+      };
     }
     const bool of_another_law =
         options_.checkpoint != nullptr && options_.checkpoint->is_of_another_law();
@@ -212,7 +214,7 @@ private:
     std::optional<std::vector<growth::TipStation>> found = measure_.evaluate_tip_rates(
         {*increment, solver_.crack_fronts(), solver_.plastic_load_ratios(), cracks,
          solver_.load_history(), solver_.overlap_results(), growth_load_path(model_, *increment)},
-        integrator.tips());
+        integrator.tips(), integrator.trial_extents());
     if (!found) {
       trial_trouble_ = measure_.trouble();
       return false;

@@ -125,7 +125,8 @@ base::Vec2 kink_tip_and_get_K_factors(const model::Model& model, const base::Vec
 
 std::optional<std::vector<growth::TipStation>>
 GrowthRateEvaluator::evaluate_tip_rates(const SolvedCrackState& at,
-                                        const std::vector<growth::TrackedTip>& growing) {
+                                        const std::vector<growth::TrackedTip>& growing,
+                                        const std::vector<double>& extents) {
   std::vector<growth::TipStation> found(growing.size());
   upside_down_ = true;
   if (at.followed && !at.followed->none.empty()) {
@@ -135,7 +136,9 @@ GrowthRateEvaluator::evaluate_tip_rates(const SolvedCrackState& at,
                              at.followed->none)});
   }
   for (std::size_t i = 0; i < growing.size(); ++i) {
-    if (!evaluate_place(at, growing_place(at.cracks, growing, i), found[i])) {
+    GrowingPlace to = growing_place(at.cracks, growing, i);
+    to.on_crack.a = extents[i];
+    if (!evaluate_place(at, to, found[i])) {
       return std::nullopt;
     }
     add_plastic_ratio(model_, around_, at, growing[i], found[i]);
@@ -143,7 +146,7 @@ GrowthRateEvaluator::evaluate_tip_rates(const SolvedCrackState& at,
   return found;
 }
 
-bool GrowthRateEvaluator::evaluate_place(const SolvedCrackState& at, const GrowingPlace& to,
+bool GrowthRateEvaluator::evaluate_place(const SolvedCrackState& at, GrowingPlace to,
                                          growth::TipStation& found) {
   const std::vector<results::FrontResult>& fronts =
       at.increment.steps[largest_load_step(model_)].fronts;
@@ -157,6 +160,11 @@ bool GrowthRateEvaluator::evaluate_place(const SolvedCrackState& at, const Growi
   }
   if (!fronts[place.front].is_tip()) {
     look_at_front(at, to, place, found);
+    const std::optional<double>& own = model_.growth->constants.k_part_through;
+    if (own && is_part_through(fronts[place.front])) {
+      to.on_crack.toughness = own;
+      found.toughness = *own;
+    }
   }
   if (at.followed && at.followed->none.empty()) {
     return by_history(at, to, place, found);
@@ -199,6 +207,12 @@ void GrowthRateEvaluator::note_order(const std::string& name, bool upside_down) 
   }
 }
 
+void GrowthRateEvaluator::look_at_threshold(const GrowingPlace& to, double K_max, double K_min) {
+  if (K_max > 0.0 && law_.is_held_by_constant_threshold(K_max, K_min)) {
+    warnings_.warn_of_constant_threshold(to.front, to.on_crack.a, K_max, K_min);
+  }
+}
+
 double GrowthRateEvaluator::at_smallest(const SolvedCrackState& at, const GrowingPlace& to,
                                         const base::Vec2& part, const results::FrontResult& front,
                                         const PlaceOnFront& place) {
@@ -236,7 +250,9 @@ bool GrowthRateEvaluator::by_steps(const SolvedCrackState& at, const GrowingPlac
   const base::Vec2 part = kink_tip_and_get_K_factors(model_, K, to.straight, found);
   found.K_max = std::max(0.0, part.dot(K));
   found.K_min = at_smallest(at, to, part, low, there);
-  found.rate = found.K_max > found.K_min ? law_.growth_rate(found.K_max, found.K_min) : 0.0;
+  found.rate =
+      found.K_max > found.K_min ? law_.growth_rate(found.K_max, found.K_min, to.on_crack) : 0.0;
+  look_at_threshold(to, found.K_max, found.K_min);
   if (high.is_tip()) {
     note_order(to.name,
                low.single_point().K1 > high.single_point().K1 && low.single_point().K1 > 0.0);

@@ -40,6 +40,7 @@ struct GrowingPlace {
   std::string front;                   ///< its crack, in the plane the tip
   base::Vec3 aim = base::Vec3::Zero(); ///< in space: the place is the nearest to it
   bool straight = false;               ///< it cannot turn, on a line of symmetry
+  model::PlaceOnCrack on_crack = {};   ///< where the law is asked
 };
 
 /// The step of the largest load of the growth: KMAX, or the end of the spectrum's load path.
@@ -63,9 +64,10 @@ class GrowthRateEvaluator {
 public:
   explicit GrowthRateEvaluator(const model::Model& model);
 
-  /// By tip. Empty: `trouble` says why there is no growth to be told.
+  /// By tip, whose lengths are `extents`. Empty: `trouble` says why there is no growth to be told.
   [[nodiscard]] std::optional<std::vector<growth::TipStation>>
-  evaluate_tip_rates(const SolvedCrackState& at, const std::vector<growth::TrackedTip>& growing);
+  evaluate_tip_rates(const SolvedCrackState& at, const std::vector<growth::TrackedTip>& growing,
+                     const std::vector<double>& extents);
 
   [[nodiscard]] const base::OptionalFailure& trouble() const { return trouble_; }
   /// Whether of the last state K at KMIN was above K at KMAX, and above 0, at all tips that grow.
@@ -90,8 +92,7 @@ public:
 private:
   /// Says why a state has no rate; false.
   bool no_rate(std::string why);
-  bool evaluate_place(const SolvedCrackState& at, const GrowingPlace& to,
-                      growth::TipStation& found);
+  bool evaluate_place(const SolvedCrackState& at, GrowingPlace to, growth::TipStation& found);
   /// What K along a front in space at KMAX means, however the law is given it.
   void look_at_front(const SolvedCrackState& at, const GrowingPlace& to, const PlaceOnFront& place,
                      growth::TipStation& found);
@@ -108,6 +109,8 @@ private:
   [[nodiscard]] double at_smallest(const SolvedCrackState& at, const GrowingPlace& to,
                                    const base::Vec2& part, const results::FrontResult& front,
                                    const PlaceOnFront& place);
+  /// Warns of a cycle that a threshold of another R holds back.
+  void look_at_threshold(const GrowingPlace& to, double K_max, double K_min);
   /// Warns where K at KMIN is larger than at KMAX, which all tips together may not have.
   void note_order(const std::string& name, bool upside_down);
   /// K1 and K2 of a place at the end of a step, corrected where the law is to have that.

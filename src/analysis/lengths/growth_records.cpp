@@ -63,6 +63,29 @@ results::GrownPointResult record_of(const std::string& name, const growth::TipSt
           .first_min = t.first_min};
 }
 
+// Of the tip that is nearest to growing at a station where none grows: its delta K, R, and the
+// threshold of that R.
+std::string threshold_words(const model::Model& model, const std::vector<std::string>& names,
+                            const growth::SolvedStation& station, const life::GrowthRateLaw& law) {
+  double nearest = 0.0;
+  std::string words;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const growth::TipStation& tip = station.tips[i];
+    const double range = life::tensile_K_range(tip.K_max, tip.K_min);
+    if (!(tip.K_max > 0.0) || !(range > 0.0)) {
+      continue;
+    }
+    const double R = tip.K_min / tip.K_max;
+    const double least = law.threshold(R, growth::place_of_tip(tip, tip.a));
+    if (range / least > nearest) {
+      nearest = range / least;
+      words = fmt::format(" ({}: delta K = {:.4g}, R = {:.3g}, threshold {:.4g} {})", names[i],
+                          range, R, least, model.units.stress_intensity_name());
+    }
+  }
+  return words;
+}
+
 } // namespace
 
 std::vector<results::LifeCurvePoint> life_curve(const growth::GrowthIntegrator& integrator,
@@ -144,6 +167,10 @@ results::GrowthResult growth_records(const model::Model& model,
   if (integrator.growth_end()) {
     out.ended = integrator.growth_end()->word();
     out.reason = integrator.growth_end()->reason;
+    if (integrator.growth_end()->kind == growth::GrowthEventKind::threshold &&
+        !measure.spectrum()) {
+      out.reason += threshold_words(model, out.point_names, stations.back(), measure.law());
+    }
   }
   out.error = integrator.cycle_error();
   return out;

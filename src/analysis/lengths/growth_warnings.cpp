@@ -2,6 +2,7 @@
 #include "analysis/lengths/growth_warnings.hpp"
 
 #include "analysis/lengths/load_history.hpp"
+#include "life/growth_law.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +30,26 @@ void GrowthWarnings::keep_first_mesh_warning(const std::string& code, const std:
   if (!known) {
     warnings_.insert({code, fmt::format("{}{}{})", text, of_station, station)});
   }
+}
+
+void GrowthWarnings::warn_of_constant_threshold(const std::string& crack, double a, double K_max,
+                                                double K_min) {
+  const std::string of = crack + ": DKTH is one threshold for all R";
+  if (std::ranges::any_of(warnings_, [&](const results::Warning& warning) {
+        return warning.text.starts_with(of);
+      })) {
+    return;
+  }
+  const double k_unit = rules_.constants.k_unit;
+  const double range = life::tensile_K_range(K_max, K_min);
+  const double least = rules_.constants.threshold;
+  warnings_.insert(
+      {"W456",
+       fmt::format(
+           "{}: at a = {:.6g} a cycle with R = {:.3g} has delta K = {:.4g}, {:.2f} of "
+           "DKTH = {:.4g} (in KUNIT). A threshold falls with R; give DK0, that at R = 0, or "
+           "DK1, that for R to 1, with CTHP and CTHM, unless DKTH holds for this R",
+           of, a, K_min / K_max, range / k_unit, range / least, least / k_unit)});
 }
 
 void GrowthWarnings::warn_of_missing_error_bar(const std::string& name, const std::string& why) {

@@ -29,6 +29,9 @@ public:
                                std::size_t station);
   /// Of a tip or crack whose faces close at length `a`, with no K below that.
   void warn_of_closing_faces(const std::string& name, double a);
+  /// Of a cycle, on a crack of length `a`, that a threshold measured at another R holds back; once
+  /// a crack.
+  void warn_of_constant_threshold(const std::string& crack, double a, double K_max, double K_min);
   /// Where CORRECT=YES asks for corrected K: `why` there is no error bar to correct it by; empty:
   /// there is one.
   void warn_of_missing_error_bar(const std::string& name, const std::string& why);

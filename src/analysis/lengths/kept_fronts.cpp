@@ -113,7 +113,7 @@ std::string add_kept_front(const model::Model& model, const archive::StoredIncre
   std::optional<std::vector<growth::TipStation>> found =
       measure.evaluate_tip_rates({kept.increment, no_fronts, no_sections, *cracks, no_history,
                                   no_overlap, growth_load_path(model, kept.increment)},
-                                 integrator.tips());
+                                 integrator.tips(), integrator.trial_extents());
   if (!found) {
     return back(measure.trouble()->why);
   }

@@ -34,8 +34,11 @@ template <class KOf> base::Vec2 largest(const LoadPassResult& pass, const KOf& K
 // The K that the law is given, out of those of all tips [crack::KLayout].
 using KOfLaw = std::function<double(const base::Vector&)>;
 
+/// The growth of a cycle of K at a place of a crack.
+using GrowthOfCycle = std::function<double(double K_max, double K_min)>;
+
 // Rate and extremes of K in a pass of the spectrum that was followed.
-void measure_pass(const life::GrowthRateLaw& law, const LoadPassResult& pass, const KOfLaw& K,
+void measure_pass(const GrowthOfCycle& growth, const LoadPassResult& pass, const KOfLaw& K,
                   growth::TipStation& found) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
@@ -51,7 +54,7 @@ void measure_pass(const life::GrowthRateLaw& law, const LoadPassResult& pass, co
     // Counted on K itself: with friction it is no function of the load.
     for (const life::LoadCycle& cycle : life::count_rainflow_cycles(along, true)) {
       if (cycle.high > 0.0 && cycle.high > cycle.low) {
-        found.rate += times * cycle.count * law.growth_rate(cycle.high, cycle.low);
+        found.rate += times * cycle.count * growth(cycle.high, cycle.low);
       }
     }
   };
@@ -65,16 +68,16 @@ void measure_pass(const life::GrowthRateLaw& law, const LoadPassResult& pass, co
 
 // Rate and extremes of the loads that were followed, of the first cycle and of those that repeat
 // themselves.
-void measure_loads(const life::GrowthRateLaw& law, bool spectrum, const LoadHistoryKResult& loads,
+void measure_loads(const GrowthOfCycle& growth, bool spectrum, const LoadHistoryKResult& loads,
                    const KOfLaw& K, growth::TipStation& found) {
   growth::TipStation first; // of the first cycle or pass
   if (spectrum) {
-    measure_pass(law, loads.last, K, found);
-    measure_pass(law, loads.first, K, first);
+    measure_pass(growth, loads.last, K, found);
+    measure_pass(growth, loads.first, K, first);
   } else {
     found.K_max = std::max(0.0, K(loads.last.marks[loads.grow_at]));
     found.K_min = K(loads.last.marks[loads.smallest]);
-    found.rate = found.K_max > found.K_min ? law.growth_rate(found.K_max, found.K_min) : 0.0;
+    found.rate = found.K_max > found.K_min ? growth(found.K_max, found.K_min) : 0.0;
     first.K_max = std::max(0.0, K(loads.first.marks[loads.grow_at]));
     first.K_min = K(loads.first.marks[loads.smallest]);
   }
@@ -102,8 +105,12 @@ bool GrowthRateEvaluator::by_history(const SolvedCrackState& at, const GrowingPl
                        : spectrum_     ? largest(loads.last, K_of)
                                        : grown;
   const base::Vec2 part = kink_tip_and_get_K_factors(model_, K, to.straight, found);
+  const GrowthOfCycle growth = [&](double K_max, double K_min) {
+    look_at_threshold(to, K_max, K_min);
+    return law_.growth_rate(K_max, K_min, to.on_crack);
+  };
   measure_loads(
-      law_, spectrum_.has_value(), loads,
+      growth, spectrum_.has_value(), loads,
       [&](const base::Vector& all) { return part.dot(K_of(all)); }, found);
   if (front.is_tip()) {
     if (!spectrum_) {

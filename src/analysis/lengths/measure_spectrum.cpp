@@ -92,7 +92,12 @@ bool GrowthRateEvaluator::by_spectrum(const SolvedCrackState& at, const GrowingP
   const auto [low, high] = spectrum_->extreme_K(K);
   found.K_min = low;
   found.K_max = std::max(0.0, high);
-  found.rate = spectrum_->growth_per_pass(law_, K);
+  found.rate = spectrum_->growth_per_pass(law_, K, to.on_crack);
+  if (law_.has_constant_threshold()) {
+    for (const life::LoadCycle& cycle : spectrum_->cycles_as_K(K)) {
+      look_at_threshold(to, cycle.high, cycle.low);
+    }
+  }
   counted_on_K_ = counted_on_K_ || spectrum_->requires_counting_on_K(K);
   if (std::isnan(found.rate)) {
     return no_rate(fmt::format("spectrum {}: the growth of a pass is not a number {}", card.name,

@@ -118,6 +118,16 @@ PlaceOnFront nearest_place(const std::vector<results::LoadPathFront>& fronts,
   return nearest_of(fronts, name, x);
 }
 
+bool is_part_through(const results::FrontResult& front) {
+  const std::vector<results::FrontPointResult>& points = front.points;
+  if (front.is_loop || points.size() < 3) {
+    return front.is_loop;
+  }
+  const base::Vec3 first = (points[1].x - points[0].x).normalized();
+  const base::Vec3 last = (points.back().x - points[points.size() - 2].x).normalized();
+  return first.dot(last) < std::sqrt(0.5);
+}
+
 base::Vec3 point_on_front_curve(const results::FrontResult& front, const PlaceOnFront& at) {
   base::Vec3 x = base::Vec3::Zero();
   for (const auto& [i, weight] : weights_at(front, at)) {

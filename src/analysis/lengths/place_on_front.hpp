@@ -33,6 +33,10 @@ PlaceOnFront nearest_place(const std::vector<results::FrontResult>& fronts, cons
 PlaceOnFront nearest_place(const std::vector<results::LoadPathFront>& fronts,
                            const std::string& name, const base::Vec3& x);
 
+/// Whether a front in space is that of a surface or corner crack, or of one inside the body: it
+/// turns by more than 45 degrees between its ends. That of a through crack runs from face to face.
+bool is_part_through(const results::FrontResult& front);
+
 /// A place on the curve through the points, not on its chords.
 base::Vec3 point_on_front_curve(const results::FrontResult& front, const PlaceOnFront& at);
 

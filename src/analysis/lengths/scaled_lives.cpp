@@ -56,7 +56,8 @@ on_line(const std::vector<results::LoadPathResult>& paths,
       }
       const double K0 = through_zero ? 0.0 : (*K1)(0.0);
       const base::PiecewiseLinear line({0.0, top}, {K0}, {((*K1)(top)-K0) / top});
-      tip.rate = tip.extent_rate_ratio * measure.spectrum()->growth_per_pass(measure.law(), line);
+      tip.rate = tip.extent_rate_ratio * measure.spectrum()->growth_per_pass(
+                                             measure.law(), line, growth::place_of_tip(tip, tip.a));
     }
     if (!(stations[i].growth_rate() > 0.0)) {
       return std::nullopt;
@@ -110,8 +111,9 @@ lives_by_proportional_K(const model::Model& model, const results::RunResult& run
           tip.K_min = *r * tip.K_max;
         }
       }
-      const growth::GrowthRateFunction law = [&](double K_max, double K_min) {
-        return measure.law().growth_rate(K_max, K_min);
+      const growth::GrowthRateFunction law = [&](double K_max, double K_min,
+                                                 const model::PlaceOnCrack& place) {
+        return measure.law().growth_rate(K_max, K_min, place);
       };
       add(life("scaled", integrator, growth::GrowthTrajectory(stations, law, 4)));
     }

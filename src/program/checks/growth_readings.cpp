@@ -138,7 +138,7 @@ public:
       const double K = std::exp(log_K_[i]);
       lengths.push_back(std::exp(log_a_[i]));
       // The law takes K at the largest and the smallest load.
-      rates.push_back(law.growth_rate(K, R_[i] * K));
+      rates.push_back(law.growth_rate(K, R_[i] * K, {lengths.back()}));
     }
     const bool grows =
         std::ranges::all_of(rates, [](double rate) { return rate > 0.0 && std::isfinite(rate); });

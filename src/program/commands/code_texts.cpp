@@ -220,8 +220,9 @@ constexpr std::array advice{
     CodeMeaning{"E452", "Add $CRACK, or take $GROW away."},
     CodeMeaning{"E453", "KMAX names the step with the largest K of a cycle, KMIN that with the "
                         "smallest: exchange them, or look at the sign of the load."},
-    CodeMeaning{"E454", "KC and DKTH without a unit are in KUNIT: give both their units, "
-                        "35[MPa*m^0.5], or look at KUNIT."},
+    CodeMeaning{"E454",
+                "Toughness and threshold without a unit are in KUNIT: give both their units, "
+                "35[MPa*m^0.5], or look at KUNIT."},
     CodeMeaning{"W452", "Apply it in a step, LOAD case 1, or take the $LOAD away."},
     CodeMeaning{"W453",
                 "A step keeps what it does not name. Give it what it should do; a FIT scales "
@@ -388,7 +389,7 @@ constexpr std::array advice{
                 "A DIAMETRAL or INTERFERENCE presses, a GAP keeps apart; a fit acts when a "
                 "step has FIT. A stop that no load reaches deserves no more than this word."},
     CodeMeaning{"W572", "Pa for MPa in a law is a factor of 1e6 to the power of its exponent. The "
-                        "threshold of a law ends growth, DKTH."},
+                        "threshold of a law ends growth, DKTH, DK0 or DK1."},
     CodeMeaning{"W573", "Readings are lengths in the unit of the deck, from the mouth on."},
     CodeMeaning{"W574",
                 "What is compared is K at the place named in the message. Ask where the front "

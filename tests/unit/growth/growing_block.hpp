@@ -72,7 +72,7 @@ struct Block {
   }
 };
 
-inline double paris(double K_max, double K_min) {
+inline double paris(double K_max, double K_min, const model::PlaceOnCrack& /*place*/ = {}) {
   return 1e-9 * std::pow(K_max - K_min, 3);
 }
 
@@ -97,7 +97,7 @@ inline void run(growth::GrowthIntegrator& march, const KAt& K_at,
       found[tip].y = x.y();
       found[tip].z = x.z();
       found[tip].K_max = K_at(*cracks, x);
-      found[tip].rate = law(found[tip].K_max, 0.0);
+      found[tip].rate = law(found[tip].K_max, 0.0, {});
     }
     march.accept_or_reject_station(std::move(found));
   }

@@ -62,7 +62,9 @@ void grows_as(const HashStateDeleter& truth) {
   block.model.growth->last_length = truth.last;
   block.model.growth->tolerance = 0.02;
   block.model.growth->constants.m = truth.m;
-  const auto law = [&](double K, double /*K_min*/) { return std::pow(K, truth.m); };
+  const auto law = [&](double K, double /*K_min*/, const model::PlaceOnCrack& /*place*/) {
+    return std::pow(K, truth.m);
+  };
   growth::GrowthIntegrator march(block.model, law,
                                  std::make_unique<growth::FreeFrontShape>(block.model), {});
   ExactFront exact(truth.points);

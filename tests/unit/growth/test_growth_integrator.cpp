@@ -107,13 +107,14 @@ TEST(GrowthIntegrator, LifeOfTheBenchmark) {
   Plate plate(0.0, 100.0, 50.0, 10);
   plate.crack("C", 0.0, 1.0);
   plate.model.growth->last_length = 10.0;
-  const growth::GrowthRateFunction paris = [](double K_max, double K_min) {
+  const growth::GrowthRateFunction paris = [](double K_max, double K_min,
+                                              const model::PlaceOnCrack& /*place*/) {
     return 1e-11 * std::pow(K_max - K_min, 3);
   };
   growth::GrowthIntegrator march(plate.model, paris, plate.kinematics(), {});
   run(march, [&](const auto&, const auto& lines, auto& tips) {
     tips[0].K_max = 112.0 * std::sqrt(pi * tip_x(lines[0]));
-    tips[0].rate = paris(tips[0].K_max, 0.0);
+    tips[0].rate = paris(tips[0].K_max, 0.0, {});
   });
   EXPECT_STREQ(march.growth_end()->word(), "AMAX");
   EXPECT_NEAR(cycles_of(march) / 17480.85136, 1.0, 1e-6);
@@ -129,13 +130,14 @@ TEST(GrowthIntegrator, KeepsItsTolerance) {
     return 50.0 * std::sqrt(40.0 * std::tan(0.5 * pi * r)) *
            (0.752 + 2.02 * r + 0.37 * std::pow(1.0 - std::sin(0.5 * pi * r), 3)) / c;
   };
-  const growth::GrowthRateFunction paris = [](double K_max, double K_min) {
+  const growth::GrowthRateFunction paris = [](double K_max, double K_min,
+                                              const model::PlaceOnCrack& /*place*/) {
     return 1e-12 * std::pow(K_max - K_min, 3.5);
   };
   double exact = 0.0;
   constexpr int parts = 20000;
   for (int k = 0; k < parts; ++k) {
-    exact += 15.0 / parts / paris(K(1.0 + 15.0 * (k + 0.5) / parts), 0.0);
+    exact += 15.0 / parts / paris(K(1.0 + 15.0 * (k + 0.5) / parts), 0.0, {});
   }
   std::size_t fewer = 0;
   for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
@@ -146,7 +148,7 @@ TEST(GrowthIntegrator, KeepsItsTolerance) {
     growth::GrowthIntegrator march(plate.model, paris, plate.kinematics(), {});
     run(march, [&](const auto&, const auto& lines, auto& tips) {
       tips[0].K_max = K(tip_x(lines[0]));
-      tips[0].rate = paris(tips[0].K_max, 0.0);
+      tips[0].rate = paris(tips[0].K_max, 0.0, {});
     });
     const double missed = std::abs(cycles_of(march) / exact - 1.0);
     EXPECT_LE(missed, tolerance);
@@ -181,14 +183,15 @@ TEST(GrowthIntegrator, EndsAtToughness) {
   Plate plate(0.0, 1000.0, 50.0, 10);
   plate.crack("C", 0.0, 1.0);
   plate.model.growth->constants.k_c = 500.0;
-  const growth::GrowthRateFunction forman = [](double K_max, double) {
+  const growth::GrowthRateFunction forman = [](double K_max, double,
+                                               const model::PlaceOnCrack& /*place*/) {
     return K_max < 500.0 ? 1e-9 * std::pow(K_max, 3) / (500.0 - K_max)
                          : std::numeric_limits<double>::infinity();
   };
   growth::GrowthIntegrator march(plate.model, forman, plate.kinematics(), {});
   run(march, [&](const auto&, const auto& lines, auto& tips) {
     tips[0].K_max = 100.0 * std::sqrt(tip_x(lines[0]));
-    tips[0].rate = forman(tips[0].K_max, 0.0);
+    tips[0].rate = forman(tips[0].K_max, 0.0, {});
   });
   EXPECT_STREQ(march.growth_end()->word(), "KC");
   EXPECT_NEAR(march.growth_end()->s, 25.0, 1e-6);
@@ -200,11 +203,14 @@ TEST(GrowthIntegrator, EndsAfterItsCycles) {
   Plate plate(0.0, 1000.0, 50.0, 10);
   plate.crack("C", 0.0, 1.0);
   plate.model.growth->cycles = 1e4;
-  const growth::GrowthRateFunction law = [](double K_max, double) { return 1e-4 * K_max * K_max; };
+  const growth::GrowthRateFunction law = [](double K_max, double,
+                                            const model::PlaceOnCrack& /*place*/) {
+    return 1e-4 * K_max * K_max;
+  };
   growth::GrowthIntegrator march(plate.model, law, plate.kinematics(), {});
   run(march, [&](const auto&, const auto& lines, auto& tips) {
     tips[0].K_max = std::sqrt(tip_x(lines[0]));
-    tips[0].rate = law(tips[0].K_max, 0.0);
+    tips[0].rate = law(tips[0].K_max, 0.0, {});
   });
   EXPECT_STREQ(march.growth_end()->word(), "CYCLES");
   EXPECT_NEAR(march.growth_end()->s, std::exp(1.0), 1e-6);
@@ -214,13 +220,14 @@ TEST(GrowthIntegrator, EndsAfterItsCycles) {
 TEST(GrowthIntegrator, EndsAtTheThreshold) {
   Plate plate(0.0, 1000.0, 50.0, 10);
   plate.crack("C", 0.0, 1.0);
-  const growth::GrowthRateFunction law = [](double K_max, double) {
+  const growth::GrowthRateFunction law = [](double K_max, double,
+                                            const model::PlaceOnCrack& /*place*/) {
     return K_max > 0.5 ? 1e-4 * K_max : 0.0;
   };
   growth::GrowthIntegrator march(plate.model, law, plate.kinematics(), {});
   run(march, [&](const auto&, const auto& lines, auto& tips) {
     tips[0].K_max = 1.0 / tip_x(lines[0]);
-    tips[0].rate = law(tips[0].K_max, 0.0);
+    tips[0].rate = law(tips[0].K_max, 0.0, {});
   });
   EXPECT_STREQ(march.growth_end()->word(), "THRESHOLD");
   EXPECT_NEAR(march.growth_end()->s, 2.0, 1e-5);
@@ -242,13 +249,14 @@ TEST(GrowthIntegrator, NothingGrows) {
 TEST(GrowthIntegrator, EndsWhereTheCrackCloses) {
   Plate plate(0.0, 1000.0, 50.0, 10);
   plate.crack("C", 0.0, 1.0);
-  const growth::GrowthRateFunction law = [](double K_max, double) {
+  const growth::GrowthRateFunction law = [](double K_max, double,
+                                            const model::PlaceOnCrack& /*place*/) {
     return K_max > 0.0 ? 1e-4 : 0.0;
   };
   growth::GrowthIntegrator march(plate.model, law, plate.kinematics(), {});
   run(march, [&](const auto&, const auto& lines, auto& tips) {
     tips[0].K_max = std::max(0.0, 2.0 - tip_x(lines[0]));
-    tips[0].rate = law(tips[0].K_max, 0.0);
+    tips[0].rate = law(tips[0].K_max, 0.0, {});
   });
   EXPECT_STREQ(march.growth_end()->word(), "CLOSED");
   EXPECT_NEAR(march.growth_end()->s, 2.0, 0.05);
@@ -358,14 +366,15 @@ TEST(GrowthIntegrator, FollowsACurve) {
 
 // A state written out and read back goes on to the same numbers, to the bit.
 TEST(GrowthIntegrator, GoesOnFromItsState) {
-  const growth::GrowthRateFunction paris = [](double K_max, double K_min) {
+  const growth::GrowthRateFunction paris = [](double K_max, double K_min,
+                                              const model::PlaceOnCrack& /*place*/) {
     return 1e-10 * std::pow(K_max - K_min, 3);
   };
   const Measure measure = [&](const auto&, const auto& lines, auto& tips) {
     const double a = tip_x(lines[0]);
     tips[0].K_max = 100.0 * std::sqrt(pi * a) * (1.0 + 0.1 * a * a);
     tips[0].K_min = 10.0;
-    tips[0].rate = paris(tips[0].K_max, tips[0].K_min);
+    tips[0].rate = paris(tips[0].K_max, tips[0].K_min, {});
   };
   Plate plate(0.0, 100.0, 50.0, 10);
   plate.crack("C", 0.0, 1.0);

@@ -78,7 +78,8 @@ Marched march_to_the_end(double least) {
   model.growth->law = model::CrackGrowthLaw::paris;
   model.growth->tolerance = 1e-6;
   model.growth->last_length = last_arm;
-  const growth::GrowthRateFunction paris = [](double K_max, double K_min) {
+  const growth::GrowthRateFunction paris = [](double K_max, double K_min,
+                                              const model::PlaceOnCrack& /*place*/) {
     return 1e-3 * std::pow(K_max - K_min, 3);
   };
   growth::GrowthIntegrator march(model, paris, std::make_unique<JumpingKinematics>(least), {});
@@ -92,7 +93,7 @@ Marched march_to_the_end(double least) {
     const double a = state->aims[0].x();
     std::vector<TipStation> found(1);
     found[0].K_max = 1.0 + 0.5 * std::sin(20.0 * a);
-    found[0].rate = paris(found[0].K_max, 0.0);
+    found[0].rate = paris(found[0].K_max, 0.0, {});
     march.accept_or_reject_station(std::move(found));
     ++marched.solved;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "life/growth_law.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -204,6 +205,38 @@ TEST(GrowthLaw, FormanWithoutThresholdHasAnInverseForTheSmallestRates) {
   const GrowthRateLaw forman(model::CrackGrowthLaw::forman, tough(1e-8, 3.0, 1000.0));
   const double rate = forman.growth_rate(1e-3, 0.0);
   EXPECT_NEAR(forman.K_range_for_rate(rate, 0.0) / 1e-3, 1.0, 1e-12);
+}
+
+TEST(GrowthLaw, APlaceHasAToughnessOfItsOwn) {
+  const GrowthRateLaw law(model::CrackGrowthLaw::nasgro, nasgro());
+  EXPECT_TRUE(std::isinf(law.growth_rate(1200.0, 0.0, {1.0, 1100.0})));
+  EXPECT_GT(law.growth_rate(1000.0, 0.0, {1.0, 1100.0}), law.growth_rate(1000.0, 0.0));
+}
+
+// Cycles of a centre crack in an infinite plate, K = S (pi a)^0.5, by Simpson's rule over ln a.
+double cycles_of_plate(const GrowthRateLaw& law, double S, double R, double from, double to) {
+  constexpr int parts = 2000;
+  const double h = std::log(to / from) / parts;
+  double sum = 0.0;
+  for (int i = 0; i <= parts; ++i) {
+    const double a = from * std::exp(h * i); // mm
+    const double K = S * std::sqrt(std::numbers::pi * a / 1000.0);
+    const double weight = i == 0 || i == parts ? 1.0 : i % 2 == 1 ? 4.0 : 2.0;
+    sum += weight * a / law.growth_rate(K, R * K);
+  }
+  return sum * h / 3.0;
+}
+
+// Against integrals in closed form; C in mm and MPa m^0.5.
+TEST(GrowthLaw, LivesInClosedForm) {
+  const auto paris = [](double C, double m) {
+    return GrowthRateLaw(model::CrackGrowthLaw::paris, constants(C, m));
+  };
+  EXPECT_NEAR(cycles_of_plate(paris(1e-8, 3.0), 100, 0, 1, 10) / 776634.4444503561, 1.0, 1e-10);
+  EXPECT_NEAR(cycles_of_plate(paris(1e-8, 2.0), 100, 0, 1, 10) / 7329355.9887942765, 1.0, 1e-10);
+  EXPECT_NEAR(cycles_of_plate(paris(5e-9, 3.5), 80, 0, 1.27, 25) / 1042649.8628859223, 1.0, 1e-10);
+  const GrowthRateLaw forman(model::CrackGrowthLaw::forman, tough(7.13e-6, 2.7, 71.3));
+  EXPECT_NEAR(cycles_of_plate(forman, 100, 0.1, 1, 10) / 155479.6558065734, 1.0, 1e-10);
 }
 
 } // namespace
