@@ -67,6 +67,10 @@ constexpr std::array grow_keys{
     real_key("M", number, above(0), "exponent of the law"),
     with_default(real_key("P", number, anything, "exponent of WALKER (gamma) or of NASGRO"), "0"),
     with_default(real_key("Q", number, anything, "exponent of NASGRO"), "0"),
+    word_key("NEGATIVE", "POSITIVE_PART|WHOLE|KMAX",
+             "WALKER at R < 0: POSITIVE_PART (when left out): as R = 0; WHOLE: K_max - K_min with "
+             "PM; KMAX: C (K_max/(1-R)^(1-P))^M"),
+    real_key("PM", number, anything, "exponent of WALKER in place of P at R < 0"),
     real_key("KC", stress_intensity, above(0),
              "fracture toughness, in KUNIT if it has no unit; stops the growth; FORMAN, NASGRO and "
              "HARTMAN need it or K1C"),
@@ -114,12 +118,15 @@ constexpr std::array grow_when{
     KeyPresenceRule{
         "LAW", "INCREMENT", "KMAX",
         "DA CYCLES C M P Q DKTH ALPHA SMAX KUNIT AUNIT SPECTRUM TOL SFLOW CORRECT AMAX KC "
-        "HISTORY DK0 DK1 CTHP CTHM AINTRINSIC RCL K1C AK BK THICK YIELD KIE"},
-    KeyPresenceRule{"LAW", "PARIS", "C M KUNIT AUNIT", "P Q KIE"},
+        "HISTORY DK0 DK1 CTHP CTHM AINTRINSIC RCL K1C AK BK THICK YIELD KIE "
+        "NEGATIVE PM"},
+    KeyPresenceRule{"LAW", "PARIS", "C M KUNIT AUNIT", "P Q KIE NEGATIVE PM"},
     KeyPresenceRule{"LAW", "WALKER", "C M P KUNIT AUNIT", "Q KIE"},
-    KeyPresenceRule{"LAW", "FORMAN", "C M KUNIT AUNIT", "P Q KIE"},
-    KeyPresenceRule{"LAW", "NASGRO", "C M KUNIT AUNIT", ""},
-    KeyPresenceRule{"LAW", "TABLE", "KUNIT AUNIT", "C M P Q KIE"},
+    KeyPresenceRule{"LAW", "FORMAN", "C M KUNIT AUNIT", "P Q KIE NEGATIVE PM"},
+    KeyPresenceRule{"LAW", "NASGRO", "C M KUNIT AUNIT", "NEGATIVE PM"},
+    KeyPresenceRule{"LAW", "TABLE", "KUNIT AUNIT", "C M P Q KIE NEGATIVE PM"},
+    KeyPresenceRule{"NEGATIVE", "WHOLE", "PM", ""},
+    KeyPresenceRule{"NEGATIVE", "POSITIVE_PART|KMAX", "", "PM"},
     KeyPresenceRule{"DK0", "", "CTHP CTHM", "DKTH"},
     KeyPresenceRule{"DK1", "", "CTHP CTHM", "DKTH DK0"},
     KeyPresenceRule{"K1C", "", "AK BK THICK YIELD", "KC"},

@@ -137,6 +137,9 @@ std::string growth_settings_text(const model::Model& model) {
   if (c.k_part_through) { // left out, texts are those of earlier files
     add(text, c.k_part_through);
   }
+  if (c.at_negative_ratio != model::NegativeRatioRule::positive_part) {
+    add(text, {static_cast<double>(c.at_negative_ratio), c.p_below});
+  }
   if (c.threshold_over_ratio) {
     const model::ThresholdOverRatio& t = *c.threshold_over_ratio;
     add(text, {t.delta_k, t.at_zero_ratio ? 1.0 : 0.0, t.slope_above, t.slope_below,

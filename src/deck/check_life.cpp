@@ -158,6 +158,14 @@ void odd_constants(DeckContext& c, const CheckedCard& card) {
         "P = 1 is Paris' law, P = 0 knows K_max alone, metals have 0.3 to 0.8; other books write "
         "(1-R)^P or M*(1-P) as the exponent");
   }
+  if (law.at_negative_ratio == model::NegativeRatioRule::whole_range &&
+      (law.p_below < 0.0 || law.p_below > 1.0)) {
+    c.warning(card.value_span("PM"), "W455",
+              fmt::format("PM = {:.4g} is not within 0 and 1: for R < 0 da/dN = C (delta K / "
+                          "(1-R)^(1-PM))^M",
+                          law.p_below),
+              "PM = 0 knows K_max alone; metals have 0 to 0.3");
+  }
   if (growth.law == model::CrackGrowthLaw::nasgro && (law.p < 0.0 || law.q < 0.0)) {
     c.warning(card.value_span(law.p < 0.0 ? "P" : "Q"), "W455",
               "a negative P or Q makes the law slower towards KC, or faster towards "

@@ -19,10 +19,11 @@ namespace spricka::deck {
 namespace {
 
 /// Keys of $GROW that say nothing of where cracks go.
-constexpr std::array<std::string_view, 29> law_keys{
-    "LAW",  "KMAX",       "KMIN",  "SPECTRUM", "TOL",  "AMAX",  "CYCLES", "C",     "M",   "P",
-    "Q",    "SMAX",       "ALPHA", "KC",       "DKTH", "KUNIT", "AUNIT",  "DK0",   "DK1", "CTHP",
-    "CTHM", "AINTRINSIC", "RCL",   "K1C",      "AK",   "BK",    "THICK",  "YIELD", "KIE"};
+constexpr std::array<std::string_view, 31> law_keys{
+    "LAW",   "KMAX", "KMIN",  "SPECTRUM", "TOL",   "AMAX",       "CYCLES", "C",
+    "M",     "P",    "Q",     "SMAX",     "ALPHA", "KC",         "DKTH",   "KUNIT",
+    "AUNIT", "DK0",  "DK1",   "CTHP",     "CTHM",  "AINTRINSIC", "RCL",    "K1C",
+    "AK",    "BK",   "THICK", "YIELD",    "KIE",   "NEGATIVE",   "PM"};
 /// Cards that no solution hangs on.
 constexpr std::array<std::string_view, 3> cards_for_readers{"CHECK", "OUTPUT", "SWEEP"};
 

@@ -92,6 +92,18 @@ double toughness_of_thickness(const CheckedCard& card, double plane_strain) {
   return plane_strain * (1.0 + card.number_value("BK") * std::exp(-part * part));
 }
 
+void read_negative_ratio(DeckContext& c, const CheckedCard& card,
+                         model::GrowthLawConstants& constants) {
+  constants.at_negative_ratio =
+      card.key_has_word("NEGATIVE", "WHOLE")  ? model::NegativeRatioRule::whole_range
+      : card.key_has_word("NEGATIVE", "KMAX") ? model::NegativeRatioRule::K_max
+                                              : model::NegativeRatioRule::positive_part;
+  constants.p_below = card.number_value("PM");
+  if (!card.has_key("NEGATIVE")) {
+    refuse_keys_without(c, card, "PM", "NEGATIVE=WHOLE");
+  }
+}
+
 void read_toughness(DeckContext& c, const CheckedCard& card, model::CrackGrowthSettings& growth) {
   model::GrowthLawConstants& constants = growth.constants;
   if (card.has_key("KIE")) {
@@ -125,6 +137,7 @@ void read_law_constants(DeckContext& context, const CheckedCard& card,
   constants.k_unit = context.key_unit_factor(card, "KUNIT");
   constants.a_unit = context.key_unit_factor(card, "AUNIT");
   read_threshold(context, card, growth);
+  read_negative_ratio(context, card, constants);
   read_toughness(context, card, growth);
   if (growth.law == model::CrackGrowthLaw::table) {
     law_table(context, card, constants);

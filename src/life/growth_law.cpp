@@ -54,7 +54,27 @@ GrowthRateLaw::GrowthRateLaw(CrackGrowthLaw law, GrowthLawConstants constants)
 }
 
 double GrowthRateLaw::counted_ratio(double R) const {
-  return law_ == CrackGrowthLaw::nasgro ? R : std::max(R, 0.0);
+  const bool counts_below =
+      law_ == CrackGrowthLaw::nasgro ||
+      (law_ == CrackGrowthLaw::walker &&
+       constants_.at_negative_ratio != model::NegativeRatioRule::positive_part);
+  return counts_below ? R : std::max(R, 0.0);
+}
+
+// (life.4), (life.29): delta K of (life.1) times (1 - R)^exponent is that of R = 0.
+double GrowthRateLaw::walker_exponent(double R) const {
+  if (R >= 0.0) {
+    return constants_.p - 1.0;
+  }
+  switch (constants_.at_negative_ratio) {
+  case model::NegativeRatioRule::whole_range:
+    return constants_.p_below; // (1 - R) K_max / (1 - R)^(1 - p_below)
+  case model::NegativeRatioRule::K_max:
+    return constants_.p - 1.0;
+  case model::NegativeRatioRule::positive_part:
+    break;
+  }
+  return 0.0;
 }
 
 double GrowthRateLaw::threshold(double R, const model::PlaceOnCrack& place) const {
@@ -96,8 +116,7 @@ double GrowthRateLaw::formula(double range, double R, double threshold,
   case CrackGrowthLaw::paris:
     return scale_ * std::pow(range, constants_.m);
   case CrackGrowthLaw::walker:
-    // (life.4) with R+: for R < 0 part is 1.
-    return scale_ * std::pow(range * std::pow(part, constants_.p - 1.0), constants_.m);
+    return scale_ * std::pow(range * std::pow(1.0 - R, walker_exponent(R)), constants_.m);
   case CrackGrowthLaw::forman: {
     // (life.5). The pole is where K_max reaches the toughness; beyond it the rate stays infinite,
     // not negative.
@@ -162,8 +181,7 @@ double GrowthRateLaw::K_range_for_rate(double rate, double R,
     found = std::pow(rate / scale_, 1.0 / constants_.m);
     break;
   case CrackGrowthLaw::walker:
-    found = std::pow(rate / scale_, 1.0 / constants_.m) *
-            std::pow(1.0 - std::max(R, 0.0), 1.0 - constants_.p);
+    found = std::pow(rate / scale_, 1.0 / constants_.m) * std::pow(1.0 - R, -walker_exponent(R));
     break;
   case CrackGrowthLaw::table:
     // Rates that do not rise all the way have several ranges, or none.

@@ -50,6 +50,7 @@ public:
 private:
   [[nodiscard]] double formula(double range, double R, double threshold,
                                const model::PlaceOnCrack& place) const;
+  [[nodiscard]] double walker_exponent(double R) const;
   [[nodiscard]] double toughness_at(const model::PlaceOnCrack& place) const {
     return place.toughness ? *place.toughness : *constants_.k_c;
   }

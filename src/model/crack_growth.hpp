@@ -21,6 +21,9 @@ enum class CrackGrowthLaw {
   nasgro,    ///< (life.6)
   table      ///< (life.9)
 };
+/// What Walker's law makes of R < 0: nothing of K below 0, all of delta K with an exponent of its
+/// own, or the law's own power of K_max (life.29).
+enum class NegativeRatioRule { positive_part, whole_range, K_max };
 enum class GrowthDirection { path, hoop, k2_zero };
 /// In space: fronts as K shapes them, or held to ellipses.
 enum class FrontShapeRule { ellipse, free };
@@ -54,7 +57,9 @@ struct GrowthLawConstants {
   double alpha = 2.0;        ///< NASGRO: constraint factor, 1 plane stress to 3 plane strain
   double stress_ratio = 0.3; ///< NASGRO: largest stress over flow stress
   double threshold = 0.0;    ///< of delta K, one for all R [stress intensity]
-  std::optional<ThresholdOverRatio> threshold_over_ratio; ///< in its place
+  std::optional<ThresholdOverRatio> threshold_over_ratio;                 ///< in its place
+  NegativeRatioRule at_negative_ratio = NegativeRatioRule::positive_part; ///< Walker
+  double p_below = 0.0; ///< Walker: gamma for R < 0 of the whole range
   /// Toughness of surface and corner cracks in its place [stress intensity].
   std::optional<double> k_part_through;
   std::optional<double> k_c;   ///< fracture toughness [stress intensity]; Forman and NASGRO need it

@@ -74,9 +74,14 @@ std::string ratio_words(const model::Model& model, const results::RunResult& run
     out += "K_min below 0 is computed with crack faces that may overlap and all other contacts as "
            "they are, as laws with R < 0 assume.\n";
   }
+  const model::NegativeRatioRule at_negative = model.growth->constants.at_negative_ratio;
   const bool below = R->first < 0.0 || closes_at_smallest(model, run);
   if (below && model.growth->law == model::CrackGrowthLaw::nasgro) {
     out += "At R < 0 the law uses Newman's opening function for this R, down to R = -2.\n";
+  } else if (below && at_negative != model::NegativeRatioRule::positive_part) {
+    out += at_negative == model::NegativeRatioRule::K_max
+               ? "At R < 0 the law uses C (K_max / (1-R)^(1-P))^M (NEGATIVE=KMAX).\n"
+               : "At R < 0 the law uses K_max - K_min with the exponent PM (NEGATIVE=WHOLE).\n";
   } else if (below) {
     out +=
         "This law counts R < 0 as R = 0: delta K = K_max, as in ASTM E647. Constants from a test "

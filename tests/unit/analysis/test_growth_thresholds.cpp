@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-/// Lives of decks by thresholds over R.
+/// Lives of decks by thresholds over R, and by laws at R < 0 as their names say.
 namespace spricka::test_growth_thresholds {
 namespace {
 
@@ -94,6 +94,21 @@ TEST(GrowthThresholds, CyclesOfASpectrumHaveTheirOwn) {
               3e-3);
   EXPECT_EQ(constant->run.growth->ended, "THRESHOLD");
   EXPECT_TRUE(has_warning(constant->run, "DKTH is one threshold for all R"));
+}
+
+// Walker's law at R = -1, faces closed at the smallest load.
+TEST(GrowthThresholds, WalkerAtNegativeRInADeck) {
+  const std::string walker = "KMAX=FULL KMIN=LOW LAW=WALKER AMAX=8 C=1e-11 M=3 P=0.6 ";
+  const auto life = [&](const std::string& more) {
+    const auto solved =
+        test::solve_text(test::strip_text(walker + more, "$STEP NAME=LOW\n  LOAD PULL -1\n"));
+    return solved && solved->run.growth ? solved->run.growth->final_cycles() : 0.0;
+  };
+  const double as_zero = life("");
+  ASSERT_GT(as_zero, 0.0);
+  EXPECT_EQ(life("NEGATIVE=POSITIVE_PART"), as_zero);
+  EXPECT_NEAR(life("NEGATIVE=WHOLE PM=0.2") / as_zero, std::pow(2.0, -0.6), 1e-3);
+  EXPECT_NEAR(life("NEGATIVE=KMAX") / as_zero, std::pow(2.0, 1.2), 1e-3);
 }
 
 results::FrontResult front_of_arc(double a, double c, double from, double to) {

@@ -207,6 +207,29 @@ TEST(GrowthLaw, FormanWithoutThresholdHasAnInverseForTheSmallestRates) {
   EXPECT_NEAR(forman.K_range_for_rate(rate, 0.0) / 1e-3, 1.0, 1e-12);
 }
 
+// 2024-T3 (DOT/FAA/AR-05/15, 2005), K_max = 15 MPa m^0.5, mm: three uses at R = -1.
+TEST(GrowthLaw, WalkerAtNegativeRIsWhatTheNameSays) {
+  model::GrowthLawConstants c = constants(3.115782828226343e-08, 3.273);
+  c.p = 0.618;
+  c.p_below = 0.164;
+  const auto rate = [&](model::NegativeRatioRule rule, double R) {
+    c.at_negative_ratio = rule;
+    const GrowthRateLaw law(model::CrackGrowthLaw::walker, c);
+    const double found = law.growth_rate(15.0, R * 15.0);
+    EXPECT_NEAR(law.K_range_for_rate(found, R) / (15.0 * (1.0 - std::max(R, 0.0))), 1.0, 1e-12);
+    return found;
+  };
+  using enum model::NegativeRatioRule;
+  for (const model::NegativeRatioRule rule : {positive_part, whole_range, K_max}) {
+    EXPECT_NEAR(rate(rule, 0.0) / 0.00022024896202842893, 1.0, 1e-10);
+    EXPECT_NEAR(rate(rule, 0.3) / 0.00010705119195680337, 1.0, 1e-10);
+    EXPECT_NEAR(rate(rule, 0.7) / 1.928766756067801e-05, 1.0, 1e-10);
+  }
+  EXPECT_NEAR(rate(positive_part, -1.0) / 0.00022024896202842893, 1.0, 1e-10);
+  EXPECT_NEAR(rate(whole_range, -1.0) / 0.00031952021754333106, 1.0, 1e-10);
+  EXPECT_NEAR(rate(K_max, -1.0) / 9.258492545286329e-05, 1.0, 1e-10);
+}
+
 TEST(GrowthLaw, APlaceHasAToughnessOfItsOwn) {
   const GrowthRateLaw law(model::CrackGrowthLaw::nasgro, nasgro());
   EXPECT_TRUE(std::isinf(law.growth_rate(1200.0, 0.0, {1.0, 1100.0})));
