@@ -33,11 +33,12 @@ constexpr std::array spectrum_keys{
 };
 
 constexpr std::array grow_keys{
-    required(
-        word_key("LAW", "INCREMENT|PARIS|WALKER|FORMAN|NASGRO|TABLE",
-                 "INCREMENT: the crack lengths are given; PARIS: C dK^M; WALKER: C "
-                 "(dK/(1-R)^(1-P))^M; FORMAN: C dK^M/((1-R) KC - dK); NASGRO: Forman and Mettu's "
-                 "with Newman's crack opening; TABLE: lines delta_K da/dN")),
+    required(word_key(
+        "LAW", "INCREMENT|PARIS|WALKER|FORMAN|NASGRO|TABLE|HARTMAN",
+        "INCREMENT: the crack lengths are given; PARIS: C dK^M; WALKER: C "
+        "(dK/(1-R)^(1-P))^M; FORMAN: C dK^M/((1-R) KC - dK); NASGRO: Forman and Mettu's "
+        "with Newman's crack opening; TABLE: lines delta_K da/dN; HARTMAN: Hartman and Schijve's, "
+        "C ((dK - DKTH)/sqrt(1 - Kmax/KC))^M")),
     with_default(
         word_key("DIRECTION", "PATH|HOOP|K2ZERO",
                  "PATH: along its line or in its plane; HOOP: to the largest hoop stress; K2ZERO: "
@@ -125,6 +126,7 @@ constexpr std::array grow_when{
     KeyPresenceRule{"LAW", "FORMAN", "C M KUNIT AUNIT", "P Q KIE NEGATIVE PM"},
     KeyPresenceRule{"LAW", "NASGRO", "C M KUNIT AUNIT", "NEGATIVE PM"},
     KeyPresenceRule{"LAW", "TABLE", "KUNIT AUNIT", "C M P Q KIE NEGATIVE PM"},
+    KeyPresenceRule{"LAW", "HARTMAN", "C M KUNIT AUNIT", "P Q KIE NEGATIVE PM DK0 DK1"},
     KeyPresenceRule{"NEGATIVE", "WHOLE", "PM", ""},
     KeyPresenceRule{"NEGATIVE", "POSITIVE_PART|KMAX", "", "PM"},
     KeyPresenceRule{"DK0", "", "CTHP CTHM", "DKTH"},

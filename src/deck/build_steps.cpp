@@ -89,13 +89,14 @@ void step(DeckContext& c, const CheckedCard& card) {
 }
 
 model::CrackGrowthLaw law_of(std::string_view word) {
-  constexpr std::array<std::pair<std::string_view, model::CrackGrowthLaw>, 6> laws{
+  constexpr std::array<std::pair<std::string_view, model::CrackGrowthLaw>, 7> laws{
       {{"INCREMENT", model::CrackGrowthLaw::increment},
        {"PARIS", model::CrackGrowthLaw::paris},
        {"WALKER", model::CrackGrowthLaw::walker},
        {"FORMAN", model::CrackGrowthLaw::forman},
        {"NASGRO", model::CrackGrowthLaw::nasgro},
-       {"TABLE", model::CrackGrowthLaw::table}}};
+       {"TABLE", model::CrackGrowthLaw::table},
+       {"HARTMAN", model::CrackGrowthLaw::hartman}}};
   return std::ranges::find(laws, word, [](const auto& law) { return law.first; })->second;
 }
 

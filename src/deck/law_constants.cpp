@@ -117,7 +117,8 @@ void read_toughness(DeckContext& c, const CheckedCard& card, model::CrackGrowthS
   if (card.has_key("KC")) {
     constants.k_c = law_intensity(card, "KC", constants.k_unit);
   } else if (growth.law == model::CrackGrowthLaw::forman ||
-             growth.law == model::CrackGrowthLaw::nasgro) {
+             growth.law == model::CrackGrowthLaw::nasgro ||
+             growth.law == model::CrackGrowthLaw::hartman) {
     c.error(card.span, "E106", fmt::format("$GROW LAW={} needs KC, or K1C", card.word_value("LAW")),
             "KC=82, or K1C=33 AK=1 BK=1.5 YIELD=365 THICK=2.54");
   }

@@ -44,7 +44,9 @@ double tensile_K_range(double K_max, double K_min) {
 GrowthRateLaw::GrowthRateLaw(CrackGrowthLaw law, GrowthLawConstants constants)
     : law_(law), constants_(std::move(constants)), scale_(scaled_constant(law, constants_)),
       closure_(constants_.alpha, constants_.stress_ratio), threshold_(constants_) {
-  assert((law != CrackGrowthLaw::forman && law != CrackGrowthLaw::nasgro) || constants_.k_c);
+  assert((law != CrackGrowthLaw::forman && law != CrackGrowthLaw::nasgro &&
+          law != CrackGrowthLaw::hartman) ||
+         constants_.k_c);
   assert(law != CrackGrowthLaw::table ||
          (constants_.delta_k.size() >= 2 && constants_.growth.size() == constants_.delta_k.size()));
   for (std::size_t i = 0; law == CrackGrowthLaw::table && i < constants_.delta_k.size(); ++i) {
@@ -88,7 +90,8 @@ bool GrowthRateLaw::is_held_by_constant_threshold(double K_max, double K_min) co
   constexpr double much = 2.0;  // of the threshold: up to there NASGRO's end term counts
   constexpr double same = 0.05; // R
   const double range = tensile_K_range(K_max, K_min);
-  if (!has_constant_threshold() || !(range > 0.0) ||
+  // The constant in Hartman and Schijve's law is one of all R.
+  if (law_ == CrackGrowthLaw::hartman || !has_constant_threshold() || !(range > 0.0) ||
       std::abs(counted_ratio(K_min / K_max)) <= same) {
     return false;
   }
@@ -135,6 +138,11 @@ double GrowthRateLaw::formula(double range, double R, double threshold,
   }
   case CrackGrowthLaw::table:
     return tabular(range);
+  case CrackGrowthLaw::hartman: {
+    const double left = 1.0 - range / part / toughness_at(place);
+    return left > 0.0 ? scale_ * std::pow((range - threshold) / std::sqrt(left), constants_.m)
+                      : k_infinite; // (life.28)
+  }
   }
   return no_value;
 }
@@ -191,6 +199,7 @@ double GrowthRateLaw::K_range_for_rate(double rate, double R,
     break;
   case CrackGrowthLaw::forman:
   case CrackGrowthLaw::nasgro:
+  case CrackGrowthLaw::hartman:
     found = by_root(rate, R, least, place);
     break;
   }

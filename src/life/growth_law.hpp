@@ -17,7 +17,8 @@ double tensile_K_range(double K_max, double K_min);
 /// da/dN of one cycle as a function of the K it begins, turns and ends with.
 class GrowthRateLaw {
 public:
-  /// Forman and NASGRO need a toughness, a table its rows; increments go as Paris' law does.
+  /// Forman, NASGRO, Hartman and Schijve need a toughness, a table its rows; increments go as
+  /// Paris' law does.
   GrowthRateLaw(model::CrackGrowthLaw law, model::GrowthLawConstants constants);
 
   /// da/dN [length per cycle]. 0 if delta K is not above the threshold; infinite if K_max of

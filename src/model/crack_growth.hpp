@@ -19,7 +19,8 @@ enum class CrackGrowthLaw {
   walker,    ///< (life.4)
   forman,    ///< (life.5)
   nasgro,    ///< (life.6)
-  table      ///< (life.9)
+  table,     ///< (life.9)
+  hartman    ///< (life.28)
 };
 /// What Walker's law makes of R < 0: nothing of K below 0, all of delta K with an exponent of its
 /// own, or the law's own power of K_max (life.29).

@@ -182,7 +182,8 @@ std::string word_of(const model::GrowthTestReadings& test) {
 }
 
 std::string reference_words(const model::Model& model, const model::GrowthTestReadings& test) {
-  constexpr std::array names{"", "Paris", "Walker", "Forman", "NASGRO", "table"};
+  constexpr std::array names{
+      "", "Paris", "Walker", "Forman", "NASGRO", "table", "Hartman and Schijve"};
   return test.reference.delta_k.empty()
              ? fmt::format("{} law of $GROW", names[static_cast<std::size_t>(model.growth->law)])
              : fmt::format("{} rates of a reference specimen", test.reference.delta_k.size());

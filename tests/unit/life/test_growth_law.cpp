@@ -194,12 +194,11 @@ TEST_P(Inverse, GivesBackTheRange) {
   EXPECT_TRUE(std::isnan(law.K_range_for_rate(1e-6, 1.0)));
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, Inverse,
-                         testing::Values(model::CrackGrowthLaw::paris,
-                                         model::CrackGrowthLaw::walker,
-                                         model::CrackGrowthLaw::forman,
-                                         model::CrackGrowthLaw::nasgro,
-                                         model::CrackGrowthLaw::table));
+INSTANTIATE_TEST_SUITE_P(
+    Laws, Inverse,
+    testing::Values(model::CrackGrowthLaw::paris, model::CrackGrowthLaw::walker,
+                    model::CrackGrowthLaw::forman, model::CrackGrowthLaw::nasgro,
+                    model::CrackGrowthLaw::table, model::CrackGrowthLaw::hartman));
 
 TEST(GrowthLaw, FormanWithoutThresholdHasAnInverseForTheSmallestRates) {
   const GrowthRateLaw forman(model::CrackGrowthLaw::forman, tough(1e-8, 3.0, 1000.0));
@@ -228,6 +227,28 @@ TEST(GrowthLaw, WalkerAtNegativeRIsWhatTheNameSays) {
   EXPECT_NEAR(rate(positive_part, -1.0) / 0.00022024896202842893, 1.0, 1e-10);
   EXPECT_NEAR(rate(whole_range, -1.0) / 0.00031952021754333106, 1.0, 1e-10);
   EXPECT_NEAR(rate(K_max, -1.0) / 9.258492545286329e-05, 1.0, 1e-10);
+}
+
+// 7050-T7451 (Jones, Molent, Walker 2012), mm and MPa m^0.5.
+TEST(GrowthLaw, HartmanAndSchijve) {
+  model::GrowthLawConstants c = tough(7e-7, 2.0, 47.0);
+  c.threshold = 0.1;
+  const GrowthRateLaw law(model::CrackGrowthLaw::hartman, c);
+  struct RateAt {
+    double R, range, rate;
+  };
+  for (const RateAt& at :
+       {RateAt{0.0, 0.2, 7.02991452991453e-09}, RateAt{0.0, 9.0, 6.85791842105263e-05},
+        RateAt{0.1, 5.0, 1.9059949061662197e-05}, RateAt{0.5, 1.0, 5.922e-07},
+        RateAt{0.8, 9.0, 0.001303004500000005}}) {
+    const double K_max = at.range / (1.0 - at.R);
+    const double rate = law.growth_rate(K_max, at.R * K_max);
+    EXPECT_NEAR(rate / at.rate, 1.0, 1e-12) << at.R << ' ' << at.range;
+    EXPECT_NEAR(law.K_range_for_rate(rate, at.R) / at.range, 1.0, 1e-12);
+  }
+  EXPECT_EQ(law.growth_rate(0.1, 0.0), 0.0);
+  EXPECT_TRUE(std::isinf(law.growth_rate(47.0, 0.0)));
+  EXPECT_FALSE(law.is_held_by_constant_threshold(0.15, 0.09)); // its constant is one of all R
 }
 
 TEST(GrowthLaw, APlaceHasAToughnessOfItsOwn) {
