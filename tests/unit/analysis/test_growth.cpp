@@ -308,7 +308,8 @@ TEST(Growth, OneScaledKIsWrongOnTheLug) {
       stations.push_back({increment.a, {tip}});
     }
     const growth::GrowthTrajectory between(
-        stations, [](double K, double) { return 1e-13 * K * K * K; }, 4);
+        stations, [](double K, double, const model::PlaceOnCrack&) { return 1e-13 * K * K * K; },
+        4);
     return between.cycles(stations.front().s, stations.back().s);
   };
   const double exact = life([](const auto& K) { return K(1.0) - K(0.0); });
