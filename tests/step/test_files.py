@@ -79,7 +79,7 @@ class Files(ProgramTest):
             ("E302", "there is a set BODY already", "SOLID=LUG", "  F7 = BODY\n"),
             ("E110", "SIZE is for FORMAT=STEP", "FORMAT=MSH SIZE=3", ""),
             ("E109", "FINER: 0 is out of range", "FINER=0", ""),
-            ("E331", "it is a STEP file", "FORMAT=GEO", ""),
+            ("E337", "is a STEP file", "FORMAT=GEO", ""),
         ]:
             with self.subTest(words):
                 self.refused(code, words, self.joint, keys, rows)
@@ -89,7 +89,7 @@ class Content(ProgramTest):
     def test_a_file_is_known_by_what_it_holds(self):
         (self.folder / "part.txt").write_bytes(JOINT.read_bytes())
         (self.folder / "other.txt").write_text("nothing")
-        for file, words in (("part.txt", "E305"), ("other.txt", "FORMAT=GEO|MSH|INP|STEP")):
+        for file, words in (("part.txt", "E305"), ("other.txt", "FORMAT=GEO|MSH|INP|NASTRAN|STEP")):
             deck = self.deck(f"$DECK VERSION=1 LENGTH=MM FORCE=N\n$IMPORT FILE='{file}'\n$END\n")
             self.assertIn(words, self.expect(3, "check", deck).stderr)
 
