@@ -63,7 +63,8 @@ struct PlateSpec {
 /// A rectangle with a round hole. Sets BODY, BORE, XMIN XMAX YMIN YMAX.
 void generate_plate(model::Mesh& mesh, base::NetId net, const std::string& prefix,
                     const PlateSpec& spec);
-/// Cells of the mesh that generate_plate would make.
+/// Cells of the mesh that generate_plate would make; where there are more than 1e8 round the hole
+/// these alone, none of them laid out.
 double plate_cell_count(const PlateSpec& spec);
 
 } // namespace spricka::mesh

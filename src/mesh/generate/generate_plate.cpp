@@ -199,7 +199,9 @@ void generate_plate(model::Mesh& mesh, base::NetId net, const std::string& prefi
 }
 
 double plate_cell_count(const PlateSpec& spec) {
-  return HoledPlate(spec).cells();
+  constexpr double most_laid_out = 1e8;
+  const double round_hole = static_cast<double>(spec.nr) * spec.nt;
+  return round_hole > most_laid_out ? round_hole : HoledPlate(spec).cells();
 }
 
 } // namespace spricka::mesh

@@ -364,5 +364,12 @@ TEST(GenerateInSpace, DiscOfTrianglesAndQuadrilateralsFitsTogether) {
   expect_sets_cover(mesh, {"OUTER", "ZMIN", "ZMAX"});
 }
 
+// A slip of the hand is counted, not laid out.
+TEST(Plate, CountsABillionOfRingsAtOnce) {
+  mesh::PlateSpec spec = off_centre_plate(ElementType::quamc8);
+  spec.nr = 1'000'000'000;
+  EXPECT_GE(mesh::plate_cell_count(spec), 1e9 * spec.nt);
+}
+
 } // namespace
 } // namespace spricka::test_generate
