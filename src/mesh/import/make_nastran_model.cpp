@@ -216,7 +216,7 @@ private:
     }
     for (auto& [name, elements] : named) {
       const bool taken = std::any_of(model_.element_sets.begin(), model_.element_sets.end(),
-                                     [&](const auto& set) { return set.name == name; });
+                                     [&name = name](const auto& set) { return set.name == name; });
       if (!taken) {
         model_.element_sets.push_back({name, std::move(elements), {}});
       }

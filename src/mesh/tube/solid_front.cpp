@@ -276,12 +276,12 @@ private:
     std::vector<std::size_t> place(request_.fronts.size());
     for (std::size_t k = 0; k < request_.fronts.size(); ++k) {
       InteriorFront& front = request_.fronts[k];
-      const Vec3 middle = front.curve->at(0.5 * front.curve->length()).x;
+      const Vec3 halfway = front.curve->at(0.5 * front.curve->length()).x;
       if (!kept[area_[k]]) {
-        request_.left_out = middle;
+        request_.left_out = halfway;
         continue;
       }
-      request_.seed = host_.find_element_at(middle, crack_.net).value_or(request_.seed);
+      request_.seed = host_.find_element_at(halfway, crack_.net).value_or(request_.seed);
       place[k] = fronts.size();
       fronts.push_back(std::move(front));
     }
