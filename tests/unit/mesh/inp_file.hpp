@@ -1,56 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "imported_file.hpp"
 #include "mesh/import/inp_import.hpp"
-#include "model/model.hpp"
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <string>
-#include <unistd.h>
-#include <vector>
 
 namespace spricka::test {
 
-/// Writes input files into a folder of its own and imports them.
-class InpFile : public testing::Test {
+class InpFile : public ImportedFile {
 protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("spricka-inp-" + std::to_string(getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  InpFile() : ImportedFile("a.inp") {}
 
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-  }
-  /// True without an error; the result is in model_ and diagnostics_.
-  bool import(const std::string& text, const std::string& prefix = "") {
-    write("a.inp", text);
-    mesh::ImportRequest request;
-    request.file = folder_ / "a.inp";
-    request.net = base::NetId(std::size_t{0});
-    request.prefix = prefix;
-    request.renames = renames_;
-    request.scale = scale_;
-    request.skip = skip_;
-    request.element_set = element_set_;
-    model_ = {};
-    diagnostics_ = {};
-    physics_ = mesh::import_inp(model_.mesh, request, diagnostics_);
-    mesh::append_materials_and_equations(model_, physics_);
-    return !diagnostics_.has_errors();
-  }
-  /// All messages, one a line.
-  [[nodiscard]] std::string messages() const {
-    std::string all;
-    for (const base::Diagnostic& d : diagnostics_.messages()) {
-      all += d.code + " " + d.text + " = " + d.hint + "\n";
-    }
-    return all;
-  }
   [[nodiscard]] const model::NodeSet& nodes(const std::string& name) const {
     return *std::find_if(model_.mesh.node_sets.begin(), model_.mesh.node_sets.end(),
                          [&](const auto& s) { return s.name == name; });
@@ -59,22 +20,11 @@ protected:
     return *std::find_if(model_.mesh.element_sets.begin(), model_.mesh.element_sets.end(),
                          [&](const auto& s) { return s.name == name; });
   }
-  [[nodiscard]] std::vector<base::Label> labels(const std::string& node_set) const {
-    std::vector<base::Label> result;
-    for (const base::NodeId n : nodes(node_set).nodes) {
-      result.push_back(model_.mesh.node_label[n.index()]);
-    }
-    return result;
-  }
 
-  std::filesystem::path folder_;
-  double scale_ = 1.0;
-  mesh::InpSkip skip_ = mesh::InpSkip::nothing;
-  std::string element_set_;
-  std::vector<std::pair<std::string, std::string>> renames_;
-  model::Model model_;
-  mesh::ImportedMaterialsAndEquations physics_;
-  base::Diagnostics diagnostics_;
+private:
+  mesh::ImportedMaterialsAndEquations read(const mesh::ImportRequest& request) override {
+    return mesh::import_inp(model_.mesh, request, diagnostics_);
+  }
 };
 
 /// Elements 10 (LEFT HALF) and 20 (RIGHT) side by side on x 0 .. 2, y 0 .. 1; eighteen lines.
