@@ -144,7 +144,7 @@ void import_mesh_file(DeckContext& c, const CheckedCard& card) {
     c.remeshed.insert(card.net);
     request.size = {finer->size.map, request.scale};
   }
-  if (!check_step_keys(c, card, step)) {
+  if (!format.empty() && !check_step_keys(c, card, step)) {
     return;
   }
   for (const grammar::DataRow& row : step ? std::vector<grammar::DataRow>() : card.rows) {

@@ -77,12 +77,13 @@ class Files(ProgramTest):
             ("E115", "chooses no faces", "SOLID=LUG", "  PLANE 3 = BORE\n"),
             ("E109", "a size is above 0", "SOLID=LUG", "  F7 = BORE 0\n"),
             ("E302", "there is a set BODY already", "SOLID=LUG", "  F7 = BODY\n"),
-            ("E110", "SIZE is for FORMAT=STEP", "FORMAT=MSH SIZE=3", ""),
             ("E109", "FINER: 0 is out of range", "FINER=0", ""),
-            ("E337", "is a STEP file", "FORMAT=GEO", ""),
+            ("E337", "is a STEP file", "FORMAT=GEO SIZE=3", ""),
         ]:
             with self.subTest(words):
-                self.refused(code, words, self.joint, keys, rows)
+                self.assertEqual(self.refused(code, words, self.joint, keys, rows).stderr.count("error"), 1)
+        mesh = b"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+        self.refused("E110", "SIZE is for FORMAT=STEP", mesh, "FORMAT=MSH SIZE=3")
 
 
 class Content(ProgramTest):
