@@ -28,8 +28,15 @@ constexpr std::array spectrum_keys{
     required(defining_key("NAME", spectrum, "called by this in $GROW")),
     required(reference_key("PATH", path, "the load path whose t the data lines hold")),
     required(word_key("TYPE", "BLOCKS|SEQUENCE", "cycles with their counts, or turning points")),
+    with_default(word_key("COUNT", "RAINFLOW|PAIRS",
+                          "cycles of a sequence: closed ranges, or each valley with the next peak"),
+                 "RAINFLOW"),
     text_key("FILE", "turning points or lines from this file, in place of data lines"),
     with_default(real_key("FACTOR", number, above(0), "multiplies every t"), "1"),
+};
+
+constexpr std::array spectrum_when{
+    KeyPresenceRule{"TYPE", "BLOCKS", "", "COUNT"},
 };
 
 constexpr std::array grow_keys{
@@ -211,6 +218,7 @@ constexpr std::array cards{
              .keys = spectrum_keys,
              .data = DataLineForm::rows,
              .data_form = "BLOCKS: low high count; SEQUENCE: turning points",
+             .when = spectrum_when,
              .doc = "A load history on a load path: the cycles that a crack grows by."},
     CardSpec{.name = "GROW",
              .group = "crack",

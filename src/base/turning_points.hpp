@@ -9,4 +9,8 @@ namespace spricka::base {
 /// left out.
 std::vector<double> turning_points(std::span<const double> history);
 
+/// The points where a history turns whose end leads to its start: peaks and valleys in turn, as
+/// many of either, the history's first one first; a single point where it is constant.
+std::vector<double> closed_turning_points(std::span<const double> history);
+
 } // namespace spricka::base

@@ -23,6 +23,8 @@ public:
   void read() {
     spectrum_.name = card_.word_value("NAME");
     spectrum_.sequence = card_.key_has_word("TYPE", "SEQUENCE");
+    spectrum_.counting = card_.key_has_word("COUNT", "PAIRS") ? model::CycleCounting::pairs
+                                                              : model::CycleCounting::rainflow;
     spectrum_.span = card_.span;
     const NameDefinition* path =
         find_referenced_definition(c_, EntityKind::path, card_.name_reference("PATH"));

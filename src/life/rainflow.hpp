@@ -16,4 +16,7 @@ struct LoadCycle {
 /// Points that do not turn are dropped; a history without a range has no cycles.
 std::vector<LoadCycle> count_rainflow_cycles(std::span<const double> history, bool repeated);
 
+/// The full cycles of a history that repeats, each where its peak stands in the history.
+std::vector<LoadCycle> count_rainflow_in_order_of_peaks(std::span<const double> history);
+
 } // namespace spricka::life

@@ -3,6 +3,7 @@
 
 #include "base/turning_points.hpp"
 #include "life/no_value.hpp"
+#include "life/ordered_cycles.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -129,20 +130,39 @@ CountedSpectrum CountedSpectrum::from_cycles(std::vector<LoadCycle> cycles) {
   return CountedSpectrum(cycles);
 }
 
-CountedSpectrum CountedSpectrum::from_sequence(std::vector<double> history, bool repeated) {
-  assert(!history.empty());
-  std::vector<LoadCycle> counted = count_rainflow_cycles(history, repeated);
-  if (counted.empty()) { // a constant load
-    counted.push_back({.low = history.front(), .high = history.front(), .count = 0.0});
-  }
-  CountedSpectrum spectrum(counted);
+CountedSpectrum::CountedSpectrum(std::vector<LoadCycle> counted, std::vector<double> history,
+                                 bool repeated)
+    : CountedSpectrum(counted.empty() // a constant load
+                          ? std::vector<LoadCycle>{{history.front(), history.front(), 0.0}}
+                          : std::move(counted)) {
   // The way from the end of a pass to its start may pass turns of K, too.
   if (repeated) {
     history.push_back(history.front());
   }
-  spectrum.history_ = base::turning_points(history);
-  spectrum.repeated_ = repeated;
+  history_ = base::turning_points(history);
+  repeated_ = repeated;
+}
+
+CountedSpectrum CountedSpectrum::from_sequence(std::vector<double> history, bool repeated) {
+  assert(!history.empty());
+  std::vector<LoadCycle> counted = count_rainflow_cycles(history, repeated);
+  return {std::move(counted), std::move(history), repeated};
+}
+
+CountedSpectrum CountedSpectrum::from_pairs(std::vector<double> history) {
+  assert(!history.empty());
+  std::vector<LoadCycle> counted = pair_valleys_with_peaks(history);
+  CountedSpectrum spectrum(std::move(counted), std::move(history), true);
+  spectrum.counting_ = model::CycleCounting::pairs;
   return spectrum;
+}
+
+CountedSpectrum CountedSpectrum::from_definition(const model::SpectrumDefinition& spectrum) {
+  if (!spectrum.sequence) {
+    return from_cycles(order_cycles(spectrum));
+  }
+  return spectrum.counting == model::CycleCounting::pairs ? from_pairs(spectrum.turning_points)
+                                                          : from_sequence(spectrum.turning_points);
 }
 
 double CountedSpectrum::cycles_per_pass() const {
@@ -193,7 +213,9 @@ std::pair<double, double> CountedSpectrum::extreme_K(const base::PiecewiseLinear
 std::vector<LoadCycle> CountedSpectrum::cycles_of_K(const base::PiecewiseLinear& K1) const {
   const KSequence way(K1);
   if (!history_.empty()) {
-    return count_rainflow_cycles(way(history_), repeated_);
+    return counting_ == model::CycleCounting::pairs
+               ? pair_valleys_with_peaks(way(history_))
+               : count_rainflow_cycles(way(history_), repeated_);
   }
   std::vector<LoadCycle> all;
   for (const LoadLevelCycle& cycle : cycles_) {

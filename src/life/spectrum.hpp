@@ -3,6 +3,7 @@
 #include "base/piecewise_linear.hpp"
 #include "life/growth_law.hpp"
 #include "life/rainflow.hpp"
+#include "model/steps.hpp"
 
 #include <cstdint>
 #include <utility>
@@ -20,6 +21,10 @@ public:
   static CountedSpectrum from_cycles(std::vector<LoadCycle> cycles);
   /// A history, counted by rainflow; `repeated`: the end of a pass leads to its start.
   static CountedSpectrum from_sequence(std::vector<double> history, bool repeated = true);
+  /// A history that repeats, of which each valley counts with the peak behind it.
+  static CountedSpectrum from_pairs(std::vector<double> history);
+  /// Of a card, as it says how cycles are counted.
+  static CountedSpectrum from_definition(const model::SpectrumDefinition& spectrum);
 
   /// Growth of one pass, da [length], at a fixed length of the crack whose K is K1(t). Where K1
   /// rises or falls all the way between the lowest and the highest load, cycles of t are cycles of
@@ -45,6 +50,7 @@ private:
     double count;
   };
   explicit CountedSpectrum(const std::vector<LoadCycle>& counted);
+  CountedSpectrum(std::vector<LoadCycle> counted, std::vector<double> history, bool repeated);
   [[nodiscard]] bool within(const base::PiecewiseLinear& K1) const;
   [[nodiscard]] std::vector<LoadCycle> cycles_of_K(const base::PiecewiseLinear& K1) const;
   /// Calls visit(low, high, count) for the cycles as K; all loads lie within K1.
@@ -55,6 +61,7 @@ private:
   std::vector<LoadLevelCycle> cycles_;
   std::vector<double> history_; ///< of a sequence: its turning points
   bool repeated_ = true;
+  model::CycleCounting counting_ = model::CycleCounting::rainflow;
 };
 
 } // namespace spricka::life

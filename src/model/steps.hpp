@@ -49,13 +49,18 @@ struct LoadPathDefinition {
   base::SourceSpan span;
 };
 
+/// How the cycles of a history are found: closed ranges of a pass that repeats (ASTM E1049), or
+/// each valley with the peak behind it.
+enum class CycleCounting { rainflow, pairs };
+
 /// A history of places t on a load path; one pass through it is the unit of life.
 struct SpectrumDefinition {
   std::string name;
-  std::size_t path = 0;                      ///< of Model::load_paths
-  bool sequence = false;                     ///< turning points; else cycles
-  std::vector<std::array<double, 3>> cycles; ///< low t, high t, count
-  std::vector<double> turning_points;        ///< t, in their order
+  std::size_t path = 0;                             ///< of Model::load_paths
+  bool sequence = false;                            ///< turning points; else cycles
+  CycleCounting counting = CycleCounting::rainflow; ///< of turning points
+  std::vector<std::array<double, 3>> cycles;        ///< low t, high t, count
+  std::vector<double> turning_points;               ///< t, in their order
   base::SourceSpan span;
 };
 

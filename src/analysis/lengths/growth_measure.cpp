@@ -24,15 +24,7 @@ std::optional<life::CountedSpectrum> spectrum_of(const model::Model& model) {
   if (!model.growth->spectrum) {
     return std::nullopt;
   }
-  const model::SpectrumDefinition& card = model.spectra[*model.growth->spectrum];
-  if (card.sequence) {
-    return life::CountedSpectrum::from_sequence(card.turning_points);
-  }
-  std::vector<life::LoadCycle> cycles;
-  for (const auto& [low, high, count] : card.cycles) {
-    cycles.push_back({.low = low, .high = high, .count = count});
-  }
-  return life::CountedSpectrum::from_cycles(std::move(cycles));
+  return life::CountedSpectrum::from_definition(model.spectra[*model.growth->spectrum]);
 }
 
 // Whether a tip with this K is open at the largest load: a closed one grows nowhere. K1 = 0 stands

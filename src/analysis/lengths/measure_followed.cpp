@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/lengths/growth_measure.hpp"
-#include "life/rainflow.hpp"
+#include "life/ordered_cycles.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -38,8 +38,8 @@ using KOfLaw = std::function<double(const base::Vector&)>;
 using GrowthOfCycle = std::function<double(double K_max, double K_min)>;
 
 // Rate and extremes of K in a pass of the spectrum that was followed.
-void measure_pass(const GrowthOfCycle& growth, const LoadPassResult& pass, const KOfLaw& K,
-                  growth::TipStation& found) {
+void measure_pass(const GrowthOfCycle& growth, model::CycleCounting counting,
+                  const LoadPassResult& pass, const KOfLaw& K, growth::TipStation& found) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   found.rate = 0.0;
@@ -52,7 +52,7 @@ void measure_pass(const GrowthOfCycle& growth, const LoadPassResult& pass, const
       high = std::max(high, k);
     }
     // Counted on K itself: with friction it is no function of the load.
-    for (const life::LoadCycle& cycle : life::count_rainflow_cycles(along, true)) {
+    for (const life::LoadCycle& cycle : life::order_cycles(along, counting)) {
       if (cycle.high > 0.0 && cycle.high > cycle.low) {
         found.rate += times * cycle.count * growth(cycle.high, cycle.low);
       }
@@ -68,12 +68,12 @@ void measure_pass(const GrowthOfCycle& growth, const LoadPassResult& pass, const
 
 // Rate and extremes of the loads that were followed, of the first cycle and of those that repeat
 // themselves.
-void measure_loads(const GrowthOfCycle& growth, bool spectrum, const LoadHistoryKResult& loads,
-                   const KOfLaw& K, growth::TipStation& found) {
+void measure_loads(const GrowthOfCycle& growth, const model::SpectrumDefinition* spectrum,
+                   const LoadHistoryKResult& loads, const KOfLaw& K, growth::TipStation& found) {
   growth::TipStation first; // of the first cycle or pass
-  if (spectrum) {
-    measure_pass(growth, loads.last, K, found);
-    measure_pass(growth, loads.first, K, first);
+  if (spectrum != nullptr) {
+    measure_pass(growth, spectrum->counting, loads.last, K, found);
+    measure_pass(growth, spectrum->counting, loads.first, K, first);
   } else {
     found.K_max = std::max(0.0, K(loads.last.marks[loads.grow_at]));
     found.K_min = K(loads.last.marks[loads.smallest]);
@@ -110,7 +110,7 @@ bool GrowthRateEvaluator::by_history(const SolvedCrackState& at, const GrowingPl
     return law_.growth_rate(K_max, K_min, to.on_crack);
   };
   measure_loads(
-      growth, spectrum_.has_value(), loads,
+      growth, spectrum_ ? &model_.spectra[*model_.growth->spectrum] : nullptr, loads,
       [&](const base::Vector& all) { return part.dot(K_of(all)); }, found);
   if (front.is_tip()) {
     if (!spectrum_) {

@@ -294,6 +294,13 @@ std::vector<DrawingPoint> steps(const std::vector<std::array<double, 2>>& reache
   return points;
 }
 
+std::string_view counting_words(const model::SpectrumDefinition& spectrum) {
+  return !spectrum.sequence ? ""
+         : spectrum.counting == model::CycleCounting::pairs
+             ? ", each valley with the peak behind it"
+             : ", counted by rainflow on the loads";
+}
+
 /// How often one pass of the spectrum exceeds each load, and by cycles of which ranges; none of a
 /// spectrum of one level, which there is nothing to show of.
 std::optional<Figure> exceedance_figure(const model::Model& model, const GrowthResult& growth) {
@@ -331,8 +338,7 @@ std::optional<Figure> exceedance_figure(const model::Model& model, const GrowthR
                 "",
                 fmt::format("Spectrum {}: how many of the {:.6g} peaks of a pass reach a load, and "
                             "how many of its {:.6g} cycles have a range{}.",
-                            spectrum.name, sum, growth.cycles_per_pass,
-                            spectrum.sequence ? ", counted by rainflow on the loads" : "")};
+                            spectrum.name, sum, growth.cycles_per_pass, counting_words(spectrum))};
 }
 
 /// A square that holds all places of tips and the cracks behind them, with room round it.
