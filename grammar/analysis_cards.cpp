@@ -59,6 +59,9 @@ constexpr std::array grow_keys{
     reference_key("KMAX", step, "the step of the largest K"),
     reference_key("KMIN", step, "the step of the smallest K"),
     reference_key("SPECTRUM", spectrum, "the load history of one pass, in place of KMAX and KMIN"),
+    key_of_type(KeyType::references, "INTERACTION", interaction,
+                "how the cycles of SPECTRUM act on each other, NONE among them; the first counts, "
+                "the others stand beside it"),
     with_default(word_key("HISTORY", "RESTART|CONTINUE",
                           "with friction: CONTINUE carries slip over from length to length"),
                  "RESTART"),
@@ -126,7 +129,7 @@ constexpr std::array grow_when{
     KeyPresenceRule{
         "LAW", "INCREMENT", "KMAX",
         "DA CYCLES C M P Q DKTH ALPHA SMAX KUNIT AUNIT SPECTRUM TOL SFLOW CORRECT AMAX KC "
-        "HISTORY DK0 DK1 CTHP CTHM AINTRINSIC RCL K1C AK BK THICK YIELD KIE "
+        "HISTORY INTERACTION DK0 DK1 CTHP CTHM AINTRINSIC RCL K1C AK BK THICK YIELD KIE "
         "NEGATIVE PM"},
     KeyPresenceRule{"LAW", "PARIS", "C M KUNIT AUNIT", "P Q KIE NEGATIVE PM"},
     KeyPresenceRule{"LAW", "WALKER", "C M P KUNIT AUNIT", "Q KIE"},
@@ -140,6 +143,7 @@ constexpr std::array grow_when{
     KeyPresenceRule{"DK1", "", "CTHP CTHM", "DKTH DK0"},
     KeyPresenceRule{"K1C", "", "AK BK THICK YIELD", "KC"},
     KeyPresenceRule{"SPECTRUM", "", "", "KMAX KMIN"},
+    KeyPresenceRule{"INTERACTION", "", "SPECTRUM", ""},
     KeyPresenceRule{"HISTORY", "CONTINUE", "", "MOUNTED"},
 };
 
@@ -164,6 +168,59 @@ constexpr std::array test_keys{
 constexpr std::array test_when{
     KeyPresenceRule{"METHOD", "SECANT|SPLINE", "", "POINTS"},
     KeyPresenceRule{"REFERENCE", "", "KUNIT AUNIT", ""},
+};
+
+constexpr std::array interaction_keys{
+    required(defining_key("NAME", interaction, "called by this in $GROW")),
+    required(word_key(
+        "TYPE", "WHEELER|WILLENBORG_1971|WILLENBORG|MODIFIED|CHANG|CLOSURE",
+        "WHEELER: rates times (zone over what is left of the overload's)^W; WILLENBORG: K less by "
+        "PHI (K required - Kmax), generalised; WILLENBORG_1971: all of it; MODIFIED: with "
+        "underloads; CHANG: with Walker's law and compression; CLOSURE: one opening level")),
+    word_key("ZONE", "IRWIN2|IRWIN6|IRWIN_FULL|DUGDALE|NASGRO_STRESS|NASGRO_STRAIN",
+             "plastic zone over (Kmax/YIELD)^2: 1/(2 pi), 1/(6 pi), 1/pi, pi/8, pi/8/1.15^2, "
+             "pi/8/2.55^2"),
+    real_key("KAPPA", number, above(0), "the same as a number, in place of ZONE"),
+    real_key("YIELD", stress, above(0), "yield stress of the plastic zone"),
+    real_key("W", number, at_least(0), "exponent of WHEELER"),
+    real_key("SOLR", number, above(1), "ratio of an overload that stops the growth"),
+    word_key("MINIMUM", "KEEP|ZERO",
+             "WILLENBORG, of an effective K_min below 0: the law sees it, or it is 0"),
+    real_key(
+        "KTH", stress_intensity, at_least(0),
+        "K_max below which a cycle of R = 0 does not grow; left out: the threshold of the law"),
+    real_key("PHI0", number, closed_interval(0, 1), "MODIFIED: PHI behind no underload"),
+    real_key("Q", number, at_least(0), "CHANG: exponent of rates at R < 0"),
+    with_default(real_key("A", number, closed_interval(0, 1), "CHANG: threshold KTH (1 - A R)"),
+                 "1"),
+    with_default(real_key("RHIGH", number, closed_interval(0, 0.99),
+                          "CHANG: the largest R that "
+                          "counts"),
+                 "0.75"),
+    with_default(real_key("RLOW", number, closed_interval(-10, 0),
+                          "CHANG: the smallest R that "
+                          "counts"),
+                 "-0.99"),
+    with_default(real_key("ALPHA", number, closed_interval(1, 3),
+                          "CLOSURE: constraint factor of Newman's crack opening"),
+                 "2"),
+    with_default(real_key("SMAX", number, closed_interval(0, 1),
+                          "CLOSURE: stress over flow stress of Newman's crack opening"),
+                 "0.3"),
+};
+
+constexpr std::array interaction_when{
+    KeyPresenceRule{"KAPPA", "", "", "ZONE"},
+    KeyPresenceRule{"TYPE", "WHEELER", "YIELD W",
+                    "SOLR MINIMUM KTH PHI0 Q A RHIGH RLOW ALPHA SMAX"},
+    KeyPresenceRule{"TYPE", "WILLENBORG_1971", "YIELD",
+                    "W SOLR MINIMUM KTH PHI0 Q A RHIGH RLOW ALPHA SMAX"},
+    KeyPresenceRule{"TYPE", "WILLENBORG", "YIELD SOLR MINIMUM", "W PHI0 Q A RHIGH RLOW ALPHA SMAX"},
+    KeyPresenceRule{"TYPE", "MODIFIED", "YIELD PHI0",
+                    "W SOLR MINIMUM KTH Q A RHIGH RLOW ALPHA SMAX"},
+    KeyPresenceRule{"TYPE", "CHANG", "YIELD SOLR KTH Q", "W MINIMUM PHI0 ALPHA SMAX"},
+    KeyPresenceRule{"TYPE", "CLOSURE", "",
+                    "YIELD ZONE KAPPA W SOLR MINIMUM KTH PHI0 Q A RHIGH RLOW"},
 };
 
 constexpr std::array sweep_keys{
@@ -220,6 +277,11 @@ constexpr std::array cards{
              .data_form = "BLOCKS: low high count; SEQUENCE: turning points",
              .when = spectrum_when,
              .doc = "A load history on a load path: the cycles that a crack grows by."},
+    CardSpec{.name = "INTERACTION",
+             .group = "loads",
+             .keys = interaction_keys,
+             .when = interaction_when,
+             .doc = "How a cycle of a spectrum acts on those behind it: retardation by overloads."},
     CardSpec{.name = "GROW",
              .group = "crack",
              .keys = grow_keys,

@@ -289,6 +289,17 @@ constexpr std::array texts{
         "  0.1  1.0  20\n"
         "  0.3  0.7  5000\n"},
     CardHelpText{
+        "INTERACTION",
+        "Behind a cycle with a large plastic zone the next ones grow less, until they leave that "
+        "zone. The zone alone decides how long that lasts: its factor (ZONE or KAPPA) and YIELD "
+        "have no defaults, and are printed with the life. The cycles are followed one by one in "
+        "the order of the spectrum, over K of every load at every length. Several models beside "
+        "one another cost no solution more: $GROW INTERACTION=W1,NONE. Those that act by R alone "
+        "(WILLENBORG, MODIFIED) need a law that knows R; CHANG takes WALKER without a threshold, "
+        "CLOSURE takes PARIS, whose C and M are those of the effective range.",
+        "$INTERACTION NAME=W1 TYPE=WHEELER W=1.43 ZONE=IRWIN2 YIELD=365\n"
+        "$INTERACTION NAME=GW TYPE=WILLENBORG SOLR=3 MINIMUM=KEEP ZONE=IRWIN2 YIELD=365\n"},
+    CardHelpText{
         "GROW",
         "All steps are run for every crack length. With LAW=INCREMENT the data lines are the "
         "lengths; in space semi-axes A of ellipses, C in its ratio to A. KMAX and KMIN name the "

@@ -11,7 +11,7 @@ namespace spricka::grammar {
 namespace {
 
 // What a name of each kind is called, in the order of the enumeration.
-constexpr std::array<std::string_view, 19> kind_names{"name",
+constexpr std::array<std::string_view, 20> kind_names{"name",
                                                       "node set",
                                                       "element set",
                                                       "face set",
@@ -27,6 +27,7 @@ constexpr std::array<std::string_view, 19> kind_names{"name",
                                                       "rigid target",
                                                       "load path",
                                                       "spectrum",
+                                                      "load interaction",
                                                       "test",
                                                       "set or rigid target",
                                                       "solid of the file"};

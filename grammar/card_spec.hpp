@@ -41,6 +41,7 @@ enum class EntityKind {
   rigid,
   path,
   spectrum,
+  interaction,
   test,
   surface, ///< node or face set, or a rigid target
   solid    ///< of an imported file

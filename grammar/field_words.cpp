@@ -228,10 +228,11 @@ constexpr std::array words{
     DamageToleranceTerm{
         .word = "retardation",
         .also = "load interaction, interaction, overload, acceleration, Wheeler, Willenborg",
-        .text = "Not available: there is no load interaction. An overload neither retards "
-                "nor accelerates the growth; each cycle of a spectrum counts by its own K.",
-        .topics = "SPECTRUM GROW",
-        .pages = "growth theory/life"},
+        .text = "$INTERACTION says how cycles of a spectrum act on those behind them, and "
+                "$GROW INTERACTION=W1,NONE takes such rules side by side. Without, each cycle "
+                "counts by its own K.",
+        .topics = "INTERACTION SPECTRUM GROW",
+        .pages = "interaction theory/interaction"},
     DamageToleranceTerm{
         .word = "SIF",
         .also = "stress intensity, stress intensity factor, K3",

@@ -145,6 +145,9 @@ std::string growth_settings_text(const model::Model& model) {
     add(text, {t.delta_k, t.at_zero_ratio ? 1.0 : 0.0, t.slope_above, t.slope_below,
                t.intrinsic_length, t.largest_ratio});
   }
+  for (const std::optional<std::size_t>& interaction : g.interactions) {
+    text += " by " + (interaction ? model.interactions[*interaction].name : "NONE");
+  }
   add(text, c.delta_k);
   add(text, c.growth);
   add(text, g.largest_advance);
@@ -155,7 +158,7 @@ std::string growth_settings_text(const model::Model& model) {
 
 std::string growth_law_text(const model::Model& model, const std::vector<CardFingerprint>& cards) {
   std::string text = growth_settings_text(model);
-  for (const CardFingerprint& spectrum : select_cards(cards, {"SPECTRUM"})) {
+  for (const CardFingerprint& spectrum : select_cards(cards, {"SPECTRUM", "INTERACTION"})) {
     text += " " + spectrum.hash;
   }
   return text;

@@ -11,7 +11,7 @@ namespace spricka::archive {
 
 namespace {
 
-const std::vector<std::string> changeable{"STEP", "GROW", "SPECTRUM"};
+const std::vector<std::string> changeable{"STEP", "GROW", "SPECTRUM", "INTERACTION"};
 
 bool grows_by_law(const model::Model& model) {
   return model.growth && model.growth->law != model::CrackGrowthLaw::increment;
@@ -30,17 +30,19 @@ std::optional<CheckpointMismatch>
 growth_mismatch(const DecksCompared& decks,
                 const std::function<std::string()>& why_law_moves_fronts, bool& another_law) {
   const auto& [found, cards, model, file] = decks;
-  const auto d = first_card_difference(select_cards(found.cards, {"GROW", "SPECTRUM"}),
-                                       select_cards(cards, {"GROW", "SPECTRUM"}));
+  const auto d =
+      first_card_difference(select_cards(found.cards, {"GROW", "SPECTRUM", "INTERACTION"}),
+                            select_cards(cards, {"GROW", "SPECTRUM", "INTERACTION"}));
   if (!d) {
     return std::nullopt;
   }
   const bool lengths = !grows_by_law(model);
   const std::array<double, 2> ends = growth_length_and_cycle_limits(model);
   const bool further = ends[0] >= found.ends[0] && ends[1] >= found.ends[1];
-  // Rates are kept with the stations: another spectrum would have others.
-  const bool same_history = !first_card_difference(select_cards(found.cards, {"SPECTRUM"}),
-                                                   select_cards(cards, {"SPECTRUM"}));
+  // Rates are kept with the stations: other cycles would have others.
+  const bool same_history =
+      !first_card_difference(select_cards(found.cards, {"SPECTRUM", "INTERACTION"}),
+                             select_cards(cards, {"SPECTRUM", "INTERACTION"}));
   const bool same = found.growth == growth_settings_text(model);
   if (same && (lengths || (further && same_history))) {
     return std::nullopt;

@@ -51,6 +51,16 @@ std::size_t PiecewiseLinear::find_segment(double t) const {
   return first;
 }
 
+PiecewiseLinear PiecewiseLinear::through(std::vector<double> knot, std::vector<double> value) {
+  assert(knot.size() >= 2 && value.size() == knot.size());
+  std::vector<double> slope;
+  for (std::size_t k = 0; k + 1 < knot.size(); ++k) {
+    slope.push_back((value[k + 1] - value[k]) / (knot[k + 1] - knot[k]));
+  }
+  value.pop_back();
+  return {std::move(knot), std::move(value), std::move(slope)};
+}
+
 double PiecewiseLinear::operator()(double t) const {
   if (value_.empty() || !(t >= knot_.front() && t <= knot_.back())) {
     return std::numeric_limits<double>::quiet_NaN();

@@ -14,6 +14,9 @@ public:
   /// knot [n + 1] ascending, n >= 1; value [n] at the segments' beginnings and slope [n].
   PiecewiseLinear(std::vector<double> knot, std::vector<double> value, std::vector<double> slope);
 
+  /// knot [n + 1] ascending and the value at each of them, n >= 1.
+  static PiecewiseLinear through(std::vector<double> knot, std::vector<double> value);
+
   [[nodiscard]] bool empty() const { return value_.empty(); }
   [[nodiscard]] std::size_t segment_count() const { return value_.size(); }
   [[nodiscard]] const std::vector<double>& knots() const { return knot_; }

@@ -376,7 +376,9 @@ void check_references_of_bad_cards(DeckContext& context) {
         continue;
       }
       for (const NameReference& name : value.names) {
-        find_referenced_definition(context, value.key->kind, name);
+        if (!is_no_interaction(value.key->kind, name)) {
+          find_referenced_definition(context, value.key->kind, name);
+        }
       }
     }
   }

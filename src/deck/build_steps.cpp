@@ -200,6 +200,7 @@ void grow(DeckContext& c, const CheckedCard& card) {
   growth.span = card.span;
   cycles_of(c, card, growth);
   law(c, card, growth);
+  read_growth_interactions(c, card, growth);
   c.model.growth = std::move(growth);
 }
 
@@ -289,6 +290,7 @@ void read_step_row(DeckContext& context, const grammar::DataRow& row, model::Ste
 }
 
 void build_steps(DeckContext& context) {
+  build_interactions(context);
   for (const CheckedCard& card : context.cards) {
     if (card.spec->name == "STEP") {
       step(context, card);

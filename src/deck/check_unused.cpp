@@ -23,6 +23,18 @@ void unused_spectra(DeckContext& c) {
   }
 }
 
+void unused_interactions(DeckContext& c) {
+  for (std::size_t i = 0; i < c.model.interactions.size(); ++i) {
+    const model::LoadInteractionDefinition& unused = c.model.interactions[i];
+    if (!c.model.growth || std::ranges::find(c.model.growth->interactions, std::optional(i)) ==
+                               c.model.growth->interactions.end()) {
+      c.warning(unused.span, "W357",
+                fmt::format("no $GROW uses interaction {}: it counts nowhere", unused.name),
+                fmt::format("$GROW SPECTRUM=.. INTERACTION={}", unused.name));
+    }
+  }
+}
+
 void unused_rigids(DeckContext& c) {
   for (std::size_t i = 0; i < c.model.rigids.size(); ++i) {
     const bool used = std::ranges::any_of(c.model.contacts, [&](const model::Contact& contact) {
@@ -146,6 +158,7 @@ void check_unused_entities(DeckContext& context) {
     return;
   }
   unused_spectra(context);
+  unused_interactions(context);
   unused_rigids(context);
   doubled_loads(context);
   doubled_points(context);

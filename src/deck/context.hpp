@@ -163,6 +163,15 @@ void build_steps(DeckContext& context);
 void read_step_row(DeckContext& context, const grammar::DataRow& row, model::Step& step);
 /// $SPECTRUM, once its load paths are there.
 void build_spectra(DeckContext& context);
+/// Whether a name stands for cycles that do not act on each other.
+inline bool is_no_interaction(EntityKind kind, const NameReference& name) {
+  return kind == EntityKind::interaction && name.name == "NONE";
+}
+/// $INTERACTION.
+void build_interactions(DeckContext& context);
+/// What $GROW says of the interaction of cycles: which ones, and whether its law serves them.
+void read_growth_interactions(DeckContext& context, const CheckedCard& card,
+                              model::CrackGrowthSettings& growth);
 /// $TEST, once $GROW is there.
 void build_growth_tests(DeckContext& context);
 /// $OUTPUT, $CHECK, $CONTROL, $RESTART, $SWEEP, $TASK.

@@ -118,6 +118,7 @@ inline constexpr std::array error_codes{
     CodeMeaning{"E326", "a growth test without the readings, reference or lengths it needs"},
     CodeMeaning{"E327", "a spectrum with friction that is too long to be followed"},
     CodeMeaning{"E328", "a flaw that AT, ANGLE and coordinates do not place"},
+    CodeMeaning{"E329", "a rule of load interaction that the growth law does not serve"},
     CodeMeaning{"W464", "a number without a unit in the place of one with a unit"},
     CodeMeaning{"W465", "inches with newtons, or metres with pounds"},
     CodeMeaning{"E452", "a $GROW without a crack"},

@@ -19,11 +19,13 @@ namespace spricka::deck {
 namespace {
 
 /// Keys of $GROW that say nothing of where cracks go.
-constexpr std::array<std::string_view, 31> law_keys{
+constexpr std::array<std::string_view, 32> law_keys{
     "LAW",   "KMAX", "KMIN",  "SPECTRUM", "TOL",   "AMAX",       "CYCLES", "C",
     "M",     "P",    "Q",     "SMAX",     "ALPHA", "KC",         "DKTH",   "KUNIT",
     "AUNIT", "DK0",  "DK1",   "CTHP",     "CTHM",  "AINTRINSIC", "RCL",    "K1C",
-    "AK",    "BK",   "THICK", "YIELD",    "KIE",   "NEGATIVE",   "PM"};
+    "AK",    "BK",   "THICK", "YIELD",    "KIE",   "NEGATIVE",   "PM",     "INTERACTION"};
+/// Cards of the cycles that a law counts.
+constexpr std::array<std::string_view, 2> cards_of_cycles{"SPECTRUM", "INTERACTION"};
 /// Cards that no solution hangs on.
 constexpr std::array<std::string_view, 3> cards_for_readers{"CHECK", "OUTPUT", "SWEEP"};
 
@@ -130,7 +132,7 @@ bool differ_in_growth_law_alone(const DeckCardList& before, const DeckCardList& 
     }
     const bool same = name == "GROW"        ? is_same_course(before[i], after[i], changed)
                       : name == "PARAMETER" ? true
-                      : name == "SPECTRUM" || has_entry(cards_for_readers, name)
+                      : has_entry(cards_of_cycles, name) || has_entry(cards_for_readers, name)
                           ? true
                           : is_same_card(before[i], after[i], changed);
     if (!same) {
@@ -144,10 +146,11 @@ std::optional<GrowthCards> read_growth_cards(const model::Model& model, const De
                                              const std::filesystem::path& file,
                                              base::SourceTexts& sources,
                                              base::Diagnostics& diagnostics) {
-  constexpr std::array<std::string_view, 5> wanted{"DECK", "PARAMETER", "SPECTRUM", "GROW", "END"};
+  constexpr std::array<std::string_view, 4> wanted{"DECK", "PARAMETER", "GROW", "END"};
   DeckCardList cards;
-  std::ranges::copy_if(deck, std::back_inserter(cards),
-                       [&](const DeckCard& card) { return has_entry(wanted, card.name); });
+  std::ranges::copy_if(deck, std::back_inserter(cards), [&](const DeckCard& card) {
+    return has_entry(wanted, card.name) || has_entry(cards_of_cycles, card.name);
+  });
   for (DeckCard& card : cards_named(cards, "GROW")) {
     card.erase("CRACKS"); // of a half model not all are left
   }
@@ -175,7 +178,8 @@ std::optional<GrowthCards> read_growth_cards(const model::Model& model, const De
   if (read.growth && model.growth) {
     read.growth->cracks = model.growth->cracks;
   }
-  return GrowthCards{std::move(read.growth), std::move(read.spectra), std::move(read.parameters)};
+  return GrowthCards{std::move(read.growth), std::move(read.spectra), std::move(read.interactions),
+                     std::move(read.parameters)};
 }
 
 } // namespace spricka::deck

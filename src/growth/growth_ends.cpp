@@ -97,15 +97,27 @@ GrowthEndCriteria::find_growth_end(const GrowthTrajectory& between) const {
                    .value_or(here.s);
     }
   }
-  const double s_first = stations.front().s;
-  if (rules.cycles && between.cycles(s_first, end ? end->s : here.s) >= *rules.cycles) {
-    if (const auto s = between.extent_after_cycles(s_first, *rules.cycles)) {
+  if (rules.cycles) {
+    if (const auto s = extent_at_last_cycle(between, end ? end->s : here.s)) {
       end = GrowthEvent{.kind = GrowthEventKind::last_cycle,
                         .reason = fmt::format("{:.6g} cycles are over", *rules.cycles),
                         .s = *s};
     }
   }
   return end ? end : find_futile_growth();
+}
+
+// Up to `last`; empty: the cycles that stop the growth are not over there.
+std::optional<double> GrowthEndCriteria::extent_at_last_cycle(const GrowthTrajectory& between,
+                                                              double last) const {
+  const double most = *model.growth->cycles;
+  const double first = stations.front().s;
+  if (extent_after_cycles) {
+    const std::optional<double> s = extent_after_cycles(stations, most);
+    return s && *s <= last ? s : std::nullopt;
+  }
+  return between.cycles(first, last) >= most ? between.extent_after_cycles(first, most)
+                                             : std::nullopt;
 }
 
 // The last tip of several is told.

@@ -56,9 +56,10 @@ std::vector<double> predicted_shares(const std::vector<SolvedStation>& all, doub
 } // namespace
 
 GrowthIntegrator::GrowthIntegrator(const model::Model& model, GrowthRateFunction law,
-                                   std::unique_ptr<CrackKinematics> kinematics, GrowthState state)
-    : model_(model), law_(std::move(law)), kinematics_(std::move(kinematics)),
-      state_(std::move(state)) {
+                                   std::unique_ptr<CrackKinematics> kinematics, GrowthState state,
+                                   ExtentAfterCycles extent_after_cycles)
+    : model_(model), law_(std::move(law)), extent_after_cycles_(std::move(extent_after_cycles)),
+      kinematics_(std::move(kinematics)), state_(std::move(state)) {
   // A run that goes on stands where its last station was; whether that was the end follows anew.
   if (state_.stations.empty()) {
     state_.step = first_step;

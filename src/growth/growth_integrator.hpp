@@ -21,9 +21,10 @@ class GrowthIntegrator {
 public:
   /// `law`: empty where the stations' rates are those of a spectrum. `kinematics`: of the cracks as
   /// they are first. `state`: of a run that goes on, else new; throws base::CorruptStoredField for
-  /// one of other cracks.
+  /// one of other cracks. `extent_after_cycles`: where cycles are not what the rates make of them.
   GrowthIntegrator(const model::Model& model, GrowthRateFunction law,
-                   std::unique_ptr<CrackKinematics> kinematics, GrowthState state);
+                   std::unique_ptr<CrackKinematics> kinematics, GrowthState state,
+                   ExtentAfterCycles extent_after_cycles = {});
 
   /// The cracks to be solved next; empty when the growth has ended.
   std::optional<CrackGeometry> propose_next_cracks(base::Diagnostics& diagnostics);
@@ -66,11 +67,14 @@ private:
   void append_station(std::vector<TipStation> found);
   [[nodiscard]] bool judge_last_advance();
   void accept_last_station();
-  [[nodiscard]] GrowthEndCriteria ends() const { return {model_, tips(), state_.stations}; }
+  [[nodiscard]] GrowthEndCriteria ends() const {
+    return {model_, tips(), state_.stations, extent_after_cycles_};
+  }
   void end_at_station(GrowthEvent end);
 
   const model::Model& model_;
   GrowthRateFunction law_;
+  ExtentAfterCycles extent_after_cycles_;
   std::unique_ptr<CrackKinematics> kinematics_;
   std::vector<double> advance_;        ///< [tip] that leads to the state on trial
   std::optional<GrowthEvent> passage_; ///< that it leads through

@@ -61,6 +61,7 @@ struct StateWriter {
 
   ColumnWriter column(const char* name) { return {arrays[name]}; }
   [[nodiscard]] bool has(const char* /*name*/) const { return true; }
+  [[nodiscard]] bool has_if(const char* /*name*/, bool there) const { return there; }
   template <class List> void resize(const char* /*name*/, const List& /*list*/) {}
   void spread(const char* /*name*/, const std::vector<SolvedStation>& /*stations*/) {}
   template <class List> void count(const char* name, const List& list, const char* /*items*/) {
@@ -127,6 +128,7 @@ public:
         .first->second;
   }
   [[nodiscard]] bool has(const char* name) const { return arrays_.contains(name); }
+  [[nodiscard]] bool has_if(const char* name, bool /*there*/) const { return has(name); }
   template <class List> void resize(const char* name, List& list) {
     list.resize(column(name).size());
   }
@@ -184,6 +186,67 @@ template <class Io, class Crack> void describe_crack(Io& io, Crack& crack) {
   describe_points(io, "crack.normals", "history_normal.x", crack.history.normals);
 }
 
+constexpr const char* path_knots = "station_tip.path_knots";
+constexpr const char* tip_cycles = "station_tip.cycles";
+
+// Segments by their beginning, value and slope, and the last knot.
+template <class Io, class Path> void describe_path(Io& io, Path& path) {
+  struct Segment {
+    double begin, value, slope;
+  };
+  std::vector<Segment> segments(path.segment_count());
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    segments[k] = {path.knots()[k], path.segment_start_values()[k], path.slope(k)};
+  }
+  double last = path.empty() ? 0.0 : path.knots().back();
+  io.count(path_knots, segments, "path_segment.begin");
+  for (Segment& segment : segments) {
+    io.column("path_segment.begin").value(segment.begin);
+    io.column("path_segment.value").value(segment.value);
+    io.column("path_segment.slope").value(segment.slope);
+  }
+  io.column("path_segment.last").value(last);
+  if constexpr (!std::is_const_v<Path>) {
+    if (!segments.empty()) {
+      std::vector<double> knots, values, slopes;
+      for (const Segment& segment : segments) {
+        knots.push_back(segment.begin);
+        values.push_back(segment.value);
+        slopes.push_back(segment.slope);
+      }
+      knots.push_back(last);
+      if (!std::ranges::is_sorted(knots, std::less_equal<>())) {
+        throw base::CorruptStoredField("path_segment.begin", "the knots of a path do not ascend");
+      }
+      path = base::PiecewiseLinear(std::move(knots), std::move(values), std::move(slopes));
+    }
+  }
+}
+
+// K over the load path of each tip, and the cycles of a pass that was followed; only a growth whose
+// cycles act on each other has them.
+template <class Io, class Stations> void describe_cycles(Io& io, Stations& stations) {
+  const bool has = std::ranges::any_of(stations, [](const SolvedStation& station) {
+    return std::ranges::any_of(station.tips, [](const TipStation& tip) {
+      return !tip.K_over_path.empty() || !tip.cycles_of_K.empty();
+    });
+  });
+  if (!io.has_if(path_knots, has)) {
+    return;
+  }
+  for (auto& station : stations) {
+    for (auto& tip : station.tips) {
+      describe_path(io, tip.K_over_path);
+      io.count(tip_cycles, tip.cycles_of_K, "tip_cycle.low");
+      for (auto& cycle : tip.cycles_of_K) {
+        io.column("tip_cycle.low").value(cycle.low);
+        io.column("tip_cycle.high").value(cycle.high);
+        io.column("tip_cycle.count").value(cycle.count);
+      }
+    }
+  }
+}
+
 // The state's arrays, in the same way for both directions.
 template <class Io, class State> void describe(Io& io, State& state) {
   io.column("growth.step").value(state.step);
@@ -206,6 +269,7 @@ template <class Io, class State> void describe(Io& io, State& state) {
       }
     }
   }
+  describe_cycles(io, state.stations);
   io.resize("crack.kind", state.cracks);
   for (auto& crack : state.cracks) {
     describe_crack(io, crack);

@@ -17,6 +17,22 @@ namespace {
 constexpr int parts = 24;
 constexpr int degree = 9;
 
+// Stations about an interval with no passage between them: from the first to before the second.
+std::pair<std::size_t, std::size_t> smooth_about(const std::vector<SolvedStation>& stations,
+                                                 std::size_t interval) {
+  const std::size_t n = stations.size();
+  if (interval + 1 < n && stations[interval + 1].breakthroughs > 0) {
+    return {interval, interval + 2};
+  }
+  std::size_t low = interval;
+  std::size_t high = std::min(interval + 2, n);
+  for (; low > 0 && stations[low].breakthroughs == 0; --low) {
+  }
+  for (; high < n && stations[high].breakthroughs == 0; ++high) {
+  }
+  return {low, high};
+}
+
 } // namespace
 
 double tip_path_curvature(const TipStation& before, const TipStation& here) {
@@ -31,6 +47,40 @@ double SolvedStation::growth_rate() const {
     sum += tip.rate;
   }
   return sum;
+}
+
+StationRange nearest_stations(const std::vector<SolvedStation>& stations, std::size_t interval,
+                              std::size_t points, std::size_t low, std::size_t high) {
+  const auto [from, to] = smooth_about(stations, interval);
+  low = std::max(low, from);
+  high = std::min(high, to);
+  StationRange out;
+  out.points = std::min(points, high - low);
+  // As many on either side of the interval as there are; near an end the nearest that exist.
+  const std::size_t before = (out.points - 1) / 2;
+  out.first = std::min(std::max(interval, low + before) - before, high - out.points);
+  return out;
+}
+
+ExtentOverInterval::ExtentOverInterval(const SolvedStation& left, const SolvedStation& right,
+                                       std::size_t tip)
+    : s_(left.s), h_(right.s - left.s), a_(left.tips[tip].a),
+      difference_(right.tips[tip].a - left.tips[tip].a) {
+  // Where rates give no slope that of the chord is taken.
+  const auto share = [&](const SolvedStation& station) {
+    const double all = station.growth_rate();
+    return all > 0.0 && std::isfinite(all) ? station.tips[tip].rate / all : difference_ / h_;
+  };
+  // Hermite: the shares of all tips add up to 1, so that their arms add up to s
+  left_ = share(left) * h_ - difference_;
+  right_ = difference_ - share(right) * h_;
+}
+
+double extent_rate_ratio(const SolvedStation& left, const SolvedStation& right, std::size_t tip,
+                         double s) {
+  const double before = left.tips[tip].extent_rate_ratio;
+  const double part = right.s > left.s ? (s - left.s) / (right.s - left.s) : 0.0;
+  return before + part * (right.tips[tip].extent_rate_ratio - before);
 }
 
 GrowthTrajectory::GrowthTrajectory(const std::vector<SolvedStation>& stations,
@@ -66,32 +116,10 @@ std::size_t GrowthTrajectory::interval(double s) const {
   return i;
 }
 
-std::pair<std::size_t, std::size_t> GrowthTrajectory::smooth_about(std::size_t interval) const {
-  const std::size_t n = stations_.size();
-  if (interval + 1 < n && stations_[interval + 1].breakthroughs > 0) {
-    return {interval, interval + 2};
-  }
-  std::size_t low = interval;
-  std::size_t high = std::min(interval + 2, n);
-  for (; low > 0 && stations_[low].breakthroughs == 0; --low) {
-  }
-  for (; high < n && stations_[high].breakthroughs == 0; ++high) {
-  }
-  return {low, high};
-}
-
-// Through the stations about an interval, of those from `low` to before `high`.
 GrowthTrajectory::StationWeights GrowthTrajectory::weights_at(std::size_t interval, double s,
                                                               std::size_t low,
                                                               std::size_t high) const {
-  const auto [from, to] = smooth_about(interval);
-  low = std::max(low, from);
-  high = std::min(high, to);
-  StationWeights out;
-  out.points = std::min(points_, high - low);
-  // As many on either side of the interval as there are; near an end the nearest that exist.
-  const std::size_t before = (out.points - 1) / 2;
-  out.first = std::min(std::max(interval, low + before) - before, high - out.points);
+  StationWeights out{nearest_stations(stations_, interval, points_, low, high), {}};
   const double x = std::log(s);
   for (std::size_t i = 0; i < out.points; ++i) {
     double weight = 1.0;
@@ -131,16 +159,6 @@ double GrowthTrajectory::plastic_load_ratio(std::size_t tip, double s) const {
                      [&](std::size_t k) { return stations_[k].tips[tip].plastic; });
 }
 
-// Straight between the stations: it changes slowly, and never below 0.
-double GrowthTrajectory::extent_rate_ratio(std::size_t tip, std::size_t i, double s) const {
-  const double left = stations_[i].tips[tip].extent_rate_ratio;
-  if (i + 1 == stations_.size()) {
-    return left;
-  }
-  const double part = (s - stations_[i].s) / (stations_[i + 1].s - stations_[i].s);
-  return left + part * (stations_[i + 1].tips[tip].extent_rate_ratio - left);
-}
-
 double GrowthTrajectory::tip_rate(std::size_t tip, std::size_t i, double s,
                                   const StationWeights& weights) const {
   if (law_) {
@@ -151,7 +169,8 @@ double GrowthTrajectory::tip_rate(std::size_t tip, std::size_t i, double s,
       return t.K_max > 0.0 ? t.K_min / t.K_max : 0.0;
     });
     const double rate = law_(K, R * K, place_of_tip(stations_[i].tips[tip], crack_extent(tip, s)));
-    return extents_differ_ ? extent_rate_ratio(tip, i, s) * rate : rate;
+    const SolvedStation& right = stations_[std::min(i + 1, stations_.size() - 1)];
+    return extents_differ_ ? extent_rate_ratio(stations_[i], right, tip, s) * rate : rate;
   }
   // a spectrum's rates, as far as they are numbers: none at a threshold, no bound at the toughness
   const auto usual = [&](std::size_t k) {
@@ -189,25 +208,11 @@ double GrowthTrajectory::growth_rate(double s) const {
 }
 
 double GrowthTrajectory::crack_extent(std::size_t tip, double s) const {
-  const std::size_t i = interval(s);
   if (stations_.size() == 1) {
     return stations_[0].tips[tip].a;
   }
-  const SolvedStation& left = stations_[i];
-  const SolvedStation& right = stations_[i + 1];
-  const double h = right.s - left.s;
-  const double t = (s - left.s) / h;
-  // Where rates give no slope that of the chord is taken.
-  const auto share = [&](const SolvedStation& station) {
-    const double all = station.growth_rate();
-    return all > 0.0 && std::isfinite(all) ? station.tips[tip].rate / all
-                                           : (right.tips[tip].a - left.tips[tip].a) / h;
-  };
-  // Hermite: the shares of all tips add up to 1, so that their arms add up to s
-  const double difference = right.tips[tip].a - left.tips[tip].a;
-  const double a = share(left) * h - difference;
-  const double b = difference - share(right) * h;
-  return left.tips[tip].a + t * difference + t * (1.0 - t) * ((1.0 - t) * a + t * b);
+  const std::size_t i = interval(s);
+  return ExtentOverInterval(stations_[i], stations_[i + 1], tip)(s);
 }
 
 double GrowthTrajectory::gauss(double s0, double s1) const {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/piecewise_linear.hpp"
+#include "life/rainflow.hpp"
 #include "model/crack_growth.hpp"
 
 #include <array>
@@ -31,6 +33,11 @@ struct TipStation {
   /// Where friction makes K a history: K of its first cycle or pass, passes until it repeated
   /// itself, and what still changed in the last one over the largest K.
   double first_max = 0.0, first_min = 0.0, passes = 0.0, change = 0.0;
+  /// Of a spectrum whose cycles act on each other: K given to the law over the place on the load
+  /// path.
+  base::PiecewiseLinear K_over_path{};
+  /// The same where friction makes K a history: the cycles of the pass that was followed, in order.
+  std::vector<life::LoadCycle> cycles_of_K{};
 };
 
 /// Where a tip asks the law, with its arm `a`.
@@ -53,6 +60,35 @@ struct SolvedStation {
 
   [[nodiscard]] double growth_rate() const; ///< ds per cycle
 };
+
+/// Stations that a polynomial leads through.
+struct StationRange {
+  std::size_t first = 0, points = 0;
+};
+/// Of the stations from `low` to before `high` up to `points` nearest to an interval, with no
+/// passage between them: as many on either side as there are.
+StationRange nearest_stations(const std::vector<SolvedStation>& stations, std::size_t interval,
+                              std::size_t points, std::size_t low, std::size_t high);
+
+/// The arm of a tip from one station to the next, by a cubic of which the arms of all tips add up
+/// to s [length].
+class ExtentOverInterval {
+public:
+  ExtentOverInterval(const SolvedStation& left, const SolvedStation& right, std::size_t tip);
+  [[nodiscard]] double operator()(double s) const {
+    const double t = (s - s_) / h_;
+    return a_ + t * difference_ + t * (1.0 - t) * ((1.0 - t) * left_ + t * right_);
+  }
+
+private:
+  double s_, h_, a_, difference_;
+  double left_ = 0.0, right_ = 0.0; ///< Hermite: what the slopes at the ends add
+};
+
+/// The rate of an arm over that of the place where K is, straight between two stations: it changes
+/// slowly, and never below 0.
+double extent_rate_ratio(const SolvedStation& left, const SolvedStation& right, std::size_t tip,
+                         double s);
 
 /// da/dN at K_max, K_min of a place; where it is empty (a spectrum) the stations' rates are
 /// interpolated.
@@ -82,12 +118,8 @@ public:
 
 private:
   [[nodiscard]] std::size_t interval(double s) const;
-  /// Stations about an interval with no breakthrough between them: from the first to before the
-  /// second.
-  [[nodiscard]] std::pair<std::size_t, std::size_t> smooth_about(std::size_t interval) const;
   /// Lagrange's polynomial in ln s at one s: what the values of so many stations count.
-  struct StationWeights {
-    std::size_t first = 0, points = 0;
+  struct StationWeights : StationRange {
     std::array<double, 4> weight{};
   };
   [[nodiscard]] StationWeights weights_at(std::size_t interval, double s, std::size_t low,
@@ -95,7 +127,6 @@ private:
   template <class Value>
   double interpolate(const StationWeights& weights, const Value& value) const;
   [[nodiscard]] double K_max(std::size_t tip, const StationWeights& weights) const;
-  [[nodiscard]] double extent_rate_ratio(std::size_t tip, std::size_t interval, double s) const;
   [[nodiscard]] double tip_rate(std::size_t tip, std::size_t interval, double s,
                                 const StationWeights& weights) const;
   [[nodiscard]] double gauss(double s0, double s1) const;

@@ -158,11 +158,36 @@ CountedSpectrum CountedSpectrum::from_pairs(std::vector<double> history) {
 }
 
 CountedSpectrum CountedSpectrum::from_definition(const model::SpectrumDefinition& spectrum) {
-  if (!spectrum.sequence) {
-    return from_cycles(order_cycles(spectrum));
+  std::vector<LoadCycle> in_order = order_cycles(spectrum);
+  CountedSpectrum counted = !spectrum.sequence ? from_cycles(in_order)
+                            : spectrum.counting == model::CycleCounting::pairs
+                                ? from_pairs(spectrum.turning_points)
+                                : from_sequence(spectrum.turning_points);
+  counted.in_order_ = std::move(in_order);
+  return counted;
+}
+
+std::vector<LoadCycle>
+CountedSpectrum::cycles_in_order_as_K(const base::PiecewiseLinear& K1) const {
+  const bool on_K = requires_counting_on_K(K1);
+  const KSequence way(K1);
+  if (on_K && !history_.empty()) {
+    return order_cycles(way(history_), counting_);
   }
-  return spectrum.counting == model::CycleCounting::pairs ? from_pairs(spectrum.turning_points)
-                                                          : from_sequence(spectrum.turning_points);
+  std::vector<LoadCycle> all;
+  for (const LoadCycle& cycle : in_order_) {
+    if (on_K) {
+      // A block cycle is a closed way: up through the turns of K and down again.
+      for (LoadCycle part : order_cycles(way({cycle.low, cycle.high, cycle.low}), counting_)) {
+        part.count *= cycle.count;
+        all.push_back(part);
+      }
+    } else {
+      const auto [low, high] = std::minmax({K1(cycle.low), K1(cycle.high)});
+      all.push_back({low, high, cycle.count}); // K may fall while the load rises
+    }
+  }
+  return all;
 }
 
 double CountedSpectrum::cycles_per_pass() const {

@@ -33,6 +33,11 @@ public:
                                        const model::PlaceOnCrack& place = {}) const;
   /// The cycles of a pass as K, of which growth_per_pass() is the sum.
   [[nodiscard]] std::vector<LoadCycle> cycles_as_K(const base::PiecewiseLinear& K1) const;
+  /// The cycles of a pass of a card, as places t, in their order.
+  [[nodiscard]] const std::vector<LoadCycle>& cycles_in_order() const { return in_order_; }
+  /// The same as K: counted on K where that turns within the loads, which is not a number outside
+  /// the knots.
+  [[nodiscard]] std::vector<LoadCycle> cycles_in_order_as_K(const base::PiecewiseLinear& K1) const;
   /// Whether `growth` counts on K for this map: K1 turns within the loads.
   [[nodiscard]] bool requires_counting_on_K(const base::PiecewiseLinear& K1) const;
   /// Smallest and largest K of a pass.
@@ -59,6 +64,7 @@ private:
 
   std::vector<double> levels_; ///< different loads, ascending
   std::vector<LoadLevelCycle> cycles_;
+  std::vector<LoadCycle> in_order_;
   std::vector<double> history_; ///< of a sequence: its turning points
   bool repeated_ = true;
   model::CycleCounting counting_ = model::CycleCounting::rainflow;

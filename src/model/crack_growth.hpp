@@ -78,6 +78,9 @@ struct CrackGrowthSettings {
   base::StepId kmax;
   base::StepId kmin;
   std::optional<std::size_t> spectrum; ///< of Model::spectra, in place of the two steps
+  /// How its cycles act on each other: of Model::interactions, empty entries are none. The first
+  /// one counts.
+  std::vector<std::optional<std::size_t>> interactions;
   SlipHistoryOverGrowth history = SlipHistoryOverGrowth::restart;
   ContactMountingPolicy mounted = ContactMountingPolicy::each;
   std::vector<double> lengths; ///< law increment [length]

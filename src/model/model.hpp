@@ -8,6 +8,7 @@
 #include "model/cracks.hpp"
 #include "model/freedoms.hpp"
 #include "model/growth_test.hpp"
+#include "model/interaction_rules.hpp"
 #include "model/loads.hpp"
 #include "model/materials.hpp"
 #include "model/mesh.hpp"
@@ -67,6 +68,7 @@ struct Model {
   std::vector<std::string> imported_files; ///< paths of what $IMPORT brought in
   std::vector<LoadPathDefinition> load_paths;
   std::vector<SpectrumDefinition> spectra;
+  std::vector<LoadInteractionDefinition> interactions;
   std::vector<GrowthTestReadings> tests;
 
   /// Property of an element of the mesh `m`, the model's own or one that cracks have cut out of it.

@@ -131,6 +131,10 @@ void add_growth(HtmlPage& page, const model::Model& model, const results::RunRes
   page.add_heading("Crack growth");
   add_figures(page, figures);
   page.add_table(without_title(reported_growth_station_table(model, run)));
+  page.add_table(compared_lives_table(model, run));
+  for (const std::string& sentence : run.growth->interaction) {
+    page.add_paragraph(sentence + ".");
+  }
 }
 
 void add_tests(HtmlPage& page, const model::Model& model, const results::RunResult& run) {

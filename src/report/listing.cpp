@@ -175,6 +175,9 @@ std::string listing_text(const base::SourceTexts& sources, const model::Model& m
   if (run.growth) {
     out += heading("GROWTH") + life_summary(model, run) + "\n" +
            table_to_text(without_title(growth_station_table(model, run)));
+    if (const ReportTable lives = compared_lives_table(model, run); !lives.rows.empty()) {
+      out += "\n" + table_to_text(lives);
+    }
   }
   out += tests_text(model, run);
   out += check_text(run);

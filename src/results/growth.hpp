@@ -4,6 +4,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// Growth of cracks by a law: lengths over cycles.
@@ -41,12 +42,18 @@ struct LifeCurvePoint {
   std::vector<double> a; ///< [point] as point_names
 };
 
-/// The same growth with K taken from a line instead of from every load.
-struct ScaledKLife {
-  std::string name;   ///< what the line goes through
+/// The same growth counted otherwise: with K taken from a line instead of from every load, or with
+/// other rules of how cycles act on each other.
+struct ComparedLife {
+  std::string name;   ///< short: "scaled", "line", or the card of the interaction
+  std::string what;   ///< in words
   double ratio = 0.0; ///< its cycles over those of the growth, from the first to the last a
   std::vector<LifeCurvePoint> curve; ///< of one tip
 };
+
+/// Names of lives by one K that is scaled with the load, and by a line of K over a load path.
+inline constexpr std::string_view life_of_scaled_K = "scaled";
+inline constexpr std::string_view life_by_line_of_K = "line";
 
 struct GrowthResult {
   std::string unit;                     ///< of N and per what the rates are: "cycle" or "pass"
@@ -64,8 +71,10 @@ struct GrowthResult {
   /// Of a spectrum's pass: ranges of the load path's t, falling, and how many of its cycles,
   /// counted by rainflow on the loads, are as large or larger; of very many the ones that tell.
   std::vector<std::array<double, 2>> ranges;
-  bool followed = false;           ///< friction makes K a history, which was followed
-  std::vector<ScaledKLife> scaled; ///< empty: K is proportional to the load, or several tips grow
+  bool followed = false; ///< friction makes K a history, which was followed
+  /// How the cycles of a spectrum act on each other, sentences; empty: they do not.
+  std::vector<std::string> interaction;
+  std::vector<ComparedLife> compared;
 
   [[nodiscard]] double final_cycles() const { return curve.empty() ? 0.0 : curve.back().cycles; }
 };

@@ -149,7 +149,7 @@ template <class V, RecordOfType<GrowthStation> T> void fields(V& v, T& r) {
 }
 
 SPRICKA_STORED_RECORD(LifeCurvePoint, cycles, a)
-SPRICKA_STORED_RECORD(ScaledKLife, name, ratio, curve)
+SPRICKA_STORED_RECORD(ComparedLife, name, what, ratio, curve)
 
 template <class V, RecordOfType<GrowthResult> T> void fields(V& v, T& r) {
   v("unit", r.unit);
@@ -165,7 +165,8 @@ template <class V, RecordOfType<GrowthResult> T> void fields(V& v, T& r) {
   v("counted", r.counted);
   v("ranges", r.ranges);
   v("followed", r.followed);
-  v("scaled", r.scaled);
+  v("interaction", r.interaction);
+  v("compared", r.compared);
 }
 
 SPRICKA_STORED_RECORD(GrowthTestPoint, cycles, a, rate, rate_low, rate_high, R, K, low, high,

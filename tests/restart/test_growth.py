@@ -110,6 +110,15 @@ class Growth(RestartTest):
     def test_spectrum(self):
         self.check(SPECTRUM + LAW.format(amax=4) + "SPECTRUM=FLIGHT")
 
+    def test_cycles_that_act_on_each_other(self):
+        """Stopped inside the zones of overloads."""
+        overloads = """$SPECTRUM NAME=FLIGHT PATH=UP TYPE=BLOCKS
+  0 1 1
+  0 0.6 300
+$INTERACTION NAME=WH TYPE=WHEELER W=1.4 ZONE=IRWIN2 YIELD=300
+"""
+        self.check(overloads + LAW.format(amax=4) + "SPECTRUM=FLIGHT INTERACTION=WH,NONE")
+
     def test_to_a_tolerance(self):
         self.check("$TIPNET CRACK=C TOL=0.0001\n" + STEPS.format(amax=4), sessions=6)
         listing = (self.folder / "whole.run" / "listing.txt").read_text(encoding="utf-8")

@@ -2,6 +2,7 @@
 #include "analysis/lengths/growth_loop.hpp"
 
 #include "analysis/adjoint/error_bars_base.hpp"
+#include "analysis/lengths/compared_lives.hpp"
 #include "analysis/lengths/growth_measure.hpp"
 #include "analysis/lengths/growth_records.hpp"
 #include "analysis/lengths/growth_region.hpp"
@@ -9,10 +10,10 @@
 #include "analysis/lengths/kept_fronts.hpp"
 #include "analysis/lengths/length_solver.hpp"
 #include "analysis/lengths/log_writer.hpp"
+#include "analysis/lengths/pass_counter.hpp"
 #include "analysis/lengths/pictured_steps.hpp"
 #include "analysis/lengths/recorder.hpp"
 #include "analysis/lengths/resume.hpp"
-#include "analysis/lengths/scaled_lives.hpp"
 #include "analysis/lengths/shown_results.hpp"
 #include "growth/advance_error.hpp"
 #include "growth/crack_lines.hpp"
@@ -76,7 +77,8 @@ public:
         of_another_law ? std::nullopt : take_over_kept();
     growth::GrowthIntegrator integrator = restore_or_report_damage([&] {
       return growth::GrowthIntegrator(model_, law, std::move(kinematics),
-                                      kept ? state_from(*kept) : growth::GrowthState());
+                                      kept ? state_from(*kept) : growth::GrowthState(),
+                                      extent_after_passes());
     });
     RecondensedGrowthRegion region(model_);
     if (kept) {
@@ -118,6 +120,17 @@ public:
   }
 
 private:
+  // Where cycles act on each other the passes are not those of the stations' rates.
+  [[nodiscard]] growth::ExtentAfterCycles extent_after_passes() const {
+    if (!measure_.interaction()) {
+      return {};
+    }
+    return [this](const std::vector<growth::SolvedStation>& stations, double passes) {
+      return PassCounter(*measure_.spectrum(), *measure_.interaction())
+          .extent_after_passes(stations, passes);
+    };
+  }
+
   // Stations of an earlier run; the state behind the last of them.
   std::optional<results::NamedArrays> take_over_kept() {
     const ScopedProfileInterval span(options_.checkpoint != nullptr ? options_.recorder : nullptr,
@@ -291,7 +304,9 @@ private:
       }
     }
     run_.growth = growth_records(model_, integrator, measure_);
-    run_.growth->scaled = lives_by_proportional_K(model_, run_, integrator, measure_);
+    run_.growth->compared = lives_by_other_interactions(model_, integrator, measure_);
+    std::ranges::move(lives_by_proportional_K(model_, run_, integrator, measure_),
+                      std::back_inserter(run_.growth->compared));
     LogWriter(run_.log).add_line(
         "GROW", fmt::format("{}: {}; {} stations, {} solutions did not count", run_.growth->ended,
                             run_.growth->reason, integrator.growth_state().stations.size(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/lengths/growth_measure.hpp"
 
+#include "analysis/lengths/pass_counter.hpp"
 #include "analysis/lengths/path_correction.hpp"
 #include "crack/direction.hpp"
 #include "growth/net_section.hpp"
@@ -78,7 +79,11 @@ life::GrowthRateLaw growth_law(const model::CrackGrowthSettings& growth) {
 
 GrowthRateEvaluator::GrowthRateEvaluator(const model::Model& model)
     : model_(model), law_(growth_law(*model.growth)), spectrum_(spectrum_of(model)),
-      around_(model.mesh), warnings_(*model.growth) {}
+      around_(model.mesh), warnings_(*model.growth) {
+  if (!model.growth->interactions.empty()) {
+    interaction_.emplace(make_load_interaction(model, model.growth->interactions.front()));
+  }
+}
 
 bool GrowthRateEvaluator::no_rate(std::string why) {
   trouble_ = base::OperationFailure{.kind = base::ProgramOutcome::not_solvable,

@@ -8,6 +8,7 @@
 #include "growth/ahead.hpp"
 #include "growth/growth_integrator.hpp"
 #include "life/growth_law.hpp"
+#include "life/load_interaction.hpp"
 #include "life/spectrum.hpp"
 #include "mesh/cut/cracked.hpp"
 #include "model/forward.hpp"
@@ -77,6 +78,14 @@ public:
   [[nodiscard]] const life::GrowthRateLaw& law() const { return law_; }
   [[nodiscard]] const std::optional<life::CountedSpectrum>& spectrum() const { return spectrum_; }
   [[nodiscard]] bool counts_cycles_on_K() const { return counted_on_K_; }
+  /// da of one pass of the spectrum whose K over the load path is `K`: once it is like the one
+  /// before where cycles act on each other [length].
+  [[nodiscard]] double growth_per_pass(const base::PiecewiseLinear& K,
+                                       const model::PlaceOnCrack& place) const;
+  /// How the cycles of the spectrum act on each other; empty: they do not.
+  [[nodiscard]] const std::optional<life::LoadInteraction>& interaction() const {
+    return interaction_;
+  }
 
   /// What it remembers of earlier states, as arrays "growth..." for a restart file.
   void save_state(results::NamedArrays& arrays) const {
@@ -119,6 +128,7 @@ private:
   const model::Model& model_;
   life::GrowthRateLaw law_;
   std::optional<life::CountedSpectrum> spectrum_;
+  std::optional<life::LoadInteraction> interaction_; ///< the first of the deck
   growth::PlaneBoundaryAhead around_;
   base::OptionalFailure trouble_;
   bool upside_down_ = false;

@@ -2,6 +2,7 @@
 #include "analysis/lengths/growth_records.hpp"
 
 #include "analysis/adjoint/error_bars_base.hpp"
+#include "analysis/lengths/pass_counter.hpp"
 #include "analysis/steps/history_program.hpp"
 #include "base/tidy.hpp"
 #include "model/model.hpp"
@@ -88,24 +89,37 @@ std::string threshold_words(const model::Model& model, const std::vector<std::st
 
 } // namespace
 
-std::vector<results::LifeCurvePoint> life_curve(const growth::GrowthIntegrator& integrator,
-                                                const growth::GrowthTrajectory& counted,
-                                                std::size_t tips) {
+std::vector<double> life_curve_places(const growth::GrowthIntegrator& integrator) {
   constexpr int points = 16; // between two stations
   const std::vector<growth::SolvedStation>& stations = integrator.growth_state().stations;
-  const growth::GrowthTrajectory between = integrator.trajectory();
   const double end = integrator.growth_end() ? integrator.growth_end()->s : stations.back().s;
-  std::vector<results::LifeCurvePoint> curve;
-  curve.push_back(point_at(between, stations.front().s, 0.0, tips));
+  std::vector<double> places{stations.front().s};
   for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
     const double last = std::min(stations[i + 1].s, end);
-    double before = stations[i].s;
-    for (int k = 1; k <= points && before < last; ++k) {
-      const double s = k == points ? last : stations[i].s + (last - stations[i].s) * k / points;
-      const double cycles = curve.back().cycles + counted.cycles(before, s);
-      curve.push_back(point_at(between, s, cycles, tips));
-      before = s;
+    for (int k = 1; k <= points && places.back() < last; ++k) {
+      places.push_back(k == points ? last : stations[i].s + (last - stations[i].s) * k / points);
     }
+  }
+  return places;
+}
+
+std::vector<double> cycles_at(const growth::GrowthTrajectory& counted,
+                              const std::vector<double>& places) {
+  std::vector<double> cycles{0.0};
+  for (std::size_t k = 1; k < places.size(); ++k) {
+    cycles.push_back(cycles.back() + counted.cycles(places[k - 1], places[k]));
+  }
+  return cycles;
+}
+
+std::vector<results::LifeCurvePoint> life_curve(const growth::GrowthIntegrator& integrator,
+                                                const std::vector<double>& cycles,
+                                                std::size_t tips) {
+  const std::vector<double> places = life_curve_places(integrator);
+  const growth::GrowthTrajectory between = integrator.trajectory();
+  std::vector<results::LifeCurvePoint> curve;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    curve.push_back(point_at(between, places[k], cycles[k], tips));
   }
   return curve;
 }
@@ -119,6 +133,62 @@ void log_last_station(const growth::GrowthIntegrator& integrator, LogWriter& log
                            stations.size(), tip.a, tip.K_min, tip.K_max, tip.rate,
                            integrator.trajectory().cycles(stations.front().s, here.s)));
 }
+
+namespace {
+
+struct CycleCounts {
+  std::vector<double> at_places; ///< of the dense curve
+  std::vector<double> at_stations;
+};
+
+CycleCounts count_cycles(const growth::GrowthIntegrator& integrator,
+                         const GrowthRateEvaluator& measure) {
+  const std::vector<growth::SolvedStation>& stations = integrator.growth_state().stations;
+  const growth::GrowthTrajectory between = integrator.trajectory();
+  const std::vector<double> places = life_curve_places(integrator);
+  CycleCounts counts;
+  if (!measure.interaction()) {
+    std::vector<double> at;
+    for (const growth::SolvedStation& station : stations) { // also behind the end
+      at.push_back(station.s);
+    }
+    return {.at_places = cycles_at(between, places), .at_stations = cycles_at(between, at)};
+  }
+  std::vector<double> all = places;
+  if (stations.back().s > places.back()) {
+    all.push_back(stations.back().s);
+  }
+  std::vector<double> passes =
+      PassCounter(*measure.spectrum(), *measure.interaction()).passes_at(stations, all);
+  for (const growth::SolvedStation& station : stations) {
+    const auto place = std::ranges::lower_bound(all, station.s);
+    counts.at_stations.push_back(passes[static_cast<std::size_t>(place - all.begin())]);
+  }
+  passes.resize(places.size());
+  counts.at_places = std::move(passes);
+  return counts;
+}
+
+// What a reader has to know of how cycles act on each other.
+std::vector<std::string> interaction_words(const model::Model& model,
+                                           const std::vector<growth::SolvedStation>& stations,
+                                           const GrowthRateEvaluator& measure) {
+  std::vector<std::string> words{"Cycles act on each other by " +
+                                 describe_interaction(model, *measure.interaction(), stations)};
+  words.emplace_back(
+      PassCounter(*measure.spectrum(), *measure.interaction()).follows_each_cycle(stations)
+          ? "Each cycle was followed, in the order of the spectrum"
+          : "Passes were counted by what a pass grows at the solved lengths once "
+            "it is like the one before");
+  const auto& rules = model.growth->interactions;
+  for (std::size_t i = 1; i < rules.size(); ++i) {
+    words.push_back("Beside it " +
+                    describe_interaction(model, make_load_interaction(model, rules[i]), stations));
+  }
+  return words;
+}
+
+} // namespace
 
 results::GrowthResult growth_records(const model::Model& model,
                                      const growth::GrowthIntegrator& integrator,
@@ -138,23 +208,25 @@ results::GrowthResult growth_records(const model::Model& model,
     out.point_names.push_back(tip.name);
   }
   const std::vector<growth::SolvedStation>& stations = integrator.growth_state().stations;
-  const growth::GrowthTrajectory between = integrator.trajectory();
-  double at_station = 0.0; // also behind the end
-  out.curve = life_curve(integrator, between, out.point_names.size());
+  const CycleCounts counts = count_cycles(integrator, measure);
+  out.curve = life_curve(integrator, counts.at_places, out.point_names.size());
+  if (measure.interaction()) {
+    out.interaction = interaction_words(model, stations, measure);
+  }
   for (std::size_t i = 0; i < stations.size(); ++i) {
     results::GrowthStation station;
     station.increment = static_cast<int>(i) + 1;
-    at_station += i > 0 ? between.cycles(stations[i - 1].s, stations[i].s) : 0.0;
-    station.cycles = at_station;
+    station.cycles = counts.at_stations[i];
     if (stations[i].breakthroughs > 0) {
       const std::size_t met = stations[i].met;
       out.passages.push_back(fmt::format(
-          "{} {} between stations {} and {}, at {:.6g} {}",
+          "{} {} between stations {} and {}, at {:.6g} {}{}",
           out.point_names[stations[i].breakthroughs - 1],
           met > 0
               ? fmt::format("meets crack {}, and the two go on as one", model.cracks[met - 1].name)
               : "goes through a surface",
-          i, i + 1, at_station, out.unit == "pass" ? "passes" : "cycles"));
+          i, i + 1, station.cycles, out.unit == "pass" ? "passes" : "cycles",
+          measure.interaction() ? "; what it remembered of overloads ends there" : ""));
     }
     for (std::size_t tip = 0; tip < out.point_names.size(); ++tip) {
       const growth::TipStation& t = stations[i].tips[tip];

@@ -11,10 +11,14 @@
 
 namespace spricka::analysis {
 
-/// Arms of the first tips against cycles, from the first station to the end of the growth, with
-/// cycles counted by `counted`.
+/// The s of the points of a dense curve from the first station to the end of the growth.
+std::vector<double> life_curve_places(const growth::GrowthIntegrator& integrator);
+/// Cycles from the first of ascending places to each of them.
+std::vector<double> cycles_at(const growth::GrowthTrajectory& counted,
+                              const std::vector<double>& places);
+/// Arms of the first tips at the places of the curve, against cycles [place].
 std::vector<results::LifeCurvePoint> life_curve(const growth::GrowthIntegrator& integrator,
-                                                const growth::GrowthTrajectory& counted,
+                                                const std::vector<double>& cycles,
                                                 std::size_t tips);
 
 /// Tells the log of the station that counts last: its first tip and the cycles to it.

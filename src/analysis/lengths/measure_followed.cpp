@@ -34,15 +34,14 @@ template <class KOf> base::Vec2 largest(const LoadPassResult& pass, const KOf& K
 // The K that the law is given, out of those of all tips [crack::KLayout].
 using KOfLaw = std::function<double(const base::Vector&)>;
 
-/// The growth of a cycle of K at a place of a crack.
-using GrowthOfCycle = std::function<double(double K_max, double K_min)>;
+/// The growth of cycles of K, in their order, at a place of a crack.
+using GrowthOfCycles = std::function<double(const std::vector<life::LoadCycle>&)>;
 
 // Rate and extremes of K in a pass of the spectrum that was followed.
-void measure_pass(const GrowthOfCycle& growth, model::CycleCounting counting,
+void measure_pass(const GrowthOfCycles& growth, model::CycleCounting counting,
                   const LoadPassResult& pass, const KOfLaw& K, growth::TipStation& found) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
-  found.rate = 0.0;
   const auto count = [&](const KSequence& way, double times) {
     std::vector<double> along;
     along.reserve(way.size());
@@ -52,23 +51,23 @@ void measure_pass(const GrowthOfCycle& growth, model::CycleCounting counting,
       high = std::max(high, k);
     }
     // Counted on K itself: with friction it is no function of the load.
-    for (const life::LoadCycle& cycle : life::order_cycles(along, counting)) {
-      if (cycle.high > 0.0 && cycle.high > cycle.low) {
-        found.rate += times * cycle.count * growth(cycle.high, cycle.low);
-      }
+    for (life::LoadCycle cycle : life::order_cycles(along, counting)) {
+      cycle.count *= times;
+      found.cycles_of_K.push_back(cycle);
     }
   };
   count(pass.way, 1.0);
   for (const auto& [way, times] : pass.cycles) {
     count(way, times);
   }
+  found.rate = growth(found.cycles_of_K);
   found.K_min = low;
   found.K_max = std::max(0.0, high);
 }
 
 // Rate and extremes of the loads that were followed, of the first cycle and of those that repeat
 // themselves.
-void measure_loads(const GrowthOfCycle& growth, const model::SpectrumDefinition* spectrum,
+void measure_loads(const GrowthOfCycles& growth, const model::SpectrumDefinition* spectrum,
                    const LoadHistoryKResult& loads, const KOfLaw& K, growth::TipStation& found) {
   growth::TipStation first; // of the first cycle or pass
   if (spectrum != nullptr) {
@@ -77,7 +76,7 @@ void measure_loads(const GrowthOfCycle& growth, const model::SpectrumDefinition*
   } else {
     found.K_max = std::max(0.0, K(loads.last.marks[loads.grow_at]));
     found.K_min = K(loads.last.marks[loads.smallest]);
-    found.rate = found.K_max > found.K_min ? growth(found.K_max, found.K_min) : 0.0;
+    found.rate = growth({{found.K_min, found.K_max, 1.0}});
     first.K_max = std::max(0.0, K(loads.first.marks[loads.grow_at]));
     first.K_min = K(loads.first.marks[loads.smallest]);
   }
@@ -105,13 +104,22 @@ bool GrowthRateEvaluator::by_history(const SolvedCrackState& at, const GrowingPl
                        : spectrum_     ? largest(loads.last, K_of)
                                        : grown;
   const base::Vec2 part = kink_tip_and_get_K_factors(model_, K, to.straight, found);
-  const GrowthOfCycle growth = [&](double K_max, double K_min) {
-    look_at_threshold(to, K_max, K_min);
-    return law_.growth_rate(K_max, K_min, to.on_crack);
+  const GrowthOfCycles growth = [&](const std::vector<life::LoadCycle>& cycles) {
+    double sum = 0.0;
+    for (const life::LoadCycle& cycle : cycles) {
+      if (cycle.high > 0.0 && cycle.high > cycle.low) {
+        look_at_threshold(to, cycle.high, cycle.low);
+        sum += cycle.count * law_.growth_rate(cycle.high, cycle.low, to.on_crack);
+      }
+    }
+    return interaction_ ? interaction_->growth_of_settled_pass(cycles, to.on_crack) : sum;
   };
   measure_loads(
       growth, spectrum_ ? &model_.spectra[*model_.growth->spectrum] : nullptr, loads,
       [&](const base::Vector& all) { return part.dot(K_of(all)); }, found);
+  if (!interaction_) {
+    found.cycles_of_K.clear(); // a sum needs no order
+  }
   if (front.is_tip()) {
     if (!spectrum_) {
       note_order(to.name, found.K_min > found.K_max);

@@ -64,6 +64,13 @@ base::PiecewiseLinear GrowthRateEvaluator::on_path(const SolvedCrackState& at,
   return below ? std::move(*below) : std::move(K);
 }
 
+double GrowthRateEvaluator::growth_per_pass(const base::PiecewiseLinear& K,
+                                            const model::PlaceOnCrack& place) const {
+  return interaction_
+             ? interaction_->growth_of_settled_pass(spectrum_->cycles_in_order_as_K(K), place)
+             : spectrum_->growth_per_pass(law_, K, place);
+}
+
 bool GrowthRateEvaluator::by_spectrum(const SolvedCrackState& at, const GrowingPlace& to,
                                       growth::TipStation& found) {
   const model::SpectrumDefinition& card = model_.spectra[*model_.growth->spectrum];
@@ -92,7 +99,10 @@ bool GrowthRateEvaluator::by_spectrum(const SolvedCrackState& at, const GrowingP
   const auto [low, high] = spectrum_->extreme_K(K);
   found.K_min = low;
   found.K_max = std::max(0.0, high);
-  found.rate = spectrum_->growth_per_pass(law_, K, to.on_crack);
+  found.rate = growth_per_pass(K, to.on_crack);
+  if (interaction_) {
+    found.K_over_path = K;
+  }
   if (law_.has_constant_threshold()) {
     for (const life::LoadCycle& cycle : spectrum_->cycles_as_K(K)) {
       look_at_threshold(to, cycle.high, cycle.low);

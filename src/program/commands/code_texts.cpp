@@ -94,6 +94,8 @@ constexpr std::array advice{
     CodeMeaning{"E328",
                 "spricka check prints what the body has of a flaw. AT=BORE,ZMAX is the edge "
                 "where two faces of NET meet, AT=BORE one face; ANGLE counts about its axis."},
+    CodeMeaning{"E329",
+                "manual/interaction.md has what each TYPE of $INTERACTION needs of the law."},
     CodeMeaning{"E331", "The words are gmsh's. Try the file in gmsh itself."},
     CodeMeaning{"E332",
                 "Give curves and surfaces their names with Physical in the .geo file; of a STEP "

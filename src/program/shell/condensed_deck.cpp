@@ -160,6 +160,7 @@ base::OptionalFailure CondensedDeck::change_growth_law(const deck::DeckCardList&
   model::Model& model = *deck_.model;
   model.growth = std::move(cards->growth);
   model.spectra = std::move(cards->spectra);
+  model.interactions = std::move(cards->interactions);
   model.parameters = std::move(cards->parameters);
   other_cards_ = cards_without_cracks_text(text);
   growth_.forget_result();

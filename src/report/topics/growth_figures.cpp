@@ -107,7 +107,13 @@ double largest_place(const model::SpectrumDefinition& spectrum) {
 /// K over the load at a length in the middle, and the lines that the other lives have taken it
 /// from; empty: there is no map.
 std::string lines_picture(const model::Model& model, const results::RunResult& run) {
-  if (run.growth->scaled.empty() || !model.growth->spectrum || run.increments.empty()) {
+  std::vector<bool> through_zero; // of the lives that took K from a line
+  for (const results::ComparedLife& other : run.growth->compared) {
+    if (other.name == results::life_of_scaled_K || other.name == results::life_by_line_of_K) {
+      through_zero.push_back(other.name == results::life_of_scaled_K);
+    }
+  }
+  if (through_zero.empty() || !model.growth->spectrum || run.increments.empty()) {
     return {};
   }
   const model::SpectrumDefinition& spectrum = model.spectra[*model.growth->spectrum];
@@ -130,8 +136,8 @@ std::string lines_picture(const model::Model& model, const results::RunResult& r
     exact.points.push_back({path.t[k], K1.value_at_knot(k)});
   }
   plot.series.push_back(std::move(exact));
-  for (std::size_t k = 0; k < run.growth->scaled.size(); ++k) {
-    const bool scaled = run.growth->scaled[k].name == "scaled";
+  for (std::size_t k = 0; k < through_zero.size(); ++k) {
+    const bool scaled = through_zero[k];
     PlotSeries line =
         styled_curve(scaled ? "scaled with the load" : "a line through t = 0 and the largest load",
                      1 + k, 1 + k);
@@ -154,14 +160,19 @@ Figure life_figure(const model::Model& model, const results::RunResult& run) {
   }
   add_checks(plot, model);
   std::string more;
-  for (std::size_t k = 0; k < growth.scaled.size(); ++k) {
+  for (std::size_t k = 0; k < growth.compared.size(); ++k) {
     PlotSeries& series = plot.series.emplace_back(
-        styled_curve(scaled_k_life_legend(growth.scaled[k]), reported.size() + k, 1 + k));
-    series.points = life_points(growth.scaled[k].curve, 0);
+        styled_curve(compared_life_legend(growth.compared[k]), reported.size() + k, 1 + k));
+    series.points = life_points(growth.compared[k].curve, 0);
     plot.legend_below = true;
-    plot.series.front().name = reported.front().name + ", K of every load";
-    more = " Dashed: the life if K is taken from a straight line over the load, which the computed "
-           "K does not follow.";
+    plot.series.front().name =
+        reported.front().name +
+        (growth.interaction.empty() ? ", K of every load" : ", " + first_interaction_name(model));
+    more = growth.interaction.empty()
+               ? " Dashed: the life if K is taken from a straight line over the load, which the "
+                 "computed K does not follow."
+               : " Dashed: other rules of how cycles act on each other, or one K scaled with the "
+                 "load.";
   }
   std::vector<std::string> pictures{draw_svg(plot)};
   if (std::string lines = lines_picture(model, run); !lines.empty()) {

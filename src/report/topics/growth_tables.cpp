@@ -167,7 +167,7 @@ void write_life_curve_csv(const std::filesystem::path& file, const model::Model&
     columns.exact("a_" + growth.point_names[i],
                   [&growth, i](std::size_t k) { return growth.curve[k].a[i]; });
   }
-  for (const results::ScaledKLife& other : growth.scaled) { // at the same lengths
+  for (const results::ComparedLife& other : growth.compared) { // at the same lengths
     const std::vector<results::LifeCurvePoint>& curve = other.curve;
     columns.fill_only_if([&curve](std::size_t k) { return k < curve.size(); });
     columns.exact("N_" + other.name, [&curve](std::size_t k) { return curve[k].cycles; });
@@ -214,6 +214,35 @@ ReportTable reported_growth_station_table(const model::Model& model,
                                           const results::RunResult& run) {
   const results::GrowthResult growth = run.growth.value_or(results::GrowthResult());
   return station_table(model, growth, reported_growth_points(growth));
+}
+
+std::string first_interaction_name(const model::Model& model) {
+  const std::optional<std::size_t> first = model.growth->interactions.front();
+  return first ? model.interactions[*first].name : "NONE";
+}
+
+ReportTable compared_lives_table(const model::Model& model, const results::RunResult& run) {
+  struct Life {
+    std::string name;
+    double ratio;
+  };
+  std::vector<Life> lives;
+  double own = 0.0;
+  std::string unit;
+  if (run.growth && !run.growth->interaction.empty()) {
+    own = run.growth->final_cycles();
+    unit = run.growth->unit;
+    lives.push_back({"interaction " + first_interaction_name(model), 1.0});
+    for (const results::ComparedLife& other : run.growth->compared) {
+      lives.push_back({other.what, other.ratio});
+    }
+  }
+  Columns<Life> columns;
+  columns.words("life by", [](const Life& life) { return life.name; })
+      .number("N", unit, [own](const Life& life) { return life.ratio * own; })
+      .number(
+          "over the first", "", [](const Life& life) { return life.ratio; }, "{:.4g}");
+  return columns.table("Lives side by side", lives);
 }
 
 namespace {
@@ -313,11 +342,9 @@ std::string law_K_words(const model::Model& model, const results::RunResult& run
 
 } // namespace
 
-std::string scaled_k_life_legend(const results::ScaledKLife& other) {
-  const std::string what = other.name == "scaled" ? "one K scaled with the load"
-                                                  : "a line through t = 0 and the largest load";
-  return other.ratio < 0.5 ? fmt::format("{}: 1/{:.2f} of the life", what, 1.0 / other.ratio)
-                           : fmt::format("{}: {:.2f} times the life", what, other.ratio);
+std::string compared_life_legend(const results::ComparedLife& other) {
+  return other.ratio < 0.5 ? fmt::format("{}: 1/{:.2f} of the life", other.what, 1.0 / other.ratio)
+                           : fmt::format("{}: {:.2f} times the life", other.what, other.ratio);
 }
 
 std::string life_summary(const model::Model& model, const results::RunResult& run) {
@@ -346,8 +373,13 @@ std::string life_summary(const model::Model& model, const results::RunResult& ru
     out += history_summary(model, growth);
   }
   out += ratio_words(model, run);
-  for (const results::ScaledKLife& other : growth.scaled) {
-    out += fmt::format("For comparison, {}.\n", scaled_k_life_legend(other));
+  for (const std::string& sentence : growth.interaction) {
+    out += sentence + ".\n";
+  }
+  for (const results::ComparedLife& other : growth.compared) {
+    if (growth.interaction.empty()) { // else there is a table
+      out += fmt::format("For comparison, {}.\n", compared_life_legend(other));
+    }
   }
   if (!growth.curve.empty()) {
     for (std::size_t i = 0; i < growth.point_names.size(); ++i) {

@@ -52,6 +52,28 @@ TEST(GrowthState, ComesBackFromItsArrays) {
   EXPECT_TRUE(back.tips[0].on_a && back.tips[0].shared && !back.tips[0].paired);
 }
 
+// K of all loads, of which lives are counted whose cycles act on each other.
+TEST(GrowthState, KeepsKOverTheLoadPath) {
+  growth::GrowthState state;
+  TipStation tip{.a = 1.0};
+  tip.K_over_path = base::PiecewiseLinear({0.0, 0.3, 1.0}, {1.0, 2.0}, {10.0 / 3.0, 0.1});
+  TipStation followed{.a = 2.0};
+  followed.cycles_of_K = {{0.5, 2.0, 3.0}, {-1.0, 1.0, 0.5}};
+  state.stations.push_back({.s = 3.0, .tips = {tip, followed}});
+  growth::NamedValueArrays arrays = growth::growth_state_to_arrays(state);
+  const growth::GrowthState back = growth::growth_state_from_arrays(arrays);
+  const std::vector<TipStation>& tips = back.stations.at(0).tips;
+  EXPECT_EQ(tips.at(0).K_over_path.knots(), tip.K_over_path.knots());
+  EXPECT_EQ(tips.at(0).K_over_path.segment_start_values(), tip.K_over_path.segment_start_values());
+  EXPECT_EQ(tips.at(0).K_over_path.segment_slopes(), tip.K_over_path.segment_slopes());
+  EXPECT_TRUE(tips.at(1).K_over_path.empty());
+  ASSERT_EQ(tips.at(1).cycles_of_K.size(), 2U);
+  EXPECT_EQ(tips.at(1).cycles_of_K[1].low, -1.0);
+  EXPECT_EQ(tips.at(1).cycles_of_K[1].count, 0.5);
+  arrays["path_segment.begin"] = {0.3, 0.0};
+  EXPECT_THROW(growth::growth_state_from_arrays(arrays), base::CorruptStoredField);
+}
+
 TEST(GrowthState, NamesTheDamagedField) {
   growth::GrowthState state;
   state.stations.push_back({1.0, {TipStation{}}});

@@ -129,7 +129,7 @@ using AllRecords =
                      ContactPoint, ContactResult, ForceBalance, NetErrorEstimate, OuterSurfaceFace,
                      LoadPathFrontPoint, LoadPathFront, LoadPathContact, ContactStatusChange,
                      LoadPathResult, LogLine, CheckResult, ToleranceRound, GrownPointResult,
-                     GrowthStation, LifeCurvePoint, ScaledKLife, GrowthResult, GrowthTestPoint,
+                     GrowthStation, LifeCurvePoint, ComparedLife, GrowthResult, GrowthTestPoint,
                      GrowthTestResult, base::SourceSpan, model::NodeSet, model::ElementSet,
                      model::FaceSet>;
 TYPED_TEST_SUITE(Records, AllRecords);

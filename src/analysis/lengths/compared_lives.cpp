@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/lengths/scaled_lives.hpp"
+#include "analysis/lengths/compared_lives.hpp"
 
 #include "analysis/lengths/growth_records.hpp"
+#include "analysis/lengths/pass_counter.hpp"
 #include "analysis/lengths/place_on_front.hpp"
 #include "analysis/steps/history_program.hpp"
 #include "analysis/steps/step_factors.hpp"
@@ -55,9 +56,9 @@ on_line(const std::vector<results::LoadPathResult>& paths,
         return std::nullopt;
       }
       const double K0 = through_zero ? 0.0 : (*K1)(0.0);
-      const base::PiecewiseLinear line({0.0, top}, {K0}, {((*K1)(top)-K0) / top});
-      tip.rate = tip.extent_rate_ratio * measure.spectrum()->growth_per_pass(
-                                             measure.law(), line, growth::place_of_tip(tip, tip.a));
+      base::PiecewiseLinear line({0.0, top}, {K0}, {((*K1)(top)-K0) / top});
+      tip.rate = tip.extent_rate_ratio * measure.growth_per_pass(line, place_of_tip(tip, tip.a));
+      tip.K_over_path = std::move(line);
     }
     if (!(stations[i].growth_rate() > 0.0)) {
       return std::nullopt;
@@ -66,27 +67,45 @@ on_line(const std::vector<results::LoadPathResult>& paths,
   return stations;
 }
 
-std::optional<results::ScaledKLife> life(const std::string& name,
-                                         const growth::GrowthIntegrator& integrator,
-                                         const growth::GrowthTrajectory& other) {
-  const std::vector<growth::SolvedStation>& stations = integrator.growth_state().stations;
-  const double end = integrator.growth_end() ? integrator.growth_end()->s : stations.back().s;
-  const growth::GrowthTrajectory between = integrator.trajectory();
-  results::ScaledKLife out;
-  out.name = name;
-  out.curve = life_curve(integrator, other, 1);
-  out.ratio = out.curve.back().cycles / between.cycles(stations.front().s, end);
-  const bool tells = std::isfinite(out.ratio) && std::abs(out.ratio - 1.0) > same_life;
-  return tells ? std::optional(std::move(out)) : std::nullopt;
+// Cycles at the places of the curve, as the growth itself counts them.
+std::vector<double> cycles_of(const growth::GrowthIntegrator& integrator,
+                              const std::vector<growth::SolvedStation>& stations,
+                              const GrowthRateEvaluator& measure) {
+  const std::vector<double> places = life_curve_places(integrator);
+  return measure.interaction()
+             ? PassCounter(*measure.spectrum(), *measure.interaction()).passes_at(stations, places)
+             : cycles_at(growth::GrowthTrajectory(stations, {}, 4), places);
+}
+
+// The same of the growth itself.
+std::vector<double> own_cycles(const growth::GrowthIntegrator& integrator,
+                               const GrowthRateEvaluator& measure) {
+  return measure.interaction() ? cycles_of(integrator, integrator.growth_state().stations, measure)
+                               : cycles_at(integrator.trajectory(), life_curve_places(integrator));
+}
+
+results::ComparedLife compared(std::string name, std::string what,
+                               const growth::GrowthIntegrator& integrator,
+                               const std::vector<double>& cycles,
+                               const std::vector<double>& those_of_the_growth) {
+  return {.name = std::move(name),
+          .what = std::move(what),
+          .ratio = cycles.back() / those_of_the_growth.back(),
+          .curve = life_curve(integrator, cycles, 1)};
+}
+
+std::string line_words(std::string_view name) {
+  return name == results::life_of_scaled_K ? "one K scaled with the load"
+                                           : "a line through t = 0 and the largest load";
 }
 
 } // namespace
 
-std::vector<results::ScaledKLife>
+std::vector<results::ComparedLife>
 lives_by_proportional_K(const model::Model& model, const results::RunResult& run,
                         const growth::GrowthIntegrator& integrator,
                         const GrowthRateEvaluator& measure) {
-  std::vector<results::ScaledKLife> out;
+  std::vector<results::ComparedLife> out;
   std::vector<growth::SolvedStation> stations = integrator.growth_state().stations;
   if (stations.size() < 2 || depends_on_load_order(model)) {
     return out;
@@ -97,9 +116,12 @@ lives_by_proportional_K(const model::Model& model, const results::RunResult& run
   if (tips > 0 && integrator.tips().size() > 1) {
     return out;
   }
-  const auto add = [&](std::optional<results::ScaledKLife> found) {
-    if (found) {
-      out.push_back(std::move(*found));
+  const std::vector<double> own = own_cycles(integrator, measure);
+  const auto add = [&](std::string_view name, const std::vector<double>& cycles) {
+    results::ComparedLife found =
+        compared(std::string(name), line_words(name), integrator, cycles, own);
+    if (std::isfinite(found.ratio) && std::abs(found.ratio - 1.0) > same_life) {
+      out.push_back(std::move(found));
     }
   };
   const std::vector<base::Vector> loads = loads_of_steps(model);
@@ -115,7 +137,8 @@ lives_by_proportional_K(const model::Model& model, const results::RunResult& run
                                                  const model::PlaceOnCrack& place) {
         return measure.law().growth_rate(K_max, K_min, place);
       };
-      add(life("scaled", integrator, growth::GrowthTrajectory(stations, law, 4)));
+      add(results::life_of_scaled_K,
+          cycles_at(growth::GrowthTrajectory(stations, law, 4), life_curve_places(integrator)));
     }
     return out;
   }
@@ -133,11 +156,31 @@ lives_by_proportional_K(const model::Model& model, const results::RunResult& run
   const base::Vector& to = loads[model.load_paths[path].to.index()];
   if (from.norm() == 0.0 && to.norm() > 0.0) {
     if (const auto scaled = on_line(paths, stations, measure, true)) {
-      add(life("scaled", integrator, growth::GrowthTrajectory(*scaled, {}, 4)));
+      add(results::life_of_scaled_K, cycles_of(integrator, *scaled, measure));
     }
   }
   if (const auto line = on_line(paths, stations, measure, false)) {
-    add(life("line", integrator, growth::GrowthTrajectory(*line, {}, 4)));
+    add(results::life_by_line_of_K, cycles_of(integrator, *line, measure));
+  }
+  return out;
+}
+
+std::vector<results::ComparedLife>
+lives_by_other_interactions(const model::Model& model, const growth::GrowthIntegrator& integrator,
+                            const GrowthRateEvaluator& measure) {
+  std::vector<results::ComparedLife> out;
+  const std::vector<growth::SolvedStation>& stations = integrator.growth_state().stations;
+  const auto& rules = model.growth->interactions;
+  if (stations.size() < 2 || rules.size() < 2) {
+    return out;
+  }
+  const std::vector<double> own = own_cycles(integrator, measure);
+  for (std::size_t i = 1; i < rules.size(); ++i) {
+    const life::LoadInteraction other = make_load_interaction(model, rules[i]);
+    const std::vector<double> passes =
+        PassCounter(*measure.spectrum(), other).passes_at(stations, life_curve_places(integrator));
+    out.push_back(compared(rules[i] ? model.interactions[*rules[i]].name : "NONE",
+                           describe_interaction(model, other, stations), integrator, passes, own));
   }
   return out;
 }
