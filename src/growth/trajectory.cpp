@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <utility>
 
 namespace spricka::growth {
@@ -92,6 +93,10 @@ GrowthTrajectory::GrowthTrajectory(const std::vector<SolvedStation>& stations,
           return tip.extent_rate_ratio != 1.0;
         });
   }
+  paths_ = std::ranges::all_of(stations_, [](const SolvedStation& station) {
+    return std::ranges::none_of(
+        station.tips, [](const TipStation& tip) { return tip.K_over_path.empty(); });
+  });
   for (const SolvedStation& station : stations_) {
     ln_s_.push_back(std::log(station.s));
   }
@@ -161,17 +166,50 @@ double GrowthTrajectory::plastic_load_ratio(std::size_t tip, double s) const {
 
 double GrowthTrajectory::tip_rate(std::size_t tip, std::size_t i, double s,
                                   const StationWeights& weights) const {
-  if (law_) {
+  const SolvedStation& right = stations_[std::min(i + 1, stations_.size() - 1)];
+  const auto of_arm = [&](double rate) {
+    return extents_differ_ ? extent_rate_ratio(stations_[i], right, tip, s) * rate : rate;
+  };
+  if (law_.of_cycle) {
     const double K = K_max(tip, weights);
     // K_min may be below 0 and has no logarithm: its ratio to K_max is interpolated.
     const double R = interpolate(weights, [&](std::size_t k) {
       const TipStation& t = stations_[k].tips[tip];
       return t.K_max > 0.0 ? t.K_min / t.K_max : 0.0;
     });
-    const double rate = law_(K, R * K, place_of_tip(stations_[i].tips[tip], crack_extent(tip, s)));
-    const SolvedStation& right = stations_[std::min(i + 1, stations_.size() - 1)];
-    return extents_differ_ ? extent_rate_ratio(stations_[i], right, tip, s) * rate : rate;
+    return of_arm(
+        law_.of_cycle(K, R * K, place_of_tip(stations_[i].tips[tip], crack_extent(tip, s))));
   }
+  if (law_.of_pass && paths_) {
+    return of_arm(law_.of_pass(K_over_path(tip, weights),
+                               place_of_tip(stations_[i].tips[tip], crack_extent(tip, s))));
+  }
+  return interpolated_rate(tip, i, s, weights);
+}
+
+// Each load by its part of K_max, as K_min in the rate of a cycle.
+base::PiecewiseLinear GrowthTrajectory::K_over_path(std::size_t tip,
+                                                    const StationWeights& weights) const {
+  std::set<double> knots;
+  for (std::size_t k = weights.first; k < weights.first + weights.points; ++k) {
+    const std::vector<double>& here = stations_[k].tips[tip].K_over_path.knots();
+    knots.insert(here.begin(), here.end());
+  }
+  const bool by_part = !ln_K_max_[tip].empty();
+  const double largest = by_part ? K_max(tip, weights) : 1.0;
+  std::vector<double> t(knots.begin(), knots.end());
+  std::vector<double> K;
+  for (const double load : t) {
+    K.push_back(largest * interpolate(weights, [&](std::size_t k) {
+                  const TipStation& station = stations_[k].tips[tip];
+                  return station.K_over_path(load) / (by_part ? station.K_max : 1.0);
+                }));
+  }
+  return base::PiecewiseLinear::through(std::move(t), std::move(K));
+}
+
+double GrowthTrajectory::interpolated_rate(std::size_t tip, std::size_t i, double s,
+                                           const StationWeights& weights) const {
   // a spectrum's rates, as far as they are numbers: none at a threshold, no bound at the toughness
   const auto usual = [&](std::size_t k) {
     const double rate = stations_[k].tips[tip].rate;

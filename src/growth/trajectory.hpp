@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -33,10 +34,10 @@ struct TipStation {
   /// Where friction makes K a history: K of its first cycle or pass, passes until it repeated
   /// itself, and what still changed in the last one over the largest K.
   double first_max = 0.0, first_min = 0.0, passes = 0.0, change = 0.0;
-  /// Of a spectrum whose cycles act on each other: K given to the law over the place on the load
-  /// path.
+  /// Of a spectrum: K given to the law over the place on the load path.
   base::PiecewiseLinear K_over_path{};
-  /// The same where friction makes K a history: the cycles of the pass that was followed, in order.
+  /// Where friction makes K a history and cycles act on each other: those of the pass that was
+  /// followed, in order.
   std::vector<life::LoadCycle> cycles_of_K{};
 };
 
@@ -90,13 +91,32 @@ private:
 double extent_rate_ratio(const SolvedStation& left, const SolvedStation& right, std::size_t tip,
                          double s);
 
-/// da/dN at K_max, K_min of a place; where it is empty (a spectrum) the stations' rates are
-/// interpolated.
-using GrowthRateFunction =
-    std::function<double(double K_max, double K_min, const model::PlaceOnCrack& place)>;
+/// Rates between stations: da/dN of a cycle at K_max and K_min of a place, or da of a pass of a
+/// spectrum whose K over the load path is known. Empty: the stations' rates are interpolated.
+class GrowthRateFunction {
+public:
+  using OfCycle =
+      std::function<double(double K_max, double K_min, const model::PlaceOnCrack& place)>;
+  using OfPass =
+      std::function<double(const base::PiecewiseLinear& K, const model::PlaceOnCrack& place)>;
 
-/// Functions of s between stations by polynomials through the nearest of them: ln K_max, K_min over
-/// K_max (or ln rate) over ln s; arms by cubics that take the rates as slopes (manual, growth.3).
+  GrowthRateFunction() = default;
+  template <class Law>
+  requires std::is_convertible_v<Law, OfCycle> &&
+           (!std::is_same_v<std::decay_t<Law>, GrowthRateFunction>)
+  GrowthRateFunction(Law law) : of_cycle(std::move(law)) {} // NOLINT(google-explicit-constructor)
+  static GrowthRateFunction of_passes(OfPass pass) {
+    GrowthRateFunction rates;
+    rates.of_pass = std::move(pass);
+    return rates;
+  }
+
+  OfCycle of_cycle;
+  OfPass of_pass; ///< only where the stations have TipStation::K_over_path
+};
+
+/// Functions of s between stations by polynomials through the nearest of them: ln K_max, K_min and
+/// K of other loads over K_max (or ln rate) over ln s; arms by cubics that take the rates as slopes (manual, growth.3).
 class GrowthTrajectory {
 public:
   /// stations [>= 1], s ascending; `points` of each polynomial, at most 4 and as many as there are.
@@ -129,6 +149,10 @@ private:
   [[nodiscard]] double K_max(std::size_t tip, const StationWeights& weights) const;
   [[nodiscard]] double tip_rate(std::size_t tip, std::size_t interval, double s,
                                 const StationWeights& weights) const;
+  [[nodiscard]] base::PiecewiseLinear K_over_path(std::size_t tip,
+                                                  const StationWeights& weights) const;
+  [[nodiscard]] double interpolated_rate(std::size_t tip, std::size_t interval, double s,
+                                         const StationWeights& weights) const;
   [[nodiscard]] double gauss(double s0, double s1) const;
 
   const std::vector<SolvedStation>& stations_;
@@ -137,6 +161,7 @@ private:
   std::vector<double> ln_s_;                  ///< [station]
   std::vector<std::vector<double>> ln_K_max_; ///< [tip][station], of closed ones empty
   bool extents_differ_ = false;               ///< some arm does not grow as its place does
+  bool paths_ = false;                        ///< K over the load path is known everywhere
 };
 
 /// First place between s0 and s1 (found to 1e-12 of s1) where `value` is not below 0 any more, if

@@ -74,7 +74,8 @@ std::vector<double> cycles_of(const growth::GrowthIntegrator& integrator,
   const std::vector<double> places = life_curve_places(integrator);
   return measure.interaction()
              ? PassCounter(*measure.spectrum(), *measure.interaction()).passes_at(stations, places)
-             : cycles_at(growth::GrowthTrajectory(stations, {}, 4), places);
+             : cycles_at(growth::GrowthTrajectory(stations, measure.rates_between_stations(), 4),
+                         places);
 }
 
 // The same of the growth itself.
@@ -133,12 +134,7 @@ lives_by_proportional_K(const model::Model& model, const results::RunResult& run
           tip.K_min = *r * tip.K_max;
         }
       }
-      const growth::GrowthRateFunction law = [&](double K_max, double K_min,
-                                                 const model::PlaceOnCrack& place) {
-        return measure.law().growth_rate(K_max, K_min, place);
-      };
-      add(results::life_of_scaled_K,
-          cycles_at(growth::GrowthTrajectory(stations, law, 4), life_curve_places(integrator)));
+      add(results::life_of_scaled_K, cycles_of(integrator, stations, measure));
     }
     return out;
   }
@@ -179,8 +175,8 @@ lives_by_other_interactions(const model::Model& model, const growth::GrowthInteg
     const life::LoadInteraction other = make_load_interaction(model, rules[i]);
     const std::vector<double> passes =
         PassCounter(*measure.spectrum(), other).passes_at(stations, life_curve_places(integrator));
-    out.push_back(compared(rules[i] ? model.interactions[*rules[i]].name : "NONE",
-                           describe_interaction(model, other, stations), integrator, passes, own));
+    const std::string name = rules[i] ? model.interactions[*rules[i]].name : "NONE";
+    out.push_back(compared(name, "interaction " + name, integrator, passes, own));
   }
   return out;
 }

@@ -64,19 +64,13 @@ public:
     if (!kinematics) {
       return false;
     }
-    growth::GrowthRateFunction law;
-    // Of a spectrum the rate itself is interpolated between stations: no law is asked there.
-    if (!measure_.spectrum()) {
-      law = [this](double K_max, double K_min, const model::PlaceOnCrack& place) {
-        return measure_.law().growth_rate(K_max, K_min, place);
-      };
-    }
     const bool of_another_law =
         options_.checkpoint != nullptr && options_.checkpoint->is_of_another_law();
     const std::optional<results::NamedArrays> kept =
         of_another_law ? std::nullopt : take_over_kept();
     growth::GrowthIntegrator integrator = restore_or_report_damage([&] {
-      return growth::GrowthIntegrator(model_, law, std::move(kinematics),
+      return growth::GrowthIntegrator(model_, measure_.rates_between_stations(),
+                                      std::move(kinematics),
                                       kept ? state_from(*kept) : growth::GrowthState(),
                                       extent_after_passes());
     });

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -18,6 +19,9 @@ namespace spricka::analysis {
 
 namespace {
 
+/// Rates of a pass are computed between stations for as many different cycles; of more the rate is
+/// smooth, as each of them is a small part of it.
+constexpr std::size_t most_cycles_between_stations = 1000;
 /// K1 that the mesh cannot tell from 0 where K2 rules.
 constexpr double much_less_than_K2 = 1e-3;
 
@@ -80,6 +84,15 @@ life::GrowthRateLaw growth_law(const model::CrackGrowthSettings& growth) {
 GrowthRateEvaluator::GrowthRateEvaluator(const model::Model& model)
     : model_(model), law_(growth_law(*model.growth)), spectrum_(spectrum_of(model)),
       around_(model.mesh), warnings_(*model.growth) {
+  if (spectrum_) {
+    std::set<double> loads;
+    const std::vector<life::LoadCycle> cycles = spectrum_->cycles();
+    for (const life::LoadCycle& cycle : cycles) {
+      loads.insert({cycle.low, cycle.high});
+    }
+    loads_.assign(loads.begin(), loads.end());
+    few_cycles_ = cycles.size() <= most_cycles_between_stations;
+  }
   if (!model.growth->interactions.empty()) {
     interaction_.emplace(make_load_interaction(model, model.growth->interactions.front()));
   }

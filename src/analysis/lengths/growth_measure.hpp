@@ -82,6 +82,9 @@ public:
   /// before where cycles act on each other [length].
   [[nodiscard]] double growth_per_pass(const base::PiecewiseLinear& K,
                                        const model::PlaceOnCrack& place) const;
+  /// Rates between stations by K there; empty where those of the stations have to do: of a spectrum
+  /// of very many different cycles, of one whose cycles act on each other, and with friction.
+  [[nodiscard]] growth::GrowthRateFunction rates_between_stations() const;
   /// How the cycles of the spectrum act on each other; empty: they do not.
   [[nodiscard]] const std::optional<life::LoadInteraction>& interaction() const {
     return interaction_;
@@ -110,6 +113,8 @@ private:
   bool by_spectrum(const SolvedCrackState& at, const GrowingPlace& to, growth::TipStation& found);
   bool by_history(const SolvedCrackState& at, const GrowingPlace& to, const PlaceOnFront& place,
                   growth::TipStation& found);
+  /// K over the path, of which nothing but the loads of the spectrum is kept if those are fewer.
+  [[nodiscard]] base::PiecewiseLinear at_loads_of_spectrum(base::PiecewiseLinear K) const;
   /// K at a place on the path of the spectrum, with what the law wants where the faces close.
   [[nodiscard]] base::PiecewiseLinear on_path(const SolvedCrackState& at,
                                               const results::LoadPathFront& front,
@@ -129,6 +134,8 @@ private:
   life::GrowthRateLaw law_;
   std::optional<life::CountedSpectrum> spectrum_;
   std::optional<life::LoadInteraction> interaction_; ///< the first of the deck
+  std::vector<double> loads_;                        ///< of the spectrum, different ones ascending
+  bool few_cycles_ = false;                          ///< different ones, of the spectrum
   growth::PlaneBoundaryAhead around_;
   base::OptionalFailure trouble_;
   bool upside_down_ = false;

@@ -64,6 +64,33 @@ base::PiecewiseLinear GrowthRateEvaluator::on_path(const SolvedCrackState& at,
   return below ? std::move(*below) : std::move(K);
 }
 
+growth::GrowthRateFunction GrowthRateEvaluator::rates_between_stations() const {
+  if (!spectrum_) {
+    return [this](double K_max, double K_min, const model::PlaceOnCrack& place) {
+      return law_.growth_rate(K_max, K_min, place);
+    };
+  }
+  if (interaction_ || !few_cycles_) {
+    return {};
+  }
+  return growth::GrowthRateFunction::of_passes(
+      [this](const base::PiecewiseLinear& K, const model::PlaceOnCrack& place) {
+        return growth_per_pass(K, place);
+      });
+}
+
+base::PiecewiseLinear GrowthRateEvaluator::at_loads_of_spectrum(base::PiecewiseLinear K) const {
+  if (loads_.size() < 2 || loads_.size() >= K.knots().size() ||
+      spectrum_->requires_counting_on_K(K)) {
+    return K;
+  }
+  std::vector<double> values;
+  for (const double t : loads_) {
+    values.push_back(K(t));
+  }
+  return base::PiecewiseLinear::through(loads_, std::move(values));
+}
+
 double GrowthRateEvaluator::growth_per_pass(const base::PiecewiseLinear& K,
                                             const model::PlaceOnCrack& place) const {
   return interaction_
@@ -100,8 +127,8 @@ bool GrowthRateEvaluator::by_spectrum(const SolvedCrackState& at, const GrowingP
   found.K_min = low;
   found.K_max = std::max(0.0, high);
   found.rate = growth_per_pass(K, to.on_crack);
-  if (interaction_) {
-    found.K_over_path = K;
+  if (interaction_ || few_cycles_) {
+    found.K_over_path = at_loads_of_spectrum(K);
   }
   if (law_.has_constant_threshold()) {
     for (const life::LoadCycle& cycle : spectrum_->cycles_as_K(K)) {
