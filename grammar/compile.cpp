@@ -249,7 +249,7 @@ private:
       return base::factor_to_deck_units(*known, scope_.units);
     }
     fail(unit, "E204", fmt::format("'{}' is not a unit", text),
-         "m mm um in, N kN MN lbf, Pa kPa MPa GPa psi ksi, deg rad, with * / ^");
+         "m mm um in, N kN MN lbf kip, Pa kPa MPa GPa psi ksi, deg rad, with * / ^");
     return 1.0;
   }
 

@@ -16,6 +16,15 @@ constexpr std::array deck_keys{
     required(word_key("LENGTH", "M|MM|IN", "unit of every length of the deck")),
     required(word_key("FORCE", "N|KN|LBF", "unit of every force; stresses are FORCE/LENGTH^2")),
     text_key("TITLE", "heads the listing"),
+    unit_key("OUTK", stress_intensity,
+             "what K is written in, 'MPa*sqrt(m)'; left out: as the deck's units have it"),
+    unit_key("OUTLENGTH", length, "what lengths are written in, 'in'; areas and rates follow"),
+    unit_key("OUTFORCE", force,
+             "what forces are written in, 'kip'; moments, energies and G follow with OUTLENGTH"),
+    unit_key("OUTSTRESS", stress, "what stresses and pressures are written in, 'ksi'"),
+    word_key(
+        "OUTLIFE", "CYCLES|KCYCLES|PASSES",
+        "what lives are written in; KCYCLES: thousands; left out: cycles, of a spectrum passes"),
 };
 
 constexpr std::array include_keys{

@@ -61,6 +61,20 @@ std::string canonical(std::string_view text) {
   return out;
 }
 
+// The header without what results are only written in, which none depends on.
+std::string header_of_results(const grammar::CardHeader& card, const base::SourceTexts& sources) {
+  std::string text(sources.text(card.header));
+  for (const grammar::HeaderParameter& p : card.parameters) {
+    if (card.name == "DECK" && p.key.starts_with("OUT")) {
+      const std::size_t from = p.key_span.begin - card.header.begin;
+      const std::size_t to = std::min<std::size_t>(p.span.end - card.header.begin, text.size());
+      std::fill(text.begin() + static_cast<std::ptrdiff_t>(from),
+                text.begin() + static_cast<std::ptrdiff_t>(to), ' ');
+    }
+  }
+  return text;
+}
+
 using Parameters =
     std::map<std::string, std::pair<std::string, double>>; // upper case -> as written
 
@@ -128,7 +142,7 @@ std::vector<CardFingerprint> fingerprints_of_result_cards(const std::filesystem:
     }
     CardFingerprint mark;
     mark.name = card.name;
-    std::string text = canonical(sources.text(card.header)) + '\n';
+    std::string text = canonical(header_of_results(card, sources)) + '\n';
     if (card.data.valid()) {
       text += canonical(sources.text(card.data));
     }

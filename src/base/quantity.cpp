@@ -22,6 +22,32 @@ std::string unit_name(const UnitSystem& units, QuantityKind quantity) {
   case QuantityKind::energy:
     return units.force_name + "*" + units.length_name;
   case QuantityKind::number:
+  case QuantityKind::life:
+    break;
+  }
+  return {};
+}
+
+OutputUnit output_unit(const UnitSystem& units, QuantityKind quantity) {
+  switch (quantity) {
+  case QuantityKind::length:
+    return units.output_length();
+  case QuantityKind::area:
+    return raised(units.output_length(), 2);
+  case QuantityKind::stress:
+    return units.output_stress();
+  case QuantityKind::angle:
+    return {"deg", degrees_per_radian, 1.0};
+  case QuantityKind::stress_intensity:
+    return units.output_stress_intensity();
+  case QuantityKind::force:
+    return units.output_force();
+  case QuantityKind::energy_release:
+    return units.output_force() / units.output_length();
+  case QuantityKind::energy:
+    return units.output_force() * units.output_length();
+  case QuantityKind::number:
+  case QuantityKind::life:
     break;
   }
   return {};

@@ -23,8 +23,9 @@ double restore_short_decimal(double value) {
   return std::abs(shorter - value) <= rounding * std::abs(value) ? shorter : value;
 }
 
-std::string format_coordinates(const Vec3& x, int dim) {
-  return fmt::format("({:.6g})", fmt::join(x.data(), x.data() + dim, ", "));
+std::string format_coordinates(const Vec3& x, int dim, const OutputUnit& unit) {
+  const Vec3 written = x.unaryExpr([&](double value) { return unit.from_deck(value); });
+  return fmt::format("({:.6g})", fmt::join(written.data(), written.data() + dim, ", "));
 }
 
 } // namespace spricka::base

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/output_unit.hpp"
 #include "base/vec.hpp"
 
 #include <string>
@@ -10,7 +11,8 @@ namespace spricka::base {
 /// 3.6000000000000014; `value` itself where there is none.
 double restore_short_decimal(double value);
 
-/// A place for people: (x, y), in space (x, y, z), with six digits.
-std::string format_coordinates(const Vec3& x, int dim);
+/// A place for people: (x, y), in space (x, y, z), with six digits, in a unit of output where one
+/// is given.
+std::string format_coordinates(const Vec3& x, int dim, const OutputUnit& unit = {});
 
 } // namespace spricka::base

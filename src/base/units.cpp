@@ -23,7 +23,7 @@ constexpr PhysicalDimension force_dimension{0.0, 1.0, 0.0};
 constexpr PhysicalDimension stress_dimension{-2.0, 1.0, 0.0};
 constexpr PhysicalDimension angle_dimension{0.0, 0.0, 1.0};
 
-constexpr std::array<NamedUnit, 17> words{{
+constexpr std::array<NamedUnit, 18> words{{
     {"m", {1.0, length_dimension}},
     {"mm", {1e-3, length_dimension}},
     {"um", {1e-6, length_dimension}},
@@ -32,6 +32,7 @@ constexpr std::array<NamedUnit, 17> words{{
     {"kN", {1e3, force_dimension}},
     {"MN", {1e6, force_dimension}},
     {"lbf", {newton_per_lbf, force_dimension}},
+    {"kip", {1e3 * newton_per_lbf, force_dimension}},
     {"Pa", {1.0, stress_dimension}},
     {"kPa", {1e3, stress_dimension}},
     {"MPa", {1e6, stress_dimension}},
@@ -70,6 +71,18 @@ double tidied(double factor) {
   std::from_chars(text.data(), text.data() + text.size(), shorter);
   const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(factor);
   return std::abs(shorter - factor) <= rounding ? shorter : factor;
+}
+
+// "MPa*m^0.5" of "MPa*sqrt(m)".
+std::string with_roots_as_powers(std::string_view text) {
+  std::string out(text);
+  constexpr std::string_view root = "sqrt(";
+  for (std::size_t at = out.find(root); at != std::string::npos; at = out.find(root)) {
+    const std::size_t end = out.find(')', at);
+    out.replace(end, 1, "^0.5");
+    out.erase(at, root.size());
+  }
+  return out;
 }
 
 // One `word [^exponent]` or `sqrt(word)`, taken off the front of `text`; multiplied onto `unit`
@@ -141,6 +154,22 @@ std::string UnitSystem::stress_intensity_name() const {
   return fmt::format("{}*{}^0.5", stress_name(), length_name);
 }
 
+OutputUnit UnitSystem::output_length() const {
+  return output.length.value_or(OutputUnit{length_name});
+}
+
+OutputUnit UnitSystem::output_force() const {
+  return output.force.value_or(OutputUnit{force_name});
+}
+
+OutputUnit UnitSystem::output_stress() const {
+  return output.stress.value_or(OutputUnit{stress_name()});
+}
+
+OutputUnit UnitSystem::output_stress_intensity() const {
+  return output.stress_intensity.value_or(OutputUnit{stress_intensity_name()});
+}
+
 std::optional<PhysicalUnit> parse_unit(std::string_view text) {
   PhysicalUnit unit;
   if (!take_term(text, 1.0, unit)) {
@@ -159,6 +188,18 @@ std::optional<PhysicalUnit> parse_unit(std::string_view text) {
 double factor_to_deck_units(const PhysicalUnit& unit, const UnitSystem& system) {
   const double lengths = scaled(unit.si, system.metre_per_length, -unit.dimension.length);
   return tidied(scaled(lengths, system.newton_per_force, -unit.dimension.force));
+}
+
+std::optional<OutputUnit> make_output_unit(std::string_view text, const UnitSystem& system) {
+  const std::optional<PhysicalUnit> known = parse_unit(text);
+  if (!known) {
+    return std::nullopt;
+  }
+  OutputUnit unit{with_roots_as_powers(text)};
+  const double deck_units = factor_to_deck_units(*known, system);
+  (deck_units < 1.0 ? unit.multiplier : unit.divisor) =
+      deck_units < 1.0 ? tidied(1.0 / deck_units) : deck_units;
+  return unit;
 }
 
 std::optional<UnitSystem> make_unit_system(std::string_view length, std::string_view force) {

@@ -101,6 +101,8 @@ public:
     }
     check_.value = *value;
     check_.tolerance = *tolerance;
+    check_.is_value_in_output_unit = is_bare_number(row_.fields[1]);
+    check_.is_tolerance_in_output_unit = !check_.relative && is_bare_number(row_.fields[3]);
     check_.span = row_.span;
     c_.model.checks.push_back(std::move(check_));
   }
@@ -156,6 +158,13 @@ private:
     return true;
   }
 
+  // What is read in the listing is written here. A formula is made of the deck's numbers, which are
+  // in the deck's units.
+  static bool is_bare_number(const CardField& field) {
+    return field.kind == CardField::CardFieldKind::number &&
+           !grammar::explicit_unit_span(field.expression).valid();
+  }
+
   bool wrong(base::SourceSpan span, std::string text) {
     c_.error(span, "E115", std::move(text), std::string(card_.spec->data_form));
     return false;
@@ -173,6 +182,7 @@ private:
       unknown(quantity);
       return false;
     }
+    check_.kind = spec->quantity;
     if ((spec->name == "N" || spec->name == "LIFE") && !counts_cycles()) {
       c_.error(quantity.span, "E315",
                fmt::format("{} counts cycles, but the deck has no $GROW with a law of growth",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/id.hpp"
+#include "base/quantity.hpp"
 #include "base/source.hpp"
 
 #include <optional>
@@ -31,9 +32,13 @@ struct OutputFileRequest {
 struct ResultCheck {
   std::string quantity;                                     ///< upper case, "S.XX.MIN"
   std::vector<std::variant<std::string, double>> arguments; ///< names upper case, or numbers
+  base::QuantityKind kind = base::QuantityKind::number;     ///< of the quantity
   double value = 0.0;
-  double tolerance = 0.0;
+  double tolerance = 0.0; ///< of the value where `relative`
   bool relative = true;
+  /// Whether value and tolerance were given as bare numbers, which are in units of output.
+  bool is_value_in_output_unit = false;
+  bool is_tolerance_in_output_unit = false;
   std::string source;
   base::SourceSpan span;
 };

@@ -147,7 +147,7 @@ std::string deck_preview_json(const results::DeckPreview& p, base::ProgramOutcom
       {"spricka", SPRICKA_VERSION},
       {"deck", p.deck},
       {"title", p.title},
-      {"length_unit", p.length_unit},
+      {"length_unit", p.units.length_name},
       {"exit_code", base::exit_code(outcome)},
       {"nets", array_of(p.nets, make)},
       {"quality", array_of(p.quality, make)},

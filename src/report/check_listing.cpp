@@ -24,9 +24,9 @@ std::string percent(double part) {
   return part < 5e-4 ? "-" : fmt::format("{:.1f} %", 100.0 * part);
 }
 
-std::string place(const base::Vec3& x, int dim) {
+std::string place(const base::Vec3& x, int dim, const base::OutputUnit& unit) {
   const double size = x.norm(); // what is round-off of the other coordinate is 0
-  const auto tidy = [size](double v) { return std::abs(v) < 1e-9 * size ? 0.0 : v; };
+  const auto tidy = [&](double v) { return std::abs(v) < 1e-9 * size ? 0.0 : unit.from_deck(v); };
   const base::Vec3 shown = x.unaryExpr(tidy);
   return fmt::format("({:.5g})",
                      fmt::join(std::span(shown.data(), static_cast<std::size_t>(dim)), ", "));
@@ -61,6 +61,7 @@ ReportTable nets(const DeckPreview& p) {
 
 ReportTable quality(const DeckPreview& p) {
   using Quality = results::WorstElementPreview;
+  const base::OutputUnit length = p.units.output_length();
   Columns<Quality> columns;
   columns.words("of", &Quality::where)
       .words("measure", &Quality::measure)
@@ -72,23 +73,26 @@ ReportTable quality(const DeckPreview& p) {
       .words("net", &Quality::net)
       .number("element", "", &Quality::element)
       .words(
-          "at", [dim = p.dim](const Quality& q) { return place(q.at, dim); }, p.length_unit);
+          "at", [=, dim = p.dim](const Quality& q) { return place(q.at, dim, length); },
+          length.name);
   return columns.table("Worst elements", p.quality);
 }
 
 ReportTable pairs(const DeckPreview& p) {
   using Pair = results::ContactPairPreview;
+  const base::OutputUnit length = p.units.output_length();
   const auto faces = [](std::size_t facing, std::size_t edges) {
     return facing == edges ? cell_text(edges) : fmt::format("{} of {}", facing, edges);
   };
   Columns<Pair> columns;
   columns.words("contact", &Pair::name)
-      .number("smallest", p.length_unit, &Pair::gap_low, four)
-      .number("mean", p.length_unit, &Pair::gap_mean, four)
-      .number("largest", p.length_unit, &Pair::gap_high, four)
-      .number(
-          "declared", p.length_unit,
-          [](const Pair& c) { return c.declared ? cell_text(c.declared_gap, four) : "measured"; })
+      .number("smallest", length, &Pair::gap_low, four)
+      .number("mean", length, &Pair::gap_mean, four)
+      .number("largest", length, &Pair::gap_high, four)
+      .number("declared", length.name,
+              [length](const Pair& c) {
+                return c.declared ? cell_text(length.from_deck(c.declared_gap), four) : "measured";
+              })
       .number("normals", "deg", &Pair::angle, "{:.2f}")
       .number("slave", "faces", [=](const Pair& c) { return faces(c.slave_facing, c.slave_edges); })
       .number(
@@ -127,21 +131,22 @@ auto number_of(double results::FrontPreview::*member) {
   return [=](const CrackRow& row) { return row.front.*member; };
 }
 
-template <int dim> auto place_of(base::Vec3 results::FrontPreview::*member) {
-  return [=](const CrackRow& row) { return place(row.front.*member, dim); };
+template <int dim>
+auto place_of(base::Vec3 results::FrontPreview::*member, const base::OutputUnit& length) {
+  return [=](const CrackRow& row) { return place(row.front.*member, dim, length); };
 }
 
-void add_tip_columns(Columns<CrackRow>& columns, const std::string& unit) {
+void add_tip_columns(Columns<CrackRow>& columns, const base::OutputUnit& unit) {
   columns.number("a", unit, number_of(&results::FrontPreview::a), four)
-      .words("mouth", place_of<2>(&results::FrontPreview::mouth), unit)
-      .words("tip at", place_of<2>(&results::FrontPreview::at), unit);
+      .words("mouth", place_of<2>(&results::FrontPreview::mouth, unit), unit.name)
+      .words("tip at", place_of<2>(&results::FrontPreview::at, unit), unit.name);
 }
 
-void add_front_columns(Columns<CrackRow>& columns, const std::string& unit) {
+void add_front_columns(Columns<CrackRow>& columns, const base::OutputUnit& unit) {
   columns.words("kind", [](const CrackRow& row) { return row.front.kind; })
       .number("as a circle of", unit, number_of(&results::FrontPreview::a), four)
       .number("length of front", unit, number_of(&results::FrontPreview::length), four)
-      .words("half way at", place_of<3>(&results::FrontPreview::at), unit)
+      .words("half way at", place_of<3>(&results::FrontPreview::at, unit), unit.name)
       .number("elements", "", [](const CrackRow& row) { return row.front.elements; });
 }
 
@@ -149,14 +154,14 @@ void add_front_columns(Columns<CrackRow>& columns, const std::string& unit) {
 struct CrackListing {
   const char* front;
   const char* patch;
-  void (*add)(Columns<CrackRow>&, const std::string& unit);
+  void (*add)(Columns<CrackRow>&, const base::OutputUnit& unit);
   bool notes; ///< rings and sectors, patches that are shared, ties
 };
 constexpr base::ByDimension<CrackListing> crack_listings{
     {"tip", "rosette", add_tip_columns, false}, {"front", "tube", add_front_columns, true}};
 
 ReportTable cracks(const DeckPreview& p) {
-  const std::string& unit = p.length_unit;
+  const base::OutputUnit unit = p.units.output_length();
   const CrackListing& listing = crack_listings.at(p.dim);
   Columns<CrackRow> columns;
   columns.number("length", "", [](const CrackRow& row) { return row.length.number; });
@@ -192,9 +197,10 @@ ReportTable forecast(const DeckPreview& p) {
   return columns.table(p.exact ? "Forecast" : "Rough forecast", p.lengths);
 }
 
-std::string mirror_line(const results::SymmetryPlanePreview& mirror) {
+std::string mirror_line(const results::SymmetryPlanePreview& mirror,
+                        const base::OutputUnit& length) {
   const char axis = "xyz"[mirror.axis];
-  const std::string plane = fmt::format("{} = {:.5g}", axis, mirror.at);
+  const std::string plane = fmt::format("{} = {:.5g}", axis, length.from_deck(mirror.at));
   return mirror.against.empty()
              ? fmt::format(
                    "  {} is a plane of symmetry: half of the model, $SYMMETRY NORMAL={}, has the "
@@ -232,11 +238,10 @@ std::string deck_preview_listing(const DeckPreview& preview) {
   std::string out = preview.deck + (preview.title.empty() ? "" : ": " + preview.title) + "\n";
   for (const ReportTable& table :
        {nets(preview), quality(preview), pairs(preview), bodies(preview),
-        load_total_table(preview.loads, {preview.length_unit, preview.force_unit, preview.dim}),
-        cracks(preview)}) {
+        load_total_table(preview.loads, preview.units, preview.dim), cracks(preview)}) {
     out += to_text_after_blank_line(table);
   }
-  out += imported_geometry_section(preview.geometry, preview.length_unit);
+  out += imported_geometry_section(preview.geometry, preview.units.output_length());
   for (const results::CrackLengthPreview& length : preview.lengths) {
     if (crack_listings.at(preview.dim).notes) {
       for (const std::string& note : length.notes) {
@@ -246,7 +251,7 @@ std::string deck_preview_listing(const DeckPreview& preview) {
   }
   out += fmt::format("\n  {} elements turned inside out\n", preview.inside_out);
   for (const results::SymmetryPlanePreview& mirror : preview.mirrors) {
-    out += mirror_line(mirror);
+    out += mirror_line(mirror, preview.units.output_length());
   }
   out += fmt::format("  steps: {}\n", fmt::join(preview.steps, " "));
   for (const auto& [contact, step] : preview.mounted_later) {
@@ -267,8 +272,8 @@ std::string deck_preview_listing(const DeckPreview& preview) {
 }
 
 std::string imported_geometry_listing(const results::ReportedGeometry& geometry,
-                                      const std::string& length_unit) {
-  return imported_geometry_section(geometry, length_unit);
+                                      const base::OutputUnit& length) {
+  return imported_geometry_section(geometry, length);
 }
 
 } // namespace spricka::report

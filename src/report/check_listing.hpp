@@ -15,6 +15,6 @@ std::string deck_preview_json(const results::DeckPreview& preview, base::Program
 
 /// What there is to tell of the geometries of a deck, as tables for reading.
 std::string imported_geometry_listing(const results::ReportedGeometry& geometry,
-                                      const std::string& length_unit);
+                                      const base::OutputUnit& length);
 
 } // namespace spricka::report

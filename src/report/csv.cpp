@@ -15,10 +15,6 @@ namespace spricka::report {
 
 namespace {
 
-double printed_unit(base::QuantityKind kind) {
-  return kind == base::QuantityKind::angle ? degrees_per_radian : 1.0;
-}
-
 /// A node of a contact surface at the end of a step.
 struct PressureRow : ContactRow {
   const results::ContactPoint& point;
@@ -35,9 +31,8 @@ void write_k_csv(const std::filesystem::path& file, const model::Model& model,
   for (const results::KQuantity* const q : shown_k_quantities(model, results::in_k_csv)) {
     columns.fill_only_if(
         [q](const FrontPointRow& row) { return q->is_given(row.front, row.point); });
-    columns.exact(q->name, [q](const FrontPointRow& row) {
-      return q->extract_value(row.front, row.point) * printed_unit(q->kind);
-    });
+    columns.exact(q->name, base::output_unit(model.units, q->kind),
+                  [q](const FrontPointRow& row) { return q->extract_value(row.front, row.point); });
     // K1_bar and its like are made of K1 and K2
     const bool follows = q->is_quality_measure && q->kind == base::QuantityKind::stress_intensity;
     units.add_column(q->kind, follows ? "and what begins with them" : q->name);
@@ -63,9 +58,8 @@ void write_pressure_csv(const std::filesystem::path& file, const model::Model& m
       });
       continue;
     }
-    columns.exact(q.name, [q = &q](const PressureRow& row) {
-      return q->extract_value(row.point) * printed_unit(q->kind);
-    });
+    columns.exact(q.name, base::output_unit(model.units, q.kind),
+                  [q = &q](const PressureRow& row) { return q->extract_value(row.point); });
     units.add_column(q.kind, q.name);
   }
   std::vector<PressureRow> rows;

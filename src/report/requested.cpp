@@ -27,7 +27,7 @@ struct RequestedRow {
   RequestedValue of;
 };
 
-Columns<RequestedRow> requested_columns(int dim) {
+Columns<RequestedRow> requested_columns(const base::UnitSystem& units, int dim) {
   using Row = RequestedRow;
   Columns<Row> columns = step_columns<Row>();
   columns.exact("quantity", [](const Row& row) { return row.request.quantity; })
@@ -35,12 +35,14 @@ Columns<RequestedRow> requested_columns(int dim) {
       .fill_only_if([](const Row& row) { return row.of.where.has_value(); })
       .exact("node", [](const Row& row) { return row.of.where->first; });
   for (int c = 0; c < dim; ++c) {
-    columns.exact(std::string(1, "xyz"[c]),
+    columns.exact(std::string(1, "xyz"[c]), units.output_length(),
                   [c](const Row& row) { return row.of.where->second[c]; });
   }
   columns.fill_only_if({});
   return columns.exact("component", [](const Row& row) { return row.of.component; })
-      .exact("value", [](const Row& row) { return row.of.value; });
+      .exact("value", [units](const Row& row) {
+        return base::output_unit(units, row.of.kind).from_deck(row.of.value);
+      });
 }
 
 ColumnUnits column_units(std::string_view axes) {
@@ -83,9 +85,8 @@ void write_requested_csv(const std::filesystem::path& file, const model::Model& 
   }
   const std::string_view axes =
       std::string_view("xyz").substr(0, static_cast<std::size_t>(model.mesh.dim));
-  write_file(
-      file,
-      requested_columns(model.mesh.dim).csv(column_units(axes).units_text(model.units), rows));
+  write_file(file, requested_columns(model.units, model.mesh.dim)
+                       .csv(column_units(axes).units_text(model.units), rows));
 }
 
 } // namespace spricka::report

@@ -90,10 +90,10 @@ public:
       for (const base::NodeId n : set_members(mesh_, request_.name)) {
         sum += at_node(step_.reaction, n);
       }
-      add_vector({}, sum);
+      add_vector({}, sum, base::QuantityKind::force);
     } else if (request_.quantity == "U") {
       for (const base::NodeId n : set_members(mesh_, request_.name)) {
-        add_vector(place(n), at_node(step_.u, n));
+        add_vector(place(n), at_node(step_.u, n), base::QuantityKind::length);
       }
     } else if (!step_.stress.empty()) {
       for (const StressPoint& at : stress_points(mesh_, request_.name)) {
@@ -117,21 +117,25 @@ private:
     return value;
   }
 
-  void add_vector(const Where& where, const base::Vec3& vector) {
+  void add_vector(const Where& where, const base::Vec3& vector, base::QuantityKind kind) {
     for (int c = 0; c < mesh_.dim; ++c) {
-      values_.push_back({where, std::string(1, "XYZ"[c]), vector[c]});
+      values_.push_back({where, std::string(1, "XYZ"[c]), vector[c], kind});
     }
   }
 
   void add_stress(const Where& where, const results::Stress& stress) {
     for (std::size_t c = 0; c < stress.size(); ++c) {
-      values_.push_back({where, std::string(results::stress_component_names[c]), stress[c]});
+      add_stress(where, results::stress_component_names[c], stress[c]);
     }
-    values_.push_back({where, "MISES", results::von_mises(stress)});
+    add_stress(where, "MISES", results::von_mises(stress));
     const std::array<double, 3> p = results::principal_stresses(stress);
     for (std::size_t c = 0; c < p.size(); ++c) {
-      values_.push_back({where, std::string(results::principal_stress_names[c]), p[c]});
+      add_stress(where, results::principal_stress_names[c], p[c]);
     }
+  }
+
+  void add_stress(const Where& where, std::string_view component, double value) {
+    values_.push_back({where, std::string(component), value, base::QuantityKind::stress});
   }
 
   void add_fronts() {
@@ -143,7 +147,7 @@ private:
             const Where where(std::pair<base::Label, base::Vec3>(point.number, point.x));
             values_.push_back({front.is_tip() ? Where() : where,
                                results::uppercase_column_name(q.name),
-                               q.extract_value(front, point)});
+                               q.extract_value(front, point), q.kind});
           }
         }
       }
@@ -160,8 +164,8 @@ private:
         for (const results::ContactPointQuantity& q : results::point_quantities) {
           if (q.appears_in(results::in_pressure_output) && q.friction == friction &&
               (contact->rubs || !friction)) {
-            values_.push_back(
-                {place(p.node), results::uppercase_column_name(q.name), q.extract_value(p)});
+            values_.push_back({place(p.node), results::uppercase_column_name(q.name),
+                               q.extract_value(p), q.kind});
           }
         }
       }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/quantity.hpp"
 #include "model/requests.hpp"
 #include "results/results.hpp"
 
@@ -16,6 +17,7 @@ struct RequestedValue {
   std::optional<std::pair<base::Label, base::Vec3>> where;
   std::string component; ///< "XX", "Y", "K1_BAR"
   double value = 0.0;
+  base::QuantityKind kind = base::QuantityKind::number;
 };
 
 /// The numbers of one request: K point by point, CPRESS, U and S node by node, REACTION as the sum

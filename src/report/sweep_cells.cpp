@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/requests.hpp"
+#include "model/model.hpp"
 #include "model/wanted_steps.hpp"
 #include "report/report.hpp"
 #include "report/requested_values.hpp"
 #include "report/sweep_files.hpp"
 #include "report/topics/result_rows.hpp"
 #include "results/k_quantities.hpp"
+#include "results/result_unit.hpp"
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace spricka::report {
 
@@ -16,29 +18,40 @@ namespace {
 
 using results::SweepResultValue;
 
-void add_contact(std::vector<SweepResultValue>& cells, const results::ContactResult& contact,
-                 const std::string& step, int increment) {
+/// Cells of one run, which are in units of output.
+struct SweepCells {
+  const base::UnitSystem& units;
+  std::vector<SweepResultValue> cells;
+
+  void add(SweepResultValue cell, base::QuantityKind kind) {
+    cell.value = base::output_unit(units, kind).from_deck(cell.value);
+    cells.push_back(std::move(cell));
+  }
+};
+
+void add_contact(SweepCells& cells, const results::ContactResult& contact, const std::string& step,
+                 int increment) {
   if (!contact.mounted) {
     return;
   }
   for (const results::ContactQuantity& q : results::contact_quantities) {
     if (!q.sweep.empty()) {
-      cells.push_back({std::string(q.sweep), contact.name, step, increment, contact.*q.member});
+      cells.add({std::string(q.sweep), contact.name, step, increment, contact.*q.member}, q.kind);
     }
   }
 }
 
-void add_front(std::vector<SweepResultValue>& cells, const results::FrontResult& front,
-               const std::string& step, const results::CrackLengthResult& increment) {
+void add_front(SweepCells& cells, const results::FrontResult& front, const std::string& step,
+               const results::CrackLengthResult& increment) {
   for (const results::KQuantity& q : results::k_quantities) {
     if (q.appears_in(results::in_sweep, increment.mesh.dim) && q.is_given_or_zero(front)) {
-      cells.push_back({q.name, front.name, step, increment.number, q.extract_value(front)});
+      cells.add({q.name, front.name, step, increment.number, q.extract_value(front)}, q.kind);
     }
   }
 }
 
 /// Sums as they are, of values at nodes the smallest and the largest of each component.
-void add_values(std::vector<SweepResultValue>& cells, const model::RequestedQuantity& request,
+void add_values(SweepCells& cells, const model::RequestedQuantity& request,
                 std::vector<RequestedValue> values, const std::string& step, int increment) {
   std::stable_partition(values.begin(), values.end(),
                         [](const RequestedValue& v) { return v.component != "MISES"; });
@@ -47,31 +60,32 @@ void add_values(std::vector<SweepResultValue>& cells, const model::RequestedQuan
     add_unique(components, value.component);
   }
   for (const std::string& component : components) {
-    const auto add = [&](const char* which, double value) {
-      cells.push_back(
-          {request.quantity + "." + component + which, request.name, step, increment, value});
+    const auto add = [&](const char* which, const RequestedValue& value) {
+      cells.add(
+          {request.quantity + "." + component + which, request.name, step, increment, value.value},
+          value.kind);
     };
     std::vector<RequestedValue> same;
     std::ranges::copy_if(values, std::back_inserter(same),
                          [&](const RequestedValue& v) { return v.component == component; });
     const auto [low, high] = std::ranges::minmax(same, {}, &RequestedValue::value);
     if (low.where) {
-      add(".MIN", low.value);
-      add(".MAX", high.value);
+      add(".MIN", low);
+      add(".MAX", high);
     } else {
-      add("", low.value);
+      add("", low);
     }
   }
 }
 
 /// The cells of one request at the end of one step.
-void add_requested(std::vector<SweepResultValue>& cells,
-                   const results::CrackLengthResult& increment, const results::LoadStepResult& step,
-                   const model::RequestedQuantity& request) {
+void add_requested(SweepCells& cells, const results::CrackLengthResult& increment,
+                   const results::LoadStepResult& step, const model::RequestedQuantity& request) {
   if (request.quantity == "K") {
     for (const results::FrontResult& front : step.fronts) {
       if (request_names_front(request, front) && front.is_tip()) {
-        cells.push_back({"a", front.name, step.step, increment.number, front.a});
+        cells.add({"a", front.name, step.step, increment.number, front.a},
+                  base::QuantityKind::length);
         add_front(cells, front, step.step, increment);
       }
     }
@@ -87,14 +101,16 @@ void add_requested(std::vector<SweepResultValue>& cells,
 
 } // namespace
 
-std::vector<SweepResultValue> collect_sweep_values_of_run(const results::RunResult& run) {
-  std::vector<SweepResultValue> cells;
+std::vector<SweepResultValue> collect_sweep_values_of_run(const model::Model& model,
+                                                          const results::RunResult& run) {
+  SweepCells cells{model.units, {}};
   if (run.growth) {
-    cells.push_back({"N", "", "", 0, run.growth->final_cycles()});
+    const base::OutputUnit life = results::life_unit(model.units, *run.growth);
+    cells.cells.push_back({"N", "", "", 0, life.from_deck(run.growth->final_cycles())});
   }
   for (const results::CrackLengthResult& increment : run.increments) {
     if (increment.a > 0.0) {
-      cells.push_back({"a", "", "", increment.number, increment.a});
+      cells.add({"a", "", "", increment.number, increment.a}, base::QuantityKind::length);
     }
     for (const results::LoadStepResult& step : increment.steps) {
       for (const results::FrontResult& front : step.fronts) {
@@ -105,15 +121,15 @@ std::vector<SweepResultValue> collect_sweep_values_of_run(const results::RunResu
       }
     }
   }
-  return cells;
+  return std::move(cells.cells);
 }
 
 std::vector<SweepResultValue> collect_requested_end_values(const model::Model& model,
                                                            const model::OutputFileRequest& output,
                                                            const results::RunResult& run) {
-  std::vector<SweepResultValue> cells;
+  SweepCells cells{model.units, {}};
   if (run.increments.empty()) {
-    return cells;
+    return {};
   }
   const results::CrackLengthResult& last = run.increments.back();
   for (const std::size_t s : model::output_step_indices(model, output, true)) {
@@ -121,7 +137,7 @@ std::vector<SweepResultValue> collect_requested_end_values(const model::Model& m
       add_requested(cells, last, last.steps[s], request);
     }
   }
-  return cells;
+  return std::move(cells.cells);
 }
 
 } // namespace spricka::report

@@ -12,11 +12,12 @@
 /// Tables and page of a sweep. Writers throw std::system_error.
 namespace spricka::report {
 
-/// The numbers of a run that sweep.csv shows: the life, cycles or passes, of a growth by a law;
-/// crack length of each increment; at each step's end the quantities of each tip and of each
-/// contact that are for sweeps (results/k_quantities.hpp, results/contact_result.hpp), of those
-/// that have a value.
-std::vector<results::SweepResultValue> collect_sweep_values_of_run(const results::RunResult& run);
+/// The numbers of a run that sweep.csv shows, in units of output: the life, cycles or passes, of a
+/// growth by a law; crack length of each increment; at each step's end the quantities of each tip
+/// and of each contact that are for sweeps (results/k_quantities.hpp, results/contact_result.hpp),
+/// of those that have a value.
+std::vector<results::SweepResultValue> collect_sweep_values_of_run(const model::Model& model,
+                                                                   const results::RunResult& run);
 
 /// What a card $OUTPUT EVERY=END asks for as single numbers, at the end of KMAX or of the last step
 /// of the last increment: K and CPRESS give what sweeps have of a tip, with a, and of a contact;

@@ -7,6 +7,7 @@
 #include "report/sweep_files.hpp"
 #include "report/topics/k_bars.hpp"
 #include "report/topics/parameter_unit.hpp"
+#include "results/result_unit.hpp"
 #include "results/shown_step.hpp"
 
 #include <fmt/format.h>
@@ -156,8 +157,9 @@ Plot plot_of(const SweepResult& sweep, const Units& units, const std::string& y_
     curves[i].marker = palette_marker_shape(i);
   }
   const std::size_t axis = axis_of(sweep);
-  return {y_name + " over the swept parameter", axis_title(sweep.parameters[axis], units[axis]),
-          y_name, std::move(curves)};
+  return {y_name + " over the swept parameter",
+          axis_title(sweep.parameters[axis], base::OutputUnit{units[axis]}), y_name,
+          std::move(curves)};
 }
 
 bool has_lives(const SweepResult& sweep) {
@@ -165,8 +167,8 @@ bool has_lives(const SweepResult& sweep) {
       sweep.points, [](const SweepPoint& point) { return find_cell(point, "N") != nullptr; });
 }
 
-std::string life_unit(const model::Model& model) {
-  return model.growth && model.growth->spectrum ? "passes" : "cycles";
+std::string life_words(const model::Model& model) {
+  return results::life_unit_words(results::life_unit_name(model));
 }
 
 /// Of an axis of lives: numbers on it stay short.
@@ -228,13 +230,14 @@ std::string checks_at_all_points(const SweepPoint& point) {
 void add_cell_columns(Columns<SweepPoint>& columns, const model::Model& model,
                       const SweepResult& sweep, const SweepResultValue& cell, bool several) {
   const bool crack = cell.quantity == "K1";
-  const std::string unit = crack ? model.units.stress_intensity_name() : model.units.stress_name();
+  const std::string unit =
+      (crack ? model.units.output_stress_intensity() : model.units.output_stress()).name;
   const auto text = [cell](const SweepPoint& point) {
     const SweepResultValue* const found = find_cell(point, cell.column_name());
     return found == nullptr ? "-" : fmt::format("{:.5g}", found->value);
   };
   if (cell.quantity == "N") {
-    columns.number("N", life_unit(model), text);
+    columns.number("N", life_words(model), text);
     return;
   }
   columns.number(fmt::format("{} {}{}", crack ? "K1" : "p max", cell.name,
@@ -297,7 +300,7 @@ std::string sweep_page(const base::SourceTexts& sources, const model::Model& mod
     units.push_back(find_parameter_unit(sources, model.units, parameter));
   }
   const std::string K_name =
-      fmt::format("K₁ [{}]", typeset_unit(model.units.stress_intensity_name()));
+      fmt::format("K₁ [{}]", typeset_unit(model.units.output_stress_intensity().name));
   for (const auto& [increment, a] : lengths) {
     const Plot plot = plot_of(sweep, units, K_name, merged_k_curves(model, sweep, increment));
     page.add_figure(
@@ -305,14 +308,14 @@ std::string sweep_page(const base::SourceTexts& sources, const model::Model& mod
          "",
          fmt::format("K₁ at the end of each step, increment {} (a = {:.6g} {}). Curves "
                      "that differ by less than 0.1 % of the largest value are drawn once.",
-                     increment, a, model.units.length_name) +
+                     increment, a, model.units.output_length().name) +
              error_bar_note(plot.series)});
   }
   if (has_lives(sweep)) {
     page.add_heading("Life");
     const double unit = life_scale(sweep);
     const std::string name = fmt::format(
-        "N [{}{}]", unit > 1.0 ? fmt::format("{:.0f} ", unit) : std::string(), life_unit(model));
+        "N [{}{}]", unit > 1.0 ? fmt::format("{:.0f} ", unit) : std::string(), life_words(model));
     page.add_figure(
         {{draw_svg(plot_of(sweep, units, name, lives_of(model, sweep, unit)))},
          "",

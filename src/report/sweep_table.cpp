@@ -7,6 +7,7 @@
 #include "report/units_line.hpp"
 #include "results/contact_result.hpp"
 #include "results/k_quantities.hpp"
+#include "results/result_unit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -75,10 +76,11 @@ private:
 std::string unit_line(const model::Model& model, const results::SweepResult& sweep) {
   using enum base::QuantityKind;
   ColumnUnits units;
-  const bool life = std::ranges::any_of(sweep.points, [](const SweepPoint& point) {
+  const bool has_life = std::ranges::any_of(sweep.points, [](const SweepPoint& point) {
     return std::ranges::find(point.cells, "N", &SweepResultValue::quantity) != point.cells.end();
   });
-  if (life) {
+  const bool own_life = model.units.output.life != base::LifeUnit::as_counted;
+  if (has_life && !own_life) {
     units.add_column(number, "N");
   }
   units.add_column(length, "a");
@@ -95,7 +97,9 @@ std::string unit_line(const model::Model& model, const results::SweepResult& swe
   }
   units.add_column(stress, "S");
   units.add_column(force, "REACTION");
-  return fmt::format("{} as the deck writes them; {}", fmt::join(sweep.parameters, " "),
+  return fmt::format("{} as the deck writes them; {}{}", fmt::join(sweep.parameters, " "),
+                     has_life && own_life ? fmt::format("N [{}], ", results::life_unit_name(model))
+                                          : "",
                      units.units_text(model.units));
 }
 

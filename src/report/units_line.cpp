@@ -26,7 +26,7 @@ std::string ColumnUnits::units_text(const base::UnitSystem& units) const {
       continue;
     }
     text += fmt::format("{}{} [{}]", text.empty() ? "" : ", ", fmt::join(of.words, " "),
-                        of.kind == base::QuantityKind::angle ? "deg" : unit_name(units, of.kind));
+                        base::output_unit(units, of.kind).name);
   }
   return text + numbers;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/id.hpp"
+#include "base/units.hpp"
 #include "base/vec.hpp"
 #include "results/imported_geometry.hpp"
 #include "results/load_total.hpp"
@@ -111,8 +112,7 @@ struct SymmetryPlanePreview {
 struct DeckPreview {
   std::string deck;
   std::string title;
-  std::string length_unit;
-  std::string force_unit;
+  base::UnitSystem units;
   int dim = 2;
   std::vector<NetPreview> nets;
   std::vector<WorstElementPreview> quality;

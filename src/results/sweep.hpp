@@ -9,8 +9,8 @@
 /// What a sweep has found so far, as plain records.
 namespace spricka::results {
 
-/// One number of a point: K1 of tip TOP at the end of step LOAD in increment 1. What does not
-/// apply is empty, or 0 for the increment.
+/// One number of a point: K1 of tip TOP at the end of step LOAD in increment 1, in units of output.
+/// What does not apply is empty, or 0 for the increment.
 struct SweepResultValue {
   std::string quantity;
   std::string name;

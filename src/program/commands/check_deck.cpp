@@ -241,8 +241,7 @@ base::ProgramOutcome check_deck(const RunOptions& options, const CheckedDeck& de
   results::DeckPreview& preview = look.preview;
   preview.deck = base::make_printable(options.deck.string());
   preview.title = model.title;
-  preview.length_unit = model.units.length_name;
-  preview.force_unit = model.units.force_name;
+  preview.units = model.units;
   preview.dim = model.mesh.dim;
   preview.geometry = report_imported_geometry(deck.imported);
   for (const model::Step& step : model.steps) {
@@ -277,7 +276,7 @@ base::ProgramOutcome check_deck(const RunOptions& options, const CheckedDeck& de
 std::string list_refused_geometry(const CheckedDeck& deck) {
   results::ReportedGeometry geometry = report_imported_geometry(deck.imported);
   geometry.scripts.clear();
-  return report::imported_geometry_listing(geometry, deck.imported.length_name);
+  return report::imported_geometry_listing(geometry, base::OutputUnit{deck.imported.length_name});
 }
 
 } // namespace spricka::program

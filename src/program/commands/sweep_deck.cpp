@@ -266,7 +266,7 @@ private:
     point.passed = static_cast<int>(std::count_if(run.checks.begin(), run.checks.end(),
                                                   [](const auto& c) { return c.passed; }));
     point.warnings = static_cast<int>(run.warnings.size());
-    point.cells = report::collect_sweep_values_of_run(run);
+    point.cells = report::collect_sweep_values_of_run(model, run);
     for (const model::OutputFileRequest& output : model.outputs) {
       if (output.format == model::OutputFormat::csv &&
           output.every == model::OutputFrequency::end) {

@@ -2,6 +2,7 @@
 #pragma once
 #include "base/diagnostics.hpp"
 #include "base/messages.hpp"
+#include "base/output_unit.hpp"
 #include "program/job/log_format.hpp"
 #include "results/results.hpp"
 
@@ -34,7 +35,7 @@ public:
   void report_message(base::Severity severity, std::string_view code, std::string_view text,
                       std::string_view file = {}) const;
   /// A check that has failed: value found and wanted with the tolerance, or why there is no value.
-  void report_failed_check(const results::CheckResult& check) const;
+  void report_failed_check(const results::CheckResult& check, const base::OutputUnit& unit) const;
 
 private:
   LogFormat format_;

@@ -9,10 +9,10 @@
 #include "report/topics/growth_tables.hpp"
 #include "report/topics/k_tables.hpp"
 #include "report/topics/sensitivity_tables.hpp"
+#include "results/result_unit.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 #include <utility>
 
@@ -22,7 +22,6 @@ namespace spricka::program {
 
 namespace {
 
-constexpr double degree = 180.0 / std::numbers::pi;
 using report::ReportTable;
 using results::FrontPointResult;
 using results::FrontResult;
@@ -46,27 +45,31 @@ std::pair<const FrontPointResult*, const FrontPointResult*> extremes(const Front
   return {least, most};
 }
 
-std::string front_state(const FrontResult& front, const std::string& K) {
+std::string front_state(const FrontResult& front, const base::UnitSystem& units) {
   const auto [least, most] = extremes(front);
   if (least == nullptr) {
     return {};
   }
-  const std::string size = fmt::format("{:<12} a = {:<10.6g} ", front.name, front.a);
+  const base::OutputUnit unit = units.output_stress_intensity();
+  const std::string size =
+      fmt::format("{:<12} a = {:<10.6g} ", front.name, units.output_length().from_deck(front.a));
   if (front.two_materials) {
-    return fmt::format("{}G = {:.7g}\n", size, least->G);
+    const base::OutputUnit of_G = base::output_unit(units, base::QuantityKind::energy_release);
+    return fmt::format("{}G = {:.7g}\n", size, of_G.from_deck(least->G));
   }
+  const auto K1 = [&](const FrontPointResult& point) { return unit.from_deck(point.K1); };
   // What `list K` estimates and takes out is still in it.
   const char* const raw = front.has_error_bar() ? "" : "raw ";
-  return front.is_tip()
-             ? fmt::format("{}{}K1 = {:<12.7g} K2 = {:<12.7g} {}\n", size, raw, least->K1,
-                           least->K2, K)
-             : fmt::format("{}{}K1 = {:.7g} .. {:.7g} {}\n", size, raw, least->K1, most->K1, K);
+  return front.is_tip() ? fmt::format("{}{}K1 = {:<12.7g} K2 = {:<12.7g} {}\n", size, raw,
+                                      K1(*least), unit.from_deck(least->K2), unit.name)
+                        : fmt::format("{}{}K1 = {:.7g} .. {:.7g} {}\n", size, raw, K1(*least),
+                                      K1(*most), unit.name);
 }
 
 std::string closed_part(const results::ContactResult& contact, const base::UnitSystem& units) {
   const auto place = [&](double at) {
-    return contact.round ? fmt::format("{:.1f} deg", at * degree)
-                         : fmt::format("{:.5g} {}", at, units.length_name);
+    return contact.round ? fmt::format("{:.1f} deg", at * base::degrees_per_radian)
+                         : units.output_length().text(at, 5);
   };
   if (!contact.mounted) {
     return "not mounted";
@@ -76,7 +79,9 @@ std::string closed_part(const results::ContactResult& contact, const base::UnitS
   }
   const std::string rows = fmt::format("{}/{} closed", contact.closed, contact.rows);
   return contact.space
-             ? fmt::format("{}, area {:.6g}", rows, contact.area)
+             ? fmt::format(
+                   "{}, area {:.6g}", rows,
+                   base::output_unit(units, base::QuantityKind::area).from_deck(contact.area))
              : fmt::format("{}, {} .. {}", rows, place(contact.arc_from), place(contact.arc_to));
 }
 
@@ -119,7 +124,7 @@ std::string K_and_contact_state_reply(const ShellSession& session) {
   const base::UnitSystem& units = session.model().units;
   std::string text;
   for (const FrontResult& front : session.current_result().fronts) {
-    text += front_state(front, units.stress_intensity_name());
+    text += front_state(front, units);
   }
   for (const results::ContactResult& contact : session.current_result().contacts) {
     text += fmt::format("{:<12} {}\n", contact.name, closed_part(contact, units));
@@ -197,16 +202,15 @@ std::string contact_reply(const ShellSession& session, const results::ContactRes
   }
   ReportTable table;
   for (const results::ContactPointQuantity* q : columns) {
-    const bool angle = q->kind == base::QuantityKind::angle;
     table.columns.push_back(
-        {q->name, angle ? "deg" : base::unit_name(session.model().units, q->kind), q->is_word()});
+        {q->name, base::output_unit(session.model().units, q->kind).name, q->is_word()});
   }
   for (const results::ContactPoint& point : contact.points) {
     std::vector<std::string> row;
     for (const results::ContactPointQuantity* q : columns) {
-      const double unit = q->kind == base::QuantityKind::angle ? degree : 1.0;
+      const base::OutputUnit unit = base::output_unit(session.model().units, q->kind);
       row.push_back(q->is_word() ? results::display_word(point.*(q->state))
-                                 : number(unit * q->extract_value(point)));
+                                 : number(unit.from_deck(q->extract_value(point))));
     }
     table.rows.push_back(std::move(row));
   }
@@ -250,17 +254,17 @@ std::vector<MappedFrontPoint> mapped_points(const results::LoadPathResult& path)
 std::string K_along_load_path_reply(const ShellSession& session) {
   const results::LoadPathResult& path = *session.last_followed_path();
   const PathParameterRange& range = session.path_parameter_range();
-  const std::string K = session.model().units.stress_intensity_name();
+  const base::OutputUnit K = session.model().units.output_stress_intensity();
   ReportTable table{"", {{range.what, "", false}}, {}};
   const std::vector<MappedFrontPoint> points =
       path.t.empty() ? std::vector<MappedFrontPoint>() : mapped_points(path);
   for (const MappedFrontPoint& mapped : points) {
     const bool alone = mapped.is_tip && points.size() == 1;
     const std::string of = alone ? std::string() : " " + mapped.name;
-    table.columns.push_back({"K1" + of, K, false});
-    table.columns.push_back({fmt::format("dK1/d{}{}", range.what, of), K, false});
+    table.columns.push_back({"K1" + of, K.name, false});
+    table.columns.push_back({fmt::format("dK1/d{}{}", range.what, of), K.name, false});
     if (mapped.is_tip) {
-      table.columns.push_back({"K2" + of, K, false});
+      table.columns.push_back({"K2" + of, K.name, false});
     }
   }
   for (const results::LoadPathContact& contact : path.contacts) {
@@ -271,10 +275,10 @@ std::string K_along_load_path_reply(const ShellSession& session) {
     std::vector<std::string> row{number(range.from + width * path.t[k])};
     for (const MappedFrontPoint& mapped : points) {
       const auto& [K1, K2, K3] = mapped.point->K;
-      row.push_back(number(K1.value_at_knot(k)));
-      row.push_back(number(K1.slope_after(k) / width));
+      row.push_back(number(K.from_deck(K1.value_at_knot(k))));
+      row.push_back(number(K.from_deck(K1.slope_after(k) / width)));
       if (mapped.is_tip) {
-        row.push_back(number(K2.value_at_knot(k)));
+        row.push_back(number(K.from_deck(K2.value_at_knot(k))));
       }
     }
     for (const results::LoadPathContact& contact : path.contacts) {

@@ -70,12 +70,14 @@ std::vector<report::Figure> path_figures(const ShellSession& session,
 
 // The sizes tried with these loads and fits as steps of one increment, each front a figure.
 std::vector<report::Figure> k_along_fronts(const ShellSession& session) {
+  const base::OutputUnit length = session.model().units.output_length();
   results::CrackLengthResult sizes;
   std::vector<std::string> names;
   for (FrontsAtSize& tried : session.fronts_by_size()) {
     results::LoadStepResult& step = sizes.steps.emplace_back();
-    step.step = fmt::format("a = {:.5g}", tried.size.a);
-    step.step += tried.size.c > 0.0 ? fmt::format(", c = {:.5g}", tried.size.c) : "";
+    step.step = fmt::format("a = {:.5g}", length.from_deck(tried.size.a));
+    step.step +=
+        tried.size.c > 0.0 ? fmt::format(", c = {:.5g}", length.from_deck(tried.size.c)) : "";
     step.fronts = std::move(tried.fronts);
     for (const results::FrontResult& front : step.fronts) {
       if (std::ranges::find(names, front.name) == names.end()) {

@@ -20,14 +20,14 @@ bool has_answers(const ModelVariantResult& variant) {
   return !variant.readings.empty();
 }
 
-std::string unit_of(const model::Model& model, AnswerGroup group) {
+base::OutputUnit unit_of(const model::Model& model, AnswerGroup group) {
   switch (group) {
   case AnswerGroup::K:
-    return model.units.stress_intensity_name();
+    return model.units.output_stress_intensity();
   case AnswerGroup::T:
   case AnswerGroup::pressure:
   case AnswerGroup::stress:
-    return model.units.stress_name();
+    return model.units.output_stress();
   default:
     return {};
   }
@@ -35,18 +35,18 @@ std::string unit_of(const model::Model& model, AnswerGroup group) {
 
 report::ReportTable variants_table(const model::Model& model,
                                    const SimplerModelComparison& ladder) {
-  const std::string unit = unit_of(model, ladder.answers.front().group);
-  const auto value_of = [](std::size_t answer) {
-    return [answer](const ModelVariantResult& variant) {
-      const double value = variant.readings[answer].value;
+  const base::OutputUnit unit = unit_of(model, ladder.answers.front().group);
+  const auto value_of = [&](std::size_t answer) {
+    return [answer, unit](const ModelVariantResult& variant) {
+      const double value = unit.from_deck(variant.readings[answer].value);
       return std::isfinite(value) ? fmt::format("{:.5g}", value) : "-";
     };
   };
   report::Columns<ModelVariantResult> columns;
   columns.words("rung", [](const ModelVariantResult& variant) { return variant.variant.name; })
-      .number(ladder.answers.front().text, unit, value_of(0));
+      .number(ladder.answers.front().text, unit.name, value_of(0));
   if (ladder.answers.size() > 1) {
-    columns.number(ladder.answers.back().text, unit, value_of(ladder.answers.size() - 1));
+    columns.number(ladder.answers.back().text, unit.name, value_of(ladder.answers.size() - 1));
   }
   columns
       .number("largest difference", "%",

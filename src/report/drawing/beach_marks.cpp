@@ -70,11 +70,12 @@ std::string draw_svg(const BeachMarkView& view) {
       reported.push_back(at.y);
     }
   }
-  const double bar = round_number_below(0.4 * std::max(across, high));
+  const double shown = round_number_below(view.length.from_deck(0.4 * std::max(across, high)));
+  const double bar = view.length.to_deck(shown);
   const double y = top + scale * high + marks_margin + 8.0;
   svg.line({marks_margin, y}, {marks_margin + scale * bar, y}, ShapeStyle{.width = 2.0});
   svg.text({marks_margin + scale * bar + 6.0, y + 4.0},
-           fmt::format("{:.6g} {}", bar, view.length_name), TextStyle{});
+           fmt::format("{:.6g} {}", shown, view.length.name), TextStyle{});
   return svg.svg_text();
 }
 

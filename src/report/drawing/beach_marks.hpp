@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/output_unit.hpp"
 #include "base/vec.hpp"
 
 #include <string>
@@ -19,8 +20,8 @@ struct BeachMarkView {
   base::Vec3 right = base::Vec3::UnitX(); ///< unit, in the crack's plane
   base::Vec3 up = base::Vec3::UnitY();
   std::vector<BeachMark> marks;
-  std::string length_name;
-  double width = 560.0; ///< [CSS pixels]
+  base::OutputUnit length; ///< of the bar
+  double width = 560.0;    ///< [CSS pixels]
 };
 
 /// Seen along the normal, both directions to one scale; cycles beside marks that have room for

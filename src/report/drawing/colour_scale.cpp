@@ -56,7 +56,7 @@ std::string band_colour(std::size_t band) {
 }
 
 void draw_colour_legend(SvgDrawing& svg, const ColourScale& scale, DrawingPoint corner,
-                        double width, std::string_view words) {
+                        double width, const MeasureTitle& title) {
   if (!(scale.high > scale.low)) {
     return;
   }
@@ -66,12 +66,14 @@ void draw_colour_legend(SvgDrawing& svg, const ColourScale& scale, DrawingPoint 
     svg.rectangle({corner.x + part * static_cast<double>(b), corner.y}, part, 11.0,
                   {fill, 0.3, fill, ""});
   }
-  for (const AxisTick& tick : round_axis_ticks(scale.low, scale.high, 5)) {
-    const double x = corner.x + width * (tick.value - scale.low) / (scale.high - scale.low);
+  const double low = title.unit.from_deck(scale.low);
+  const double high = title.unit.from_deck(scale.high);
+  for (const AxisTick& tick : round_axis_ticks(low, high, 5)) {
+    const double x = corner.x + width * (tick.value - low) / (high - low);
     svg.line({x, corner.y + 11.0}, {x, corner.y + 15.0}, {"#000", 0.8, "none", ""});
     svg.text({x, corner.y + 27.0}, tick.text, {TextAnchor::middle, 11.0});
   }
-  svg.text({corner.x + width, corner.y - 5.0}, words, {TextAnchor::end, 11.0});
+  svg.text({corner.x + width, corner.y - 5.0}, title.text, {TextAnchor::end, 11.0});
 }
 
 } // namespace spricka::report

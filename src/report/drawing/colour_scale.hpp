@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "report/drawing/measure_title.hpp"
 #include "report/drawing/svg.hpp"
 
 #include <cstddef>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -30,9 +30,9 @@ double value_above_share(std::vector<std::pair<double, double>> values_with_shar
 /// Dark to light, even steps to the eye (Smith and van der Walt's viridis, five of its colours).
 std::string band_colour(std::size_t band);
 
-/// The bands with round numbers below and `words` above; corner: upper left. Nothing of a scale
-/// without extent.
+/// The bands with round numbers below, in the unit of the title, and the title above; corner: upper
+/// left. Nothing of a scale without extent.
 void draw_colour_legend(SvgDrawing& svg, const ColourScale& scale, DrawingPoint corner,
-                        double width, std::string_view words);
+                        double width, const MeasureTitle& title);
 
 } // namespace spricka::report

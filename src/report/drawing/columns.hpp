@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/quantity.hpp"
 #include "report/drawing/table.hpp"
 
 #include <fmt/format.h>
 
 #include <functional>
-#include <numbers>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -15,7 +16,7 @@
 namespace spricka::report {
 
 /// Records have angles in radians, tables and figures in degrees.
-inline constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
+using base::degrees_per_radian;
 
 /// A value as the text of a cell: words as they are, nothing of an empty optional, a number as the
 /// format of fmt says; without one six digits, whole numbers in full.
@@ -30,6 +31,16 @@ template <class Value> std::string cell_text(const Value& value, const char* for
   }
 }
 
+/// A number in units of the deck, or none, as it is written.
+template <class Value> auto in_output_unit(const Value& value, const base::OutputUnit& unit) {
+  if constexpr (requires { value.has_value(); }) {
+    return value ? std::optional(unit.from_deck(*value)) : std::nullopt;
+  } else {
+    static_assert(std::is_floating_point_v<Value>, "texts and counts have no unit to convert from");
+    return unit.from_deck(value);
+  }
+}
+
 /// What a table or a CSV file shows of rows of one kind: columns in their order, each with its
 /// name, unit, value, digits and the rows in which it is empty. A value is a member of Row or a
 /// function of it.
@@ -40,15 +51,33 @@ public:
   Columns& words(std::string name, Value value, std::string unit = {}, const char* form = nullptr) {
     return add({std::move(name), std::move(unit), true}, std::move(value), form);
   }
-  /// A column to the right, in a unit as base::UnitSystem writes it.
+  /// A column to the right; of texts that hold numbers in that unit already.
   template <class Value>
   Columns& number(std::string name, std::string unit, Value value, const char* form = nullptr) {
     return add({std::move(name), std::move(unit), false}, std::move(value), form);
+  }
+  /// A column to the right of numbers in units of the deck, which are written in this one.
+  template <class Value>
+  Columns& number(std::string name, const base::OutputUnit& unit, Value value,
+                  const char* form = nullptr) {
+    return number(
+        std::move(name), unit.name,
+        [unit, value = std::move(value)](const Row& row) {
+          return in_output_unit(std::invoke(value, row), unit);
+        },
+        form);
   }
   /// A column of a CSV file: the shortest decimal number that reads back to the same bits, whatever
   /// the locale.
   template <class Value> Columns& exact(std::string name, Value value) {
     return add({std::move(name), {}, false}, std::move(value), "{}");
+  }
+  /// The same of numbers in units of the deck, which are written in this one.
+  template <class Value>
+  Columns& exact(std::string name, const base::OutputUnit& unit, Value value) {
+    return exact(std::move(name), [unit, value = std::move(value)](const Row& row) {
+      return in_output_unit(std::invoke(value, row), unit);
+    });
   }
   /// Columns added from now on are empty in rows that do not meet the condition.
   Columns& fill_only_if(std::function<bool(const Row&)> condition) {

@@ -38,8 +38,8 @@ std::vector<DrawingPoint> front_line(const CrackView& view, const PictureViewpoi
 }
 
 void draw_legend(SvgDrawing& svg, const ColourScale& scale, const PictureFrame& frame, double width,
-                 const std::string& words) {
-  draw_colour_legend(svg, scale, {0.2 * width, frame.foot() + 12.0}, 0.6 * width, words);
+                 const MeasureTitle& title) {
+  draw_colour_legend(svg, scale, {0.2 * width, frame.foot() + 12.0}, 0.6 * width, title);
 }
 
 } // namespace
@@ -87,7 +87,7 @@ std::string draw_crack_opening(const CrackView& view) {
   for (std::size_t i = 0; i < view.front->points.size(); ++i) {
     svg.marker(MarkerShape::circle, line[i], {"#d55e00", 1.0, "#fff", ""});
   }
-  draw_legend(svg, scale, frame, view.width, fmt::format("{}, {}", what, view.length_name));
+  draw_legend(svg, scale, frame, view.width, legend_title(what, view.length));
   return svg.svg_text();
 }
 

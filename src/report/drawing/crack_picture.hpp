@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "report/drawing/measure_title.hpp"
 #include "results/results.hpp"
 
 #include <string>
@@ -11,7 +12,7 @@ struct CrackView {
   const results::CrackLengthResult* increment = nullptr;
   const results::LoadStepResult* step = nullptr;
   const results::FrontResult* front = nullptr;
-  std::string length_name; ///< unit of length
+  base::OutputUnit length; ///< of how far faces are apart
   double width = 420.0;    ///< [px]
 };
 

@@ -109,7 +109,7 @@ public:
     draw_axes(svg, eye_, {34.0, frame_.foot() + foot_of_axes});
     if (!view_.fronts.empty()) {
       draw_colour_legend(svg, k_scale(view_.fronts), {0.3 * view_.width, frame_.foot() + 12.0},
-                         0.6 * view_.width, fmt::format("K1, {}", view_.k_name));
+                         0.6 * view_.width, view_.k_title);
     }
     return svg.svg_text();
   }

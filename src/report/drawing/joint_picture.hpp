@@ -2,6 +2,7 @@
 #pragma once
 #include "model/forward.hpp"
 #include "report/drawing/body_surface.hpp"
+#include "report/drawing/measure_title.hpp"
 #include "results/results.hpp"
 
 #include <string>
@@ -21,7 +22,7 @@ struct JointView {
   std::vector<std::pair<base::Vec3, std::string>> labels;
   std::string id; ///< unique on the page
   std::string title;
-  std::string k_name;   ///< unit of K
+  MeasureTitle k_title; ///< of its colours
   double width = 420.0; ///< [px]
 };
 

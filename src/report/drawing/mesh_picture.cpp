@@ -291,14 +291,16 @@ void draw_labels(SvgDrawing& svg, const MeshView& view, const Projection& projec
 
 /// A bar of a round length that takes about a quarter of the width.
 void draw_bar(SvgDrawing& svg, const MeshView& view, const Projection& project) {
-  const double length = round_number_below(0.25 * view.width / project.scale());
+  const double shown =
+      round_number_below(view.length.from_deck(0.25 * view.width / project.scale()));
+  const double length = view.length.to_deck(shown);
   const double y = title_height + project.height() + 14.0;
   const double right = 2.0 + length * project.scale();
   const ShapeStyle style{"#000", 1.2, "none", ""};
   svg.line({2.0, y}, {right, y}, style);
   svg.line({2.0, y - 4.0}, {2.0, y + 4.0}, style);
   svg.line({right, y - 4.0}, {right, y + 4.0}, style);
-  svg.text({right + 7.0, y + 4.0}, fmt::format("{:.3g} {}", length, view.length_name),
+  svg.text({right + 7.0, y + 4.0}, fmt::format("{:.3g} {}", shown, view.length.name),
            {TextAnchor::start, 11.0});
   if (view.u != nullptr) {
     svg.text({view.width, y + 4.0}, fmt::format("displacements × {:.3g}", view.magnify),
@@ -313,7 +315,7 @@ MeshView whole_mesh_view(const model::Model& model, const model::Mesh& mesh,
   constexpr double beside = 0.06; // of the size, for arrows and hatches
   MeshView view;
   view.mesh = &mesh;
-  view.length_name = model.units.length_name;
+  view.length = model.units.output_length();
   PictureBox box;
   for (const base::NodeId n : mesh.nodes) {
     box.add({mesh.x[n.index()][0], mesh.x[n.index()][1]});
@@ -358,7 +360,7 @@ std::string draw_svg(const MeshView& view) {
   draw_bar(svg, view, project);
   if (coloured) {
     draw_colour_legend(svg, view.scale, {0.1 * view.width, foot + 14.0}, 0.8 * view.width,
-                       view.field_words);
+                       view.field_title);
   }
   return svg.svg_text();
 }

@@ -33,9 +33,9 @@ struct MeshView {
   /// Colours in the place of tints and inner edges, with their legend below the picture.
   std::vector<double> field; ///< [connectivity index] values; empty: none
   ColourScale scale;
-  std::string field_words; ///< "von Mises, MPa"
-  std::string length_name;
-  double width = 320.0; ///< [px]
+  MeasureTitle field_title; ///< "von Mises, MPa"
+  base::OutputUnit length;  ///< of the bar
+  double width = 320.0;     ///< [px]
 };
 
 /// The most that a picture's window may take [px].

@@ -154,8 +154,8 @@ void draw_axes(SvgDrawing& svg, const Plot& plot, const AxisRange& x, const Axis
     svg.text({x.left - 7.0, at + 4.0}, tick.text, {TextAnchor::end});
   }
   svg.rectangle({x.left, box_top}, box_width, box_height, axis);
-  svg.text({x.left + 0.5 * box_width, bottom + 36.0}, plot.x_name, {TextAnchor::middle, 13.0});
-  svg.text({18.0, box_top + 0.5 * box_height}, plot.y_name,
+  svg.text({x.left + 0.5 * box_width, bottom + 36.0}, plot.x_name.text, {TextAnchor::middle, 13.0});
+  svg.text({18.0, box_top + 0.5 * box_height}, plot.y_name.text,
            {TextAnchor::middle, 13.0, "#000", 90.0});
 }
 
@@ -227,7 +227,7 @@ std::string plot_attributes(const Plot& plot, const AxisRange& x, const AxisRang
       R"(class="plot" data-box="{} {} {} {}" data-x="{} {} {:d}" data-y="{} {} {:d}" )"
       R"(data-x-name="{}" data-y-name="{}")",
       x.left, box_top, box_width, box_height, x.low, x.high, x.log, y.low, y.high, y.log,
-      escape_xml(plot.x_name), escape_xml(plot.y_name));
+      escape_xml(plot.x_name.text), escape_xml(plot.y_name.text));
 }
 
 /// Words in lines of at most `letters` bytes; a longer word stands alone.
@@ -288,6 +288,18 @@ void draw_legend(SvgDrawing& svg, const std::vector<LegendEntry>& entries, Drawi
   }
 }
 
+Plot plot_in_output_units(Plot plot) {
+  for (PlotSeries& series : plot.series) {
+    for (DrawingPoint& point : series.points) {
+      point = {plot.x_name.unit.from_deck(point.x), plot.y_name.unit.from_deck(point.y)};
+    }
+    for (double& bar : series.bars) {
+      bar = plot.y_name.unit.from_deck(bar);
+    }
+  }
+  return plot;
+}
+
 } // namespace
 
 PlotSeries styled_curve(std::string name, std::size_t colour, std::size_t dash) {
@@ -306,11 +318,10 @@ PlotSeries marker_series(std::string name, MarkerShape shape) {
   return series;
 }
 
-std::string axis_title(std::string_view name, std::string_view unit) {
-  return unit.empty() ? std::string(name) : fmt::format("{}  [{}]", name, typeset_unit(unit));
-}
+namespace {
 
-std::string draw_svg(const Plot& plot) {
+// With numbers in the units that are written.
+std::string draw_written_plot(const Plot& plot) {
   AxisRange x = range_of(plot, &DrawingPoint::x);
   const AxisRange y = range_of(plot, &DrawingPoint::y);
   x.left = box_left(y);
@@ -334,6 +345,12 @@ std::string draw_svg(const Plot& plot) {
               plot.legend_below ? DrawingPoint{x.left, foot + 6.0}
                                 : DrawingPoint{legend_left, box_top});
   return svg.svg_text();
+}
+
+} // namespace
+
+std::string draw_svg(const Plot& plot) {
+  return draw_written_plot(plot_in_output_units(plot));
 }
 
 std::string error_bar_note(const std::vector<PlotSeries>& all) {

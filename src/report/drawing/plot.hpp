@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "report/drawing/measure_title.hpp"
 #include "report/drawing/svg.hpp"
 
 #include <limits>
@@ -30,16 +31,13 @@ PlotSeries styled_curve(std::string name, std::size_t colour, std::size_t dash);
 /// Marks without a line, black.
 PlotSeries marker_series(std::string name, MarkerShape shape);
 
-/// "K₁  [MPa √mm]": what an axis shows, with its unit as base::UnitSystem writes it; the name alone
-/// without one.
-std::string axis_title(std::string_view name, std::string_view unit);
-
-/// Curves over one axis; names of axes come with their units. The y axis starts at 0 unless a
+/// Curves over one axis, their points in units of the deck or, where the title has none, as they
+/// are. The y axis starts at 0 unless a
 /// value lies below, or counts in powers of ten.
 struct Plot {
   std::string label; ///< what it shows, in words
-  std::string x_name;
-  std::string y_name;
+  MeasureTitle x_name;
+  MeasureTitle y_name;
   std::vector<PlotSeries> series;
   bool legend_below = false; ///< else at the right
   bool log_x = false;        ///< logarithmic; values that are not positive are left out
@@ -64,7 +62,7 @@ struct PolarCurve {
 
 struct PolarPlot {
   std::string title;
-  std::string unit;
+  base::OutputUnit unit; ///< of pressures, which are given in units of the deck
   std::vector<PolarCurve> curves;
   std::vector<double> mouths; ///< [rad]
   double low = 0.0;           ///< smallest and largest pressure that the scale shows

@@ -84,9 +84,25 @@ void draw_pieces(SvgDrawing& svg, const PolarPlot& plot, const PolarScale& scale
   }
 }
 
+PolarPlot polar_in_output_units(PolarPlot plot) {
+  plot.low = plot.unit.from_deck(plot.low);
+  plot.high = plot.unit.from_deck(plot.high);
+  for (PolarCurve& curve : plot.curves) {
+    for (std::vector<DrawingPoint>& piece : curve.pieces) {
+      for (DrawingPoint& point : piece) {
+        point.y = plot.unit.from_deck(point.y);
+      }
+    }
+  }
+  return plot;
+}
+
 } // namespace
 
-std::string draw_svg(const PolarPlot& plot) {
+namespace {
+
+// With numbers in the units that are written.
+std::string draw_written_polar_plot(const PolarPlot& plot) {
   const PolarScale scale = scale_of(plot);
   SvgDrawing svg(size, size + 8.0, plot.title);
   svg.title({0.5 * size, 14.0}, plot.title);
@@ -100,8 +116,14 @@ std::string draw_svg(const PolarPlot& plot) {
   }
   svg.circle(at(0.0, 0.0), scale.bore, {"#000", 1.0, "none", ""});
   draw_numbers(svg, plot, scale);
-  svg.text(at(0.0, 0.0), plot.unit, {TextAnchor::middle, 10.0, "#333", 0.0, true});
+  svg.text(at(0.0, 0.0), plot.unit.name, {TextAnchor::middle, 10.0, "#333", 0.0, true});
   return svg.svg_text();
+}
+
+} // namespace
+
+std::string draw_svg(const PolarPlot& plot) {
+  return draw_written_polar_plot(polar_in_output_units(plot));
 }
 
 std::string draw_legend(const std::vector<PolarCurve>& curves) {

@@ -118,7 +118,7 @@ std::string draw_svg(const SolidView& view) {
     }
   }
   draw_colour_legend(svg, scale, {0.3 * view.width, frame.foot() + 12.0}, 0.62 * view.width,
-                     view.field_words);
+                     view.field_title);
   draw_axes(svg, eye, {40.0, frame.foot() + 14.0});
   if (magnify > 0.0) {
     svg.text({view.width - 2.0, PictureFrame::head + 4.0},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "report/drawing/body_surface.hpp"
+#include "report/drawing/measure_title.hpp"
 #include "results/results.hpp"
 
 #include <functional>
@@ -14,7 +15,7 @@ struct SolidView {
   const results::LoadStepResult* step = nullptr;
   std::function<double(const results::Stress&)> value; ///< what is shown of them [stress]
   std::string title;                                   ///< "Surface, von Mises stress"
-  std::string field_words;                             ///< "von Mises, MPa"
+  MeasureTitle field_title;                            ///< "von Mises, MPa"
   double width = 560.0;                                ///< [px]
 };
 

@@ -154,7 +154,8 @@ Columns<BetaRow> beta_columns(const model::Model& model) {
   const std::string_view half_axes = dimension_columns.at(model.mesh.dim).half_axes;
   for (std::size_t i = 0; i < half_axes.size(); ++i) {
     columns.fill_only_if([i](const BetaRow& row) { return row.half.at(i) > 0.0; });
-    columns.exact(std::string(1, half_axes[i]), [i](const BetaRow& row) { return row.half.at(i); });
+    columns.exact(std::string(1, half_axes[i]), model.units.output_length(),
+                  [i](const BetaRow& row) { return row.half.at(i); });
   }
   columns.fill_only_if({});
   columns.exact("where", [](const BetaRow& row) { return row.moment->where; });
@@ -169,9 +170,10 @@ Columns<BetaRow> beta_columns(const model::Model& model) {
   for (const model::Contact& contact : model.contacts) {
     add_factor("fit_" + contact.name);
   }
-  columns.exact("K1", [](const BetaRow& row) { return row.K[0]; });
-  columns.exact("K2", [](const BetaRow& row) { return row.K[1]; });
-  columns.exact("beta", [](const BetaRow& row) {
+  const base::OutputUnit unit = model.units.output_stress_intensity();
+  columns.exact("K1", unit, [](const BetaRow& row) { return row.K[0]; });
+  columns.exact("K2", unit, [](const BetaRow& row) { return row.K[1]; });
+  columns.exact("beta", model.units.output_stress(), [](const BetaRow& row) {
     return row.K[0] / std::sqrt(std::numbers::pi * row.end.size);
   });
   return columns;
@@ -216,8 +218,8 @@ void write_beta_csv(const std::filesystem::path& file, const model::Model& model
   const auto& [names, of_c] = axes.at(model.mesh.dim);
   const std::string units =
       fmt::format("{} [{}], K1 K2 [{}], beta [{}] = K1/sqrt(pi a){}, factors and t [1]", names,
-                  model.units.length_name, model.units.stress_intensity_name(),
-                  model.units.stress_name(), of_c);
+                  model.units.output_length().name, model.units.output_stress_intensity().name,
+                  model.units.output_stress().name, of_c);
   write_file(file, beta_columns(model).csv(units, rows));
 }
 

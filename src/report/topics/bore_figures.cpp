@@ -67,7 +67,7 @@ std::vector<Seen> of_sizes(const model::Model& model, const results::RunResult& 
   std::vector<Seen> all;
   for (const results::CrackLengthResult* increment : sample_increments(run, most_sizes)) {
     add_closed(all, results::find_step(*increment, step), contact,
-               fmt::format("{}, a = {:.4g} {}", step, increment->a, model.units.length_name),
+               fmt::format("{}, a = {}", step, model.units.output_length().text(increment->a, 4)),
                least);
   }
   return all;
@@ -114,7 +114,7 @@ public:
     svg_.unclip();
     axes();
     draw_colour_legend(svg_, scale, {left + 0.25 * width, top + height + 46.0}, 0.5 * width,
-                       fmt::format("p, {}", model_.units.stress_name()));
+                       legend_title("p", model_.units.output_stress()));
     return svg_.svg_text();
   }
 
@@ -177,14 +177,15 @@ private:
     }
     svg_.text({left + 0.5 * width, top + height + 33.0}, "θ  [deg]",
               {.anchor = TextAnchor::middle});
+    const base::OutputUnit length = model_.units.output_length();
     for (const AxisTick& tick :
-         round_axis_ticks(surface_.lowest_axial_position(), surface_.highest_axial_position(), 4)) {
-      const double y = place({0.0, tick.value}).y;
+         round_axis_ticks(length.from_deck(surface_.lowest_axial_position()),
+                          length.from_deck(surface_.highest_axial_position()), 4)) {
+      const double y = place({0.0, length.to_deck(tick.value)}).y;
       svg_.line({left - 4.0, y}, {left, y}, {});
       svg_.text({left - 7.0, y + 4.0}, tick.text, {.anchor = TextAnchor::end});
     }
-    svg_.text({16.0, top + 0.5 * height},
-              fmt::format("along the axis  [{}]", model_.units.length_name),
+    svg_.text({16.0, top + 0.5 * height}, axis_title("along the axis", length).text,
               {.anchor = TextAnchor::middle, .angle = 90.0});
   }
 
@@ -239,8 +240,8 @@ std::string depth_plot(const model::Model& model, const Seen& seen) {
       1e-3 * seen.contact->radius * surface.largest_pressure(); // pressed alike all round
   const double middle = std::hypot(push.x, push.y) > even ? std::atan2(push.y, push.x) : 0.0;
   Plot plot{fmt::format("{}, {}: pressure along the axis", seen.contact->name, seen.label),
-            axis_title("along the axis", model.units.length_name),
-            axis_title("p", model.units.stress_name()),
+            axis_title("along the axis", model.units.output_length()),
+            axis_title("p", model.units.output_stress()),
             {}};
   constexpr std::array<int, 5> beside{0, 45, 90, 135, 180};
   for (std::size_t k = 0; k < beside.size(); ++k) {
@@ -264,8 +265,9 @@ std::string depth_plot(const model::Model& model, const Seen& seen) {
 std::string force_plot(const model::Model& model, const std::vector<Seen>& all,
                        const model::Contact& contact) {
   Plot plot{fmt::format("{}: force along the axis", contact.name),
-            axis_title("along the axis", model.units.length_name),
-            axis_title("force per length", model.units.force_name + "/" + model.units.length_name),
+            axis_title("along the axis", model.units.output_length()),
+            axis_title("force per length",
+                       base::output_unit(model.units, base::QuantityKind::energy_release)),
             {}};
   for (std::size_t s = 0; s < all.size(); ++s) {
     const UnrolledSurface& surface = all[s].surface;

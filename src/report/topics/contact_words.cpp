@@ -76,7 +76,8 @@ std::optional<std::array<double, 2>> open_arc(const ContactResult& contact) {
 /// Between solids: how much of the surface touches, and round an axis where none of it does.
 std::string area_words(const model::Model& model, const ContactResult& contact) {
   const double whole = surface_area(contact);
-  std::string text = fmt::format("touches over {:.4g} {}^2", contact.area, model.units.length_name);
+  const base::OutputUnit unit = base::output_unit(model.units, base::QuantityKind::area);
+  std::string text = fmt::format("touches over {}", unit.text(contact.area, 4));
   if (whole > 0.0) {
     text += fmt::format(" ({:.0f} % of its surface)", 100.0 * contact.area / whole);
   }
@@ -98,8 +99,9 @@ std::string arc_words(const model::Model& model, const ContactResult& contact) {
                        degrees(contact.arc_from), degrees(contact.arc_to),
                        degrees(contact.arc_to - contact.arc_from));
   }
-  return fmt::format("touches from {:.4g} to {:.4g} {} along it, is open beside", contact.arc_from,
-                     contact.arc_to, model.units.length_name);
+  const base::OutputUnit unit = model.units.output_length();
+  return fmt::format("touches from {:.4g} to {} along it, is open beside",
+                     unit.from_deck(contact.arc_from), unit.text(contact.arc_to, 4));
 }
 
 /// Whether all of it is pressed alike but for the mesh.
@@ -117,23 +119,22 @@ std::string peak_words(const model::Model& model, const model::Contact& card,
   if (peak == nullptr) {
     return {};
   }
-  const std::string& unit = model.units.length_name;
+  const base::OutputUnit unit = model.units.output_length();
+  const std::string pressure = model.units.output_stress().text(recovered_pressure(card, *peak), 4);
   if (is_uniform(card, contact, *peak)) {
-    return fmt::format("; pressure {:.4g} {} everywhere", recovered_pressure(card, *peak),
-                       model.units.stress_name());
+    return fmt::format("; pressure {} everywhere", pressure);
   }
   std::string where;
   if (contact.radius > 0.0) {
     where =
-        fmt::format("{:.0f} deg, {:.4g} {} along the axis", degrees(peak->theta), peak->arc, unit);
+        fmt::format("{:.0f} deg, {} along the axis", degrees(peak->theta), unit.text(peak->arc, 4));
   } else if (contact.round) {
     where = fmt::format("{:.1f} deg", degrees(peak->theta));
   } else {
-    where = fmt::format("{:.4g}, {:.4g}", peak->x[0], peak->x[1]);
-    where += contact.space ? fmt::format(", {:.4g} {}", peak->x[2], unit) : " " + unit;
+    where = fmt::format("{:.4g}, {:.4g}", unit.from_deck(peak->x[0]), unit.from_deck(peak->x[1]));
+    where += contact.space ? ", " + unit.text(peak->x[2], 4) : " " + unit.name;
   }
-  return fmt::format("; largest pressure {:.4g} {} at {}", recovered_pressure(card, *peak),
-                     model.units.stress_name(), where);
+  return fmt::format("; largest pressure {} at {}", pressure, where);
 }
 
 bool is_pressed_at_all(const ContactResult& contact, double least_pressure) {

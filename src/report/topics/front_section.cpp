@@ -9,6 +9,7 @@
 #include "report/drawing/plot.hpp"
 #include "report/topics/front_places.hpp"
 #include "report/topics/result_rows.hpp"
+#include "results/result_unit.hpp"
 #include "results/shown_step.hpp"
 
 #include <fmt/format.h>
@@ -111,7 +112,7 @@ std::optional<Figure> crack_pictures(const model::Model& model, const results::R
   view.increment = &increment;
   view.step = &step;
   view.front = &*front;
-  view.length_name = model.units.length_name;
+  view.length = model.units.output_length();
   JointView body;
   body.increment = &increment;
   body.step = &step;
@@ -123,7 +124,7 @@ std::optional<Figure> crack_pictures(const model::Model& model, const results::R
   }
   body.id = fmt::format("front-{}", name);
   body.title = fmt::format("{} in its body", name);
-  body.k_name = typeset_unit(model.units.stress_intensity_name());
+  body.k_title = legend_title("K1", model.units.output_stress_intensity());
   Figure figure;
   for (const std::string& drawing : {draw_svg(body), draw_crack_opening(view)}) {
     if (!drawing.empty()) {
@@ -149,7 +150,7 @@ Figure k_along_front_figure(const model::Model& model, const results::CrackLengt
   const double scale = largest_K(increment);
   Plot plot;
   plot.label = fmt::format("stress intensity factors along the front of {}", name);
-  plot.y_name = fmt::format("K, {}", typeset_unit(model.units.stress_intensity_name()));
+  plot.y_name = legend_title("K", model.units.output_stress_intensity());
   plot.legend_below = true;
   double a = 0.0;
   std::size_t ink = 0;
@@ -160,7 +161,7 @@ Figure k_along_front_figure(const model::Model& model, const results::CrackLengt
     a = front.a;
     plot.x_name = front.has_angles
                       ? "angle φ along the front, degrees"
-                      : fmt::format("length along the front, {}", model.units.length_name);
+                      : legend_title("length along the front", model.units.output_length());
     for (std::size_t mode = 0; mode < front_modes.size(); ++mode) {
       PlotSeries series = curve_along(front, mode);
       const bool nothing = std::ranges::all_of(series.points, [&](const DrawingPoint& p) {
@@ -177,9 +178,9 @@ Figure k_along_front_figure(const model::Model& model, const results::CrackLengt
   }
   return {{draw_svg(plot)},
           "",
-          fmt::format("K along the front of {}, a = {:.4g} {}. Points where the front leaves the "
+          fmt::format("K along the front of {}, a = {}. Points where the front leaves the "
                       "body are left out: K there depends on the mesh.",
-                      name, a, model.units.length_name)};
+                      name, model.units.output_length().text(a, 4))};
 }
 
 std::vector<Figure> k_along_front_figures(const model::Model& model,
@@ -200,16 +201,17 @@ std::vector<Figure> beach_mark_figures(const model::Model& model, const results:
   if (!run.growth) {
     return figures;
   }
+  const base::OutputUnit life = results::life_unit(model.units, *run.growth);
   const std::vector<results::GrowthStation>& stations = run.growth->stations;
   for (const model::CrackDefinition& crack : model.cracks) {
     BeachMarkView view;
     view.title = fmt::format("Fronts of {}", crack.name);
     view.right = crack.plane.along;
     view.up = crack.plane.transverse_axis();
-    view.length_name = model.units.length_name;
+    view.length = model.units.output_length();
     for (std::size_t i = 0; i < std::min(stations.size(), run.increments.size()); ++i) {
       BeachMark mark{.fronts = fronts_of(run.increments[i], crack.name),
-                     .cycles = stations[i].cycles};
+                     .cycles = life.from_deck(stations[i].cycles)};
       if (!mark.fronts.empty()) {
         view.marks.push_back(std::move(mark));
       }
@@ -221,7 +223,7 @@ std::vector<Figure> beach_mark_figures(const model::Model& model, const results:
                        "",
                        fmt::format("Where the front of {} was solved, seen along the crack's "
                                    "normal; N in {}.",
-                                   crack.name, run.growth->unit == "pass" ? "passes" : "cycles")});
+                                   crack.name, results::life_unit_words(life.name))});
   }
   return figures;
 }

@@ -62,7 +62,7 @@ void add_measured(Plot& plot, const results::GrowthTestResult& test, const KFigu
 }
 
 std::string readings_plot(const model::Model& model, const results::GrowthTestResult& test) {
-  Plot plot{"Readings of the test", "N", axis_title("a", model.units.length_name), {}};
+  Plot plot{"Readings of the test", "N", axis_title("a", model.units.output_length()), {}};
   PlotSeries& readings = plot.series.emplace_back(marker_series("", MarkerShape::circle));
   readings.colour = palette_colour(1);
   for (const auto& [cycles, a] : test.readings) {
@@ -90,11 +90,11 @@ Figure figure_of(const model::Model& model, const results::RunResult& run,
           fmt::format("Test {}: the readings, the K₁ of {} that follows from its measured growth "
                       "({}, {}), and K₁ computed at step {}.{}",
                       test.name, test.tip, test.method, test.reference, leading_step_name(model),
-                      scale.state ? fmt::format(" R = {:.6g} {}, σ = {:.4g} {} (the deck's "
-                                                "parameters R and SIGMA).",
-                                                scale.state->radius, model.units.length_name,
-                                                scale.state->sigma, model.units.stress_name())
-                                  : std::string())};
+                      scale.state
+                          ? fmt::format(" R = {}, σ = {} (the deck's parameters R and SIGMA).",
+                                        model.units.output_length().text(scale.state->radius, 6),
+                                        model.units.output_stress().text(scale.state->sigma, 4))
+                          : std::string())};
 }
 
 } // namespace
@@ -112,26 +112,29 @@ void write_growth_test_csv(const std::filesystem::path& file, const model::Model
       rows.emplace_back(&test, &point);
     }
   }
+  const base::OutputUnit length = model.units.output_length();
+  const base::OutputUnit unit = model.units.output_stress_intensity();
   Columns<Row> columns;
   columns.exact("test", [](const Row& row) { return row.first->name; })
       .exact("tip", [](const Row& row) { return row.first->tip; })
       .exact("N", [](const Row& row) { return row.second->cycles; })
-      .exact("a", [](const Row& row) { return row.second->a; })
-      .exact("rate", [](const Row& row) { return row.second->rate; });
-  for (const auto& [name, member] : {std::pair("rate_low", &Point::rate_low),
-                                     {"rate_high", &Point::rate_high},
-                                     {"R", &Point::R},
-                                     {"K_exp", &Point::K},
-                                     {"K_low", &Point::low},
-                                     {"K_high", &Point::high},
-                                     {"K_computed", &Point::computed}}) {
-    columns.exact(name, [member = member](const Row& row) { return present(row.second->*member); });
+      .exact("a", length, [](const Row& row) { return row.second->a; })
+      .exact("rate", length, [](const Row& row) { return row.second->rate; });
+  for (const auto& [name, member, of_values] : {std::tuple("rate_low", &Point::rate_low, length),
+                                                {"rate_high", &Point::rate_high, length},
+                                                {"R", &Point::R, base::OutputUnit()},
+                                                {"K_exp", &Point::K, unit},
+                                                {"K_low", &Point::low, unit},
+                                                {"K_high", &Point::high, unit},
+                                                {"K_computed", &Point::computed, unit}}) {
+    columns.exact(name, of_values,
+                  [member = member](const Row& row) { return present(row.second->*member); });
   }
   columns.exact("ratio", [](const Row& row) { return present(row.second->ratio()); })
       .exact("covered", [](const Row& row) { return row.second->covered ? 1 : 0; });
   const std::string units =
       fmt::format("a [{0}], rates [{0}/cycle], K [{1}], R ratio covered [1]; low and high: 95 %",
-                  model.units.length_name, model.units.stress_intensity_name());
+                  length.name, unit.name);
   write_file(file, columns.csv(units, rows));
 }
 
@@ -146,7 +149,7 @@ ReportTable growth_test_summary_table(const model::Model& model, const results::
       .words("method", &Test::method)
       .words("reference", &Test::reference)
       .number("readings", "", [](const Test& test) { return test.readings.size(); })
-      .number("scatter", model.units.length_name, present_value(&Test::scatter), "{:.4g}")
+      .number("scatter", model.units.output_length(), present_value(&Test::scatter), "{:.4g}")
       .number("compared", "", [=](const Test& test) { return compared(test).points; })
       .fill_only_if([=](const Test& test) { return compared(test).points > 0; })
       .number(
@@ -165,8 +168,8 @@ ReportTable growth_test_summary_table(const model::Model& model, const results::
 
 ReportTable test_points_table(const model::Model& model, const results::GrowthTestResult& test) {
   using Point = results::GrowthTestPoint;
-  const std::string k_unit = model.units.stress_intensity_name();
-  const std::string& a_unit = model.units.length_name;
+  const base::OutputUnit k_unit = model.units.output_stress_intensity();
+  const base::OutputUnit a_unit = model.units.output_length();
   constexpr const char* four = "{:.4g}";
   Columns<Point> columns;
   columns.number("N", "", &Point::cycles)

@@ -47,7 +47,7 @@ std::string draw_solid_joint(const DrawnState& state, const PictureLimits& limit
   view.marks = &state.model;
   view.id = "joint";
   view.title = "The joint";
-  view.k_name = typeset_unit(state.model.units.stress_intensity_name());
+  view.k_title = legend_title("K1", state.model.units.output_stress_intensity());
   view.width = limits.width;
   for (const results::FrontResult& front : state.step.fronts) {
     view.fronts.push_back(&front);

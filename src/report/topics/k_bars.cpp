@@ -12,6 +12,16 @@ namespace spricka::report {
 
 namespace {
 
+// What is printed of a bar.
+results::KErrorBar bar_in_output_unit(const results::KErrorBar& bar, const base::OutputUnit& unit) {
+  results::KErrorBar written;
+  written.mesh = unit.from_deck(bar.mesh);
+  written.edge = unit.from_deck(bar.edge);
+  written.floor = unit.from_deck(bar.floor);
+  written.of_best = bar.of_best;
+  return written;
+}
+
 // Which K is printed: with its estimated error taken out, or not.
 std::string kind_of_K_text(const results::KErrorBar& bar, const std::string& raw) {
   return bar.of_best ? "raw " + raw : "as the mesh has it";
@@ -74,7 +84,8 @@ std::string format_error_bar(double size) {
   return fmt::format("{:.0f}", unit * std::round(size / unit));
 }
 
-std::string k_error_bar_lines(const results::CrackLengthResult& increment) {
+std::string k_error_bar_lines(const results::CrackLengthResult& increment,
+                              const base::OutputUnit& unit) {
   const std::vector<FrontRow> rows = front_rows({&increment, 1});
   std::size_t step_width = 0;
   std::size_t name_width = 0;
@@ -88,7 +99,9 @@ std::string k_error_bar_lines(const results::CrackLengthResult& increment) {
       const results::FrontPointResult& tip = row.front.single_point();
       lines +=
           fmt::format("  {:<{}}  {:<{}}  K{} = {}\n", row.step.step, step_width, row.front.name,
-                      name_width, k + 1, k_with_bar_text(tip.K()[k], tip.raw_K()[k], tip.bar[k]));
+                      name_width, k + 1,
+                      k_with_bar_text(unit.from_deck(tip.K()[k]), unit.from_deck(tip.raw_K()[k]),
+                                      bar_in_output_unit(tip.bar[k], unit)));
     }
   }
   return lines;

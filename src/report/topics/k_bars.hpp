@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/output_unit.hpp"
 #include "results/results.hpp"
 
 #include <string>
@@ -20,7 +21,9 @@ std::string k_with_bar_text(double K, double raw, const results::KErrorBar& bar)
 /// Half width of an error bar, two digits that count: "290", "0.053", "1.2e-05".
 std::string format_error_bar(double size);
 
-/// A line for K1 and one for K2 of every tip and step; empty without bars and in space.
-std::string k_error_bar_lines(const results::CrackLengthResult& increment);
+/// A line for K1 and one for K2 of every tip and step, in that unit; empty without bars and in
+/// space.
+std::string k_error_bar_lines(const results::CrackLengthResult& increment,
+                              const base::OutputUnit& unit);
 
 } // namespace spricka::report

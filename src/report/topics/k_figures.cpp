@@ -5,6 +5,7 @@
 #include "report/topics/figures.hpp"
 #include "report/topics/k_bars.hpp"
 #include "report/topics/result_rows.hpp"
+#include "results/result_unit.hpp"
 #include "results/shown_step.hpp"
 
 #include <fmt/format.h>
@@ -198,7 +199,7 @@ std::vector<KCheckReference> k_references(const model::Model& model,
           {.tip = *tip,
            .step = *step,
            .a = a == nullptr ? found->a : *a,
-           .wanted = check.value,
+           .wanted = results::wanted_value(model.units, check, run),
            .found = found->single_point().K1,
            .source = check.source,
            .bar = found->has_error_bar() ? found->single_point().bar[0].size() : 0.0});
@@ -209,8 +210,8 @@ std::vector<KCheckReference> k_references(const model::Model& model,
 
 Plot KFigureScale::plot(const model::Model& model, const std::string& label) const {
   return {label,
-          state ? "a / R" : axis_title("a", model.units.length_name),
-          state ? "K₁ / (σ √(πa))" : axis_title("K₁", model.units.stress_intensity_name()),
+          state ? "a / R" : axis_title("a", model.units.output_length()),
+          state ? "K₁ / (σ √(πa))" : axis_title("K₁", model.units.output_stress_intensity()),
           {}};
 }
 
@@ -288,16 +289,14 @@ std::optional<Figure> normalised_k_figure(const model::Model& model,
   add_reference_marks(plot, references, step, reference_marks, scale);
   plot.legend_below = true;
   const ReportTable table = normalised_table(*scale.state, references, step);
-  Figure figure{
-      {draw_svg(plot)},
-      "",
-      fmt::format(
-          "K₁ at the end of step {} over σ √(πa), against a/R; R = {:.6g} {}, σ = {:.4g} {} "
-          "(the deck's parameters R and SIGMA).{}",
-          step, scale.state->radius, model.units.length_name, scale.state->sigma,
-          model.units.stress_name(),
-          table.rows.empty() ? "" : " Marks: values the deck compares with.") +
-          error_bar_note(plot.series)};
+  Figure figure{{draw_svg(plot)},
+                "",
+                fmt::format("K₁ at the end of step {} over σ √(πa), against a/R; R = {}, σ = {} "
+                            "(the deck's parameters R and SIGMA).{}",
+                            step, model.units.output_length().text(scale.state->radius, 6),
+                            model.units.output_stress().text(scale.state->sigma, 4),
+                            table.rows.empty() ? "" : " Marks: values the deck compares with.") +
+                    error_bar_note(plot.series)};
   if (!table.rows.empty()) {
     figure.drawings.push_back(table_to_html(table));
   }
@@ -305,14 +304,16 @@ std::optional<Figure> normalised_k_figure(const model::Model& model,
 }
 
 ReportTable k_reference_table(const model::Model& model, const results::RunResult& run) {
-  const std::string k_unit = model.units.stress_intensity_name();
+  const base::OutputUnit k_unit = model.units.output_stress_intensity();
   Columns<KCheckReference> columns;
   columns.words("tip", &KCheckReference::tip)
       .words("step", &KCheckReference::step)
-      .number("a", model.units.length_name, &KCheckReference::a, "{:.4g}")
+      .number("a", model.units.output_length(), &KCheckReference::a, "{:.4g}")
       .number("K1", k_unit, &KCheckReference::found, "{:.5g}")
-      .number("+-", k_unit,
-              [](const KCheckReference& r) { return r.bar > 0.0 ? format_error_bar(r.bar) : ""; })
+      .number("+-", k_unit.name,
+              [k_unit](const KCheckReference& r) {
+                return r.bar > 0.0 ? format_error_bar(k_unit.from_deck(r.bar)) : "";
+              })
       .number("reference", k_unit, &KCheckReference::wanted, "{:.5g}")
       .number("error", "%", percent)
       .words("source", &KCheckReference::source);

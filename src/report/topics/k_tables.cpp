@@ -38,17 +38,18 @@ CrackScale crack_scale(std::span<const results::CrackLengthResult> increments) {
   return scale;
 }
 
-std::string k_cell(const results::KQuantity& q, const FrontPointRow& row, const CrackScale& scale) {
-  const double value = q.extract_value(row.front, row.point);
+std::string k_cell(const results::KQuantity& q, const FrontPointRow& row,
+                   const base::OutputUnit& unit, const CrackScale& scale) {
+  const double value = unit.from_deck(q.extract_value(row.front, row.point));
   if (q.kind == base::QuantityKind::angle) {
-    return fmt::format("{:.2f}", std::round(value * degrees_per_radian * 100.0) / 100.0 + 0.0);
+    return fmt::format("{:.2f}", std::round(value * 100.0) / 100.0 + 0.0);
   }
   switch (q.digits) {
   case results::KQuantityDigits::two:
     return cell_text(value, row.front.is_tip() ? "{:.2e}" : "{:.2g}");
   case results::KQuantityDigits::six_beside_largest:
-    return six_digits_or_zero(value,
-                              q.kind == base::QuantityKind::energy_release ? scale.G : scale.K);
+    return six_digits_or_zero(
+        value, unit.from_deck(q.kind == base::QuantityKind::energy_release ? scale.G : scale.K));
   case results::KQuantityDigits::six:
     break;
   }
@@ -56,9 +57,10 @@ std::string k_cell(const results::KQuantity& q, const FrontPointRow& row, const 
 }
 
 /// K with the digits that its bar leaves meaning to.
-std::string k_by_bar_cell(const results::KQuantity& q, const FrontPointRow& row) {
-  return k_by_bar_text(q.extract_value(row.front, row.point),
-                       row.point.bar[static_cast<std::size_t>(q.mode)].size());
+std::string k_by_bar_cell(const results::KQuantity& q, const FrontPointRow& row,
+                          const base::OutputUnit& unit) {
+  return k_by_bar_text(unit.from_deck(q.extract_value(row.front, row.point)),
+                       unit.from_deck(row.point.bar[static_cast<std::size_t>(q.mode)].size()));
 }
 
 bool any_is_corrected(const std::vector<FrontPointRow>& rows) {
@@ -88,31 +90,33 @@ void add_k_columns(Columns<FrontPointRow>& columns, const model::Model& model,
         !(parts.G && std::string_view(q->name) == "G")) {
       continue;
     }
-    const std::string unit =
-        q->kind == base::QuantityKind::angle ? "deg" : base::unit_name(model.units, q->kind);
+    const base::OutputUnit unit = base::output_unit(model.units, q->kind);
     columns.fill_only_if(
         [q](const FrontPointRow& row) { return q->is_given(row.front, row.point); });
-    columns.number(q->heading.empty() ? q->name : std::string(q->heading), unit,
-                   [q, scale, brief](const FrontPointRow& row) {
+    columns.number(q->heading.empty() ? q->name : std::string(q->heading), unit.name,
+                   [q, unit, scale, brief](const FrontPointRow& row) {
                      return brief && q->is_k() && row.front.has_error_bar()
-                                ? k_by_bar_cell(*q, row)
-                                : k_cell(*q, row, scale);
+                                ? k_by_bar_cell(*q, row, unit)
+                                : k_cell(*q, row, unit, scale);
                    });
     if (q->is_k() && parts.bars) {
       columns.fill_only_if([q](const FrontPointRow& row) {
         return q->is_given(row.front, row.point) && row.front.has_error_bar() &&
                !row.point.at_surface;
       });
-      columns.number(fmt::format("+- {}", q->name), unit, [q](const FrontPointRow& row) {
-        return format_error_bar(row.point.bar[static_cast<std::size_t>(q->mode)].size());
+      columns.number(fmt::format("+- {}", q->name), unit.name, [q, unit](const FrontPointRow& row) {
+        return format_error_bar(
+            unit.from_deck(row.point.bar[static_cast<std::size_t>(q->mode)].size()));
       });
     }
     if (q->is_k() && parts.raw && !brief) {
       columns.fill_only_if(
           [q](const FrontPointRow& row) { return q->is_given(row.front) && row.point.raw; });
-      columns.number(fmt::format("raw {}", q->name), unit, [q, scale](const FrontPointRow& row) {
-        return six_digits_or_zero(row.point.raw_K()[static_cast<std::size_t>(q->mode)], scale.K);
-      });
+      columns.number(fmt::format("raw {}", q->name), unit.name,
+                     [q, unit, scale](const FrontPointRow& row) {
+                       const double raw = row.point.raw_K()[static_cast<std::size_t>(q->mode)];
+                       return six_digits_or_zero(unit.from_deck(raw), unit.from_deck(scale.K));
+                     });
     }
   }
   columns.fill_only_if({});
@@ -196,7 +200,7 @@ ReportTable front_place_table(const model::Model& model,
   constexpr double shown_beside_largest = 1e-3;
   const CrackScale scale = crack_scale({&increment, 1});
   const std::vector<FrontPlaceRow> rows = place_rows(increment, first.name, 1e-9 * scale.K);
-  const std::string unit = model.units.stress_intensity_name();
+  const base::OutputUnit unit = model.units.output_stress_intensity();
   Columns<FrontPlaceRow> columns;
   columns.words("step", [](const FrontPlaceRow& row) { return row.step.step; })
       .words("place", &FrontPlaceRow::place)
@@ -208,21 +212,22 @@ ReportTable front_place_table(const model::Model& model,
     if (!reported) {
       continue;
     }
-    columns.number(fmt::format("K{}", mode + 1), unit, [=](const FrontPlaceRow& row) {
+    columns.number(fmt::format("K{}", mode + 1), unit.name, [=](const FrontPlaceRow& row) {
+      const double K = unit.from_deck(place_K(row, mode));
       return row.front.has_error_bar()
-                 ? k_by_bar_text(place_K(row, mode), row.point.bar[mode].size())
-                 : six_digits_or_zero(place_K(row, mode), scale.K);
+                 ? k_by_bar_text(K, unit.from_deck(row.point.bar[mode].size()))
+                 : six_digits_or_zero(K, unit.from_deck(scale.K));
     });
     if (first.has_error_bar()) {
       columns.fill_only_if([](const FrontPlaceRow& row) { return row.front.has_error_bar(); });
-      columns.number("+-", unit, [=](const FrontPlaceRow& row) {
-        return format_error_bar(row.point.bar[mode].size());
+      columns.number("+-", unit.name, [=](const FrontPlaceRow& row) {
+        return format_error_bar(unit.from_deck(row.point.bar[mode].size()));
       });
       columns.fill_only_if({});
     }
   }
   columns.number(
-      "length along the front", model.units.length_name,
+      "length along the front", model.units.output_length(),
       [](const FrontPlaceRow& row) { return row.point.s; }, "{:.4g}");
   if (first.has_angles) {
     columns.number(
@@ -230,8 +235,8 @@ ReportTable front_place_table(const model::Model& model,
         "{:.1f}");
   }
   columns.words("", [](const FrontPlaceRow& row) { return row.point.closed ? "closed" : ""; });
-  return columns.table(fmt::format("Stress intensity factors of {}, a = {:.4g} {}", first.name,
-                                   first.a, model.units.length_name),
+  return columns.table(fmt::format("Stress intensity factors of {}, a = {}", first.name,
+                                   model.units.output_length().text(first.a, 4)),
                        rows);
 }
 

@@ -17,27 +17,6 @@ namespace spricka::report {
 
 namespace {
 
-// "-PIN@152.3 +BUSH@90": pairs that open and close at this t; between solids "-PIN@36/0/7", the
-// node's place.
-std::string changes_at(const model::Mesh& mesh, const results::LoadPathResult& path, double t) {
-  std::string text;
-  for (const results::ContactStatusChange& change : path.changes) {
-    if (change.t != t) {
-      continue;
-    }
-    double along = change.place;
-    std::span<const double> place(&along, 1);
-    if (!dimension_columns.at(mesh.dim).arcs) {
-      place = {mesh.x[change.node.index()].data(), 3};
-    } else if (const auto* contact = results::find_contact(path, change.contact)) {
-      along = contact_place_in_table_units(*contact, along);
-    }
-    text += fmt::format("{}{}{}@{:.6g}", text.empty() ? "" : " ", change.closes ? '+' : '-',
-                        change.contact, fmt::join(place, "/"));
-  }
-  return text;
-}
-
 /// A row of either file: a load path at one of its knots, of a front at a point.
 struct PathRow {
   const results::CrackLengthResult& increment;
@@ -46,6 +25,30 @@ struct PathRow {
   const results::LoadPathFront* front = nullptr;
   const results::LoadPathFrontPoint* point = nullptr;
 };
+
+// "-PIN@152.3 +BUSH@90": pairs that open and close at this t; between solids "-PIN@36/0/7", the
+// node's place.
+std::string changes_at(const PathRow& row, const base::OutputUnit& length) {
+  const model::Mesh& mesh = row.increment.mesh;
+  const results::LoadPathResult& path = row.path;
+  const double t = path.t[row.knot];
+  std::string text;
+  for (const results::ContactStatusChange& change : path.changes) {
+    if (change.t != t) {
+      continue;
+    }
+    std::vector<double> place{change.place};
+    if (!dimension_columns.at(mesh.dim).arcs) {
+      const base::Vec3& x = mesh.x[change.node.index()];
+      place = {length.from_deck(x[0]), length.from_deck(x[1]), length.from_deck(x[2])};
+    } else if (const auto* contact = results::find_contact(path, change.contact)) {
+      place = {contact_place_as_written(*contact, change.place, length)};
+    }
+    text += fmt::format("{}{}{}@{:.6g}", text.empty() ? "" : " ", change.closes ? '+' : '-',
+                        change.contact, fmt::join(place, "/"));
+  }
+  return text;
+}
 
 Columns<PathRow> knot_columns() {
   Columns<PathRow> columns;
@@ -59,22 +62,23 @@ Columns<PathRow> knot_columns() {
 /// row, or null.
 template <class PointOf>
 void add_k_columns(Columns<PathRow>& columns, const std::string& prefix, std::size_t modes,
-                   const PointOf& point_of) {
+                   const base::OutputUnit& unit, const PointOf& point_of) {
   columns.fill_only_if([=](const PathRow& row) { return point_of(row) != nullptr; });
   for (std::size_t k = 0; k < modes; ++k) {
-    columns.exact(fmt::format("{}K{}", prefix, k + 1),
+    columns.exact(fmt::format("{}K{}", prefix, k + 1), unit,
                   [=](const PathRow& row) { return point_of(row)->K[k].value_at_knot(row.knot); });
   }
   for (std::size_t k = 0; k < modes; ++k) {
-    columns.exact(fmt::format("{}dK{}_before", prefix, k + 1),
+    columns.exact(fmt::format("{}dK{}_before", prefix, k + 1), unit,
                   [=](const PathRow& row) { return point_of(row)->K[k].slope_before(row.knot); });
-    columns.exact(fmt::format("{}dK{}_after", prefix, k + 1),
+    columns.exact(fmt::format("{}dK{}_after", prefix, k + 1), unit,
                   [=](const PathRow& row) { return point_of(row)->K[k].slope_after(row.knot); });
   }
   columns.fill_only_if({});
 }
 
-void add_contact_columns(Columns<PathRow>& columns, const std::string& name) {
+void add_contact_columns(Columns<PathRow>& columns, const std::string& name,
+                         const base::OutputUnit& length) {
   const auto found = [name](const PathRow& row) { return results::find_contact(row.path, name); };
   columns.fill_only_if([=](const PathRow& row) { return found(row) != nullptr; });
   columns.exact(name + ".closed", [=](const PathRow& row) { return found(row)->closed[row.knot]; });
@@ -84,10 +88,10 @@ void add_contact_columns(Columns<PathRow>& columns, const std::string& name) {
            dimension_columns.at(row.increment.mesh.dim).arcs;
   });
   columns.exact(name + ".from", [=](const PathRow& row) {
-    return contact_place_in_table_units(*found(row), found(row)->from[row.knot]);
+    return contact_place_as_written(*found(row), found(row)->from[row.knot], length);
   });
   columns.exact(name + ".to", [=](const PathRow& row) {
-    return contact_place_in_table_units(*found(row), found(row)->to[row.knot]);
+    return contact_place_as_written(*found(row), found(row)->to[row.knot], length);
   });
 }
 
@@ -133,8 +137,9 @@ std::vector<std::string> contact_names(const model::Model& model, const results:
 
 } // namespace
 
-double contact_place_in_table_units(const results::LoadPathContact& contact, double place) {
-  return contact.round ? place * degrees_per_radian : place;
+double contact_place_as_written(const results::LoadPathContact& contact, double place,
+                                const base::OutputUnit& length) {
+  return contact.round ? place * degrees_per_radian : length.from_deck(place);
 }
 
 void write_K_along_load_path_csv(const std::filesystem::path& file, const model::Model& model,
@@ -142,22 +147,22 @@ void write_K_along_load_path_csv(const std::filesystem::path& file, const model:
   if (model.load_paths.empty()) {
     return;
   }
+  const base::OutputUnit length = model.units.output_length();
+  const base::OutputUnit unit = model.units.output_stress_intensity();
   Columns<PathRow> columns = knot_columns();
-  columns.exact("changes", [](const PathRow& row) {
-    return changes_at(row.increment.mesh, row.path, row.path.t[row.knot]);
-  });
+  columns.exact("changes", [&](const PathRow& row) { return changes_at(row, length); });
   for (const std::string& name : path_tip_names(run)) {
-    add_k_columns(columns, name + ".", 2, [name](const PathRow& row) {
+    add_k_columns(columns, name + ".", 2, unit, [name](const PathRow& row) {
       const results::LoadPathFront* const front = results::find_front(row.path, name);
       return front == nullptr ? nullptr : &front->single_point();
     });
   }
   for (const std::string& name : contact_names(model, run)) {
-    add_contact_columns(columns, name);
+    add_contact_columns(columns, name, length);
   }
   const std::string units =
       fmt::format("K1 K2 and slopes by t [{}], from to [deg] on circles, else [{}], t [1]",
-                  model.units.stress_intensity_name(), model.units.length_name);
+                  unit.name, length.name);
   write_file(file, columns.csv(units, knot_rows(run)));
 }
 
@@ -167,22 +172,24 @@ void write_load_path_fronts_csv(const std::filesystem::path& file, const model::
       !dimension_columns.at(model.mesh.dim).points) {
     return;
   }
+  const base::OutputUnit length = model.units.output_length();
+  const base::OutputUnit unit = model.units.output_stress_intensity();
   Columns<PathRow> columns = knot_columns();
   columns.exact("crack", [](const PathRow& row) { return row.front->front_without_points.name; });
   columns.exact("point", [](const PathRow& row) { return row.point->point_at_start.number; });
   columns.exact("at_surface",
                 [](const PathRow& row) { return row.point->point_at_start.at_surface ? 1 : 0; });
-  columns.exact("s", [](const PathRow& row) { return row.point->point_at_start.s; });
+  columns.exact("s", length, [](const PathRow& row) { return row.point->point_at_start.s; });
   columns.fill_only_if(
       [](const PathRow& row) { return row.front->front_without_points.has_angles; });
   columns.exact(
       "phi", [](const PathRow& row) { return row.point->point_at_start.phi * degrees_per_radian; });
   columns.fill_only_if({});
   for (const Eigen::Index c : {0, 1, 2}) {
-    columns.exact(std::string(1, "xyz"[c]),
+    columns.exact(std::string(1, "xyz"[c]), length,
                   [c](const PathRow& row) { return row.point->point_at_start.x[c]; });
   }
-  add_k_columns(columns, "", 3, [](const PathRow& row) { return row.point; });
+  add_k_columns(columns, "", 3, unit, [](const PathRow& row) { return row.point; });
   std::vector<PathRow> rows;
   for (const PathRow& knot : knot_rows(run)) {
     for (const results::LoadPathFront& front : knot.path.fronts) {
@@ -191,9 +198,8 @@ void write_load_path_fronts_csv(const std::filesystem::path& file, const model::
       }
     }
   }
-  const std::string units =
-      fmt::format("K1 K2 K3 and slopes by t [{}], s x y z [{}], phi [deg], t [1]",
-                  model.units.stress_intensity_name(), model.units.length_name);
+  const std::string units = fmt::format(
+      "K1 K2 K3 and slopes by t [{}], s x y z [{}], phi [deg], t [1]", unit.name, length.name);
   write_file(file, columns.csv(units, rows));
 }
 

@@ -81,12 +81,13 @@ Kink sharpest(const base::PiecewiseLinear& K) {
   return kink;
 }
 
-std::string arc(const results::LoadPathContact& contact, std::size_t k) {
+std::string arc(const results::LoadPathContact& contact, std::size_t k,
+                const base::OutputUnit& length) {
   return contact.closed[k] == 0
              ? "open"
              : fmt::format("{:.4g} .. {:.4g}{}",
-                           contact_place_in_table_units(contact, contact.from[k]),
-                           contact_place_in_table_units(contact, contact.to[k]),
+                           contact_place_as_written(contact, contact.from[k], length),
+                           contact_place_as_written(contact, contact.to[k], length),
                            contact.round ? " deg" : "");
 }
 
@@ -141,7 +142,7 @@ void add_openings(Plot& plot, const results::LoadPathResult& path, const base::P
 }
 
 Figure figure_of(const model::Model& model, const results::RunResult& run, std::size_t p) {
-  const std::string unit = model.units.stress_intensity_name();
+  const base::OutputUnit unit = model.units.output_stress_intensity();
   Plot value{"Stress intensity factor over the load path", "t", axis_title("K₁", unit), {}};
   Plot slope{"Its slope", "t", axis_title("dK₁/dt", unit), {}};
   value.legend_below = slope.legend_below = true;
@@ -152,8 +153,8 @@ Figure figure_of(const model::Model& model, const results::RunResult& run, std::
     const std::vector<ShownCurve> curves = shown_curves(path);
     for (const ShownCurve& curve : curves) {
       PlotSeries series = styled_curve(
-          fmt::format("{}a = {:.4g} {}", curves.size() > 1 ? curve.name + ", " : std::string(),
-                      curve.a, model.units.length_name),
+          fmt::format("{}a = {}", curves.size() > 1 ? curve.name + ", " : std::string(),
+                      model.units.output_length().text(curve.a, 4)),
           ink, pattern++);
       series.points = values(*curve.K1);
       value.series.push_back(series);
@@ -195,7 +196,7 @@ ReportTable load_path_table(const model::Model& model,
       rows.push_back({path, curve, sharpest(*curve.K1)});
     }
   }
-  const std::string unit = model.units.stress_intensity_name();
+  const base::OutputUnit unit = model.units.output_stress_intensity();
   const auto K1 = [](const CurveRow& row) -> const base::PiecewiseLinear& { return *row.curve.K1; };
   Columns<CurveRow> columns;
   columns.words("path", [](const CurveRow& row) { return row.path.name; })
@@ -220,7 +221,8 @@ ReportTable load_path_table(const model::Model& model,
   return columns.table("Load paths: K1 over t", rows);
 }
 
-ReportTable contact_opening_onset_table(const results::CrackLengthResult& increment) {
+ReportTable contact_opening_onset_table(const model::Model& model,
+                                        const results::CrackLengthResult& increment) {
   struct OpeningRow {
     const results::LoadPathResult& path;
     const results::LoadPathContact& contact;
@@ -244,9 +246,12 @@ ReportTable contact_opening_onset_table(const results::CrackLengthResult& increm
       .number("at end", "", [=](const OpeningRow& row) { return row.contact.closed[last(row)]; })
       .number("of", "", [](const OpeningRow& row) { return row.contact.rows; });
   if (dimension_columns.at(increment.mesh.dim).arcs) {
-    columns.number("arc at begin", "", [](const OpeningRow& row) { return arc(row.contact, 0); })
+    const base::OutputUnit length = model.units.output_length();
+    columns
+        .number("arc at begin", "",
+                [=](const OpeningRow& row) { return arc(row.contact, 0, length); })
         .number("arc at end", "",
-                [=](const OpeningRow& row) { return arc(row.contact, last(row)); });
+                [=](const OpeningRow& row) { return arc(row.contact, last(row), length); });
   }
   return columns.table("Load paths: contact", rows);
 }

@@ -85,9 +85,9 @@ std::string tip_drawing(const model::Model& model, const results::CrackLengthRes
   view.mesh = &increment.mesh;
   view.id = fmt::format("mesh-{}-{}-{}", tip.name, increment.number, close ? "tip" : "crack");
   view.net = place.net;
-  view.length_name = model.units.length_name;
-  view.title = fmt::format("{}{}, a = {:.4g} {}", tip.name, close ? ", the tip" : "", tip.a,
-                           model.units.length_name);
+  view.length = model.units.output_length();
+  view.title =
+      fmt::format("{}{}, a = {}", tip.name, close ? ", the tip" : "", view.length.text(tip.a, 4));
   const base::Vec3 middle = end.x - 0.45 * tip.a * end.direction;
   set_window(view, close ? end.x : middle, close ? 5.0 * place.element : 0.85 * tip.a);
   deform(view, step, place.node);
@@ -107,8 +107,8 @@ Figure whole_mesh(const model::Model& model, const results::RunResult& run) {
     for (const results::FrontResult& tip : step->fronts) {
       if (const results::FrontPointResult& end = tip.single_point(); !end.direction.isZero()) {
         view.labels.push_back({{end.x[0], end.x[1]}, tip.name});
-        cracks += fmt::format("{}{}: a = {:.4g} {}", cracks.empty() ? "; " : ", ", tip.name, tip.a,
-                              model.units.length_name);
+        cracks += fmt::format("{}{}: a = {}", cracks.empty() ? "; " : ", ", tip.name,
+                              view.length.text(tip.a, 4));
       }
     }
   }
@@ -186,7 +186,7 @@ std::string stress_drawing(const model::Model& model, const results::CrackLength
   const double top = value_above_share(values, counted_area);
   const double foot = low < 0.0 ? value_above_share(values, 1.0 - counted_area) : low;
   view.scale = make_colour_scale(foot, top > foot ? top : high);
-  view.field_words = fmt::format("{}, {}", picture.words, typeset_unit(model.units.stress_name()));
+  view.field_title = legend_title(picture.words, model.units.output_stress());
   deform_all(view, step);
   return draw_svg(view);
 }
@@ -201,7 +201,7 @@ std::string displacement_drawing(const model::Model& model,
     view.field.push_back(step.u.segment<2>(static_cast<Eigen::Index>(2 * n.index())).norm());
   }
   view.scale = make_colour_scale(0.0, std::ranges::max(view.field));
-  view.field_words = fmt::format("|u|, {}", model.units.length_name);
+  view.field_title = legend_title("|u|", model.units.output_length());
   deform_all(view, step);
   return draw_svg(view);
 }
@@ -224,8 +224,8 @@ const results::LoadStepResult* stressed(const model::Model& model, const results
 /// "step LOAD, a = 3.6 mm"
 std::string place_words(const model::Model& model, const results::CrackLengthResult& increment,
                         const results::LoadStepResult& step) {
-  return increment.a > 0.0 ? fmt::format("step {}, a = {:.4g} {}", step.step, increment.a,
-                                         model.units.length_name)
+  return increment.a > 0.0 ? fmt::format("step {}, a = {}", step.step,
+                                         model.units.output_length().text(increment.a, 4))
                            : fmt::format("step {}", step.step);
 }
 
@@ -255,13 +255,15 @@ std::optional<Figure> field_figure(const model::Model& model, const results::Run
     figure.drawings.push_back(stress_drawing(model, increment, *step, picture));
   }
   figure.drawings.push_back(displacement_drawing(model, increment, *step));
+  base::OutputUnit stress = model.units.output_stress();
+  stress.name = typeset_unit(stress.name);
   figure.caption = fmt::format(
       "Von Mises stress and largest principal stress, means of the elements that meet at a node, "
       "and "
       "displacement at the end of {}, deformed. The stress colours end at the value that 99 % of "
-      "the area is below. The largest von Mises stress is {:.4g} {}; at a crack tip or a sharp "
+      "the area is below. The largest von Mises stress is {}; at a crack tip or a sharp "
       "corner it depends on the mesh.",
-      place, largest_von_mises_stress(*step), typeset_unit(model.units.stress_name()));
+      place, stress.text(largest_von_mises_stress(*step), 4));
   return figure;
 }
 
@@ -313,13 +315,12 @@ std::vector<Figure> solid_figures(const model::Model& model, const results::RunR
   Figure figure;
   for (const StressPicture& picture : stress_pictures) {
     if (figure.drawings.empty() || (significant && increment.surface.size() < most_faces_for_two)) {
-      figure.drawings.push_back(
-          draw_svg(SolidView{.increment = &increment,
-                             .step = step,
-                             .value = picture.value,
-                             .title = fmt::format("Surface, {}", picture.words),
-                             .field_words = fmt::format("{}, {}", picture.words,
-                                                        typeset_unit(model.units.stress_name()))}));
+      figure.drawings.push_back(draw_svg(
+          SolidView{.increment = &increment,
+                    .step = step,
+                    .value = picture.value,
+                    .title = fmt::format("Surface, {}", picture.words),
+                    .field_title = legend_title(picture.words, model.units.output_stress())}));
     }
   }
   figure.caption = fmt::format(

@@ -13,11 +13,21 @@
 
 namespace spricka::report {
 
+std::string deck_units_note(const base::UnitSystem& units) {
+  return units.output.is_any()
+             ? fmt::format(
+                   "The deck itself, and with it warnings and notes, are in {}, {}, {}, {}.",
+                   units.length_name, units.force_name, units.stress_name(),
+                   units.stress_intensity_name())
+             : std::string();
+}
+
 std::string symmetry_note(const model::Model& model) {
   std::string sides;
   for (const model::MirrorPlane& plane : model.mirrors) {
-    sides += fmt::format("{}{} {} {:.6g}", sides.empty() ? "" : ", ", "xyz"[plane.axis],
-                         plane.above ? ">=" : "<=", plane.at.value_or(0.0));
+    sides += fmt::format(
+        "{}{} {} {:.6g}", sides.empty() ? "" : ", ", "xyz"[plane.axis],
+        plane.above ? ">=" : "<=", model.units.output_length().from_deck(plane.at.value_or(0.0)));
   }
   return sides.empty() ? sides
                        : fmt::format("Symmetry: only the part {} is modelled. Forces, energies and "
@@ -91,7 +101,7 @@ ReportTable property_table(const model::Model& model) {
   columns
       .words("elements", [&](const Property& p) { return model.mesh.set_with_id(p.elements).name; })
       .words("material", [&](const Property& p) { return material(p).name; })
-      .number("E", model.units.stress_name(), [&](const Property& p) { return material(p).E; })
+      .number("E", model.units.output_stress(), [&](const Property& p) { return material(p).E; })
       .number(
           "nu", "", [&](const Property& p) { return material(p).nu; }, "{:.4g}")
       .words("state", [](const Property& p) { return state[static_cast<std::size_t>(p.state)]; })
@@ -99,12 +109,13 @@ ReportTable property_table(const model::Model& model) {
         return p.state == model::StressState::plane_stress ||
                p.state == model::StressState::plane_strain;
       })
-      .number("thickness", model.units.length_name, &Property::thickness);
+      .number("thickness", model.units.output_length(), &Property::thickness);
   return columns.table("Properties", model.properties);
 }
 
 ReportTable contact_pair_table(const model::Model& model) {
   using model::Contact;
+  const base::OutputUnit length = model.units.output_length();
   Columns<Contact> columns;
   columns.words("contact", &Contact::name)
       .words("slave", [&](const Contact& c) { return model.mesh.set_with_id(c.slave).name; })
@@ -117,8 +128,10 @@ ReportTable contact_pair_table(const model::Model& model) {
              [](const Contact& c) {
                return c.pairing == model::PairingMethod::node ? "node" : "segment";
              })
-      .number("declared gap", model.units.length_name,
-              [](const Contact& c) { return c.gap ? cell_text(*c.gap) : "measured"; })
+      .number("declared gap", length.name,
+              [length](const Contact& c) {
+                return c.gap ? cell_text(length.from_deck(*c.gap)) : "measured";
+              })
       .number("mu", "", &Contact::mu, "{:.4g}");
   return columns.table("Contacts", model.contacts);
 }
@@ -127,7 +140,7 @@ ReportTable rigid_target_table(const model::Model& model) {
   using Target = model::RigidTarget;
   using Shape = model::RigidTargetShape;
   static constexpr std::array shapes{"line", "arc", "plane", "cylinder", "cone", "sphere"};
-  const std::string& unit = model.units.length_name;
+  const base::OutputUnit unit = model.units.output_length();
   const int dim = model.mesh.dim;
   Columns<Target> columns;
   columns.words("target", &Target::name)
@@ -137,33 +150,36 @@ ReportTable rigid_target_table(const model::Model& model) {
                                   r.radius < 0.0 || r.second_radius < 0.0 ? ", a bore" : "");
              })
       .words(
-          "from or centre", [=](const Target& r) { return base::format_coordinates(r.first, dim); },
-          unit)
+          "from or centre",
+          [=](const Target& r) { return base::format_coordinates(r.first, dim, unit); }, unit.name)
       .fill_only_if(
           [](const Target& r) { return r.shape != Shape::arc && r.shape != Shape::sphere; })
       .words(
-          "to", [=](const Target& r) { return base::format_coordinates(r.second, dim); }, unit)
+          "to", [=](const Target& r) { return base::format_coordinates(r.second, dim, unit); },
+          unit.name)
       .fill_only_if([](const Target& r) { return r.radius != 0.0 || r.second_radius != 0.0; })
-      .number("radius", unit, [](const Target& r) {
-        const std::string radius = cell_text(std::abs(r.radius));
+      .number("radius", unit.name, [unit](const Target& r) {
+        const std::string radius = cell_text(unit.from_deck(std::abs(r.radius)));
         return r.shape == Shape::cone
-                   ? fmt::format("{} to {:.6g}", radius, std::abs(r.second_radius))
+                   ? fmt::format("{} to {:.6g}", radius, unit.from_deck(std::abs(r.second_radius)))
                    : radius;
       });
   return columns.table("Rigid targets", model.rigids);
 }
 
 ReportTable load_total_table(const std::vector<results::LoadTotal>& loads,
-                             const LoadTableUnits& form) {
+                             const base::UnitSystem& units, int dim) {
   using Total = results::LoadTotal;
-  const std::string moment = form.force_unit + " " + form.length_unit;
+  const base::OutputUnit force = units.output_force();
+  base::OutputUnit moment = force * units.output_length();
+  moment.name = force.name + " " + units.output_length().name;
   Columns<Total> columns;
   columns.words("case", &Total::load_case);
-  for (int d = 0; d < form.dim; ++d) {
-    columns.number(fmt::format("F{}", "xyz"[d]), form.force_unit,
+  for (int d = 0; d < dim; ++d) {
+    columns.number(fmt::format("F{}", "xyz"[d]), force,
                    [d](const Total& load) { return load.force[d]; });
   }
-  for (const char axis : dimension_columns.at(form.dim).moment_axes) {
+  for (const char axis : dimension_columns.at(dim).moment_axes) {
     columns.number(fmt::format("M{}", axis), moment,
                    [d = axis - 'x'](const Total& load) { return load.moment[d]; });
   }
@@ -185,17 +201,19 @@ ReportTable script_constant_table(const std::vector<results::ReportedScriptConst
 }
 
 /// Numbers that round-off leaves of zero are zero.
-std::string place_words(const base::Vec3& x, double size) {
+std::string place_words(const base::Vec3& x, double size, const base::OutputUnit& unit = {}) {
   constexpr double little = 1e-7;
-  const auto number = [&](double value) { return std::abs(value) < little * size ? 0.0 : value; };
+  const auto number = [&](double value) {
+    return std::abs(value) < little * size ? 0.0 : unit.from_deck(value);
+  };
   return fmt::format("{:.6g} {:.6g} {:.6g}", number(x.x()), number(x.y()), number(x.z()));
 }
 
 ReportTable solid_table(const std::vector<results::ReportedSolid>& solids,
-                        const std::string& length) {
+                        const base::OutputUnit& length) {
   using Solid = results::ReportedSolid;
-  const auto corner = [](const base::Vec3& x, const Solid& s) {
-    return place_words(x, (s.high - s.low).norm()); // of a box that is a little larger
+  const auto corner = [length](const base::Vec3& x, const Solid& s) {
+    return place_words(x, (s.high - s.low).norm(), length); // of a box that is a little larger
   };
   return Columns<Solid>()
       .words("file", &Solid::file)
@@ -205,16 +223,16 @@ ReportTable solid_table(const std::vector<results::ReportedSolid>& solids,
              [](const Solid& s) {
                return s.sets.empty() ? "not meshed" : fmt::format("{}", fmt::join(s.sets, " "));
              })
-      .number("volume", length + "^3", &Solid::volume)
+      .number("volume", base::raised(length, 3), &Solid::volume)
       .words(
-          "from", [&](const Solid& s) { return corner(s.low, s); }, length)
+          "from", [&](const Solid& s) { return corner(s.low, s); }, length.name)
       .words(
-          "to", [&](const Solid& s) { return corner(s.high, s); }, length)
+          "to", [&](const Solid& s) { return corner(s.high, s); }, length.name)
       .table("Solids of STEP files", solids);
 }
 
 ReportTable solid_face_table(const std::vector<results::ReportedSolidFace>& faces,
-                             const std::string& length) {
+                             const base::OutputUnit& length) {
   using Face = results::ReportedSolidFace;
   Columns<Face> columns;
   columns.words("face", [](const Face& f) { return fmt::format("{}", fmt::join(f.sets, " ")); })
@@ -224,19 +242,21 @@ ReportTable solid_face_table(const std::vector<results::ReportedSolidFace>& face
   columns.fill_only_if([](const Face& f) { return f.direction.norm() > 0.0; });
   columns.words("normal or axis", [](const Face& f) { return place_words(f.direction, 1e3); });
   columns.fill_only_if([](const Face&) { return true; });
-  columns.number("area", length + "^2", &Face::area);
+  columns.number("area", base::raised(length, 2), &Face::area);
   columns.words(
-      "centre", [](const Face& f) { return place_words(f.centre, std::sqrt(f.area)); }, length);
+      "centre",
+      [length](const Face& f) { return place_words(f.centre, std::sqrt(f.area), length); },
+      length.name);
   return columns.table("Faces of solids", faces);
 }
 
 } // namespace
 
 std::string imported_geometry_section(const results::ReportedGeometry& geometry,
-                                      const std::string& length_unit) {
+                                      const base::OutputUnit& length) {
   return to_text_after_blank_line(script_constant_table(geometry.scripts)) +
-         to_text_after_blank_line(solid_table(geometry.solids, length_unit)) +
-         to_text_after_blank_line(solid_face_table(geometry.faces, length_unit));
+         to_text_after_blank_line(solid_table(geometry.solids, length)) +
+         to_text_after_blank_line(solid_face_table(geometry.faces, length));
 }
 
 } // namespace spricka::report

@@ -120,9 +120,9 @@ PolarPlot polar_plot(const model::Model& model, const results::RunResult& run,
   const double least_pressure = least_contact_pressure(model, run);
   PolarPlot plot;
   plot.title = model.cracks.empty() ? contact.name
-                                    : fmt::format("{}, a = {:.4g} {}", contact.name, increment.a,
-                                                  model.units.length_name);
-  plot.unit = model.units.stress_name();
+                                    : fmt::format("{}, a = {}", contact.name,
+                                                  model.units.output_length().text(increment.a, 4));
+  plot.unit = model.units.output_stress();
   const std::string first = results::shown_step_name(model, run.increments);
   std::size_t others = 0; // their dashes show where curves lie on each other
   for (std::size_t s = 0; s < model.steps.size(); ++s) {
@@ -199,8 +199,8 @@ Figure straight_figure(const model::Model& model, const results::RunResult& run,
   bool edges = false;
   for (const results::CrackLengthResult* const increment : sample_increments(run, 9)) {
     Plot plot{contact.name,
-              axis_title("distance along the surface", model.units.length_name),
-              axis_title("p", model.units.stress_name()),
+              axis_title("distance along the surface", model.units.output_length()),
+              axis_title("p", model.units.output_stress()),
               {}};
     for (std::size_t s = 0; s < increment->steps.size(); ++s) {
       const results::LoadStepResult& step = increment->steps[s];

@@ -33,11 +33,11 @@ Directions directions(const model::Model& model, const results::CrackLengthResul
 
 /// A column for each direction of a vector; what is round-off beside the scale is 0.
 template <class Row, class Value>
-void add_vector(Columns<Row>& columns, const std::string& what, const std::string& unit,
+void add_vector(Columns<Row>& columns, const std::string& what, const base::OutputUnit& unit,
                 const Directions& along, double scale, Value value) {
   for (const Eigen::Index i : along) {
-    columns.number(fmt::format("{} {}", what, "xyz"[i]), unit, [=](const Row& row) {
-      return six_digits_or_zero(std::invoke(value, row)[i], scale);
+    columns.number(fmt::format("{} {}", what, "xyz"[i]), unit.name, [=](const Row& row) {
+      return six_digits_or_zero(unit.from_deck(std::invoke(value, row)[i]), unit.from_deck(scale));
     });
   }
 }
@@ -67,7 +67,8 @@ double largest_displacement(const results::CrackLengthResult& increment) {
 
 ReportTable contact_result_table(const model::Model& model,
                                  const results::CrackLengthResult& increment) {
-  const base::UnitSystem& units = model.units;
+  const base::OutputUnit length = model.units.output_length();
+  const base::OutputUnit stress = model.units.output_stress();
   const std::vector<ContactRow> rows = contact_rows({&increment, 1});
   double force = least_force(model, increment);
   for (const ContactRow& row : rows) {
@@ -81,32 +82,33 @@ ReportTable contact_result_table(const model::Model& model,
   });
   columns.fill_only_if([](const ContactRow& row) { return row.contact.mounted; });
   const double way = largest_displacement(increment);
-  columns.number("penetration", units.length_name, [=](const ContactRow& row) {
+  columns.number("penetration", length.name, [=](const ContactRow& row) {
     const double deep = row.contact.max_penetration;
-    return cell_text(deep > 1e-9 * way ? deep : 0.0, deep > 1e-9 * way ? short_number : nullptr);
+    return cell_text(deep > 1e-9 * way ? length.from_deck(deep) : 0.0,
+                     deep > 1e-9 * way ? short_number : nullptr);
   });
   for (const auto& [name, member] : {std::pair("p min", &results::ContactResult::min_pressure),
                                      {"p mean", &results::ContactResult::mean_pressure},
                                      {"p max", &results::ContactResult::max_pressure}}) {
-    columns.number(name, units.stress_name(), [=, member = member](const ContactRow& row) {
-      return std::abs(row.contact.*member) > pressure ? format_six_digits(row.contact.*member)
-                                                      : "0";
+    columns.number(name, stress.name, [=, member = member](const ContactRow& row) {
+      const double here = row.contact.*member;
+      return std::abs(here) > pressure ? format_six_digits(stress.from_deck(here)) : "0";
     });
   }
-  add_vector(columns, "force", units.force_name, directions(model, increment), force,
+  add_vector(columns, "force", model.units.output_force(), directions(model, increment), force,
              [](const ContactRow& row) { return row.contact.force_on_slave; });
   if (dimension_columns.at(increment.mesh.dim).arcs) { // an angle on a circle, else a length
     for (const auto& [name, member] : {std::pair("arc from", &results::ContactResult::arc_from),
                                        {"to", &results::ContactResult::arc_to}}) {
-      columns.number(name, "", [&units, member = member](const ContactRow& row) {
+      columns.number(name, "", [length, member = member](const ContactRow& row) {
         const double at = row.contact.*member;
         return row.contact.closed == 0 ? ""
                : row.contact.round     ? fmt::format("{:.1f} deg", at * 180.0 / std::numbers::pi)
-                                       : fmt::format("{:.4g} {}", at, units.length_name);
+                                       : length.text(at, 4);
       });
     }
   } else {
-    columns.number("area", units.length_name + "^2",
+    columns.number("area", base::raised(length, 2),
                    [](const ContactRow& row) { return row.contact.area; });
   }
   columns.number("iterations", "", [](const ContactRow& row) { return row.step.iterations; });
@@ -125,7 +127,7 @@ ReportTable contact_moment_table(const model::Model& model,
         rows.push_back(row);
       }
     }
-    add_vector(columns, "moment", model.units.force_name + "*" + model.units.length_name,
+    add_vector(columns, "moment", base::output_unit(model.units, base::QuantityKind::energy),
                directions(model, increment), scale,
                [](const ContactRow& row) { return row.contact.moment_on_slave; });
   }
@@ -153,15 +155,15 @@ ReportTable friction_table(const model::Model& model, const results::CrackLength
               })
       .number(
           "|q|/(mu p)", "", [](const ContactRow& row) { return row.contact.shear_ratio; }, "{:.4f}")
-      .number("q min, lumped", units.stress_name(),
+      .number("q min, lumped", units.output_stress(),
               [=](const ContactRow& row) { return shear(row, false); })
-      .number("q max, lumped", units.stress_name(),
+      .number("q max, lumped", units.output_stress(),
               [=](const ContactRow& row) { return shear(row, true); })
       .number(
-          "slip path", units.length_name,
+          "slip path", units.output_length(),
           [](const ContactRow& row) { return row.contact.max_slip; }, short_number)
       .number(
-          "work", units.force_name + "*" + units.length_name,
+          "work", base::output_unit(units, base::QuantityKind::energy),
           [](const ContactRow& row) { return row.contact.friction_work; }, short_number)
       .number("increments", "", [](const ContactRow& row) { return row.step.increments; });
   return columns.table("Friction", rows);
@@ -192,7 +194,7 @@ ReportTable resultants(const model::Model& model, const results::CrackLengthResu
       }
     }
   }
-  const std::string unit = model.units.force_name;
+  const base::OutputUnit unit = model.units.output_force();
   Columns<BalanceRow> columns;
   columns.words("step", [](const BalanceRow& row) { return row.step.step; });
   columns.words(what, [](const BalanceRow& row) { return row.balance.body; });
@@ -213,8 +215,9 @@ ReportTable resultants(const model::Model& model, const results::CrackLengthResu
         return (b.applied + b.reaction + b.contact + b.tie).norm();
       },
       short_number);
-  columns.number("energy", unit + "*" + model.units.length_name, [=](const BalanceRow& row) {
-    return six_digits_or_zero(row.balance.energy, most);
+  const base::OutputUnit energy = base::output_unit(model.units, base::QuantityKind::energy);
+  columns.number("energy", energy.name, [=](const BalanceRow& row) {
+    return six_digits_or_zero(energy.from_deck(row.balance.energy), energy.from_deck(most));
   });
   return columns.table(title, rows);
 }

@@ -40,7 +40,7 @@ std::string force_direction_note(const model::Model& model);
 std::string leading_step_name(const model::Model& model);
 
 /// Every check of the deck: found, wanted, error, tolerance, source.
-ReportTable checks_table(const results::RunResult& run);
+ReportTable checks_table(const model::Model& model, const results::RunResult& run);
 
 /// The processors that ran, with times.
 ReportTable run_log_table(const results::RunResult& run);

@@ -42,24 +42,25 @@ struct SensitivePoint {
   }
 };
 
-// 1 %, or one micrometre of a fit, in the unit of the value.
-double small_change(const model::Model& model, const Sensitivity& s) {
-  return s.cause == SensitivityParameter::fit ? 1e-6 / model.units.metre_per_length
-                                              : 0.01 * s.value;
-}
-
-std::string unit_of(const model::Model& model, SensitivityParameter cause) {
+// What the value of a cause is written in; a load's is a factor.
+base::OutputUnit unit_of(const model::Model& model, SensitivityParameter cause) {
   switch (cause) {
   case SensitivityParameter::load:
     return {};
   case SensitivityParameter::modulus:
-    return " " + model.units.stress_name();
+    return model.units.output_stress();
   case SensitivityParameter::fit:
   case SensitivityParameter::length:
   case SensitivityParameter::axis:
     break;
   }
-  return " " + model.units.length_name;
+  return model.units.output_length();
+}
+
+// 1 %, or one micrometre of a fit, in the unit of the value.
+double small_change(const model::Model& model, const Sensitivity& s) {
+  return s.cause == SensitivityParameter::fit ? 1e-6 / model.units.metre_per_length
+                                              : 0.01 * s.value;
 }
 
 std::string words_of(const Sensitivity& s) {
@@ -147,7 +148,7 @@ struct CauseRow {
 };
 
 Columns<CauseRow> cause_columns(const model::Model& model) {
-  const std::string unit = model.units.stress_intensity_name();
+  const base::OutputUnit unit = model.units.output_stress_intensity();
   const auto K = [](const CauseRow& row) {
     return std::hypot(row.point.result().K1, row.point.result().K2);
   };
@@ -155,13 +156,16 @@ Columns<CauseRow> cause_columns(const model::Model& model) {
   columns.words("tip", [](const CauseRow& row) { return row.point.name(); });
   columns.words("by", [](const CauseRow& row) { return words_of(row.cause); });
   columns.number("value", "", [&model](const CauseRow& row) {
-    return fmt::format("{:.6g}{}", row.cause.value, unit_of(model, row.cause.cause));
+    const base::OutputUnit of_value = unit_of(model, row.cause.cause);
+    return of_value.name.empty() ? fmt::format("{:.6g}", row.cause.value)
+                                 : of_value.text(row.cause.value, 6);
   });
   columns.fill_only_if([](const CauseRow& row) { return row.cause.value != 0.0; });
-  columns.number("value dK1/dvalue", unit, [=](const CauseRow& row) {
+  columns.number("value dK1/dvalue", unit.name, [=](const CauseRow& row) {
     const auto times_value = [&](bool up) {
       const std::optional<double> slope = row.point.derivative(row.cause, 0, up);
-      return clean(slope ? std::optional(row.cause.value * *slope) : std::nullopt, K(row));
+      return in_output_unit(
+          clean(slope ? std::optional(row.cause.value * *slope) : std::nullopt, K(row)), unit);
     };
     return both(row.point, row.cause, times_value, "{:.5g}");
   });
@@ -178,13 +182,18 @@ Columns<CauseRow> cause_columns(const model::Model& model) {
     };
     return both(row.point, row.cause, percent, "{:+.4f}");
   });
-  columns.number("K2 changes", unit, [=, &model](const CauseRow& row) {
-    const auto of_mode_2 = [&](bool up) { return clean(row.change(model, 1, up), K(row)); };
+  columns.number("K2 changes", unit.name, [=, &model](const CauseRow& row) {
+    const auto of_mode_2 = [&](bool up) {
+      return in_output_unit(clean(row.change(model, 1, up), K(row)), unit);
+    };
     return both(row.point, row.cause, of_mode_2, "{:+.4g}");
   });
   columns.fill_only_if([](const CauseRow& row) { return row.cause.range.has_value(); });
-  columns.number("kept from", "", [](const CauseRow& row) { return bound((*row.cause.range)[0]); });
-  columns.number("to", "", [](const CauseRow& row) { return bound((*row.cause.range)[1]); });
+  for (const auto& [name, side] : {std::pair("kept from", 0U), {"to", 1U}}) {
+    columns.number(name, "", [&model, side = side](const CauseRow& row) {
+      return bound(unit_of(model, row.cause.cause).from_deck(row.cause.range->at(side)));
+    });
+  }
   return columns;
 }
 
@@ -230,12 +239,15 @@ struct DerivativeColumns {
 constexpr base::ByDimension<DerivativeColumns> derivative_columns{
     {both_sides, "dK1 dK2", ""}, {above_alone, "dK1 dK2 dK3", ", s"}};
 
-void add_derivatives(Columns<SensitivityRow>& columns, int dim) {
+void add_derivatives(Columns<SensitivityRow>& columns, const model::Model& model) {
+  const int dim = model.mesh.dim;
+  const base::OutputUnit K = model.units.output_stress_intensity();
   for (std::size_t mode = 0; mode < dimension_columns.at(dim).modes; ++mode) {
     for (const auto& [end, above] : derivative_columns.at(dim).sides) {
       columns.exact(fmt::format("dK{}{}", mode + 1, end),
-                    [mode, above = above](const SensitivityRow& row) {
-                      return row.point().derivative(row.cause, mode, above);
+                    [&model, K, mode, above = above](const SensitivityRow& row) {
+                      return in_output_unit(row.point().derivative(row.cause, mode, above),
+                                            K / unit_of(model, row.cause.cause));
                     });
     }
   }
@@ -265,24 +277,30 @@ void write_sensitivity_csv(const std::filesystem::path& file, const model::Model
   const int dim = model.mesh.dim;
   Columns<Row> columns = step_columns<Row>();
   columns.exact("crack", [](const Row& row) { return row.front.name; })
-      .exact("a", [](const Row& row) { return row.front.a; });
+      .exact("a", model.units.output_length(), [](const Row& row) { return row.front.a; });
   if (dimension_columns.at(dim).points) {
     columns.exact("point", [](const Row& row) { return row.point().result().number; })
         .exact("at_surface", [](const Row& row) { return row.point().result().at_surface ? 1 : 0; })
-        .exact("s", [](const Row& row) { return row.point().result().s; });
+        .exact("s", model.units.output_length(),
+               [](const Row& row) { return row.point().result().s; });
   }
   columns.exact("cause", [](const Row& row) { return results::display_word(row.cause.cause); })
       .exact("name", [](const Row& row) { return row.cause.name; })
-      .exact("value", [](const Row& row) { return row.cause.value; });
-  add_derivatives(columns, dim);
-  columns.fill_only_if([](const Row& row) { return row.cause.range.has_value(); })
-      .exact("from", [](const Row& row) { return (*row.cause.range)[0]; })
-      .exact("to", [](const Row& row) { return (*row.cause.range)[1]; });
+      .exact("value", [&model](const Row& row) {
+        return unit_of(model, row.cause.cause).from_deck(row.cause.value);
+      });
+  add_derivatives(columns, model);
+  columns.fill_only_if([](const Row& row) { return row.cause.range.has_value(); });
+  for (const auto& [name, side] : {std::pair("from", 0U), {"to", 1U}}) {
+    columns.exact(name, [&model, side = side](const Row& row) {
+      return unit_of(model, row.cause.cause).from_deck(row.cause.range->at(side));
+    });
+  }
   const base::UnitSystem& units = model.units;
   const std::string words = fmt::format(
       "a{3} and values of FIT and A [{0}], of E [{1}], of LOAD [1]; {4} [{2}] over the unit "
       "of the value",
-      units.length_name, units.stress_name(), units.stress_intensity_name(),
+      units.output_length().name, units.output_stress().name, units.output_stress_intensity().name,
       derivative_columns.at(dim).s, derivative_columns.at(dim).K);
   write_file(file, columns.csv(words, sensitivity_rows(run)));
 }
@@ -328,8 +346,8 @@ std::vector<Figure> sensitivity_figures(const model::Model& model, const results
       if (point.front.invalid_reason.empty() && point.result().K1 > 0.0) {
         figure.drawings.push_back(
             draw_svg(tornado_of(model, point,
-                                fmt::format("{}, a = {:.4g} {}", point.name(), point.front.a,
-                                            model.units.length_name))));
+                                fmt::format("{}, a = {}", point.name(),
+                                            model.units.output_length().text(point.front.a, 4)))));
       }
     }
   }

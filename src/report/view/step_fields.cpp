@@ -20,13 +20,14 @@ using Json = nlohmann::ordered_json;
 constexpr double not_there = std::numeric_limits<double>::quiet_NaN();
 
 Json encode_displacements(const model::Mesh& mesh, const results::LoadStepResult& step,
-                          const ShownSurface& surface) {
+                          const ShownSurface& surface, const base::OutputUnit& length) {
   Json components = Json::array();
   for (int c = 0; c < mesh.dim; ++c) {
     std::vector<double> values;
     values.reserve(surface.node.size());
     for (const base::NodeId n : surface.node) {
-      values.push_back(step.u[static_cast<Eigen::Index>(n.index()) * mesh.dim + c]);
+      values.push_back(
+          length.from_deck(step.u[static_cast<Eigen::Index>(n.index()) * mesh.dim + c]));
     }
     components.push_back(encode_numbers(values));
   }
@@ -34,13 +35,13 @@ Json encode_displacements(const model::Mesh& mesh, const results::LoadStepResult
 }
 
 void add_stresses(Json& fields, const results::LoadStepResult& step, const ShownSurface& surface,
-                  bool significant) {
+                  bool significant, const base::OutputUnit& unit) {
   std::vector<double> mises;
   std::vector<double> largest;
   for (const std::size_t source : surface.source) {
     const results::Stress& stress = step.stress[source];
-    mises.push_back(significant ? results::von_mises(stress) : 0.0);
-    largest.push_back(significant ? results::principal_stresses(stress)[0] : 0.0);
+    mises.push_back(significant ? unit.from_deck(results::von_mises(stress)) : 0.0);
+    largest.push_back(significant ? unit.from_deck(results::principal_stresses(stress)[0]) : 0.0);
   }
   fields["mises"] = encode_numbers(mises);
   fields["p1"] = encode_numbers(largest);
@@ -84,6 +85,8 @@ void add_contacts(Json& fields, const model::Model& model,
                   const results::CrackLengthResult& increment, const results::LoadStepResult& step,
                   const ShownSurface& surface) {
   constexpr double round_off = 1e-9;
+  const base::OutputUnit length = model.units.output_length();
+  const base::OutputUnit stress = model.units.output_stress();
   const double least = round_off * reference_elastic_stress(model, increment);
   std::vector<double> pressure(increment.mesh.node_count(), not_there);
   std::vector<double> gap = pressure;
@@ -96,8 +99,8 @@ void add_contacts(Json& fields, const model::Model& model,
       }
       const double p =
           card == model.contacts.end() ? point.p_lumped : recovered_pressure(*card, point);
-      pressure[point.node.index()] = std::abs(p) > least ? p : 0.0;
-      gap[point.node.index()] = point.closed ? 0.0 : point.gap;
+      pressure[point.node.index()] = std::abs(p) > least ? stress.from_deck(p) : 0.0;
+      gap[point.node.index()] = point.closed ? 0.0 : length.from_deck(point.gap);
       any = true;
     }
   }
@@ -113,20 +116,22 @@ Json encode_step(const model::Model& model, const results::CrackLengthResult& in
                  const results::LoadStepResult& step, const ShownSurface& surface) {
   Json fields = Json::object();
   if (!step.stress.empty()) {
-    add_stresses(fields, step, surface, has_significant_stress(model, increment, step));
+    add_stresses(fields, step, surface, has_significant_stress(model, increment, step),
+                 model.units.output_stress());
   }
   add_contacts(fields, model, increment, step, surface);
+  const base::OutputUnit unit = model.units.output_stress_intensity();
   Json fronts = Json::array();
   for (const results::FrontResult& front : step.fronts) {
     Json K = Json::array();
     for (const results::FrontPointResult& point : front.points) {
       const bool of_mesh = point.at_surface && !front.is_tip(); // says nothing
-      K.push_back(of_mesh ? Json() : Json(point.K1));
+      K.push_back(of_mesh ? Json() : Json(unit.from_deck(point.K1)));
     }
     fronts.push_back(std::move(K));
   }
   return {{"name", step.step},
-          {"u", encode_displacements(increment.mesh, step, surface)},
+          {"u", encode_displacements(increment.mesh, step, surface, model.units.output_length())},
           {"fields", std::move(fields)},
           {"K1", std::move(fronts)}};
 }

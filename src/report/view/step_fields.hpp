@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/quantity.hpp"
 #include "model/forward.hpp"
 #include "report/view/shown_surface.hpp"
 
@@ -13,15 +14,15 @@ namespace spricka::report {
 struct ShownField {
   std::string_view key;
   std::string_view name;
-  enum class Unit { length, stress } unit;
+  base::QuantityKind kind;
 };
 
 /// What a step has beside displacements, which are always there.
 inline constexpr std::array<ShownField, 4> step_fields{
-    {{"mises", "von Mises stress", ShownField::Unit::stress},
-     {"p1", "largest principal stress", ShownField::Unit::stress},
-     {"pressure", "contact pressure", ShownField::Unit::stress},
-     {"gap", "gap of contacts", ShownField::Unit::length}}};
+    {{"mises", "von Mises stress", base::QuantityKind::stress},
+     {"p1", "largest principal stress", base::QuantityKind::stress},
+     {"pressure", "contact pressure", base::QuantityKind::stress},
+     {"gap", "gap of contacts", base::QuantityKind::length}}};
 
 /// A step at the points of a surface: its name, displacements by component and fields by key. What
 /// is round-off is nothing; pressure and gap stand at the points of contacts alone.

@@ -7,6 +7,7 @@
 #include "report/view/encoded_array.hpp"
 #include "report/view/merged_surface.hpp"
 #include "report/view/step_fields.hpp"
+#include "results/result_unit.hpp"
 #include "results/shown_step.hpp"
 
 #include <fmt/format.h>
@@ -155,15 +156,15 @@ ChosenLengths choose_lengths(const model::Model& model, const results::RunResult
   return chosen;
 }
 
-Json coordinates(const base::Vec3& x) {
-  return Json::array({x[0], x[1], x[2]});
+Json coordinates(const base::Vec3& x, const base::OutputUnit& unit = {}) {
+  return Json::array({unit.from_deck(x[0]), unit.from_deck(x[1]), unit.from_deck(x[2])});
 }
 
-Json encode_front(const results::FrontResult& front) {
+Json encode_front(const results::FrontResult& front, const base::OutputUnit& length) {
   Json points = Json::array();
   base::Vec3 way = base::Vec3::Zero();
   for (const results::FrontPointResult& point : front.points) {
-    points.push_back(coordinates(point.x));
+    points.push_back(coordinates(point.x, length));
     way += point.direction / static_cast<double>(front.points.size());
   }
   return {{"name", front.name},
@@ -172,27 +173,28 @@ Json encode_front(const results::FrontResult& front) {
           {"x", std::move(points)}};
 }
 
-Json encode_fronts(const results::CrackLengthResult& increment) {
+Json encode_fronts(const results::CrackLengthResult& increment, const base::OutputUnit& length) {
   Json fronts = Json::array();
   for (const results::FrontResult& front : increment.steps.back().fronts) {
-    fronts.push_back(encode_front(front));
+    fronts.push_back(encode_front(front, length));
   }
   return fronts;
 }
 
 std::string length_name(const model::Model& model, const results::CrackLengthResult& increment) {
-  return increment.a > 0.0 ? fmt::format("a = {:.4g} {}", increment.a, model.units.length_name)
+  return increment.a > 0.0 ? "a = " + model.units.output_length().text(increment.a, 4)
                            : std::string();
 }
 
 Json encode_length(const model::Model& model, const ShownLength& length) {
   const model::Mesh& mesh = length.increment->mesh;
   const ShownSurface& surface = length.surface;
+  const base::OutputUnit unit = model.units.output_length();
   Json x = Json::array();
   for (int c = 0; c < mesh.dim; ++c) {
     std::vector<double> values;
     for (const base::NodeId n : surface.node) {
-      values.push_back(mesh.x[n.index()][c]);
+      values.push_back(unit.from_deck(mesh.x[n.index()][c]));
     }
     x.push_back(encode_numbers(values));
   }
@@ -211,25 +213,26 @@ Json encode_length(const model::Model& model, const ShownLength& length) {
           {"outline", encode_counts(surface.outline)},
           {"body", encode_counts(surface.body)},
           {"coincident", encode_counts(surface.coincident)},
-          {"fronts", encode_fronts(*length.increment)},
+          {"fronts", encode_fronts(*length.increment, unit)},
           {"steps", std::move(steps)}};
 }
 
 /// Fronts of all lengths, with their cycles where there is a law; of one length none.
-Json encode_marks(const results::RunResult& run) {
+Json encode_marks(const model::Model& model, const results::RunResult& run) {
+  const base::OutputUnit length = model.units.output_length();
   Json marks = Json::array();
   for (const results::CrackLengthResult& increment : run.increments) {
     if (increment.steps.empty() || increment.steps.back().fronts.empty()) {
       continue;
     }
-    Json mark{{"a", increment.a}, {"fronts", encode_fronts(increment)}};
+    Json mark{{"a", length.from_deck(increment.a)}, {"fronts", encode_fronts(increment, length)}};
     if (run.growth) {
       const auto station = std::ranges::find(run.growth->stations, increment.number,
                                              &results::GrowthStation::increment);
       if (station == run.growth->stations.end()) {
         continue;
       }
-      mark["N"] = station->cycles;
+      mark["N"] = results::life_unit(model.units, *run.growth).from_deck(station->cycles);
     }
     marks.push_back(std::move(mark));
   }
@@ -241,9 +244,7 @@ Json encode_field_names(const model::Model& model) {
   for (const ShownField& field : step_fields) {
     fields.push_back({{"key", field.key},
                       {"name", field.name},
-                      {"unit", typeset_unit(field.unit == ShownField::Unit::length
-                                                ? model.units.length_name
-                                                : model.units.stress_name())}});
+                      {"unit", typeset_unit(base::output_unit(model.units, field.kind).name)}});
   }
   return fields;
 }
@@ -271,14 +272,16 @@ ViewData make_view_data(const model::Model& model, const results::RunResult& run
   }
   const std::size_t start = shown_step_index(model, run, *last.increment);
   const Json data{{"dim", last.increment->mesh.dim},
-                  {"lengthUnit", model.units.length_name},
-                  {"kUnit", typeset_unit(model.units.stress_intensity_name())},
-                  {"cycleUnits", run.growth && run.growth->unit == "pass" ? "passes" : "cycles"},
+                  {"lengthUnit", model.units.output_length().name},
+                  {"kUnit", typeset_unit(model.units.output_stress_intensity().name)},
+                  {"cycleUnits", run.growth ? results::life_unit_words(
+                                                  results::life_unit(model.units, *run.growth).name)
+                                            : "cycles"},
                   {"colours", std::move(colours)},
                   {"bodies", std::move(bodies)},
                   {"fields", encode_field_names(model)},
                   {"startStep", last.increment->steps[start].step},
-                  {"marks", encode_marks(run)},
+                  {"marks", encode_marks(model, run)},
                   {"lengths", std::move(lengths)}};
   return {.json = data.dump(-1, ' ', false, Json::error_handler_t::replace),
           .left_out = chosen.without.empty()

@@ -38,6 +38,48 @@ TEST(Units, RootsAreHalfPowers) {
   EXPECT_EQ(parse_unit("N/sqrt(mm)")->dimension, (PhysicalDimension{-0.5, 1.0, 0.0}));
 }
 
+// By definition: inch and pound-force in m and N, so K by hand (1 ksi sqrt(in)) and by NIST SP 811.
+TEST(Units, OutputUnitsHaveTheFactorsOfTheirDefinitions) {
+  const UnitSystem mm = *make_unit_system("MM", "N");
+  const UnitSystem metre = *make_unit_system("M", "N");
+  const auto deck_units = [](const char* unit, const UnitSystem& of) {
+    return make_output_unit(unit, of)->to_deck(1.0);
+  };
+  const double K = 1e-6 * deck_units("ksi*sqrt(in)", metre);
+  EXPECT_NEAR(K, 1.0988434941087548, 1e-15);
+  EXPECT_NEAR(deck_units("MPa*sqrt(m)", mm), 31.622776601683793, 1e-14);
+  EXPECT_NEAR(deck_units("ksi", mm), 6.894757293168361, 1e-15);
+  EXPECT_NEAR(deck_units("kip", mm), 4448.2216152605, 1e-11);
+  EXPECT_EQ(deck_units("N/mm^1.5", mm), 1.0);
+  EXPECT_EQ(deck_units("m", mm), 1000.0);
+  EXPECT_EQ(make_output_unit("m", mm)->from_deck(1700.0), 1.7) << "a quotient is rounded once";
+  EXPECT_DOUBLE_EQ(make_output_unit("mm", metre)->from_deck(0.0051), 5.1);
+  EXPECT_FALSE(make_output_unit("furlong", mm));
+}
+
+TEST(Units, OutputIsInTheDecksUnitsUnlessItChoosesOthers) {
+  UnitSystem units = *make_unit_system("MM", "N");
+  EXPECT_EQ(units.output_stress_intensity().name, "MPa*mm^0.5");
+  EXPECT_EQ(units.output_length().from_deck(0.1), 0.1);
+  EXPECT_FALSE(units.output.is_any());
+  units.output.stress_intensity = make_output_unit("ksi*sqrt(in)", units);
+  EXPECT_EQ(units.output_stress_intensity().name, "ksi*in^0.5") << "as print sets it";
+  EXPECT_EQ(units.output_stress().name, "MPa") << "each quantity has a choice of its own";
+  EXPECT_TRUE(units.output.is_any());
+}
+
+TEST(Units, ProductsOfOutputUnitsConvertAsTheirParts) {
+  const UnitSystem mm = *make_unit_system("MM", "N");
+  const OutputUnit inch = *make_output_unit("in", mm);
+  const OutputUnit kip = *make_output_unit("kip", mm);
+  EXPECT_EQ((kip / inch).name, "kip/in");
+  EXPECT_NEAR((kip / inch).to_deck(1.0), 4448.2216152605 / 25.4, 1e-10);
+  EXPECT_NEAR((kip * inch).from_deck(1e6), 1e6 / 4448.2216152605 / 25.4, 1e-12);
+  EXPECT_EQ(raised(inch, 2).name, "in^2");
+  EXPECT_NEAR(raised(inch, 2).to_deck(1.0), 645.16, 1e-12);
+  EXPECT_EQ(inch.text(12.7, 4), "0.5 in");
+}
+
 // 18.8 - 15.2 is 3.6 but for rounding; pi is no short number, and what differs more stays.
 TEST(Units, NumbersLoseTheRoundingOfSums) {
   EXPECT_EQ(restore_short_decimal(3.6000000000000014), 3.6);

@@ -256,7 +256,7 @@ TEST(SolidPicture, ShowsTheFacesTurnedToTheEyeTheNearestLast) {
                                         .step = &step,
                                         .value = results::von_mises,
                                         .title = "Surface",
-                                        .field_words = "von Mises, MPa",
+                                        .field_title = "von Mises, MPa",
                                         .width = 400.0}));
   ASSERT_EQ(fills.size(), 6U) << "three faces of each cube";
   for (std::size_t i = 0; i < 3; ++i) {

@@ -54,7 +54,7 @@ TEST(KBars, AreListedForTipsThatHaveThem) {
   tip.bar = {bar_of(0.1, 0.0, 0.01), bar_of(0.0, 0.0, 0.01, false), {}};
   step.fronts.push_back(front);
   increment.steps.push_back(step);
-  EXPECT_EQ(report::k_error_bar_lines(increment),
+  EXPECT_EQ(report::k_error_bar_lines(increment, {"MPa*mm^0.5"}),
             "  LOAD  C    K1 = 10.05 +- 0.11 (mesh 0.10, contact edge 0.00, floor 0.01); raw "
             "10.00\n"
             "  LOAD  C    K2 = 0.000 +- 0.010 (mesh 0.000, contact edge 0.000, floor 0.010); as "

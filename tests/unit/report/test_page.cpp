@@ -271,7 +271,7 @@ TEST(SweepPage, HasErrorBarsStepChecksAndUnits) {
     point.warnings = delta > 0.15 ? 7 : 0;
     results::RunResult run = sample.run;
     run.increments.resize(1);
-    point.cells = collect_sweep_values_of_run(run);
+    point.cells = collect_sweep_values_of_run(sample.model, run);
     sweep.points.push_back(point);
   }
   results::SweepPoint failed;
@@ -303,7 +303,7 @@ TEST(SweepPage, HasLives) {
     results::RunResult run = sample.run;
     run.growth.emplace();
     run.growth->curve = {{0.0, {1.0}}, {life, {2.0}}};
-    point.cells = collect_sweep_values_of_run(run);
+    point.cells = collect_sweep_values_of_run(sample.model, run);
     EXPECT_EQ(point.cells.front().column_name(), "N");
     sweep.points.push_back(point);
   }
