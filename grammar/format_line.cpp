@@ -72,7 +72,7 @@ std::string HeaderFormatter::token(std::string_view text) {
 }
 
 std::string HeaderFormatter::word(std::string_view text) {
-  const bool is_word = key_ != nullptr && key_->type == KeyType::word;
+  const bool is_word = key_ != nullptr && !key_->words.empty();
   return is_word && is_letter(text.front()) ? to_upper(text) : std::string(text);
 }
 

@@ -113,6 +113,8 @@ std::string describe_key_value(const KeySpec& key) {
     return number_phrase(dimension_formula(key.quantity), key.range);
   case KeyType::word:
     return std::string(key.words);
+  case KeyType::words:
+    return fmt::format("{}, with commas", key.words);
   case KeyType::name:
     return fmt::format("new name of {} {}", article(display_name(key.kind)),
                        display_name(key.kind));

@@ -16,8 +16,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // In the order of the enumerations KeyType and DataLineForm.
-constexpr std::array type_words{"integer",    "real",     "word", "name",      "reference",
-                                "references", "integers", "text", "expression"};
+constexpr std::array type_words{"integer",   "real",       "word",     "words", "name",
+                                "reference", "references", "integers", "text",  "expression"};
 constexpr std::array data_words{"none", "table", "assignments", "rows"};
 
 Json range_of(const ValueLimits& range) {
@@ -42,7 +42,7 @@ Json key_of(const KeySpec& key) {
   out["name"] = key.name;
   out["type"] = type_words[static_cast<std::size_t>(key.type)];
   out["required"] = key.required;
-  if (key.type == KeyType::word) {
+  if (!key.words.empty()) {
     out["words"] = split_words(key.words);
   }
   if (key.kind != EntityKind::none) {

@@ -18,6 +18,22 @@ using grammar::CardField;
 using grammar::KeySpec;
 using grammar::KeyType;
 
+// Units of a quantity as they may be written.
+std::string_view units_hint(grammar::QuantityKind quantity) {
+  switch (quantity) {
+  case grammar::QuantityKind::stress_intensity:
+    return "'MPa*m^0.5', 'MPa*sqrt(m)', 'ksi*in^0.5', without blanks";
+  case grammar::QuantityKind::length:
+    return "'mm', 'm', 'in'";
+  case grammar::QuantityKind::force:
+    return "'N', 'kN', 'lbf', 'kip'";
+  case grammar::QuantityKind::stress:
+    return "'MPa', 'Pa', 'psi', 'ksi'";
+  default:
+    return {};
+  }
+}
+
 /// Checks one value against its key.
 class ValueBinder {
 public:
@@ -26,7 +42,8 @@ public:
       : key_(key), scope_(scope), diagnostics_(diagnostics) {}
 
   bool bind(const grammar::HeaderParameter& parameter, CheckedValue& value) {
-    const bool list = key_.type == KeyType::references || key_.type == KeyType::integers;
+    const bool list = key_.type == KeyType::references || key_.type == KeyType::integers ||
+                      key_.type == KeyType::words;
     if (!list && parameter.values.size() > 1) {
       const CardField& second = parameter.values[1];
       const bool digits = parameter.values[0].kind == CardField::CardFieldKind::number &&
@@ -49,6 +66,7 @@ private:
     case KeyType::integers:
       return number(field, value);
     case KeyType::word:
+    case KeyType::words:
       return word(field, value);
     case KeyType::name:
     case KeyType::reference:
@@ -69,9 +87,10 @@ private:
 
   bool number(const CardField& field, CheckedValue& value) {
     const bool whole = key_.type != KeyType::real;
-    const auto found = read_field_number(
-        field, key_.quantity, fmt::format("{}: a {}number", key_.name, whole ? "whole " : ""),
-        scope_, diagnostics_);
+    const std::string what = fmt::format("{}: a {}number", key_.name, whole ? "whole " : "");
+    const auto found = key_.any_unit
+                           ? read_field_number_of_any_kind(field, what, scope_, diagnostics_)
+                           : read_field_number(field, key_.quantity, what, scope_, diagnostics_);
     if (!found) {
       return false;
     }
@@ -88,6 +107,11 @@ private:
                                   : ""));
     }
     value.with_unit = grammar::has_unit(field.expression, scope_);
+    if (key_.any_unit) {
+      const base::SourceSpan unit =
+          grammar::explicit_or_parameter_unit_span(field.expression, scope_);
+      value.text = unit.valid() ? scope_.sources->text(unit) : std::string_view();
+    }
     value.number = *found;
     value.numbers.push_back(*found);
     return true;
@@ -96,12 +120,12 @@ private:
   // A text that names a unit of the key's quantity.
   bool unit(const CardField& field) {
     const auto known = base::parse_unit(field.text);
-    const bool of_K = key_.quantity == grammar::QuantityKind::stress_intensity;
-    const std::string hint = of_K ? "'MPa*m^0.5', 'MPa*sqrt(m)', 'ksi*in^0.5', without blanks" : "";
+    const std::string hint(units_hint(key_.quantity));
     if (!known) {
       return fail(field.span, "E204", fmt::format("{}: '{}' is not a unit", key_.name, field.text),
-                  of_K ? hint
-                       : "m mm um in, N kN MN lbf, Pa kPa MPa GPa psi ksi, cycle, with * / ^");
+                  key_.quantity == grammar::QuantityKind::stress_intensity
+                      ? hint
+                      : "m mm um in, N kN MN lbf kip, Pa kPa MPa GPa psi ksi, cycle, with * / ^");
     }
     if (known->dimension != grammar::quantity_dimension(key_.quantity)) {
       return fail(field.span, "E205",
@@ -124,6 +148,7 @@ private:
                   near.starts_with("one of") ? "" : near);
     }
     value.text = given;
+    value.names.push_back({given, field.span, {}});
     return true;
   }
 
@@ -341,10 +366,10 @@ CheckedCard check_card_header(const grammar::CardHeader& card, const grammar::Ca
   return CardBinder(card, spec, scope, diagnostics).run();
 }
 
-std::optional<double> read_field_number(const grammar::CardField& field,
-                                        grammar::QuantityKind quantity, std::string_view what,
-                                        const grammar::ExpressionScope& scope,
-                                        base::Diagnostics& diagnostics) {
+std::optional<double> read_field_number_of_any_kind(const grammar::CardField& field,
+                                                    std::string_view what,
+                                                    const grammar::ExpressionScope& scope,
+                                                    base::Diagnostics& diagnostics) {
   if (!field.is_number_or_expression()) {
     const std::string_view written = scope.sources->text(field.span);
     const bool parameter = field.is_name() && scope.values.contains(field.text);
@@ -359,7 +384,14 @@ std::optional<double> read_field_number(const grammar::CardField& field,
                                 : grammar::unknown_function_hint(field.text));
     return std::nullopt;
   }
-  const auto value = grammar::evaluate_constant(field.expression, scope, diagnostics);
+  return grammar::evaluate_constant(field.expression, scope, diagnostics);
+}
+
+std::optional<double> read_field_number(const grammar::CardField& field,
+                                        grammar::QuantityKind quantity, std::string_view what,
+                                        const grammar::ExpressionScope& scope,
+                                        base::Diagnostics& diagnostics) {
+  const auto value = read_field_number_of_any_kind(field, what, scope, diagnostics);
   const bool fits = value && check_field_unit(field, grammar::quantity_dimension(quantity),
                                               fmt::format("is not the unit of {}",
                                                           grammar::display_name(quantity)),

@@ -29,7 +29,7 @@ struct CheckedValue {
   bool sound = true;      ///< false: the value is wrong, and reported
   bool with_unit = false; ///< a unit stands in the number, or in what it is made of
   double number = 0.0;
-  std::string text;                 ///< word, name or text
+  std::string text; ///< word, name or text; of a number in any unit that unit, if it has one
   std::vector<NameReference> names; ///< lists of names
   std::vector<double> numbers;      ///< lists of numbers
   base::CompiledExpression expression;
@@ -94,6 +94,12 @@ std::optional<double> read_field_number(const grammar::CardField& field,
                                         grammar::QuantityKind quantity, std::string_view what,
                                         const grammar::ExpressionScope& scope,
                                         base::Diagnostics& diagnostics);
+
+/// The same of a number in whatever unit, in units of the deck.
+std::optional<double> read_field_number_of_any_kind(const grammar::CardField& field,
+                                                    std::string_view what,
+                                                    const grammar::ExpressionScope& scope,
+                                                    base::Diagnostics& diagnostics);
 
 /// Whether a field has no unit, or one of a dimension; else that is reported, "'mm' " and the
 /// complaint. A unit that is none is left to the evaluation.

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
 #include "deck/number_file.hpp"
+#include "deck/spectrum_columns.hpp"
+#include "deck/spectrum_keys.hpp"
+#include "deck/spectrum_scale.hpp"
 #include "model/model.hpp"
+#include "model/reduce_spectrum.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -15,16 +20,60 @@ namespace {
 using grammar::CardField;
 
 constexpr double same_place = 1e-9; // of a load path's length, as its own rows are rounded
+constexpr std::size_t most_points = 20'000'000; // of a sequence
+
+// Where a line of numbers stands.
+struct LinePlace {
+  base::SourceSpan span;
+  std::size_t line = 0; ///< of the file; 0: the span says it
+};
+
+// The first of several columns that always ascends, evenly or for long, is a time or a number.
+class TimeColumn {
+public:
+  void look_at(std::span<const double> numbers) {
+    constexpr double even = 1e-6;
+    const double first = numbers.front();
+    if (lines_ == 0) {
+      columns_ = numbers.size();
+      first_ = first;
+    } else {
+      step_ = lines_ == 1 ? first - last_ : step_;
+      ascends_ = ascends_ && numbers.size() == columns_ && first > last_;
+      evenly_ = evenly_ && std::abs(first - last_ - step_) <= even * step_;
+    }
+    last_ = first;
+    ++lines_;
+  }
+  [[nodiscard]] bool is_likely() const {
+    constexpr std::size_t least = 4;
+    constexpr std::size_t long_enough = 10;
+    return columns_ > 1 && lines_ >= least && ascends_ && (evenly_ || lines_ >= long_enough);
+  }
+  [[nodiscard]] std::string text() const {
+    return fmt::format("every line of the file has {} numbers, and the first of them ascends from "
+                       "{:.6g} to {:.6g} like a time or a number: all of them count as loads",
+                       columns_, first_, last_);
+  }
+
+private:
+  std::size_t columns_ = 0, lines_ = 0;
+  double first_ = 0.0, last_ = 0.0, step_ = 0.0;
+  bool ascends_ = true, evenly_ = true;
+};
 
 class SpectrumReader {
 public:
-  SpectrumReader(DeckContext& c, const CheckedCard& card) : c_(c), card_(card) {}
+  SpectrumReader(DeckContext& c, const CheckedCard& card)
+      : c_(c), card_(card), scale_(c, card), columns_(c, card),
+        good_(scale_.sound() && columns_.sound()) {}
 
   void read() {
     spectrum_.name = card_.word_value("NAME");
-    spectrum_.sequence = card_.key_has_word("TYPE", "SEQUENCE");
+    spectrum_.sequence = !card_.key_has_word("TYPE", "BLOCKS");
     spectrum_.counting = card_.key_has_word("COUNT", "PAIRS") ? model::CycleCounting::pairs
                                                               : model::CycleCounting::rainflow;
+    spectrum_.values = scale_.values();
     spectrum_.span = card_.span;
     const NameDefinition* path =
         find_referenced_definition(c_, EntityKind::path, card_.name_reference("PATH"));
@@ -32,33 +81,78 @@ public:
       spectrum_.path = path->index;
       last_ = c_.model.load_paths[path->index].beyond;
     }
-    if (card_.has_key("FILE")) {
+    if (card_.key_has_word("TYPE", "TWIST")) {
+      from_twist();
+    } else if (card_.has_key("FILE")) {
       from_file();
     } else {
       from_rows();
     }
-    if (good_ && !card_.rows_bad && !off_path_ && !has_cycle()) {
-      c_.error(card_.span, "E325",
-               fmt::format("spectrum {} has no cycle", card_.word_value("NAME")),
-               spectrum_.sequence ? "a sequence has two or more different turning points"
-                                  : "a line of TYPE=BLOCKS is low high count");
-    }
+    finish();
     c_.model.spectra.push_back(std::move(spectrum_));
   }
 
 private:
+  void finish() {
+    if (!good_ || card_.rows_bad || off_path_) {
+      return;
+    }
+    if (!has_cycle()) {
+      c_.error(card_.span, "E325", fmt::format("spectrum {} has no cycle", spectrum_.name),
+               spectrum_.sequence ? "a sequence has two or more different turning points"
+                                  : "a line of TYPE=BLOCKS is low high count");
+      return;
+    }
+    if (const auto clip = scale_.load_of_key("CLIP")) {
+      spectrum_.clip = scale_.place_of_load(*clip);
+    }
+    if (const auto omit = scale_.load_of_key("OMIT")) {
+      spectrum_.omit = scale_.range_of_loads(*omit);
+    }
+    model::reduce_spectrum(spectrum_);
+    if (!has_cycle()) {
+      c_.error(card_.has_key("OMIT") ? card_.find("OMIT")->span : card_.find("CLIP")->span, "E325",
+               fmt::format("CLIP and OMIT leave no cycle of spectrum {}", spectrum_.name),
+               "OMIT is a range of loads, CLIP a load, both in the unit of the loads");
+      return;
+    }
+    set_life_unit(c_, card_, flights_, spectrum_);
+  }
+
+  void from_twist() {
+    if (!card_.rows.empty()) {
+      c_.error(card_.rows.front().span, "E115", "TYPE=TWIST takes no data lines");
+    }
+    const std::optional<model::TwistSettings> settings = read_twist_settings(c_, card_);
+    good_ = good_ && settings.has_value();
+    const std::optional<double> mean = scale_.load_of_key("MEAN");
+    good_ = good_ && scale_.sound();
+    if (!good_ || !mean) {
+      return;
+    }
+    const model::TwistHistory twist = model::generate_twist_history(*settings);
+    const LinePlace here{card_.span};
+    for (const double x : twist.points) {
+      if (!take_place(scale_.place_of_load(*mean * x), here)) {
+        good_ = false; // one complaint is enough
+        return;
+      }
+    }
+    flights_ = twist.flights;
+    spectrum_.origin = model::describe_twist_history(*settings);
+  }
+
   void from_rows() {
+    std::vector<double> numbers;
     for (const grammar::DataRow& row : card_.rows) {
-      NumberLine line;
-      line.span = row.span;
+      numbers.clear();
       for (const CardField& field : row.fields) {
-        const auto number =
-            c_.read_number(field, grammar::QuantityKind::number, "a place t on the path");
+        const auto number = c_.read_number(field, grammar::QuantityKind::number, "a load");
         good_ = good_ && number.has_value();
-        line.numbers.push_back(number.value_or(0.0));
+        numbers.push_back(number.value_or(0.0));
       }
       if (good_) {
-        take(line);
+        take(numbers, {row.span});
       }
     }
   }
@@ -67,98 +161,123 @@ private:
     if (!card_.rows.empty()) {
       c_.error(card_.rows.front().span, "E115", "with FILE there are no data lines");
     }
-    const auto lines = read_number_file(c_, card_, "FILE");
-    good_ = good_ && lines.has_value();
-    if (good_ && spectrum_.sequence) {
-      warn_of_columns(*lines);
-    }
-    for (std::size_t i = 0; good_ && i < lines->size(); ++i) {
-      const NumberLine& line = (*lines)[i];
-      if (line.sound) {
-        take(line);
+    const NumberFileLayout layout{.skipped_lines =
+                                      static_cast<std::size_t>(card_.integer_value("SKIP")),
+                                  .comment = std::string(card_.word_value("COMMENT")),
+                                  .mark = std::string(card_.word_value("MARK"))};
+    const base::SourceSpan span = card_.find("FILE")->span;
+    TimeColumn time;
+    const auto take_row = [&](const NumberRow& row) {
+      const LinePlace place{span, row.line};
+      if (row.mark) {
+        flights_ += 1.0;
+      } else if (!row.sound) {
+        wrong(place, "E115", "not a number",
+              row.line <= first_lines ? "SKIP=n leaves out header lines" : "");
       } else {
-        wrong(line, "E115", "not a number");
+        if (columns_.any_number()) {
+          time.look_at(row.numbers);
+        }
+        take(row.numbers, place);
       }
+      return good_;
+    };
+    const bool was_good = good_;
+    const std::string file = visit_number_file(c_, card_, "FILE", layout, take_row);
+    good_ = was_good && good_ && !file.empty();
+    if (good_ && time.is_likely()) {
+      c_.warning(span, "W369", time.text(),
+                 "ORDER=SKIP,VALUE leaves the first column out; without ORDER a sequence has "
+                 "nothing but loads one after another");
+    }
+    if (good_ && card_.has_key("MARK") && flights_ == 0.0) {
+      c_.error(card_.find("MARK")->span, "E115",
+               fmt::format("no line of '{}' begins with '{}'", file, card_.word_value("MARK")));
     }
   }
 
-  void take(const NumberLine& line) {
-    if (spectrum_.sequence) {
-      for (const double t : line.numbers) {
-        if (on_path(line, t)) {
-          spectrum_.turning_points.push_back(place(t));
-        }
+  void take(std::span<const double> numbers, const LinePlace& place) {
+    if (!columns_.any_number() && numbers.size() != columns_.count()) {
+      wrong(place, "E115",
+            card_.has_key("ORDER") ? fmt::format("{} numbers, where ORDER names {} columns: {}",
+                                                 numbers.size(), columns_.count(), columns_.text())
+                                   : "a line of TYPE=BLOCKS is low high count");
+    } else if (columns_.has_loads()) {
+      loads_.clear();
+      columns_.append_loads(numbers, loads_);
+      for (const double load : loads_) {
+        take_place(scale_.place(load), place);
       }
+    } else {
+      take_cycle(columns_.cycle(numbers), place);
+    }
+  }
+
+  void take_cycle(std::optional<CycleOfColumns> cycle, const LinePlace& place) {
+    if (!cycle) {
+      wrong(place, "E115", "these two numbers make no cycle: its ends are not known");
       return;
     }
-    if (line.numbers.size() != 3) {
-      wrong(line, "E115", "a line of TYPE=BLOCKS is low high count");
+    warn_of_high_low(*cycle, place);
+    if (cycle->count <= 0.0) {
+      wrong(place, "E109", fmt::format("{} cycles: a count is positive", cycle->count));
       return;
     }
-    warn_of_high_low(line);
-    const double low = std::min(line.numbers[0], line.numbers[1]);
-    const double high = std::max(line.numbers[0], line.numbers[1]);
-    if (line.numbers[2] <= 0.0) {
-      wrong(line, "E109", fmt::format("{} cycles: a count is positive", line.numbers[2]));
-    } else if (on_path(line, low) && on_path(line, high) && low < high) {
-      spectrum_.cycles.push_back({place(low), place(high), line.numbers[2]});
+    const auto [low, high] = std::minmax({scale_.place(cycle->low), scale_.place(cycle->high)});
+    if (!on_path(low, place) || !on_path(high, place) || !(low < high)) {
+      return;
+    }
+    if (!spectrum_.sequence) {
+      spectrum_.cycles.push_back({kept(low), kept(high), cycle->count});
+      return;
+    }
+    if (cycle->count != std::floor(cycle->count) ||
+        cycle->count > static_cast<double>(most_points - spectrum_.turning_points.size()) / 2.0) {
+      wrong(place, "E109",
+            fmt::format("{} cycles one after another: of TYPE=SEQUENCE a count is a whole number, "
+                        "and there are at most {} turning points",
+                        cycle->count, most_points),
+            "TYPE=BLOCKS takes any count");
+      return;
+    }
+    for (double n = 0.0; n < cycle->count; n += 1.0) {
+      spectrum_.turning_points.push_back(kept(cycle->high_first ? high : low));
+      spectrum_.turning_points.push_back(kept(cycle->high_first ? low : high));
     }
   }
 
   // Either order makes the same cycle, but mean, amplitude, count and count, low, high do not.
-  void warn_of_high_low(const NumberLine& line) {
-    if (!high_low_ && line.numbers[0] > line.numbers[1]) {
+  void warn_of_high_low(const CycleOfColumns& cycle, const LinePlace& place) {
+    if (!high_low_ && cycle.low > cycle.high) {
       high_low_ = true;
-      c_.warning(
-          line.span, "W368",
-          fmt::format(
-              "{}low {:.6g} above high {:.6g}: it is taken as a cycle from {:.6g} to {:.6g}",
-              line.where, line.numbers[0], line.numbers[1], line.numbers[1], line.numbers[0]),
-          "a line of TYPE=BLOCKS is low high count, not high low count or mean amplitude count");
+      c_.warning(place.span, "W368",
+                 fmt::format(
+                     "{}low {:.6g} above high {:.6g}: it is taken as a cycle from {:.6g} to {:.6g}",
+                     where(place), cycle.low, cycle.high, cycle.high, cycle.low),
+                 "a line of TYPE=BLOCKS is low high count; ORDER says other columns, as "
+                 "ORDER=MAX,MIN,COUNT");
     }
   }
 
-  // The first of several columns that always ascends, evenly or for long, is a time or a number.
-  void warn_of_columns(const std::vector<NumberLine>& lines) {
-    constexpr std::size_t least = 4;
-    constexpr std::size_t long_enough = 10;
-    constexpr double even = 1e-6;
-    const std::size_t columns = lines.empty() ? 0 : lines.front().numbers.size();
-    if (columns < 2 || lines.size() < least) {
-      return;
+  bool take_place(double t, const LinePlace& place) {
+    if (!on_path(t, place)) {
+      return false;
     }
-    const auto first = [&](std::size_t i) { return lines[i].numbers.front(); };
-    const double step = first(1) - first(0);
-    bool ascends = true;
-    bool evenly = true;
-    for (std::size_t i = 1; i < lines.size() && ascends; ++i) {
-      ascends = lines[i].numbers.size() == columns && first(i) > first(i - 1);
-      evenly = evenly && std::abs(first(i) - first(i - 1) - step) <= even * step;
-    }
-    if (ascends && (evenly || lines.size() >= long_enough)) {
-      c_.warning(
-          card_.find("FILE")->span, "W369",
-          fmt::format("every line of the file has {} numbers, and the first of them ascends from "
-                      "{:.6g} to {:.6g} like a time or a number: all of them count as places t",
-                      columns, first(0), first(lines.size() - 1)),
-          "a sequence has nothing but the places t one after another");
-    }
+    spectrum_.turning_points.push_back(kept(t));
+    return true;
   }
 
-  [[nodiscard]] double place(double t) const {
-    return std::clamp(t * card_.number_value("FACTOR"), 0.0, last_);
-  }
+  [[nodiscard]] double kept(double t) const { return std::clamp(t, 0.0, last_); }
 
-  bool on_path(const NumberLine& line, double t) {
-    const double at = t * card_.number_value("FACTOR");
-    if (at >= -same_place * last_ && at <= last_ * (1.0 + same_place)) {
+  bool on_path(double t, const LinePlace& place) {
+    if (t >= -same_place * last_ && t <= last_ * (1.0 + same_place)) {
       return true;
     }
     off_path_ = true;
-    wrong(line, "E325",
-          fmt::format("t = {:.6g} lies beyond load path {}, 0 to {:.6g}", at,
+    wrong(place, "E325",
+          fmt::format("{} lies beyond load path {}, 0 to {:.6g}", scale_.describe(t),
                       card_.name_reference("PATH").name, last_),
-          hint_beyond(at));
+          hint_beyond(t));
     return false;
   }
 
@@ -166,18 +285,27 @@ private:
   // load, a stress or per cent.
   [[nodiscard]] std::string hint_beyond(double at) const {
     constexpr double far = 3.0;
-    if (std::abs(at) > far * last_) {
-      return "t counts in parts of the path: 0 is its step FROM, 1 its step TO; FACTOR of "
-             "$SPECTRUM "
-             "brings per cent (FACTOR=0.01), loads or stresses to that";
+    if (!scale_.values() && std::abs(at) > far * last_) {
+      return "t counts in parts of the path: 0 is its step FROM, 1 its step TO; AT0 and AT1 of "
+             "$SPECTRUM say which loads these stand for, FACTOR=0.01 brings per cent to t";
     }
     return at > 0.0 ? "give $LOADPATH a larger BEYOND" : "let the path begin at the smallest load";
   }
 
-  void wrong(const NumberLine& line, const char* code, const std::string& text,
+  [[nodiscard]] std::string where(const LinePlace& place) const {
+    if (place.line == 0) {
+      return {};
+    }
+    const std::filesystem::path file =
+        std::filesystem::path(c_.sources.file_name(card_.span.file)).parent_path() /
+        std::string(card_.word_value("FILE"));
+    return describe_file_line(file.string(), place.line);
+  }
+
+  void wrong(const LinePlace& place, const char* code, const std::string& text,
              std::string hint = {}) {
-    c_.error(line.span, code, line.where + text, std::move(hint));
-    good_ = good_ && line.where.empty(); // one complaint about a file is enough
+    c_.error(place.span, code, where(place) + text, std::move(hint));
+    good_ = good_ && place.line == 0; // one complaint about a file is enough
   }
 
   [[nodiscard]] bool has_cycle() const {
@@ -185,10 +313,16 @@ private:
     return !spectrum_.cycles.empty() || (!spectrum_.turning_points.empty() && *low < *high);
   }
 
+  static constexpr std::size_t first_lines = 20; ///< a file's header is hardly longer
+
   DeckContext& c_;
   const CheckedCard& card_;
+  SpectrumScale scale_;
+  SpectrumColumns columns_;
   model::SpectrumDefinition spectrum_;
-  double last_ = 1.0; ///< t at the end of the path
+  std::vector<double> loads_; ///< of a line
+  double last_ = 1.0;         ///< t at the end of the path
+  double flights_ = 0.0;      ///< that marks, or the generator, have counted
   bool good_ = true;
   bool off_path_ = false; ///< some t
   bool high_low_ = false; ///< some line, which is told

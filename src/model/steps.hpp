@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -53,6 +54,26 @@ struct LoadPathDefinition {
 /// each valley with the peak behind it.
 enum class CycleCounting { rainflow, pairs };
 
+/// What a life is told in besides passes: each has so many of them.
+enum class SpectrumLifeUnit { passes, flights, hours, cycles };
+
+/// Loads of a history before some were cut or left out.
+struct UnreducedLoads {
+  std::vector<std::array<double, 3>> cycles;
+  std::vector<double> turning_points;
+};
+
+/// What the loads of a history were written as: v = at_from + (at_to - at_from) t.
+struct SpectrumValues {
+  std::string unit; ///< as the deck names it, may be empty
+  double at_from = 0.0, at_to = 1.0;
+
+  [[nodiscard]] double value_at(double t) const { return at_from + (at_to - at_from) * t; }
+  [[nodiscard]] double place_of(double value) const {
+    return (value - at_from) / (at_to - at_from);
+  }
+};
+
 /// A history of places t on a load path; one pass through it is the unit of life.
 struct SpectrumDefinition {
   std::string name;
@@ -61,6 +82,13 @@ struct SpectrumDefinition {
   CycleCounting counting = CycleCounting::rainflow; ///< of turning points
   std::vector<std::array<double, 3>> cycles;        ///< low t, high t, count
   std::vector<double> turning_points;               ///< t, in their order
+  std::optional<SpectrumValues> values;             ///< where the loads are not places t
+  std::optional<double> clip;                       ///< t that higher ones were brought down to
+  std::optional<double> omit;                       ///< range of t, smaller ones were left out
+  std::optional<UnreducedLoads> unreduced;          ///< with clip or omit: what was there before
+  SpectrumLifeUnit life_unit = SpectrumLifeUnit::passes;
+  double life_units_per_pass = 1.0; ///< flights or hours
+  std::string origin;               ///< of a generated history: how it was made, a sentence
   base::SourceSpan span;
 };
 

@@ -6,11 +6,16 @@
 #include <cstddef>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace spricka::model {
 
 namespace {
 
 constexpr double on_ground = -0.5; // over the mean stress in flight
+
+constexpr std::array<const char*, twist_levels> level_names{"I",  "II",  "III",  "IV", "V",
+                                                            "VI", "VII", "VIII", "IX", "X"};
 
 struct FlightType {
   int flights; ///< of 4000
@@ -89,6 +94,20 @@ TwistHistory generate_twist_history(const TwistSettings& settings) {
     out.points.pop_back(); // the load goes on down to the ground
   }
   return out;
+}
+
+std::string describe_twist_history(const TwistSettings& settings) {
+  std::string text = fmt::format("TWIST statistics, order by our own generator (seed {}); not the "
+                                 "standard's sequence",
+                                 settings.seed);
+  const auto name = [](int level) { return level_names[static_cast<std::size_t>(level)]; };
+  if (settings.highest_level > 0) {
+    text += fmt::format("; gusts above level {} cut down to it", name(settings.highest_level));
+  }
+  if (settings.lowest_level + 1 < twist_levels) {
+    text += fmt::format("; gusts below level {} left out", name(settings.lowest_level));
+  }
+  return text;
 }
 
 std::vector<double> twist_gust_counts() {

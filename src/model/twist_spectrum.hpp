@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <cstdint>
+#include <string>
 #include <vector>
 
 /// TWIST, the load spectrum of a transport aircraft's wing root: its published statistics of
@@ -26,6 +27,9 @@ inline constexpr int twist_levels = 10;
 /// order of flights, and of gusts in a flight, is shuffled (Fisher and Yates, by the generator
 /// x' = (1103515245 x + 12345) mod 2^31 from `seed`): the same on every machine.
 TwistHistory generate_twist_history(const TwistSettings& settings);
+
+/// What such a history is, a sentence: "TWIST statistics, order by our own generator (seed 1); ..".
+std::string describe_twist_history(const TwistSettings& settings);
 
 /// Gust cycles of the table by level, in 4000 flights. [level]
 std::vector<double> twist_gust_counts();
