@@ -30,13 +30,13 @@ constexpr std::array<Request, 5> requests{{{"U", EntityKind::any_set},
                                            {"REACTION", EntityKind::any_set}}};
 
 // Files of every run folder or sweep; none is given away.
-constexpr std::array<std::string_view, 16> own_files{
+constexpr std::array<std::string_view, 17> own_files{
     "k.csv",       "sensitivity.csv", "pressure.csv",
     "listing.txt", "load_path.csv",   "load_path_fronts.csv",
-    "life.csv",    "life_curve.csv",  "beta.csv",
-    "report.html", "results.pvd",     "results.h5",
-    "test.csv",    "sweep.csv",       "sweep.html",
-    "point.json"};
+    "life.csv",    "life_curve.csv",  "spectrum.csv",
+    "beta.csv",    "report.html",     "results.pvd",
+    "results.h5",  "test.csv",        "sweep.csv",
+    "sweep.html",  "point.json"};
 
 // Why a file in the run folder cannot have this name, which is that of FILE without its folders;
 // empty: it can.

@@ -13,6 +13,7 @@
 #include "report/topics/notes.hpp"
 #include "report/topics/result_tables.hpp"
 #include "report/topics/sensitivity_tables.hpp"
+#include "report/topics/spectrum_tables.hpp"
 #include "report/view/view.hpp"
 
 #include <fmt/format.h>
@@ -28,13 +29,16 @@ void add_head(HtmlPage& page, const std::string& title, const base::SourceTexts&
               const model::Model& model) {
   const base::UnitSystem& units = model.units;
   page.add_html(fmt::format("<h1>{}</h1>\n", escape_xml(title)));
-  page.add_html(
-      fmt::format("<p class=\"about\">Deck {}, computed by spricka {}. Units: {}, {}, {}{}.</p>\n",
-                  escape_xml(relative_deck_file_name(sources, 0)), SPRICKA_VERSION,
-                  units.length_name, units.force_name, units.stress_name(),
-                  model.cracks.empty()
-                      ? ""
-                      : fmt::format("; K in {}", typeset_unit(units.stress_intensity_name()))));
+  page.add_html(fmt::format(
+      "<p class=\"about\">Deck {}, computed by spricka {}. Units: {}, {}, {}{}.</p>\n",
+      escape_xml(relative_deck_file_name(sources, 0)), SPRICKA_VERSION, units.output_length().name,
+      units.output_force().name, units.output_stress().name,
+      model.cracks.empty()
+          ? ""
+          : fmt::format("; K in {}", typeset_unit(units.output_stress_intensity().name))));
+  if (const std::string note = deck_units_note(units); !note.empty()) {
+    page.add_paragraph(note);
+  }
 }
 
 constexpr std::size_t most_at_head = 3;      // warnings; the others stand under Notes
@@ -77,6 +81,7 @@ std::string warnings_at_head(const results::RunResult& run) {
 ReportTable
 over_lengths(const model::Model& model, const results::RunResult& run,
              const std::function<ReportTable(const results::CrackLengthResult&)>& table_of) {
+  const base::OutputUnit length = model.units.output_length();
   ReportTable all;
   for (const results::CrackLengthResult& increment : run.increments) {
     ReportTable table = table_of(increment);
@@ -84,10 +89,10 @@ over_lengths(const model::Model& model, const results::RunResult& run,
       return table;
     }
     for (std::vector<std::string>& row : table.rows) {
-      row.insert(row.begin(), fmt::format("{:.6g}", increment.a));
+      row.insert(row.begin(), fmt::format("{:.6g}", length.from_deck(increment.a)));
       all.rows.push_back(std::move(row));
     }
-    table.columns.insert(table.columns.begin(), {"a", model.units.length_name, false});
+    table.columns.insert(table.columns.begin(), {"a", length.name, false});
     all.title = table.title;
     all.columns = std::move(table.columns);
   }
@@ -135,6 +140,13 @@ void add_growth(HtmlPage& page, const model::Model& model, const results::RunRes
   for (const std::string& sentence : run.growth->interaction) {
     page.add_paragraph(sentence + ".");
   }
+  if (std::string words = spectrum_summary(model, run); !words.empty()) {
+    std::ranges::replace(words, '\n', ' ');
+    page.add_paragraph(words);
+  }
+  for (const ReportTable& table : spectrum_tables(model, run)) {
+    page.add_table(table);
+  }
 }
 
 void add_tests(HtmlPage& page, const model::Model& model, const results::RunResult& run) {
@@ -157,7 +169,10 @@ void add_paths(HtmlPage& page, const model::Model& model, const results::RunResu
   add_figures(page, load_path_figures(model, run));
   const auto paths = [&](const results::CrackLengthResult& i) { return load_path_table(model, i); };
   page.add_table(over_lengths(model, run, paths));
-  page.add_table(over_lengths(model, run, contact_opening_onset_table));
+  const auto openings = [&](const results::CrackLengthResult& i) {
+    return contact_opening_onset_table(model, i);
+  };
+  page.add_table(over_lengths(model, run, openings));
 }
 
 void add_contacts(HtmlPage& page, const model::Model& model, const results::RunResult& run) {
@@ -204,6 +219,7 @@ void add_notes(HtmlPage& page, const results::RunResult& run) {
 
 /// "a = 3.6 mm", of cracks of different lengths each.
 std::string lengths_of(const model::Model& model, const results::CrackLengthResult& increment) {
+  const base::OutputUnit length = model.units.output_length();
   std::string each;
   bool same = true;
   for (const results::FrontResult& front : increment.steps.empty()
@@ -211,11 +227,11 @@ std::string lengths_of(const model::Model& model, const results::CrackLengthResu
                                                : increment.steps.back().fronts) {
     if (front.is_tip()) {
       same = same && std::abs(front.a - increment.a) < 1e-9 * increment.a;
-      each += fmt::format("{}{}: a = {:.6g} {}", each.empty() ? "" : ", ", front.name, front.a,
-                          model.units.length_name);
+      each += fmt::format("{}{}: a = {}", each.empty() ? "" : ", ", front.name,
+                          length.text(front.a, 6));
     }
   }
-  return same ? fmt::format("a = {:.6g} {}", increment.a, model.units.length_name) : each;
+  return same ? fmt::format("a = {}", length.text(increment.a, 6)) : each;
 }
 
 void add_deck(HtmlPage& page, const base::SourceTexts& sources) {
@@ -250,8 +266,7 @@ std::string html_report(const base::SourceTexts& sources, const model::Model& mo
   page.add_table(net_size_table(model));
   page.add_table(property_table(model));
   page.add_table(contact_pair_table(model));
-  page.add_table(
-      load_total_table(loads, {model.units.length_name, model.units.force_name, model.mesh.dim}));
+  page.add_table(load_total_table(loads, model.units, model.mesh.dim));
   page.add_table(rigid_target_table(model));
   add_figures(page, mesh_figures(model, run));
   add_contacts(page, model, run);
@@ -275,7 +290,7 @@ std::string html_report(const base::SourceTexts& sources, const model::Model& mo
   }
   if (!run.checks.empty()) {
     page.add_heading("Checks");
-    page.add_table(without_title(checks_table(run)));
+    page.add_table(without_title(checks_table(model, run)));
   }
   add_notes(page, run);
   add_deck(page, sources);

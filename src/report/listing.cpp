@@ -12,6 +12,7 @@
 #include "report/topics/model_tables.hpp"
 #include "report/topics/result_tables.hpp"
 #include "report/topics/sensitivity_tables.hpp"
+#include "report/topics/spectrum_tables.hpp"
 #include "results/shown_step.hpp"
 
 #include <fmt/format.h>
@@ -51,16 +52,19 @@ std::string model_summary(const model::Model& model,
   if (!model.title.empty()) {
     out += model.title + "\n\n";
   }
-  out += fmt::format("Units: length {}, force {}, stress {}, K {}\n\n", units.length_name,
-                     units.force_name, units.stress_name(), units.stress_intensity_name());
+  out += fmt::format("Units: length {}, force {}, stress {}, K {}\n\n", units.output_length().name,
+                     units.output_force().name, units.output_stress().name,
+                     units.output_stress_intensity().name);
+  if (const std::string note = deck_units_note(units); !note.empty()) {
+    out += note + "\n\n";
+  }
   if (const std::string note = symmetry_note(model); !note.empty()) {
     out += note + "\n\n";
   }
   out += table_to_text(net_size_table(model)) + "\n" + table_to_text(property_table(model));
   out += to_text_after_blank_line(contact_pair_table(model)) +
          to_text_after_blank_line(rigid_target_table(model));
-  out += to_text_after_blank_line(
-      load_total_table(totals, {units.length_name, units.force_name, model.mesh.dim}));
+  out += to_text_after_blank_line(load_total_table(totals, units, model.mesh.dim));
   if (!model.steps.empty()) {
     out += "\nSteps:";
     for (const model::Step& step : model.steps) {
@@ -81,8 +85,8 @@ std::string log_text(const results::RunResult& run) {
 std::string increment_text(const model::Model& model, const results::CrackLengthResult& increment) {
   std::string out = model.cracks.empty()
                         ? heading("Results")
-                        : heading(fmt::format("Increment {}: a = {:.6g} {}", increment.number,
-                                              increment.a, model.units.length_name));
+                        : heading(fmt::format("Increment {}: a = {}", increment.number,
+                                              model.units.output_length().text(increment.a, 6)));
   out += fmt::format("Mesh: {} nodes, {} elements\n",
                      std::ranges::count(model::mark_nodes_in_use(increment.mesh), true),
                      increment.mesh.element_count());
@@ -110,13 +114,14 @@ std::string increment_text(const model::Model& model, const results::CrackLength
         energy_error_table(increment), contact_result_table(model, increment),
         contact_moment_table(model, increment), friction_table(model, increment),
         tip_k_table(model, increment, KTableExtent::full), sensitivity_table(model, increment),
-        load_path_table(model, increment), contact_opening_onset_table(increment)}) {
+        load_path_table(model, increment), contact_opening_onset_table(model, increment)}) {
     out += to_text_after_blank_line(table);
   }
   for (const ReportTable& table : front_tables(model, increment)) {
     (out += '\n') += table_to_text(table);
   }
-  if (const std::string bars = k_error_bar_lines(increment); !bars.empty()) {
+  if (const std::string bars = k_error_bar_lines(increment, model.units.output_stress_intensity());
+      !bars.empty()) {
     out += "\nStress intensity factors with the error of the mesh (not that of the model)\n" + bars;
   }
   return out;
@@ -137,7 +142,7 @@ std::string tests_text(const model::Model& model, const results::RunResult& run)
   return out;
 }
 
-std::string check_text(const results::RunResult& run) {
+std::string check_text(const model::Model& model, const results::RunResult& run) {
   if (run.checks.empty()) {
     return {};
   }
@@ -147,7 +152,7 @@ std::string check_text(const results::RunResult& run) {
     failed += check.passed ? 0 : 1;
     recorded += check.source == "RECORDED" ? 1 : 0;
   }
-  return heading("Checks of the deck") + table_to_text(without_title(checks_table(run))) +
+  return heading("Checks of the deck") + table_to_text(without_title(checks_table(model, run))) +
          fmt::format("\n  {} of {} passed; {} compare with a recorded value\n",
                      run.checks.size() - failed, run.checks.size(), recorded);
 }
@@ -178,9 +183,12 @@ std::string listing_text(const base::SourceTexts& sources, const model::Model& m
     if (const ReportTable lives = compared_lives_table(model, run); !lives.rows.empty()) {
       out += "\n" + table_to_text(lives);
     }
+    for (const ReportTable& table : spectrum_tables(model, run)) {
+      out += "\n" + table_to_text(table);
+    }
   }
   out += tests_text(model, run);
-  out += check_text(run);
+  out += check_text(model, run);
   out += heading("Answer") + answer_text(model, run);
   if (!run.warnings.empty()) {
     out += heading("Warnings");

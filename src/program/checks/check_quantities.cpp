@@ -5,6 +5,7 @@
 #include "model/model.hpp"
 #include "program/checks/check_line.hpp"
 #include "results/growth_end.hpp"
+#include "results/result_unit.hpp"
 
 #include <algorithm>
 #include <array>
@@ -163,15 +164,15 @@ results::CheckResult evaluate_check(const model::Model& model, const model::Resu
                                     const results::RunResult& run) {
   results::CheckResult result;
   result.text = check_text(check);
-  result.wanted = check.value;
-  result.tolerance = check.tolerance;
+  result.wanted = results::wanted_value(model.units, check, run);
+  result.tolerance = results::check_tolerance(model.units, check, run);
   result.relative = check.relative;
   result.source = check.source;
   try {
     result.found = evaluate(model, check, run);
     const double difference = result.found - result.wanted;
-    result.error = check.relative ? difference / std::abs(check.value) : difference;
-    result.passed = std::abs(result.error) <= check.tolerance;
+    result.error = check.relative ? difference / std::abs(result.wanted) : difference;
+    result.passed = std::abs(result.error) <= result.tolerance;
     result.bar = bar_of(model, check, run);
   } catch (const MissingQuantity& missing) {
     result.trouble = missing.what();

@@ -20,6 +20,7 @@
 #include "report/topics/notes.hpp"
 #include "report/topics/result_tables.hpp"
 #include "results/growth_end.hpp"
+#include "results/result_unit.hpp"
 #include "sense/end_warnings.hpp"
 #include "sense/k_consistency.hpp"
 #include "solve/one_thread.hpp"
@@ -34,12 +35,13 @@ namespace spricka::program {
 
 namespace {
 
-int report_checks(const results::RunResult& run, const Log& log) {
+int report_checks(const model::Model& model, const results::RunResult& run, const Log& log) {
   int failed = 0;
-  for (const results::CheckResult& check : run.checks) {
-    if (!check.passed) {
+  for (std::size_t i = 0; i < run.checks.size(); ++i) {
+    if (!run.checks[i].passed) {
       ++failed;
-      log.report_failed_check(check);
+      log.report_failed_check(run.checks[i],
+                              results::check_unit(model.units, model.checks.at(i).kind, run));
     }
   }
   return failed;
@@ -179,8 +181,9 @@ void tell_of(const base::OperationFailure& answer, base::Diagnostics& diagnostic
 }
 
 // How a run ends that has its results.
-RunOutcomeWithResults judged(const Solved& solved, const results::RunResult& run, const Log& log) {
-  const int failed = report_checks(run, log);
+RunOutcomeWithResults judged(const model::Model& model, const Solved& solved,
+                             const results::RunResult& run, const Log& log) {
+  const int failed = report_checks(model, run, log);
   RunOutcomeWithResults outcome;
   if (failed > 0) {
     outcome.kind = base::ProgramOutcome::check_failed;
@@ -256,7 +259,7 @@ RunOutcomeWithResults solve_and_write(const RunOptions& options, const CheckedDe
                                                "tables, pictures, report");
     folder->write_results(deck.sources, *used.model, run, report_imported_geometry(deck.imported));
   }
-  RunOutcomeWithResults outcome = judged(solved, run, log);
+  RunOutcomeWithResults outcome = judged(*used.model, solved, run, log);
   if (folder != nullptr) {
     outcome.profile = write_profile(options, deck.sources, *used.model, *folder);
   }
@@ -270,13 +273,16 @@ namespace {
 std::string tip_text(const results::FrontResult& front, const base::UnitSystem& units) {
   const results::FrontPointResult& tip = front.single_point();
   if (front.two_materials) { // stresses oscillate there: it has a G alone
-    return fmt::format("G = {:<12.7g} {}/{}", tip.G, units.force_name, units.length_name);
+    const base::OutputUnit unit = base::output_unit(units, base::QuantityKind::energy_release);
+    return fmt::format("G = {:<12.7g} {}", unit.from_deck(tip.G), unit.name);
   }
+  const base::OutputUnit unit = units.output_stress_intensity();
   const auto bar = [&](std::size_t k) {
-    return front.has_error_bar() ? fmt::format(" +- {:<8.2g}", tip.bar[k].size()) : "";
+    return front.has_error_bar() ? fmt::format(" +- {:<8.2g}", unit.from_deck(tip.bar[k].size()))
+                                 : "";
   };
-  return fmt::format("K1 = {:<12.7g}{} K2 = {:<12.7g}{} {}{}", tip.K1, bar(0), tip.K2, bar(1),
-                     units.stress_intensity_name(), tip.closed ? ", closed" : "");
+  return fmt::format("K1 = {:<12.7g}{} K2 = {:<12.7g}{} {}{}", unit.from_deck(tip.K1), bar(0),
+                     unit.from_deck(tip.K2), bar(1), unit.name, tip.closed ? ", closed" : "");
 }
 
 // The range of each mode that is not nothing at the points within the body; empty: there are none.
@@ -290,10 +296,11 @@ std::string range_text(const results::FrontResult& front, const base::UnitSystem
   if (inside.empty()) {
     return {};
   }
+  const base::OutputUnit unit = units.output_stress_intensity();
   const auto range = [&](double results::FrontPointResult::*K) {
     const auto [low, high] = std::ranges::minmax_element(
         inside, {}, [&](const results::FrontPointResult* place) { return place->*K; });
-    return std::pair((*low)->*K, (*high)->*K);
+    return std::pair(unit.from_deck((*low)->*K), unit.from_deck((*high)->*K));
   };
   const auto [low, high] = range(&results::FrontPointResult::K1);
   std::string text = fmt::format("K1 = {:.7g} .. {:.7g}", low, high);
@@ -306,8 +313,7 @@ std::string range_text(const results::FrontResult& front, const base::UnitSystem
     }
     ++mode;
   }
-  return fmt::format("{} {} along {} points", text, units.stress_intensity_name(),
-                     front.points.size());
+  return fmt::format("{} {} along {} points", text, unit.name, front.points.size());
 }
 
 // A line for each front: of a growth by a law at KMAX of each station, else of every step.
@@ -325,15 +331,17 @@ void print_fronts(const model::Model& model, const results::RunResult& run) {
       if (run.growth && step.step != leading) {
         continue;
       }
-      const std::string before = run.growth && i < run.growth->stations.size()
-                                     ? fmt::format("N = {:<11.6g}", run.growth->stations[i].cycles)
-                                     : fmt::format("{:<12}", step.step);
+      const std::string before =
+          run.growth && i < run.growth->stations.size()
+              ? fmt::format("N = {:<11.6g}", results::life_unit(model.units, *run.growth)
+                                                 .from_deck(run.growth->stations[i].cycles))
+              : fmt::format("{:<12}", step.step);
       for (const results::FrontResult& front : step.fronts) {
         const std::string K =
             front.is_tip() ? tip_text(front, model.units) : range_text(front, model.units);
         if (!K.empty()) {
-          write_to_stdout(
-              fmt::format("{} {:<8} a = {:<10.6g} {}\n", before, front.name, front.a, K));
+          write_to_stdout(fmt::format("{} {:<8} a = {:<10.6g} {}\n", before, front.name,
+                                      model.units.output_length().from_deck(front.a), K));
         }
       }
     }
@@ -351,8 +359,10 @@ void print_summary(const CheckedDeck& deck, const results::RunResult& run,
   if (run.growth) {
     // That nothing grows is an answer, but N = 0 alone does not read like it.
     const bool stands = run.growth->ended == "THRESHOLD";
-    write_to_stdout(fmt::format("N = {:.7g} {}, ended by {}{}\n", run.growth->final_cycles(),
-                                run.growth->unit == "pass" ? "passes" : "cycles", run.growth->ended,
+    const base::OutputUnit life = results::life_unit(deck.model->units, *run.growth);
+    write_to_stdout(fmt::format("N = {:.7g} {}, ended by {}{}\n",
+                                life.from_deck(run.growth->final_cycles()),
+                                results::life_unit_words(life.name), run.growth->ended,
                                 stands ? ": " + run.growth->reason : ""));
   }
   if (!run.checks.empty()) {

@@ -60,11 +60,14 @@ Json record_of(const LoggedMessage& message) {
   return record;
 }
 
-std::string failed_check_text(const results::CheckResult& check) {
+std::string failed_check_text(const results::CheckResult& check, const base::OutputUnit& unit) {
+  const base::OutputUnit of_error = check.relative ? base::OutputUnit() : unit;
   return check.trouble.empty()
              ? fmt::format("check failed: {} = {:.8g}, wanted {:.8g}: {} {:.2e} > {:.2e}",
-                           check.text, check.found, check.wanted, check.relative ? "REL" : "ABS",
-                           std::abs(check.error), check.tolerance)
+                           check.text, unit.from_deck(check.found), unit.from_deck(check.wanted),
+                           check.relative ? "REL" : "ABS",
+                           std::abs(of_error.from_deck(check.error)),
+                           of_error.from_deck(check.tolerance))
              : fmt::format("check failed: {}: {}", check.text, check.trouble);
 }
 
@@ -116,11 +119,12 @@ void Log::report_message(base::Severity severity, std::string_view code, std::st
   write_record(record_of(message));
 }
 
-void Log::report_failed_check(const results::CheckResult& check) const {
+void Log::report_failed_check(const results::CheckResult& check,
+                              const base::OutputUnit& unit) const {
   if (receive_) {
     receive_({.severity = base::Severity::error,
               .code = {},
-              .text = failed_check_text(check),
+              .text = failed_check_text(check, unit),
               .hint = {},
               .file = {}});
   } else if (format_ == LogFormat::json) {
@@ -136,7 +140,7 @@ void Log::report_failed_check(const results::CheckResult& check) const {
     }
     write_record(record);
   } else {
-    write_to_stderr(failed_check_text(check) + "\n");
+    write_to_stderr(failed_check_text(check, unit) + "\n");
   }
 }
 

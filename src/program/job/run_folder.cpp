@@ -16,6 +16,7 @@
 #include "report/topics/load_path_tables.hpp"
 #include "report/topics/model_tables.hpp"
 #include "report/topics/sensitivity_tables.hpp"
+#include "report/topics/spectrum_tables.hpp"
 #include "sense/load_totals.hpp"
 
 #include <algorithm>
@@ -246,7 +247,7 @@ void RunFolder::write_results(const base::SourceTexts& sources, const model::Mod
                               results::RunResult& run, const results::ReportedGeometry& geometry) {
   const base::Stopwatch watch;
   using Table = void (*)(const fs::path&, const model::Model&, const results::RunResult&);
-  constexpr std::array<std::pair<const char*, Table>, 9> tables{
+  constexpr std::array<std::pair<const char*, Table>, 10> tables{
       {{k_table_name, report::write_k_csv},
        {"sensitivity.csv", report::write_sensitivity_csv},
        {"pressure.csv", report::write_pressure_csv},
@@ -254,6 +255,7 @@ void RunFolder::write_results(const base::SourceTexts& sources, const model::Mod
        {"load_path_fronts.csv", report::write_load_path_fronts_csv},
        {"life.csv", report::write_life_csv},
        {"life_curve.csv", report::write_life_curve_csv},
+       {"spectrum.csv", report::write_spectrum_csv},
        {"beta.csv", report::write_beta_csv},
        {"test.csv", report::write_growth_test_csv}}};
   std::error_code none;
@@ -272,8 +274,9 @@ void RunFolder::write_results(const base::SourceTexts& sources, const model::Mod
   run.wall += watch.wall_time();
   // The listing comes last, as it has the figures of all before.
   run.peak_memory = base::peak_memory();
-  add_file(listing_name, report::listing_text(sources, model, run, totals) +
-                             report::imported_geometry_section(geometry, model.units.length_name));
+  add_file(listing_name,
+           report::listing_text(sources, model, run, totals) +
+               report::imported_geometry_section(geometry, model.units.output_length()));
 }
 
 std::uintmax_t RunFolder::written_bytes() const {

@@ -16,6 +16,7 @@
 #include "program/shell/typed_words.hpp"
 #include "report/drawing/file.hpp"
 #include "report/topics/sensitivity_tables.hpp"
+#include "results/result_unit.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -80,10 +81,14 @@ base::OptionalFailure evaluate_result_line(ShellSession& session, const std::str
     reply.messages += growth_notes(session);
   }
   if (!trouble) {
-    const std::string unit = base::unit_name(
-        session.model().units, grammar::find_result_quantity(check.quantity)->quantity);
-    reply.out +=
-        fmt::format("{} = {:.10g}{}{}\n", check_text(check), value, unit.empty() ? "" : " ", unit);
+    const bool is_life = check.kind == base::QuantityKind::life;
+    const base::OutputUnit unit =
+        results::check_unit(session.model().units, check.kind,
+                            is_life ? session.growth().result() : session.run_results());
+    // Lives have no unit beside them unless it is one of choice.
+    const bool bare = is_life && session.model().units.output.life == base::LifeUnit::as_counted;
+    reply.out += fmt::format("{} = {:.10g}{}{}\n", check_text(check), unit.from_deck(value),
+                             bare || unit.name.empty() ? "" : " ", bare ? "" : unit.name);
   }
   return trouble;
 }

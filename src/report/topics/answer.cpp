@@ -13,6 +13,7 @@
 #include "report/topics/joint_drawing.hpp"
 #include "report/topics/k_bars.hpp"
 #include "results/growth_end.hpp"
+#include "results/result_unit.hpp"
 #include "results/shown_step.hpp"
 
 #include <fmt/format.h>
@@ -27,10 +28,11 @@ namespace {
 constexpr double shown_beside_K1 = 5e-3; // of the largest K: a smaller K2 or K3 is not reported
 
 /// "585.6 +- 2.1", with the bar where there is one.
-std::string k_text(const results::FrontResult& front, const results::FrontPointResult& point,
-                   std::size_t mode) {
-  const double K = point.at_surface ? point.smooth[mode] : point.K()[mode];
-  return front.has_error_bar() ? k_and_bar_text(K, point.bar[mode].size())
+std::string k_text(const model::Model& model, const results::FrontResult& front,
+                   const results::FrontPointResult& point, std::size_t mode) {
+  const base::OutputUnit unit = model.units.output_stress_intensity();
+  const double K = unit.from_deck(point.at_surface ? point.smooth[mode] : point.K()[mode]);
+  return front.has_error_bar() ? k_and_bar_text(K, unit.from_deck(point.bar[mode].size()))
                                : fmt::format("{:.5g}", K);
 }
 
@@ -38,8 +40,9 @@ std::string k_text(const results::FrontResult& front, const results::FrontPointR
 std::string point_text(const model::Model& model, const results::FrontResult& front,
                        const results::FrontPointResult& point) {
   if (front.two_materials) {
-    return fmt::format("G = {:.5g} {} (between two materials there is no K)", point.G,
-                       base::unit_name(model.units, base::QuantityKind::energy_release));
+    return fmt::format(
+        "G = {} (between two materials there is no K)",
+        base::output_unit(model.units, base::QuantityKind::energy_release).text(point.G, 5));
   }
   const std::array<double, 3> K = point.K();
   double largest = 0.0;
@@ -49,11 +52,11 @@ std::string point_text(const model::Model& model, const results::FrontResult& fr
   std::string text;
   for (std::size_t mode = 0; mode < K.size(); ++mode) {
     if (mode == 0 || std::abs(K[mode]) > shown_beside_K1 * largest) {
-      text +=
-          fmt::format("{}K{} = {}", text.empty() ? "" : ", ", mode + 1, k_text(front, point, mode));
+      text += fmt::format("{}K{} = {}", text.empty() ? "" : ", ", mode + 1,
+                          k_text(model, front, point, mode));
     }
   }
-  return fmt::format("{} {}{}", text, model.units.stress_intensity_name(),
+  return fmt::format("{} {}{}", text, model.units.output_stress_intensity().name,
                      front.has_error_bar() ? "" : " (without error bar)");
 }
 
@@ -73,7 +76,7 @@ std::string front_text(const model::Model& model, const results::CrackLengthResu
       continue;
     }
     places += fmt::format("{}{} {}", places.empty() ? "" : ", ", place.name,
-                          k_text(front, *place.point, 0));
+                          k_text(model, front, *place.point, 0));
   }
   const std::size_t last = worst_name.rfind(", largest");
   worst_name = last == std::string::npos ? worst_name : worst_name.substr(0, last);
@@ -102,13 +105,14 @@ void add_fronts(std::vector<AnswerLine>& lines, const model::Model& model,
   for (const results::FrontResult& front : shown(last)->fronts) {
     std::string text = is_valid(front) ? front_text(model, last, front)
                                        : "K is no answer: " + front.invalid_reason;
-    text += fmt::format("; a = {:.4g} {}", front.a, model.units.length_name);
+    const base::OutputUnit length = model.units.output_length();
+    text += fmt::format("; a = {}", length.text(front.a, 4));
     const results::FrontResult* const before =
         &first == &last ? nullptr : results::find_front(*shown(first), front.name);
     if (before != nullptr && is_valid(*before) && !before->two_materials) {
       text +=
-          fmt::format(" (first length: K1 = {} at a = {:.4g} {})",
-                      k_text(*before, worst_point(*before), 0), before->a, model.units.length_name);
+          fmt::format(" (first length: K1 = {} at a = {})",
+                      k_text(model, *before, worst_point(*before), 0), length.text(before->a, 4));
     }
     lines.push_back({front.name, text, !is_valid(front)});
   }
@@ -131,28 +135,32 @@ std::string stress_text(const model::Model& model, const results::CrackLengthRes
       at = mesh.nodes[k];
     }
   }
+  const base::OutputUnit length = model.units.output_length();
+  const std::string place =
+      base::format_coordinates(mesh.x[at.index()], mesh.dim, length) + " " + length.name;
   return fmt::format(
-      "largest von Mises stress {:.4g} {} at {} {}; at a sharp corner it is a number "
-      "of the mesh",
-      largest, model.units.stress_name(), base::format_coordinates(mesh.x[at.index()], mesh.dim),
-      model.units.length_name);
+      "largest von Mises stress {} at {}; at a sharp corner it is a number of the mesh",
+      model.units.output_stress().text(largest, 4), place);
 }
 
 std::string life_text(const model::Model& model, const results::GrowthResult& growth) {
+  const base::OutputUnit life = results::life_unit(model.units, growth);
   std::string text = fmt::format(
       "{}{:.6g} {}", results::growth_could_not_continue(growth) ? "more than " : "",
-      growth.final_cycles(), growth.unit == "pass" ? "passes of the spectrum" : "cycles");
+      life.from_deck(growth.final_cycles()),
+      life.name == "pass" ? "passes of the spectrum" : results::life_unit_words(life.name));
   if (growth.final_cycles() > 0.0 && std::isfinite(growth.error)) {
     text += fmt::format(" (+- {:.2g} % by the number of solved lengths)", 100.0 * growth.error);
   }
   if (!growth.curve.empty()) {
+    const base::OutputUnit length = model.units.output_length();
     std::string sizes;
     for (const std::size_t i : reported_growth_points(growth)) {
-      sizes +=
-          fmt::format("{}{} {:.4g} to {:.4g}", sizes.empty() ? "" : ", ", growth.point_names[i],
-                      growth.curve.front().a[i], growth.curve.back().a[i]);
+      sizes += fmt::format("{}{} {:.4g} to {:.4g}", sizes.empty() ? "" : ", ",
+                           growth.point_names[i], length.from_deck(growth.curve.front().a[i]),
+                           length.from_deck(growth.curve.back().a[i]));
     }
-    text += fmt::format("; a of {} {}", sizes, model.units.length_name);
+    text += fmt::format("; a of {} {}", sizes, length.name);
   }
   return text + fmt::format("; ended by {}: {}", growth.ended, growth.reason);
 }
@@ -186,9 +194,9 @@ std::string html_of(const model::Model& model, std::string text) {
     }
   };
   text = escape_xml(text);
-  for (const std::string& unit : {model.units.stress_intensity_name(),
-                                  base::unit_name(model.units, base::QuantityKind::energy_release),
-                                  model.units.stress_name(), model.units.length_name + "^2"}) {
+  using enum base::QuantityKind;
+  for (const base::QuantityKind kind : {stress_intensity, energy_release, stress, area}) {
+    const std::string unit = base::output_unit(model.units, kind).name;
     put(unit, typeset_unit(unit));
   }
   put("+-", "±");

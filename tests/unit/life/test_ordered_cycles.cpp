@@ -129,8 +129,8 @@ TEST(TwistSpectrum, LevelsAreCutAndLeftOut) {
 }
 
 // Walker's law of 2024-T3 [mm, MPa m^0.5], what is below 0 not counted.
-double walker_rate(const LoadCycle& cycle, double a) {
-  const double unit = 52.0 * std::sqrt(std::numbers::pi * a / 1000.0);
+double walker_rate(const LoadCycle& cycle, double stress, double a) {
+  const double unit = stress * std::sqrt(std::numbers::pi * a / 1000.0);
   const double high = cycle.high * unit;
   const double low = std::max(0.0, cycle.low * unit);
   return high <= 0.0 ? 0.0
@@ -142,9 +142,29 @@ double passes(const std::vector<LoadCycle>& cycles) {
   double a = 8.0;
   std::size_t done = 0;
   while (a < 12.0) {
-    a += walker_rate(cycles[done++ % cycles.size()], a);
+    a += walker_rate(cycles[done++ % cycles.size()], 52.0, a);
   }
   return static_cast<double>(done) / static_cast<double>(cycles.size());
+}
+
+// Twenty passes of two blocks, against an independent program.
+TEST(OrderedCycles, BlocksOneAfterAnother) {
+  model::SpectrumDefinition spectrum;
+  spectrum.cycles = {{10, 180, 10}, {10, 110, 990}};
+  double a = 8.0;
+  std::vector<double> after;
+  for (int pass = 0; pass < 20; ++pass) {
+    for (const LoadCycle& cycle : order_cycles(spectrum)) {
+      for (double n = 0.0; n < cycle.count; n += 1.0) {
+        a += walker_rate(cycle, 1.0, a);
+      }
+    }
+    after.push_back(a);
+  }
+  EXPECT_NEAR(after[0], 8.32065511088, 1e-10);
+  EXPECT_NEAR(after[4], 9.84116988995, 1e-10);
+  EXPECT_NEAR(after[9], 12.493670852, 1e-9);
+  EXPECT_NEAR(after[19], 23.3341072271, 1e-9);
 }
 
 // A centre crack from 8 to 12 mm under TWIST without level X, cycle by cycle, against an

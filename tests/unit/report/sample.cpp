@@ -141,9 +141,12 @@ model::Model make_model() {
   for (const double a : lengths) {
     model.checks.push_back({"K",
                             {std::string("C1"), std::string("LOAD"), a},
+                            base::QuantityKind::stress_intensity,
                             1.02 * k1(a),
                             0.05,
                             true,
+                            false,
+                            false,
                             "Handbook, Table 1",
                             {}});
   }
