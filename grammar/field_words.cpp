@@ -159,10 +159,12 @@ constexpr std::array words{
         .pages = "growth"},
     DamageToleranceTerm{
         .word = "load spectrum",
-        .also = "spectra, flight spectrum, load history, rainflow, block loading",
+        .also = "spectra, flight spectrum, load history, rainflow, block loading, exceedance, "
+                "flights, clipping, truncation, TWIST",
         .text = "$SPECTRUM has the loads of one pass, as blocks of cycles or as turning "
-                "points that rainflow counts. They are places on a $LOADPATH, so that K of "
-                "each load is exact with contact.",
+                "points that rainflow counts. They lie on a $LOADPATH, so that K of each load is "
+                "exact with contact; AT0 and AT1 say which loads its steps stand for. spectrum.csv "
+                "has levels and exceedances.",
         .topics = "SPECTRUM LOADPATH GROW",
         .pages = "growth load_path"},
     DamageToleranceTerm{
@@ -219,12 +221,12 @@ constexpr std::array words{
     DamageToleranceTerm{
         .word = "residual stress",
         .also = "residual stresses, cold working, cold expansion, shot peening",
-        .text = "No card reads a field of residual stresses, and cold expansion is not "
-                "computed. Stresses by a fit or by temperature are part of the solution. A "
-                "known stress across the crack can be given as a pressure on its faces, "
-                "$LOAD TYPE=FACES with an expression in x y z.",
-        .topics = "LOAD CONTACT",
-        .pages = "howto/interference"},
+        .text = "Give the stress across the place of the crack, $LOAD TYPE=RESIDUAL with an "
+                "expression in x y z: with FACES=CONTACT on $CRACK the faces touch where it "
+                "presses them together. The cold expansion itself is not computed. Stresses by "
+                "a fit or by temperature are part of the solution.",
+        .topics = "LOAD CRACK CONTACT",
+        .pages = "howto/cold_worked_hole howto/interference"},
     DamageToleranceTerm{
         .word = "retardation",
         .also = "load interaction, interaction, overload, acceleration, Wheeler, Willenborg",
@@ -237,9 +239,9 @@ constexpr std::array words{
         .word = "SIF",
         .also = "stress intensity, stress intensity factor, K3",
         .text = "Stress intensity factors are K1, K2 and (in solids) K3, in the units of the "
-                "deck: stress times the root of a length. They stand in k.csv, in the listing "
-                "and in $CHECK, with error bars.",
-        .topics = "K1 K1.BAR K1.PHI CHECK",
+                "deck, stress times the root of a length, or in those of OUTK on $DECK. They "
+                "stand in k.csv, in the listing and in $CHECK, with error bars.",
+        .topics = "K1 K1.BAR K1.PHI CHECK DECK",
         .pages = "run_folder error_bar"},
     DamageToleranceTerm{
         .word = "stress concentration",

@@ -13,15 +13,16 @@ using enum QuantityKind;
 
 constexpr std::array load_keys{
     required(defining_key("CASE", load_case, "the case this adds to")),
-    required(word_key("TYPE",
-                      "FORCE|RESULTANT|TRACTION|PRESSURE|BODY|BEARING|DISP|TEMPERATURE|FACES",
-                      "what the values are and what they act on")),
+    required(word_key(
+        "TYPE", "FORCE|RESULTANT|TRACTION|PRESSURE|BODY|BEARING|DISP|TEMPERATURE|FACES|RESIDUAL",
+        "what the values are and what they act on")),
     with_default(word_key("SHAPE", "UNIFORM|COSINE", "how the pressure of a BEARING is spread"),
                  "COSINE"),
 };
 
 constexpr std::array load_when{
-    KeyPresenceRule{"TYPE", "FORCE|RESULTANT|TRACTION|PRESSURE|BODY|DISP|TEMPERATURE|FACES", "",
+    KeyPresenceRule{"TYPE",
+                    "FORCE|RESULTANT|TRACTION|PRESSURE|BODY|DISP|TEMPERATURE|FACES|RESIDUAL", "",
                     "SHAPE"},
 };
 

@@ -27,7 +27,7 @@ struct LoadForm {
   bool of_crack = false; ///< acts on both faces of a crack
 };
 
-constexpr std::array<LoadForm, 9> forms{{
+constexpr std::array<LoadForm, 10> forms{{
     {"FORCE", LoadType::force, true, {0, 1, 0}, "a force for each direction"},
     {"RESULTANT", LoadType::resultant, true, {0, 1, 0}, "the total force for each direction"},
     {"TRACTION", LoadType::traction, true, {-2, 1, 0}, "a stress for each direction"},
@@ -37,6 +37,7 @@ constexpr std::array<LoadForm, 9> forms{{
     {"DISP", LoadType::displacement, true, {1, 0, 0}, "a displacement for each direction"},
     {"TEMPERATURE", LoadType::temperature, false, {}, "a temperature"},
     {"FACES", LoadType::pressure, false, {-2, 1, 0}, "a pressure", true},
+    {"RESIDUAL", LoadType::pressure, false, {-2, 1, 0}, "a stress across the crack", true},
 }};
 
 const LoadForm& form_of(std::string_view word) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
 #include "deck/dimension_rules.hpp"
+#include "deck/residual_balance.hpp"
 #include "deck/unit_warnings.hpp"
 #include "geometry/polyline.hpp"
 #include "mesh/cut/host.hpp"
@@ -173,6 +174,7 @@ void check_plausibility(DeckContext& context) {
   moduli(context);
   crack_states(context);
   crack_starts(context);
+  check_residual_balance(context);
 }
 
 } // namespace spricka::deck

@@ -133,7 +133,8 @@ std::string describe_varying_load(const model::Model& model,
 void project_load_onto_section(DeckCard& card, const sense::SectionPlane& plane,
                                std::string& reason) {
   const std::string type = card.word_value("TYPE");
-  const bool directed = type != "PRESSURE" && type != "TEMPERATURE" && type != "FACES";
+  const bool of_crack = type == "FACES" || type == "RESIDUAL";
+  const bool directed = type != "PRESSURE" && type != "TEMPERATURE" && !of_crack;
   const bool whole_turn = plane.round && (type == "RESULTANT" || type == "BEARING");
   const auto refuse = [&](const char* why) {
     reason = reason.empty() ? fmt::format("load case {} {}", card.word_value("CASE"), why) : reason;
@@ -149,7 +150,7 @@ void project_load_onto_section(DeckCard& card, const sense::SectionPlane& plane,
             return name;
           });
     };
-    if (type != "FACES" && is_crack_face(fields.front())) {
+    if (!of_crack && is_crack_face(fields.front())) {
       refuse("acts on one face of a crack");
     }
     line = "  " + fields.front();
