@@ -14,8 +14,12 @@ constexpr std::array texts{
         "DECK",
         "It must stand first. All bare numbers of the deck are in its units: lengths in LENGTH, "
         "forces in FORCE, stresses in FORCE/LENGTH^2 (N and mm give MPa), angles in radians. A "
-        "number may carry its own unit, 0.084[mm] or 70[GPa], and is converted.",
-        "$DECK VERSION=1 LENGTH=MM FORCE=N TITLE='Lug with one crack'\n"},
+        "number may carry its own unit, 0.084[mm] or 70[GPa], and is converted. OUTK, OUTLENGTH, "
+        "OUTFORCE, OUTSTRESS and OUTLIFE choose what results are written in: listing, report, CSV "
+        "files, terminal, shell and the bare numbers of $CHECK. They change nothing of what the "
+        "deck says, nor results.h5, which stays in units of the deck.",
+        "$DECK VERSION=1 LENGTH=MM FORCE=N TITLE='Lug with one crack'\n"
+        "  & OUTK='ksi*sqrt(in)' OUTLENGTH='in' OUTFORCE='kip' OUTSTRESS='ksi' OUTLIFE=KCYCLES\n"},
     CardHelpText{
         "PARAMETER",
         "A parameter stands for its value in every expression below it, and an expression "
@@ -159,7 +163,10 @@ constexpr std::array texts{
         "node of the set. RESULTANT: a total, spread over faces or elements. TRACTION: force "
         "per area, x y z. PRESSURE: normal, positive pushes. FACES: a pressure that opens a crack, "
         "named in the place of a set; C1.LEFT and C1.RIGHT are its two faces, seen from the mouth, "
-        "for PRESSURE and TRACTION (at every crack length anew). BODY: force per volume. BEARING: "
+        "for PRESSURE and TRACTION (at every crack length anew). RESIDUAL: the stress across the "
+        "place "
+        "of a crack before it was there, tension positive, which opens it as FACES does; over the "
+        "section of the body it has neither force nor moment. BODY: force per volume. BEARING: "
         "the pressure of a pin that is not modelled, given by its resultant. DISP: values of "
         "PRESCRIBED freedoms. TEMPERATURE: degrees above the state without stress, of elements "
         "whose "
@@ -280,14 +287,18 @@ constexpr std::array texts{
         "$LOADPATH NAME=UP FROM=PRESS TO=LOAD BEYOND=1.5\n"},
     CardHelpText{
         "SPECTRUM",
-        "All loads are places t on a load path. BLOCKS: each line is a number of cycles "
-        "between two t; SEQUENCE: turning points in their order, counted by rainflow (ASTM "
-        "E1049). One pass through all of them is the unit of life. Beyond both ends of the "
-        "load path there is no K: its BEYOND must reach the largest t. With friction "
-        "turning points are solved in their order, at most 2000.",
-        "$SPECTRUM NAME=FLIGHT PATH=UP TYPE=BLOCKS\n"
-        "  0.1  1.0  20\n"
-        "  0.3  0.7  5000\n"},
+        "Loads lie on a load path: as places t (0 at its step FROM, 1 at TO), or as loads of which "
+        "AT0 and AT1 say what these steps stand for. BLOCKS: each line is a number of cycles "
+        "between two loads, or has the columns that ORDER names; SEQUENCE: turning points in their "
+        "order, counted as COUNT says (RAINFLOW: ASTM E1049). TWIST: the published table of a "
+        "transport wing's flights and gusts, in an order of this program's own. One pass through "
+        "all of them is the unit of life; UNIT tells lives in flights, hours or cycles, too. "
+        "Beyond both ends of the load path there is no K: its BEYOND must reach the largest "
+        "load. With friction turning points are solved in their order, at most 2000.",
+        "$SPECTRUM NAME=FLIGHT PATH=UP TYPE=BLOCKS ORDER=MAX,MIN,COUNT AT0=0 AT1=120[MPa] "
+        "FLIGHTS=100\n"
+        "  120  12   20\n"
+        "  84  36  5000\n"},
     CardHelpText{
         "INTERACTION",
         "Behind a cycle with a large plastic zone the next ones grow less, until they leave that "
@@ -313,8 +324,25 @@ constexpr std::array texts{
         "in KUNIT and AUNIT, which every law needs; KC, K1C, KIE, DKTH, DK0 and DK1 may have a "
         "unit "
         "of their own, and AINTRINSIC, THICK and YIELD are in units of the deck. DK0 or DK1 with "
-        "CTHP and CTHM make a threshold over R, DKTH is one for all R.",
+        "CTHP and CTHM make a threshold over R, DKTH is one for all R. MATERIAL takes law and "
+        "constants of a $LAW, with THICK the toughness of that thickness; spricka help materials "
+        "lists those that ship.",
         "$GROW LAW=PARIS KMAX=LOAD KMIN=UNLOAD C=1e-11 M=3 KUNIT='MPa*m^0.5' AUNIT='m' AMAX=30\n"},
+    CardHelpText{
+        "LAW",
+        "$GROW MATERIAL=NAME uses it. It has the constants of $GROW and what is known of the tests "
+        "that they were fitted to; what is left out is not stated. K1C with AK, BK and YIELD gives "
+        "the toughness of the THICK of $GROW, else of its own. With TYPE=TABLE a line RATIO names "
+        "the R of the columns, then lines have da/dN and the delta K of each column (K_max - K_min "
+        "for R < 0). Between columns delta K follows Walker's exponent of the two columns around R "
+        "at the same rate, beyond them that of the nearest two. Laws of a file materials.deck "
+        "beside the deck, which has $DECK and $END, need not be included.",
+        "$LAW NAME=AL2024 TYPE=TABLE KUNIT='MPa*m^0.5' AUNIT='mm' SOURCE='our tests' FORM='sheet' "
+        "RMAX=0.5\n"
+        "  RATIO  0   0.5\n"
+        "  1e-7   3.3  2.1\n"
+        "  1e-5   8.1  5.6\n"
+        "  1e-3   29   18.2\n"},
     CardHelpText{
         "TEST",
         "Data lines N a are readings of a crack growth test: cycles and length, as $CRACK counts "
@@ -369,7 +397,9 @@ constexpr std::array texts{
         "  K TOP\n"},
     CardHelpText{
         "CHECK",
-        "REL counts the tolerance from the value, ABS is in the value's own unit. SOURCE says "
+        "REL counts the tolerance from the value, ABS is in the value's own unit. A bare number is "
+        "in the unit of output, if $DECK chooses one (OUTK and its like), an expression in the "
+        "deck's units. SOURCE says "
         "where the value comes from; 'RECORDED' is for numbers that only the program itself "
         "gave. A run with a failed check ends with exit code 1. `spricka help quantities` "
         "lists what can be asked for.",

@@ -11,7 +11,7 @@ namespace spricka::grammar {
 namespace {
 
 // What a name of each kind is called, in the order of the enumeration.
-constexpr std::array<std::string_view, 20> kind_names{"name",
+constexpr std::array<std::string_view, 21> kind_names{"name",
                                                       "node set",
                                                       "element set",
                                                       "face set",
@@ -29,6 +29,7 @@ constexpr std::array<std::string_view, 20> kind_names{"name",
                                                       "spectrum",
                                                       "load interaction",
                                                       "test",
+                                                      "growth law",
                                                       "set or rigid target",
                                                       "solid of the file"};
 static_assert(kind_names.size() == static_cast<std::size_t>(EntityKind::solid) + 1);
@@ -40,7 +41,7 @@ struct QuantityWords {
   std::string_view name;
   std::string_view formula;
 };
-constexpr std::array<QuantityWords, 9> quantity_words{{
+constexpr std::array<QuantityWords, 10> quantity_words{{
     {QuantityKind::number, {0.0, 0.0, 0.0}, "a plain number", "number"},
     {QuantityKind::length, {1.0, 0.0, 0.0}, "a length", "length"},
     {QuantityKind::area, {2.0, 0.0, 0.0}, "an area", "length^2"},
@@ -50,6 +51,7 @@ constexpr std::array<QuantityWords, 9> quantity_words{{
     {QuantityKind::force, {0.0, 1.0, 0.0}, "a force", "force"},
     {QuantityKind::energy_release, {-1.0, 1.0, 0.0}, "an energy release rate", "force/length"},
     {QuantityKind::energy, {1.0, 1.0, 0.0}, "an energy", "force*length"},
+    {QuantityKind::life, {0.0, 0.0, 0.0}, "a number of cycles", "number"},
 }};
 
 const QuantityWords& words_for(QuantityKind quantity) {

@@ -15,6 +15,7 @@ enum class KeyType {
   integer,
   real,
   word,       ///< one of KeySpec::words
+  words,      ///< a list of them
   name,       ///< defines a name
   reference,  ///< uses a name of KeySpec::refers
   references, ///< a list of them
@@ -43,6 +44,7 @@ enum class EntityKind {
   spectrum,
   interaction,
   test,
+  law,     ///< of crack growth
   surface, ///< node or face set, or a rigid target
   solid    ///< of an imported file
 };
@@ -84,6 +86,7 @@ struct KeySpec {
   std::string_view later = {};         ///< words (or * for any value) without an analysis yet
   EntityKind kind = EntityKind::none;  ///< of a name, reference or list of them
   QuantityKind quantity = QuantityKind::number;
+  bool any_unit = false; ///< a number of whatever kind: its card judges the unit
   ValueLimits range = {};
   std::string_view doc = {};
 };

@@ -2,6 +2,9 @@
 #pragma once
 #include "grammar/card_spec.hpp"
 
+#include <algorithm>
+#include <array>
+
 /// The parts of the catalogue and the words its entries are written with.
 namespace spricka::grammar {
 
@@ -69,6 +72,20 @@ constexpr KeySpec word_key(std::string_view name, std::string_view words, std::s
   return key;
 }
 
+/// A key with a list of the words "A|B|C".
+constexpr KeySpec words_key(std::string_view name, std::string_view words, std::string_view doc) {
+  KeySpec key = word_key(name, words, doc);
+  key.type = KeyType::words;
+  return key;
+}
+
+/// A key with a number that may have a unit of any kind.
+constexpr KeySpec any_number_key(std::string_view name, ValueLimits range, std::string_view doc) {
+  KeySpec key = real_key(name, QuantityKind::number, range, doc);
+  key.any_unit = true;
+  return key;
+}
+
 /// A key of a type that deals with names of a kind, or with none.
 constexpr KeySpec key_of_type(KeyType type, std::string_view name, EntityKind kind,
                               std::string_view doc) {
@@ -117,6 +134,15 @@ constexpr KeySpec with_default(KeySpec key, std::string_view value) {
 constexpr KeySpec with_unavailable_words(KeySpec key, std::string_view words) {
   key.later = words;
   return key;
+}
+
+/// Two lists, one behind the other.
+template <class Entry, std::size_t first, std::size_t second>
+constexpr std::array<Entry, first + second> join(const std::array<Entry, first>& a,
+                                                 const std::array<Entry, second>& b) {
+  std::array<Entry, first + second> all{};
+  std::ranges::copy(b, std::ranges::copy(a, all.begin()).out);
+  return all;
 }
 
 } // namespace table

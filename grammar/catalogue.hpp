@@ -16,6 +16,9 @@ std::span<const CardSpec> card_catalogue();
 /// A card by its upper-case name without $; null when unknown.
 const CardSpec* find_card(std::string_view name);
 
+/// Whether a key of $GROW and $LAW is a constant of a growth law, or says how one counts.
+bool is_law_constant(std::string_view key);
+
 /// A result that $CHECK and the prompt can name, and what its arguments are: letters of
 /// find_argument_by_letter, and a for a number, z for one that solids need; a letter after ? may be
 /// left out.

@@ -150,6 +150,16 @@ std::string growth_settings_text(const model::Model& model) {
   }
   add(text, c.delta_k);
   add(text, c.growth);
+  if (!c.table_ratios.empty()) {
+    add(text, c.table_ratios);
+  }
+  const model::GrowthLawData& data = g.data; // stations keep what lies outside of it
+  if (data.lowest_delta_k || data.highest_delta_k || data.lowest_ratio || data.highest_ratio) {
+    for (const std::optional<double>& limit :
+         {data.lowest_delta_k, data.highest_delta_k, data.lowest_ratio, data.highest_ratio}) {
+      add(text, limit);
+    }
+  }
   add(text, g.largest_advance);
   add(text, g.flow_stress);
   add(text, g.tolerance);

@@ -11,7 +11,7 @@ namespace spricka::archive {
 
 namespace {
 
-const std::vector<std::string> changeable{"STEP", "GROW", "SPECTRUM", "INTERACTION"};
+const std::vector<std::string> changeable{"STEP", "GROW", "SPECTRUM", "INTERACTION", "LAW"};
 
 bool grows_by_law(const model::Model& model) {
   return model.growth && model.growth->law != model::CrackGrowthLaw::increment;
@@ -30,9 +30,16 @@ std::optional<CheckpointMismatch>
 growth_mismatch(const DecksCompared& decks,
                 const std::function<std::string()>& why_law_moves_fronts, bool& another_law) {
   const auto& [found, cards, model, file] = decks;
-  const auto d =
-      first_card_difference(select_cards(found.cards, {"GROW", "SPECTRUM", "INTERACTION"}),
-                            select_cards(cards, {"GROW", "SPECTRUM", "INTERACTION"}));
+  auto d =
+      first_card_difference(select_cards(found.cards, {"GROW", "SPECTRUM", "INTERACTION", "LAW"}),
+                            select_cards(cards, {"GROW", "SPECTRUM", "INTERACTION", "LAW"}));
+  const bool same = found.growth == growth_settings_text(model);
+  if (!d && !same && model.growth && !model.growth->data.name.empty()) {
+    // the file that it is in has changed
+    d = CardDifference{.span = model.growth->span,
+                       .text =
+                           fmt::format("the law {} has other constants", model.growth->data.name)};
+  }
   if (!d) {
     return std::nullopt;
   }
@@ -43,7 +50,6 @@ growth_mismatch(const DecksCompared& decks,
   const bool same_history =
       !first_card_difference(select_cards(found.cards, {"SPECTRUM", "INTERACTION"}),
                              select_cards(cards, {"SPECTRUM", "INTERACTION"}));
-  const bool same = found.growth == growth_settings_text(model);
   if (same && (lengths || (further && same_history))) {
     return std::nullopt;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
 #include "deck/header_without_dollar.hpp"
+#include "deck/output_units.hpp"
 #include "deck/overrides.hpp"
 #include "deck/unit_warnings.hpp"
 #include "grammar/lexeme.hpp"
@@ -122,8 +123,9 @@ private:
     if (card.name == "DECK") {
       if (const auto units =
               base::make_unit_system(bound.word_value("LENGTH"), bound.word_value("FORCE"))) {
-        c_.model.units = *units;
         c_.scope.units = *units;
+        c_.model.units = *units;
+        c_.model.units.output = read_output_units(c_, bound, *units);
         warn_of_mixed_units(c_, card.name_span, *units);
       }
       c_.model.title = bound.word_value("TITLE");
@@ -372,7 +374,7 @@ void check_references_of_bad_cards(DeckContext& context) {
       const bool refers =
           value.key->type == KeyType::reference || value.key->type == KeyType::references;
       if (!card.bad || !value.sound || !refers || value.key->kind == EntityKind::parameter ||
-          value.key->kind == EntityKind::solid) {
+          value.key->kind == EntityKind::solid || value.key->kind == EntityKind::law) {
         continue;
       }
       for (const NameReference& name : value.names) {

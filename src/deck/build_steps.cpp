@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
 #include "deck/dimension_rules.hpp"
-#include "deck/law_constants.hpp"
+#include "deck/growth_laws.hpp"
 #include "deck/step_actions.hpp"
 #include "model/model.hpp"
 #include "model/spectrum_runs.hpp"
@@ -88,18 +88,6 @@ void step(DeckContext& c, const CheckedCard& card) {
   }
 }
 
-model::CrackGrowthLaw law_of(std::string_view word) {
-  constexpr std::array<std::pair<std::string_view, model::CrackGrowthLaw>, 7> laws{
-      {{"INCREMENT", model::CrackGrowthLaw::increment},
-       {"PARIS", model::CrackGrowthLaw::paris},
-       {"WALKER", model::CrackGrowthLaw::walker},
-       {"FORMAN", model::CrackGrowthLaw::forman},
-       {"NASGRO", model::CrackGrowthLaw::nasgro},
-       {"TABLE", model::CrackGrowthLaw::table},
-       {"HARTMAN", model::CrackGrowthLaw::hartman}}};
-  return std::ranges::find(laws, word, [](const auto& law) { return law.first; })->second;
-}
-
 base::StepId step_id(DeckContext& c, const CheckedCard& card, std::string_view key) {
   if (!card.has_key(key)) {
     return {};
@@ -145,12 +133,8 @@ void stops(const CheckedCard& card, double tolerance, model::CrackGrowthSettings
 }
 
 void law(DeckContext& c, const CheckedCard& card, model::CrackGrowthSettings& growth) {
-  read_law_constants(c, card, growth);
   if (growth.law == model::CrackGrowthLaw::increment) {
     lengths(c, card, growth);
-  } else if (growth.law != model::CrackGrowthLaw::table && !card.rows.empty()) {
-    c.error(card.rows.front().span, "E115",
-            fmt::format("LAW={} takes no data lines", card.word_value("LAW")));
   }
   stops(card, dimension_rules.at(c.model.mesh.dim).life_stop, growth);
 }
@@ -170,14 +154,20 @@ void cycles_of(DeckContext& c, const CheckedCard& card, model::CrackGrowthSettin
   } else if (growth.law != model::CrackGrowthLaw::increment &&
              !(card.has_key("KMAX") && card.has_key("KMIN"))) {
     c.error(card.span, "E106",
-            fmt::format("$GROW LAW={} needs KMAX and KMIN, or SPECTRUM", card.word_value("LAW")),
+            fmt::format("$GROW {} needs KMAX and KMIN, or SPECTRUM",
+                        card.has_key("LAW")
+                            ? fmt::format("LAW={}", card.word_value("LAW"))
+                            : fmt::format("MATERIAL={}", card.name_reference("MATERIAL").name)),
             "the steps with the largest and the smallest K of a cycle, or a load history");
   }
 }
 
 void grow(DeckContext& c, const CheckedCard& card) {
   model::CrackGrowthSettings growth;
-  growth.law = law_of(card.word_value("LAW"));
+  model::GrowthLawDefinition said = growth_law_of_card(c, card);
+  growth.law = said.law;
+  growth.constants = std::move(said.constants);
+  growth.data = std::move(said.data);
   growth.direction = card.key_has_word("DIRECTION", "HOOP")     ? model::GrowthDirection::hoop
                      : card.key_has_word("DIRECTION", "K2ZERO") ? model::GrowthDirection::k2_zero
                                                                 : model::GrowthDirection::path;
@@ -291,6 +281,7 @@ void read_step_row(DeckContext& context, const grammar::DataRow& row, model::Ste
 
 void build_steps(DeckContext& context) {
   build_interactions(context);
+  build_growth_laws(context);
   for (const CheckedCard& card : context.cards) {
     if (card.spec->name == "STEP") {
       step(context, card);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
+#include "deck/output_units.hpp"
 #include "deck/step_actions.hpp"
 #include "model/model.hpp"
 
@@ -128,9 +129,9 @@ void odd_threshold(DeckContext& c, const CheckedCard& card,
   }
 }
 
-void odd_constants(DeckContext& c, const CheckedCard& card) {
-  const model::CrackGrowthSettings& growth = *c.model.growth;
-  const model::GrowthLawConstants& law = growth.constants;
+// Of $GROW or $LAW.
+void odd_constants(DeckContext& c, const CheckedCard& card, model::CrackGrowthLaw type,
+                   const model::GrowthLawConstants& law) {
   const double threshold =
       law.threshold_over_ratio ? law.threshold_over_ratio->delta_k : law.threshold;
   const auto look = [&](std::string_view key, std::string_view name, const auto& K_c) {
@@ -143,7 +144,8 @@ void odd_constants(DeckContext& c, const CheckedCard& card) {
   };
   look(card.has_key("K1C") ? "K1C" : "KC", "KC", law.k_c);
   look("KIE", "KIE", law.k_part_through);
-  if (law.k_part_through && std::ranges::all_of(c.model.cracks, &model::CrackDefinition::is_line)) {
+  if (card.spec->name == "GROW" && law.k_part_through &&
+      std::ranges::all_of(c.model.cracks, &model::CrackDefinition::is_line)) {
     c.error(card.value_span("KIE"), "E110",
             "KIE is the toughness of surface and corner cracks, of which the deck has none",
             "KC, or K1C and its constants, are those of through cracks");
@@ -151,7 +153,7 @@ void odd_constants(DeckContext& c, const CheckedCard& card) {
   if (law.threshold_over_ratio) {
     odd_threshold(c, card, *law.threshold_over_ratio);
   }
-  if (growth.law == model::CrackGrowthLaw::walker && (law.p < 0.0 || law.p > 1.0)) {
+  if (type == model::CrackGrowthLaw::walker && (law.p < 0.0 || law.p > 1.0)) {
     c.warning(
         card.value_span("P"), "W455",
         fmt::format("P = {:.4g} is not within 0 and 1: da/dN = C (delta K / (1-R)^(1-P))^M", law.p),
@@ -166,13 +168,13 @@ void odd_constants(DeckContext& c, const CheckedCard& card) {
                           law.p_below),
               "PM = 0 knows K_max alone; metals have 0 to 0.3");
   }
-  if (growth.law == model::CrackGrowthLaw::nasgro && (law.p < 0.0 || law.q < 0.0)) {
+  if (type == model::CrackGrowthLaw::nasgro && (law.p < 0.0 || law.q < 0.0)) {
     c.warning(card.value_span(law.p < 0.0 ? "P" : "Q"), "W455",
               "a negative P or Q makes the law slower towards KC, or faster towards "
               "DKTH",
               "P and Q of NASGRO are 0 to 1");
   }
-  const bool has_M = growth.law != model::CrackGrowthLaw::table;
+  const bool has_M = type != model::CrackGrowthLaw::table;
   if (has_M && (law.m < 1.0 || law.m > 15.0)) {
     c.warning(card.value_span("M"), "W455",
               fmt::format("M = {:.4g}: exponents of growth laws are 2 to 5", law.m),
@@ -212,13 +214,37 @@ void growing_cracks(DeckContext& c, const std::vector<StepEndState>& factors) {
     shorter_lengths(c, *card);
     return;
   }
-  odd_constants(c, *card);
+  if (!card->has_key("MATERIAL")) {
+    odd_constants(c, *card, c.model.growth->law, c.model.growth->constants);
+  }
   exchanged_steps(c, *card, factors);
+}
+
+// A deck that gives $GROW constants of its own has hardly meant to leave its laws aside.
+void unused_laws(DeckContext& c) {
+  const bool none = !c.model.growth || c.model.growth->data.name.empty();
+  if (const CheckedCard* card = c.find_first_card("LAW"); card != nullptr && none) {
+    c.warning(card->span, "W357", "no $GROW uses a law of the deck: it counts nowhere",
+              fmt::format("$GROW MATERIAL={} in place of LAW and its constants",
+                          card->word_value("NAME")));
+  }
 }
 
 } // namespace
 
+void check_growth_laws(DeckContext& context) {
+  if (context.diagnostics.has_errors()) {
+    return;
+  }
+  std::size_t i = 0;
+  context.for_each_sound_card("LAW", [&](const CheckedCard& card) {
+    const model::GrowthLawDefinition& law = context.growth_laws[i++];
+    odd_constants(context, card, law.law, law.constants);
+  });
+}
+
 void check_steps_and_growth(DeckContext& context) {
+  check_output_life(context);
   if (context.diagnostics.has_errors()) {
     return;
   }
@@ -226,6 +252,8 @@ void check_steps_and_growth(DeckContext& context) {
   unused_cases(context);
   idle_steps(context, factors);
   growing_cracks(context, factors);
+  check_growth_laws(context);
+  unused_laws(context);
 }
 
 } // namespace spricka::deck

@@ -61,6 +61,7 @@ struct DeckContext {
   std::vector<std::size_t> building{}; ///< cards of sets being built, outermost first
   std::map<std::size_t, FaceSetConditionAreas>
       set_borders{};                                       ///< of face sets whose WHERE cuts faces
+  std::vector<model::GrowthLawDefinition> growth_laws{};   ///< of $LAW, in their order
   std::map<std::size_t, base::NodeSetId> nodes_of_faces{}; ///< face sets that stood for node sets
   std::map<std::size_t, base::FaceSetId> faces_of_nodes{}; ///< and the reverse
 
@@ -195,6 +196,8 @@ void check_implausible_values(DeckContext& context);
 void check_unused_entities(DeckContext& context);
 /// Thickness and state of plane bodies.
 void check_thickness(DeckContext& context);
+/// Constants of $LAW that are allowed and hardly meant.
+void check_growth_laws(DeckContext& context);
 /// Steps that do nothing and growths that cannot be meant.
 void check_steps_and_growth(DeckContext& context);
 

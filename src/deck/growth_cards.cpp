@@ -18,14 +18,11 @@ namespace spricka::deck {
 
 namespace {
 
-/// Keys of $GROW that say nothing of where cracks go.
-constexpr std::array<std::string_view, 32> law_keys{
-    "LAW",   "KMAX", "KMIN",  "SPECTRUM", "TOL",   "AMAX",       "CYCLES", "C",
-    "M",     "P",    "Q",     "SMAX",     "ALPHA", "KC",         "DKTH",   "KUNIT",
-    "AUNIT", "DK0",  "DK1",   "CTHP",     "CTHM",  "AINTRINSIC", "RCL",    "K1C",
-    "AK",    "BK",   "THICK", "YIELD",    "KIE",   "NEGATIVE",   "PM",     "INTERACTION"};
-/// Cards of the cycles that a law counts.
-constexpr std::array<std::string_view, 2> cards_of_cycles{"SPECTRUM", "INTERACTION"};
+/// Keys of $GROW that say nothing of where cracks go, beside the constants of a law.
+constexpr std::array<std::string_view, 9> law_keys{
+    "LAW", "MATERIAL", "KMAX", "KMIN", "SPECTRUM", "TOL", "AMAX", "CYCLES", "INTERACTION"};
+/// Cards of laws and of the cycles that they count.
+constexpr std::array<std::string_view, 3> cards_of_cycles{"SPECTRUM", "INTERACTION", "LAW"};
 /// Cards that no solution hangs on.
 constexpr std::array<std::string_view, 3> cards_for_readers{"CHECK", "OUTPUT", "SWEEP"};
 
@@ -107,7 +104,7 @@ bool is_same_course(const DeckCard& before, const DeckCard& after,
   const auto has = [&](const DeckCard& card, const DeckCard& in) {
     return std::ranges::all_of(card.keys, [&](const auto& key) {
       const std::string* other = in.find(key.first);
-      return has_entry(law_keys, key.first) ||
+      return has_entry(law_keys, key.first) || grammar::is_law_constant(key.first) ||
              (other != nullptr && *other == key.second && !mentions(key.second, changed));
     });
   };

@@ -16,9 +16,9 @@
 namespace spricka::deck {
 
 /// Whether two texts of a deck differ only in what $GROW says of its law, cycles and ends, in
-/// $SPECTRUM and $INTERACTION, and in parameters that stand nowhere else but in checks and outputs:
-/// all else that the deck says is the same. `script_constants`: parameters (upper case) that
-/// geometry scripts take.
+/// $LAW, $SPECTRUM and $INTERACTION, and in parameters that stand nowhere else but in checks and
+/// outputs: all else that the deck says is the same. `script_constants`: parameters (upper case)
+/// that geometry scripts take.
 bool differ_in_growth_law_alone(const DeckCardList& before, const DeckCardList& after,
                                 const std::set<std::string>& script_constants);
 
@@ -30,7 +30,7 @@ struct GrowthCards {
   std::vector<std::pair<std::string, double>> parameters; ///< as written
 };
 
-/// Reads $PARAMETER, $SPECTRUM, $INTERACTION and $GROW of a deck whose other cards have made
+/// Reads $PARAMETER, $LAW, $SPECTRUM, $INTERACTION and $GROW of a deck whose other cards have made
 /// `model`. `file` is the deck's, as messages name it and as files of cards count from. The cards
 /// become a text of `sources`; mistakes go to `diagnostics`, then the result is empty.
 std::optional<GrowthCards> read_growth_cards(const model::Model& model, const DeckCardList& deck,

@@ -3,11 +3,17 @@
 #include "deck/context.hpp"
 #include "model/crack_growth.hpp"
 
+#include <string_view>
+
 namespace spricka::deck {
 
-/// The constants of a growth law, which $GROW gives in KUNIT and AUNIT, and its rows; its law is
-/// known. Mistakes are added to the context's.
-void read_law_constants(DeckContext& context, const CheckedCard& card,
-                        model::CrackGrowthSettings& growth);
+/// The law that a card says, $GROW or $LAW, whose `key` LAW or TYPE names it: constants in KUNIT
+/// and AUNIT, rows of a table, what is known of its tests. The toughness of a thickness is left to
+/// toughness_of_thickness(). Mistakes are added to the context's.
+model::GrowthLawDefinition read_growth_law(DeckContext& context, const CheckedCard& card,
+                                           std::string_view key);
+
+/// K_c [stress intensity] of a thickness [length] (life.27).
+double toughness_of_thickness(const model::ToughnessOverThickness& toughness, double thickness);
 
 } // namespace spricka::deck

@@ -42,6 +42,19 @@ constexpr std::array tip_values{
     std::pair("station_tip.change", &TipStation::change),
     std::pair(tip_toughness, &TipStation::toughness)};
 
+/// Files of earlier versions have none of these.
+constexpr std::array law_use_values{
+    std::pair("station_tip.law.lowest_delta_k", &model::LawUse::lowest_delta_k),
+    std::pair("station_tip.law.highest_delta_k", &model::LawUse::highest_delta_k),
+    std::pair("station_tip.law.lowest_ratio", &model::LawUse::lowest_ratio),
+    std::pair("station_tip.law.highest_ratio", &model::LawUse::highest_ratio),
+    std::pair("station_tip.law.outside", &model::LawUse::outside),
+    std::pair("station_tip.law.growth_outside", &model::LawUse::growth_outside),
+    std::pair("station_tip.law.below_delta_k", &model::LawUse::below_delta_k),
+    std::pair("station_tip.law.above_delta_k", &model::LawUse::above_delta_k),
+    std::pair("station_tip.law.below_ratio", &model::LawUse::below_ratio),
+    std::pair("station_tip.law.above_ratio", &model::LawUse::above_ratio)};
+
 /// Appends values to an array.
 struct ColumnWriter {
   std::vector<double>& values;
@@ -247,6 +260,20 @@ template <class Io, class Stations> void describe_cycles(Io& io, Stations& stati
   }
 }
 
+template <class Io, class Stations> void describe_law_use(Io& io, Stations& stations) {
+  for (const auto& [name, member] : law_use_values) {
+    if (!io.has(name)) {
+      continue;
+    }
+    auto&& column = io.column(name);
+    for (auto& station : stations) {
+      for (auto& tip : station.tips) {
+        column.value(tip.law_use.*member);
+      }
+    }
+  }
+}
+
 // The state's arrays, in the same way for both directions.
 template <class Io, class State> void describe(Io& io, State& state) {
   io.column("growth.step").value(state.step);
@@ -269,6 +296,7 @@ template <class Io, class State> void describe(Io& io, State& state) {
       }
     }
   }
+  describe_law_use(io, state.stations);
   describe_cycles(io, state.stations);
   io.resize("crack.kind", state.cracks);
   for (auto& crack : state.cracks) {

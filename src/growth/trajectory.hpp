@@ -3,6 +3,7 @@
 #include "base/piecewise_linear.hpp"
 #include "life/rainflow.hpp"
 #include "model/crack_growth.hpp"
+#include "model/law_use.hpp"
 
 #include <array>
 #include <cstddef>
@@ -39,6 +40,7 @@ struct TipStation {
   /// Where friction makes K a history and cycles act on each other: those of the pass that was
   /// followed, in order.
   std::vector<life::LoadCycle> cycles_of_K{};
+  model::LawUse law_use = {}; ///< of its cycle or pass
 };
 
 /// Where a tip asks the law, with its arm `a`.
@@ -91,6 +93,11 @@ private:
 double extent_rate_ratio(const SolvedStation& left, const SolvedStation& right, std::size_t tip,
                          double s);
 
+/// da/dN at K_max and K_min of a place.
+template <class Law>
+concept RateOfCycle =
+    std::is_invocable_r_v<double, Law, double, double, const model::PlaceOnCrack&>;
+
 /// Rates between stations: da/dN of a cycle at K_max and K_min of a place, or da of a pass of a
 /// spectrum whose K over the load path is known. Empty: the stations' rates are interpolated.
 class GrowthRateFunction {
@@ -101,14 +108,18 @@ public:
       std::function<double(const base::PiecewiseLinear& K, const model::PlaceOnCrack& place)>;
 
   GrowthRateFunction() = default;
-  template <class Law>
-  requires std::is_convertible_v<Law, OfCycle> &&
-           (!std::is_same_v<std::decay_t<Law>, GrowthRateFunction>)
-  GrowthRateFunction(Law law) : of_cycle(std::move(law)) {} // NOLINT(google-explicit-constructor)
+  template <RateOfCycle Law>
+  GrowthRateFunction(Law law) // NOLINT(google-explicit-constructor): laws are given as functions
+      : of_cycle(std::move(law)) {}
   static GrowthRateFunction of_passes(OfPass pass) {
     GrowthRateFunction rates;
     rates.of_pass = std::move(pass);
     return rates;
+  }
+
+  /// da/dN of a cycle.
+  double operator()(double K_max, double K_min, const model::PlaceOnCrack& place) const {
+    return of_cycle(K_max, K_min, place);
   }
 
   OfCycle of_cycle;
@@ -116,7 +127,8 @@ public:
 };
 
 /// Functions of s between stations by polynomials through the nearest of them: ln K_max, K_min and
-/// K of other loads over K_max (or ln rate) over ln s; arms by cubics that take the rates as slopes (manual, growth.3).
+/// K of other loads over K_max (or ln rate) over ln s; arms by cubics that take the rates as slopes
+/// (manual, growth.3).
 class GrowthTrajectory {
 public:
   /// stations [>= 1], s ascending; `points` of each polynomial, at most 4 and as many as there are.

@@ -27,14 +27,6 @@ double scaled_constant(CrackGrowthLaw law, const GrowthLawConstants& constants) 
   return constants.C * constants.a_unit / std::pow(constants.k_unit, power);
 }
 
-// y at x on the polyline through (knot, value), straight on beyond its ends.
-double on_polyline(const std::vector<double>& knot, const std::vector<double>& value, double x) {
-  const auto above = std::upper_bound(knot.begin() + 1, knot.end() - 1, x);
-  const auto i = static_cast<std::size_t>(above - knot.begin());
-  const double t = (x - knot[i - 1]) / (knot[i] - knot[i - 1]);
-  return value[i - 1] + t * (value[i] - value[i - 1]);
-}
-
 } // namespace
 
 double tensile_K_range(double K_max, double K_min) {
@@ -43,21 +35,21 @@ double tensile_K_range(double K_max, double K_min) {
 
 GrowthRateLaw::GrowthRateLaw(CrackGrowthLaw law, GrowthLawConstants constants)
     : law_(law), constants_(std::move(constants)), scale_(scaled_constant(law, constants_)),
-      closure_(constants_.alpha, constants_.stress_ratio), threshold_(constants_) {
+      closure_(constants_.alpha, constants_.stress_ratio), threshold_(constants_),
+      table_(constants_) {
   assert((law != CrackGrowthLaw::forman && law != CrackGrowthLaw::nasgro &&
           law != CrackGrowthLaw::hartman) ||
          constants_.k_c);
   assert(law != CrackGrowthLaw::table ||
-         (constants_.delta_k.size() >= 2 && constants_.growth.size() == constants_.delta_k.size()));
-  for (std::size_t i = 0; law == CrackGrowthLaw::table && i < constants_.delta_k.size(); ++i) {
-    log_k_.push_back(std::log(constants_.delta_k[i] * constants_.k_unit));
-    log_rate_.push_back(std::log(constants_.growth[i] * constants_.a_unit));
-  }
+         (constants_.growth.size() >= 2 &&
+          constants_.delta_k.size() ==
+              constants_.growth.size() * std::max<std::size_t>(1, constants_.table_ratios.size())));
 }
 
 double GrowthRateLaw::counted_ratio(double R) const {
   const bool counts_below =
       law_ == CrackGrowthLaw::nasgro ||
+      (law_ == CrackGrowthLaw::table && table_.has_negative_ratio()) ||
       (law_ == CrackGrowthLaw::walker &&
        constants_.at_negative_ratio != model::NegativeRatioRule::positive_part);
   return counts_below ? R : std::max(R, 0.0);
@@ -137,7 +129,7 @@ double GrowthRateLaw::formula(double range, double R, double threshold,
            std::pow(1.0 - threshold / range, constants_.p) / std::pow(left, constants_.q);
   }
   case CrackGrowthLaw::table:
-    return tabular(range);
+    return table_.rate(range, R);
   case CrackGrowthLaw::hartman: {
     const double left = 1.0 - range / part / toughness_at(place);
     return left > 0.0 ? scale_ * std::pow((range - threshold) / std::sqrt(left), constants_.m)
@@ -145,14 +137,6 @@ double GrowthRateLaw::formula(double range, double R, double threshold,
   }
   }
   return no_value;
-}
-
-double GrowthRateLaw::tabular(double range) const {
-  return std::exp(on_polyline(log_k_, log_rate_, std::log(range)));
-}
-
-double GrowthRateLaw::tabular_range(double rate) const {
-  return std::exp(on_polyline(log_rate_, log_k_, std::log(rate)));
 }
 
 // Laws with a pole rise from the threshold (or 0) to the pole at the toughness: one root between.
@@ -192,10 +176,7 @@ double GrowthRateLaw::K_range_for_rate(double rate, double R,
     found = std::pow(rate / scale_, 1.0 / constants_.m) * std::pow(1.0 - R, -walker_exponent(R));
     break;
   case CrackGrowthLaw::table:
-    // Rates that do not rise all the way have several ranges, or none.
-    found = std::is_sorted(log_rate_.begin(), log_rate_.end(), std::less_equal<>())
-                ? tabular_range(rate)
-                : no_value;
+    found = table_.K_range(rate, R);
     break;
   case CrackGrowthLaw::forman:
   case CrackGrowthLaw::nasgro:
@@ -206,21 +187,20 @@ double GrowthRateLaw::K_range_for_rate(double rate, double R,
   return found > least ? found : no_value;
 }
 
-std::optional<std::array<double, 2>> GrowthRateLaw::table_K_range() const {
-  if (law_ != CrackGrowthLaw::table) {
-    return std::nullopt;
-  }
-  return std::array{std::exp(log_k_.front()), std::exp(log_k_.back())};
+std::optional<std::array<double, 2>> GrowthRateLaw::table_K_range(double R) const {
+  return law_ == CrackGrowthLaw::table ? std::optional(table_.K_ends(R)) : std::nullopt;
 }
 
-bool GrowthRateLaw::is_within_table(double delta_K) const {
-  if (law_ != CrackGrowthLaw::table) {
-    return true;
-  }
-  // a row's own delta K, converted and back, still belongs to the table
-  const double room = 1e-12;
-  const double x = std::log(delta_K);
-  return x >= log_k_.front() - room && x <= log_k_.back() + room;
+std::optional<std::array<double, 2>> GrowthRateLaw::table_ratios() const {
+  return law_ == CrackGrowthLaw::table && !table_.ratios().empty()
+             ? std::optional(std::array{table_.ratios().front(), table_.ratios().back()})
+             : std::nullopt;
+}
+
+bool GrowthRateLaw::is_within_table(double delta_K, double R) const {
+  constexpr double room = 1e-12; // a row's own delta K, converted and back, still belongs to it
+  const std::optional<std::array<double, 2>> ends = table_K_range(R);
+  return !ends || (delta_K >= (*ends)[0] * (1.0 - room) && delta_K <= (*ends)[1] * (1.0 + room));
 }
 
 } // namespace spricka::life

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "life/growth_table.hpp"
 #include "life/newman_closure.hpp"
 #include "life/threshold.hpp"
 #include "model/crack_growth.hpp"
 
 #include <array>
 #include <optional>
-#include <vector>
 
 namespace spricka::life {
 
@@ -43,10 +43,15 @@ public:
   /// Whether a threshold that is one constant for all R holds a cycle back, or slows it down to
   /// much less, that has another R than 0.
   [[nodiscard]] bool is_held_by_constant_threshold(double K_max, double K_min) const;
-  /// Whether delta K lies within the rows of a table; the other laws have no such bounds.
-  [[nodiscard]] bool is_within_table(double delta_K) const;
-  /// Delta K of the first and the last row of a table [stress intensity]; empty for other laws.
-  [[nodiscard]] std::optional<std::array<double, 2>> table_K_range() const;
+  /// Whether delta K (life.1) lies within the rows that a table has at R; the other laws have no
+  /// such bounds.
+  [[nodiscard]] bool is_within_table(double delta_K, double R) const;
+  /// Delta K (life.1) of the first and the last row of a table at R [stress intensity]; empty for
+  /// other laws.
+  [[nodiscard]] std::optional<std::array<double, 2>> table_K_range(double R) const;
+
+  /// R of the first and the last column of a table over several R; empty for other laws.
+  [[nodiscard]] std::optional<std::array<double, 2>> table_ratios() const;
 
 private:
   [[nodiscard]] double formula(double range, double R, double threshold,
@@ -55,8 +60,6 @@ private:
   [[nodiscard]] double toughness_at(const model::PlaceOnCrack& place) const {
     return place.toughness ? *place.toughness : *constants_.k_c;
   }
-  [[nodiscard]] double tabular(double range) const;
-  [[nodiscard]] double tabular_range(double rate) const;
   [[nodiscard]] double by_root(double rate, double R, double threshold,
                                const model::PlaceOnCrack& place) const;
 
@@ -65,7 +68,7 @@ private:
   double scale_ = 0.0; ///< C in the units of the interface
   NewmanClosure closure_;
   FatigueThreshold threshold_;
-  std::vector<double> log_k_, log_rate_; ///< table, units of the interface
+  GrowthRateTable table_;
 };
 
 } // namespace spricka::life

@@ -23,7 +23,7 @@ std::vector<InferredK> infer_K_from_growth(const MeasuredGrowthRates& rates,
     k.K_max = range / open;
     k.low = reference.K_range_for_rate(k.rate_low, k.R, place) / open;
     k.high = reference.K_range_for_rate(k.rate_high, k.R, place) / open;
-    k.covered = reference.is_within_table(range);
+    k.covered = reference.is_within_table(range, k.R);
     found.push_back(k);
   }
   return found;

@@ -272,15 +272,33 @@ void CountedSpectrum::visit_cycles_as_K(const base::PiecewiseLinear& K1, const V
 }
 
 double CountedSpectrum::growth_per_pass(const GrowthRateLaw& law, const base::PiecewiseLinear& K1,
-                                        const model::PlaceOnCrack& place) const {
+                                        const model::PlaceOnCrack& place,
+                                        LawUseCounter* use) const {
   if (!within(K1)) {
     return no_value;
   }
   double sum = 0.0;
   visit_cycles_as_K(K1, [&](double low, double high, double count) {
-    sum += count * law.growth_rate(high, low, place);
+    const double rate = law.growth_rate(high, low, place);
+    sum += count * rate;
+    if (use != nullptr) {
+      use->add(high, low, count, rate);
+    }
   });
   return sum;
+}
+
+std::vector<double> CountedSpectrum::growth_by_cycle(const GrowthRateLaw& law,
+                                                     const base::PiecewiseLinear& K1,
+                                                     const model::PlaceOnCrack& place) const {
+  std::vector<double> grown;
+  if (within(K1) && !requires_counting_on_K(K1)) {
+    grown.reserve(cycles_.size());
+    visit_cycles_as_K(K1, [&](double low, double high, double count) {
+      grown.push_back(count * law.growth_rate(high, low, place));
+    });
+  }
+  return grown;
 }
 
 std::vector<LoadCycle> CountedSpectrum::cycles_as_K(const base::PiecewiseLinear& K1) const {

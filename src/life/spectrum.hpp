@@ -2,6 +2,7 @@
 #pragma once
 #include "base/piecewise_linear.hpp"
 #include "life/growth_law.hpp"
+#include "life/law_use_counter.hpp"
 #include "life/rainflow.hpp"
 #include "model/steps.hpp"
 
@@ -28,9 +29,11 @@ public:
 
   /// Growth of one pass, da [length], at a fixed length of the crack whose K is K1(t). Where K1
   /// rises or falls all the way between the lowest and the highest load, cycles of t are cycles of
-  /// K; else the history is counted again on K (`requires_counting_on_K`).
+  /// K; else the history is counted again on K (`requires_counting_on_K`). Its cycles are added to
+  /// `use`, if given.
   [[nodiscard]] double growth_per_pass(const GrowthRateLaw& law, const base::PiecewiseLinear& K1,
-                                       const model::PlaceOnCrack& place = {}) const;
+                                       const model::PlaceOnCrack& place = {},
+                                       LawUseCounter* use = nullptr) const;
   /// The cycles of a pass as K, of which growth_per_pass() is the sum.
   [[nodiscard]] std::vector<LoadCycle> cycles_as_K(const base::PiecewiseLinear& K1) const;
   /// The cycles of a pass of a card, as places t, in their order.
@@ -38,6 +41,11 @@ public:
   /// The same as K: counted on K where that turns within the loads, which is not a number outside
   /// the knots.
   [[nodiscard]] std::vector<LoadCycle> cycles_in_order_as_K(const base::PiecewiseLinear& K1) const;
+  /// Growth of each of cycles() in a pass, which add up to growth_per_pass(); empty where K1 turns
+  /// within the loads, or ends before.
+  [[nodiscard]] std::vector<double> growth_by_cycle(const GrowthRateLaw& law,
+                                                    const base::PiecewiseLinear& K1,
+                                                    const model::PlaceOnCrack& place = {}) const;
   /// Whether `growth` counts on K for this map: K1 turns within the loads.
   [[nodiscard]] bool requires_counting_on_K(const base::PiecewiseLinear& K1) const;
   /// Smallest and largest K of a pass.

@@ -4,9 +4,12 @@
 #include "base/source.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 /// How cracks grow: the law, the direction and what stops them.
@@ -22,6 +25,9 @@ enum class CrackGrowthLaw {
   table,     ///< (life.9)
   hartman    ///< (life.28)
 };
+/// As a deck names them, in the order of CrackGrowthLaw.
+inline constexpr std::array<std::string_view, 7> growth_law_words{
+    "INCREMENT", "PARIS", "WALKER", "FORMAN", "NASGRO", "TABLE", "HARTMAN"};
 /// What Walker's law makes of R < 0: nothing of K below 0, all of delta K with an exponent of its
 /// own, or the law's own power of K_max (life.29).
 enum class NegativeRatioRule { positive_part, whole_range, K_max };
@@ -63,11 +69,46 @@ struct GrowthLawConstants {
   double p_below = 0.0; ///< Walker: gamma for R < 0 of the whole range
   /// Toughness of surface and corner cracks in its place [stress intensity].
   std::optional<double> k_part_through;
-  std::optional<double> k_c;   ///< fracture toughness [stress intensity]; Forman and NASGRO need it
-  double k_unit = 1.0;         ///< one unit of K of the constants [stress intensity]
-  double a_unit = 1.0;         ///< one unit of length of the constants [length]
-  std::vector<double> delta_k; ///< table: ascending, in k_unit
-  std::vector<double> growth;  ///< [delta_k] da/dN > 0, in a_unit per cycle
+  std::optional<double> k_c; ///< fracture toughness [stress intensity]; Forman and NASGRO need it
+  double k_unit = 1.0;       ///< one unit of K of the constants [stress intensity]
+  double a_unit = 1.0;       ///< one unit of length of the constants [length]
+  /// Table: ascending, in k_unit; over several R those of the first, then of the next ..
+  std::vector<double> delta_k;
+  std::vector<double> growth; ///< table: da/dN > 0 of each row, in a_unit per cycle
+  /// Table over several R, ascending; its rates ascend, too. Empty: its rows hold for all R.
+  std::vector<double> table_ratios;
+};
+
+/// Toughness over the thickness of a part (life.27).
+struct ToughnessOverThickness {
+  double plane_strain = 0.0; ///< K_1c [stress intensity]
+  double A_k = 0.0;
+  double B_k = 0.0;
+  double yield = 0.0; ///< [stress]
+};
+
+/// What is known of the tests behind a law; empty: not stated.
+struct GrowthLawData {
+  std::string name;  ///< of the $LAW; empty: the constants stand on $GROW
+  std::string place; ///< where it was found: "the deck"
+  std::string source;
+  std::string form; ///< of the material: "sheet"
+  std::string orientation;
+  std::string environment;
+  std::optional<double> thickness;       ///< that the toughness is for [length]
+  std::optional<double> lowest_delta_k;  ///< [stress intensity]
+  std::optional<double> highest_delta_k; ///< [stress intensity]
+  std::optional<double> lowest_ratio;    ///< R
+  std::optional<double> highest_ratio;   ///< R
+  std::optional<double> scatter;         ///< standard deviation of ln C
+};
+
+/// A growth law by name.
+struct GrowthLawDefinition {
+  CrackGrowthLaw law = CrackGrowthLaw::paris;
+  GrowthLawConstants constants;
+  std::optional<ToughnessOverThickness> toughness; ///< of constants.k_c
+  GrowthLawData data;
 };
 
 struct CrackGrowthSettings {
@@ -85,6 +126,7 @@ struct CrackGrowthSettings {
   ContactMountingPolicy mounted = ContactMountingPolicy::each;
   std::vector<double> lengths; ///< law increment [length]
   GrowthLawConstants constants;
+  GrowthLawData data;
   std::optional<double> largest_advance; ///< of an increment [length]
   std::optional<double> last_length;     ///< stops the growth [length]
   std::optional<double> cycles;          ///< stops the growth; passes of a spectrum
@@ -94,6 +136,11 @@ struct CrackGrowthSettings {
   bool correction_wanted = false;        ///< the deck says so: to be told where it is not possible
   base::SourceSpan span;
 
+  /// Whether the law counts R < 0 as it is, and needs a K_min below 0.
+  [[nodiscard]] bool knows_negative_ratio() const {
+    return law == CrackGrowthLaw::nasgro || law == CrackGrowthLaw::walker ||
+           (!constants.table_ratios.empty() && constants.table_ratios.front() < 0.0);
+  }
   /// Whether a crack is one of those that grow.
   [[nodiscard]] bool grows(base::CrackId crack) const {
     return cracks.empty() || std::ranges::find(cracks, crack) != cracks.end();

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/vec.hpp"
+#include "model/law_use.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,6 +53,29 @@ struct ComparedLife {
   std::vector<LifeCurvePoint> curve; ///< of one tip
 };
 
+/// Cycles of a spectrum whose peak, or range, lies from `low` to `high` [t of the load path].
+struct SpectrumLevel {
+  double low = 0.0, high = 0.0;
+  double cycles = 0.0;  ///< of a pass
+  double reached = 0.0; ///< cycles of this level and of all above it
+  double crossed = 0.0; ///< of peaks: how often the load of a pass rises through `low`
+  double growth = 0.0;  ///< part of the growth that these cycles make; not a number: unknown
+  double life = 0.0;    ///< the same of the life
+};
+
+/// A life by the same K of the same stations, with another reading of the spectrum.
+struct OtherSpectrumLife {
+  std::string name; ///< "COUNT=PAIRS", "without CLIP"
+  double cycles_per_pass = 0.0;
+  std::optional<double> ratio; ///< its passes over those of the spectrum; empty: unknown
+};
+
+/// What a spectrum consists of, without interaction of its cycles.
+struct SpectrumParts {
+  std::vector<SpectrumLevel> peaks, ranges; ///< the highest first
+  std::vector<OtherSpectrumLife> others;
+};
+
 /// Names of lives by one K that is scaled with the load, and by a line of K over a load path.
 inline constexpr std::string_view life_of_scaled_K = "scaled";
 inline constexpr std::string_view life_by_line_of_K = "line";
@@ -71,12 +96,19 @@ struct GrowthResult {
   /// Of a spectrum's pass: ranges of the load path's t, falling, and how many of its cycles,
   /// counted by rainflow on the loads, are as large or larger; of very many the ones that tell.
   std::vector<std::array<double, 2>> ranges;
+  model::LawUse law_use = {}; ///< of all points and lengths, by their cycles
+  SpectrumParts spectrum_parts;
+  /// Of a spectrum whose life is told in these: "flights", "hours", "cycles"; else empty.
+  std::string life_unit;
+  double life_units_per_pass = 1.0;
   bool followed = false; ///< friction makes K a history, which was followed
   /// How the cycles of a spectrum act on each other, sentences; empty: they do not.
   std::vector<std::string> interaction;
   std::vector<ComparedLife> compared;
 
   [[nodiscard]] double final_cycles() const { return curve.empty() ? 0.0 : curve.back().cycles; }
+  /// Passes in life_unit.
+  [[nodiscard]] double in_life_unit(double N) const { return N * life_units_per_pass; }
 };
 
 /// Cycles until point `point` of the list has length `a` [length]; not a number outside the curve.

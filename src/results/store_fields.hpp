@@ -150,6 +150,13 @@ template <class V, RecordOfType<GrowthStation> T> void fields(V& v, T& r) {
 
 SPRICKA_STORED_RECORD(LifeCurvePoint, cycles, a)
 SPRICKA_STORED_RECORD(ComparedLife, name, what, ratio, curve)
+SPRICKA_STORED_RECORD(SpectrumLevel, low, high, cycles, reached, crossed, growth, life)
+SPRICKA_STORED_RECORD(OtherSpectrumLife, name, cycles_per_pass, ratio)
+SPRICKA_STORED_RECORD(SpectrumParts, peaks, ranges, others)
+
+SPRICKA_STORED_RECORD(model::LawUse, lowest_delta_k, highest_delta_k, lowest_ratio, highest_ratio,
+                      outside, growth_outside, below_delta_k, above_delta_k, below_ratio,
+                      above_ratio)
 
 template <class V, RecordOfType<GrowthResult> T> void fields(V& v, T& r) {
   v("unit", r.unit);
@@ -164,7 +171,11 @@ template <class V, RecordOfType<GrowthResult> T> void fields(V& v, T& r) {
   v("corrected", r.corrected);
   v("counted", r.counted);
   v("ranges", r.ranges);
+  v("law_use", r.law_use);
   v("followed", r.followed);
+  v("spectrum_parts", r.spectrum_parts);
+  v("life_unit", r.life_unit);
+  v("life_units_per_pass", r.life_units_per_pass);
   v("interaction", r.interaction);
   v("compared", r.compared);
 }

@@ -15,6 +15,7 @@
 #include "analysis/lengths/recorder.hpp"
 #include "analysis/lengths/resume.hpp"
 #include "analysis/lengths/shown_results.hpp"
+#include "analysis/lengths/spectrum_parts.hpp"
 #include "growth/advance_error.hpp"
 #include "growth/crack_lines.hpp"
 #include "growth/growth_integrator.hpp"
@@ -69,10 +70,9 @@ public:
     const std::optional<results::NamedArrays> kept =
         of_another_law ? std::nullopt : take_over_kept();
     growth::GrowthIntegrator integrator = restore_or_report_damage([&] {
-      return growth::GrowthIntegrator(model_, measure_.rates_between_stations(),
-                                      std::move(kinematics),
-                                      kept ? state_from(*kept) : growth::GrowthState(),
-                                      extent_after_passes());
+      return growth::GrowthIntegrator(
+          model_, measure_.rates_between_stations(), std::move(kinematics),
+          kept ? state_from(*kept) : growth::GrowthState(), extent_after_passes());
     });
     RecondensedGrowthRegion region(model_);
     if (kept) {
@@ -298,6 +298,7 @@ private:
       }
     }
     run_.growth = growth_records(model_, integrator, measure_);
+    run_.growth->spectrum_parts = find_spectrum_parts(model_, run_, integrator, measure_);
     run_.growth->compared = lives_by_other_interactions(model_, integrator, measure_);
     std::ranges::move(lives_by_proportional_K(model_, run_, integrator, measure_),
                       std::back_inserter(run_.growth->compared));
@@ -306,8 +307,11 @@ private:
                             run_.growth->reason, integrator.growth_state().stations.size(),
                             integrator.growth_state().rejected));
     std::ranges::copy(measure_.warnings().all(), std::back_inserter(run_.warnings));
-    for (std::string& text : describe_life_concerns(*run_.growth, measure_.law())) {
+    for (std::string& text : describe_life_concerns(*run_.growth)) {
       run_.warnings.push_back({"W456", std::move(text)});
+    }
+    if (std::string outside = describe_use_outside_data(*run_.growth, model_); !outside.empty()) {
+      run_.warnings.push_back({"W576", std::move(outside)});
     }
     if (options_.checkpoint != nullptr && options_.checkpoint->is_of_another_law() &&
         run_.growth->error > growth::largest_error_over_tolerance * model_.growth->tolerance) {

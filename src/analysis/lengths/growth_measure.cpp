@@ -262,6 +262,9 @@ bool GrowthRateEvaluator::by_steps(const SolvedCrackState& at, const GrowingPlac
   found.K_min = at_smallest(at, to, part, low, there);
   found.rate =
       found.K_max > found.K_min ? law_.growth_rate(found.K_max, found.K_min, to.on_crack) : 0.0;
+  life::LawUseCounter use(law_, model_.growth->data);
+  use.add(found.K_max, found.K_min, 1.0, found.rate);
+  found.law_use = use.use();
   look_at_threshold(to, found.K_max, found.K_min);
   if (high.is_tip()) {
     note_order(to.name,

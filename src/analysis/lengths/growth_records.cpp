@@ -6,6 +6,7 @@
 #include "analysis/steps/history_program.hpp"
 #include "base/tidy.hpp"
 #include "model/model.hpp"
+#include "results/result_unit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,6 +63,48 @@ results::GrownPointResult record_of(const std::string& name, const growth::TipSt
           .x = base::Vec3(t.x, t.y, t.z),
           .first_max = t.first_max,
           .first_min = t.first_min};
+}
+
+// What the law was asked for in all cycles of the growth, at all points. The cycles between two
+// stations count half as those of the one and half as those of the other.
+model::LawUse law_use_of_growth(const std::vector<growth::SolvedStation>& stations,
+                                const std::vector<results::GrowthStation>& records,
+                                double all_cycles) {
+  model::LawUse all;
+  double cycles = 0.0;
+  double growth = 0.0;
+  const auto until_end = [&](std::size_t i) { return std::min(records[i].cycles, all_cycles); };
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    const double before = i > 0 ? until_end(i) - until_end(i - 1) : 0.0;
+    const double after = i + 1 < stations.size() ? until_end(i + 1) - until_end(i) : 0.0;
+    const double here = stations.size() == 1 ? 1.0 : 0.5 * (before + after);
+    for (const growth::TipStation& tip : stations[i].tips) {
+      const model::LawUse& use = tip.law_use;
+      if (!(here > 0.0) || use.lowest_delta_k > use.highest_delta_k) {
+        continue;
+      }
+      all.lowest_delta_k = std::min(all.lowest_delta_k, use.lowest_delta_k);
+      all.highest_delta_k = std::max(all.highest_delta_k, use.highest_delta_k);
+      all.lowest_ratio = std::min(all.lowest_ratio, use.lowest_ratio);
+      all.highest_ratio = std::max(all.highest_ratio, use.highest_ratio);
+      const double grown = std::isfinite(tip.rate) ? here * tip.rate : 0.0;
+      cycles += here;
+      growth += grown;
+      all.outside += here * use.outside;
+      all.growth_outside += grown * use.growth_outside;
+      all.below_delta_k += here * use.below_delta_k;
+      all.above_delta_k += here * use.above_delta_k;
+      all.below_ratio += here * use.below_ratio;
+      all.above_ratio += here * use.above_ratio;
+    }
+  }
+  for (double model::LawUse::*part :
+       {&model::LawUse::outside, &model::LawUse::below_delta_k, &model::LawUse::above_delta_k,
+        &model::LawUse::below_ratio, &model::LawUse::above_ratio}) {
+    all.*part = cycles > 0.0 ? all.*part / cycles : 0.0;
+  }
+  all.growth_outside = growth > 0.0 ? all.growth_outside / growth : 0.0;
+  return all;
 }
 
 // Of the tip that is nearest to growing at a station where none grows: its delta K, R, and the
@@ -149,6 +192,7 @@ CycleCounts count_cycles(const growth::GrowthIntegrator& integrator,
   CycleCounts counts;
   if (!measure.interaction()) {
     std::vector<double> at;
+    at.reserve(stations.size());
     for (const growth::SolvedStation& station : stations) { // also behind the end
       at.push_back(station.s);
     }
@@ -200,6 +244,7 @@ results::GrowthResult growth_records(const model::Model& model,
   if (measure.spectrum()) {
     out.cycles_per_pass = measure.spectrum()->cycles_per_pass();
     out.ranges = ranges_of(*measure.spectrum());
+    results::set_life_unit(model.spectra[*model.growth->spectrum], out);
     out.counted = depends_on_load_order(model)   ? "K, followed through the loads in their order"
                   : measure.counts_cycles_on_K() ? "K, which turns within the loads"
                                                  : "loads";
@@ -245,6 +290,7 @@ results::GrowthResult growth_records(const model::Model& model,
     }
   }
   out.error = integrator.cycle_error();
+  out.law_use = law_use_of_growth(stations, out.stations, out.final_cycles());
   return out;
 }
 

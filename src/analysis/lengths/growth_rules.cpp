@@ -8,9 +8,9 @@
 #include "model/model.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -123,47 +123,47 @@ void look_at_beginning(const results::GrowthResult& growth, std::vector<std::str
   }
 }
 
-// Beyond its rows a table goes straight on, which nobody has measured. Of a spectrum only the
-// largest cycles are known here, and its small ones may well lie below all rows.
-void look_at_table(const results::GrowthResult& growth, const life::GrowthRateLaw& law,
-                   std::vector<std::string>& warnings) {
-  const std::optional<std::array<double, 2>> rows = law.table_K_range();
-  if (!rows) {
-    return;
-  }
-  const results::GrownPointResult* lowest = nullptr;
-  const results::GrownPointResult* highest = nullptr;
-  const auto range = [](const results::GrownPointResult* tip) {
-    return life::tensile_K_range(tip->K_max, tip->K_min);
-  };
-  for (const results::GrowthStation& station : growth.stations) {
-    for (const results::GrownPointResult& tip : station.points) {
-      if (!(range(&tip) > 0.0)) {
-        continue;
-      }
-      lowest = lowest == nullptr || range(&tip) < range(lowest) ? &tip : lowest;
-      highest = highest == nullptr || range(&tip) > range(highest) ? &tip : highest;
-    }
-  }
-  const auto warn = [&](const results::GrownPointResult& tip, double row, const char* which) {
-    warnings.push_back(fmt::format(
-        "delta K of {} at a = {:.6g} is {:.3g} times that of the {} row of the law's table: the "
-        "rate there is the table's straight line gone on, not measured",
-        tip.name, tip.a, range(&tip) / row, which));
-  };
-  if (highest != nullptr && !law.is_within_table(range(highest)) && range(highest) > (*rows)[1]) {
-    warn(*highest, (*rows)[1], "last");
-  }
-  if (lowest != nullptr && growth.unit != "pass" && !law.is_within_table(range(lowest)) &&
-      range(lowest) < (*rows)[0]) {
-    warn(*lowest, (*rows)[0], "first");
+// "12 % at delta K below 30 (down to 12)"; nothing of a part that is 0.
+void add_part(double part, std::string_view side, const std::optional<double>& limit,
+              std::string_view row, double reached, std::vector<std::string>& parts) {
+  if (part > 0.0) {
+    const bool below = side.ends_with("below");
+    parts.push_back(fmt::format("{:.3g} % at {} {} ({} {:.4g})", 100.0 * part, side,
+                                limit ? fmt::format("{:.4g}", *limit) : std::string(row),
+                                below ? "down to" : "up to", reached));
   }
 }
 
 } // namespace
 
-std::vector<std::string> describe_life_concerns(const results::GrowthResult& growth,
-                                                const life::GrowthRateLaw& law) {
+std::string describe_use_outside_data(const results::GrowthResult& growth,
+                                      const model::Model& model) {
+  const model::LawUse& use = growth.law_use;
+  const model::GrowthLawData& data = model.growth->data;
+  if (!(use.outside > 0.0)) {
+    return {};
+  }
+  std::vector<std::string> parts;
+  add_part(use.below_delta_k, "delta K below", data.lowest_delta_k, "the first row",
+           use.lowest_delta_k, parts);
+  add_part(use.above_delta_k, "delta K above", data.highest_delta_k, "the last row",
+           use.highest_delta_k, parts);
+  add_part(use.below_ratio, "R below", data.lowest_ratio, "the first column", use.lowest_ratio,
+           parts);
+  add_part(use.above_ratio, "R above", data.highest_ratio, "the last column", use.highest_ratio,
+           parts);
+  return fmt::format(
+      "{:.3g} % of the cycles that grow, with {:.3g} % of the growth, lie outside the data of the "
+      "law: {}; delta K in {}. There the law goes on {}, and nobody has measured it",
+      100.0 * use.outside, 100.0 * use.growth_outside, fmt::join(parts, ", "),
+      model.units.stress_intensity_name(),
+      model.growth->law == model::CrackGrowthLaw::table
+          ? "straight in its logarithms beyond the rows, by the exponent of the nearest two "
+            "columns beyond these"
+          : "by its formula");
+}
+
+std::vector<std::string> describe_life_concerns(const results::GrowthResult& growth) {
   std::vector<std::string> warnings;
   const bool nothing = growth.final_cycles() == 0.0;
   const bool grew = growth.stations.size() > 1;
@@ -174,7 +174,6 @@ std::vector<std::string> describe_life_concerns(const results::GrowthResult& gro
     return warnings;
   }
   look_at_beginning(growth, warnings);
-  look_at_table(growth, law, warnings);
   if (nothing && !grew && growth.ended == "THRESHOLD" && has_a_range(growth)) {
     return warnings; // a crack below its threshold does not grow: that is the answer
   }

@@ -2,7 +2,6 @@
 #pragma once
 #include "base/diagnostics.hpp"
 #include "growth/crack_kinematics.hpp"
-#include "life/growth_law.hpp"
 #include "model/forward.hpp"
 #include "results/growth.hpp"
 
@@ -17,9 +16,12 @@ namespace spricka::analysis {
 std::unique_ptr<growth::CrackKinematics> make_crack_kinematics(const model::Model& model,
                                                                base::Diagnostics& diagnostics);
 
-/// Doubts about the cycles as a whole: none or next to none, growth too fast for a law, K beyond
-/// the rows of a table.
-std::vector<std::string> describe_life_concerns(const results::GrowthResult& growth,
-                                                const life::GrowthRateLaw& law);
+/// Doubts about the cycles as a whole: none or next to none, growth too fast for a law.
+std::vector<std::string> describe_life_concerns(const results::GrowthResult& growth);
+
+/// How many cycles lie outside the data behind the law of $GROW, and which way it goes on there;
+/// empty: none.
+std::string describe_use_outside_data(const results::GrowthResult& growth,
+                                      const model::Model& model);
 
 } // namespace spricka::analysis

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/lengths/growth_measure.hpp"
+#include "life/law_use_counter.hpp"
 #include "life/ordered_cycles.hpp"
 #include "model/model.hpp"
 
@@ -65,6 +66,18 @@ void measure_pass(const GrowthOfCycles& growth, model::CycleCounting counting,
   found.K_max = std::max(0.0, high);
 }
 
+model::LawUse use_of_law(const life::GrowthRateLaw& law, const model::GrowthLawData& data,
+                         const std::vector<life::LoadCycle>& cycles,
+                         const model::PlaceOnCrack& place) {
+  life::LawUseCounter use(law, data);
+  for (const life::LoadCycle& cycle : cycles) {
+    if (cycle.high > 0.0 && cycle.high > cycle.low) {
+      use.add(cycle.high, cycle.low, cycle.count, law.growth_rate(cycle.high, cycle.low, place));
+    }
+  }
+  return use.use();
+}
+
 // Rate and extremes of the loads that were followed, of the first cycle and of those that repeat
 // themselves.
 void measure_loads(const GrowthOfCycles& growth, const model::SpectrumDefinition* spectrum,
@@ -76,7 +89,8 @@ void measure_loads(const GrowthOfCycles& growth, const model::SpectrumDefinition
   } else {
     found.K_max = std::max(0.0, K(loads.last.marks[loads.grow_at]));
     found.K_min = K(loads.last.marks[loads.smallest]);
-    found.rate = growth({{found.K_min, found.K_max, 1.0}});
+    found.cycles_of_K = {{found.K_min, found.K_max, 1.0}};
+    found.rate = growth(found.cycles_of_K);
     first.K_max = std::max(0.0, K(loads.first.marks[loads.grow_at]));
     first.K_min = K(loads.first.marks[loads.smallest]);
   }
@@ -117,6 +131,7 @@ bool GrowthRateEvaluator::by_history(const SolvedCrackState& at, const GrowingPl
   measure_loads(
       growth, spectrum_ ? &model_.spectra[*model_.growth->spectrum] : nullptr, loads,
       [&](const base::Vector& all) { return part.dot(K_of(all)); }, found);
+  found.law_use = use_of_law(law_, model_.growth->data, found.cycles_of_K, to.on_crack);
   if (!interaction_) {
     found.cycles_of_K.clear(); // a sum needs no order
   }

@@ -126,7 +126,12 @@ bool GrowthRateEvaluator::by_spectrum(const SolvedCrackState& at, const GrowingP
   const auto [low, high] = spectrum_->extreme_K(K);
   found.K_min = low;
   found.K_max = std::max(0.0, high);
-  found.rate = growth_per_pass(K, to.on_crack);
+  life::LawUseCounter use(law_, model_.growth->data);
+  found.rate = spectrum_->growth_per_pass(law_, K, to.on_crack, &use);
+  found.law_use = use.use();
+  if (interaction_) {
+    found.rate = growth_per_pass(K, to.on_crack);
+  }
   if (interaction_ || few_cycles_) {
     found.K_over_path = at_loads_of_spectrum(K);
   }

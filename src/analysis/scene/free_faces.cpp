@@ -63,9 +63,8 @@ double on_segment(const base::PiecewiseLinear& f, double inside, double t) {
 } // namespace
 
 bool continues_K_below_closing(const model::Model& model) {
-  const bool knows_R = model.growth && (model.growth->law == model::CrackGrowthLaw::nasgro ||
-                                        model.growth->law == model::CrackGrowthLaw::walker);
-  return knows_R && std::ranges::any_of(model.cracks, &model::CrackDefinition::faces_in_contact);
+  return model.growth && model.growth->knows_negative_ratio() &&
+         std::ranges::any_of(model.cracks, &model::CrackDefinition::faces_in_contact);
 }
 
 const results::FrontResult*

@@ -94,7 +94,7 @@ constexpr std::array advice{
     CodeMeaning{"E328",
                 "spricka check prints what the body has of a flaw. AT=BORE,ZMAX is the edge "
                 "where two faces of NET meet, AT=BORE one face; ANGLE counts about its axis."},
-    CodeMeaning{"E329",
+    CodeMeaning{"E341",
                 "manual/interaction.md has what each TYPE of $INTERACTION needs of the law."},
     CodeMeaning{"E331", "The words are gmsh's. Try the file in gmsh itself."},
     CodeMeaning{"E332",
@@ -321,6 +321,10 @@ constexpr std::array advice{
     CodeMeaning{"W372",
                 "Faces that WHERE holds on in part are left out. Divide the mesh at the border, "
                 "or load the whole side by an expression with the condition as a factor."},
+    CodeMeaning{"W373",
+                "A residual stress has no force and no moment over a section of the whole body, "
+                "beyond the crack as well: K of one that has is too large or too small. Take its "
+                "mean and its slope out of it."},
     CodeMeaning{"W364", "FIT takes a part of the fit that $CONTACT declares: 1 is all of it."},
     CodeMeaning{"W337", "The moduli must be in deck units already."},
     CodeMeaning{"E550",
@@ -392,6 +396,10 @@ constexpr std::array advice{
                 "step has FIT. A stop that no load reaches deserves no more than this word."},
     CodeMeaning{"W572", "Pa for MPa in a law is a factor of 1e6 to the power of its exponent. The "
                         "threshold of a law ends growth, DKTH, DK0 or DK1."},
+    CodeMeaning{"W576",
+                "The part of the growth says whether it matters. Take a law whose data reach "
+                "as far, or give it rows or columns there; DKMIN, DKMAX, RMIN and RMAX of "
+                "$LAW are what is known of its data."},
     CodeMeaning{"W573", "Readings are lengths in the unit of the deck, from the mouth on."},
     CodeMeaning{"W574",
                 "What is compared is K at the place named in the message. Ask where the front "

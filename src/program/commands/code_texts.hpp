@@ -132,6 +132,7 @@ inline constexpr std::array later_codes{
     CodeMeaning{"W573", "a test that shares no length with the computed ones"},
     CodeMeaning{"W574", "a check at a place that the front does not pass"},
     CodeMeaning{"W575", "a crack at a contact that never opens"},
+    CodeMeaning{"W576", "cycles outside the data of their growth law"},
     CodeMeaning{"W560", "the newest state cannot be read; the one before is taken"},
     CodeMeaning{"W561", "kept increments that are not taken over, or not whole"},
     CodeMeaning{"W540", "a converted deck of which only the first step is written"},

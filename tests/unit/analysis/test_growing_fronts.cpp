@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -114,6 +115,26 @@ TEST(GrowingFronts, CorrectedSpectrumOfOneCycleIsConstantAmplitude) {
     EXPECT_GT(std::abs(plain.stations.at(0).points[tip].K_max / K - 1.0), 1e-5);
     EXPECT_NEAR(spectra.stations[0].points[tip].K_max / K, 1.0, 1e-6);
   }
+}
+
+// A crack inside the body ends at KIE, as one whose every toughness is that ends at KC.
+TEST(GrowingFronts, KieEndsACrackThatIsNotThrough) {
+  const auto grown = [](const std::string& toughness) {
+    return growth_of(clamped_bar(
+        "", "$GROW LAW=NASGRO SHAPE=ELLIPSE C=1e-9 M=3 P=0 Q=0.5 TOL=0.1 CORRECT=NO AMAX=1.5 "
+            "KUNIT='MPa*mm^0.5' AUNIT='mm' KMAX=FULL KMIN=REST " +
+                toughness + "\n"));
+  };
+  const results::GrowthResult tough = grown("KC=500 KIE=64");
+  const results::GrowthResult all = grown("KC=64");
+  EXPECT_EQ(tough.ended, "KC");
+  EXPECT_NE(tough.reason.find("reaches KIE"), std::string::npos) << tough.reason;
+  EXPECT_EQ(all.ended, "KC");
+  EXPECT_GT(tough.final_cycles(), 0.0);
+  EXPECT_EQ(tough.final_cycles(), all.final_cycles());
+  // Sneddon 1946: K = 2 S (a / pi)^0.5 of an infinite body, 3 % less than that of this bar
+  const double a = tough.curve.back().a[0];
+  EXPECT_NEAR(2.0 * 50.0 * std::sqrt(a / std::numbers::pi) / 64.0, 0.97, 0.04);
 }
 
 // Tips stand on the circle, not on the chords between the mesh's points.

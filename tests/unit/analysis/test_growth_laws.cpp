@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -94,6 +96,66 @@ TEST(GrowthLaws, TableInADeck) {
   const auto& last = growth.stations.back().points[0];
   EXPECT_LT(first.K_max - first.K_min, 150.0);
   EXPECT_GT(last.K_max - last.K_min, 150.0);
+  EXPECT_NEAR(growth.final_cycles() / test::integrated_life(growth, rate), 1.0, 1e-5);
+}
+
+// The same life by name; cycles outside the data of the law are counted.
+TEST(GrowthLaws, ByNameWithTheCyclesOutsideItsData) {
+  const auto run = [](const std::string& data) {
+    std::string deck = test::strip_text(
+        "KMAX=FULL KMIN=HALF AMAX=8 MATERIAL=SHEET",
+        "$LAW NAME=SHEET TYPE=PARIS C=1e-11 M=3 KUNIT='MPa*mm^0.5' AUNIT='mm' " + data + "\n");
+    const std::string on_grow = "KUNIT='MPa*mm^0.5' AUNIT='mm' ";
+    deck.erase(deck.rfind(on_grow), on_grow.size());
+    return test::solve_text(deck);
+  };
+  const auto warning = [](const results::RunResult& result) {
+    const auto found = std::ranges::find(result.warnings, "W576", &results::Warning::code);
+    return found == result.warnings.end() ? std::string() : found->text;
+  };
+  const auto within = run("DKMIN=100 DKMAX=400 RMIN=0 RMAX=0.5");
+  const auto beyond = run("DKMAX=170");
+  const auto ratio = run("RMAX=0.4");
+  const auto plain = test::solve_text(strip("LAW=PARIS C=1e-11 M=3 AMAX=8"));
+  ASSERT_TRUE(within && beyond && ratio && plain && within->run.growth && beyond->run.growth);
+  const results::GrowthResult& growth = *beyond->run.growth;
+  EXPECT_EQ(growth.final_cycles(), plain->run.growth->final_cycles());
+  EXPECT_EQ(within->run.growth->law_use.outside, 0.0);
+  EXPECT_EQ(warning(within->run), "");
+  EXPECT_EQ(warning(plain->run), "");
+  EXPECT_DOUBLE_EQ(ratio->run.growth->law_use.outside, 1.0);
+  EXPECT_NE(warning(ratio->run).find("100 % at R above 0.4 (up to 0.5)"), std::string::npos)
+      << warning(ratio->run);
+  // the cycles from the length on whose delta K is 170
+  const auto next = std::ranges::find_if(growth.stations, [](const results::GrowthStation& at) {
+    return at.points[0].K_max - at.points[0].K_min > 170.0;
+  });
+  ASSERT_TRUE(next != growth.stations.begin() && next != growth.stations.end());
+  const double whole = growth.final_cycles();
+  EXPECT_GE(growth.law_use.outside, 1.0 - next->cycles / whole);
+  EXPECT_LE(growth.law_use.outside, 1.0 - std::prev(next)->cycles / whole);
+  EXPECT_GT(growth.law_use.growth_outside, growth.law_use.outside); // these are the fast ones
+  EXPECT_NE(warning(beyond->run).find("delta K above 170 (up to "), std::string::npos)
+      << warning(beyond->run);
+}
+
+// Between two columns of R = 0 and 0.6 the program integrates what they lead to at R = 0.5.
+TEST(GrowthLaws, TableOverRatiosInADeck) {
+  const auto solved = test::solve_text(
+      strip("LAW=TABLE AMAX=8\n  RATIO 0 0.6\n  1e-7 60 40\n  4e-6 150 110\n  1e-4 400 250"));
+  ASSERT_TRUE(solved && solved->run.growth);
+  const double part = std::log(0.5) / std::log(0.4);
+  const auto column = [&](double left, double right) {
+    return std::log(left) + part * std::log(right / left);
+  };
+  const std::array k{column(60.0, 40.0), column(150.0, 110.0), column(400.0, 250.0)};
+  const std::array r{std::log(1e-7), std::log(4e-6), std::log(1e-4)};
+  const auto rate = [&](double K, double R) {
+    const double x = std::log((1.0 - R) * K);
+    const std::size_t i = x < k[1] ? 0 : 1;
+    return std::exp(r[i] + (x - k[i]) / (k[i + 1] - k[i]) * (r[i + 1] - r[i]));
+  };
+  const results::GrowthResult& growth = *solved->run.growth;
   EXPECT_NEAR(growth.final_cycles() / test::integrated_life(growth, rate), 1.0, 1e-5);
 }
 

@@ -19,7 +19,8 @@ TEST(GrowthState, ComesBackFromItsArrays) {
   growth::GrowthState state;
   state.step = 0.3;
   state.rejected = 2;
-  state.stations.push_back({.s = 1.0, .tips = {TipStation{.a = 1.0}}, .breakthroughs = 1});
+  state.stations.push_back(
+      {.s = 1.0, .tips = {TipStation{.a = 1.0, .law_use = {.outside = 0.25}}}, .breakthroughs = 1});
   state.stations.push_back({.s = 2.0, .tips = {TipStation{.a = 2.0, .plastic = 0.5}}, .met = 3});
   growth::GrownCrack crack;
   crack.kind = model::CrackDefinitionKind::drawn;
@@ -37,6 +38,8 @@ TEST(GrowthState, ComesBackFromItsArrays) {
   ASSERT_EQ(back.stations.size(), 2U);
   EXPECT_EQ(back.stations[0].breakthroughs, 1U);
   EXPECT_EQ(back.stations[1].met, 3U);
+  ASSERT_EQ(back.stations[0].tips.size(), 1U);
+  EXPECT_EQ(back.stations[0].tips[0].law_use.outside, 0.25);
   ASSERT_EQ(back.stations[1].tips.size(), 1U);
   EXPECT_EQ(back.stations[1].tips[0].plastic, 0.5);
   ASSERT_EQ(back.cracks.size(), 2U);

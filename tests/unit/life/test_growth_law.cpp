@@ -159,10 +159,10 @@ TEST(GrowthLaw, TableIsStraightInItsLogarithms) {
   for (const double range : {50.0, 100.0, 130.0, 200.0, 390.0, 1000.0}) {
     EXPECT_NEAR(table.growth_rate(range, 0.0) / (1e-5 * std::pow(range / 100.0, 3.0)), 1.0, 1e-12);
   }
-  EXPECT_TRUE(table.is_within_table(100.0));
-  EXPECT_TRUE(table.is_within_table(400.0));
-  EXPECT_FALSE(table.is_within_table(99.9));
-  EXPECT_FALSE(table.is_within_table(401.0));
+  EXPECT_TRUE(table.is_within_table(100.0, 0.0));
+  EXPECT_TRUE(table.is_within_table(400.0, 0.0));
+  EXPECT_FALSE(table.is_within_table(99.9, 0.0));
+  EXPECT_FALSE(table.is_within_table(401.0, 0.0));
 }
 
 TEST(GrowthLaw, ATableThatFallsHasNoInverse) {
@@ -281,6 +281,30 @@ TEST(GrowthLaw, LivesInClosedForm) {
   EXPECT_NEAR(cycles_of_plate(paris(5e-9, 3.5), 80, 0, 1.27, 25) / 1042649.8628859223, 1.0, 1e-10);
   const GrowthRateLaw forman(model::CrackGrowthLaw::forman, tough(7.13e-6, 2.7, 71.3));
   EXPECT_NEAR(cycles_of_plate(forman, 100, 0.1, 1, 10) / 155479.6558065734, 1.0, 1e-10);
+}
+
+// d ln N / d ln x of Paris' life, from the closed form.
+TEST(GrowthLaw, LivesFollowTheirConstantsAsTheClosedFormDoes) {
+  struct Case {
+    double C = 5e-9, m = 3.5, S = 80.0, from = 1.27, to = 25.0;
+  };
+  const auto life = [](const Case& c) {
+    return std::log(cycles_of_plate({model::CrackGrowthLaw::paris, constants(c.C, c.m)}, c.S, 0.0,
+                                    c.from, c.to));
+  };
+  constexpr double part = 1e-4;
+  const auto derivative = [&](double Case::*x) {
+    Case more;
+    Case less;
+    more.*x *= 1.0 + part;
+    less.*x *= 1.0 - part;
+    return (life(more) - life(less)) / (std::log1p(part) - std::log1p(-part));
+  };
+  EXPECT_NEAR(derivative(&Case::C), -1.0, 1e-6);
+  EXPECT_NEAR(derivative(&Case::m), -7.378553085946037, 1e-4);
+  EXPECT_NEAR(derivative(&Case::S), -3.5, 1e-6);
+  EXPECT_NEAR(derivative(&Case::from), -0.8398688671640286, 1e-4);
+  EXPECT_NEAR(derivative(&Case::to), 0.08986886710360409, 1e-4);
 }
 
 } // namespace
