@@ -37,6 +37,12 @@ class Help(ProgramTest):
         self.assertRegex(self.expect(0, "help", "units").stdout, r"GPa\s+stress\s+1000000000")
         self.assertIn("U.X.AT(x, y", self.expect(0, "help", "u.x.at").stdout)
 
+    def test_growth_laws_that_ship(self):
+        out = self.expect(0, "help", "materials").stdout
+        for word in ("AL2024_T3_SHEET_LT  NASGRO", "L-T", "DOT/FAA/AR-05/15", "not stated", "KC 81.6"):
+            self.assertIn(word, out)
+        self.assertIn("MATERIAL=", self.expect(0, "help", "law").stdout)
+
     def test_keys_and_words(self):
         self.assertIn("$CONTACT DIAMETRAL", self.expect(0, "help", "diametral").stdout)
         out = self.expect(0, "help", "QUAMC8").stdout
@@ -66,7 +72,7 @@ class Help(ProgramTest):
             ("beta", "beta.csv", "howto/beta_tables.md"),
             ("geometry factor", "beta.csv"),
             ("damage tolerance", "$GROW", "growth.md"),
-            ("retardation", "no load interaction", "growth.md"),
+            ("retardation", "$INTERACTION", "interaction.md"),
             ("inspection", "N(a)", "LIFE()", "growth.md"),
             ("lug", "$MESH SHAPE=LUG", "lug.md"),
             ("fit", "$CONTACT", "DIAMETRAL", "howto/interference.md"),

@@ -65,6 +65,7 @@ class Install(ProgramTest):
                 "share/man/man1/spricka.1.gz",
                 "share/bash-completion/completions/spricka",
                 "share/doc/spricka/README.md",
+                "share/spricka/materials/materials.deck",
             }
             | {f"share/spricka/decks/{f.relative_to(TOP / 'decks')}" for f in (TOP / "decks").rglob("*")
                if f.is_file() and f.name != "run"}
@@ -85,7 +86,8 @@ class Install(ProgramTest):
         self.deck(CRACKED)  # its patches are filled by the mesher that was installed
         self.installed("run", "test.deck", "--out", "out", "--quiet")
         self.assertTrue((self.folder / "out/k.csv").exists())
-        # Its decks came with it.
+        # Its growth laws and its decks came with it.
+        self.assertIn("AL2024_T3_SHEET_LT", self.installed("help", "materials"))
         self.assertIn("2 decks with a reference", self.installed("verify", "le1", "kirsch"))
 
     @unittest.skipUnless(LIBRARY, "without the library")

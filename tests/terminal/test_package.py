@@ -104,6 +104,7 @@ class Package(unittest.TestCase):
             self.assertRegex(root.status(package), r" installed$")
         usr = root.folder / "usr"
         self.assertTrue((self.solve(usr, "installed.run") / "report.html").exists())
+        self.assertIn("AL2024_T3_SHEET_LT", call(usr / "bin/spricka", "help", "materials", env=BARE, cwd=self.folder))
         if "libspricka-dev" in self.debs:
             example = self.folder / "example"
             example.mkdir()

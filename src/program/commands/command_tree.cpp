@@ -253,7 +253,7 @@ void CommandTree::add_help() {
             help_.topic = fmt::format("{}", fmt::join(words, " "));
           },
           "a card, key, result, error code or word of damage tolerance, or one of quantities, "
-          "functions, units, codes, words")
+          "functions, units, codes, materials, words")
       ->type_name("");
   command.add_flag("--markdown", help_.markdown, "the card reference, or that of codes");
 }

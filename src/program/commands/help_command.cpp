@@ -7,6 +7,7 @@
 #include "grammar/wrap.hpp"
 #include "program/commands/code_texts.hpp"
 #include "program/commands/commands.hpp"
+#include "program/commands/materials_help.hpp"
 #include "program/job/standard_streams.hpp"
 
 #include <cstdio>
@@ -24,7 +25,8 @@ std::string overview(std::size_t width) {
          "Words of damage tolerance lead on as well: spricka help flaw, bushing, beta, "
          "inspection;\n"
          "spricka help words lists them.\n\n"
-         "More: spricka help quantities, functions, units, codes, or an error code such as E108;\n"
+         "More: spricka help quantities, functions, units, codes, materials (growth laws that\n"
+         "ship), or an error code such as E108;\n"
          "spricka COMMAND --help for the commands.\n";
 }
 
@@ -92,6 +94,9 @@ std::optional<std::string> list_help(const std::string& topic, std::size_t width
   if (topic == "CODES") {
     return codes_help(width);
   }
+  if (topic == "MATERIALS") {
+    return list_shipped_growth_laws(width);
+  }
   if (topic == "WORDS") {
     return grammar::list_damage_tolerance_terms(width);
   }
@@ -147,7 +152,7 @@ std::string help_or_field_help(const std::string& topic, const ProgramText& prog
 }
 
 std::string nearest(const std::string& topic, const ProgramText& program) {
-  std::vector<std::string> known{"quantities", "functions", "units", "codes", "words"};
+  std::vector<std::string> known{"quantities", "functions", "units", "codes", "materials", "words"};
   for (const grammar::CardSpec& card : grammar::card_catalogue()) {
     known.emplace_back(card.name);
   }
