@@ -7,10 +7,14 @@
 #include "report/topics/figures.hpp"
 #include "report/topics/front_places.hpp"
 #include "report/topics/front_section.hpp"
+#include "report/topics/growth_law_figure.hpp"
+#include "report/topics/growth_point_names.hpp"
 #include "report/topics/growth_tables.hpp"
 #include "report/topics/load_path_tables.hpp"
 #include "report/topics/result_rows.hpp"
 #include "report/topics/result_tables.hpp"
+#include "report/topics/spectrum_tables.hpp"
+#include "results/result_unit.hpp"
 
 #include <fmt/format.h>
 
@@ -39,28 +43,6 @@ std::vector<DrawingPoint> life_points(const std::vector<results::LifeCurvePoint>
   return points;
 }
 
-/// A point whose growth is drawn, with the face that it lies on in its name.
-struct ReportedGrowthPoint {
-  std::size_t index = 0; ///< of point_names
-  std::string name;
-};
-
-std::vector<ReportedGrowthPoint> reported_points(const results::RunResult& run) {
-  const GrowthResult& growth = *run.growth;
-  const std::vector<std::size_t> reported = reported_growth_points(growth);
-  const bool some_are_left_out = reported.size() < growth.point_names.size();
-  std::vector<ReportedGrowthPoint> points;
-  for (const std::size_t i : reported) {
-    std::string name = growth.point_names[i];
-    const std::string face =
-        some_are_left_out
-            ? FaceNames(run.increments.front().mesh).at(growth.stations.front().points[i].x)
-            : std::string();
-    points.push_back({i, face.empty() ? name : fmt::format("{} at {}", name, face)});
-  }
-  return points;
-}
-
 /// Lengths over cycles: the curve as a line, what was solved as marks on it.
 void add_life_curve(Plot& plot, const GrowthResult& growth, const ReportedGrowthPoint& reported,
                     std::size_t ink) {
@@ -77,14 +59,14 @@ void add_life_curve(Plot& plot, const GrowthResult& growth, const ReportedGrowth
 }
 
 /// Cycles that a $CHECK N(a) compares with.
-void add_checks(Plot& plot, const model::Model& model) {
+void add_checks(Plot& plot, const model::Model& model, const results::RunResult& run) {
   PlotSeries marks = marker_series("reference", MarkerShape::plus);
   for (const model::ResultCheck& check : model.checks) {
     const double* const a = check.quantity == "N" && check.arguments.size() == 1
                                 ? std::get_if<double>(&check.arguments[0])
                                 : nullptr;
     if (a != nullptr) {
-      marks.points.push_back({check.value, *a});
+      marks.points.push_back({results::wanted_value(model.units, check, run), *a});
     }
   }
   if (!marks.points.empty()) {
@@ -125,10 +107,10 @@ std::string lines_picture(const model::Model& model, const results::RunResult& r
     return {};
   }
   const base::PiecewiseLinear& K1 = path.fronts.front().single_point().K[0];
-  Plot plot{fmt::format("K₁ over load path {} at a = {:.4g} {}", path.name, increment.a,
-                        model.units.length_name),
-            fmt::format("t, a = {:.4g} {}", increment.a, model.units.length_name),
-            axis_title("K₁", model.units.stress_intensity_name()),
+  const std::string a = model.units.output_length().text(increment.a, 4);
+  Plot plot{fmt::format("K₁ over load path {} at a = {}", path.name, a),
+            "t, a = " + a,
+            axis_title("K₁", model.units.output_stress_intensity()),
             {}};
   plot.legend_below = true;
   PlotSeries exact = styled_curve("K of every load", 0, 0);
@@ -149,16 +131,17 @@ std::string lines_picture(const model::Model& model, const results::RunResult& r
 
 Figure life_figure(const model::Model& model, const results::RunResult& run) {
   const GrowthResult& growth = *run.growth;
-  const std::string units = growth.unit + (growth.unit == "pass" ? "es" : "s");
-  Plot plot{"Crack length over " + units,
-            axis_title("N", units),
-            axis_title("a", model.units.length_name),
+  base::OutputUnit life = results::life_unit(model.units, growth);
+  life.name = results::life_unit_words(life.name);
+  Plot plot{"Crack length over " + life.name,
+            axis_title("N", life),
+            axis_title("a", model.units.output_length()),
             {}};
-  const std::vector<ReportedGrowthPoint> reported = reported_points(run);
+  const std::vector<ReportedGrowthPoint> reported = name_reported_growth_points(run);
   for (std::size_t t = 0; t < reported.size(); ++t) {
     add_life_curve(plot, growth, reported[t], t);
   }
-  add_checks(plot, model);
+  add_checks(plot, model, run);
   std::string more;
   for (std::size_t k = 0; k < growth.compared.size(); ++k) {
     PlotSeries& series = plot.series.emplace_back(
@@ -180,8 +163,8 @@ Figure life_figure(const model::Model& model, const results::RunResult& run) {
   }
   return {std::move(pictures), "",
           fmt::format(
-              "Crack length over {}, {:.6g} in all{}. The growth ended: {}.{}", units,
-              growth.final_cycles(),
+              "Crack length over {}, {:.6g} in all{}. The growth ended: {}.{}", life.name,
+              life.from_deck(growth.final_cycles()),
               std::isfinite(growth.error)
                   ? fmt::format("; error from the number of solved lengths (marks): about {:.2g} %",
                                 100.0 * growth.error)
@@ -203,10 +186,10 @@ double bar_at(const model::Model& model, const results::RunResult& run,
 Figure range_figure(const model::Model& model, const results::RunResult& run) {
   const GrowthResult& growth = *run.growth;
   Plot plot{"K of the growth law over crack length",
-            axis_title("a", model.units.length_name),
-            axis_title("K", model.units.stress_intensity_name()),
+            axis_title("a", model.units.output_length()),
+            axis_title("K", model.units.output_stress_intensity()),
             {}};
-  const std::vector<ReportedGrowthPoint> reported = reported_points(run);
+  const std::vector<ReportedGrowthPoint> reported = name_reported_growth_points(run);
   for (std::size_t t = 0; t < reported.size(); ++t) {
     for (const bool largest : {true, false}) {
       PlotSeries series =
@@ -229,127 +212,6 @@ Figure range_figure(const model::Model& model, const results::RunResult& run) {
                       "were solved.{}",
                       growth.unit == "pass" ? "a pass of the spectrum" : "a cycle",
                       error_bar_note(plot.series))};
-}
-
-/// GrowthResult per cycle or pass over the range of K, as the law gave it at the stations: the part
-/// of the law that was used.
-std::optional<Figure> law_figure(const model::Model& model, const results::RunResult& run) {
-  const GrowthResult& growth = *run.growth;
-  const std::string unit = typeset_unit(model.units.stress_intensity_name());
-  Plot plot{"Growth law over the range it was used in",
-            axis_title("ΔK", model.units.stress_intensity_name()),
-            axis_title("da/dN", model.units.length_name + "/" + growth.unit),
-            {}};
-  plot.log_x = true;
-  plot.log_y = true;
-  double low = std::numeric_limits<double>::max();
-  double high = 0.0;
-  const std::vector<ReportedGrowthPoint> reported = reported_points(run);
-  for (std::size_t t = 0; t < reported.size(); ++t) {
-    PlotSeries series = styled_curve(reported[t].name, t, 0);
-    series.marker = palette_marker_shape(t);
-    for (const GrowthStation& station : growth.stations) {
-      const results::GrownPointResult& tip = station.points[reported[t].index];
-      const double range = tip.K_max - tip.K_min;
-      if (range > 0.0 && tip.rate > 0.0) {
-        series.points.push_back({range, tip.rate});
-        low = std::min(low, range);
-        high = std::max(high, range);
-      }
-    }
-    plot.series.push_back(std::move(series));
-  }
-  if (!(high > low)) {
-    return std::nullopt;
-  }
-  return Figure{{draw_svg(plot)},
-                "",
-                fmt::format("Growth per {} from the law at the lengths that were solved, over ΔK = "
-                            "K_max - K_min{}. The run used the law from {:.4g} to {:.4g} {}.",
-                            growth.unit, growth.unit == "pass" ? " of the pass" : "", low, high,
-                            unit)};
-}
-
-/// The least and the largest load of a cycle, and how often it comes.
-struct Peak {
-  double top = 0.0;
-  double count = 0.0;
-};
-
-std::vector<Peak> peaks_of(const model::SpectrumDefinition& spectrum) {
-  std::vector<Peak> peaks;
-  for (const std::array<double, 3>& cycle : spectrum.cycles) {
-    peaks.push_back({cycle[1], cycle[2]});
-  }
-  const std::vector<double>& t = spectrum.turning_points;
-  for (std::size_t i = 0; i < t.size(); ++i) { // the pass is repeated: its ends meet
-    const double before = t[(i + t.size() - 1) % t.size()];
-    const double after = t[(i + 1) % t.size()];
-    if (t[i] > before && t[i] >= after) {
-      peaks.push_back({t[i], 1.0});
-    }
-  }
-  std::ranges::sort(peaks, std::greater<>(), &Peak::top);
-  return peaks;
-}
-
-/// Levels, falling, and how many reach them, as a curve of steps that begins at half a one.
-std::vector<DrawingPoint> steps(const std::vector<std::array<double, 2>>& reached) {
-  std::vector<DrawingPoint> points;
-  double before = 0.5;
-  for (const auto& [level, count] : reached) {
-    points.push_back({std::min(before, count), level}); // a step, down and on
-    points.push_back({count, level});
-    before = count;
-  }
-  return points;
-}
-
-std::string_view counting_words(const model::SpectrumDefinition& spectrum) {
-  return !spectrum.sequence ? ""
-         : spectrum.counting == model::CycleCounting::pairs
-             ? ", each valley with the peak behind it"
-             : ", counted by rainflow on the loads";
-}
-
-/// How often one pass of the spectrum exceeds each load, and by cycles of which ranges; none of a
-/// spectrum of one level, which there is nothing to show of.
-std::optional<Figure> exceedance_figure(const model::Model& model, const GrowthResult& growth) {
-  if (!model.growth->spectrum) {
-    return std::nullopt;
-  }
-  const model::SpectrumDefinition& spectrum = model.spectra[*model.growth->spectrum];
-  std::vector<std::array<double, 2>> reached;
-  double sum = 0.0;
-  for (const Peak& peak : peaks_of(spectrum)) {
-    sum += peak.count;
-    if (!reached.empty() && reached.back()[0] == peak.top) {
-      reached.back()[1] = sum;
-    } else {
-      reached.push_back({peak.top, sum});
-    }
-  }
-  if (reached.size() < 2 && growth.ranges.size() < 2) {
-    return std::nullopt;
-  }
-  const std::string& path = model.load_paths[spectrum.path].name;
-  const auto curve = [](const std::string& title, const std::string& x, const std::string& y,
-                        const std::vector<std::array<double, 2>>& of) {
-    PlotSeries series = styled_curve("", 0, 0);
-    series.points = steps(of);
-    Plot plot{title, x, y, {series}};
-    plot.log_x = true;
-    plot.legend_below = true; // beside each other
-    return draw_svg(plot);
-  };
-  return Figure{{curve("Exceedances of the spectrum", "peaks in a pass that reach the load",
-                       fmt::format("t of load path {}", path), reached),
-                 curve("Ranges of the spectrum's cycles", "cycles in a pass of this range or more",
-                       fmt::format("range of t of load path {}", path), growth.ranges)},
-                "",
-                fmt::format("Spectrum {}: how many of the {:.6g} peaks of a pass reach a load, and "
-                            "how many of its {:.6g} cycles have a range{}.",
-                            spectrum.name, sum, growth.cycles_per_pass, counting_words(spectrum))};
 }
 
 /// A square that holds all places of tips and the cracks behind them, with room round it.
@@ -378,16 +240,18 @@ std::vector<Figure> path_figures(const model::Model& model, const results::RunRe
   view.mesh = &run.increments.back().mesh;
   view.id = "growth-path";
   view.title = "Paths of the cracks";
-  view.length_name = model.units.length_name;
+  view.length = model.units.output_length();
   view.width = 560.0;
   set_window(view, growth);
+  const base::OutputUnit K = model.units.output_stress_intensity();
   const double apart = label_room * (view.high.x - view.low.x);
   for (std::size_t t = 0; t < growth.point_names.size(); ++t) {
     std::optional<base::Vec3> last;
     for (const GrowthStation& station : growth.stations) {
       const results::GrownPointResult& tip = station.points[t];
       if (!last || (tip.x - *last).norm() >= apart) {
-        view.labels.push_back({{tip.x[0], tip.x[1]}, fmt::format("{:.4g}", tip.K_max)});
+        view.labels.push_back(
+            {{tip.x[0], tip.x[1]}, fmt::format("{:.4g}", K.from_deck(tip.K_max))});
         last = tip.x;
       }
     }
@@ -396,7 +260,7 @@ std::vector<Figure> path_figures(const model::Model& model, const results::RunRe
            "",
            fmt::format("The mesh at the last length that was solved, with places of "
                        "the tips. Numbers: K at the largest load there [{}].",
-                       typeset_unit(model.units.stress_intensity_name()))}};
+                       typeset_unit(K.name))}};
 }
 
 } // namespace
@@ -407,7 +271,7 @@ std::vector<Figure> growth_figures(const model::Model& model, const results::Run
   }
   const GrowthResult& growth = *run.growth;
   std::vector<Figure> figures{life_figure(model, run), range_figure(model, run)};
-  add_figure(figures, law_figure(model, run));
+  add_figure(figures, growth_law_figure(model, run));
   add_figure(figures, exceedance_figure(model, growth));
   constexpr base::ByDimension grown{path_figures, beach_mark_figures};
   std::ranges::move(grown.at(model.mesh.dim)(model, run), std::back_inserter(figures));

@@ -5,7 +5,10 @@
 #include "report/drawing/columns.hpp"
 #include "report/drawing/file.hpp"
 #include "report/topics/front_places.hpp"
+#include "report/topics/growth_law_summary.hpp"
 #include "report/topics/result_tables.hpp"
+#include "report/topics/spectrum_tables.hpp"
+#include "results/result_unit.hpp"
 
 #include <fmt/format.h>
 
@@ -39,12 +42,10 @@ std::optional<std::pair<double, double>> range_of_R(const results::GrowthResult&
 // Where faces close K_min below 0 is not that of the crack as it is
 // (analysis/scene/free_faces.hpp).
 bool continued_below_closing(const model::Model& model, const results::GrowthResult& growth) {
-  const bool knows_R = model.growth->law == model::CrackGrowthLaw::nasgro ||
-                       model.growth->law == model::CrackGrowthLaw::walker;
   const bool touching =
       std::ranges::any_of(model.cracks, &model::CrackDefinition::faces_in_contact);
   const auto R = range_of_R(growth);
-  return knows_R && touching && R && R->first < 0.0;
+  return model.growth->knows_negative_ratio() && touching && R && R->first < 0.0;
 }
 
 // Whether the faces of a crack touch at its tip at the smallest load, somewhere in the growth.
@@ -82,6 +83,9 @@ std::string ratio_words(const model::Model& model, const results::RunResult& run
     out += at_negative == model::NegativeRatioRule::K_max
                ? "At R < 0 the law uses C (K_max / (1-R)^(1-P))^M (NEGATIVE=KMAX).\n"
                : "At R < 0 the law uses K_max - K_min with the exponent PM (NEGATIVE=WHOLE).\n";
+  } else if (below && model.growth->law == model::CrackGrowthLaw::table &&
+             model.growth->knows_negative_ratio()) {
+    out += "At R < 0 the columns of the table have K_max - K_min.\n";
   } else if (below) {
     out +=
         "This law counts R < 0 as R = 0: delta K = K_max, as in ASTM E647. Constants from a test "
@@ -128,30 +132,39 @@ void write_life_csv(const std::filesystem::path& file, const model::Model& model
   }
   const results::GrowthResult& growth = *run.growth;
   Columns<StationRow> columns;
+  const base::OutputUnit life = results::life_unit(model.units, growth);
+  const base::OutputUnit length = model.units.output_length();
+  const base::OutputUnit K = model.units.output_stress_intensity();
   columns.exact("increment", [](const StationRow& row) { return row.station.increment; })
-      .exact("N", [](const StationRow& row) { return row.station.cycles; })
+      .exact("N", life, [](const StationRow& row) { return row.station.cycles; })
       .exact("tip", [](const StationRow& row) { return row.point.name; })
-      .exact("a", grown(&Grown::a))
-      .exact("K_max", grown(&Grown::K_max))
-      .exact("K_min", grown(&Grown::K_min))
-      .exact("delta_K", [](const StationRow& row) { return row.point.K_max - row.point.K_min; })
-      .exact("K2_max", grown(&Grown::K2_max))
-      .exact("da_dN", grown(&Grown::rate))
+      .exact("a", length, grown(&Grown::a))
+      .exact("K_max", K, grown(&Grown::K_max))
+      .exact("K_min", K, grown(&Grown::K_min))
+      .exact("delta_K", K, [](const StationRow& row) { return row.point.K_max - row.point.K_min; })
+      .exact("K2_max", K, grown(&Grown::K2_max))
+      .exact("da_dN", length, grown(&Grown::rate))
       .exact("turn", grown(&Grown::turn, degrees_per_radian));
+  if (!growth.life_unit.empty()) {
+    columns.exact("N_" + growth.life_unit,
+                  [&](const StationRow& row) { return growth.in_life_unit(row.station.cycles); });
+  }
   for (int c = 0; c < model.mesh.dim; ++c) {
-    columns.exact(std::string(1, "xyz"[c]), [c](const StationRow& row) { return row.point.x[c]; });
+    columns.exact(std::string(1, "xyz"[c]), length,
+                  [c](const StationRow& row) { return row.point.x[c]; });
   }
   if (growth.followed) {
-    columns.exact("K_max_first", grown(&Grown::first_max))
-        .exact("K_min_first", grown(&Grown::first_min))
+    columns.exact("K_max_first", K, grown(&Grown::first_max))
+        .exact("K_min_first", K, grown(&Grown::first_min))
         .exact("passes", [](const StationRow& row) { return row.station.passes; })
         .exact("change", [](const StationRow& row) { return row.station.change; });
   }
   const std::string units = fmt::format(
-      "a x y [{0}], K_max K_min delta_K K2_max [{1}], da_dN [{0}/{2}], turn [deg], N [{2}]; ended: "
+      "a x y [{0}], K_max K_min delta_K K2_max [{1}], da_dN [{0}/{2}], turn [deg], N [{5}]; ended: "
       "{3}{4}",
-      model.units.length_name, model.units.stress_intensity_name(), growth.unit, growth.ended,
-      continued_below_closing(model, growth) ? "; K_min below 0: of faces that could overlap" : "");
+      length.name, K.name, growth.unit, growth.ended,
+      continued_below_closing(model, growth) ? "; K_min below 0: of faces that could overlap" : "",
+      life.name);
   write_file(file, columns.csv(units, station_rows(growth, all_growth_points(growth))));
 }
 
@@ -162,18 +175,19 @@ void write_life_curve_csv(const std::filesystem::path& file, const model::Model&
   }
   const results::GrowthResult& growth = *run.growth;
   Columns<std::size_t> columns; // of points of the curve
-  columns.exact("N", [&](std::size_t k) { return growth.curve[k].cycles; });
+  const base::OutputUnit life = results::life_unit(model.units, growth);
+  const base::OutputUnit length = model.units.output_length();
+  columns.exact("N", life, [&](std::size_t k) { return growth.curve[k].cycles; });
   for (std::size_t i = 0; i < growth.point_names.size(); ++i) {
-    columns.exact("a_" + growth.point_names[i],
+    columns.exact("a_" + growth.point_names[i], length,
                   [&growth, i](std::size_t k) { return growth.curve[k].a[i]; });
   }
   for (const results::ComparedLife& other : growth.compared) { // at the same lengths
     const std::vector<results::LifeCurvePoint>& curve = other.curve;
     columns.fill_only_if([&curve](std::size_t k) { return k < curve.size(); });
-    columns.exact("N_" + other.name, [&curve](std::size_t k) { return curve[k].cycles; });
+    columns.exact("N_" + other.name, life, [&curve](std::size_t k) { return curve[k].cycles; });
   }
-  const std::string units =
-      fmt::format("N [{}], a of each tip [{}]", growth.unit, model.units.length_name);
+  const std::string units = fmt::format("N [{}], a of each tip [{}]", life.name, length.name);
   std::vector<std::size_t> points(growth.curve.size());
   std::iota(points.begin(), points.end(), std::size_t{0});
   write_file(file, columns.csv(units, points));
@@ -183,17 +197,19 @@ namespace {
 
 ReportTable station_table(const model::Model& model, const results::GrowthResult& growth,
                           const std::vector<std::size_t>& points) {
-  const base::UnitSystem& units = model.units;
-  const std::string K = units.stress_intensity_name();
+  const base::OutputUnit length = model.units.output_length();
+  const base::OutputUnit K = model.units.output_stress_intensity();
+  const base::OutputUnit rate = length / base::OutputUnit{growth.unit};
   Columns<StationRow> columns;
   columns.number("increment", "", [](const StationRow& row) { return row.station.increment; })
-      .number("N", growth.unit, [](const StationRow& row) { return row.station.cycles; })
+      .number("N", results::life_unit(model.units, growth),
+              [](const StationRow& row) { return row.station.cycles; })
       .words("tip", [](const StationRow& row) { return row.point.name; })
-      .number("a", units.length_name, grown(&Grown::a))
+      .number("a", length, grown(&Grown::a))
       .number("K max", K, grown(&Grown::K_max))
       .number("K min", K, grown(&Grown::K_min))
       .number("K2", K, grown(&Grown::K2_max))
-      .number("da/dN", units.length_name + "/" + growth.unit, grown(&Grown::rate), "{:.4g}")
+      .number("da/dN", rate, grown(&Grown::rate), "{:.4g}")
       .number("turn", "deg", grown(&Grown::turn, degrees_per_radian), "{:.3f}");
   if (growth.followed) {
     columns.number("K max first", K, grown(&Grown::first_max))
@@ -228,10 +244,10 @@ ReportTable compared_lives_table(const model::Model& model, const results::RunRe
   };
   std::vector<Life> lives;
   double own = 0.0;
-  std::string unit;
+  base::OutputUnit unit;
   if (run.growth && !run.growth->interaction.empty()) {
     own = run.growth->final_cycles();
-    unit = run.growth->unit;
+    unit = results::life_unit(model.units, *run.growth);
     lives.push_back({"interaction " + first_interaction_name(model), 1.0});
     for (const results::ComparedLife& other : run.growth->compared) {
       lives.push_back({other.what, other.ratio});
@@ -357,9 +373,14 @@ std::string life_summary(const model::Model& model, const results::RunResult& ru
     out += passage + ".\n";
   }
   out += fmt::format("Ended by {}: {}.\n", growth.ended, growth.reason);
-  out += fmt::format("N = {:.7g} {}", growth.final_cycles(),
-                     growth.unit == "pass" ? "passes of the spectrum" : "cycles");
+  const base::OutputUnit life = results::life_unit(model.units, growth);
+  out += fmt::format("N = {:.7g} {}", life.from_deck(growth.final_cycles()),
+                     life.name == "pass" ? "passes of the spectrum"
+                                         : results::life_unit_words(life.name));
   if (growth.unit == "pass") {
+    out += life.name == "pass"
+               ? ""
+               : fmt::format(", {:.7g} passes of the spectrum", growth.final_cycles());
     out += fmt::format(" of {:.7g} cycles, {:.7g} cycles in all; cycles are counted on {}",
                        growth.cycles_per_pass, growth.final_cycles() * growth.cycles_per_pass,
                        growth.counted);
@@ -368,6 +389,7 @@ std::string life_summary(const model::Model& model, const results::RunResult& ru
              ? fmt::format("; error from the number of stations: about {:.2g} % (TOL {:.2g} %)\n",
                            100.0 * growth.error, 100.0 * model.growth->tolerance)
              : "; too few stations to estimate the error from their number\n";
+  out += spectrum_summary(model, run);
   out += mesh_words(model, run);
   if (growth.followed) {
     out += history_summary(model, growth);
@@ -383,10 +405,11 @@ std::string life_summary(const model::Model& model, const results::RunResult& ru
   }
   if (!growth.curve.empty()) {
     for (std::size_t i = 0; i < growth.point_names.size(); ++i) {
-      out += fmt::format("{}: a = {:.7g} {} at the end\n", growth.point_names[i],
-                         growth.curve.back().a[i], model.units.length_name);
+      out += fmt::format("{}: a = {} at the end\n", growth.point_names[i],
+                         model.units.output_length().text(growth.curve.back().a[i], 7));
     }
   }
+  out += growth_law_summary(model, growth);
   out += law_K_words(model, run);
   out += growth.corrected
              ? "Sensitivities are those of the first increment unless the deck asks for "
