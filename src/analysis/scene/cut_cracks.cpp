@@ -53,11 +53,36 @@ std::vector<mesh::TipMeshParameters> tip_meshes(const model::Model& model,
   return tips;
 }
 
+// Whether K is that of its mesh without its estimated error all along the fronts, so that the fill
+// round the tubes may be coarse. Faces that rub and growth by K as computed have no estimate,
+// linear elements and what acts or touches near a front need a finer fill as such.
+bool may_be_coarse(const model::Model& model) {
+  const bool uncorrected = model.growth && !model.growth->corrected;
+  const auto near_fronts = [&](const model::Load& load) {
+    return load.type == model::LoadType::temperature || load.type == model::LoadType::body ||
+           std::ranges::any_of(model.cracks, [&](const model::CrackDefinition& crack) {
+             return load.faces.valid() && (load.faces == crack.left || load.faces == crack.right);
+           });
+  };
+  return !uncorrected && model.contacts.empty() &&
+         std::ranges::all_of(model.mesh.type,
+                             [](base::ElementType t) { return base::element_info(t).quadratic; }) &&
+         std::ranges::none_of(model.cracks,
+                              [](const model::CrackDefinition& c) { return c.mu > 0.0; }) &&
+         std::ranges::none_of(model.cases, [&](const model::LoadCase& c) {
+           return std::ranges::any_of(c.loads, near_fronts);
+         });
+}
+
 // What $TIPNET does not say is 0. [crack]
 std::vector<mesh::TubeMeshParameters> tube_meshes(const model::Model& model) {
   std::vector<mesh::TubeMeshParameters> tubes;
+  const bool coarse = may_be_coarse(model);
   for (std::size_t i = 0; i < model.cracks.size(); ++i) {
     mesh::TubeMeshParameters tube;
+    if (coarse && find_tip_mesh_settings(model, base::CrackId(i)) == nullptr) {
+      tube.growth = mesh::TubeMeshParameters::wide_growth;
+    }
     if (const model::TipMeshSettings* tip = find_tip_mesh_settings(model, base::CrackId(i))) {
       tube.radius = tip->radius.value_or(0.0);
       tube.size = tip->size.value_or(0.0);

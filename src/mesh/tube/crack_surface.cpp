@@ -35,9 +35,9 @@ struct KinkLine {
 
 class BendLines {
 public:
-  BendLines(const CrackDistanceField& reach, double finer, const std::vector<int>& rim,
+  BendLines(const CrackDistanceField& reach, const FillSizes& fill, const std::vector<int>& rim,
             const PatchMeshBuilder& net)
-      : reach_(reach), finer_(finer), rim_(rim), net_(net) {}
+      : reach_(reach), fill_(fill), rim_(rim), net_(net) {}
 
   std::vector<KinkLine> make() {
     for (const std::vector<Vec3>& line : reach_.plane().relief->kink_lines(bent)) {
@@ -47,10 +47,7 @@ public:
   }
 
 private:
-  [[nodiscard]] double size_of(const Vec3& x) const {
-    return size_at_front_distance(reach_.distance(x), CrackDistanceField::usual_growth / finer_) /
-           finer_;
-  }
+  [[nodiscard]] double size_of(const Vec3& x) const { return fill_.size_at(reach_.distance(x)); }
   /// Within the loops, and not beside one.
   [[nodiscard]] bool free(const Vec3& x) const {
     const base::Vec2 q = reach_.plane().project(x);
@@ -129,7 +126,7 @@ private:
   }
 
   const CrackDistanceField& reach_;
-  double finer_;
+  FillSizes fill_;
   const std::vector<int>& rim_;
   const PatchMeshBuilder& net_;
   std::vector<KinkLine> lines_;
@@ -137,25 +134,25 @@ private:
 
 /// Lines within the loops of a crack, whose nodes are `rim`, away from its tubes; in the frame of
 /// the patch.
-std::vector<KinkLine> build_kink_lines(const CrackDistanceField& reach, double finer,
+std::vector<KinkLine> build_kink_lines(const CrackDistanceField& reach, const FillSizes& fill,
                                        const std::vector<int>& rim, const PatchMeshBuilder& net) {
   if (!reach.plane().relief) {
     return {};
   }
-  return BendLines(reach, finer, rim, net).make();
+  return BendLines(reach, fill, rim, net).make();
 }
 
 } // namespace
 
 CrackTriangulation triangulate_crack_area(const CrackDistanceField& reach,
-                                          const std::vector<std::vector<int>>& loops, double finer,
-                                          PatchMeshBuilder& net) {
+                                          const std::vector<std::vector<int>>& loops,
+                                          const FillSizes& fill, PatchMeshBuilder& net) {
   CrackTriangulation surface;
   PlaneRegion region;
   // Layers of elements round a free front are to be alike.
   constexpr double growth_at_free = 0.15;
   const double growth =
-      (reach.has_tubeless_front() ? growth_at_free : CrackDistanceField::usual_growth) / finer;
+      reach.has_tubeless_front() ? growth_at_free / fill.finer : fill.growth_with_distance();
   Grading size(growth);
   for (const std::vector<int>& nodes : loops) {
     std::vector<int> loop;
@@ -164,9 +161,7 @@ CrackTriangulation triangulate_crack_area(const CrackDistanceField& reach,
       loop.push_back(static_cast<int>(region.points.size()));
       region.points.emplace_back(rounded(q.x()), rounded(q.y()));
       surface.nodes.push_back(n);
-      const CrackDistanceField::DistancesFromCrack d = reach.distance(net.local_position(n));
-      const double wanted =
-          size_at_front_distance(d, CrackDistanceField::usual_growth / finer) / finer;
+      const double wanted = fill.size_at(reach.distance(net.local_position(n)));
       size.add_size_source(region.points.back(), rounded(wanted));
     }
     if ((twice_area(region.points, loop) < 0.0) == region.boundaries.empty()) {
@@ -174,7 +169,7 @@ CrackTriangulation triangulate_crack_area(const CrackDistanceField& reach,
     }
     region.boundaries.push_back(std::move(loop));
   }
-  for (const KinkLine& bend : build_kink_lines(reach, finer, surface.nodes, net)) {
+  for (const KinkLine& bend : build_kink_lines(reach, fill, surface.nodes, net)) {
     std::vector<int>& chain = region.embedded.emplace_back();
     for (const KinkLinePoint& point : bend.points) {
       if (point.node >= 0) { // one of a mouth

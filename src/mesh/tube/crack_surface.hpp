@@ -23,8 +23,8 @@ struct CrackTriangulation {
 /// Fills the first of some loops, closed polygons of nodes of the patch in the plane of the crack,
 /// but for the others, which are holes in it.
 CrackTriangulation triangulate_crack_area(const CrackDistanceField& reach,
-                                          const std::vector<std::vector<int>>& loops, double finer,
-                                          PatchMeshBuilder& net);
+                                          const std::vector<std::vector<int>>& loops,
+                                          const FillSizes& fill, PatchMeshBuilder& net);
 
 /// Divides the edges of a crack's triangles that join two nodes of free fronts across the crack:
 /// with no node between them that is there twice the crack could not open there.

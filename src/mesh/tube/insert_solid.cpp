@@ -184,6 +184,9 @@ private:
     base::Diagnostics found;
     std::optional<PatchSolidCrack> crack =
         place_tubes_and_mouths(host_, frame, requests_[i], requests_, found);
+    if (!crack && grow_slower(tubes_[i].growth)) {
+      return place(frame, i);
+    }
     if (!crack && may_be_free(i)) {
       base::Diagnostics without;
       tubes_[i].tube = false;
@@ -206,8 +209,29 @@ private:
     return tubes_[i].tube && tubes_[i].radius <= 0.0;
   }
 
-  /// Where no patch can be made with tubes it is tried without. Cavities then are others, too: all
-  /// begins anew.
+  /// Sizes that grow as usual; false if they do.
+  static bool grow_slower(double& growth) {
+    const bool wide = growth > TubeMeshParameters::usual_growth;
+    growth = std::min(growth, TubeMeshParameters::usual_growth);
+    return wide;
+  }
+  static bool grow_slower(std::vector<PatchSolidCrack>& cracks) {
+    bool any = false;
+    for (PatchSolidCrack& crack : cracks) {
+      any = grow_slower(crack.fill.growth) || any;
+    }
+    return any;
+  }
+  bool grow_slower(const CavityCrackGroup& group) {
+    bool any = false;
+    for (const std::size_t i : group.members) {
+      any = grow_slower(tubes_[i].growth) || any;
+    }
+    return any;
+  }
+
+  /// Where no patch can be made with sizes that grow fast it is tried with usual ones, and then
+  /// without tubes. Cavities then are others, too: all begins anew.
   bool mesh_groups() {
     for (bool more = true; more;) {
       if (!build_cavities()) {
@@ -219,7 +243,7 @@ private:
         make_patch(group);
         const std::string& trouble = group.patch.trouble;
         good = good && trouble.empty();
-        more = (!trouble.empty() && free_fronts(group, trouble)) || more;
+        more = (!trouble.empty() && (grow_slower(group) || free_fronts(group, trouble))) || more;
       }
       for (CavityCrackGroup& group : groups_) {
         if (more) {
@@ -294,9 +318,11 @@ private:
       }
       widened = refined > 0 && !widened && widen(group);
       if (!widened) {
-        ++refined;
-        for (PatchSolidCrack& crack : group.cracks) {
-          crack.finer *= finer;
+        if (!grow_slower(group.cracks)) {
+          ++refined;
+          for (PatchSolidCrack& crack : group.cracks) {
+            crack.fill.finer *= finer;
+          }
         }
       }
     }

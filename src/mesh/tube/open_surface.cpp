@@ -104,13 +104,14 @@ public:
       double least = std::numeric_limits<double>::max();
       for (const PatchSolidCrack& crack : cracks_) {
         least = std::min(
-            least, size_at_front_distance(crack.reach.distance(frame_.rounded_local_coordinates(x)),
-                                          CrackDistanceField::usual_growth / crack.finer) /
-                       crack.finer);
+            least, crack.fill.size_at(crack.reach.distance(frame_.rounded_local_coordinates(x))));
       }
       return frame_.a * least;
     };
-    region_.growth = CrackDistanceField::usual_growth;
+    region_.growth = TubeMeshParameters::wide_growth;
+    for (const PatchSolidCrack& crack : cracks_) {
+      region_.growth = std::min(region_.growth, crack.fill.growth);
+    }
     describe();
     surface_ = remesh_surface(geometry_, region_);
     if (surface_.trouble) {

@@ -104,8 +104,11 @@ public:
     for (const std::vector<Vec3>& outline : request_.outlines) {
       outlines.push_back(local(outline));
     }
-    PatchSolidCrack made{
-        CrackDistanceField(PlanePolygons(plane, outlines)), {}, request_.mesh->finer, {}, {}};
+    PatchSolidCrack made{CrackDistanceField(PlanePolygons(plane, outlines)),
+                         {},
+                         {request_.mesh->finer, request_.mesh->growth},
+                         {},
+                         {}};
     for (const InteriorFront& front : request_.fronts) {
       const FrontCurve curve(local(front.curve->points()),
                              plane.relief
@@ -281,10 +284,7 @@ bool divide_crack_mouths(const SolidHostMesh& host, const CrackFrame& frame,
                          base::Diagnostics& diagnostics) {
   const SurfaceGeometry& surface = host.body_surface(request.seed).geometry();
   const auto size = [&](const Vec3& x) {
-    return frame.a *
-           size_at_front_distance(crack.reach.distance(frame.rounded_local_coordinates(x)),
-                                  CrackDistanceField::usual_growth / crack.finer) /
-           crack.finer;
+    return frame.a * crack.fill.size_at(crack.reach.distance(frame.rounded_local_coordinates(x)));
   };
   const auto corner = [&](std::size_t tube, std::size_t end) {
     const Tube& t = crack.tubes[tube];

@@ -23,7 +23,7 @@ struct CrackMouth {
 struct PatchSolidCrack {
   CrackDistanceField reach;
   std::vector<Tube> tubes;
-  double finer = 1.0;              ///< TubeMeshParameters::finer
+  FillSizes fill;
   std::vector<CrackMouth> mouths;  ///< of open tubes, in their order
   std::vector<DividedTrace> holes; ///< mouths all round, the first corner again at the end
 };

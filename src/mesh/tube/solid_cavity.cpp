@@ -65,7 +65,7 @@ private:
       }
       const CrackDistanceField::DistancesFromCrack d = crack.distance(middle);
       if (d.front < radius + clear_of_tube * d.radius + coordinate_tolerance ||
-          d.surface < radius + clear_of_faces * size_at_front_distance(d) + coordinate_tolerance) {
+          d.surface < radius + clear_of_faces * FillSizes().size_at(d) + coordinate_tolerance) {
         return true;
       }
       double nearest = d.front;
@@ -263,9 +263,9 @@ SolidGrading solid_patch_grading(std::span<const PatchSolidCrack> cracks,
   for (const PatchSolidCrack& crack : cracks) {
     for (const Tube& tube : crack.tubes) {
       for (std::size_t i = 0; i < tube.stations.size(); ++i) {
-        size.add_size_source(
-            {rounded(tube.stations[i].x), rounded(tube.fill_size_beside_tube(i)) / crack.finer,
-             CrackDistanceField::usual_growth / crack.finer, rounded(tube.radius[i])});
+        size.add_size_source({rounded(tube.stations[i].x),
+                              rounded(tube.fill_size_beside_tube(i)) / crack.fill.finer,
+                              crack.fill.growth_with_distance(), rounded(tube.radius[i])});
       }
     }
   }

@@ -254,7 +254,7 @@ private:
     std::vector<PatchTriangle>& faces = faces_.emplace_back();
     for (const std::vector<int>& loop : loops_of(crack, tubes_[c], mouths_[c])) {
       CrackTriangulation surface = triangulate_crack_area(
-          crack.reach, with_holes(loop, holes_[c], crack.reach.plane(), net_), crack.finer, net_);
+          crack.reach, with_holes(loop, holes_[c], crack.reach.plane(), net_), crack.fill, net_);
       if (!surface.trouble.empty()) {
         patch_.trouble = "its faces: " + surface.trouble;
         return;

@@ -15,9 +15,6 @@ namespace spricka::mesh {
 /// Where a crack and its tubes are, for distances, in the frame of a patch.
 class CrackDistanceField {
 public:
-  /// How sizes grow with the distance from a tube, for each unit of length.
-  static constexpr double usual_growth = 0.3;
-
   explicit CrackDistanceField(PlanePolygons area) : area_(std::move(area)) {}
   void add_tube(const Tube& tube);
 
@@ -49,11 +46,18 @@ private:
   bool free_ = false;
 };
 
-/// Size of the elements wanted at a distance from a front.
-inline double size_at_front_distance(const CrackDistanceField::DistancesFromCrack& d,
-                                     double growth = CrackDistanceField::usual_growth) {
-  return d.size + growth * std::max(0.0, d.front - d.radius);
-}
+/// Sizes of the elements round the tubes of a crack.
+struct FillSizes {
+  double finer = 1.0;                               ///< TubeMeshParameters::finer
+  double growth = TubeMeshParameters::usual_growth; ///< TubeMeshParameters::growth
+
+  /// With the distance, for each unit of length.
+  [[nodiscard]] double growth_with_distance() const { return growth / finer; }
+  /// Of the elements wanted at a distance from a front.
+  [[nodiscard]] double size_at(const CrackDistanceField::DistancesFromCrack& d) const {
+    return (d.size + growth_with_distance() * std::max(0.0, d.front - d.radius)) / finer;
+  }
+};
 
 /// What is round a front of a crack: surfaces, other materials, other cracks, and how far the crack
 /// reaches behind it. Lengths are those of the deck.
