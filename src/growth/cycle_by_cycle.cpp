@@ -6,7 +6,6 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <set>
 
 namespace spricka::growth {
@@ -52,110 +51,90 @@ std::vector<CubicCoefficients> lagrange_basis(const std::vector<double>& u) {
 /// by what they are of it.
 class CycleByCycleGrowth::KOfLoads {
 public:
-  KOfLoads(const CycleByCycleGrowth& whole, std::size_t interval, std::size_t tip)
-      : extent_(whole.stations_[interval], whole.stations_[interval + 1], tip),
-        left_(whole.stations_[interval]), right_(whole.stations_[interval + 1]), tip_(tip),
-        ln_s_(std::log(left_.s)), loads_(whole.loads_) {
+  KOfLoads(const CycleByCycleGrowth& whole, std::size_t tip) : whole_(whole), tip_(tip) {}
+
+  void enter(std::size_t interval) {
+    left_ = &whole_.stations_[interval];
+    right_ = &whole_.stations_[interval + 1];
+    extent_.emplace(*left_, *right_, tip_);
+    ln_s_ = std::log(left_->s);
     const StationRange range =
-        nearest_stations(whole.stations_, interval, most_points, 0, whole.stations_.size());
+        nearest_stations(whole_.stations_, interval, most_points, 0, whole_.stations_.size());
     std::vector<double> u;
-    std::vector<const base::PiecewiseLinear*> paths; // [station]
+    paths_.clear();
+    largest_at_.clear();
+    turns_ = false;
     for (std::size_t k = range.first; k < range.first + range.points; ++k) {
-      paths.push_back(&whole.stations_[k].tips[tip].K_over_path);
-      turns_ = turns_ || whole.spectrum_.requires_counting_on_K(*paths.back());
-      u.push_back(std::log(whole.stations_[k].s) - ln_s_);
+      const base::PiecewiseLinear& path = whole_.stations_[k].tips[tip_].K_over_path;
+      paths_.push_back(&path);
+      largest_at_.push_back(whole_.spectrum_.extreme_K(path).second);
+      turns_ = turns_ || whole_.spectrum_.requires_counting_on_K(path);
+      u.push_back(std::log(whole_.stations_[k].s) - ln_s_);
     }
-    if (turns_) {
-      add_turns(paths);
-    }
-    interpolate(lagrange_basis(u), paths);
+    basis_ = lagrange_basis(u);
+    // Closed cracks have no logarithm: then K itself is interpolated.
+    logarithmic_ = std::ranges::all_of(largest_at_, [](double k) { return k > 0.0; });
+    largest_ = 1.0;
   }
 
   /// To be called before the rest, for all that is asked at s.
   void go_to(double s) {
     s_ = s;
-    u_ = std::log(s) - ln_s_;
-    const double top = value_of(top_, u_);
-    largest_ = logarithmic_ ? std::exp(top) : top;
+    const double u = std::log(s) - ln_s_;
+    double top = 0.0;
+    for (std::size_t i = 0; i < basis_.size(); ++i) {
+      weight_[i] = value_of(basis_[i], u);
+      top += logarithmic_ ? weight_[i] * std::log(largest_at_[i]) : 0.0;
+    }
+    if (logarithmic_) {
+      largest_ = std::exp(top);
+      for (std::size_t i = 0; i < basis_.size(); ++i) {
+        weight_[i] *= largest_ / largest_at_[i];
+      }
+    }
   }
-  /// Of a load of the spectrum, by its number among the different ones.
-  [[nodiscard]] double K(std::size_t load) const { return largest_ * value_of(part_[load], u_); }
-  [[nodiscard]] double scale() const { return logarithmic_ ? largest_ : 1.0; }
+  /// At a place of the load path.
+  [[nodiscard]] double K(double t) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < paths_.size(); ++i) {
+      sum += weight_[i] * (*paths_[i])(t);
+    }
+    return sum;
+  }
+  [[nodiscard]] double scale() const { return largest_; }
   [[nodiscard]] bool turns() const { return turns_; }
   [[nodiscard]] model::PlaceOnCrack place() const {
-    return place_of_tip(left_.tips[tip_], extent_(s_));
+    return place_of_tip(left_->tips[tip_], (*extent_)(s_));
   }
-  [[nodiscard]] double rate_ratio() const { return extent_rate_ratio(left_, right_, tip_, s_); }
+  [[nodiscard]] double rate_ratio() const { return extent_rate_ratio(*left_, *right_, tip_, s_); }
   /// K over the load path.
   [[nodiscard]] base::PiecewiseLinear path() const {
-    std::map<double, double> at;
-    for (std::size_t load = 0; load < loads_.size(); ++load) {
-      at[loads_[load]] = K(load);
+    std::set<double> knots;
+    for (const base::PiecewiseLinear* path : paths_) {
+      knots.insert(path->knots().begin(), path->knots().end());
     }
-    std::vector<double> knots, values;
-    for (const auto& [t, value] : at) {
-      knots.push_back(t);
-      values.push_back(value);
+    std::vector<double> values;
+    values.reserve(knots.size());
+    for (const double t : knots) {
+      values.push_back(K(t));
     }
-    return base::PiecewiseLinear::through(std::move(knots), std::move(values));
+    return base::PiecewiseLinear::through({knots.begin(), knots.end()}, std::move(values));
   }
 
 private:
-  // Where K turns at a station it has to be known between them, too.
-  void add_turns(const std::vector<const base::PiecewiseLinear*>& paths) {
-    const double low = loads_.front();
-    const double high = loads_.back();
-    std::set<double> all(loads_.begin(), loads_.end());
-    for (const base::PiecewiseLinear* path : paths) {
-      for (const double t : path->knots()) {
-        if (t > low && t < high && all.insert(t).second) {
-          loads_.push_back(t);
-        }
-      }
-    }
-  }
-
-  void interpolate(const std::vector<CubicCoefficients>& basis,
-                   const std::vector<const base::PiecewiseLinear*>& paths) {
-    std::vector<double> top; // [station]
-    for (const base::PiecewiseLinear* path : paths) {
-      top.push_back((*path)(loads_.front()));
-      for (const double t : loads_) {
-        top.back() = std::max(top.back(), (*path)(t));
-      }
-    }
-    // Closed cracks have no logarithm: then K itself is interpolated.
-    logarithmic_ = std::ranges::all_of(top, [](double k) { return k > 0.0; });
-    const auto combine = [&](const auto& value) {
-      CubicCoefficients sum{};
-      for (std::size_t i = 0; i < basis.size(); ++i) {
-        const double at_station = value(i);
-        for (std::size_t d = 0; d < most_points; ++d) {
-          sum[d] += at_station * basis[i][d];
-        }
-      }
-      return sum;
-    };
-    top_ = logarithmic_ ? combine([&](std::size_t i) { return std::log(top[i]); })
-                        : CubicCoefficients{1.0};
-    part_.reserve(loads_.size());
-    for (const double t : loads_) {
-      part_.push_back(
-          combine([&](std::size_t i) { return (*paths[i])(t) / (logarithmic_ ? top[i] : 1.0); }));
-    }
-  }
-
-  ExtentOverInterval extent_;
-  const SolvedStation& left_;
-  const SolvedStation& right_;
+  const CycleByCycleGrowth& whole_;
   std::size_t tip_;
-  double ln_s_;
-  std::vector<double> loads_; ///< of the spectrum, then those at which K turns
+  const SolvedStation* left_ = nullptr;
+  const SolvedStation* right_ = nullptr;
+  std::optional<ExtentOverInterval> extent_;
+  double ln_s_ = 0.0;
+  std::vector<const base::PiecewiseLinear*> paths_; ///< [station]
+  std::vector<double> largest_at_;                  ///< [station]
+  std::vector<CubicCoefficients> basis_;            ///< [station]
+  CubicCoefficients weight_{};                      ///< [station] what its K counts at s
   bool logarithmic_ = true;
   bool turns_ = false; ///< K within the loads, at one of the stations
-  CubicCoefficients top_{};
-  std::vector<CubicCoefficients> part_; ///< [load]
-  double s_ = 0.0, u_ = 0.0, largest_ = 0.0;
+  double s_ = 0.0, largest_ = 1.0;
 };
 
 /// One growth. visit(s, s_next, passes, passes_next) is told of each cycle; false: enough.
@@ -164,6 +143,9 @@ public:
   Run(const CycleByCycleGrowth& whole, const LoadInteraction& interaction)
       : whole_(whole), interaction_(interaction), tips_(whole.stations_.front().tips.size()),
         memory_(tips_), s_(whole.stations_.front().s) {
+    for (std::size_t tip = 0; tip < tips_; ++tip) {
+      tip_K_.emplace_back(whole_, tip);
+    }
     enter_interval();
   }
 
@@ -184,9 +166,8 @@ public:
 
 private:
   void enter_interval() {
-    tip_K_.clear();
-    for (std::size_t tip = 0; tip < tips_; ++tip) {
-      tip_K_.emplace_back(whole_, interval_, tip);
+    for (KOfLoads& K : tip_K_) {
+      K.enter(interval_);
     }
   }
 
@@ -202,19 +183,19 @@ private:
   }
 
   template <class Visit> void pass_of_loads(const Visit& visit) {
-    const std::size_t highest = whole_.loads_.size() - 1;
-    for (const LoadPairCycle& cycle : whole_.cycles_) {
-      const auto K_of = [&](std::size_t tip, std::size_t a, std::size_t b, double count) {
-        // K may fall while the load rises.
-        const auto [low, high] = std::minmax({tip_K_[tip].K(a), tip_K_[tip].K(b)});
-        return LoadCycle{low, high, count};
-      };
+    const auto K_of = [&](std::size_t tip, const LoadCycle& loads, double count) {
+      // K may fall while the load rises.
+      const auto [low, high] = std::minmax({tip_K_[tip].K(loads.low), tip_K_[tip].K(loads.high)});
+      return LoadCycle{low, high, count};
+    };
+    const LoadCycle ends{whole_.spectrum_.lowest_load(), whole_.spectrum_.highest_load(), 1.0};
+    for (const LoadCycle& cycle : whole_.spectrum_.cycles_in_order()) {
       for (double left = cycle.count; left > 0.0 && !stopped_; left -= 1.0) {
         const double count = std::min(left, 1.0);
         step(
             count / whole_.cycles_per_pass_, visit,
-            [&](std::size_t tip) { return K_of(tip, cycle.low, cycle.high, count); },
-            [&](std::size_t tip) { return K_of(tip, 0, highest, 1.0); });
+            [&](std::size_t tip) { return K_of(tip, cycle, count); },
+            [&](std::size_t tip) { return K_of(tip, ends, 1.0); });
       }
     }
   }
@@ -290,21 +271,8 @@ private:
 
 CycleByCycleGrowth::CycleByCycleGrowth(const std::vector<SolvedStation>& stations,
                                        const life::CountedSpectrum& spectrum)
-    : stations_(stations), spectrum_(spectrum) {
+    : stations_(stations), spectrum_(spectrum), cycles_per_pass_(spectrum.cycles_per_pass()) {
   assert(stations.size() >= 2);
-  for (const LoadCycle& cycle : spectrum.cycles_in_order()) {
-    loads_.insert(loads_.end(), {cycle.low, cycle.high});
-    cycles_per_pass_ += cycle.count;
-  }
-  std::ranges::sort(loads_);
-  const auto repeated = std::ranges::unique(loads_);
-  loads_.erase(repeated.begin(), repeated.end());
-  const auto number = [&](double load) {
-    return static_cast<std::size_t>(std::ranges::lower_bound(loads_, load) - loads_.begin());
-  };
-  for (const LoadCycle& cycle : spectrum.cycles_in_order()) {
-    cycles_.push_back({number(cycle.low), number(cycle.high), cycle.count});
-  }
 }
 
 std::optional<std::vector<double>> CycleByCycleGrowth::passes_at(const std::vector<double>& places,

@@ -36,12 +36,6 @@ public:
 private:
   const std::vector<SolvedStation>& stations_;
   const life::CountedSpectrum& spectrum_;
-  std::vector<double> loads_; ///< different ones, ascending
-  struct LoadPairCycle {
-    std::size_t low, high; ///< of loads_
-    double count;
-  };
-  std::vector<LoadPairCycle> cycles_; ///< in their order
   double cycles_per_pass_ = 0.0;
 
   class KOfLoads;

@@ -19,7 +19,7 @@ namespace {
 
 using namespace spricka;
 
-constexpr double stress = 80.0;
+constexpr double stress = 40.0;
 const double metre = std::sqrt(1000.0);
 constexpr double yield = 365.0;
 constexpr double kappa = 0.5 * std::numbers::inv_pi;
@@ -71,7 +71,7 @@ double bare_loop(const model::SpectrumDefinition& spectrum, double threshold, co
       a += rate(up, down);
     } else {
       const double required = largest * std::sqrt(1.0 - (a - at) / zone);
-      const double off = (1.0 - threshold / up) / (shut_off - 1.0) * (required - up);
+      const double off = std::max(0.0, 1.0 - threshold / up) / (shut_off - 1.0) * (required - up);
       a += rate(up - off, down - off);
     }
   }
