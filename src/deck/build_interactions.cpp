@@ -96,7 +96,8 @@ std::pair<std::string, std::string> misfit(const model::LoadInteractionDefinitio
   case InteractionRule::willenborg_1971:
   case InteractionRule::willenborg:
   case InteractionRule::modified:
-    if (growth.law == CrackGrowthLaw::paris || growth.law == CrackGrowthLaw::table) {
+    if (growth.law == CrackGrowthLaw::paris ||
+        (growth.law == CrackGrowthLaw::table && law.table_ratios.size() < 2)) {
       return {"it lowers K_max and K_min alike and acts by R alone, which the law does not know: "
               "it would do nothing",
               "LAW=WALKER, FORMAN or NASGRO, or TYPE=WHEELER"};
@@ -146,7 +147,7 @@ void read_growth_interactions(DeckContext& context, const CheckedCard& card,
       index = found->index;
       const auto [why, hint] = misfit(context.model.interactions[*index], growth);
       if (!why.empty()) {
-        context.error(name.span, "E329", fmt::format("interaction {}: {}", name.name, why), hint);
+        context.error(name.span, "E341", fmt::format("interaction {}: {}", name.name, why), hint);
       }
     }
     if (std::ranges::find(growth.interactions, index) != growth.interactions.end()) {

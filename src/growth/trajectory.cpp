@@ -94,8 +94,8 @@ GrowthTrajectory::GrowthTrajectory(const std::vector<SolvedStation>& stations,
         });
   }
   paths_ = std::ranges::all_of(stations_, [](const SolvedStation& station) {
-    return std::ranges::none_of(
-        station.tips, [](const TipStation& tip) { return tip.K_over_path.empty(); });
+    return std::ranges::none_of(station.tips,
+                                [](const TipStation& tip) { return tip.K_over_path.empty(); });
   });
   for (const SolvedStation& station : stations_) {
     ln_s_.push_back(std::log(station.s));
@@ -199,6 +199,7 @@ base::PiecewiseLinear GrowthTrajectory::K_over_path(std::size_t tip,
   const double largest = by_part ? K_max(tip, weights) : 1.0;
   std::vector<double> t(knots.begin(), knots.end());
   std::vector<double> K;
+  K.reserve(t.size());
   for (const double load : t) {
     K.push_back(largest * interpolate(weights, [&](std::size_t k) {
                   const TipStation& station = stations_[k].tips[tip];

@@ -85,7 +85,8 @@ std::vector<LoadCycle> count_rainflow_in_order_of_peaks(std::span<const double> 
   if (history.empty()) {
     return {};
   }
-  const auto [points, start] = round_from_peak(history);
+  const RoundFromPeak round = round_from_peak(history);
+  const std::vector<double>& points = round.points;
   const std::size_t turns = points.size() - 1; // of a pass
   if (turns < 2) {
     return {};
@@ -94,7 +95,7 @@ std::vector<LoadCycle> count_rainflow_in_order_of_peaks(std::span<const double> 
   std::vector<LoadCycle> at_peak(turns, LoadCycle{.count = 0.0});
   visit_ranges(points, true, [&](std::size_t i, std::size_t j, double count) {
     const std::size_t peak = points[i] > points[j] ? i : j;
-    at_peak[(start + peak) % turns] = cycle(points[i], points[j], count);
+    at_peak[(round.peak + peak) % turns] = cycle(points[i], points[j], count);
   });
   std::erase_if(at_peak, [](const LoadCycle& c) { return c.count == 0.0; });
   return at_peak;

@@ -65,6 +65,7 @@ std::vector<double> PassCounter::passes_at(const std::vector<SolvedStation>& sta
   const std::vector<SolvedStation> settled = with_settled_rates(stations);
   const GrowthTrajectory between(settled, {}, points);
   std::vector<double> passes;
+  passes.reserve(places.size());
   for (const double s : places) {
     passes.push_back(between.cycles(settled.front().s, s));
   }
