@@ -26,6 +26,11 @@ class Kill(RestartTest):
     def test_same_bits_after_a_kill(self):
         self.check(self.lug(), "lug.rst", KILLS)
 
+    def test_same_bits_inside_zones_of_overloads(self):
+        text = (TOP / "decks" / "edge_crack_overloads.deck").read_text(encoding="utf-8")
+        deck = self.deck(text.replace("$CHECK", "$RESTART WRITE='overloads.rst'\n$CHECK", 1), "overloads.deck")
+        self.check(deck, "overloads.rst", KILLS)
+
     def test_same_bits_in_space(self):
         for shape in ("FREE", "ELLIPSE") if FULL else ("ELLIPSE",):  # the other one: test_growth.py
             with self.subTest(shape):

@@ -245,6 +245,30 @@ TEST(InteractionLives, OfTheLugAreASlowLoop) {
   expect_slow_loop(*solved->run.growth, "GW", blocks, path_K(*solved), 1e-9);
 }
 
+// Behind a clamp that slips the strip feels 0.2 to 0.8 and twice 0.3 to 0.7 of the load: by
+// Wheeler's rule the smaller ones grow (0.7/0.8)^2 times as much.
+TEST(InteractionLives, WithFrictionASettledPassStandsForAll) {
+  std::ifstream file(std::filesystem::path(test::decks_folder()) / "friction_life.deck");
+  std::stringstream text;
+  text << file.rdbuf();
+  std::string deck = text.str();
+  ASSERT_FALSE(deck.empty());
+  const auto spectrum = deck.find("$SPECTRUM");
+  deck.replace(spectrum, std::string::npos,
+               "$SPECTRUM NAME=PASS PATH=UP TYPE=SEQUENCE\n  1 0 0.9 0.1 0.9 0.1\n"
+               "$INTERACTION NAME=WH TYPE=WHEELER W=1 KAPPA=0.16 YIELD=300\n"
+               "$GROW LAW=PARIS SPECTRUM=PASS INTERACTION=WH,NONE C=(C0) M=3 AMAX=(0.3*W) "
+               "KUNIT='MPa*mm^0.5' AUNIT='mm'\n$END\n");
+  const auto solved = test::solve_text(deck);
+  ASSERT_TRUE(solved && solved->run.growth);
+  const double large = std::pow(0.6, 3);
+  const double small = 2.0 * std::pow(0.4, 3);
+  const double held_back = std::pow(0.7 / 0.8, 2);
+  EXPECT_NEAR(compared_passes(*solved->run.growth, "NONE") / solved->run.growth->final_cycles() /
+                  ((large + held_back * small) / (large + small)),
+              1.0, 2e-3);
+}
+
 // Two ends of the axes of an ellipse: each remembers for itself.
 TEST(InteractionLives, OfAnEllipseAreASlowLoop) {
   const std::vector<Block> blocks{{0.1, 1.0, 1}, {0.1, 0.6, 100}};

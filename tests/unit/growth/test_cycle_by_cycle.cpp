@@ -3,6 +3,7 @@
 #include "growth/cycle_by_cycle.hpp"
 #include "life/ordered_cycles.hpp"
 #include "model/steps.hpp"
+#include "model/twist_spectrum.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,8 +25,10 @@ using test::interaction_2024;
 
 constexpr double no_limit = 1e9;
 
-// Stations of one tip whose K is stress(t) times that of a centre crack; places t from -1 to 2.
-std::vector<SolvedStation> stations_of(const std::vector<double>& lengths, double stress) {
+// Stations of one tip whose K is t times the stress times that of a centre crack; places t from -1
+// to `last`.
+std::vector<SolvedStation> stations_of(const std::vector<double>& lengths, double stress,
+                                       double last = 2.0) {
   std::vector<SolvedStation> stations;
   for (const double a : lengths) {
     const double K = stress * test::centre_crack_K(a);
@@ -33,7 +36,7 @@ std::vector<SolvedStation> stations_of(const std::vector<double>& lengths, doubl
     tip.a = a;
     tip.K_max = K;
     tip.rate = 1e-5;
-    tip.K_over_path = base::PiecewiseLinear({-1.0, 0.5, 2.0}, {-K, 0.5 * K}, {K, K});
+    tip.K_over_path = base::PiecewiseLinear({-1.0, 0.5, last}, {-K, 0.5 * K}, {K, K});
     stations.push_back({.s = a, .tips = {tip}});
   }
   return stations;
@@ -105,6 +108,38 @@ TEST(CycleByCycleGrowth, BlocksInTheirOrder) {
       EXPECT_NEAR(by_cycles.extent_after_passes(passes, interaction, no_limit).value() / a, 1.0,
                   1e-9)
           << passes;
+    }
+  }
+}
+
+// TWIST's statistics without level X, in the order of model/twist_spectrum: from 8 to 12 mm at a
+// mean stress of 52 MPa.
+TEST(CycleByCycleGrowth, FlightsByPairsAndByRainflow) {
+  model::SpectrumDefinition flights;
+  flights.sequence = true;
+  flights.turning_points = model::generate_twist_history({.lowest_level = 8}).points;
+  const std::vector<SolvedStation> stations = stations_of({8.0, 9.0, 10.5, 12.0}, 52.0, 3.0);
+  struct Case {
+    std::optional<model::LoadInteractionDefinition> with;
+    double pairs, rainflow;
+  };
+  const std::vector<Case> cases{
+      {std::nullopt, 1.99860226, 1.92115799},
+      {interaction_2024(InteractionRule::wheeler), 7.3808249, 6.50955912},
+      {interaction_2024(InteractionRule::willenborg), 2.79647485, 2.62476606},
+      {interaction_2024(InteractionRule::modified), 2.63601905, 2.48039611}};
+  for (const auto counting : {model::CycleCounting::pairs, model::CycleCounting::rainflow}) {
+    flights.counting = counting;
+    const CountedSpectrum spectrum = CountedSpectrum::from_definition(flights);
+    for (const Case& c : cases) {
+      const LoadInteraction interaction(c.with, test::walker_2024());
+      const auto passes =
+          CycleByCycleGrowth(stations, spectrum).passes_at({8.0, 12.0}, interaction, no_limit);
+      ASSERT_TRUE(passes);
+      const double wanted = counting == model::CycleCounting::pairs ? c.pairs : c.rainflow;
+      // The other program counts whole cycles.
+      const double whole = std::ceil(passes->back() * spectrum.cycles_per_pass());
+      EXPECT_NEAR(whole / spectrum.cycles_per_pass() / wanted, 1.0, 1e-8);
     }
   }
 }
