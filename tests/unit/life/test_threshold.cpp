@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "life/growth_law.hpp"
+#include "life/integrate.hpp"
+#include "life/newman_closure.hpp"
 #include "life/threshold.hpp"
 
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -43,6 +47,74 @@ model::GrowthLawConstants plate_7075() {
 }
 
 constexpr double long_crack = std::numeric_limits<double>::infinity();
+
+TEST(NewmanClosure, IsThePublishedFunction) {
+  struct Opening {
+    double alpha, stress, R, f;
+  };
+  constexpr std::array published{
+      Opening{1, 0, -2, 0.53499999999999992},     Opening{1, 0, -1, 0.53499999999999992},
+      Opening{1, 0, -0.5, 0.53499999999999992},   Opening{1, 0, -0.2, 0.53499999999999992},
+      Opening{1, 0, 0, 0.53499999999999992},      Opening{1, 0, 0.1, 0.53901999999999994},
+      Opening{1, 0, 0.3, 0.57243999999999995},    Opening{1, 0, 0.5, 0.64249999999999996},
+      Opening{1, 0, 0.7, 0.7525599999999999},     Opening{1, 0, 0.9, 0.90598000000000001},
+      Opening{1, 0.3, -2, 0.2702884904407768},    Opening{1, 0.3, -1, 0.37348849044077681},
+      Opening{1, 0.3, -0.5, 0.42508849044077679}, Opening{1, 0.3, -0.2, 0.45604849044077678},
+      Opening{1, 0.3, 0, 0.47668849044077677},    Opening{1, 0.3, 0.1, 0.49070041270843501},
+      Opening{1, 0.3, 0.3, 0.54189417650556893},  Opening{1, 0.3, 0.5, 0.62624424522038846},
+      Opening{1, 0.3, 0.7, 0.74646631393520768},  Opening{1, 0.3, 0.9, 0.90527607773234176},
+      Opening{2, 0, -2, 0.34499999999999992},     Opening{2, 0, -1, 0.34499999999999992},
+      Opening{2, 0, -0.5, 0.34499999999999992},   Opening{2, 0, -0.2, 0.34499999999999992},
+      Opening{2, 0, 0, 0.34499999999999992},      Opening{2, 0, 0.1, 0.35433999999999993},
+      Opening{2, 0, 0.3, 0.42347999999999991},    Opening{2, 0, 0.5, 0.54749999999999988},
+      Opening{2, 0, 0.7, 0.71151999999999993},    Opening{2, 0, 0.9, 0.90066000000000002},
+      Opening{2, 0.3, -2, 0.16185633963047674},   Opening{2, 0.3, -1, 0.24375633963047674},
+      Opening{2, 0.3, -0.5, 0.28470633963047676}, Opening{2, 0.3, -0.2, 0.30927633963047674},
+      Opening{2, 0.3, 0, 0.32565633963047674},    Opening{2, 0.3, 0.1, 0.3421718621208234},
+      Opening{2, 0.3, 0.3, 0.42035387027029375},  Opening{2, 0.3, 0.5, 0.54806566981523841},
+      Opening{2, 0.3, 0.7, 0.71250146936018299},  Opening{2, 0.3, 0.9, 0.90085547750965334},
+      Opening{3, 0, -2, 0.25499999999999995},     Opening{3, 0, -1, 0.25499999999999995},
+      Opening{3, 0, -0.5, 0.25499999999999995},   Opening{3, 0, -0.2, 0.25499999999999995},
+      Opening{3, 0, 0, 0.25499999999999995},      Opening{3, 0, 0.1, 0.26685999999999993},
+      Opening{3, 0, 0.3, 0.35291999999999996},    Opening{3, 0, 0.5, 0.50249999999999995},
+      Opening{3, 0, 0.7, 0.69999999999999996},    Opening{3, 0, 0.9, 0.90000000000000002},
+      Opening{3, 0.3, -2, 0.12417697515144921},   Opening{3, 0.3, -1, 0.1847769751514492},
+      Opening{3, 0.3, -0.5, 0.21507697515144922}, Opening{3, 0.3, -0.2, 0.23325697515144922},
+      Opening{3, 0.3, 0, 0.24537697515144921},    Opening{3, 0.3, 0.1, 0.26241501984720861},
+      Opening{3, 0.3, 0.3, 0.35428374851873617},  Opening{3, 0.3, 0.5, 0.50526348757572459},
+      Opening{3, 0.3, 0.7, 0.69999999999999996},  Opening{3, 0.3, 0.9, 0.90000000000000002}};
+  for (const Opening& o : published) {
+    EXPECT_NEAR(NewmanClosure(o.alpha, o.stress)(o.R), o.f, 1e-12) << o.alpha << " " << o.R;
+  }
+}
+
+// Centre cracks in an infinite plate; largest stress, R, from one length to another.
+TEST(NasgroLaw, LivesOfCentreCracks) {
+  struct Life {
+    double stress, R, first, last, cycles;
+  };
+  const auto compare = [](const model::GrowthLawConstants& c, const std::vector<Life>& lives) {
+    const GrowthRateLaw law(model::CrackGrowthLaw::nasgro, c);
+    for (const Life& life : lives) {
+      const double last =
+          life.last > 0.0 ? life.last
+                          : 0.999 * 1000.0 / std::numbers::pi * std::pow(*c.k_c / life.stress, 2);
+      const auto cycles = [&](double a) {
+        const double K = life.stress * std::sqrt(1e-3 * std::numbers::pi * a);
+        return 1.0 / law.growth_rate(K, life.R * K, {.a = a});
+      };
+      EXPECT_NEAR(integrate(cycles, life.first, last, 1e-12).value / life.cycles, 1.0, 1e-7)
+          << life.stress << " " << life.R;
+    }
+  };
+  compare(sheet_2024(), {{100.0, 0.1, 2.0, 20.0, 76877.228246142098},
+                         {100.0, -1.0, 2.0, 20.0, 48393.063982663771},
+                         {80.0, 0.5, 5.0, 40.0, 275086.45832043426},
+                         {200.0, 0.0, 1.0, 0.0, 11502.287209633483}});
+  compare(plate_7075(), {{100.0, 0.1, 2.0, 20.0, 41456.617380646276},
+                         {100.0, -1.0, 2.0, 20.0, 27596.798683710083},
+                         {80.0, 0.5, 5.0, 40.0, 134304.65825100988}});
+}
 
 TEST(FatigueThreshold, OverROfLongCracks) {
   constexpr std::array sheet{std::pair(-3.0, 6.480601258209273), std::pair(-2.0, 6.480601258209273),
