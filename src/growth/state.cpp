@@ -236,8 +236,8 @@ template <class Io, class Path> void describe_path(Io& io, Path& path) {
   }
 }
 
-// K over the load path of each tip, and the cycles of a pass that was followed; only a growth whose
-// cycles act on each other has them.
+// K over the load path of each tip under a spectrum, and where cycles act on each other with
+// friction those of the pass that was followed.
 template <class Io, class Stations> void describe_cycles(Io& io, Stations& stations) {
   const bool has = std::ranges::any_of(stations, [](const SolvedStation& station) {
     return std::ranges::any_of(station.tips, [](const TipStation& tip) {

@@ -216,14 +216,14 @@ CycleCounts count_cycles(const growth::GrowthIntegrator& integrator,
 // What a reader has to know of how cycles act on each other.
 std::vector<std::string> interaction_words(const model::Model& model,
                                            const std::vector<growth::SolvedStation>& stations,
-                                           const GrowthRateEvaluator& measure) {
+                                           const GrowthRateEvaluator& measure, double passes) {
   std::vector<std::string> words{"Cycles act on each other by " +
                                  describe_interaction(model, *measure.interaction(), stations)};
-  words.emplace_back(
-      PassCounter(*measure.spectrum(), *measure.interaction()).follows_each_cycle(stations)
-          ? "Each cycle was followed, in the order of the spectrum"
-          : "Passes were counted by what a pass grows at the solved lengths once "
-            "it is like the one before");
+  words.emplace_back(PassCounter(*measure.spectrum(), *measure.interaction())
+                             .has_followed_each_cycle(stations, passes)
+                         ? "Each cycle was followed, in the order of the spectrum"
+                         : "Passes were counted by what a pass grows at the solved lengths once "
+                           "it is like the one before");
   const auto& rules = model.growth->interactions;
   for (std::size_t i = 1; i < rules.size(); ++i) {
     words.push_back("Beside it " +
@@ -256,7 +256,7 @@ results::GrowthResult growth_records(const model::Model& model,
   const CycleCounts counts = count_cycles(integrator, measure);
   out.curve = life_curve(integrator, counts.at_places, out.point_names.size());
   if (measure.interaction()) {
-    out.interaction = interaction_words(model, stations, measure);
+    out.interaction = interaction_words(model, stations, measure, counts.at_places.back());
   }
   for (std::size_t i = 0; i < stations.size(); ++i) {
     results::GrowthStation station;

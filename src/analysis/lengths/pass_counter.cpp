@@ -5,6 +5,7 @@
 #include "model/model.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -29,7 +30,7 @@ life::LoadInteraction make_load_interaction(const model::Model& model,
           life::GrowthRateLaw(model.growth->law, model.growth->constants)};
 }
 
-bool PassCounter::follows_each_cycle(const std::vector<SolvedStation>& stations) const {
+bool PassCounter::may_follow_cycles(const std::vector<SolvedStation>& stations) const {
   const bool mapped = std::ranges::all_of(stations, [](const SolvedStation& station) {
     return std::ranges::none_of(
         station.tips, [](const growth::TipStation& tip) { return tip.K_over_path.empty(); });
@@ -38,6 +39,13 @@ bool PassCounter::follows_each_cycle(const std::vector<SolvedStation>& stations)
          spectrum_.cycles_per_pass() * GrowthTrajectory(stations, {}, points)
                                            .cycles(stations.front().s, stations.back().s) <
              most_cycles;
+}
+
+// Behind a place where nothing grows there are no cycles to follow.
+bool PassCounter::has_followed_each_cycle(const std::vector<SolvedStation>& stations,
+                                          double passes) const {
+  return may_follow_cycles(stations) &&
+         (std::isinf(passes) || passes * spectrum_.cycles_per_pass() <= most_cycles);
 }
 
 std::vector<SolvedStation>
@@ -56,7 +64,7 @@ PassCounter::with_settled_rates(std::vector<SolvedStation> stations) const {
 
 std::vector<double> PassCounter::passes_at(const std::vector<SolvedStation>& stations,
                                            const std::vector<double>& places) const {
-  if (follows_each_cycle(stations)) {
+  if (may_follow_cycles(stations)) {
     if (auto passes = growth::CycleByCycleGrowth(stations, spectrum_)
                           .passes_at(places, interaction_, most_cycles)) {
       return std::move(*passes);
@@ -77,7 +85,7 @@ std::optional<double> PassCounter::extent_after_passes(const std::vector<SolvedS
   if (stations.size() < 2) {
     return std::nullopt;
   }
-  if (follows_each_cycle(stations)) {
+  if (may_follow_cycles(stations)) {
     return growth::CycleByCycleGrowth(stations, spectrum_)
         .extent_after_passes(passes, interaction_, most_cycles);
   }

@@ -29,10 +29,12 @@ public:
   /// The s after so many passes; empty: it lies behind the last station.
   [[nodiscard]] std::optional<double>
   extent_after_passes(const std::vector<growth::SolvedStation>& stations, double passes) const;
-  /// Whether each cycle is followed.
-  [[nodiscard]] bool follows_each_cycle(const std::vector<growth::SolvedStation>& stations) const;
+  /// Whether each cycle of so many passes, as passes_at() has found them, was followed.
+  [[nodiscard]] bool has_followed_each_cycle(const std::vector<growth::SolvedStation>& stations,
+                                             double passes) const;
 
 private:
+  [[nodiscard]] bool may_follow_cycles(const std::vector<growth::SolvedStation>& stations) const;
   [[nodiscard]] std::vector<growth::SolvedStation>
   with_settled_rates(std::vector<growth::SolvedStation> stations) const;
 

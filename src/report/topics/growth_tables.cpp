@@ -145,10 +145,6 @@ void write_life_csv(const std::filesystem::path& file, const model::Model& model
       .exact("K2_max", K, grown(&Grown::K2_max))
       .exact("da_dN", length, grown(&Grown::rate))
       .exact("turn", grown(&Grown::turn, degrees_per_radian));
-  if (!growth.life_unit.empty()) {
-    columns.exact("N_" + growth.life_unit,
-                  [&](const StationRow& row) { return growth.in_life_unit(row.station.cycles); });
-  }
   for (int c = 0; c < model.mesh.dim; ++c) {
     columns.exact(std::string(1, "xyz"[c]), length,
                   [c](const StationRow& row) { return row.point.x[c]; });
