@@ -3,7 +3,7 @@
 // against a bare loop over the same states of a centre crack whose K is a formula, in one run.
 // Usage: bench_cycle_by_cycle [CYCLES] [REPEATS].
 #include "growth/cycle_by_cycle.hpp"
-#include "base/clock.hpp"
+#include "best_of.hpp"
 #include "model/steps.hpp"
 
 #include <algorithm>
@@ -18,22 +18,13 @@
 namespace {
 
 using namespace spricka;
+using bench::best_of;
 
 constexpr double stress = 40.0;
 const double metre = std::sqrt(1000.0);
 constexpr double yield = 365.0;
 constexpr double kappa = 0.5 * std::numbers::inv_pi;
 constexpr double shut_off = 3.0;
-
-template <class Work> double best_of(int repeats, Work&& work) {
-  double best = 1e30;
-  for (int i = 0; i < repeats; ++i) {
-    const base::Stopwatch watch;
-    work();
-    best = std::min(best, watch.cpu_time());
-  }
-  return best;
-}
 
 double K_of(double a) {
   return stress * std::sqrt(std::numbers::pi * a);

@@ -2,8 +2,8 @@
 // What the map of K over a load path costs, and a later K from it. Usage: bench_load_path DECK
 // [REPEATS]: the first length and the first $LOADPATH of the deck.
 #include "analysis/lengths/length.hpp"
-#include "base/clock.hpp"
 #include "base/diagnostics.hpp"
+#include "best_of.hpp"
 #include "deck/read_deck.hpp"
 #include "growth/crack_lines.hpp"
 #include "model/model.hpp"
@@ -17,16 +17,7 @@
 namespace {
 
 using namespace spricka;
-
-template <class Work> double best_of(int repeats, Work&& work) {
-  double best = 1e30;
-  for (int i = 0; i < repeats; ++i) {
-    const base::Stopwatch watch;
-    work();
-    best = std::min(best, watch.cpu_time());
-  }
-  return best;
-}
+using bench::best_of;
 
 void measure_path(const solve::ParametricProblem& problem, double end,
                   const std::vector<bool>& start, int repeats) {

@@ -2,7 +2,7 @@
 // What a spectrum of many reversals costs: rainflow and sorting once, then the growth of a pass for
 // each crack length, by every law. Usage: bench_spectrum [REVERSALS] [REPEATS].
 #include "life/spectrum.hpp"
-#include "base/clock.hpp"
+#include "best_of.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,16 +15,7 @@
 namespace {
 
 using namespace spricka;
-
-template <class Work> double best_of(int repeats, Work&& work) {
-  double best = 1e30;
-  for (int i = 0; i < repeats; ++i) {
-    const base::Stopwatch watch;
-    work();
-    best = std::min(best, watch.cpu_time());
-  }
-  return best;
-}
+using bench::best_of;
 
 // Peaks and valleys, each of its own height.
 std::vector<double> reversals(std::size_t count) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What reading the file of a spectrum costs, over a bare loop that reads the same numbers: lines of
 // three columns, and of one. Usage: bench_spectrum_file [LINES] [REPEATS].
-#include "base/clock.hpp"
 #include "base/input_file.hpp"
 #include "base/messages.hpp"
+#include "best_of.hpp"
 #include "deck/read_deck.hpp"
 #include "model/model.hpp"
 
@@ -23,17 +23,8 @@
 namespace {
 
 using namespace spricka;
+using bench::best_of;
 namespace fs = std::filesystem;
-
-template <class Work> double best_of(int repeats, Work&& work) {
-  double best = 1e30;
-  for (int i = 0; i < repeats; ++i) {
-    const base::Stopwatch watch;
-    work();
-    best = std::min(best, watch.cpu_time());
-  }
-  return best;
-}
 
 // The file in memory, and every number of it in a list.
 double read_barely(const fs::path& file) {
