@@ -8,22 +8,22 @@
 
 namespace spricka::solve {
 
-Condensation::Condensation(base::SymmetricCsc K, std::int64_t externals, OrderingMethod ordering,
-                           double besides)
-    : size_(K.n) {
-  sparse_.emplace(std::move(K), externals, ordering, besides);
+Condensation::Condensation(base::SymmetricCsc K, std::int64_t externals,
+                           const CondensationSettings& settings)
+    : size_(K.n), sparse_(condense_equations(std::move(K), externals, settings)) {
   report_ = sparse_->report();
   S_ = sparse_->take_schur();
 }
 
 Condensation::Condensation(const base::SymmetricCsc& K, std::int64_t externals,
                            std::span<const CondensedNetBlock> blocks,
-                           std::shared_ptr<const FirstBlockFactor>* early)
+                           std::shared_ptr<const FirstBlockFactor>* early,
+                           const CondensationSettings& settings)
     : size_(K.n) {
   blas::force_single_blas_thread();
   // The sparse factor reports a want of memory itself; the full matrices on top of it throw.
   try {
-    stacked_.emplace(K, externals, blocks, early, report_);
+    stacked_.emplace(K, externals, blocks, early, settings, report_);
     S_ = std::move(stacked_->condensed_externals().S);
   } catch (const std::bad_alloc&) {
     report_.status = FactorStatus::out_of_memory;
@@ -31,8 +31,9 @@ Condensation::Condensation(const base::SymmetricCsc& K, std::int64_t externals,
 }
 
 FactorReport Condensation::forecast(base::SymmetricCsc pattern, std::int64_t externals,
-                                    OrderingMethod ordering, const SparseRightHandSides* rows) {
-  return SparseCondensation::forecast(std::move(pattern), externals, ordering, rows);
+                                    const CondensationSettings& settings,
+                                    const SparseRightHandSides* rows) {
+  return forecast_equations(std::move(pattern), externals, settings, rows);
 }
 
 FactorReport Condensation::forecast(const base::SymmetricCsc& pattern, std::int64_t externals,
@@ -60,9 +61,8 @@ base::Matrix Condensation::recover(const base::Matrix& u_external, const base::M
   return stacked_ ? stacked_->recover(u_external, f) : sparse_->recover(u_external, f);
 }
 
-base::Matrix
-Condensation::solve(const base::Matrix& f,
-                    const SparseCondensation::ExternalDisplacementSolver& displacement) const {
+base::Matrix Condensation::solve(const base::Matrix& f,
+                                 const ExternalDisplacementSolver& displacement) const {
   assert(report_.status == FactorStatus::ok);
   return stacked_ ? stacked_->solve(f, displacement) : sparse_->solve(f, displacement);
 }

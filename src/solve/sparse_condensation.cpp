@@ -274,9 +274,9 @@ void SparseCondensation::Impl::count_rows(SparseRightHandSides rows) {
 }
 
 SparseCondensation::SparseCondensation(base::SymmetricCsc K, std::int64_t externals,
-                                       OrderingMethod ordering, double besides)
+                                       const CondensationSettings& settings)
     : impl_(std::make_unique<Impl>()) {
-  impl_->report.besides = besides;
+  impl_->report.besides = settings.besides;
   assert(externals >= 0 && externals <= K.n);
   impl_->n = K.n;
   impl_->locals = K.n - externals;
@@ -284,7 +284,7 @@ SparseCondensation::SparseCondensation(base::SymmetricCsc K, std::int64_t extern
     return;
   }
   try {
-    impl_->build(std::move(K), ordering);
+    impl_->build(std::move(K), settings.ordering);
   } catch (const std::bad_alloc&) {
     impl_->report.status = FactorStatus::out_of_memory;
   }
@@ -294,7 +294,7 @@ SparseCondensation::SparseCondensation(base::SymmetricCsc K, std::int64_t extern
 }
 
 FactorReport SparseCondensation::forecast(base::SymmetricCsc pattern, std::int64_t externals,
-                                          OrderingMethod ordering,
+                                          const CondensationSettings& settings,
                                           const SparseRightHandSides* rows) {
   assert(externals >= 0 && externals <= pattern.n);
   Impl impl;
@@ -304,7 +304,7 @@ FactorReport SparseCondensation::forecast(base::SymmetricCsc pattern, std::int64
     try {
       CholmodSession session;
       // The shift changes values only, no pattern.
-      impl.analyse_matrix(std::move(pattern), 0.0, ordering, session);
+      impl.analyse_matrix(std::move(pattern), 0.0, settings.ordering, session);
       if (rows != nullptr && impl.report.status == FactorStatus::ok) {
         impl.count_rows(*rows);
       }
@@ -316,8 +316,6 @@ FactorReport SparseCondensation::forecast(base::SymmetricCsc pattern, std::int64
 }
 
 SparseCondensation::~SparseCondensation() = default;
-SparseCondensation::SparseCondensation(SparseCondensation&&) noexcept = default;
-SparseCondensation& SparseCondensation::operator=(SparseCondensation&&) noexcept = default;
 
 const FactorReport& SparseCondensation::report() const {
   return impl_->report;
@@ -339,14 +337,6 @@ base::Matrix SparseCondensation::condense_load(const base::Matrix& f) const {
   }
   forward_substitute_locals(c.supernodes(), X);
   return X.bottomRows(c.n - c.locals);
-}
-
-base::Matrix SparseCondensation::recover(const base::Matrix& u_external,
-                                         const base::Matrix& f) const {
-  assert(u_external.rows() == impl_->n - impl_->locals || impl_->n == impl_->locals);
-  assert(u_external.cols() == f.cols() || impl_->n == impl_->locals);
-  // What the forward half made of the loads on externals is not wanted.
-  return solve(f, [&](const base::Matrix&) { return u_external; });
 }
 
 base::Matrix SparseCondensation::solve(const base::Matrix& f,

@@ -1,54 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "base/sparse.hpp"
-#include "base/vec.hpp"
-#include "solve/factor_report.hpp"
-#include "solve/ordering.hpp"
-#include "solve/row_elimination.hpp"
+#include "solve/condensed_equations.hpp"
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 
 namespace spricka::solve {
 
-/// One sparse Cholesky factorisation of K with the external rows last, and everything that is read
-/// off it: the Schur complement S = K_ee - K_el K_ll^-1 K_le, condensed loads, recovered locals.
-/// Externals carry a shift s on their diagonal, which S gives back, so that a floating body needs
-/// no support.
-class SparseCondensation {
+/// The equations of a net by one sparse Cholesky factorisation of K in core, the external rows
+/// last; everything is read off the factor. Externals carry a shift s on their diagonal, which S
+/// gives back, so that a floating body needs no support.
+class SparseCondensation final : public CondensedEquations {
 public:
-  /// K [n, n] lower triangle, the last `externals` rows external. Check the report: when its status
-  /// is not ok, nothing else may be asked for.
-  /// K is given up as soon as it is copied into the order of elimination: move it in. `besides`
-  /// [bytes]: what others will need at the same time.
+  /// As condense_equations; the engine of the settings is not looked at.
   SparseCondensation(base::SymmetricCsc K, std::int64_t externals,
-                     OrderingMethod ordering = OrderingMethod::automatic, double besides = 0.0);
-  /// The symbolic phase alone: flops, fill and memory of what the constructor would do with a
-  /// matrix of this pattern (values are not looked at).
-  /// With `rows` [n, k] it counts what their compliance takes as well.
+                     const CondensationSettings& settings = {});
+  /// As forecast_equations.
   static FactorReport forecast(base::SymmetricCsc pattern, std::int64_t externals,
-                               OrderingMethod ordering = OrderingMethod::automatic,
+                               const CondensationSettings& settings = {},
                                const SparseRightHandSides* rows = nullptr);
-  ~SparseCondensation();
-  SparseCondensation(SparseCondensation&&) noexcept;
-  SparseCondensation& operator=(SparseCondensation&&) noexcept;
+  ~SparseCondensation() override;
 
-  [[nodiscard]] const FactorReport& report() const;
-  /// S [externals, externals], symmetric to the last bit; once.
-  [[nodiscard]] base::Matrix take_schur();
-  /// Loads f [n, k] -> condensed loads f_e - K_el K_ll^-1 f_l [externals, k].
-  [[nodiscard]] base::Matrix condense_load(const base::Matrix& f) const;
-  /// All unknowns [n, k] from external displacements [externals, k] and the loads f [n, k].
-  [[nodiscard]] base::Matrix recover(const base::Matrix& u_external, const base::Matrix& f) const;
-  /// The same where the external displacements follow from the condensed loads [externals, k].
-  using ExternalDisplacementSolver = std::function<base::Matrix(const base::Matrix&)>;
-  /// All unknowns [n, k] of loads f [n, k] in one pass: `displacement` is called between the
-  /// forward and the backward half, with the condensed loads.
+  [[nodiscard]] const FactorReport& report() const override;
+  [[nodiscard]] base::Matrix take_schur() override;
+  [[nodiscard]] base::Matrix condense_load(const base::Matrix& f) const override;
   [[nodiscard]] base::Matrix solve(const base::Matrix& f,
-                                   const ExternalDisplacementSolver& displacement) const;
-  /// F^T K^-1 F [k, k] of columns F [n, k] with the externals held, and F condensed to these.
-  [[nodiscard]] RowCompliance compliance_with_externals_held(SparseRightHandSides F) const;
+                                   const ExternalDisplacementSolver& displacement) const override;
+  [[nodiscard]] RowCompliance compliance_with_externals_held(SparseRightHandSides F) const override;
 
 private:
   struct Impl;

@@ -38,8 +38,8 @@ FactorReport TwoLevelCondensation::forecast(const base::SymmetricCsc& K, std::in
                                             std::span<const CondensedNetBlock> blocks,
                                             EarlyLateRowPartition* early) {
   TwoLevelRows rows = divide_rows_by_level(K, externals, blocks);
-  FactorReport report = SparseCondensation::forecast(
-      lower_level_matrix(K, rows), static_cast<std::int64_t>(rows.touched.size()));
+  FactorReport report = forecast_equations(lower_level_matrix(K, rows),
+                                           static_cast<std::int64_t>(rows.touched.size()));
   bool kept = false;
   if (early != nullptr) {
     find_externals_of_block_alone(K, blocks, rows);
@@ -58,9 +58,11 @@ FactorReport TwoLevelCondensation::forecast(const base::SymmetricCsc& K, std::in
 TwoLevelCondensation::TwoLevelCondensation(const base::SymmetricCsc& K, std::int64_t externals,
                                            std::span<const CondensedNetBlock> blocks,
                                            std::shared_ptr<const FirstBlockFactor>* early,
+                                           const CondensationSettings& settings,
                                            FactorReport& report)
     : rows_(divide_rows_by_level(K, externals, blocks)) {
-  below_.emplace(lower_level_matrix(K, rows_), static_cast<std::int64_t>(rows_.touched.size()));
+  below_ = condense_equations(lower_level_matrix(K, rows_),
+                              static_cast<std::int64_t>(rows_.touched.size()), settings);
   report = below_->report();
   EarlyLateRowPartition lists;
   if (early != nullptr) {
@@ -254,9 +256,9 @@ base::Matrix TwoLevelCondensation::condense_load(const base::Matrix& f) const {
   return condense_top(on_top(f, below_->condense_load(below(f))));
 }
 
-base::Matrix TwoLevelCondensation::substitute(
-    const base::Matrix& f,
-    const SparseCondensation::ExternalDisplacementSolver& displacement) const {
+base::Matrix
+TwoLevelCondensation::substitute(const base::Matrix& f,
+                                 const ExternalDisplacementSolver& displacement) const {
   base::Matrix g;
   const base::Matrix inner = below_->solve(below(f), [&](const base::Matrix& condensed) {
     g = on_top(f, condensed);
@@ -290,9 +292,8 @@ base::Matrix TwoLevelCondensation::recover(const base::Matrix& u_external,
   return substitute(f, [&](const base::Matrix&) { return u_external; });
 }
 
-base::Matrix TwoLevelCondensation::solve(
-    const base::Matrix& f,
-    const SparseCondensation::ExternalDisplacementSolver& displacement) const {
+base::Matrix TwoLevelCondensation::solve(const base::Matrix& f,
+                                         const ExternalDisplacementSolver& displacement) const {
   return substitute(f, [&](const base::Matrix& g) { return displacement(condense_top(g)); });
 }
 

@@ -2,10 +2,10 @@
 #pragma once
 #include "base/sparse.hpp"
 #include "base/vec.hpp"
+#include "solve/condensed_equations.hpp"
 #include "solve/dense_block.hpp"
 #include "solve/factor_report.hpp"
 #include "solve/layered_cholesky.hpp"
-#include "solve/sparse_condensation.hpp"
 #include "solve/stacked_rows.hpp"
 
 #include <cstdint>
@@ -38,7 +38,8 @@ public:
   /// eliminated before, or none yet; null: S is wanted.
   TwoLevelCondensation(const base::SymmetricCsc& K, std::int64_t externals,
                        std::span<const CondensedNetBlock> blocks,
-                       std::shared_ptr<const FirstBlockFactor>* early, FactorReport& report);
+                       std::shared_ptr<const FirstBlockFactor>* early,
+                       const CondensationSettings& settings, FactorReport& report);
   [[nodiscard]] SchurMatrixOrFactor& condensed_externals() { return top_; }
 
   /// Loads f [n, k] condensed to the externals [externals, k], the rows below eliminated first,
@@ -47,9 +48,8 @@ public:
   /// All unknowns [n, k] from external displacements [externals, k] and the loads f [n, k].
   [[nodiscard]] base::Matrix recover(const base::Matrix& u_external, const base::Matrix& f) const;
   /// The same where the external displacements follow from the condensed loads [externals, k].
-  [[nodiscard]] base::Matrix
-  solve(const base::Matrix& f,
-        const SparseCondensation::ExternalDisplacementSolver& displacement) const;
+  [[nodiscard]] base::Matrix solve(const base::Matrix& f,
+                                   const ExternalDisplacementSolver& displacement) const;
   /// F^T K^-1 F [k, k] of columns F [n, k] with the externals held, and F condensed to these.
   [[nodiscard]] RowCompliance compliance_with_externals_held(const SparseRightHandSides& F) const;
 
@@ -75,14 +75,13 @@ private:
   /// What loads on top, g [top, k], come to on the externals [externals, k].
   [[nodiscard]] base::Matrix condense_top(base::Matrix g) const;
   /// All unknowns; `displacement` gives those of the externals from the loads on top [top, k].
-  [[nodiscard]] base::Matrix
-  substitute(const base::Matrix& f,
-             const SparseCondensation::ExternalDisplacementSolver& displacement) const;
+  [[nodiscard]] base::Matrix substitute(const base::Matrix& f,
+                                        const ExternalDisplacementSolver& displacement) const;
   [[nodiscard]] base::Matrix on_top(const base::Matrix& f, const base::Matrix& condensed) const;
 
   TwoLevelRows rows_;
   SchurMatrixOrFactor top_;
-  std::optional<SparseCondensation> below_;
+  std::unique_ptr<CondensedEquations> below_;
   base::Matrix L_;        ///< [inner, inner] Cholesky factor of the rows eliminated on top
   base::Matrix coupling_; ///< [inner, externals] of them with the externals
 };

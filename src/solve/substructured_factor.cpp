@@ -104,9 +104,10 @@ SubstructuredFactor::columns_of_range(const SparseRightHandSides& F, std::int64_
   return out;
 }
 
-void SubstructuredFactor::solve_from(
-    std::size_t part, const base::Matrix& f, base::Matrix& region_load,
-    const SparseCondensation::ExternalDisplacementSolver& displacement, base::Matrix& u) const {
+void SubstructuredFactor::solve_from(std::size_t part, const base::Matrix& f,
+                                     base::Matrix& region_load,
+                                     const ExternalDisplacementSolver& displacement,
+                                     base::Matrix& u) const {
   if (part == parts_.size()) {
     u.bottomRows(region_unknowns_) = region_->solve(region_load, displacement);
     return;
@@ -129,9 +130,8 @@ void SubstructuredFactor::solve_from(
   u.middleRows(first_[part], own.locals) = found.topRows(own.locals);
 }
 
-base::Matrix SubstructuredFactor::solve(
-    const base::Matrix& f,
-    const SparseCondensation::ExternalDisplacementSolver& displacement) const {
+base::Matrix SubstructuredFactor::solve(const base::Matrix& f,
+                                        const ExternalDisplacementSolver& displacement) const {
   assert(f.rows() == size());
   if (parts_.empty()) {
     return region_->solve(f, displacement);

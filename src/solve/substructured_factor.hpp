@@ -40,9 +40,8 @@ public:
   [[nodiscard]] base::Matrix take_schur() { return region_->take_schur(); }
   /// All unknowns [n, k] of loads f [n, k]; `displacement` gives those of the externals from the
   /// loads condensed to them.
-  [[nodiscard]] base::Matrix
-  solve(const base::Matrix& f,
-        const SparseCondensation::ExternalDisplacementSolver& displacement) const;
+  [[nodiscard]] base::Matrix solve(const base::Matrix& f,
+                                   const ExternalDisplacementSolver& displacement) const;
   /// F^T K^-1 F [k, k] of columns F [n, k] with the externals held, and F condensed to these. The
   /// first `lasting` columns act on lasting_unknowns() alone; what `kept` has of them is taken from
   /// there, or left there. It makes no difference in the bits.
@@ -73,8 +72,7 @@ private:
                                                const std::vector<RowCompliance>& own) const;
   /// Solves the parts from `part` on and the region, whose loads f are added to; u is written.
   void solve_from(std::size_t part, const base::Matrix& f, base::Matrix& region_load,
-                  const SparseCondensation::ExternalDisplacementSolver& displacement,
-                  base::Matrix& u) const;
+                  const ExternalDisplacementSolver& displacement, base::Matrix& u) const;
 
   std::vector<FactorisedPart> parts_;
   std::vector<std::int64_t> first_{0}; ///< [part + 1] first unknown of each; then of the region

@@ -56,7 +56,8 @@ double once(const model::Model& model, const analysis::Discretisation& scene, Wa
   double first = 0.0;
   if (way.own) {
     const solve::Condensation plain(
-        std::move(K), 0, way.metis ? solve::OrderingMethod::metis : solve::OrderingMethod::amd);
+        std::move(K), 0,
+        {.ordering = way.metis ? solve::OrderingMethod::metis : solve::OrderingMethod::amd});
     first = plain.recover(base::Matrix(0, 1), base::Matrix::Ones(n, 1))(0, 0);
   } else {
     first = by_cholmod(std::move(K), way.metis);

@@ -71,12 +71,12 @@ void factorise(const CondensationRequest& request, std::vector<Task>& tasks,
     task.stiffness_wall = watch.wall_time();
     task.work.stiffness_cpu = solve::thread_cpu_seconds() - cpu;
     task.work.assembled = base::steady_clock_seconds();
+    const solve::CondensationSettings settings{.besides = contact_solution_memory(request.rows)};
     task.net->factor =
-        stacked ? std::make_shared<solve::Condensation>(K, map.external_count(), blocks,
-                                                        task.layered ? &task.early : nullptr)
-                : std::make_shared<solve::Condensation>(std::move(K), map.external_count(),
-                                                        solve::OrderingMethod::automatic,
-                                                        contact_solution_memory(request.rows));
+        stacked
+            ? std::make_shared<solve::Condensation>(K, map.external_count(), blocks,
+                                                    task.layered ? &task.early : nullptr, settings)
+            : std::make_shared<solve::Condensation>(std::move(K), map.external_count(), settings);
     task.work.end = base::steady_clock_seconds();
   });
   for (const Task* task : missing) {

@@ -122,8 +122,7 @@ solve::FactorReport CostForecast::analyse(const analysis::CondensationRequest& r
              ? solve::Condensation::forecast(
                    pattern, net.map.external_count(), blocks,
                    analysis::externals_can_stay_factorised(*body) ? &early_[*first_part] : nullptr)
-             : solve::Condensation::forecast(std::move(pattern), net.map.external_count(),
-                                             solve::OrderingMethod::automatic,
+             : solve::Condensation::forecast(std::move(pattern), net.map.external_count(), {},
                                              net.weighed.empty() ? nullptr : &rows);
 }
 

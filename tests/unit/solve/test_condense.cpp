@@ -166,7 +166,7 @@ TEST(Condensation, SchurComplementIsThatOfDenseElimination) {
     const std::int64_t e =
         net.put_last([](int x, int y) { return x == 13 || (x == 6 && y % 3 == 0); });
     const SymmetricCsc K = net.matrix();
-    const Condensation c(K, e, ordering);
+    const Condensation c(K, e, {.ordering = ordering});
     ASSERT_EQ(c.report().status, FactorStatus::ok);
     const Matrix S = dense_schur(dense(K), K.n - e);
     EXPECT_LT((c.schur() - S).norm(), 1e-12 * S.norm());
@@ -243,7 +243,7 @@ TEST(Condensation, CompliancesOfRowsAreThoseOfTheirHalfSolves) {
     const SymmetricCsc K = net.matrix();
     const Matrix A = dense(K);
     const std::int64_t l = K.n - e;
-    const Condensation c(K, e, OrderingMethod::metis);
+    const Condensation c(K, e, {.ordering = OrderingMethod::metis});
     const SparseRightHandSides sparse = random_rows(K.n, 300); // more than one panel
     Matrix F = Matrix::Zero(K.n, 300);
     for (int j = 0; j < 300; ++j) {
@@ -259,7 +259,8 @@ TEST(Condensation, CompliancesOfRowsAreThoseOfTheirHalfSolves) {
     const Matrix left = F.bottomRows(e) - A.bottomLeftCorner(e, l) * U;
     EXPECT_LE((found.condensed - left).norm(), 1e-12 * left.norm());
     EXPECT_TRUE(same_bits(found.W, c.compliance_with_externals_held(sparse).W));
-    const FactorReport told = Condensation::forecast(K, e, OrderingMethod::metis, &sparse);
+    const FactorReport told =
+        Condensation::forecast(K, e, {.ordering = OrderingMethod::metis}, &sparse);
     EXPECT_EQ(told.row_flops, found.flops);
     EXPECT_GT(told.row_memory, 0.0);
   }
@@ -316,8 +317,8 @@ TEST(Condensation, RepeatsToTheLastBit) {
   const SymmetricCsc K = net.matrix();
   const Matrix f = random_columns(K.n, 3);
   for (const OrderingMethod ordering : {OrderingMethod::amd, OrderingMethod::metis}) {
-    const Condensation a(K, e, ordering);
-    const Condensation b(K, e, ordering);
+    const Condensation a(K, e, {.ordering = ordering});
+    const Condensation b(K, e, {.ordering = ordering});
     EXPECT_TRUE(same_bits(a.schur(), b.schur()));
     EXPECT_TRUE(same_bits(a.recover(f.topRows(e), f), b.recover(f.topRows(e), f)));
   }
@@ -333,11 +334,12 @@ TEST(Condensation, SideBySideGivesTheSameBits) {
   }
   std::vector<Matrix> together(K.size());
   base::parallel_for(K.size(), 4, [&](std::size_t i) {
-    together[i] = Condensation(K[i], externals[i], OrderingMethod::metis).schur();
+    together[i] = Condensation(K[i], externals[i], {.ordering = OrderingMethod::metis}).schur();
   });
   for (std::size_t i = 0; i < K.size(); ++i) {
     EXPECT_TRUE(
-        same_bits(together[i], Condensation(K[i], externals[i], OrderingMethod::metis).schur()));
+        same_bits(together[i],
+                  Condensation(K[i], externals[i], {.ordering = OrderingMethod::metis}).schur()));
   }
 }
 
