@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/condense.hpp"
 #include "solve/blas.hpp"
+#include "solve/engine_choice.hpp"
 
 #include <cassert>
 #include <new>

@@ -2,6 +2,7 @@
 #pragma once
 #include "base/sparse.hpp"
 #include "base/vec.hpp"
+#include "solve/equation_engine.hpp"
 #include "solve/factor_report.hpp"
 #include "solve/ordering.hpp"
 #include "solve/row_elimination.hpp"
@@ -11,10 +12,6 @@
 #include <memory>
 
 namespace spricka::solve {
-
-/// What solves the equations of a net. Automatic: sparse Cholesky in core while it fits into
-/// memory, what needs less where it does not.
-enum class EquationEngine { automatic, cholesky, mumps, multigrid };
 
 /// How the equations of one net are solved.
 struct CondensationSettings {
@@ -56,17 +53,5 @@ public:
     return solve(f, [&](const base::Matrix&) { return u_external; });
   }
 };
-
-/// Solves the equations of K [n, n] (lower triangle), the last `externals` rows external. K is
-/// given up as soon as it is copied into the order of elimination: move it in.
-std::unique_ptr<CondensedEquations> condense_equations(base::SymmetricCsc K, std::int64_t externals,
-                                                       const CondensationSettings& settings);
-
-/// The symbolic phase alone: flops, fill and memory of what condense_equations would do with a
-/// matrix of this pattern (values are not looked at). With `rows` [n, k] it counts what their
-/// compliance takes as well.
-FactorReport forecast_equations(base::SymmetricCsc pattern, std::int64_t externals,
-                                const CondensationSettings& settings = {},
-                                const SparseRightHandSides* rows = nullptr);
 
 } // namespace spricka::solve

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "solve/equation_engine.hpp"
+
 #include <cstdint>
+#include <string>
 
 namespace spricka::solve {
 
-enum class FactorStatus { ok, not_positive_definite, out_of_memory };
+/// engine_failed: the engine cannot be had, or was stopped by something other than the matrix: a
+/// full disk, a library that is missing.
+enum class FactorStatus { ok, not_positive_definite, out_of_memory, engine_failed };
 
 struct FactorReport {
   FactorStatus status = FactorStatus::ok;
@@ -20,6 +25,14 @@ struct FactorReport {
   double numeric_cpu = 0.0;     ///< [s]
   double row_flops = 0.0;       ///< forecast for the compliance of contact rows
   double row_memory = 0.0;      ///< [bytes] its workspace
+  EquationEngine engine = EquationEngine::cholesky; ///< that did it, or would
+  bool out_of_core = false;                         ///< its factor is kept on disk
+  double disk = 0.0;         ///< [bytes] that the factor takes on disk, forecast
+  std::string engine_reason; ///< why it was not Cholesky in core; empty where it was
+  std::string trouble;       ///< of an engine that failed: what happened, and what helps
+  /// Relative error of a displacement as its residual estimates it; 0: a direct engine within
+  /// round-off, or nothing was solved.
+  double relative_error = 0.0;
 };
 
 } // namespace spricka::solve

@@ -3,6 +3,7 @@
 #include "base/index.hpp"
 #include "solve/blas.hpp"
 #include "solve/dense_cholesky.hpp"
+#include "solve/engine_choice.hpp"
 #include "solve/factor_checks.hpp"
 
 #include <algorithm>

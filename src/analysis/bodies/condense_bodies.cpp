@@ -115,6 +115,8 @@ base::OptionalFailure trouble_of(const model::Mesh& mesh, const std::string& bod
             ? fmt::format(" and the rows of contact {:.0f} MB", 1e-6 * report.besides)
             : "",
         1e-6 * report.memory_left));
+  case solve::FactorStatus::engine_failed:
+    return not_solvable(fmt::format("{}: {}", body, report.trouble));
   case solve::FactorStatus::not_positive_definite:
     break;
   }

@@ -2,11 +2,10 @@
 #include "base/clock.hpp"
 #include "program/commands/command_line.hpp"
 #include "solve/one_thread.hpp"
-
-#include <spricka_source_digest.hpp>
+#include "solve/source_digest.hpp"
 
 int main(int argc, char** argv) {
   spricka::base::return_large_blocks_on_free();
   spricka::solve::end_idle_threads();
-  return spricka::program::run_command_line(argc, argv, SPRICKA_SOURCE_DIGEST);
+  return spricka::program::run_command_line(argc, argv, spricka::solve::source_digest());
 }

@@ -36,6 +36,9 @@ std::optional<analysis::Discretisation> first_scene(const model::Model& given) {
 }
 
 std::string trouble_of(const solve::FactorReport& report) {
+  if (report.status == solve::FactorStatus::engine_failed) {
+    return report.trouble;
+  }
   return report.status == solve::FactorStatus::out_of_memory
              ? fmt::format("it needs {:.0f} MB of memory, {:.0f} MB can be had",
                            1e-6 * report.memory, 1e-6 * report.memory_left)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solve/condensed_equations.hpp"
+#include "solve/engine_choice.hpp"
 #include "solve/sparse_condensation.hpp"
 
 #include <utility>
