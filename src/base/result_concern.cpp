@@ -9,9 +9,9 @@ namespace spricka::base {
 namespace {
 
 constexpr std::array<std::string_view, 1> without_answer{"W508"};
-constexpr std::array<std::string_view, 13> inexact{"W307", "W423", "W425", "W426", "W435",
+constexpr std::array<std::string_view, 14> inexact{"W307", "W423", "W425", "W426", "W435",
                                                    "W436", "W501", "W503", "W504", "W505",
-                                                   "W506", "W507", "W570"};
+                                                   "W506", "W507", "W509", "W570"};
 
 } // namespace
 

@@ -109,7 +109,8 @@ json of(const results::CrackLengthPreview& l, const FrontList& list) {
            {"externals", l.externals},   {"factor_entries", l.factor_entries},
            {"flops", l.flops},           {"memory", l.memory},
            {"cpu", l.seconds},           {"tips", json::array()},
-           {"fronts", json::array()},    {"notes", l.notes}};
+           {"fronts", json::array()},    {"notes", l.notes},
+           {"engines", l.engines}};
   out[list.name] = array_of(l.fronts, list.of);
   return out;
 }

@@ -211,6 +211,21 @@ std::string mirror_line(const results::SymmetryPlanePreview& mirror,
                            mirror.against);
 }
 
+// What solves nets that Cholesky in core does not: at the first length that has such, as others do
+// alike.
+std::string engine_lines(const DeckPreview& p) {
+  std::string lines;
+  for (const results::CrackLengthPreview& length : p.lengths) {
+    for (const std::string& engine : length.engines) {
+      lines += fmt::format("  {}\n", engine);
+    }
+    if (!lines.empty()) {
+      return "\n" + lines;
+    }
+  }
+  return lines;
+}
+
 // What the whole run needs.
 std::string run_line(const DeckPreview& p) {
   const bool fits = p.memory <= p.machine_memory;
@@ -264,6 +279,7 @@ std::string deck_preview_listing(const DeckPreview& preview) {
                        preview.sweep.size(), preview.sweep.front(), preview.sweep.back());
   }
   out += "\n" + table_to_text(forecast(preview));
+  out += engine_lines(preview);
   out += run_line(preview);
   for (const std::string& warning : preview.warnings) {
     out += "  warning: " + warning + "\n";

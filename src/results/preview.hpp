@@ -91,11 +91,12 @@ struct CrackLengthPreview {
   std::size_t rows = 0;     ///< of all contacts
   std::size_t unknowns = 0; ///< of the nets factorised at this length
   std::size_t externals = 0;
-  double factor_entries = 0.0; ///< as DeckPreview::exact says
-  double flops = 0.0;          ///< of the factorisations, likewise
-  double memory = 0.0;         ///< [bytes] forecast of the largest need up to here
-  double seconds = 0.0;        ///< [s] forecast of the CPU time
-  int condensed = 0;           ///< nets
+  double factor_entries = 0.0;           ///< as DeckPreview::exact says
+  double flops = 0.0;                    ///< of the factorisations, likewise
+  double memory = 0.0;                   ///< [bytes] forecast of the largest need up to here
+  double seconds = 0.0;                  ///< [s] forecast of the CPU time
+  std::vector<std::string> engines = {}; ///< of nets that Cholesky in core does not do, and why
+  int condensed = 0;                     ///< nets
   int reused = 0;
   std::vector<FrontPreview> fronts;
   std::vector<std::string> notes;

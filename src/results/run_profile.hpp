@@ -26,10 +26,11 @@ struct ProcessorInterval {
 struct NetCost {
   std::string name; ///< the body's; of its nets "LUG: rest" and "LUG: region", "A+B: A"
   std::int64_t freedoms = 0, externals = 0;
-  std::optional<double> entries = {};             ///< nonzeros of its factor
-  std::optional<double> flops = {};               ///< of its condensation
-  bool reused = false;                            ///< found again: what follows is 0
-  bool beside = false;                            ///< condensed on another thread than the main one
+  std::optional<double> entries = {}; ///< nonzeros of its factor
+  std::optional<double> flops = {};   ///< of its condensation
+  std::string engine = {};            ///< other than Cholesky in core: which, and why; empty: that
+  bool reused = false;                ///< found again: what follows is 0
+  bool beside = false;                ///< condensed on another thread than the main one
   double begin = 0.0, assembled = 0.0, end = 0.0; ///< moments [s]: stiffness, then condensation
   double stiffness_cpu = 0.0, analysis_cpu = 0.0, numeric_cpu = 0.0; ///< [s] of its thread
   std::optional<std::size_t> length = {};                            ///< of RunProfile::lengths

@@ -31,16 +31,17 @@ Condensation::Condensation(const base::SymmetricCsc& K, std::int64_t externals,
   }
 }
 
-FactorReport Condensation::forecast(base::SymmetricCsc pattern, std::int64_t externals,
+FactorReport Condensation::forecast(const base::SymmetricCsc& pattern, std::int64_t externals,
                                     const CondensationSettings& settings,
                                     const SparseRightHandSides* rows) {
-  return forecast_equations(std::move(pattern), externals, settings, rows);
+  return forecast_equations(pattern, externals, settings, rows);
 }
 
 FactorReport Condensation::forecast(const base::SymmetricCsc& pattern, std::int64_t externals,
                                     std::span<const CondensedNetBlock> blocks,
-                                    EarlyLateRowPartition* early) {
-  return TwoLevelCondensation::forecast(pattern, externals, blocks, early);
+                                    EarlyLateRowPartition* early,
+                                    const CondensationSettings& settings) {
+  return TwoLevelCondensation::forecast(pattern, externals, blocks, settings, early);
 }
 
 base::Matrix Condensation::take_schur() {

@@ -28,7 +28,7 @@ public:
   /// The symbolic phase alone: flops, fill and memory of what the constructor would do with a
   /// matrix of this pattern (values are not looked at).
   /// With `rows` [n, k] it counts what their compliance takes as well.
-  static FactorReport forecast(base::SymmetricCsc pattern, std::int64_t externals,
+  static FactorReport forecast(const base::SymmetricCsc& pattern, std::int64_t externals,
                                const CondensationSettings& settings = {},
                                const SparseRightHandSides* rows = nullptr);
   /// With dense blocks on top of K, which has a row, if an empty one, for each of theirs. With
@@ -41,7 +41,8 @@ public:
   /// `early`: rows of the block that would be there already; those of this matrix from then on.
   static FactorReport forecast(const base::SymmetricCsc& pattern, std::int64_t externals,
                                std::span<const CondensedNetBlock> blocks,
-                               EarlyLateRowPartition* early = nullptr);
+                               EarlyLateRowPartition* early = nullptr,
+                               const CondensationSettings& settings = {});
 
   [[nodiscard]] const FactorReport& report() const { return report_; }
   [[nodiscard]] std::int64_t size() const { return size_; } ///< unknowns, externals included

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 
 namespace spricka::solve {
 
@@ -17,8 +18,12 @@ namespace spricka::solve {
 struct CondensationSettings {
   OrderingMethod ordering = OrderingMethod::automatic;
   EquationEngine engine = EquationEngine::automatic;
-  int threads = 1;      ///< that may work on this net; no bit of a result hangs on it
-  double besides = 0.0; ///< [bytes] what others will need at the same time
+  int threads = 1;          ///< that may work on this net; no bit of a result hangs on it
+  double besides = 0.0;     ///< [bytes] what others will need at the same time
+  bool out_of_core = false; ///< MUMPS: the factor goes to disk even where it would fit
+  /// Where it goes; empty: nowhere. Given by who opens the engine.
+  std::string scratch_folder = {};
+  std::string engine_reason = {}; ///< for the report: why it is not Cholesky in core
 };
 
 /// External displacements [externals, k] that follow from the condensed loads [externals, k].

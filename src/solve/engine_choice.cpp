@@ -1,20 +1,190 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/engine_choice.hpp"
+#include "base/clock.hpp"
+#include "base/memory.hpp"
+#include "solve/engine_module.hpp"
+#include "solve/scratch_folder.hpp"
 #include "solve/sparse_condensation.hpp"
+#include "solve/unsolved_equations.hpp"
 
+#include <array>
+#include <cassert>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace spricka::solve {
 
-std::unique_ptr<CondensedEquations> condense_equations(base::SymmetricCsc K, std::int64_t externals,
-                                                       const CondensationSettings& settings) {
-  return std::make_unique<SparseCondensation>(std::move(K), externals, settings);
+namespace {
+
+/// Engines that need less memory than Cholesky in core, the next best first.
+constexpr std::array engines_for_less_memory{EngineModule::mumps, EngineModule::multigrid};
+
+// Of the memory in core what MUMPS takes with its factor on disk: measured on cubes of 1e5
+// unknowns.
+constexpr double share_out_of_core = 0.45;
+
+EngineModule module_of(EquationEngine engine) {
+  assert(engine == EquationEngine::mumps || engine == EquationEngine::multigrid);
+  return engine == EquationEngine::mumps ? EngineModule::mumps : EngineModule::multigrid;
 }
 
-FactorReport forecast_equations(base::SymmetricCsc pattern, std::int64_t externals,
+CondensationSettings with_scratch_folder(const CondensationSettings& settings,
+                                         EngineModule module) {
+  CondensationSettings own = settings;
+  if (own.scratch_folder.empty() && module == EngineModule::mumps) {
+    own.scratch_folder = scratch_folder();
+  }
+  return own;
+}
+
+std::string memory_text(double bytes) {
+  return bytes < 1e9 ? fmt::format("{:.0f} MB", 1e-6 * bytes)
+                     : fmt::format("{:.1f} GB", 1e-9 * bytes);
+}
+
+bool fits(const FactorReport& report) {
+  return report.memory + report.besides <= report.memory_left;
+}
+
+std::string why_not_in_core(const FactorReport& in_core) {
+  return fmt::format("in core would need {}, {} can be had",
+                     memory_text(in_core.memory + in_core.besides),
+                     memory_text(in_core.memory_left));
+}
+
+/// Why a further engine is no help either.
+std::string why_not(const FactorReport& report, EngineModule module) {
+  if (report.status == FactorStatus::out_of_memory) {
+    return fmt::format("{} would need {}",
+                       module == EngineModule::mumps ? "MUMPS out of core" : "multigrid",
+                       memory_text(report.memory + report.besides));
+  }
+  return report.trouble;
+}
+
+void add_reason(std::string& reasons, const std::string& more) {
+  reasons += (reasons.empty() ? "" : "; ") + more;
+}
+
+double memory_left() {
+  return static_cast<double>(base::process_memory_limit()) -
+         static_cast<double>(base::resident_memory());
+}
+
+// No other engine has what Cholesky has not: a matrix that is singular stays so.
+bool may_another_engine_do(const FactorReport& report) {
+  return report.status == FactorStatus::out_of_memory ||
+         report.status == FactorStatus::engine_failed;
+}
+
+} // namespace
+
+std::unique_ptr<CondensedEquations> condense_equations(base::SymmetricCsc K, std::int64_t externals,
+                                                       const CondensationSettings& settings) {
+  if (settings.engine == EquationEngine::mumps || settings.engine == EquationEngine::multigrid) {
+    const EngineModule module = module_of(settings.engine);
+    return condense_by_module(module, K, externals, with_scratch_folder(settings, module));
+  }
+  auto cholesky = std::make_unique<SparseCondensation>(std::move(K), externals, settings);
+  if (settings.engine == EquationEngine::cholesky ||
+      cholesky->report().status != FactorStatus::out_of_memory) {
+    return cholesky;
+  }
+  FactorReport in_core = cholesky->report();
+  K = cholesky->give_back_matrix();
+  cholesky.reset();
+  for (const EngineModule module : engines_for_less_memory) {
+    if (K.n == 0) {
+      break; // none has given it back
+    }
+    CondensationSettings own = with_scratch_folder(settings, module);
+    own.engine_reason = why_not_in_core(in_core);
+    std::unique_ptr<CondensedEquations> next = condense_by_module(module, K, externals, own);
+    if (!may_another_engine_do(next->report())) {
+      return next;
+    }
+    add_reason(in_core.trouble, why_not(next->report(), module));
+  }
+  return std::make_unique<UnsolvedEquations>(std::move(in_core));
+}
+
+FactorReport forecast_equations(const base::SymmetricCsc& pattern, std::int64_t externals,
                                 const CondensationSettings& settings,
                                 const SparseRightHandSides* rows) {
-  return SparseCondensation::forecast(std::move(pattern), externals, settings, rows);
+  if (settings.engine == EquationEngine::mumps || settings.engine == EquationEngine::multigrid) {
+    base::SymmetricCsc given_up = pattern;
+    return forecast_by_module(module_of(settings.engine), given_up, externals, settings, rows);
+  }
+  FactorReport in_core = SparseCondensation::forecast(pattern, externals, settings, rows);
+  in_core.memory_left = memory_left();
+  in_core.besides = settings.besides;
+  if (settings.engine == EquationEngine::cholesky ||
+      (in_core.status == FactorStatus::ok && fits(in_core))) {
+    return in_core;
+  }
+  for (const EngineModule module : engines_for_less_memory) {
+    base::SymmetricCsc given_up = pattern;
+    FactorReport next = forecast_by_module(module, given_up, externals, settings, rows);
+    if (!may_another_engine_do(next)) {
+      next.engine_reason = why_not_in_core(in_core);
+      return next;
+    }
+    add_reason(in_core.trouble, why_not(next, module));
+  }
+  return in_core; // what it needs says that the run will be refused
+}
+
+void choose_engine_by_law(FactorReport& report, const CondensationSettings& settings) {
+  report.besides = settings.besides;
+  report.memory_left = memory_left();
+  const bool asked = settings.engine == EquationEngine::mumps;
+  const bool may_choose = settings.engine == EquationEngine::automatic;
+  if ((!asked && !may_choose) || (may_choose && fits(report))) {
+    return;
+  }
+  FactorReport on_disk = report;
+  on_disk.engine = EquationEngine::mumps;
+  if (!fits(report)) {
+    on_disk.out_of_core = true;
+    on_disk.engine_reason = why_not_in_core(report);
+    on_disk.memory = share_out_of_core * report.memory;
+    on_disk.kept_memory = 0.0;
+    on_disk.disk = 8.0 * report.factor_entries;
+  }
+  std::string missing = why_engine_module_is_missing(EngineModule::mumps);
+  if (missing.empty()) {
+    report = std::move(on_disk);
+  } else {
+    report.trouble = std::move(missing);
+  }
+}
+
+std::optional<EquationEngine> engine_of_word(std::string_view word) {
+  constexpr std::array<std::pair<std::string_view, EquationEngine>, 4> engines{
+      {{"auto", EquationEngine::automatic},
+       {"cholesky", EquationEngine::cholesky},
+       {"mumps", EquationEngine::mumps},
+       {"multigrid", EquationEngine::multigrid}}};
+  for (const auto& [name, engine] : engines) {
+    if (name == word) {
+      return engine;
+    }
+  }
+  return {};
+}
+
+std::string engine_text(const FactorReport& report) {
+  switch (report.engine) {
+  case EquationEngine::mumps:
+    return report.out_of_core ? "MUMPS out of core" : "MUMPS";
+  case EquationEngine::multigrid:
+    return "conjugate gradients with multigrid";
+  case EquationEngine::automatic:
+  case EquationEngine::cholesky:
+    break;
+  }
+  return "Cholesky";
 }
 
 } // namespace spricka::solve

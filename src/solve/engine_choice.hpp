@@ -7,19 +7,36 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
 
 namespace spricka::solve {
 
 /// Solves the equations of K [n, n] (lower triangle), the last `externals` rows external. K is
 /// given up as soon as it is copied into the order of elimination: move it in.
+/// Automatic: sparse Cholesky in core while its forecast fits into what memory can be had, then
+/// MUMPS with its factor on disk, then multigrid, each if it is there and its own forecast fits;
+/// the report says which, and why. If none does, the status is out_of_memory and the trouble says
+/// what each would need.
 std::unique_ptr<CondensedEquations> condense_equations(base::SymmetricCsc K, std::int64_t externals,
                                                        const CondensationSettings& settings);
 
 /// The symbolic phase alone: flops, fill and memory of what condense_equations would do with a
-/// matrix of this pattern (values are not looked at). With `rows` [n, k] it counts what their
-/// compliance takes as well.
-FactorReport forecast_equations(base::SymmetricCsc pattern, std::int64_t externals,
+/// matrix of this pattern (values are not looked at), and by which engine. With `rows` [n, k] it
+/// counts what their compliance takes as well.
+FactorReport forecast_equations(const base::SymmetricCsc& pattern, std::int64_t externals,
                                 const CondensationSettings& settings = {},
                                 const SparseRightHandSides* rows = nullptr);
+
+/// The same choice where a law alone has foretold what Cholesky needs: writes into the report which
+/// engine would do it, and what that takes.
+void choose_engine_by_law(FactorReport& report, const CondensationSettings& settings);
+
+/// "auto", "cholesky", "mumps", "multigrid"; empty for another word.
+std::optional<EquationEngine> engine_of_word(std::string_view word);
+
+/// What did it, or would: "Cholesky", "MUMPS out of core".
+std::string engine_text(const FactorReport& report);
 
 } // namespace spricka::solve

@@ -14,13 +14,13 @@
 SPRICKA_ENGINE_EXPORT const char* spricka_engine_abi();
 
 /// As spricka::solve::condense_equations, of the one engine; the caller owns the result. K is moved
-/// from.
+/// from; it is put back, for the next engine, where the status is out_of_memory or engine_failed.
 SPRICKA_ENGINE_EXPORT spricka::solve::CondensedEquations*
 spricka_condense_equations(spricka::base::SymmetricCsc* K, std::int64_t externals,
                            const spricka::solve::CondensationSettings* settings);
 
 /// As spricka::solve::forecast_equations, of the one engine, written into the report; `rows` may be
-/// null. The pattern is moved from.
+/// null. The pattern is moved from and need not be put back.
 SPRICKA_ENGINE_EXPORT void
 spricka_forecast_equations(spricka::base::SymmetricCsc* pattern, std::int64_t externals,
                            const spricka::solve::CondensationSettings* settings,

@@ -3,9 +3,9 @@
 #include "base/shipped_files.hpp"
 #include "solve/engine_exports.hpp"
 #include "solve/source_digest.hpp"
+#include "solve/unsolved_equations.hpp"
 
 #include <array>
-#include <cassert>
 #include <cstddef>
 #include <filesystem>
 #include <mutex>
@@ -122,30 +122,6 @@ FactorReport report_of_missing_module(EngineModule module, std::string trouble) 
   return report;
 }
 
-/// In place of equations that nothing could be found to solve.
-class UnsolvedEquations final : public CondensedEquations {
-public:
-  explicit UnsolvedEquations(FactorReport report) : report_(std::move(report)) {}
-  [[nodiscard]] const FactorReport& report() const override { return report_; }
-  [[nodiscard]] base::Matrix take_schur() override { return {}; }
-  [[nodiscard]] base::Matrix condense_load(const base::Matrix& f) const override {
-    assert(false && "asked of equations that were not solved");
-    return f;
-  }
-  [[nodiscard]] base::Matrix
-  solve(const base::Matrix& f, const ExternalDisplacementSolver& /*displacement*/) const override {
-    return condense_load(f);
-  }
-  [[nodiscard]] RowCompliance
-  compliance_with_externals_held(SparseRightHandSides /*F*/) const override {
-    assert(false && "asked of equations that were not solved");
-    return {};
-  }
-
-private:
-  FactorReport report_;
-};
-
 } // namespace
 
 const char* engine_abi() {
@@ -157,7 +133,7 @@ std::string why_engine_module_is_missing(EngineModule module) {
   return open_engine_module(module).trouble;
 }
 
-std::unique_ptr<CondensedEquations> condense_by_module(EngineModule module, base::SymmetricCsc K,
+std::unique_ptr<CondensedEquations> condense_by_module(EngineModule module, base::SymmetricCsc& K,
                                                        std::int64_t externals,
                                                        const CondensationSettings& settings) {
   const EngineModuleSlot& opened = open_engine_module(module);
@@ -167,7 +143,7 @@ std::unique_ptr<CondensedEquations> condense_by_module(EngineModule module, base
   return std::unique_ptr<CondensedEquations>(opened.condense(&K, externals, &settings));
 }
 
-FactorReport forecast_by_module(EngineModule module, base::SymmetricCsc pattern,
+FactorReport forecast_by_module(EngineModule module, base::SymmetricCsc& pattern,
                                 std::int64_t externals, const CondensationSettings& settings,
                                 const SparseRightHandSides* rows) {
   const EngineModuleSlot& opened = open_engine_module(module);

@@ -22,13 +22,14 @@ const char* engine_abi();
 std::string why_engine_module_is_missing(EngineModule module);
 
 /// As condense_equations, by a module. The status is engine_failed, with the trouble, where it
-/// cannot be used.
-std::unique_ptr<CondensedEquations> condense_by_module(EngineModule module, base::SymmetricCsc K,
+/// cannot be used. K is given up; it is as it was only where the status is out_of_memory or
+/// engine_failed, and then not always: see its size.
+std::unique_ptr<CondensedEquations> condense_by_module(EngineModule module, base::SymmetricCsc& K,
                                                        std::int64_t externals,
                                                        const CondensationSettings& settings);
 
 /// As forecast_equations, by a module, likewise.
-FactorReport forecast_by_module(EngineModule module, base::SymmetricCsc pattern,
+FactorReport forecast_by_module(EngineModule module, base::SymmetricCsc& pattern,
                                 std::int64_t externals, const CondensationSettings& settings,
                                 const SparseRightHandSides* rows);
 

@@ -113,15 +113,16 @@ struct SparseCondensation::Impl {
   FactorReport report;
   std::int64_t n = 0;
   std::int64_t locals = 0;
+  base::SymmetricCsc matrix; ///< K until there is a factor; with_full_externals once it is analysed
+  std::vector<double> diagonal;    ///< of K
   std::vector<std::int64_t> order; ///< [n] row of K at each position of the elimination
   Factor factor;
   base::Matrix S;
 
-  void build(base::SymmetricCsc K, OrderingMethod ordering);
-  base::SymmetricCsc analyse_matrix(base::SymmetricCsc K, double shift, OrderingMethod ordering,
-                                    CholmodSession& session);
-  void factorise(const base::SymmetricCsc& A, CholmodSession& session);
-  void check_pivots(const std::vector<double>& diagonal);
+  void build(OrderingMethod ordering);
+  void analyse_matrix(double shift, OrderingMethod ordering, CholmodSession& session);
+  void factorise(CholmodSession& session);
+  void check_pivots();
   void read_schur(double shift);
   void drop_externals();
   void to_elimination(SparseRightHandSides& F) const;
@@ -140,18 +141,16 @@ struct SparseCondensation::Impl {
   }
 };
 
-base::SymmetricCsc SparseCondensation::Impl::analyse_matrix(base::SymmetricCsc K, double shift,
-                                                            OrderingMethod ordering,
-                                                            CholmodSession& session) {
+void SparseCondensation::Impl::analyse_matrix(double shift, OrderingMethod ordering,
+                                              CholmodSession& session) {
   const double started = thread_cpu_seconds();
-  order = elimination_order(K, locals, ordering);
-  base::SymmetricCsc A = with_full_externals(K, locals, shift);
-  K = base::SymmetricCsc();
-  factor = analyse(A, order, session);
+  order = elimination_order(matrix, locals, ordering);
+  matrix = with_full_externals(matrix, locals, shift);
+  factor = analyse(matrix, order, session);
   report.analysis_cpu = thread_cpu_seconds() - started;
   if (factor.get() == nullptr) {
     report.status = FactorStatus::out_of_memory;
-    return A;
+    return;
   }
   const double externals = static_cast<double>(n - locals);
   report.flops = session->fl;
@@ -160,20 +159,19 @@ base::SymmetricCsc SparseCondensation::Impl::analyse_matrix(base::SymmetricCsc K
   // workspace of the largest front and two dense matrices of the externals.
   report.memory =
       8.0 * static_cast<double>(factor->xsize + factor->ssize) +
-      24.0 * static_cast<double>(A.row.size()) +
+      24.0 * static_cast<double>(matrix.row.size()) +
       std::max(8.0 * static_cast<double>(factor->maxcsize), 16.0 * externals * externals);
   report.kept_memory = 8.0 * static_cast<double>(factor->xsize + factor->ssize);
-  return A;
 }
 
-void SparseCondensation::Impl::build(base::SymmetricCsc K, OrderingMethod ordering) {
+void SparseCondensation::Impl::build(OrderingMethod ordering) {
   blas::force_single_blas_thread();
   // (solve.4): large enough to hold a floating body far from round-off, small enough to be taken
   // off again without loss.
-  const double shift = 1e-2 * mean_external_diagonal(K, locals);
-  const std::vector<double> diagonal = diagonal_of(K);
+  const double shift = 1e-2 * mean_external_diagonal(matrix, locals);
+  diagonal = diagonal_of(matrix);
   CholmodSession session;
-  const base::SymmetricCsc A = analyse_matrix(std::move(K), shift, ordering, session);
+  analyse_matrix(shift, ordering, session);
   if (report.status != FactorStatus::ok) {
     return;
   }
@@ -185,9 +183,9 @@ void SparseCondensation::Impl::build(base::SymmetricCsc K, OrderingMethod orderi
     return;
   }
   const double analysed = thread_cpu_seconds();
-  factorise(A, session);
+  factorise(session);
   if (report.status == FactorStatus::ok) {
-    check_pivots(diagonal);
+    check_pivots();
   }
   if (report.status == FactorStatus::ok) {
     read_schur(shift);
@@ -195,8 +193,9 @@ void SparseCondensation::Impl::build(base::SymmetricCsc K, OrderingMethod orderi
   report.numeric_cpu = thread_cpu_seconds() - analysed;
 }
 
-void SparseCondensation::Impl::factorise(const base::SymmetricCsc& A, CholmodSession& session) {
-  cholmod_sparse view = cholmod_lower_view(A.n, A.start.data(), A.row.data(), A.value.data());
+void SparseCondensation::Impl::factorise(CholmodSession& session) {
+  cholmod_sparse view =
+      cholmod_lower_view(n, matrix.start.data(), matrix.row.data(), matrix.value.data());
   const int done = cholmod_l_factorize(&view, factor.get(), session.get());
   // `minor` is the column where the factorisation stopped, n where it did not.
   if (session->status == CHOLMOD_NOT_POSDEF || factor->minor < at(n)) {
@@ -208,7 +207,7 @@ void SparseCondensation::Impl::factorise(const base::SymmetricCsc& A, CholmodSes
   }
 }
 
-void SparseCondensation::Impl::check_pivots(const std::vector<double>& diagonal) {
+void SparseCondensation::Impl::check_pivots() {
   const SupernodalFactor L = supernodes();
   std::int64_t weakest = -1;
   for (std::int64_t s = 0; s < L.count; ++s) {
@@ -283,17 +282,32 @@ SparseCondensation::SparseCondensation(base::SymmetricCsc K, std::int64_t extern
   if (K.n == 0) {
     return;
   }
+  impl_->matrix = std::move(K);
   try {
-    impl_->build(std::move(K), settings.ordering);
+    impl_->build(settings.ordering);
   } catch (const std::bad_alloc&) {
     impl_->report.status = FactorStatus::out_of_memory;
   }
   if (impl_->report.status != FactorStatus::ok) {
     impl_->factor = Factor();
+    impl_->S = base::Matrix();
+  }
+  if (impl_->report.status != FactorStatus::out_of_memory) {
+    impl_->matrix = base::SymmetricCsc();
+    impl_->diagonal = {};
   }
 }
 
-FactorReport SparseCondensation::forecast(base::SymmetricCsc pattern, std::int64_t externals,
+base::SymmetricCsc SparseCondensation::give_back_matrix() {
+  base::SymmetricCsc K = std::exchange(impl_->matrix, {});
+  // Off with the shift; the zeros that make the first external column full do no harm.
+  for (std::size_t j = 0; j < impl_->diagonal.size(); ++j) {
+    K.value[at(K.start[j])] = impl_->diagonal[j];
+  }
+  return K;
+}
+
+FactorReport SparseCondensation::forecast(const base::SymmetricCsc& pattern, std::int64_t externals,
                                           const CondensationSettings& settings,
                                           const SparseRightHandSides* rows) {
   assert(externals >= 0 && externals <= pattern.n);
@@ -304,7 +318,8 @@ FactorReport SparseCondensation::forecast(base::SymmetricCsc pattern, std::int64
     try {
       CholmodSession session;
       // The shift changes values only, no pattern.
-      impl.analyse_matrix(std::move(pattern), 0.0, settings.ordering, session);
+      impl.matrix = pattern;
+      impl.analyse_matrix(0.0, settings.ordering, session);
       if (rows != nullptr && impl.report.status == FactorStatus::ok) {
         impl.count_rows(*rows);
       }

@@ -16,10 +16,12 @@ public:
   SparseCondensation(base::SymmetricCsc K, std::int64_t externals,
                      const CondensationSettings& settings = {});
   /// As forecast_equations.
-  static FactorReport forecast(base::SymmetricCsc pattern, std::int64_t externals,
+  static FactorReport forecast(const base::SymmetricCsc& pattern, std::int64_t externals,
                                const CondensationSettings& settings = {},
                                const SparseRightHandSides* rows = nullptr);
   ~SparseCondensation() override;
+  /// K, where the status is out_of_memory: another engine may need less.
+  [[nodiscard]] base::SymmetricCsc give_back_matrix();
 
   [[nodiscard]] const FactorReport& report() const override;
   [[nodiscard]] base::Matrix take_schur() override;

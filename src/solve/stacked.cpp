@@ -37,10 +37,11 @@ Eigen::Index first_bad_pivot(base::Matrix A) {
 
 FactorReport TwoLevelCondensation::forecast(const base::SymmetricCsc& K, std::int64_t externals,
                                             std::span<const CondensedNetBlock> blocks,
+                                            const CondensationSettings& settings,
                                             EarlyLateRowPartition* early) {
   TwoLevelRows rows = divide_rows_by_level(K, externals, blocks);
-  FactorReport report = forecast_equations(lower_level_matrix(K, rows),
-                                           static_cast<std::int64_t>(rows.touched.size()));
+  FactorReport report = forecast_equations(
+      lower_level_matrix(K, rows), static_cast<std::int64_t>(rows.touched.size()), settings);
   bool kept = false;
   if (early != nullptr) {
     find_externals_of_block_alone(K, blocks, rows);

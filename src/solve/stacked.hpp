@@ -28,7 +28,7 @@ public:
   /// The symbolic phase alone, as Condensation::forecast.
   static FactorReport forecast(const base::SymmetricCsc& K, std::int64_t externals,
                                std::span<const CondensedNetBlock> blocks,
-                               EarlyLateRowPartition* early);
+                               const CondensationSettings& settings, EarlyLateRowPartition* early);
   /// What condensation leaves of the externals: S [externals, externals], or its factor.
   struct SchurMatrixOrFactor {
     base::Matrix S;

@@ -4,6 +4,7 @@
 #include "analysis/bodies/net_work.hpp"
 #include "base/clock.hpp"
 #include "base/parallel.hpp"
+#include "solve/engine_choice.hpp"
 #include "solve/factor_checks.hpp"
 
 #include <algorithm>
@@ -27,6 +28,10 @@ base::Matrix rows_of(const base::Matrix& nodal, const std::vector<std::int32_t>&
   }
   return out;
 }
+
+// Displacements within this are as good as round-off leaves those of slender bodies: no word about
+// them.
+constexpr double exact_enough = 1e-8;
 
 struct Task {
   Substructure* net = nullptr;
@@ -71,7 +76,7 @@ void factorise(const CondensationRequest& request, std::vector<Task>& tasks,
     task.stiffness_wall = watch.wall_time();
     task.work.stiffness_cpu = solve::thread_cpu_seconds() - cpu;
     task.work.assembled = base::steady_clock_seconds();
-    const solve::CondensationSettings settings{.besides = contact_solution_memory(request.rows)};
+    const solve::CondensationSettings settings = condensation_settings(request);
     task.net->factor =
         stacked
             ? std::make_shared<solve::Condensation>(K, map.external_count(), blocks,
@@ -86,6 +91,11 @@ void factorise(const CondensationRequest& request, std::vector<Task>& tasks,
     log.numeric_cpu += report.numeric_cpu;
     log.flops += report.flops;
     ++log.condensed;
+    if (report.relative_error > exact_enough) {
+      log.inexact.push_back(fmt::format("{} was solved by {} to {:.1g} of its displacements",
+                                        task->work.name, solve::engine_text(report),
+                                        report.relative_error));
+    }
     if (report.status == solve::FactorStatus::ok) {
       cache.nets.emplace(task->key, task->net->factor);
     }
@@ -109,12 +119,12 @@ base::OptionalFailure trouble_of(const model::Mesh& mesh, const std::string& bod
   case solve::FactorStatus::out_of_memory:
     return not_solvable(fmt::format(
         "{}: its factor needs {:.0f} MB of memory ({} unknowns, {:.2g} entries){}, {:.0f} MB can "
-        "be had",
+        "be had{}",
         body, 1e-6 * report.memory, net.map.size(), report.factor_entries,
         report.besides > 0.02 * report.memory
             ? fmt::format(" and the rows of contact {:.0f} MB", 1e-6 * report.besides)
             : "",
-        1e-6 * report.memory_left));
+        1e-6 * report.memory_left, report.trouble.empty() ? "" : "; " + report.trouble));
   case solve::FactorStatus::engine_failed:
     return not_solvable(fmt::format("{}: {}", body, report.trouble));
   case solve::FactorStatus::not_positive_definite:
@@ -178,6 +188,10 @@ void condense_loads(const CondensationRequest& request, SubstructuredBody& body)
 }
 
 } // namespace
+
+solve::CondensationSettings condensation_settings(const CondensationRequest& request) {
+  return {.engine = request.engine, .besides = contact_solution_memory(request.rows)};
+}
 
 double contact_solution_memory(const std::vector<const contact::ConstraintRow*>& rows) {
   const bool rubs =

@@ -71,7 +71,9 @@ struct CondensationStatistics {
   double flops = 0.0;
   int condensed = 0, reused = 0;
   std::vector<results::NetCost> nets; ///< what each took, parts before the regions that they are in
-  base::OptionalFailure trouble;      ///< a singular local block, named, or too little memory
+  /// Of nets whose solution is less exact than that of a direct engine: which, and by how much.
+  std::vector<std::string> inexact;
+  base::OptionalFailure trouble; ///< a singular local block, named, or too little memory
 };
 
 /// Whether bodies are condensed to the freedoms that rows weigh, or the rows are eliminated with
@@ -88,11 +90,14 @@ struct CondensationRequest {
   int threads = 1;
   std::vector<const contact::ConstraintRow*> rows = {}; ///< that will be asked for
   CondensationMode condensing = CondensationMode::automatic;
+  solve::EquationEngine engine = solve::EquationEngine::automatic;
 };
 
 /// What a solution needs for dense matrices of these rows [bytes]: compliances, those in force and
 /// a factor, and with friction the scaled ones.
 double contact_solution_memory(const std::vector<const contact::ConstraintRow*>& rows);
+/// How the nets of a request are condensed.
+solve::CondensationSettings condensation_settings(const CondensationRequest& request);
 
 /// The bodies of the mesh with their rigid modes, split into nets whose freedoms are numbered;
 /// nothing is assembled or factorised. Floating bodies get carriers among their externals.

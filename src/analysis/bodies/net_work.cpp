@@ -2,6 +2,7 @@
 #include "analysis/bodies/net_work.hpp"
 
 #include "model/model.hpp"
+#include "solve/engine_choice.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -39,6 +40,12 @@ void add_factor_sizes(const fe::DofMap& map, const solve::FactorReport& report,
   work.freedoms = map.size();
   work.externals = map.external_count();
   work.entries = counted(report.factor_entries);
+  if (report.engine != solve::EquationEngine::cholesky) {
+    work.engine = solve::engine_text(report);
+    if (!report.engine_reason.empty()) {
+      work.engine += ": " + report.engine_reason;
+    }
+  }
   if (!work.reused) {
     work.flops = counted(report.flops);
     work.analysis_cpu = report.analysis_cpu;

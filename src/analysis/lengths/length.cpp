@@ -62,7 +62,8 @@ CondensationRequest CrackLengthAnalysis::condensation_request() const {
           .case_load = base::Matrix(),
           .threads = parts_.threads,
           .rows = scene_.reduced_contact_rows(),
-          .condensing = parts_.condensing};
+          .condensing = parts_.condensing,
+          .engine = parts_.engine};
 }
 
 void CrackLengthAnalysis::number_freedoms() {

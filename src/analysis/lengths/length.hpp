@@ -30,6 +30,7 @@ struct CrackLengthContext {
   estimate::ModeMatrixCache* modes = nullptr;  ///< of the error bars
   const model::Model* with_paths = nullptr;    ///< whose load paths are followed; null: the model's
   CondensationMode condensing = CondensationMode::automatic;
+  solve::EquationEngine engine = solve::EquationEngine::automatic;
 };
 
 /// One crack length: cut (TOPOLOGY), condensed (STIFFNESS, CONDENSE) and ready to be asked. It owns

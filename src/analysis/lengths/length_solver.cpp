@@ -73,7 +73,8 @@ CrackLengthContext CrackStateSolver::parts() {
           .mounted = keep ? &mounted_ : nullptr,
           .contact = &contact_,
           .modes = model_.growth ? &modes_ : nullptr,
-          .condensing = options_.condensing};
+          .condensing = options_.condensing,
+          .engine = options_.engine};
 }
 
 std::optional<results::CrackLengthResult> CrackStateSolver::solve(const CrackStateRequest& request,
@@ -155,6 +156,12 @@ std::optional<results::CrackLengthResult> CrackStateSolver::solve(const CrackSta
 bool CrackStateSolver::condense(CrackLengthAnalysis& length, LogWriter& log) {
   CondensationStatistics figures;
   const bool condensed = length.condense(figures);
+  std::vector<std::string> engines;
+  for (const results::NetCost& net : figures.nets) {
+    if (!net.engine.empty() && !net.reused) {
+      engines.push_back(fmt::format("{}: {}", net.name, net.engine));
+    }
+  }
   log.record_net_costs(std::move(figures.nets));
   if (!condensed) {
     trouble_ = figures.trouble;
@@ -167,6 +174,13 @@ bool CrackStateSolver::condense(CrackLengthAnalysis& length, LogWriter& log) {
                   figures.condensed, figures.reused, unknowns(length.bodies()), figures.flops,
                   figures.stiffness_cpu, figures.analysis_cpu, figures.numeric_cpu),
       figures.flops > 0.0 || figures.condensed == 0 ? std::optional(figures.flops) : std::nullopt);
+  for (const std::string& concern : figures.inexact) {
+    diagnostics_.warning({}, "W509", concern,
+                         "what follows from them is no better: K, contact, life");
+  }
+  for (const std::string& engine : engines) {
+    log.add_line("CONDENSE", engine);
+  }
   return true;
 }
 

@@ -28,6 +28,7 @@ struct RunProgress {
 struct SolveOptions {
   int threads = 1;
   CondensationMode condensing = CondensationMode::automatic;
+  solve::EquationEngine engine = solve::EquationEngine::automatic;
   /// Keeps increments, and gives back those of an earlier run.
   archive::IncrementStore* checkpoint = nullptr;
   std::function<void(const RunProgress&)> progress = {}; ///< may be empty

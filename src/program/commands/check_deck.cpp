@@ -76,7 +76,8 @@ std::string growth_words(const model::Model& model, double stations) {
 /// One deck's preview; what it finds wrong stays in its members.
 class Previewer {
 public:
-  Previewer(const model::Model& model, int threads) : model_(model), threads_(threads) {}
+  Previewer(const model::Model& model, int threads, solve::EquationEngine engine)
+      : model_(model), threads_(threads), engine_(engine) {}
 
   /// Every length. Without a forecast only mistakes are looked for.
   void look(ForecastMethod method) {
@@ -112,7 +113,8 @@ public:
       sized.cracks = growth::resize_solid_cracks(model_, lengths[i]);
       const std::unique_ptr<analysis::CrackLengthAnalysis> length =
           analysis::CrackLengthAnalysis::create(
-              {.model = sized, .cache = cache, .threads = threads_}, lengths[i], plan, diagnostics);
+              {.model = sized, .cache = cache, .threads = threads_, .engine = engine_}, lengths[i],
+              plan, diagnostics);
       if (!length) {
         return;
       }
@@ -156,6 +158,7 @@ private:
 
   const model::Model& model_;
   int threads_;
+  solve::EquationEngine engine_;
 };
 
 base::ProgramOutcome verdict(const base::SourceTexts& sources, const Previewer& found,
@@ -188,7 +191,7 @@ base::ProgramOutcome check_points(const RunOptions& options, const CheckedDeck& 
     }
     base::ProgramOutcome outcome = point.refusal.kind;
     if (point.model) {
-      Previewer look(*point.model, 1);
+      Previewer look(*point.model, 1, options.engine);
       look.look(ForecastMethod::none);
       outcome = verdict(point.sources, look, log);
     }
@@ -235,7 +238,7 @@ base::ProgramOutcome check_deck(const RunOptions& options, const CheckedDeck& de
                                 const Log& log) {
   const double read_cpu = base::cpu_seconds();
   const model::Model& model = *deck.model;
-  Previewer look(model, thread_count(options, model));
+  Previewer look(model, thread_count(options, model), options.engine);
   look.look(options.exact_forecast ? ForecastMethod::analysis : ForecastMethod::law);
   const base::ProgramOutcome own = verdict(deck.sources, look, log);
   results::DeckPreview& preview = look.preview;

@@ -360,6 +360,10 @@ constexpr std::array advice{
         "W506",
         "The table of rounds in the listing says what was tried and how far K came. A looser "
         "TOL, or a deck whose own mesh can be made finer where the errors are: exit code 5."},
+    CodeMeaning{"W509",
+                "Memory was short, or --engine asked for it. More memory, a coarser mesh or "
+                "--engine cholesky or mumps give an answer within round-off; the error of K is "
+                "about that of the displacements."},
     CodeMeaning{"W575",
                 "A crack that is pressed in every step has K2 and K3 at most, and grows by no "
                 "law here. Look at NET of $CRACK and at the direction of the loads."},

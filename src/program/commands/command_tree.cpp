@@ -125,6 +125,7 @@ void CommandTree::add_run() {
   add_path_option(command, "--out", run_.out, "run folder (default: the deck's name with .run)",
                   "FOLDER");
   add_threads_option(command, run_.threads, "threads, 0: all cores; no result depends on it");
+  add_engine_option(command, run_.engine);
   command.add_flag("--quiet", run_.quiet, "print messages only");
   command.add_flag("--restart", run_.restart,
                    "continue from the file that $RESTART WRITE names, if it exists");
@@ -149,6 +150,7 @@ void CommandTree::add_check() {
   add_deck_options(command, run_);
   add_threads_option(command, run_.threads,
                      "threads that the forecast of the run assumes, 0: all cores");
+  add_engine_option(command, run_.engine);
   command.add_flag("--forecast", run_.exact_forecast,
                    "analyse the matrices: fill, flops and memory exactly, not by a rough law");
   command.add_flag("--json", run_.json, "print what was found as JSON");

@@ -72,6 +72,7 @@ _spricka() {{
   case $before in
     --out) compopt -o filenames 2>/dev/null; mapfile -t COMPREPLY < <(compgen -d -- "$word"); return ;;
     --log-format) _spricka_words 'text json' "$word"; return ;;
+    --engine) _spricka_words 'auto cholesky mumps multigrid' "$word"; return ;;
     --threads | -D) return ;;
   esac
   case $word in

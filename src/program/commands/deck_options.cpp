@@ -3,6 +3,7 @@
 
 #include "mesh/link/mesher_limits.hpp"
 #include "program/commands/positive.hpp"
+#include "solve/engine_choice.hpp"
 
 namespace spricka::program {
 
@@ -64,6 +65,15 @@ void add_deck_options(CLI::App& command, RunOptions& options) {
       ->check(one_of_words_validator({"text", "json"}))
       ->type_name("text|json");
   add_mesh_limits(command);
+}
+
+void add_engine_option(CLI::App& command, solve::EquationEngine& engine) {
+  command
+      .add_option_function<std::string>(
+          "--engine", [&engine](const std::string& word) { engine = *solve::engine_of_word(word); },
+          "what solves the equations (default: auto, by the memory that they need)")
+      ->check(one_of_words_validator({"auto", "cholesky", "mumps", "multigrid"}))
+      ->type_name("auto|cholesky|mumps|multigrid");
 }
 
 void add_threads_option(CLI::App& command, int& threads, const std::string& doc) {

@@ -18,6 +18,9 @@ void add_deck_options(CLI::App& command, RunOptions& options);
 void add_define_option(CLI::App& command, std::vector<std::pair<std::string, std::string>>& defines,
                        const std::string& doc);
 
+/// --engine, what solves the equations.
+void add_engine_option(CLI::App& command, solve::EquationEngine& engine);
+
 /// --threads, a whole number from 0.
 void add_threads_option(CLI::App& command, int& threads, const std::string& doc);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/job/interrupt.hpp"
 
+#include "solve/scratch_folder.hpp"
+
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -37,6 +39,7 @@ InterruptHandler::InterruptHandler(std::function<int(int signal)> last_words) {
       return;
     }
     const int code = words(received);
+    solve::remove_scratch_folder();
     std::fflush(nullptr);
     // No destructors: other threads are still at work on what they would take away.
     std::_Exit(code);

@@ -110,6 +110,7 @@ Solved solve_deck(const RunOptions& options, const CheckedDeck& deck, RunFolder*
   analysis::SolveOptions solve;
   solve.checkpoint = checkpoint;
   solve.threads = solve::reserve_blas_workspace(thread_count(options, *deck.model));
+  solve.engine = options.engine;
   solve.recorder = options.recorder.get();
   Solved out;
   bool first = true;

@@ -3,6 +3,7 @@
 #include "base/clock.hpp"
 #include "model/forward.hpp"
 #include "program/job/log_format.hpp"
+#include "solve/equation_engine.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -22,6 +23,7 @@ struct RunOptions {
   std::filesystem::path out; ///< empty: the deck's name with .run, in the working directory
   std::vector<std::pair<std::string, std::string>> defines;
   int threads = -1; ///< below 0: as $CONTROL says; 0: all cores
+  solve::EquationEngine engine = solve::EquationEngine::automatic; ///< of the equations
   bool quiet = false;
   bool restart = false;  ///< go on from the deck's own $RESTART WRITE file, if it is there
   double seconds = 0.0;  ///< wall time after which no increment is begun; 0: no limit

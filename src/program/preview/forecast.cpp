@@ -5,11 +5,14 @@
 #include "estimate/enrichment.hpp"
 #include "model/model.hpp"
 #include "program/preview/net_outline.hpp"
+#include "solve/engine_choice.hpp"
 
 #include <algorithm>
 #include <numeric>
 #include <set>
 #include <span>
+
+#include <fmt/format.h>
 
 namespace spricka::program {
 
@@ -78,12 +81,22 @@ struct CostForecast::Needs {
   double entries = 0.0;
   double solve_entries = 0.0; ///< of all factors that a step passes through
   double seconds = 0.0;
-  double kept = 0.0;           ///< [bytes] factors and condensed stiffnesses
-  std::vector<double> passing; ///< [bytes] on top, net by net, while it is factorised
+  double kept = 0.0;                ///< [bytes] factors and condensed stiffnesses
+  std::vector<double> passing;      ///< [bytes] on top, net by net, while it is factorised
+  std::vector<std::string> engines; ///< of nets that Cholesky does not do
   int condensed = 0;
   int reused = 0;
   std::size_t unknowns = 0;
 };
+
+// "LUG: MUMPS out of core, 3.1 GB: in core would need 8.2 GB, 5.1 GB can be had"
+std::string CostForecast::describe_engine(const NetToForecast& piece,
+                                          const solve::FactorReport& report) {
+  return fmt::format("{}: {}, {:.2g} GB{}{}",
+                     piece.body != nullptr ? piece.body->name : std::string("a part"),
+                     solve::engine_text(report), 1e-9 * report.memory,
+                     report.engine_reason.empty() ? "" : ": ", report.engine_reason);
+}
 
 // Unknowns of the net's condensed parts in the net.
 std::vector<solve::CondensedNetBlock>
@@ -117,12 +130,15 @@ solve::FactorReport CostForecast::analyse(const analysis::CondensationRequest& r
   }
   const solve::SparseRightHandSides rows =
       net.weighed.empty() ? solve::SparseRightHandSides() : rows_on_net(request, net);
-  base::SymmetricCsc pattern = fe::stiffness_pattern(request.mesh, net.elements, supers, net.map);
+  const solve::CondensationSettings settings = analysis::condensation_settings(request);
+  const base::SymmetricCsc pattern =
+      fe::stiffness_pattern(request.mesh, net.elements, supers, net.map);
   return apart
              ? solve::Condensation::forecast(
                    pattern, net.map.external_count(), blocks,
-                   analysis::externals_can_stay_factorised(*body) ? &early_[*first_part] : nullptr)
-             : solve::Condensation::forecast(std::move(pattern), net.map.external_count(), {},
+                   analysis::externals_can_stay_factorised(*body) ? &early_[*first_part] : nullptr,
+                   settings)
+             : solve::Condensation::forecast(pattern, net.map.external_count(), settings,
                                              net.weighed.empty() ? nullptr : &rows);
 }
 
@@ -143,7 +159,9 @@ solve::FactorReport CostForecast::estimate(const analysis::CondensationRequest& 
   if (!net.weighed.empty()) {
     outline.rows = static_cast<double>(rows_on_net(request, net).count());
   }
-  return solve::estimate_factor(outline);
+  solve::FactorReport report = solve::estimate_factor(outline);
+  solve::choose_engine_by_law(report, analysis::condensation_settings(request));
+  return report;
 }
 
 const solve::FactorReport& CostForecast::report_of(const analysis::CondensationRequest& request,
@@ -164,6 +182,9 @@ const solve::FactorReport& CostForecast::report_of(const analysis::CondensationR
       report.analysis_cpu + element_seconds_ * static_cast<double>(net.elements.size());
   if (report.factor_entries > 0.0) {
     needs.seconds += report.flops / settings_.rate.at(report.flops / report.factor_entries);
+  }
+  if (report.engine != solve::EquationEngine::cholesky) {
+    needs.engines.push_back(describe_engine(piece, report));
   }
   needs.passing.push_back(report.memory - report.kept_memory);
   return known_.emplace(piece.key, report).first->second;
@@ -256,6 +277,7 @@ void CostForecast::forecast_crack_length(const analysis::CondensationRequest& re
   const double solving = contact_solution_memory + 12.0 * n + estimating;
   kept_results_ += results_bytes(scene.cracked.mesh, model_.steps.size());
 
+  length.engines = needs.engines;
   length.condensed = needs.condensed;
   length.reused = needs.reused;
   length.unknowns = needs.unknowns;

@@ -6,6 +6,7 @@
 #include "solve/rate.hpp"
 
 #include <map>
+#include <string>
 #include <vector>
 
 namespace spricka::program {
@@ -44,6 +45,7 @@ private:
     const analysis::SubstructuredBody* body; ///< that whose region the net is; null for a part
     const analysis::HashKey* first_part;     ///< its key, if there is one
   };
+  static std::string describe_engine(const NetToForecast& piece, const solve::FactorReport& report);
   static std::vector<solve::CondensedNetBlock>
   blocks_of(const NetToForecast& piece, std::vector<std::vector<std::int32_t>>& freedoms);
   solve::FactorReport analyse(const analysis::CondensationRequest& request,

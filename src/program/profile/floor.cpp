@@ -51,7 +51,7 @@ void once(const model::Model& model, const analysis::Discretisation& scene,
   base::SymmetricCsc K = analysis::regularised_global_stiffness(model, scene);
   const double assembly = assembling.cpu_time();
   floor.equations = K.n;
-  const solve::Condensation plain(std::move(K), 0);
+  const solve::Condensation plain(std::move(K), 0, {.engine = solve::EquationEngine::cholesky});
   const solve::FactorReport& report = plain.report();
   if (report.status != solve::FactorStatus::ok) {
     floor.why_not = trouble_of(report);

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "solve/factor_report.hpp"
+
+#include <cstddef>
+#include <mutex>
+#include <string>
+
+#include <dmumps_c.h>
+
+namespace spricka::engines {
+
+/// The steps of MUMPS by the numbers of its manual (JOB).
+enum class MumpsJob { analysis = 1, factorisation = 2, solution = 3 };
+
+/// One problem in MUMPS: symmetric positive definite, on one process, silent, with one thread.
+/// Calls of all instances take turns, as the library keeps some of its state for itself.
+class MumpsInstance {
+public:
+  MumpsInstance();
+  ~MumpsInstance();
+  MumpsInstance(const MumpsInstance&) = delete;
+  MumpsInstance& operator=(const MumpsInstance&) = delete;
+
+  /// What the manual calls ICNTL(number), INFOG(number), RINFOG(number).
+  [[nodiscard]] int& control(int number) { return data_.icntl[number - 1]; }
+  [[nodiscard]] int info(int number) const { return data_.infog[number - 1]; }
+  [[nodiscard]] double real_info(int number) const { return data_.rinfog[number - 1]; }
+  /// A count that is given in millions where it is negative.
+  [[nodiscard]] double count(int number) const {
+    const double given = info(number);
+    return given < 0.0 ? -1e6 * given : given;
+  }
+  [[nodiscard]] DMUMPS_STRUC_C& data() { return data_; }
+
+  /// Does it: whether INFOG(1) is no error. A factorisation that finds its estimated workspace too
+  /// small is given more, some times.
+  bool run(MumpsJob job);
+  /// The factor goes to files in this folder. False: its name is too long for MUMPS.
+  bool set_folder(const std::string& folder);
+  /// What the last error comes to; the trouble is for messages.
+  struct Failure {
+    solve::FactorStatus status;
+    std::string trouble;
+  };
+  [[nodiscard]] Failure failure() const;
+
+private:
+  void call(int job);
+  DMUMPS_STRUC_C data_{};
+};
+
+} // namespace spricka::engines
