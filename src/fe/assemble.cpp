@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/assemble.hpp"
 
+#include "base/parallel.hpp"
 #include "fe/element.hpp"
 #include "fe/pattern.hpp"
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 namespace spricka::fe {
 
@@ -70,6 +73,39 @@ RowsByBlock element_rows(const model::Mesh& mesh, std::span<const base::ElementI
   return blocks;
 }
 
+// Element matrices that are made side by side before they are added, one after the other.
+constexpr std::size_t batch_bytes = std::size_t{1} << 24U;
+
+// Calls add(element, matrix) for some elements of one shape in their order; the matrices are made
+// on several threads.
+template <shape::ElementShape S, class Add>
+void for_element_matrices(const model::Model& model, const model::Mesh& mesh,
+                          std::span<const base::ElementId> elements, int threads, const Add& add) {
+  const auto matrix_of = [&](base::ElementId e) {
+    return element_stiffness<S>(element_coordinates<S>(mesh, e), constitutive_law(model, mesh, e));
+  };
+  constexpr std::size_t batch = batch_bytes / sizeof(ElementMatrix<S>);
+  if (threads == 1 || elements.size() < batch) {
+    for (const base::ElementId e : elements) {
+      add(e, matrix_of(e));
+    }
+    return;
+  }
+  constexpr std::size_t portion = 16; // elements that a thread takes at a time
+  std::vector<ElementMatrix<S>> made(batch);
+  for (std::size_t first = 0; first < elements.size(); first += batch) {
+    const auto now = elements.subspan(first, std::min(batch, elements.size() - first));
+    base::parallel_for((now.size() + portion - 1) / portion, threads, [&](std::size_t p) {
+      for (std::size_t i = p * portion; i < std::min(now.size(), (p + 1) * portion); ++i) {
+        made[i] = matrix_of(now[i]);
+      }
+    });
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      add(now[i], made[i]);
+    }
+  }
+}
+
 } // namespace
 
 base::SymmetricCsc stiffness_pattern(const model::Mesh& mesh,
@@ -85,7 +121,8 @@ base::SymmetricCsc stiffness_pattern(const model::Mesh& mesh,
 
 base::SymmetricCsc assemble_stiffness(const model::Model& model, const model::Mesh& mesh,
                                       std::span<const base::ElementId> elements,
-                                      std::span<const Superelement> supers, const DofMap& dofs) {
+                                      std::span<const Superelement> supers, const DofMap& dofs,
+                                      int threads) {
   RowsByBlock blocks = element_rows(mesh, elements, dofs);
   for (const Superelement& super : supers) {
     add_rows(super.freedom, dofs, blocks);
@@ -95,16 +132,15 @@ base::SymmetricCsc assemble_stiffness(const model::Model& model, const model::Me
   std::array<std::int32_t, max_element_freedoms> freedoms{};
   // Blocks must come in the order in which their rows were added.
   std::size_t block_number = 0;
-  for_shape_blocks(mesh, elements,
-                   [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-                     for (const base::ElementId e : block) {
-                       const ElementMatrix<S> Ke = element_stiffness<S>(
-                           element_coordinates<S>(mesh, e), constitutive_law(model, mesh, e));
-                       add_coefficients(element_freedoms(mesh, e, freedoms), dofs, Ke,
-                                        blocks.rows_of_block(block_number), K);
-                       ++block_number;
-                     }
-                   });
+  for_shape_blocks(
+      mesh, elements, [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+        for_element_matrices<S>(model, mesh, block, threads,
+                                [&](base::ElementId e, const ElementMatrix<S>& Ke) {
+                                  add_coefficients(element_freedoms(mesh, e, freedoms), dofs, Ke,
+                                                   blocks.rows_of_block(block_number), K);
+                                  ++block_number;
+                                });
+      });
   for (const Superelement& super : supers) {
     add_coefficients(super.freedom, dofs, *super.stiffness, blocks.rows_of_block(block_number), K);
     ++block_number;

@@ -121,6 +121,22 @@ inline void solve_lower(int m, int n, Transposition form, ConstMatrixBlock L, Ma
   dtrsm_("L", "L", &t, "N", &m, &n, &one, L.data, &L.stride, B.data, &B.stride);
 }
 
+/// B [m, n] <- B L^-T with the lower triangle L [n, n].
+inline void solve_lower_from_right(int m, int n, ConstMatrixBlock L, MatrixBlock B) {
+  if (m == 0 || n == 0) {
+    return;
+  }
+  const double one = 1.0;
+  dtrsm_("R", "L", "T", "N", &m, &n, &one, L.data, &L.stride, B.data, &B.stride);
+}
+
+/// Lower triangle of C [n, n] <- alpha Y Y^T + beta C for Y [n, k].
+inline void row_gram(int n, int k, double alpha, double beta, ConstMatrixBlock Y, MatrixBlock C) {
+  if (n > 0) {
+    dsyrk_("L", "N", &n, &k, &alpha, Y.data, &Y.stride, &beta, C.data, &C.stride);
+  }
+}
+
 /// Lower triangle of C [k, k] <- Y^T Y for Y [n, k].
 inline void gram_matrix(int n, int k, ConstMatrixBlock Y, MatrixBlock C) {
   if (n == 0 || k == 0) {
@@ -131,11 +147,16 @@ inline void gram_matrix(int n, int k, ConstMatrixBlock Y, MatrixBlock C) {
   dsyrk_("L", "T", &k, &n, &one, Y.data, &Y.stride, &zero, C.data, &C.stride);
 }
 
-/// A [n, n] (lower triangle) <- its Cholesky factor; false when a pivot is not positive.
-inline bool cholesky(int n, MatrixBlock A) {
+/// A [n, n] (lower triangle) <- its Cholesky factor: the first pivot that is not positive, n where
+/// there is none.
+inline int cholesky_until(int n, MatrixBlock A) {
   int info = 0;
   dpotrf_("L", &n, A.data, &A.stride, &info);
-  return info == 0;
+  return info == 0 ? n : info - 1; // Fortran counts from 1
+}
+/// The same; false when a pivot is not positive.
+inline bool cholesky(int n, MatrixBlock A) {
+  return cholesky_until(n, A) == n;
 }
 
 /// Cholesky with diagonal pivoting of A [n, n] (lower triangle, destroyed) until no pivot exceeds

@@ -21,7 +21,7 @@ constexpr double held_fronts = 3.0;
 // Time of the symbolic phase [s] for each unknown.
 constexpr base::ByDimension analysis_time{0.8e-6, 6e-6};
 constexpr double entry = 8.0;         // [bytes] of a factor
-constexpr double matrix_entry = 24.0; // [bytes] of the matrix, (solve.8)
+constexpr double matrix_entry = 16.0; // [bytes] of the matrix, (solve.8)
 
 /// All boxes that a depth of the dissection makes: of one size, told apart by how many of their
 /// sides along each axis are separators.
@@ -53,9 +53,8 @@ public:
       halve(longest);
     }
     report_.kept_memory = entry * stored_over_fronts * full_entries_;
-    report_.memory = report_.kept_memory +
-                     matrix_entry * 0.5 * net_.dim * net_.row_neighbours * (net_.locals + e) +
-                     std::max(entry * largest_update_, 2.0 * entry * e * e);
+    const double entries = 0.5 * net_.dim * net_.row_neighbours * (net_.locals + e);
+    report_.memory = report_.kept_memory + std::max(matrix_entry * entries, entry * e * e);
     report_.analysis_cpu = analysis_time.at(net_.dim) * (net_.locals + e);
     return report_;
   }
@@ -103,7 +102,6 @@ private:
     report_.flops += count * (std::pow(s + r, 3) - std::pow(r, 3)) / 3.0;
     report_.factor_entries += count * s * (0.5 * s + r);
     full_entries_ += count * s * (s + r);
-    largest_update_ = std::max(largest_update_, r * r);
     report_.row_flops += count * k * s * (s + 2.0 * r + k);
     report_.row_memory = std::max(report_.row_memory, held_fronts * entry * k * (s + r));
   }
@@ -131,7 +129,6 @@ private:
   Counts count_{};             ///< by separators across each axis
   FactorReport report_;
   double full_entries_ = 0.0; ///< of fronts stored full
-  double largest_update_ = 0.0;
 };
 
 } // namespace

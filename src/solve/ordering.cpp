@@ -204,4 +204,35 @@ std::vector<std::int64_t> elimination_order(const base::SymmetricCsc& K, std::in
   return order;
 }
 
+base::SymmetricCsc reorder(const base::SymmetricCsc& K, const std::vector<std::int64_t>& order) {
+  std::vector<std::int64_t> position(at(K.n));
+  for (std::int64_t k = 0; k < K.n; ++k) {
+    position[at(order[at(k)])] = k;
+  }
+  base::SymmetricCsc A;
+  A.n = K.n;
+  A.start.assign(at(K.n) + 1, 0);
+  const auto for_entries = [&](const auto& use) {
+    for (std::int64_t j = 0; j < K.n; ++j) {
+      for (std::int64_t p = K.start[at(j)]; p < K.start[at(j) + 1]; ++p) {
+        const auto [column, row] = std::minmax(position[at(j)], position[at(K.row[at(p)])]);
+        use(column, row, p);
+      }
+    }
+  };
+  for_entries([&](std::int64_t column, std::int64_t, std::int64_t) { ++A.start[at(column) + 1]; });
+  for (std::int64_t j = 0; j < K.n; ++j) {
+    A.start[at(j) + 1] += A.start[at(j)];
+  }
+  A.row.resize(K.row.size());
+  A.value.resize(K.row.size());
+  std::vector<std::int64_t> next(A.start.begin(), A.start.end() - 1);
+  for_entries([&](std::int64_t column, std::int64_t row, std::int64_t p) {
+    const std::int64_t to = next[at(column)]++;
+    A.row[at(to)] = row;
+    A.value[at(to)] = K.value[at(p)];
+  });
+  return A;
+}
+
 } // namespace spricka::solve

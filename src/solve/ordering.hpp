@@ -19,4 +19,8 @@ enum class OrderingMethod { automatic, amd, metis };
 std::vector<std::int64_t> elimination_order(const base::SymmetricCsc& K, std::int64_t locals,
                                             OrderingMethod ordering);
 
+/// K with its rows and columns in another order ([n] row of K at each position), each entry in the
+/// column that comes first there; rows of a column as they come.
+base::SymmetricCsc reorder(const base::SymmetricCsc& K, const std::vector<std::int64_t>& order);
+
 } // namespace spricka::solve

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/row_elimination.hpp"
 #include "base/index.hpp"
+#include "base/parallel.hpp"
 #include "solve/blas.hpp"
 
 #include <algorithm>
@@ -70,33 +71,38 @@ void find_places(const std::vector<int>& columns, const std::vector<int>& above,
   }
 }
 
-/// Lower triangle of W, rows and columns `columns`, += X^T X.
-void add_gram(const base::Matrix& X, const std::vector<int>& columns, base::Matrix& W) {
+/// Calls use(first, width) for each panel of k columns, on several threads where each has `flops`
+/// to do that are worth one.
+template <class Use> void for_column_panels(int k, double flops, int threads, const Use& use) {
+  constexpr double least_threaded_flops = 2e7;
+  const auto count = static_cast<std::size_t>((k + panel - 1) / panel);
+  base::parallel_for(count, flops < least_threaded_flops ? 1 : threads, [&](std::size_t i) {
+    const int first = static_cast<int>(i) * panel;
+    use(first, std::min(panel, k - first));
+  });
+}
+
+/// Lower triangle of W, rows and columns `columns`, += X^T X; columns [first, first + width) of X.
+void add_gram(const base::Matrix& X, const std::vector<int>& columns, int first, int width,
+              base::Matrix& W) {
   const auto k = static_cast<int>(columns.size());
   const auto rows = static_cast<int>(X.rows());
   const auto n = static_cast<int>(W.rows());
-  base::Matrix part;
-  for (int first = 0; first < k; first += panel) {
-    const int width = std::min(panel, k - first);
-    const blas::ConstMatrixBlock from{X.data() + static_cast<std::ptrdiff_t>(first) * rows, rows};
-    if (k == n) { // all columns: nothing to scatter
-      double* const into = W.data() + static_cast<std::ptrdiff_t>(first) * n + first;
-      blas::gemm({.m = k - first,
-                  .n = width,
-                  .k = rows,
-                  .a = blas::Transposition::transposed,
-                  .beta = 1.0},
-                 from, from, {into, n});
-      continue;
-    }
-    part.resize(k - first, width);
-    blas::gemm({.m = k - first, .n = width, .k = rows, .a = blas::Transposition::transposed}, from,
-               from, {part.data(), k - first});
-    for (int j = 0; j < width; ++j) {
-      double* const into = W.data() + static_cast<std::ptrdiff_t>(columns[at(first + j)]) * n;
-      for (int i = j; i < k - first; ++i) {
-        into[columns[at(first + i)]] += part(i, j);
-      }
+  const blas::ConstMatrixBlock from{X.data() + static_cast<std::ptrdiff_t>(first) * rows, rows};
+  if (k == n) { // all columns: nothing to scatter
+    double* const into = W.data() + static_cast<std::ptrdiff_t>(first) * n + first;
+    blas::gemm(
+        {.m = k - first, .n = width, .k = rows, .a = blas::Transposition::transposed, .beta = 1.0},
+        from, from, {into, n});
+    return;
+  }
+  base::Matrix part(k - first, width);
+  blas::gemm({.m = k - first, .n = width, .k = rows, .a = blas::Transposition::transposed}, from,
+             from, {part.data(), k - first});
+  for (int j = 0; j < width; ++j) {
+    double* const into = W.data() + static_cast<std::ptrdiff_t>(columns[at(first + j)]) * n;
+    for (int i = j; i < k - first; ++i) {
+      into[columns[at(first + i)]] += part(i, j);
     }
   }
 }
@@ -185,8 +191,9 @@ base::Matrix& RowElimination::block_of(std::int64_t front) {
   return X;
 }
 
-base::Matrix RowElimination::compute_compliance(base::Matrix& condensed) {
+base::Matrix RowElimination::compute_compliance(base::Matrix& condensed, int threads) {
   blas::force_single_blas_thread();
+  threads_ = threads;
   const Eigen::Index k = condensed.cols();
   base::Matrix W = base::Matrix::Zero(k, k);
   for (std::int64_t s = 0; s < fronts_; ++s) {
@@ -208,47 +215,54 @@ void RowElimination::eliminate(std::int64_t front, base::Matrix& W, base::Matrix
   }
   const SupernodeSize shape = shape_of(L_, front);
   const double* const L = L_.value + L_.value_start[front];
-  blas::solve_lower(shape.columns, static_cast<int>(columns.size()), blas::Transposition::plain,
-                    {L, shape.columns + shape.below}, {X.data(), shape.columns});
-  add_gram(X, columns, W);
-  hand_up(front, X, condensed);
+  const auto k = static_cast<int>(columns.size());
+  // Of one panel of columns all that touches no other's.
+  const double flops = static_cast<double>(shape.columns) * std::min(k, panel);
+  for_column_panels(k, flops * shape.columns, threads_, [&](int first, int width) {
+    blas::solve_lower(
+        shape.columns, width, blas::Transposition::plain, {L, shape.columns + shape.below},
+        {X.data() + static_cast<std::ptrdiff_t>(first) * shape.columns, shape.columns});
+  });
+  for_column_panels(k, flops * k, threads_,
+                    [&](int first, int width) { add_gram(X, columns, first, width, W); });
+  if (shape.below > 0) {
+    // Blocks above are made before several threads write into them.
+    for_fronts_above(L_, front_of_, front, [&](std::int64_t above, int, int) {
+      if (above >= 0) {
+        block_of(above);
+      }
+    });
+    for_column_panels(k, 2.0 * flops * shape.below, threads_,
+                      [&](int first, int width) { hand_up(front, X, first, width, condensed); });
+  }
 }
 
-// What is left of F in the rows of the fronts above.
-void RowElimination::hand_up(std::int64_t front, const base::Matrix& X, base::Matrix& condensed) {
+// What is left of F in the rows of the fronts above, in columns [first, first + width) of X.
+void RowElimination::hand_up(std::int64_t front, const base::Matrix& X, int first, int width,
+                             base::Matrix& condensed) {
   const SupernodeSize shape = shape_of(L_, front);
-  if (shape.below == 0) {
-    return;
-  }
   const std::vector<int>& columns = columns_[at(front)];
   const double* const L21 = L_.value + L_.value_start[front] + shape.columns;
   const std::int64_t* const row = below_of(L_, front);
-  const auto k = static_cast<int>(columns.size());
-  base::Matrix update;
+  base::Matrix update(shape.below, width);
   std::vector<int> place;
-  for (int first = 0; first < k; first += panel) {
-    const int width = std::min(panel, k - first);
-    update.resize(shape.below, width);
-    blas::gemm({.m = shape.below, .n = width, .k = shape.columns},
-               {L21, shape.columns + shape.below},
-               {X.data() + static_cast<std::ptrdiff_t>(first) * shape.columns, shape.columns},
-               {update.data(), shape.below});
-    const auto subtract = [&](std::int64_t above, int begin, int end) {
-      const std::int64_t top = above < 0 ? L_.locals : L_.column[above];
-      base::Matrix& into = above < 0 ? condensed : block_of(above);
-      if (above >= 0) {
-        find_places(columns, columns_[at(above)], place);
+  blas::gemm({.m = shape.below, .n = width, .k = shape.columns}, {L21, shape.columns + shape.below},
+             {X.data() + static_cast<std::ptrdiff_t>(first) * shape.columns, shape.columns},
+             {update.data(), shape.below});
+  for_fronts_above(L_, front_of_, front, [&](std::int64_t above, int begin, int end) {
+    const std::int64_t top = above < 0 ? L_.locals : L_.column[above];
+    base::Matrix& into = above < 0 ? condensed : block_[at(above)];
+    if (above >= 0) {
+      find_places(columns, columns_[at(above)], place);
+    }
+    for (int j = 0; j < width; ++j) {
+      const int column = above < 0 ? columns[at(first + j)] : place[at(first + j)];
+      double* const to = into.data() + static_cast<std::ptrdiff_t>(column) * into.rows() - top;
+      for (int i = begin; i < end; ++i) {
+        to[row[i]] -= update(i, j);
       }
-      for (int j = 0; j < width; ++j) {
-        const int column = above < 0 ? columns[at(first + j)] : place[at(first + j)];
-        double* const to = into.data() + static_cast<std::ptrdiff_t>(column) * into.rows() - top;
-        for (int i = begin; i < end; ++i) {
-          to[row[i]] -= update(i, j);
-        }
-      }
-    };
-    for_fronts_above(L_, front_of_, front, subtract);
-  }
+    }
+  });
 }
 
 } // namespace spricka::solve

@@ -38,7 +38,8 @@ public:
   [[nodiscard]] double workspace() const { return workspace_; } ///< [bytes] besides W
 
   /// W = Y^T Y [k, k], symmetric to the last bit; condensed [n - locals, k] <- F_e - L21 Y. Once.
-  base::Matrix compute_compliance(base::Matrix& condensed);
+  /// No bit depends on the threads.
+  base::Matrix compute_compliance(base::Matrix& condensed, int threads);
 
 private:
   struct RightHandSideEntryInFront {
@@ -50,7 +51,8 @@ private:
   void count_cost();
   base::Matrix& block_of(std::int64_t front);
   void eliminate(std::int64_t front, base::Matrix& W, base::Matrix& condensed);
-  void hand_up(std::int64_t front, const base::Matrix& X, base::Matrix& condensed);
+  void hand_up(std::int64_t front, const base::Matrix& X, int first, int width,
+               base::Matrix& condensed);
 
   const SupernodalFactor& L_;
   std::int64_t fronts_;
@@ -60,6 +62,7 @@ private:
   std::vector<base::Matrix> block_;       ///< [front] its rows of these, while they are being made
   double flops_ = 0.0;
   double workspace_ = 0.0;
+  int threads_ = 1;
 };
 
 } // namespace spricka::solve

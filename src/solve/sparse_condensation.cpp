@@ -6,10 +6,13 @@
 #include "solve/blas.hpp"
 #include "solve/cholmod_session.hpp"
 #include "solve/factor_checks.hpp"
+#include "solve/supernodal_cholesky.hpp"
 #include "solve/supernodes.hpp"
 
 #include <algorithm>
 #include <cassert>
+#include <cstdlib>
+#include <memory>
 #include <new>
 #include <utility>
 #include <vector>
@@ -46,32 +49,43 @@ private:
   cholmod_factor* factor_ = nullptr;
 };
 
-/// K with the shift on the external diagonal and the first external column full: then L22 is full
-/// from its first column on and becomes one supernode.
-base::SymmetricCsc with_full_externals(const base::SymmetricCsc& K, std::int64_t locals,
-                                       double shift) {
+/// Numbers of a factor, not set at first: each thread sets those that it works on, where it runs.
+class FactorValues {
+public:
+  [[nodiscard]] double* get() const { return memory_.get(); }
+  /// Keeps the first of them. Throws std::bad_alloc.
+  void resize(std::size_t count) {
+    void* const moved =
+        std::realloc(memory_.get(), std::max<std::size_t>(1, count) * sizeof(double)); // NOLINT
+    if (moved == nullptr) {
+      throw std::bad_alloc();
+    }
+    static_cast<void>(memory_.release());
+    memory_.reset(static_cast<double*>(moved));
+  }
+
+private:
+  struct Free {
+    void operator()(double* memory) const { std::free(memory); } // NOLINT: it is realloc's
+  };
+  std::unique_ptr<double, Free> memory_;
+};
+
+/// The pattern of K with the first external column full: then the block of externals is full from
+/// its first column on and becomes one supernode.
+base::SymmetricCsc pattern_with_full_externals(const base::SymmetricCsc& K, std::int64_t locals) {
   base::SymmetricCsc A;
   A.n = K.n;
   A.start.reserve(K.start.size());
   A.row.reserve(K.row.size() + at(K.n - locals));
-  A.value.reserve(A.row.capacity());
   A.start.push_back(0);
   for (std::int64_t j = 0; j < K.n; ++j) {
-    std::int64_t p = K.start[at(j)];
-    const std::int64_t end = K.start[at(j) + 1];
     if (j == locals) {
       for (std::int64_t i = j; i < K.n; ++i) {
-        const bool stored = p < end && K.row[at(p)] == i;
         A.row.push_back(i);
-        A.value.push_back(stored ? K.value[at(p)] : 0.0);
-        p += stored ? 1 : 0;
       }
     } else {
-      A.row.insert(A.row.end(), K.row.begin() + p, K.row.begin() + end);
-      A.value.insert(A.value.end(), K.value.begin() + p, K.value.begin() + end);
-    }
-    if (j >= locals) {
-      A.value[at(A.start.back())] += shift;
+      A.row.insert(A.row.end(), K.row.begin() + K.start[at(j)], K.row.begin() + K.start[at(j) + 1]);
     }
     A.start.push_back(static_cast<std::int64_t>(A.row.size()));
   }
@@ -86,14 +100,6 @@ std::vector<double> diagonal_of(const base::SymmetricCsc& K) {
   return diagonal;
 }
 
-double mean_external_diagonal(const base::SymmetricCsc& K, std::int64_t locals) {
-  double sum = 0.0;
-  for (std::int64_t j = locals; j < K.n; ++j) {
-    sum += K.value[at(K.start[at(j)])];
-  }
-  return K.n == locals ? 0.0 : sum / static_cast<double>(K.n - locals);
-}
-
 Factor analyse(const base::SymmetricCsc& A, std::vector<std::int64_t>& order,
                CholmodSession& session) {
   // Locals have been postordered already, and externals must stay last.
@@ -102,8 +108,7 @@ Factor analyse(const base::SymmetricCsc& A, std::vector<std::int64_t>& order,
   session->method[0].ordering = CHOLMOD_GIVEN;
   session->postorder = 0;
   session->final_ll = 1;
-  session->quick_return_if_not_posdef = 1;
-  cholmod_sparse view = cholmod_lower_view(A.n, A.start.data(), A.row.data(), A.value.data());
+  cholmod_sparse view = cholmod_lower_view(A.n, A.start.data(), A.row.data(), nullptr);
   return Factor(cholmod_l_analyze_p(&view, order.data(), nullptr, 0, session.get()));
 }
 
@@ -113,17 +118,19 @@ struct SparseCondensation::Impl {
   FactorReport report;
   std::int64_t n = 0;
   std::int64_t locals = 0;
-  base::SymmetricCsc matrix; ///< K until there is a factor; with_full_externals once it is analysed
+  base::SymmetricCsc matrix;       ///< K until its entries are in the factor
   std::vector<double> diagonal;    ///< of K
   std::vector<std::int64_t> order; ///< [n] row of K at each position of the elimination
-  Factor factor;
+  Factor factor;                   ///< its symbolic part
+  FactorValues values;
   base::Matrix S;
+  int threads = 1; ///< that work on it
 
   void build(OrderingMethod ordering);
-  void analyse_matrix(double shift, OrderingMethod ordering, CholmodSession& session);
-  void factorise(CholmodSession& session);
+  void analyse_pattern(const base::SymmetricCsc& K, OrderingMethod ordering);
+  void factorise();
   void check_pivots();
-  void read_schur(double shift);
+  void read_schur();
   void drop_externals();
   void to_elimination(SparseRightHandSides& F) const;
   void count_rows(SparseRightHandSides rows);
@@ -137,16 +144,16 @@ struct SparseCondensation::Impl {
             .row_start = integers(factor->pi),
             .value_start = integers(factor->px),
             .row = integers(factor->s),
-            .value = static_cast<const double*>(factor->x)};
+            .value = values.get()};
   }
 };
 
-void SparseCondensation::Impl::analyse_matrix(double shift, OrderingMethod ordering,
-                                              CholmodSession& session) {
+void SparseCondensation::Impl::analyse_pattern(const base::SymmetricCsc& K,
+                                               OrderingMethod ordering) {
   const double started = thread_cpu_seconds();
-  order = elimination_order(matrix, locals, ordering);
-  matrix = with_full_externals(matrix, locals, shift);
-  factor = analyse(matrix, order, session);
+  CholmodSession session;
+  order = elimination_order(K, locals, ordering);
+  factor = analyse(pattern_with_full_externals(K, locals), order, session);
   report.analysis_cpu = thread_cpu_seconds() - started;
   if (factor.get() == nullptr) {
     report.status = FactorStatus::out_of_memory;
@@ -155,23 +162,17 @@ void SparseCondensation::Impl::analyse_matrix(double shift, OrderingMethod order
   const double externals = static_cast<double>(n - locals);
   report.flops = session->fl;
   report.factor_entries = session->lnz;
-  // The factor, and on top of it the matrix with its permuted copy and, one after the other, the
-  // workspace of the largest front and two dense matrices of the externals.
-  report.memory =
-      8.0 * static_cast<double>(factor->xsize + factor->ssize) +
-      24.0 * static_cast<double>(matrix.row.size()) +
-      std::max(8.0 * static_cast<double>(factor->maxcsize), 16.0 * externals * externals);
   report.kept_memory = 8.0 * static_cast<double>(factor->xsize + factor->ssize);
+  // The factor, and on top of it, one after the other, the matrix in the order of elimination and
+  // the condensed one.
+  report.memory = report.kept_memory +
+                  std::max(16.0 * static_cast<double>(K.row.size()), 8.0 * externals * externals);
 }
 
 void SparseCondensation::Impl::build(OrderingMethod ordering) {
   blas::force_single_blas_thread();
-  // (solve.4): large enough to hold a floating body far from round-off, small enough to be taken
-  // off again without loss.
-  const double shift = 1e-2 * mean_external_diagonal(matrix, locals);
   diagonal = diagonal_of(matrix);
-  CholmodSession session;
-  analyse_matrix(shift, ordering, session);
+  analyse_pattern(matrix, ordering);
   if (report.status != FactorStatus::ok) {
     return;
   }
@@ -182,28 +183,31 @@ void SparseCondensation::Impl::build(OrderingMethod ordering) {
     report.status = FactorStatus::out_of_memory;
     return;
   }
-  const double analysed = thread_cpu_seconds();
-  factorise(session);
+  factorise();
+  const double factorised = thread_cpu_seconds();
   if (report.status == FactorStatus::ok) {
     check_pivots();
   }
   if (report.status == FactorStatus::ok) {
-    read_schur(shift);
+    read_schur();
   }
-  report.numeric_cpu = thread_cpu_seconds() - analysed;
+  report.numeric_cpu += thread_cpu_seconds() - factorised;
 }
 
-void SparseCondensation::Impl::factorise(CholmodSession& session) {
-  cholmod_sparse view =
-      cholmod_lower_view(n, matrix.start.data(), matrix.row.data(), matrix.value.data());
-  const int done = cholmod_l_factorize(&view, factor.get(), session.get());
-  // `minor` is the column where the factorisation stopped, n where it did not.
-  if (session->status == CHOLMOD_NOT_POSDEF || factor->minor < at(n)) {
+void SparseCondensation::Impl::factorise() {
+  const double started = thread_cpu_seconds();
+  // Asked for while K is still there to be given back; used from the first panel on.
+  values.resize(factor->xsize);
+  const base::SymmetricCsc A = reorder(matrix, order);
+  matrix = base::SymmetricCsc();
+  SupernodalCholesky factorisation(supernodes(), values.get(), A);
+  report.numeric_cpu = thread_cpu_seconds() - started;
+  const std::int64_t bad = factorisation.factorise(threads);
+  report.numeric_cpu += factorisation.cpu_seconds();
+  if (bad < n) {
     report.status = FactorStatus::not_positive_definite;
-    report.failed_row = order[factor->minor];
+    report.failed_row = order[at(bad)];
     report.smallest_pivot = 0.0;
-  } else if (done == 0 || session->status < CHOLMOD_OK) {
-    report.status = FactorStatus::out_of_memory;
   }
 }
 
@@ -212,7 +216,7 @@ void SparseCondensation::Impl::check_pivots() {
   std::int64_t weakest = -1;
   for (std::int64_t s = 0; s < L.count; ++s) {
     const std::int64_t rows = L.row_start[s + 1] - L.row_start[s];
-    // (solve.7) for locals alone: the diagonals of externals carry the shift.
+    // (solve.7) for locals alone: externals are not eliminated.
     for (std::int64_t j = L.column[s]; j < std::min(L.column[s + 1], locals); ++j) {
       const double pivot = L.value[L.value_start[s] + (j - L.column[s]) * (rows + 1)];
       const double ratio = pivot * pivot / diagonal[at(order[at(j)])];
@@ -229,13 +233,11 @@ void SparseCondensation::Impl::check_pivots() {
   }
 }
 
-void SparseCondensation::Impl::read_schur(double shift) {
-  // R is a copy. The supernodes of externals go before S is made: two full matrices of externals at
-  // a time, as (solve.8) counts them.
-  const base::Matrix R = trailing_factor(supernodes());
+void SparseCondensation::Impl::read_schur() {
+  // The supernodes of externals hold what elimination of the locals has left of K_ee.
+  S = trailing_block(supernodes());
   drop_externals();
-  S = lower_times_transpose(R);
-  S.diagonal().array() -= shift;
+  S.triangularView<Eigen::StrictlyUpper>() = S.transpose();
 }
 
 /// Gives back the memory of the supernodes that hold externals only; the half solves of the locals
@@ -248,8 +250,7 @@ void SparseCondensation::Impl::drop_externals() {
   }
   const std::size_t kept = std::max<std::size_t>(at(L.value_start[s]), 1);
   if (s < L.count) {
-    CholmodSession session;
-    factor->x = cholmod_l_realloc(kept, sizeof(double), factor->x, &factor->xsize, session.get());
+    values.resize(kept);
   }
 }
 
@@ -276,6 +277,7 @@ SparseCondensation::SparseCondensation(base::SymmetricCsc K, std::int64_t extern
                                        const CondensationSettings& settings)
     : impl_(std::make_unique<Impl>()) {
   impl_->report.besides = settings.besides;
+  impl_->threads = settings.threads;
   assert(externals >= 0 && externals <= K.n);
   impl_->n = K.n;
   impl_->locals = K.n - externals;
@@ -290,6 +292,7 @@ SparseCondensation::SparseCondensation(base::SymmetricCsc K, std::int64_t extern
   }
   if (impl_->report.status != FactorStatus::ok) {
     impl_->factor = Factor();
+    impl_->values = FactorValues();
     impl_->S = base::Matrix();
   }
   if (impl_->report.status != FactorStatus::out_of_memory) {
@@ -299,12 +302,7 @@ SparseCondensation::SparseCondensation(base::SymmetricCsc K, std::int64_t extern
 }
 
 base::SymmetricCsc SparseCondensation::give_back_matrix() {
-  base::SymmetricCsc K = std::exchange(impl_->matrix, {});
-  // Off with the shift; the zeros that make the first external column full do no harm.
-  for (std::size_t j = 0; j < impl_->diagonal.size(); ++j) {
-    K.value[at(K.start[j])] = impl_->diagonal[j];
-  }
-  return K;
+  return std::exchange(impl_->matrix, {});
 }
 
 FactorReport SparseCondensation::forecast(const base::SymmetricCsc& pattern, std::int64_t externals,
@@ -316,10 +314,7 @@ FactorReport SparseCondensation::forecast(const base::SymmetricCsc& pattern, std
   impl.locals = pattern.n - externals;
   if (pattern.n > 0) {
     try {
-      CholmodSession session;
-      // The shift changes values only, no pattern.
-      impl.matrix = pattern;
-      impl.analyse_matrix(0.0, settings.ordering, session);
+      impl.analyse_pattern(pattern, settings.ordering);
       if (rows != nullptr && impl.report.status == FactorStatus::ok) {
         impl.count_rows(*rows);
       }
@@ -395,7 +390,7 @@ RowCompliance SparseCondensation::compliance_with_externals_held(SparseRightHand
   const SupernodalFactor L = c.supernodes();
   RowElimination elimination(L, F);
   out.flops = elimination.flops();
-  out.W = elimination.compute_compliance(out.condensed);
+  out.W = elimination.compute_compliance(out.condensed, c.threads);
   return out;
 }
 

@@ -90,7 +90,7 @@ void substitute_locals(const SupernodalFactor& L, base::Matrix& X) {
   }
 }
 
-base::Matrix trailing_factor(const SupernodalFactor& L) {
+base::Matrix trailing_block(const SupernodalFactor& L) {
   const std::int64_t externals = L.n - L.locals;
   base::Matrix R = base::Matrix::Zero(externals, externals);
   // Externals begin within the last front of locals, or behind it.
@@ -107,22 +107,6 @@ base::Matrix trailing_factor(const SupernodalFactor& L) {
     }
   }
   return R;
-}
-
-base::Matrix lower_times_transpose(const base::Matrix& R) {
-  const int n = static_cast<int>(R.rows());
-  constexpr int panel = 128;
-  base::Matrix S(n, n);
-  for (int first = 0; first < n; first += panel) {
-    // rows first .. n of S, columns of this panel; R is zero right of the panel's last row
-    const int width = std::min(panel, n - first);
-    blas::gemm(
-        {.m = n - first, .n = width, .k = first + width, .b = blas::Transposition::transposed},
-        {R.data() + first, n}, {R.data() + first, n},
-        {S.data() + first + static_cast<std::ptrdiff_t>(first) * n, n});
-  }
-  S.triangularView<Eigen::StrictlyUpper>() = S.transpose();
-  return S;
 }
 
 } // namespace spricka::solve

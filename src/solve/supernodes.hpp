@@ -27,10 +27,7 @@ void forward_substitute_locals(const SupernodalFactor& L, base::Matrix& X);
 /// X [n, k]: X_l <- L11^-T (X_l - L21^T X_e) (the recovered locals); X_e stays.
 void substitute_locals(const SupernodalFactor& L, base::Matrix& X);
 
-/// L22 [n - locals, n - locals], zero above the diagonal.
-base::Matrix trailing_factor(const SupernodalFactor& L);
-
-/// R R^T [n, n] of a lower triangle R, symmetric to the last bit.
-base::Matrix lower_times_transpose(const base::Matrix& R);
+/// The block of externals [n - locals, n - locals], zero above the diagonal.
+base::Matrix trailing_block(const SupernodalFactor& L);
 
 } // namespace spricka::solve

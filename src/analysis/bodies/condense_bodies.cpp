@@ -8,6 +8,8 @@
 #include "solve/factor_checks.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <set>
 #include <span>
 #include <thread>
@@ -43,6 +45,24 @@ struct Task {
   double stiffness_wall = 0.0; ///< [s]
 };
 
+// Threads of each task: by its part of the flops of all, which grow with the square of its
+// unknowns, so that the largest net does not keep one thread busy while the others wait.
+std::vector<int> share_threads(const std::vector<Task*>& tasks, int threads) {
+  const auto work = [](const Task* task) {
+    return std::pow(static_cast<double>(task->net->map.size()), 2.0);
+  };
+  double sum = 0.0;
+  for (const Task* task : tasks) {
+    sum += work(task);
+  }
+  std::vector<int> share;
+  for (const Task* task : tasks) {
+    share.push_back(
+        std::clamp(static_cast<int>(std::ceil(threads * work(task) / sum)), 1, threads));
+  }
+  return share;
+}
+
 // Factorises the nets that the cache does not have; tasks write to their own slots only.
 void factorise(const CondensationRequest& request, std::vector<Task>& tasks,
                CondensationCache& cache, CondensationStatistics& log) {
@@ -58,6 +78,10 @@ void factorise(const CondensationRequest& request, std::vector<Task>& tasks,
     }
   }
   const std::thread::id main_thread = std::this_thread::get_id();
+  // What takes longest is begun first.
+  std::ranges::stable_sort(missing, std::greater{},
+                           [](const Task* task) { return task->net->map.size(); });
+  const std::vector<int> threads = share_threads(missing, request.threads);
   base::parallel_for(missing.size(), request.threads, [&](std::size_t i) {
     Task& task = *missing[i];
     const base::Stopwatch watch;
@@ -70,13 +94,14 @@ void factorise(const CondensationRequest& request, std::vector<Task>& tasks,
       blocks.push_back({equation_numbers(map, super.freedom), super.stiffness});
     }
     const bool stacked = keeps_parts_as_dense_blocks(map, blocks);
-    base::SymmetricCsc K =
-        fe::assemble_stiffness(request.model, request.mesh, task.net->elements,
-                               stacked ? std::span<const fe::Superelement>() : task.supers, map);
+    base::SymmetricCsc K = fe::assemble_stiffness(
+        request.model, request.mesh, task.net->elements,
+        stacked ? std::span<const fe::Superelement>() : task.supers, map, threads[i]);
     task.stiffness_wall = watch.wall_time();
     task.work.stiffness_cpu = solve::thread_cpu_seconds() - cpu;
     task.work.assembled = base::steady_clock_seconds();
-    const solve::CondensationSettings settings = condensation_settings(request);
+    solve::CondensationSettings settings = condensation_settings(request);
+    settings.threads = threads[i];
     task.net->factor =
         stacked
             ? std::make_shared<solve::Condensation>(K, map.external_count(), blocks,
