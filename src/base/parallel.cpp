@@ -10,6 +10,35 @@
 
 namespace spricka::base {
 
+namespace {
+
+thread_local int thread_share = 1;
+
+} // namespace
+
+ThreadShare::ThreadShare(int threads) : before_(thread_share) {
+  thread_share = std::max(1, threads);
+}
+
+ThreadShare::~ThreadShare() {
+  thread_share = before_;
+}
+
+int ThreadShare::current() {
+  return thread_share;
+}
+
+void parallel_for_ranges(std::size_t count, std::size_t portion,
+                         const std::function<void(std::size_t, std::size_t)>& task) {
+  const std::size_t ranges = (count + portion - 1) / portion;
+  const int threads = thread_share;
+  const auto one = [&](std::size_t i) {
+    const ThreadShare own(1); // what a range calls has no threads to share out
+    task(i * portion, std::min(count, (i + 1) * portion));
+  };
+  parallel_for(ranges, threads, one);
+}
+
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& task) {
   std::vector<std::exception_ptr> failure(count);
   std::atomic<std::size_t> next{0};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "estimate/space_operator.hpp"
 
+#include "base/parallel.hpp"
 #include "estimate/space_modes.hpp"
 #include "fe/element.hpp"
 #include "model/model.hpp"
@@ -218,7 +219,6 @@ SolidModeStiffness::SolidModeStiffness(const model::Model& model, const model::M
   blas::force_single_blas_thread();
   std::map<base::ElementType, ElementBlock> open;
   const auto close = [&](ElementBlock& block) {
-    add_geometry(model, mesh, block);
     blocks_.push_back(std::move(block));
     block = ElementBlock();
   };
@@ -234,33 +234,59 @@ SolidModeStiffness::SolidModeStiffness(const model::Model& model, const model::M
       close(block);
     }
   }
+  base::parallel_for_ranges(blocks_.size(), 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      add_geometry(model, mesh, blocks_[i]);
+    }
+  });
 }
 
 void SolidModeStiffness::add_forces(const NodalAndModeDisplacements& motion,
                                     const NodalAndModeForces& forces) const {
-  base::Matrix Z;
-  base::Matrix G;
-  base::Matrix F;
-  for (const ElementBlock& block : blocks_) {
-    const FunctionTable& table = FunctionTable::of(mesh_.type[block.elements.front().index()]);
-    const BlockVectors vectors(mesh_, numbers_, block, table);
-    const FunctionRange from = run_of(table, motion.nodes != nullptr, motion.modes != nullptr);
-    const FunctionRange to = run_of(table, forces.nodes != nullptr, forces.modes != nullptr);
-    const int rows = 3 * static_cast<int>(lanes);
-    const int columns = 3 * static_cast<int>(table.points());
-    vectors.gather(motion, from, Z);
-    G.resize(rows, columns);
-    blas::gemm({.m = rows, .n = columns, .k = static_cast<int>(from.count)},
-               blas::as_matrix_block(Z), slopes_of(table, from), blas::as_matrix_block(G));
-    gradients_to_forces(block, G);
-    F.resize(rows, to.count);
-    blas::gemm({.m = rows,
-                .n = static_cast<int>(to.count),
-                .k = columns,
-                .b = blas::Transposition::transposed},
-               blas::as_matrix_block(G), slopes_of(table, to), blas::as_matrix_block(F));
-    vectors.scatter(F, to, forces);
+  // Forces of several blocks side by side, then added in the order of the blocks.
+  constexpr std::size_t batch = 512;
+  constexpr std::size_t portion = 8;
+  std::vector<base::Matrix> made(std::min(batch, blocks_.size()));
+  for (std::size_t first = 0; first < blocks_.size(); first += batch) {
+    const std::size_t count = std::min(batch, blocks_.size() - first);
+    base::parallel_for_ranges(count, portion, [&](std::size_t begin, std::size_t end) {
+      base::Matrix Z;
+      base::Matrix G;
+      for (std::size_t i = begin; i < end; ++i) {
+        make_forces(blocks_[first + i], motion, forces, Z, G, made[i]);
+      }
+    });
+    for (std::size_t i = 0; i < count; ++i) {
+      const ElementBlock& block = blocks_[first + i];
+      const FunctionTable& table = FunctionTable::of(mesh_.type[block.elements.front().index()]);
+      BlockVectors(mesh_, numbers_, block, table)
+          .scatter(made[i], run_of(table, forces.nodes != nullptr, forces.modes != nullptr),
+                   forces);
+    }
   }
+}
+
+// The forces F of one block [3 * lane + component, function]; Z, G: workspace.
+void SolidModeStiffness::make_forces(const ElementBlock& block,
+                                     const NodalAndModeDisplacements& motion,
+                                     const NodalAndModeForces& wanted, base::Matrix& Z,
+                                     base::Matrix& G, base::Matrix& F) const {
+  const FunctionTable& table = FunctionTable::of(mesh_.type[block.elements.front().index()]);
+  const FunctionRange from = run_of(table, motion.nodes != nullptr, motion.modes != nullptr);
+  const FunctionRange to = run_of(table, wanted.nodes != nullptr, wanted.modes != nullptr);
+  const int rows = 3 * static_cast<int>(lanes);
+  const int columns = 3 * static_cast<int>(table.points());
+  BlockVectors(mesh_, numbers_, block, table).gather(motion, from, Z);
+  G.resize(rows, columns);
+  blas::gemm({.m = rows, .n = columns, .k = static_cast<int>(from.count)}, blas::as_matrix_block(Z),
+             slopes_of(table, from), blas::as_matrix_block(G));
+  gradients_to_forces(block, G);
+  F.resize(rows, to.count);
+  blas::gemm({.m = rows,
+              .n = static_cast<int>(to.count),
+              .k = columns,
+              .b = blas::Transposition::transposed},
+             blas::as_matrix_block(G), slopes_of(table, to), blas::as_matrix_block(F));
 }
 
 std::vector<Eigen::Matrix3d> SolidModeStiffness::diagonal_blocks() const {

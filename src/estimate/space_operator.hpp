@@ -51,6 +51,9 @@ public:
   [[nodiscard]] std::vector<Eigen::Matrix3d> diagonal_blocks() const;
 
 private:
+  void make_forces(const ElementBlock& block, const NodalAndModeDisplacements& motion,
+                   const NodalAndModeForces& wanted, base::Matrix& Z, base::Matrix& G,
+                   base::Matrix& F) const;
   void add_diagonal(const ElementBlock& block, std::vector<Eigen::Matrix3d>& diagonal) const;
 
   const model::Mesh& mesh_;

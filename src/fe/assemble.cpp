@@ -80,12 +80,12 @@ constexpr std::size_t batch_bytes = std::size_t{1} << 24U;
 // on several threads.
 template <shape::ElementShape S, class Add>
 void for_element_matrices(const model::Model& model, const model::Mesh& mesh,
-                          std::span<const base::ElementId> elements, int threads, const Add& add) {
+                          std::span<const base::ElementId> elements, const Add& add) {
   const auto matrix_of = [&](base::ElementId e) {
     return element_stiffness<S>(element_coordinates<S>(mesh, e), constitutive_law(model, mesh, e));
   };
   constexpr std::size_t batch = batch_bytes / sizeof(ElementMatrix<S>);
-  if (threads == 1 || elements.size() < batch) {
+  if (base::ThreadShare::current() == 1 || elements.size() < batch) {
     for (const base::ElementId e : elements) {
       add(e, matrix_of(e));
     }
@@ -95,8 +95,8 @@ void for_element_matrices(const model::Model& model, const model::Mesh& mesh,
   std::vector<ElementMatrix<S>> made(batch);
   for (std::size_t first = 0; first < elements.size(); first += batch) {
     const auto now = elements.subspan(first, std::min(batch, elements.size() - first));
-    base::parallel_for((now.size() + portion - 1) / portion, threads, [&](std::size_t p) {
-      for (std::size_t i = p * portion; i < std::min(now.size(), (p + 1) * portion); ++i) {
+    base::parallel_for_ranges(now.size(), portion, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
         made[i] = matrix_of(now[i]);
       }
     });
@@ -121,8 +121,7 @@ base::SymmetricCsc stiffness_pattern(const model::Mesh& mesh,
 
 base::SymmetricCsc assemble_stiffness(const model::Model& model, const model::Mesh& mesh,
                                       std::span<const base::ElementId> elements,
-                                      std::span<const Superelement> supers, const DofMap& dofs,
-                                      int threads) {
+                                      std::span<const Superelement> supers, const DofMap& dofs) {
   RowsByBlock blocks = element_rows(mesh, elements, dofs);
   for (const Superelement& super : supers) {
     add_rows(super.freedom, dofs, blocks);
@@ -132,15 +131,15 @@ base::SymmetricCsc assemble_stiffness(const model::Model& model, const model::Me
   std::array<std::int32_t, max_element_freedoms> freedoms{};
   // Blocks must come in the order in which their rows were added.
   std::size_t block_number = 0;
-  for_shape_blocks(
-      mesh, elements, [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-        for_element_matrices<S>(model, mesh, block, threads,
-                                [&](base::ElementId e, const ElementMatrix<S>& Ke) {
-                                  add_coefficients(element_freedoms(mesh, e, freedoms), dofs, Ke,
-                                                   blocks.rows_of_block(block_number), K);
-                                  ++block_number;
-                                });
-      });
+  for_shape_blocks(mesh, elements,
+                   [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+                     for_element_matrices<S>(
+                         model, mesh, block, [&](base::ElementId e, const ElementMatrix<S>& Ke) {
+                           add_coefficients(element_freedoms(mesh, e, freedoms), dofs, Ke,
+                                            blocks.rows_of_block(block_number), K);
+                           ++block_number;
+                         });
+                   });
   for (const Superelement& super : supers) {
     add_coefficients(super.freedom, dofs, *super.stiffness, blocks.rows_of_block(block_number), K);
     ++block_number;

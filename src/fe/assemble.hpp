@@ -24,11 +24,11 @@ base::SymmetricCsc stiffness_pattern(const model::Mesh& mesh,
 
 /// Stiffness of some elements and superelements on the unknowns of `dofs` (lower triangle).
 /// Suppressed and prescribed freedoms have no row and drop out. Every diagonal is stored.
-/// Element matrices are made on `threads`, and added in the order of the elements.
+/// Element matrices are made on the threads of the caller's share (base/parallel.hpp), and added in
+/// the order of the elements.
 base::SymmetricCsc assemble_stiffness(const model::Model& model, const model::Mesh& mesh,
                                       std::span<const base::ElementId> elements,
-                                      std::span<const Superelement> supers, const DofMap& dofs,
-                                      int threads = 1);
+                                      std::span<const Superelement> supers, const DofMap& dofs);
 
 /// Nodal vector [dim * node] of the consistent loads of one load case, displacement loads left
 /// out. Sum over components equals the resultant of the case exactly. FORCE fields are taken at the

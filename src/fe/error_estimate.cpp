@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/error_estimate.hpp"
 
+#include "base/parallel.hpp"
 #include "fe/stress_kernel.hpp"
 #include "fe/stress_patch.hpp"
 #include "model/property_points.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace spricka::fe {
 
@@ -87,19 +89,25 @@ void sample(const model::Model& model, const DisplacementTemperatureField& field
   const model::Mesh& mesh = recovery.mesh;
   recovery.first.assign(1, 0);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    recovery.first.push_back(recovery.first.back() +
+                             shape::with_element_shape(mesh.type[e], []<shape::ElementShape S>(S) {
+                               return sample_rule<S>().size();
+                             }));
+  }
+  recovery.samples.resize(recovery.first.back());
+  base::for_each_element(mesh.element_count(), [&](std::size_t e) {
     shape::with_element_shape(mesh.type[e], [&]<shape::ElementShape S>(S) {
       const ElementStressEvaluator<S> element(model, mesh, ElementId(e), field);
+      std::size_t at = recovery.first[e];
       for (const auto& point : sample_rule<S>()) {
-        StressSample s;
+        StressSample& s = recovery.samples[at++];
         s.x.template head<S::dim>() = element.X * S::N(point.r);
         s.stress = element.at(point.r);
         s.extent.template topLeftCorner<S::dim, S::dim>() =
             jacobian<S>(element.X, point.r).J * reference_lengths<S>().asDiagonal();
-        recovery.samples.push_back(s);
       }
     });
-    recovery.first.push_back(recovery.samples.size());
-  }
+  });
 }
 
 /// Collects patches; holds what is needed anew for each.
@@ -173,19 +181,26 @@ ErrorEstimate estimate_error(const model::Model& model, const model::Mesh& mesh,
                              const DisplacementTemperatureField& field) {
   StressRecovery recovery(mesh);
   sample(model, field, recovery);
-  std::vector<FittedStressPolynomial> smooth;
-  std::vector<std::size_t> patch_of(recovery.points.node.size(), 0); // mid nodes have none
-  Patches patches(recovery);
+  std::vector<std::size_t> patched; // mid nodes have none
+  std::vector<std::size_t> patch_of(recovery.points.node.size(), 0);
   for (std::size_t p = 0; p < patch_of.size(); ++p) {
     if (!recovery.elements.of(p).empty()) {
-      patch_of[p] = smooth.size();
-      smooth.push_back(patches.patch(p));
+      patch_of[p] = patched.size();
+      patched.push_back(p);
     }
   }
+  std::vector<std::optional<FittedStressPolynomial>> smooth(patched.size());
+  constexpr std::size_t portion = 2048; // patches by one collector, which marks all elements first
+  base::parallel_for_ranges(patched.size(), portion, [&](std::size_t begin, std::size_t end) {
+    Patches patches(recovery);
+    for (std::size_t i = begin; i < end; ++i) {
+      smooth[i] = patches.patch(patched[i]);
+    }
+  });
   ErrorEstimate estimate;
   estimate.energy.assign(mesh.element_count(), 0.0);
   estimate.noise.assign(mesh.element_count(), 0.0);
-  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+  base::for_each_element(mesh.element_count(), [&](std::size_t e) {
     shape::with_element_shape(mesh.type[e], [&]<shape::ElementShape S>(S) {
       const ElementStressEvaluator<S> element(model, mesh, ElementId(e), field);
       const AnyElement<S::dim>& corners = shape::as_reference_element<S>();
@@ -199,7 +214,7 @@ ErrorEstimate estimate_error(const model::Model& model, const model::Mesh& mesh,
         // s* - s, with s* blended from the polynomials of the corners (fe.37).
         Stress off = -element.stress_from_map(at, point.r);
         for (int c = 0; c < corners.corners; ++c) {
-          off += L[c] * smooth[patch_of[recovery.point_of(e, static_cast<std::size_t>(c))]].at(x);
+          off += L[c] * smooth[patch_of[recovery.point_of(e, static_cast<std::size_t>(c))]]->at(x);
         }
         // Half of e^2 of (fe.36).
         estimate.energy[e] += w * complementary_energy(off, element.law);
@@ -210,7 +225,7 @@ ErrorEstimate estimate_error(const model::Model& model, const model::Mesh& mesh,
       estimate.noise[e] =
           noise_part * element.law.mu * volume * element.U.cwiseAbs2().maxCoeff() / (size * size);
     });
-  }
+  });
   return estimate;
 }
 

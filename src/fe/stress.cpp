@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/stress.hpp"
 
+#include "base/parallel.hpp"
 #include "fe/stress_kernel.hpp"
 #include "model/property_points.hpp"
 
@@ -13,14 +14,15 @@ std::vector<Stress> element_node_stress(const model::Model& model, const model::
   std::vector<Stress> stress(mesh.nodes.size(), Stress::Zero());
   for_shape_blocks(mesh, model::all_elements(mesh),
                    [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-                     for (const base::ElementId e : block) {
+                     base::for_each_element(block.size(), [&](std::size_t k) {
+                       const base::ElementId e = block[k];
                        const ElementStressEvaluator<S> element(model, mesh, e, field);
                        const auto first = static_cast<std::size_t>(mesh.first[e.index()]);
                        for (int i = 0; i < S::nodes; ++i) {
                          stress[first + static_cast<std::size_t>(i)] =
                              element.at(shape::node_local_coordinates<S>(i));
                        }
-                     }
+                     });
                    });
   return stress;
 }
@@ -47,7 +49,8 @@ std::vector<Stress> element_mean_stress(const model::Model& model, const model::
   std::vector<Stress> mean(mesh.element_count(), Stress::Zero());
   for_shape_blocks(mesh, model::all_elements(mesh),
                    [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-                     for (const base::ElementId e : block) {
+                     base::for_each_element(block.size(), [&](std::size_t k) {
+                       const base::ElementId e = block[k];
                        const ElementStressEvaluator<S> element(model, mesh, e, field);
                        double volume = 0.0;
                        for (const auto& point : stiffness_rule<S>(element.law)) {
@@ -58,7 +61,7 @@ std::vector<Stress> element_mean_stress(const model::Model& model, const model::
                          volume += w;
                        }
                        mean[e.index()] /= volume;
-                     }
+                     });
                    });
   return mean;
 }

@@ -57,6 +57,7 @@ public:
     std::int32_t tile_begin = 0, tile_end = 0; ///< none: a subtree
     double path = 0.0;                         ///< flops from here to the last panel of the factor
     std::vector<std::int32_t> updated = {};    ///< later pieces that wait for this one
+    [[nodiscard]] bool is_subtree() const { return tile_begin == tile_end; }
   };
   [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
   [[nodiscard]] std::int32_t piece_of(std::int32_t panel) const {
@@ -64,6 +65,7 @@ public:
   }
   [[nodiscard]] const std::vector<PanelTile>& tiles() const { return tiles_; }
   [[nodiscard]] double flops() const { return flops_; } ///< of all panels
+  [[nodiscard]] std::int64_t columns() const { return static_cast<std::int64_t>(panel_of_.size()); }
   /// Flops on the longest chain of pieces, each of which waits for the one before: as if there were
   /// threads enough.
   [[nodiscard]] double critical_path() const;

@@ -6,6 +6,7 @@
 #include "solve/blas.hpp"
 #include "solve/cholmod_session.hpp"
 #include "solve/factor_checks.hpp"
+#include "solve/factor_substitution.hpp"
 #include "solve/supernodal_cholesky.hpp"
 #include "solve/supernodes.hpp"
 
@@ -14,6 +15,7 @@
 #include <cstdlib>
 #include <memory>
 #include <new>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -122,6 +124,7 @@ struct SparseCondensation::Impl {
   std::vector<double> diagonal;    ///< of K
   std::vector<std::int64_t> order; ///< [n] row of K at each position of the elimination
   Factor factor;                   ///< its symbolic part
+  std::optional<FactorPanels> panels;
   FactorValues values;
   base::Matrix S;
   int threads = 1; ///< that work on it
@@ -135,6 +138,7 @@ struct SparseCondensation::Impl {
   void to_elimination(SparseRightHandSides& F) const;
   void count_rows(SparseRightHandSides rows);
 
+  [[nodiscard]] FactorSubstitution substitution() const { return {*panels, values.get(), threads}; }
   [[nodiscard]] SupernodalFactor supernodes() const {
     const auto integers = [](void* p) { return static_cast<const std::int64_t*>(p); };
     return {.n = n,
@@ -200,7 +204,8 @@ void SparseCondensation::Impl::factorise() {
   values.resize(factor->xsize);
   const base::SymmetricCsc A = reorder(matrix, order);
   matrix = base::SymmetricCsc();
-  SupernodalCholesky factorisation(supernodes(), values.get(), A);
+  panels.emplace(supernodes());
+  SupernodalCholesky factorisation(*panels, values.get(), A);
   report.numeric_cpu = thread_cpu_seconds() - started;
   const std::int64_t bad = factorisation.factorise(threads);
   report.numeric_cpu += factorisation.cpu_seconds();
@@ -345,7 +350,7 @@ base::Matrix SparseCondensation::condense_load(const base::Matrix& f) const {
   for (std::int64_t k = 0; k < c.n; ++k) {
     X.row(k) = f.row(c.order[at(k)]);
   }
-  forward_substitute_locals(c.supernodes(), X);
+  c.substitution().forward(X);
   return X.bottomRows(c.n - c.locals);
 }
 
@@ -360,13 +365,13 @@ base::Matrix SparseCondensation::solve(const base::Matrix& f,
   for (std::int64_t k = 0; k < c.n; ++k) {
     X.row(k) = f.row(c.order[at(k)]);
   }
-  forward_substitute_locals(c.supernodes(), X);
+  c.substitution().forward(X);
   if (c.n > c.locals) {
     // (solve.6): the forward half has left y_l above.
     const base::Matrix u_external = displacement(X.bottomRows(c.n - c.locals));
     X.bottomRows(c.n - c.locals) = u_external;
   }
-  substitute_locals(c.supernodes(), X);
+  c.substitution().backward(X);
   base::Matrix u(c.n, f.cols());
   for (std::int64_t k = 0; k < c.n; ++k) {
     u.row(c.order[at(k)]) = X.row(k);

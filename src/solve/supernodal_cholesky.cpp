@@ -21,10 +21,10 @@ constexpr double least_threaded_flops = 1e8;
 
 } // namespace
 
-SupernodalCholesky::SupernodalCholesky(const SupernodalFactor& L, double* values,
+SupernodalCholesky::SupernodalCholesky(const FactorPanels& cut, double* values,
                                        const base::SymmetricCsc& A)
-    : values_(values), A_(A), cut_(L), tile_(cut_.tiles().size()), piece_(cut_.pieces().size()),
-      own_piece_(cut_.tiles().size()), failed_(L.n),
+    : values_(values), A_(A), cut_(cut), tile_(cut_.tiles().size()), piece_(cut_.pieces().size()),
+      own_piece_(cut_.tiles().size()), failed_(cut.columns()),
       seconds_(cut_.pieces().size() + cut_.tiles().size(), 0.0) {}
 
 std::int64_t SupernodalCholesky::factorise(int threads) {
@@ -282,7 +282,7 @@ void SupernodalCholesky::end_piece(std::size_t piece) {
 // Makes ready what can be done for a piece now.
 void SupernodalCholesky::make_ready(std::size_t i) {
   const FactorPanels::Piece& piece = cut_.pieces()[i];
-  if (piece.tile_begin == piece.tile_end) {
+  if (piece.is_subtree()) {
     queue_.push(i, piece.path); // a subtree waits for nothing
     return;
   }

@@ -4,7 +4,6 @@
 #include "base/sparse.hpp"
 #include "base/vec.hpp"
 #include "solve/factor_panels.hpp"
-#include "solve/supernodes.hpp"
 
 #include <cstdint>
 #include <mutex>
@@ -20,16 +19,16 @@ namespace spricka::solve {
 /// complement. Every sum is taken in one order, so that no bit depends on the threads.
 class SupernodalCholesky {
 public:
-  /// L: the supernodes, whose values `values` are written. A [n, n]: in the order of elimination,
-  /// each entry once, in the column that is eliminated first (rows in any order).
-  SupernodalCholesky(const SupernodalFactor& L, double* values, const base::SymmetricCsc& A);
+  /// `values` of the factor that was cut up are written. A [n, n]: in the order of elimination,
+  /// each entry once, in the column that is eliminated first (rows in any order). All must outlive
+  /// this.
+  SupernodalCholesky(const FactorPanels& cut, double* values, const base::SymmetricCsc& A);
 
   /// Factorises; the first column with a pivot that is not positive, n where there is none.
   /// Throws std::bad_alloc.
   std::int64_t factorise(int threads);
   /// Time [s] that its threads have taken of processors.
   [[nodiscard]] double cpu_seconds() const;
-  [[nodiscard]] const FactorPanels& panels() const { return cut_; }
   /// The same by task: of each piece (of a subtree), then of each tile.
   [[nodiscard]] const std::vector<double>& task_seconds() const { return seconds_; }
 
@@ -70,7 +69,7 @@ private:
 
   double* values_;
   const base::SymmetricCsc& A_;
-  FactorPanels cut_;
+  const FactorPanels& cut_;
   std::vector<TileState> tile_;
   std::vector<PieceState> piece_;
   std::vector<std::size_t> own_piece_; ///< [tile]

@@ -8,8 +8,7 @@ namespace spricka::solve {
 
 /// View of a supernodal Cholesky factor L (columns k1 .. k2 of a supernode share their rows and are
 /// stored as one column-major block, diagonal block first). Rows and columns are in elimination
-/// order, `locals` of them first, externals after. A supernode may lie across that border; the half
-/// solves below touch the columns of locals only.
+/// order, `locals` of them first, externals after. A supernode may lie across that border.
 struct SupernodalFactor {
   std::int64_t n = 0;
   std::int64_t locals = 0;
@@ -20,12 +19,6 @@ struct SupernodalFactor {
   const std::int64_t* row = nullptr;
   const double* value = nullptr;
 };
-
-/// X [n, k]: X_l <- L11^-1 X_l, then X_e <- X_e - L21 X_l (the condensed load).
-void forward_substitute_locals(const SupernodalFactor& L, base::Matrix& X);
-
-/// X [n, k]: X_l <- L11^-T (X_l - L21^T X_e) (the recovered locals); X_e stays.
-void substitute_locals(const SupernodalFactor& L, base::Matrix& X);
 
 /// The block of externals [n - locals, n - locals], zero above the diagonal.
 base::Matrix trailing_block(const SupernodalFactor& L);

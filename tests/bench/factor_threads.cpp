@@ -92,7 +92,7 @@ private:
   }
   void offer(std::size_t i) {
     const auto& piece = cut_.pieces()[i];
-    if (piece.tile_begin == piece.tile_end) {
+    if (piece.is_subtree()) {
       push(i, i);
       return;
     }
@@ -222,12 +222,13 @@ int measure(base::SymmetricCsc K, std::int64_t externals) {
                                   .row = integers(factor->s),
                                   .value = values.data()};
   const double flops = session->fl;
+  const solve::FactorPanels panels(L);
   const base::SymmetricCsc A = solve::reorder(K, order);
   double own = 0.0;
   double cholmod = 0.0;
   std::unique_ptr<solve::SupernodalCholesky> best;
   for (int i = 0; i < 3; ++i) {
-    auto once = std::make_unique<solve::SupernodalCholesky>(L, values.data(), A);
+    auto once = std::make_unique<solve::SupernodalCholesky>(panels, values.data(), A);
     once->factorise(1);
     if (!best || once->cpu_seconds() < own) {
       own = once->cpu_seconds();
@@ -240,11 +241,11 @@ int measure(base::SymmetricCsc K, std::int64_t externals) {
   }
   cholmod_l_free_factor(&factor, session.get());
   fmt::print("{} unknowns, {} externals, {:.3g} flops; {:.3g} of panels\n", K.n, externals, flops,
-             best->panels().flops());
+             panels.flops());
   fmt::print("one thread: {:.3f} s, {:.1f} Gflop/s; CHOLMOD's numeric phase with the externals "
              "eliminated too {:.3f} s: {:.2f}\n",
-             own, 1e-9 * best->panels().flops() / own, cholmod, own / cholmod);
-  Schedule schedule(best->panels(), best->task_seconds());
+             own, 1e-9 * panels.flops() / own, cholmod, own / cholmod);
+  Schedule schedule(panels, best->task_seconds());
   const double alone = schedule.end(1);
   for (const int threads : {1, 2, 3, 4, 8, 16, 32, 1000}) {
     const double end = schedule.end(threads);

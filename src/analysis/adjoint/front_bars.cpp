@@ -4,6 +4,7 @@
 #include "analysis/adjoint/bar_along_front.hpp"
 #include "analysis/adjoint/coarse_surface_effect.hpp"
 #include "analysis/adjoint/front_edges.hpp"
+#include "base/parallel.hpp"
 #include "contact/space_tractions.hpp"
 #include "model/model.hpp"
 
@@ -53,10 +54,14 @@ crack::SparseLinearFunctionals goal_rows(const model::Model& model, const Discre
   const crack::KLayout layout = scene.k_layout();
   std::vector<Eigen::Triplet<double>> entries;
   std::size_t first = 0;
+  std::vector<crack::SparseLinearFunctionals> of_front(scene.cracked.fronts.size());
+  base::parallel_for_ranges(of_front.size(), 1, [&](std::size_t f, std::size_t) {
+    of_front[f] = crack::supplementary_K_functionals(model, scene.cracked, scene.cracked.fronts[f],
+                                                     scene.domains[f], others);
+  });
   for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {
     const mesh::CrackFront& front = scene.cracked.fronts[f];
-    const crack::SparseLinearFunctionals own =
-        crack::supplementary_K_functionals(model, scene.cracked, front, scene.domains[f], others);
+    const crack::SparseLinearFunctionals& own = of_front[f];
     for (Eigen::Index c = 0; c < own.cols(); ++c) {
       for (crack::SparseLinearFunctionals::InnerIterator it(own, c); it; ++it) {
         entries.emplace_back(it.row(), layout.first_mode_index(first) + c,

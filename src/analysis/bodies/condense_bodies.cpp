@@ -84,6 +84,7 @@ void factorise(const CondensationRequest& request, std::vector<Task>& tasks,
   const std::vector<int> threads = share_threads(missing, request.threads);
   base::parallel_for(missing.size(), request.threads, [&](std::size_t i) {
     Task& task = *missing[i];
+    const base::ThreadShare share(threads[i]);
     const base::Stopwatch watch;
     const double cpu = solve::thread_cpu_seconds();
     task.work.beside = std::this_thread::get_id() != main_thread;
@@ -94,9 +95,9 @@ void factorise(const CondensationRequest& request, std::vector<Task>& tasks,
       blocks.push_back({equation_numbers(map, super.freedom), super.stiffness});
     }
     const bool stacked = keeps_parts_as_dense_blocks(map, blocks);
-    base::SymmetricCsc K = fe::assemble_stiffness(
-        request.model, request.mesh, task.net->elements,
-        stacked ? std::span<const fe::Superelement>() : task.supers, map, threads[i]);
+    base::SymmetricCsc K =
+        fe::assemble_stiffness(request.model, request.mesh, task.net->elements,
+                               stacked ? std::span<const fe::Superelement>() : task.supers, map);
     task.stiffness_wall = watch.wall_time();
     task.work.stiffness_cpu = solve::thread_cpu_seconds() - cpu;
     task.work.assembled = base::steady_clock_seconds();

@@ -4,6 +4,7 @@
 #include "analysis/lengths/growth_measure.hpp"
 #include "analysis/lengths/shown_results.hpp"
 #include "analysis/lengths/step_sequence.hpp"
+#include "base/parallel.hpp"
 #include "base/tidy.hpp"
 #include "growth/section_limit.hpp"
 #include "model/model.hpp"
@@ -79,6 +80,7 @@ CrackLengthContext CrackStateSolver::parts() {
 
 std::optional<results::CrackLengthResult> CrackStateSolver::solve(const CrackStateRequest& request,
                                                                   CrackRegionPlan& plan) {
+  const base::ThreadShare share(options_.threads);
   LogWriter log(log_, options_.recorder);
   const double a = request.a;
   if (!request.cracks.solids.empty()) {

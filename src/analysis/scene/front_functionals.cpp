@@ -2,6 +2,7 @@
 #include "analysis/scene/front_functionals.hpp"
 
 #include "analysis/scene/front_surroundings.hpp"
+#include "base/parallel.hpp"
 #include "contact/space_tractions.hpp"
 #include "crack/front_intensity.hpp"
 #include "crack/tip_intensity.hpp"
@@ -101,8 +102,12 @@ crack::SparseLinearFunctionals displacement_K_functionals(const model::Model& mo
   std::vector<Eigen::Triplet<double>> entries;
   const crack::KLayout layout = scene.k_layout();
   std::size_t first = 0;
+  std::vector<crack::SparseLinearFunctionals> of_front(scene.cracked.fronts.size());
+  base::parallel_for_ranges(of_front.size(), 1, [&](std::size_t f, std::size_t) {
+    of_front[f] = front_displacement_K_functionals(model, scene, f);
+  });
   for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {
-    const crack::SparseLinearFunctionals own = front_displacement_K_functionals(model, scene, f);
+    const crack::SparseLinearFunctionals& own = of_front[f];
     for (Eigen::Index c = 0; c < own.cols(); ++c) {
       for (crack::SparseLinearFunctionals::InnerIterator it(own, c); it; ++it) {
         entries.emplace_back(it.row(), layout.first_mode_index(first) + c, it.value());
