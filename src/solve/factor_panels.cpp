@@ -169,16 +169,4 @@ void FactorPanels::link_pieces() {
   }
 }
 
-double FactorPanels::critical_path() const {
-  double longest = 0.0;
-  for (const Piece& piece : pieces_) {
-    double subtree = 0.0;
-    for (std::int32_t i = piece.first; i <= piece.last; ++i) {
-      subtree += cost_[at(i)];
-    }
-    longest = std::max(longest, piece.path - cost_[at(piece.last)] + subtree);
-  }
-  return longest;
-}
-
 } // namespace spricka::solve

@@ -66,9 +66,6 @@ public:
   [[nodiscard]] const std::vector<PanelTile>& tiles() const { return tiles_; }
   [[nodiscard]] double flops() const { return flops_; } ///< of all panels
   [[nodiscard]] std::int64_t columns() const { return static_cast<std::int64_t>(panel_of_.size()); }
-  /// Flops on the longest chain of pieces, each of which waits for the one before: as if there were
-  /// threads enough.
-  [[nodiscard]] double critical_path() const;
 
 private:
   void cut(const SupernodalFactor& L);

@@ -198,7 +198,7 @@ private:
   std::priority_queue<Event> running_;
 };
 
-int measure(base::SymmetricCsc K, std::int64_t externals) {
+int measure(base::SymmetricCsc K, std::int64_t externals, int repeats) {
   const std::int64_t locals = K.n - externals;
   std::vector<std::int64_t> order =
       solve::elimination_order(K, locals, solve::OrderingMethod::automatic);
@@ -227,7 +227,7 @@ int measure(base::SymmetricCsc K, std::int64_t externals) {
   double own = 0.0;
   double cholmod = 0.0;
   std::unique_ptr<solve::SupernodalCholesky> best;
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < repeats; ++i) {
     auto once = std::make_unique<solve::SupernodalCholesky>(panels, values.data(), A);
     once->factorise(1);
     if (!best || once->cpu_seconds() < own) {
@@ -261,7 +261,7 @@ int main(int argc, char** argv) {
   base::Diagnostics diagnostics;
   const auto model = argc > 1 ? deck::read_deck(argv[1], {}, sources, diagnostics) : std::nullopt;
   if (!model) {
-    fmt::print(stderr, "usage: bench_factor_threads DECK [EXTERNALS]\n{}",
+    fmt::print(stderr, "usage: bench_factor_threads DECK [EXTERNALS [REPEATS]]\n{}",
                base::format_messages(sources, diagnostics));
     return 2;
   }
@@ -273,5 +273,5 @@ int main(int argc, char** argv) {
     return 3;
   }
   return measure(analysis::regularised_global_stiffness(*model, *scene),
-                 argc > 2 ? std::atol(argv[2]) : 0);
+                 argc > 2 ? std::atol(argv[2]) : 0, argc > 3 ? std::atoi(argv[3]) : 3);
 }
