@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
 #include <string>
 
 #include <sys/resource.h>
@@ -25,18 +26,51 @@ std::size_t group_limit(std::size_t most) {
   return most;
 }
 
+/// What this process takes now [bytes], as the limits count it.
+struct MemoryInUse {
+  std::size_t resident = 0, address_space = 0, data = 0;
+};
+
+MemoryInUse memory_in_use() {
+  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  std::ifstream statm("/proc/self/statm");
+  std::size_t shared = 0;
+  std::size_t text = 0;
+  std::size_t library = 0;
+  MemoryInUse pages;
+  if (!(statm >> pages.address_space >> pages.resident >> shared >> text >> library >>
+        pages.data)) {
+    return {};
+  }
+  return {page * pages.resident, page * pages.address_space, page * pages.data};
+}
+
+std::size_t limit_of(decltype(RLIMIT_AS) resource, std::size_t most) {
+  rlimit limit{};
+  const bool limited = getrlimit(resource, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+  return limited ? std::min(most, static_cast<std::size_t>(limit.rlim_cur)) : most;
+}
+
+std::size_t machine_memory() {
+  return static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) *
+         static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
 } // namespace
 
 std::size_t process_memory_limit() {
-  std::size_t most = static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) *
-                     static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-  for (const auto resource : {RLIMIT_AS, RLIMIT_DATA}) {
-    rlimit limit{};
-    if (getrlimit(resource, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
-      most = std::min(most, static_cast<std::size_t>(limit.rlim_cur));
-    }
-  }
-  return group_limit(most);
+  return group_limit(limit_of(RLIMIT_AS, limit_of(RLIMIT_DATA, machine_memory())));
+}
+
+double available_memory() {
+  constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
+  const MemoryInUse used = memory_in_use();
+  const auto left = [](std::size_t limit, std::size_t in_use) {
+    return static_cast<double>(limit) - static_cast<double>(in_use);
+  };
+  return std::min({left(group_limit(machine_memory()), used.resident),
+                   left(limit_of(RLIMIT_AS, unlimited), used.address_space),
+                   left(limit_of(RLIMIT_DATA, unlimited), used.data)});
 }
 
 } // namespace spricka::base

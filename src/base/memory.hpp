@@ -8,4 +8,8 @@ namespace spricka::base {
 /// a resource limit (ulimit -v, a job queue) allows less.
 std::size_t process_memory_limit();
 
+/// What of it this process can still get [bytes]. Where the limit is one of address space (ulimit
+/// -v), that counts which is taken already, by libraries too.
+double available_memory();
+
 } // namespace spricka::base

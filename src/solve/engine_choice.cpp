@@ -67,11 +67,6 @@ void add_reason(std::string& reasons, const std::string& more) {
   reasons += (reasons.empty() ? "" : "; ") + more;
 }
 
-double memory_left() {
-  return static_cast<double>(base::process_memory_limit()) -
-         static_cast<double>(base::resident_memory());
-}
-
 // No other engine has what Cholesky has not: a matrix that is singular stays so.
 bool may_another_engine_do(const FactorReport& report) {
   return report.status == FactorStatus::out_of_memory ||
@@ -94,6 +89,7 @@ std::unique_ptr<CondensedEquations> condense_equations(base::SymmetricCsc K, std
   FactorReport in_core = cholesky->report();
   K = cholesky->give_back_matrix();
   cholesky.reset();
+  base::return_free_memory_to_system();
   for (const EngineModule module : engines_for_less_memory) {
     if (K.n == 0) {
       break; // none has given it back
@@ -117,7 +113,7 @@ FactorReport forecast_equations(const base::SymmetricCsc& pattern, std::int64_t 
     return forecast_by_module(module_of(settings.engine), given_up, externals, settings, rows);
   }
   FactorReport in_core = SparseCondensation::forecast(pattern, externals, settings, rows);
-  in_core.memory_left = memory_left();
+  in_core.memory_left = base::available_memory();
   in_core.besides = settings.besides;
   if (settings.engine == EquationEngine::cholesky ||
       (in_core.status == FactorStatus::ok && fits(in_core))) {
@@ -137,7 +133,7 @@ FactorReport forecast_equations(const base::SymmetricCsc& pattern, std::int64_t 
 
 void choose_engine_by_law(FactorReport& report, const CondensationSettings& settings) {
   report.besides = settings.besides;
-  report.memory_left = memory_left();
+  report.memory_left = base::available_memory();
   const bool asked = settings.engine == EquationEngine::mumps;
   const bool may_choose = settings.engine == EquationEngine::automatic;
   if ((!asked && !may_choose) || (may_choose && fits(report))) {

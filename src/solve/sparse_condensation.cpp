@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/sparse_condensation.hpp"
-#include "base/clock.hpp"
 #include "base/index.hpp"
 #include "base/memory.hpp"
 #include "solve/blas.hpp"
@@ -181,8 +180,7 @@ void SparseCondensation::Impl::build(OrderingMethod ordering) {
     return;
   }
   // Refused before any of it is asked for: a machine that swaps is no help.
-  report.memory_left = static_cast<double>(base::process_memory_limit()) -
-                       static_cast<double>(base::resident_memory());
+  report.memory_left = base::available_memory();
   if (report.memory + report.besides > report.memory_left) {
     report.status = FactorStatus::out_of_memory;
     return;

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engines/mumps/mumps_condensation.hpp"
-#include "base/clock.hpp"
 #include "base/index.hpp"
 #include "base/memory.hpp"
 #include "solve/factor_checks.hpp"
-#include "solve/ordering.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <filesystem>
 #include <limits>
 #include <new>
-#include <numeric>
 #include <system_error>
 #include <utility>
 
@@ -20,7 +17,6 @@
 namespace spricka::engines {
 
 using base::at;
-using base::index;
 
 namespace {
 
@@ -29,12 +25,6 @@ constexpr double million = 1e6;
 // A solution whose residual is larger than this part of its terms takes a step of refinement: what
 // a stable elimination leaves is a few eps for each of the some hundred entries of a row.
 constexpr double refined_from = 1024.0 * std::numeric_limits<double>::epsilon();
-// [bytes] of right-hand sides that are solved at a time: out of core every block reads the factor.
-constexpr double block_bytes = 256e6;
-
-// Numbers of the manual of MUMPS 5.5: what ICNTL(26) asks of a solution.
-constexpr int eliminate_locals = 1;
-constexpr int expand_externals = 2;
 
 } // namespace
 
@@ -46,7 +36,7 @@ MumpsCondensation::MumpsCondensation(base::SymmetricCsc& K, std::int64_t externa
   report_.besides = settings.besides;
   n_ = K.n;
   try {
-    if (locals() == 0) {
+    if (local_count() == 0) {
       keep_external_stiffness(K);
       return;
     }
@@ -64,11 +54,10 @@ MumpsCondensation::MumpsCondensation(base::SymmetricCsc& K, std::int64_t externa
     report_.status = solve::FactorStatus::out_of_memory;
   }
   if (report_.status != solve::FactorStatus::ok) {
-    mumps_.reset();
     S_ = base::Matrix();
-    if (K_) {
-      K = K_->give_back();
-      K_.reset();
+    if (locals_) {
+      K = locals_->give_back_matrix();
+      locals_.reset();
     }
   }
 }
@@ -81,14 +70,13 @@ solve::FactorReport MumpsCondensation::forecast(base::SymmetricCsc& pattern, std
   plan.report_.besides = settings.besides;
   plan.n_ = pattern.n;
   try {
-    if (plan.locals() > 0) {
+    if (plan.local_count() > 0) {
       plan.analyse(pattern, settings);
     }
     if (rows != nullptr) {
-      const auto count = static_cast<double>(rows->count());
-      plan.report_.row_flops = 4.0 * plan.report_.factor_entries * count;
-      plan.report_.row_memory = 2.0 * number * static_cast<double>(plan.n_) *
-                                static_cast<double>(plan.block_width(rows->count()));
+      plan.report_.row_flops = plan.solution_flops(rows->count());
+      const std::int64_t width = plan.locals_ ? plan.locals_->block_width(rows->count()) : 0;
+      plan.report_.row_memory = 2.0 * number * static_cast<double>(plan.n_ * width);
     }
   } catch (const std::bad_alloc&) {
     plan.report_.status = solve::FactorStatus::out_of_memory;
@@ -110,38 +98,15 @@ void MumpsCondensation::keep_external_stiffness(const base::SymmetricCsc& K) {
 void MumpsCondensation::analyse(base::SymmetricCsc& K,
                                 const solve::CondensationSettings& settings) {
   const double begun = solve::thread_cpu_seconds();
-  // MUMPS without MPI has no order of the quality of ours (2.3 times the flops of METIS).
-  order_.resize(at(n_));
-  {
-    const std::vector<std::int64_t> rows = solve::elimination_order(K, locals(), settings.ordering);
-    for (std::size_t place = 0; place < rows.size(); ++place) {
-      order_[at(rows[place])] = static_cast<int>(place + 1);
-    }
-  }
-  K_.emplace(K, locals());
-  DMUMPS_STRUC_C& problem = mumps_.emplace().data();
-  problem.n = static_cast<MUMPS_INT>(n_);
-  problem.nnz = K_->entries();
-  problem.irn = K_->rows().data();
-  problem.jcn = K_->columns().data();
-  problem.a = K_->values().data();
-  problem.perm_in = order_.data();
-  mumps_->control(7) = 1; // the order that is given
-  if (externals_ > 0) {
-    external_rows_.resize(at(externals_));
-    std::iota(external_rows_.begin(), external_rows_.end(), static_cast<int>(locals() + 1));
-    mumps_->control(19) = 1; // a Schur complement, of which one triangle is filled
-    problem.size_schur = static_cast<MUMPS_INT>(externals_);
-    problem.listvar_schur = external_rows_.data();
-  }
-  const bool done = mumps_->run(MumpsJob::analysis);
+  report_.memory_left = base::available_memory(); // before any of what is counted below is there
+  const bool done = locals_.emplace(K, externals_, settings.ordering).analyse();
   report_.analysis_cpu = solve::thread_cpu_seconds() - begun;
   if (!done) {
-    fail(mumps_->failure());
+    fail(locals_->mumps().failure());
     return;
   }
-  report_.flops = mumps_->real_info(1);
-  report_.factor_entries = mumps_->count(20);
+  report_.flops = locals_->mumps().real_info(1);
+  report_.factor_entries = locals_->mumps().count(20);
   choose_where_the_factor_goes(settings);
 }
 
@@ -149,17 +114,18 @@ void MumpsCondensation::choose_where_the_factor_goes(const solve::CondensationSe
   const auto n = static_cast<double>(n_);
   const auto e = static_cast<double>(externals_);
   // The triplets and the order, S, and what MUMPS wants.
-  const double own = 16.0 * static_cast<double>(K_->entries()) + 24.0 * n + number * e * e;
-  const double in_core = own + million * mumps_->info(16);
-  const double on_disk = own + million * mumps_->info(26);
-  report_.memory_left = static_cast<double>(base::process_memory_limit()) -
-                        static_cast<double>(base::resident_memory());
+  const double own =
+      16.0 * static_cast<double>(locals_->matrix().entries()) + 24.0 * n + number * e * e;
+  const double in_core = own + million * locals_->mumps().info(16);
+  const double on_disk = own + million * locals_->mumps().info(26);
   report_.out_of_core = settings.out_of_core || in_core + report_.besides > report_.memory_left;
   report_.memory = report_.out_of_core ? on_disk : in_core;
-  report_.kept_memory = 12.0 * static_cast<double>(K_->entries()) + 40.0 * n +
-                        (report_.out_of_core ? 0.0 : number * report_.factor_entries);
+  // In core MUMPS keeps the workspace in which it has made the factor.
+  report_.kept_memory = report_.out_of_core
+                            ? 16.0 * static_cast<double>(locals_->matrix().entries()) + 40.0 * n
+                            : in_core - number * e * e;
   report_.disk = report_.out_of_core ? number * report_.factor_entries : 0.0;
-  mumps_->control(22) = report_.out_of_core ? 1 : 0;
+  locals_->put_factor_on_disk(report_.out_of_core);
   if (report_.memory + report_.besides > report_.memory_left) {
     report_.status = solve::FactorStatus::out_of_memory;
   }
@@ -170,7 +136,7 @@ bool MumpsCondensation::find_room_on_disk(const solve::CondensationSettings& set
     report_.trouble = "there is no folder for temporary files that can be written to (TMPDIR)";
     return false;
   }
-  if (!mumps_->set_folder(settings.scratch_folder)) {
+  if (!locals_->set_folder(settings.scratch_folder)) {
     report_.trouble = fmt::format("the name of the folder {} is too long for MUMPS: set TMPDIR",
                                   settings.scratch_folder);
     return false;
@@ -189,27 +155,22 @@ bool MumpsCondensation::find_room_on_disk(const solve::CondensationSettings& set
 }
 
 void MumpsCondensation::factorise() {
-  S_.resize(externals_, externals_);
-  mumps_->data().schur = S_.data();
-  if (!mumps_->run(MumpsJob::factorisation)) {
-    fail(mumps_->failure());
+  if (!locals_->factorise(S_)) {
+    fail(locals_->mumps().failure());
     return;
   }
   check_pivots();
-  if (report_.status != solve::FactorStatus::ok) {
-    return;
+  if (report_.status == solve::FactorStatus::ok) {
+    report_.relative_error = locals_->error_of_known_displacements();
   }
-  // Rows of the lower triangle are columns of the upper one here; the other is not written.
-  S_.triangularView<Eigen::StrictlyLower>() = S_.transpose();
-  K_->drop_columns();
-  mumps_->data().jcn = nullptr;
-  order_ = {};
-  mumps_->data().perm_in = nullptr;
-  estimate_error();
 }
 
 void MumpsCondensation::fail(MumpsInstance::Failure failure) {
   report_.status = failure.status;
+  if (report_.status == solve::FactorStatus::not_positive_definite) {
+    report_.failed_row = locals_->stopped_at_row();
+    report_.smallest_pivot = 0.0;
+  }
   report_.trouble = std::move(failure.trouble);
   if (report_.status == solve::FactorStatus::engine_failed && report_.out_of_core) {
     report_.trouble += fmt::format(" (its factor takes {:.0f} MB of disk): set TMPDIR to a folder "
@@ -220,170 +181,69 @@ void MumpsCondensation::fail(MumpsInstance::Failure failure) {
 
 // (solve.7): the matrix is scaled to diagonals between 1/2 and 2, so that a pivot is a ratio.
 void MumpsCondensation::check_pivots() {
-  report_.smallest_pivot = std::min(1.0, mumps_->real_info(19));
-  const bool negative = mumps_->info(12) != 0;
+  report_.smallest_pivot = std::min(1.0, locals_->mumps().real_info(19));
+  const bool negative = locals_->mumps().info(12) != 0;
   // Written so that a pivot that is not a number is refused.
-  if (negative || !(mumps_->real_info(19) > solve::smallest_allowed_pivot(n_))) {
+  if (negative || !(locals_->mumps().real_info(19) > solve::smallest_allowed_pivot(n_))) {
     report_.status = solve::FactorStatus::not_positive_definite;
-    report_.failed_row = loosest_row();
+    report_.failed_row = locals_->loosest_row();
   }
-}
-
-// What hardly any force holds moves most under any load.
-std::int64_t MumpsCondensation::loosest_row() const {
-  base::Matrix X(n_, 1);
-  for (std::int64_t i = 0; i < n_; ++i) {
-    X(i, 0) = i < locals() ? 1.0 + 0.37 * static_cast<double>(i % 11) : 0.0;
-  }
-  const std::scoped_lock lock(in_use_);
-  eliminate(X);
-  back_substitute(base::Matrix::Zero(externals_, 1), X);
-  std::int64_t row = 0;
-  for (std::int64_t i = 0; i < locals(); ++i) {
-    if (!(std::abs(X(i, 0)) <= std::abs(X(row, 0)))) {
-      row = i;
-    }
-  }
-  return row;
-}
-
-// The error of displacements that are known: what the factor makes of the forces that hold them.
-void MumpsCondensation::estimate_error() {
-  base::Matrix given(n_, 1);
-  for (std::int64_t i = 0; i < n_; ++i) {
-    given(i, 0) = i < locals() ? 1.0 + 0.25 * static_cast<double>(i % 7) : 0.0;
-  }
-  base::Matrix X = -K_->residual_of(given, base::Matrix::Zero(n_, 1)).value;
-  const std::scoped_lock lock(in_use_);
-  eliminate(X);
-  back_substitute(base::Matrix::Zero(externals_, 1), X);
-  report_.relative_error = (X - given).topRows(locals()).norm() / given.norm();
 }
 
 base::Matrix MumpsCondensation::take_schur() {
   return std::exchange(S_, base::Matrix());
 }
 
-std::int64_t MumpsCondensation::block_width(std::int64_t columns) const {
-  const double fit =
-      block_bytes / (2.0 * number * static_cast<double>(std::max<std::int64_t>(n_, 1)));
-  return std::clamp<std::int64_t>(static_cast<std::int64_t>(fit), 8,
-                                  std::max<std::int64_t>(columns, 8));
-}
-
-void MumpsCondensation::run_solution() const {
-  if (mumps_->run(MumpsJob::solution)) {
-    return;
-  }
-  const MumpsInstance::Failure failure = mumps_->failure();
-  if (failure.status == solve::FactorStatus::out_of_memory) {
-    throw std::bad_alloc();
-  }
-  throw std::system_error(std::make_error_code(std::errc::io_error), failure.trouble);
-}
-
-// What right-hand sides and solutions have in common.
-void MumpsCondensation::ask(int what, base::Matrix& X, base::Matrix& external) const {
-  DMUMPS_STRUC_C& problem = mumps_->data();
-  problem.rhs = X.data();
-  problem.nrhs = static_cast<MUMPS_INT>(X.cols());
-  problem.lrhs = static_cast<MUMPS_INT>(n_);
-  problem.redrhs = external.data();
-  problem.lredrhs = static_cast<MUMPS_INT>(externals_);
-  mumps_->control(26) = externals_ > 0 ? what : 0;
-  mumps_->control(27) = static_cast<int>(X.cols()); // all of them in one pass over the factor
-  run_solution();
-}
-
-base::Matrix MumpsCondensation::eliminate(base::Matrix& X) const {
-  base::Matrix left(externals_, X.cols());
-  mumps_->control(20) = 0; // dense
-  ask(eliminate_locals, X, left);
-  return left;
-}
-
-void MumpsCondensation::back_substitute(const base::Matrix& u_external, base::Matrix& X) const {
-  if (externals_ == 0) {
-    return; // without externals the elimination has solved it
-  }
-  base::Matrix given = u_external; // MUMPS does not promise to leave it
-  mumps_->control(20) = 0;
-  ask(expand_externals, X, given);
-  X.bottomRows(externals_) = u_external;
-}
-
 base::Matrix MumpsCondensation::condense_load(const base::Matrix& f) const {
   assert(f.rows() == n_ && report_.status == solve::FactorStatus::ok);
-  if (externals_ == 0 || locals() == 0) {
+  if (externals_ == 0 || local_count() == 0) {
     return f.bottomRows(externals_);
   }
   base::Matrix X = f;
-  K_->apply_scale(X);
+  locals_->matrix().apply_scale(X);
   const std::scoped_lock lock(in_use_);
-  return eliminate(X);
+  return locals_->eliminate(X);
 }
 
 base::Matrix MumpsCondensation::solve(const base::Matrix& f,
                                       const solve::ExternalDisplacementSolver& displacement) const {
   assert(f.rows() == n_ && report_.status == solve::FactorStatus::ok);
-  if (locals() == 0) {
+  if (local_count() == 0) {
     return n_ == 0 ? f : displacement(f);
   }
   base::Matrix load = f;
-  K_->apply_scale(load);
+  locals_->matrix().apply_scale(load);
   base::Matrix u = load;
   const std::scoped_lock lock(in_use_);
-  const base::Matrix left = eliminate(u);
-  back_substitute(externals_ > 0 ? displacement(left) : left, u);
-  MumpsMatrix::Residual rest = K_->residual_of(u, load);
+  const base::Matrix left = locals_->eliminate(u);
+  locals_->back_substitute(externals_ > 0 ? displacement(left) : left, u);
+  MumpsMatrix::Residual rest = locals_->matrix().residual_of(u, load);
   if (rest.backward_error > refined_from) {
-    eliminate(rest.value);
-    back_substitute(base::Matrix::Zero(externals_, f.cols()), rest.value);
+    locals_->eliminate(rest.value);
+    locals_->back_substitute(base::Matrix::Zero(externals_, f.cols()), rest.value);
     u += rest.value;
   }
-  K_->apply_scale(u);
+  locals_->matrix().apply_scale(u);
   return u;
 }
 
 solve::RowCompliance
 MumpsCondensation::compliance_with_externals_held(solve::SparseRightHandSides F) const {
   assert(report_.status == solve::FactorStatus::ok);
-  const std::int64_t count = F.count();
-  for (std::size_t p = 0; p < F.row.size(); ++p) {
-    F.value[p] *= locals() > 0 ? K_->scale(F.row[p]) : 1.0;
-  }
   solve::RowCompliance out;
-  out.W = base::Matrix::Zero(count, count);
-  out.condensed = base::Matrix::Zero(externals_, count);
-  out.flops = 4.0 * report_.factor_entries * static_cast<double>(count);
-  const std::int64_t width = block_width(count);
-  for (std::int64_t first = 0; first < count; first += width) {
-    const std::int64_t k = std::min(width, count - first);
-    base::Matrix X = base::Matrix::Zero(n_, k);
-    for (std::int64_t c = 0; c < k; ++c) {
-      for (std::int64_t p = F.start[at(first + c)]; p < F.start[at(first + c + 1)]; ++p) {
-        X(F.row[at(p)], c) += F.value[at(p)];
-      }
-    }
-    if (locals() == 0) {
-      out.condensed.middleCols(first, k) = X;
-      continue;
-    }
-    {
-      const std::scoped_lock lock(in_use_);
-      out.condensed.middleCols(first, k) = eliminate(X);
-      back_substitute(base::Matrix::Zero(externals_, k), X); // no external moves
-    }
-    for (std::int64_t row = first; row < count; ++row) {
-      for (std::int64_t p = F.start[at(row)]; p < F.start[at(row + 1)]; ++p) {
-        if (F.row[at(p)] < locals()) {
-          out.W.block(row, first, 1, k) += F.value[at(p)] * X.row(F.row[at(p)]);
-        }
-      }
+  if (local_count() > 0) {
+    const std::scoped_lock lock(in_use_);
+    out = locals_->compliance_of_rows(F);
+    out.flops = solution_flops(F.count());
+    return out;
+  }
+  out.W = base::Matrix::Zero(F.count(), F.count());
+  out.condensed = base::Matrix::Zero(n_, F.count());
+  for (std::int64_t column = 0; column < F.count(); ++column) {
+    for (std::int64_t p = F.start[at(column)]; p < F.start[at(column + 1)]; ++p) {
+      out.condensed(F.row[at(p)], column) += F.value[at(p)];
     }
   }
-  // Of each pair of rows only the one below the diagonal, or within its block, was made.
-  out.W.triangularView<Eigen::StrictlyUpper>() = out.W.transpose();
   return out;
 }
 

@@ -2,15 +2,14 @@
 #pragma once
 #include "base/sparse.hpp"
 #include "base/vec.hpp"
+#include "engines/mumps/mumps_elimination.hpp"
 #include "engines/mumps/mumps_instance.hpp"
-#include "engines/mumps/mumps_matrix.hpp"
 #include "solve/condensed_equations.hpp"
 #include "solve/factor_report.hpp"
 
 #include <cstdint>
 #include <mutex>
 #include <optional>
-#include <vector>
 
 namespace spricka::engines {
 
@@ -44,30 +43,19 @@ private:
   [[nodiscard]] bool find_room_on_disk(const solve::CondensationSettings& settings);
   void factorise();
   void check_pivots();
-  [[nodiscard]] std::int64_t loosest_row() const;
-  void estimate_error();
   void fail(MumpsInstance::Failure failure);
   void keep_external_stiffness(const base::SymmetricCsc& K);
-
-  [[nodiscard]] std::int64_t locals() const { return n_ - externals_; }
-  /// Columns of right-hand sides that are solved at a time.
-  [[nodiscard]] std::int64_t block_width(std::int64_t columns) const;
-  /// X [n, k], scaled loads: eliminates the locals; what is left for the externals [externals, k].
-  /// Without externals X becomes the solution.
-  base::Matrix eliminate(base::Matrix& X) const;
-  /// X [n, k] becomes the locals of what was eliminated last, the externals displaced as given.
-  void back_substitute(const base::Matrix& u_external, base::Matrix& X) const;
-  void ask(int what, base::Matrix& X, base::Matrix& external) const;
-  void run_solution() const;
+  [[nodiscard]] std::int64_t local_count() const { return n_ - externals_; }
+  [[nodiscard]] double solution_flops(std::int64_t columns) const {
+    return 4.0 * report_.factor_entries * static_cast<double>(columns);
+  }
 
   std::int64_t externals_ = 0;
   std::int64_t n_ = 0;
   solve::FactorReport report_;
   base::Matrix S_;
-  std::optional<MumpsMatrix> K_;
   mutable std::mutex in_use_; ///< from the elimination of right-hand sides to their solution
-  mutable std::optional<MumpsInstance> mumps_;
-  std::vector<int> order_, external_rows_; ///< as MUMPS wants them, counted from 1
+  mutable std::optional<MumpsElimination> locals_; ///< empty where there are none
 };
 
 } // namespace spricka::engines

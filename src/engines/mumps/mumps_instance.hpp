@@ -31,6 +31,8 @@ public:
     const double given = info(number);
     return given < 0.0 ? -1e6 * given : given;
   }
+  /// Of each row in the order of its pivots, counted from 1; once it is analysed.
+  [[nodiscard]] const int* places() const { return data_.sym_perm; }
   [[nodiscard]] DMUMPS_STRUC_C& data() { return data_; }
 
   /// Does it: whether INFOG(1) is no error. A factorisation that finds its estimated workspace too

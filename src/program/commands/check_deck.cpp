@@ -26,9 +26,11 @@
 #include "sense/half_model.hpp"
 #include "sense/load_totals.hpp"
 #include "sense/mirrors.hpp"
+#include "solve/one_thread.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 #include <fmt/format.h>
 
@@ -238,7 +240,12 @@ base::ProgramOutcome check_deck(const RunOptions& options, const CheckedDeck& de
                                 const Log& log) {
   const double read_cpu = base::cpu_seconds();
   const model::Model& model = *deck.model;
-  Previewer look(model, thread_count(options, model), options.engine);
+  const int threads = thread_count(options, model);
+  try {
+    solve::reserve_blas_workspace(threads); // as the run does: what is left decides who solves
+  } catch (const std::bad_alloc&) {         // the run will say so
+  }
+  Previewer look(model, threads, options.engine);
   look.look(options.exact_forecast ? ForecastMethod::analysis : ForecastMethod::law);
   const base::ProgramOutcome own = verdict(deck.sources, look, log);
   results::DeckPreview& preview = look.preview;

@@ -46,7 +46,7 @@ std::string failure_remedy(const base::OperationFailure& answer) {
     return "with friction more SUBSTEPS or a smaller MU; spricka help E520 says more";
   }
   using Remedy = std::pair<std::string_view, std::string_view>;
-  static constexpr std::array<Remedy, 10> remedies{
+  static constexpr std::array<Remedy, 12> remedies{
       {{"next to nothing holds",
         "hold it by a support ($FREEDOM), friction (MU=) or a contact that it runs against"},
        {"slides", "more friction, more pressure or less load, or a support: $FREEDOM"},
@@ -58,9 +58,11 @@ std::string failure_remedy(const base::OperationFailure& answer) {
        {"not held", "add a support ($FREEDOM), or the $CONTACT that holds it"},
        {"singular", "add a support ($FREEDOM), or join the parts"},
        {"mechanism", "add a support ($FREEDOM), or join the parts"},
+       {"TMPDIR", "the page of the manual on engines has what they keep on disk"},
        {"memory",
         "take fewer or coarser elements or, where rows of contact take it, MULTIPLIER=CORNER on "
         "$CONTACT; or a machine with more memory"},
+       {"build", "install it, or take another --engine: auto takes those that are there"},
        {"mesh", "another place or length of the crack, or RADIUS and SIZE on $TIPNET"}}};
   for (const auto& [word, remedy] : remedies) {
     if (answer.why.find(word) != std::string::npos) {

@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What solves the equations: the same answers by each engine, the next one where memory is short, and a word where one
+cannot be had."""
+
+import csv
+import os
+import re
+import shutil
+import signal
+import subprocess
+import time
+import unittest
+from pathlib import Path
+
+from program import PROGRAM, SANITIZED, TOP, ProgramTest, environment, main
+
+MODULES = Path(PROGRAM).parents[1] / "libexec/spricka"
+HAS_MUMPS = (MODULES / "spricka-mumps.so").exists()
+
+# A solid block on its foot, whose factor is large beside everything else.
+BLOCK = """$DECK VERSION=1 LENGTH=MM FORCE=N TITLE='Block'
+$MESH SHAPE=BLOCK TYPE=HEXEC20 LX=10 LY=10 LZ=10 NX={n} NY={n} NZ={n}
+$MATERIAL NAME=STEEL E=210[GPa] NU=0.3
+$PROPERTY ESET=BODY MATERIAL=STEEL STATE=SOLID
+$FREEDOM CLASS=SUPPRESSED DOF=XYZ
+  ZMIN
+$LOAD CASE=PULL TYPE=TRACTION
+  ZMAX  0  0  100
+$STEP NAME=LOAD
+  LOAD PULL 1
+$END
+"""
+
+
+def numbers(file):
+    """The numbers of a table by column, and its other words."""
+    columns, words = {}, []
+    with open(file, encoding="utf-8", newline="") as stream:
+        for row in csv.DictReader(line for line in stream if not line.startswith("#")):
+            for name, text in row.items():
+                try:
+                    columns.setdefault(name, []).append(float(text))
+                except (TypeError, ValueError):
+                    words.append(text)
+    return columns, words
+
+
+class Engines(ProgramTest):
+    def limited(self, mebibytes, *arguments, **env):
+        return subprocess.run(
+            ["bash", "-c", f'ulimit -v {mebibytes * 1024}; exec "$0" "$@"', PROGRAM, *map(str, arguments)],
+            cwd=self.folder, env=environment(OPENBLAS_NUM_THREADS="1", **env), capture_output=True, text=True,
+            timeout=300, check=False,
+        )
+
+    def copied_program(self, module=None):
+        """The program with no engine beside it but that which is given."""
+        (self.folder / "bin").mkdir()
+        (self.folder / "libexec/spricka").mkdir(parents=True)
+        copy = self.folder / "bin/spricka"
+        shutil.copy(PROGRAM, copy)
+        if module is not None:
+            shutil.copy(module, self.folder / "libexec/spricka/spricka-mumps.so")
+        return copy
+
+    def run_copy(self, copy, *arguments):
+        return subprocess.run([copy, *arguments], cwd=self.folder, env=environment(), capture_output=True, text=True,
+                              timeout=120, check=False)
+
+    def test_an_engine_that_is_not_there_is_named(self):
+        self.deck(BLOCK.format(n=2))
+        result = self.run_copy(self.copied_program(), "run", "test.deck", "--engine", "mumps", "--quiet")
+        self.assertEqual(result.returncode, 4, result.stderr)
+        self.assertIn("this spricka was built without MUMPS", result.stderr)
+        self.assertIn("libmumps-seq-dev", result.stderr)
+        self.assertFalse((self.folder / "test.run/k.csv").exists())
+
+    def test_a_module_of_other_sources_is_refused(self):
+        self.deck(BLOCK.format(n=2))
+        source = self.folder / "other.c"
+        source.write_text('const char *spricka_engine_abi(void) { return "0.0.1 0123456789abcdef"; }\n', encoding="utf-8")
+        subprocess.run(["gcc", "-shared", "-fPIC", "-o", self.folder / "other.so", source], check=True)
+        copy = self.copied_program(self.folder / "other.so")
+        result = self.run_copy(copy, "run", "test.deck", "--engine", "mumps", "--quiet")
+        self.assertEqual(result.returncode, 4, result.stderr)
+        self.assertIn("is of another spricka (0.0.1 0123456789abcdef", result.stderr)
+
+    def test_a_word_that_is_no_engine(self):
+        self.deck(BLOCK.format(n=2))
+        result = self.expect(2, "run", "test.deck", "--engine", "mump")
+        self.assertIn("mumps", result.stderr)
+
+    def compared(self, name):
+        """One deck by Cholesky and by MUMPS: the largest difference of K and G, as part of the largest of the column."""
+        deck = TOP / "decks" / f"{name}.deck"
+        for engine in ("cholesky", "mumps"):
+            self.expect(0, "run", deck, "--engine", engine, "--out", engine, "--quiet", "--threads", "2")
+        listing = (self.folder / "mumps/listing.txt").read_text(encoding="utf-8")
+        self.assertRegex(listing, r"CONDENSE .*: MUMPS")
+        worst = 0.0
+        ours, words = numbers(self.folder / "mumps/k.csv")
+        theirs, other_words = numbers(self.folder / "cholesky/k.csv")
+        self.assertEqual(words, other_words)
+        self.assertEqual(ours.keys(), theirs.keys())
+        for column in ("K1", "K2", "K3", "G"):
+            values = theirs.get(column, [])
+            size = max(map(abs, values), default=0.0)
+            self.assertEqual(len(values), len(ours.get(column, [])), column)
+            for a, b in zip(ours.get(column, []), values):
+                worst = max(worst, abs(a - b) / size if size else abs(a))
+        return worst
+
+    @unittest.skipUnless(HAS_MUMPS, "built without MUMPS")
+    def test_the_same_K_of_a_crack_in_a_solid_with_contact(self):
+        self.assertLess(self.compared("lug_slice_crack_solid"), 1e-10)
+
+    @unittest.skipUnless(HAS_MUMPS, "built without MUMPS")
+    def test_the_same_growth_with_a_part_that_is_kept(self):
+        self.assertLess(self.compared("lug_single"), 1e-10)
+
+    @unittest.skipUnless(HAS_MUMPS and not SANITIZED, "built without MUMPS, or with a shadow beyond any limit")
+    def test_the_next_engine_where_memory_is_short(self):
+        deck = self.deck(BLOCK.format(n=14))
+        self.expect(0, "run", deck, "--out", "all", "--quiet", "--engine", "cholesky")
+        # So little that a factor in core does not fit, as a user would meet it: no option is given.
+        for mebibytes in (700, 600, 520):
+            refused = self.limited(mebibytes, "run", deck, "--out", "refused", "--quiet", "--engine", "cholesky")
+            if refused.returncode == 4:
+                break
+        self.assertEqual(refused.returncode, 4, "Cholesky fits into the least limit")
+        self.assertRegex(refused.stderr, "E466|E510.*memory")
+        checked = self.limited(mebibytes, "check", deck, "--forecast")
+        self.assertIn("MUMPS out of core", checked.stdout)
+        result = self.limited(mebibytes, "run", deck, "--out", "limited", "--quiet")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        listing = (self.folder / "limited/listing.txt").read_text(encoding="utf-8")
+        self.assertRegex(listing, r"CONDENSE .*: MUMPS out of core: in core would need .* can be had")
+
+    @unittest.skipUnless(HAS_MUMPS and not SANITIZED, "built without MUMPS, or with a shadow beyond any limit")
+    def test_a_disk_without_room(self):
+        deck = self.deck(BLOCK.format(n=14))
+        for folder, word in (("/nowhere", "no folder for temporary files"),):
+            result = self.limited(520, "run", deck, "--quiet", TMPDIR=folder)
+            self.assertEqual(result.returncode, 4, result.stderr)
+            self.assertIn(word, result.stderr)
+        small = self.folder / "small"
+        small.mkdir()
+        mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=4m", "none", small], capture_output=True, check=False)
+        if mounted.returncode != 0:
+            return  # not root
+        try:
+            result = self.limited(520, "run", deck, "--quiet", TMPDIR=str(small))
+            self.assertEqual(result.returncode, 4, result.stderr)
+            self.assertIn("of disk in", result.stderr)
+            self.assertEqual(list(small.iterdir()), [])
+        finally:
+            subprocess.run(["umount", small], check=False)
+
+    @unittest.skipUnless(HAS_MUMPS and not SANITIZED, "built without MUMPS, or with a shadow beyond any limit")
+    def test_nothing_is_left_behind_by_a_signal(self):
+        deck = self.deck(BLOCK.format(n=14))
+        scratch = self.folder / "scratch"
+        scratch.mkdir()
+        limit = f'ulimit -v {520 * 1024}; exec "$0" "$@"'
+        child = subprocess.Popen(
+            ["bash", "-c", limit, PROGRAM, "run", deck, "--quiet"], cwd=self.folder,
+            env=environment(OPENBLAS_NUM_THREADS="1", TMPDIR=str(scratch)), stderr=subprocess.DEVNULL,
+        )
+        for _ in range(3000):
+            if child.poll() is not None or any(scratch.glob("spricka-scratch-*/factor*")):
+                break
+            time.sleep(0.01)
+        child.send_signal(signal.SIGTERM)
+        self.assertEqual(child.wait(timeout=60), 128 + signal.SIGTERM)
+        self.assertEqual(list(scratch.iterdir()), [])
+
+
+if __name__ == "__main__":
+    main()
