@@ -3,7 +3,6 @@
 
 #include "mesh/link/mesher_limits.hpp"
 #include "program/commands/positive.hpp"
-#include "solve/engine_choice.hpp"
 
 namespace spricka::program {
 
@@ -67,10 +66,10 @@ void add_deck_options(CLI::App& command, RunOptions& options) {
   add_mesh_limits(command);
 }
 
-void add_engine_option(CLI::App& command, solve::EquationEngine& engine) {
+void add_engine_option(CLI::App& command, const std::function<void(const std::string&)>& set) {
   command
       .add_option_function<std::string>(
-          "--engine", [&engine](const std::string& word) { engine = *solve::engine_of_word(word); },
+          "--engine", set,
           "what solves the equations (default: auto, by the memory that they need)")
       ->check(one_of_words_validator({"auto", "cholesky", "mumps", "multigrid"}))
       ->type_name("auto|cholesky|mumps|multigrid");

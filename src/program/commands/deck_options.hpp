@@ -2,6 +2,7 @@
 #pragma once
 #include "program/job/run_options.hpp"
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,8 +19,8 @@ void add_deck_options(CLI::App& command, RunOptions& options);
 void add_define_option(CLI::App& command, std::vector<std::pair<std::string, std::string>>& defines,
                        const std::string& doc);
 
-/// --engine, what solves the equations.
-void add_engine_option(CLI::App& command, solve::EquationEngine& engine);
+/// --engine, what solves the equations: its word, which engine_of_word() knows.
+void add_engine_option(CLI::App& command, const std::function<void(const std::string&)>& set);
 
 /// --threads, a whole number from 0.
 void add_threads_option(CLI::App& command, int& threads, const std::string& doc);

@@ -44,6 +44,9 @@ std::vector<std::string> words_of(const ChildRun& run) {
   std::vector<std::string> words{
       "spricka",        "run",       run.deck.string(),          "--quiet", "--out",
       run.out.string(), "--threads", std::to_string(run.threads)};
+  if (!run.engine.empty()) {
+    words.insert(words.end(), {"--engine", run.engine});
+  }
   for (const auto& [name, value] : run.defines) {
     words.insert(words.end(), {"-D", fmt::format("{}={}", name, value)});
   }

@@ -19,12 +19,14 @@
 /// other, and the system counts what each of them took.
 namespace spricka::program {
 
-/// `spricka run DECK --quiet --threads N --out FOLDER -D NAME=VALUE ..`, or another program.
+/// `spricka run DECK --quiet --threads N --out FOLDER --engine WORD -D NAME=VALUE ..`, or another
+/// program.
 struct ChildRun {
   std::filesystem::path deck;
   std::filesystem::path out; ///< its run folder
   std::vector<std::pair<std::string, std::string>> defines;
   int threads = 1;
+  std::string engine = {};  ///< empty: as the program chooses
   double seconds = 0.0;     ///< wall time after which it is ended; 0: as long as it takes
   double cpu_seconds = 0.0; ///< the same of its CPU time
   /// Another program, by its file, and what it is given; then the deck is of no account.

@@ -128,6 +128,7 @@ private:
                       .out = deck_runs.folder() / deck.name,
                       .defines = {},
                       .threads = 1,
+                      .engine = options_.engine,
                       .seconds = 0.0,
                       .cpu_seconds = far_longer * most});
     }

@@ -14,6 +14,7 @@ struct VerifyOptions {
   std::filesystem::path out = "verification"; ///< folder of page and table
   std::filesystem::path before;               ///< the last table; empty: the one in `out`
   std::filesystem::path markdown;             ///< empty: no chapter, and no table beside it
+  std::string engine = {};                    ///< of the equations; empty: as each run chooses
   int at_once = 0;                            ///< decks at a time; 0: as many as cores
   bool keep = false;                          ///< keep the run folders, in a folder beside the page
   bool costs = false;                         ///< renew the table of costs beside the decks
