@@ -53,6 +53,11 @@ std::string why_not_in_core(const FactorReport& in_core) {
                      memory_text(in_core.memory_left));
 }
 
+std::string too_much_for_all(const FactorReport& in_core) {
+  return fmt::format("too much, as {} can be had; {}", memory_text(in_core.memory_left),
+                     in_core.trouble);
+}
+
 /// Why a further engine is no help either.
 std::string why_not(const FactorReport& report, EngineModule module) {
   if (report.status == FactorStatus::out_of_memory) {
@@ -119,6 +124,7 @@ FactorReport forecast_equations(const base::SymmetricCsc& pattern, std::int64_t 
       (in_core.status == FactorStatus::ok && fits(in_core))) {
     return in_core;
   }
+  base::return_free_memory_to_system();
   for (const EngineModule module : engines_for_less_memory) {
     base::SymmetricCsc given_up = pattern;
     FactorReport next = forecast_by_module(module, given_up, externals, settings, rows);
@@ -128,7 +134,8 @@ FactorReport forecast_equations(const base::SymmetricCsc& pattern, std::int64_t 
     }
     add_reason(in_core.trouble, why_not(next, module));
   }
-  return in_core; // what it needs says that the run will be refused
+  in_core.engine_reason = too_much_for_all(in_core);
+  return in_core;
 }
 
 void choose_engine_by_law(FactorReport& report, const CondensationSettings& settings) {
@@ -148,11 +155,11 @@ void choose_engine_by_law(FactorReport& report, const CondensationSettings& sett
     on_disk.kept_memory = 0.0;
     on_disk.disk = 8.0 * report.factor_entries;
   }
-  std::string missing = why_engine_module_is_missing(EngineModule::mumps);
-  if (missing.empty()) {
+  report.trouble = why_engine_module_is_missing(EngineModule::mumps);
+  if (report.trouble.empty()) {
     report = std::move(on_disk);
   } else {
-    report.trouble = std::move(missing);
+    report.engine_reason = fits(report) ? report.trouble : too_much_for_all(report);
   }
 }
 

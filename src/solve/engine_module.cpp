@@ -119,6 +119,7 @@ FactorReport report_of_missing_module(EngineModule module, std::string trouble) 
   report.status = FactorStatus::engine_failed;
   report.engine = engine_of(module);
   report.trouble = std::move(trouble);
+  report.engine_reason = report.trouble;
   return report;
 }
 

@@ -69,7 +69,11 @@ class Engines(ProgramTest):
 
     def test_an_engine_that_is_not_there_is_named(self):
         self.deck(BLOCK.format(n=2))
-        result = self.run_copy(self.copied_program(), "run", "test.deck", "--engine", "mumps", "--quiet")
+        copy = self.copied_program()
+        for method in ([], ["--forecast"]):
+            checked = self.run_copy(copy, "check", "test.deck", "--engine", "mumps", *method)
+            self.assertIn("this spricka was built without MUMPS", checked.stdout)
+        result = self.run_copy(copy, "run", "test.deck", "--engine", "mumps", "--quiet")
         self.assertEqual(result.returncode, 4, result.stderr)
         self.assertIn("this spricka was built without MUMPS", result.stderr)
         self.assertIn("libmumps-seq-dev", result.stderr)

@@ -89,12 +89,15 @@ struct CostForecast::Needs {
   std::size_t unknowns = 0;
 };
 
-// "LUG: MUMPS out of core, 3.1 GB: in core would need 8.2 GB, 5.1 GB can be had"
+// "LUG: MUMPS out of core, 3100 MB and 7400 MB of disk: in core would need 8.2 GB, 5.1 GB can be
+// had"
 std::string CostForecast::describe_engine(const NetToForecast& piece,
                                           const solve::FactorReport& report) {
-  return fmt::format("{}: {}, {:.2g} GB{}{}",
+  const std::string disk =
+      report.disk > 0.0 ? fmt::format(" and {:.0f} MB of disk", 1e-6 * report.disk) : "";
+  return fmt::format("{}: {}, {:.0f} MB{}{}{}",
                      piece.body != nullptr ? piece.body->name : std::string("a part"),
-                     solve::engine_text(report), 1e-9 * report.memory,
+                     solve::engine_text(report), 1e-6 * report.memory, disk,
                      report.engine_reason.empty() ? "" : ": ", report.engine_reason);
 }
 
@@ -183,7 +186,7 @@ const solve::FactorReport& CostForecast::report_of(const analysis::CondensationR
   if (report.factor_entries > 0.0) {
     needs.seconds += report.flops / settings_.rate.at(report.flops / report.factor_entries);
   }
-  if (report.engine != solve::EquationEngine::cholesky) {
+  if (report.engine != solve::EquationEngine::cholesky || !report.engine_reason.empty()) {
     needs.engines.push_back(describe_engine(piece, report));
   }
   needs.passing.push_back(report.memory - report.kept_memory);
