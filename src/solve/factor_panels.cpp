@@ -164,8 +164,8 @@ void FactorPanels::link_pieces() {
   }
   for (Piece& piece : pieces_) {
     std::ranges::sort(piece.updated);
-    const auto twice = std::ranges::unique(piece.updated);
-    piece.updated.erase(twice.begin(), twice.end());
+    piece.updated.erase(std::unique(piece.updated.begin(), piece.updated.end()),
+                        piece.updated.end());
   }
 }
 

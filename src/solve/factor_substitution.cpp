@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <ranges>
 
 namespace spricka::solve {
 
@@ -143,7 +142,8 @@ void FactorSubstitution::forward_panel(const FactorPanel& p, base::Matrix& X) co
 }
 
 void FactorSubstitution::backward(base::Matrix& X) const {
-  for (const FactorPanels::Piece& piece : std::ranges::reverse_view(cut_.pieces())) {
+  for (std::size_t i = cut_.pieces().size(); i-- > 0;) {
+    const FactorPanels::Piece& piece = cut_.pieces()[i];
     const FactorPanel& p = cut_.panels()[at(piece.first)];
     if (!piece.is_subtree() && !p.external) {
       backward_panel(p, X);

@@ -2,8 +2,8 @@
 #pragma once
 #include "base/ready_queue.hpp"
 #include "base/sparse.hpp"
-#include "base/vec.hpp"
 #include "solve/factor_panels.hpp"
+#include "solve/panel_elimination.hpp"
 
 #include <cstdint>
 #include <mutex>
@@ -33,11 +33,6 @@ public:
   [[nodiscard]] const std::vector<double>& task_seconds() const { return seconds_; }
 
 private:
-  /// What a thread needs for itself.
-  struct Workspace {
-    std::vector<std::int32_t> place; ///< [n] of the rows of the panel in hand
-    base::Matrix product;
-  };
   struct TileState {
     const PanelUpdate* next = nullptr; ///< the first that has not been taken off yet
     bool begun = false;                ///< the entries of A are in
@@ -50,25 +45,17 @@ private:
     int tiles_left = 0;
   };
 
-  void begin_tile(const PanelTile& tile);
-  void take_off(const PanelTile& tile, std::span<const PanelUpdate> updates, Workspace& work);
-  void set_places(const PanelTile& tile, Workspace& work) const;
-  void subtract_product(const FactorPanel& p, const FactorPanel& from, const PanelUpdate& u, int lo,
-                        int hi, Workspace& work);
   bool factorise_diagonal(const FactorPanel& p);
-  void eliminate_below(const FactorPanel& p, int begin, int end);
-
-  void eliminate_subtree(std::size_t piece, Workspace& work);
-  void work_on_tile(std::size_t tile, Workspace& work);
+  void eliminate_subtree(std::size_t piece, PanelWorkspace& work);
+  void work_on_tile(std::size_t tile, PanelWorkspace& work);
   [[nodiscard]] std::span<const PanelUpdate> ready_updates(const PanelTile& tile,
                                                            const TileState& state) const;
   void finish_tile(std::size_t tile);
   void end_tile(std::size_t piece);
   void end_piece(std::size_t piece);
-  void make_ready(std::size_t piece);
+  void make_ready(std::size_t number);
 
-  double* values_;
-  const base::SymmetricCsc& A_;
+  PanelElimination elimination_;
   const FactorPanels& cut_;
   std::vector<TileState> tile_;
   std::vector<PieceState> piece_;

@@ -56,6 +56,7 @@ std::vector<int> share_threads(const std::vector<Task*>& tasks, int threads) {
     sum += work(task);
   }
   std::vector<int> share;
+  share.reserve(tasks.size());
   for (const Task* task : tasks) {
     share.push_back(
         std::clamp(static_cast<int>(std::ceil(threads * work(task) / sum)), 1, threads));

@@ -149,7 +149,7 @@ TEST(ReadyQueue, RunsWhatTasksMakeReady) {
 
 TEST(ReadyQueue, TakesTheMostUrgentFirst) {
   base::ReadyQueue queue;
-  for (const std::size_t task : {3, 1, 4, 2}) {
+  for (const std::size_t task : {3U, 1U, 4U, 2U}) {
     queue.push(task, static_cast<double>(task % 3));
   }
   std::vector<std::size_t> order;
