@@ -65,7 +65,8 @@ std::optional<Owner> owner_of(const fs::path& folder) {
 
 } // namespace
 
-std::optional<FolderLock> FolderLock::acquire_lock(const fs::path& folder, const fs::path& work) {
+std::optional<FolderLock> FolderLock::acquire_lock(const fs::path& folder, const fs::path& work,
+                                                   LockSharing sharing) {
   FolderLock lock(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (lock.fd_ < 0) {
     if (errno == ENOENT) {
@@ -75,7 +76,8 @@ std::optional<FolderLock> FolderLock::acquire_lock(const fs::path& folder, const
   }
   // Where locks do not work the owner's note decides: a process that lives, or one on another
   // machine.
-  if (::flock(lock.fd_, LOCK_EX | LOCK_NB) != 0) {
+  const int kind = sharing == LockSharing::shared ? LOCK_SH : LOCK_EX;
+  if (::flock(lock.fd_, kind | LOCK_NB) != 0) {
     const int error = errno;
     std::optional<Owner> owner = owner_of(folder);
     owner = owner ? owner : owner_of(work);

@@ -39,6 +39,7 @@ struct SweepPoint {
   int passed = 0;
   int warnings = 0;
   bool reused = false; ///< taken over from an earlier run of the sweep
+  bool taken = false;  ///< another process computes it at this moment
   std::vector<SweepResultValue> cells;
   /// [file of a card $OUTPUT EVERY=END] what the card asks for
   std::map<std::string, std::vector<SweepResultValue>> requested;

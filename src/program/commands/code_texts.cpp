@@ -331,6 +331,12 @@ constexpr std::array advice{
                 "sweep.csv has the error of each point; started again, the sweep tries them "
                 "again."},
     CodeMeaning{"E551", "Start it again with the same folder: finished points are taken over."},
+    CodeMeaning{"E552", "spricka sweep is for decks with $SWEEP; for one set of values use spricka "
+                        "run. Exit code 2."},
+    CodeMeaning{"E553",
+                "Run the tasks that have these runs again, with the same K/N or in a new array: "
+                "they do what is missing and nothing else. Then collect again. Exit code 6."},
+    CodeMeaning{"E554", "Run the task again when no other process has its runs: exit code 6."},
     CodeMeaning{"E555",
                 "Make the deck run by itself first; it needs a crack, a contact, a $CHECK or "
                 "a body that is loaded."},

@@ -107,6 +107,10 @@ inline constexpr std::array later_codes{
     CodeMeaning{"W337", "SCALE on a file that brings moduli"},
     CodeMeaning{"E550", "a point of a sweep without success; the sweep goes on"},
     CodeMeaning{"E551", "a sweep stopped by a signal"},
+    CodeMeaning{"E552", "spricka sweep of a deck without $SWEEP"},
+    CodeMeaning{"E553", "runs that no task of a job array has finished"},
+    CodeMeaning{"E554", "runs of a task that are not finished: another process has them, or they "
+                        "were stopped"},
     CodeMeaning{"E555", "a study or a ladder of a deck that gives no answer to compare"},
     CodeMeaning{"E560", "a restart file, or a part of it, that is missing, cut off or changed"},
     CodeMeaning{"E561", "a restart file of another deck: a card differs"},

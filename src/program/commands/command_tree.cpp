@@ -79,6 +79,29 @@ void add_verify_options(CLI::App& command, VerifyOptions& options) {
   command.add_flag("--quiet", options.quiet, "print what failed and the sum only");
 }
 
+// Those that run and sweep share.
+void add_run_options(CLI::App& command, RunOptions& options) {
+  add_deck_options(command, options);
+  add_path_option(command, "--out", options.out, "run folder (default: the deck's name with .run)",
+                  "FOLDER");
+  add_threads_option(command, options.threads,
+                     "threads, 0: all cores; no result depends on it (default: what Slurm gives, "
+                     "else $CONTROL)");
+  add_engine_option(command, [&options](const std::string& word) {
+    options.engine = *solve::engine_of_word(word);
+  });
+  command.add_flag("--quiet", options.quiet, "print messages only");
+  command.add_flag("--restart", options.restart,
+                   "continue from the file that $RESTART WRITE names, if it exists");
+  command.add_flag(
+      "--profile", options.profile,
+      "measure time, flops and memory by stage, net and crack length, beside one plain "
+      "factorisation; writes profile.csv and trace.json");
+  add_positive_option(
+      command, "--time", options.seconds,
+      "limit of wall time: a crack length that would not fit is not begun, exit code 6", "SECONDS");
+}
+
 } // namespace
 
 CommandTree::CommandTree(const std::string& source_digest)
@@ -94,6 +117,7 @@ CommandTree::CommandTree(const std::string& source_digest)
   app_.footer(exit_footer());
   add_run();
   add_check();
+  add_sweep();
   add_shell();
   add_study();
   add_ladder();
@@ -123,22 +147,24 @@ void CommandTree::add_run() {
                           "  spricka run lug.deck --profile               what the time goes into\n"
                           "  spricka run lug.deck --restart --time 3500   in a job queue",
                           [this] { return run_deck(run_); });
-  add_deck_options(command, run_);
-  add_path_option(command, "--out", run_.out, "run folder (default: the deck's name with .run)",
-                  "FOLDER");
-  add_threads_option(command, run_.threads, "threads, 0: all cores; no result depends on it");
-  add_engine_option(
-      command, [this](const std::string& word) { run_.engine = *solve::engine_of_word(word); });
-  command.add_flag("--quiet", run_.quiet, "print messages only");
-  command.add_flag("--restart", run_.restart,
-                   "continue from the file that $RESTART WRITE names, if it exists");
-  command.add_flag(
-      "--profile", run_.profile,
-      "measure time, flops and memory by stage, net and crack length, beside one plain "
-      "factorisation; writes profile.csv and trace.json");
-  add_positive_option(
-      command, "--time", run_.seconds,
-      "limit of wall time: a crack length that would not fit is not begun, exit code 6", "SECONDS");
+  add_run_options(command, run_);
+}
+
+void CommandTree::add_sweep() {
+  CLI::App& command =
+      add("sweep", "run all points of a deck with $SWEEP, or those of one task of a job array",
+          "  spricka sweep lug.deck                   as spricka run does\n"
+          "  spricka sweep lug.deck --array 3/8       points 3, 11, 19, .. alone\n"
+          "  sbatch --array=1-8 job.sh                with, in job.sh:\n"
+          "  spricka sweep lug.deck --array slurm\n"
+          "  parallel spricka sweep lug.deck --array {}/8 ::: 1 2 3 4 5 6 7 8\n"
+          "  spricka sweep lug.deck --collect         tables of what the tasks have run",
+          [this] {
+            run_.sweep_only = true;
+            return run_deck(run_);
+          });
+  add_run_options(command, run_);
+  add_array_options(command, run_.array, run_.collect);
 }
 
 void CommandTree::add_check() {
@@ -234,9 +260,11 @@ void CommandTree::add_verify() {
           "  spricka verify all                every deck, in less than ten\n"
           "  spricka verify 'hertz*' kirsch    by name\n"
           "  spricka verify all --list         which there are, and what they cost\n"
+          "  spricka verify all --array 3/8    the third of eight tasks; then --collect\n"
           "  spricka verify all --out new --before old/verification.csv",
           [this] { return verify_decks(verify_); });
   add_verify_options(command, verify_);
+  add_array_options(command, verify_.array, verify_.collect);
 }
 
 void CommandTree::add_help() {

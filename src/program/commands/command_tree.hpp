@@ -49,6 +49,7 @@ private:
   CLI::App& add(const std::string& name, const std::string& doc, std::string examples,
                 std::function<base::ProgramOutcome()> act);
   void add_run();
+  void add_sweep();
   void add_check();
   void add_shell();
   void add_study();

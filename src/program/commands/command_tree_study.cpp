@@ -41,6 +41,7 @@ void add_variant_options(CLI::App& command, RunOptions& options, const std::stri
       ->check(CLI::Range(1, 64))
       ->type_name("NUMBER");
   command.add_flag("--quiet", options.quiet, "do not report each run as it ends");
+  add_array_options(command, options.array, options.collect);
 }
 
 } // namespace

@@ -81,4 +81,25 @@ void add_threads_option(CLI::App& command, int& threads, const std::string& doc)
       ->type_name("NUMBER");
 }
 
+void add_array_options(CLI::App& command, std::optional<ArrayTask>& array, bool& collect) {
+  CLI::Option* const task =
+      command
+          .add_option_function<std::string>(
+              "--array",
+              [&array](const std::string& text) {
+                std::string why;
+                array = parse_array_task(text, why);
+                if (!array) {
+                  throw CLI::ValidationError("--array", why);
+                }
+              },
+              "the runs K, K+N, .. alone, as task K of N of a job array; slurm: as Slurm says")
+          ->type_name("K/N|slurm");
+  command
+      .add_flag("--collect", collect,
+                "run nothing: make the tables of what the tasks of --array have run, and name what "
+                "is missing (exit code 6)")
+      ->excludes(task);
+}
+
 } // namespace spricka::program

@@ -3,6 +3,7 @@
 #include "program/job/run_options.hpp"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,5 +25,8 @@ void add_engine_option(CLI::App& command, const std::function<void(const std::st
 
 /// --threads, a whole number from 0.
 void add_threads_option(CLI::App& command, int& threads, const std::string& doc);
+
+/// --array and --collect, of commands whose runs the tasks of a job array can share.
+void add_array_options(CLI::App& command, std::optional<ArrayTask>& array, bool& collect);
 
 } // namespace spricka::program

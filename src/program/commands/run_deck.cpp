@@ -118,6 +118,11 @@ base::ProgramOutcome run_deck(const RunOptions& given) {
     if (reject_restart_without_state(options, *deck.model, log)) {
       return base::ProgramOutcome::usage;
     }
+    if (options.sweep_only && deck.model->sweeps.empty()) {
+      log.report_message(base::Severity::error, "E552",
+                         "the deck has no $SWEEP: spricka run solves it");
+      return base::ProgramOutcome::usage;
+    }
     return deck.model->sweeps.empty() ? run_once(options, deck, log)
                                       : run_sweep(options, deck, log);
   });

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/commands/sweep_deck.hpp"
 
-#include "analysis/lengths/recorder.hpp"
-#include "archive/deck_digest.hpp"
-#include "archive/folder_mark.hpp"
-#include "archive/safe_file.hpp"
 #include "base/exit_codes.hpp"
 #include "base/printable.hpp"
 #include "model/model.hpp"
-#include "program/job/failures.hpp"
+#include "program/commands/sweep_point.hpp"
 #include "program/job/interrupt.hpp"
 #include "program/job/point_record.hpp"
 #include "program/job/restart_run.hpp"
 #include "program/job/standard_streams.hpp"
-#include "program/profile/profile.hpp"
+#include "program/job/sweep_folder.hpp"
 #include "report/drawing/file.hpp"
 #include "report/sweep_files.hpp"
 #include "results/shown_step.hpp"
@@ -22,11 +18,9 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
-#include <exception>
 #include <mutex>
 #include <optional>
 #include <set>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -38,134 +32,121 @@ namespace {
 namespace fs = std::filesystem;
 using results::SweepPoint;
 
-/// The folder of a sweep: it is locked from open() on, and knows which tables in it are of sweeps.
-class SweepFolder {
-public:
-  explicit SweepFolder(fs::path path) : path_(std::move(path)) {}
-  ~SweepFolder() {
-    if (lock_) {
-      close();
-    }
-  }
-  SweepFolder(const SweepFolder&) = delete;
-  SweepFolder& operator=(const SweepFolder&) = delete;
-
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
-  // A folder of a sweep is gone on with, any other refused but for an empty one.
-  void open() {
-    check_folder_ownership(path_, true);
-    fs::create_directories(path_);
-    lock_ = archive::FolderLock::acquire_lock(path_, path_);
-    check_folder_ownership(path_, true); // another run may have ended meanwhile
-    if (!lock_) {
-      throw std::system_error(std::make_error_code(std::errc::no_such_file_or_directory),
-                              path_.string());
-    }
-    if (!archive::read_folder_manifest(path_)) {
-      archive::write_folder_manifest(path_, {archive::RunOrSweepFolder::sweep, {}});
-    }
-    archive::write_lock_owner(path_);
-  }
-
-  // Folders of points that the sweep does not have.
-  void remove_others(const std::set<std::string>& wanted) const {
-    std::vector<fs::path> others;
-    for (const fs::directory_entry& entry : fs::directory_iterator(path_)) {
-      const std::string name = entry.path().filename().string();
-      if (name.find_first_not_of("0123456789") == std::string::npos && !wanted.contains(name)) {
-        others.push_back(entry.path());
-      }
-    }
-    std::ranges::for_each(others, archive::remove_manifest_files);
-  }
-
-  // Nobody works in it any more.
-  void close() const {
-    std::error_code ignored;
-    fs::remove(path_ / archive::owner_name, ignored);
-  }
-
-  // A table of ours, new or to be replaced.
-  [[nodiscard]] fs::path table_file(const std::string& name) const {
-    const archive::FolderManifest mark =
-        archive::read_folder_manifest(path_).value_or(archive::FolderManifest{});
-    if (std::ranges::find(mark.files, name) == mark.files.end()) {
-      if (fs::exists(fs::symlink_status(path_ / name))) {
-        throw archive::FileFailure("E464",
-                                   fmt::format("{} is there, and no sweep wrote it; name another "
-                                               "folder with --out",
-                                               (path_ / name).string()));
-      }
-      archive::add_to_folder_manifest(path_, name);
-    }
-    return path_ / name;
-  }
-
-private:
-  fs::path path_;
-  std::optional<archive::FolderLock> lock_;
-};
-
 class SweepRun {
 public:
   SweepRun(const RunOptions& options, const CheckedDeck& deck, const Log& log)
       : options_(options), deck_(deck), log_(log), out_(canonical_folder(options.out)),
-        points_(sweep_points(*deck.model)) {
+        points_(sweep_points(*deck.model)), solver_(options, deck, log, out_.path()) {
     sweep_.count = points_.size();
     for (const auto& [name, value] : points_.front()) {
       sweep_.parameters.push_back(name);
     }
   }
 
+  /// All points, with the tables after each.
   base::ProgramOutcome run() {
-    out_.open();
-    const InterruptHandler interrupt([this](int signal) { return last_words(signal); });
-    return run_points();
-  }
-
-private:
-  base::ProgramOutcome run_points() {
+    out_.open(archive::LockSharing::exclusive);
+    const InterruptHandler interrupt(
+        [this](int signal) { return last_words(signal).value_or(128 + signal); });
     // Else it is of an earlier sweep, until there is a point.
     if (!fs::exists(out_.path() / sweep_table_name)) {
       write_tables();
     }
-    base::ProgramOutcome worst = base::ProgramOutcome::done;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      SweepPoint point = take_over(i);
-      if (!point.reused) {
-        compute(i, point);
-      }
+      SweepPoint point = find_or_compute(i);
       if (point.outcome == base::ProgramOutcome::stopped) {
         return base::ProgramOutcome::stopped;
       }
-      worst = std::max(worst, point.outcome);
-      tell(point, points_[i]);
+      finish_point(point);
       sweep_.points.push_back(std::move(point));
       write_tables();
-      ++done_;
     }
-    std::set<std::string> wanted;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      wanted.insert(folder_name(i));
-    }
-    out_.remove_others(wanted);
-    if (!options_.quiet) {
-      write_to_stdout(fmt::format("{} points; results in {}\n", points_.size(),
-                                  base::make_printable(options_.out.string())));
-    }
-    return worst;
+    finish_sweep();
+    return worst_;
   }
 
+  /// The points of one task, beside the other tasks; tables are the collector's.
+  base::ProgramOutcome run_task(const ArrayTask& task) {
+    out_.open(archive::LockSharing::shared);
+    // What is finished is kept in any case: the task that is run again goes on.
+    const InterruptHandler interrupt([this](int signal) {
+      return last_words(signal).value_or(base::exit_code(base::ProgramOutcome::stopped));
+    });
+    std::vector<std::size_t> own;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      if (task.has_run(i)) {
+        own.push_back(i);
+      }
+    }
+    std::vector<std::string> taken;
+    // Points that another process has at the first try are looked at once more at the end.
+    for (const bool last : {false, true}) {
+      std::vector<std::size_t> left;
+      for (const std::size_t i : own) {
+        const SweepPoint point = find_or_compute(i);
+        if (point.outcome == base::ProgramOutcome::stopped) {
+          return base::ProgramOutcome::stopped;
+        }
+        if (point.taken) {
+          left.push_back(i);
+          if (last) {
+            taken.push_back(point.folder);
+          }
+        } else {
+          finish_point(point);
+        }
+      }
+      own = std::move(left);
+    }
+    if (!taken.empty()) {
+      log_.report_message(base::Severity::note, "E554",
+                          fmt::format("another process computes {}", fmt::join(taken, ", ")));
+      return base::ProgramOutcome::stopped;
+    }
+    say(fmt::format("task {} of {}: {} of {} points are finished in {}; spricka sweep --collect "
+                    "makes the tables when all tasks have ended\n",
+                    task.number, task.count, done_.load(), points_.size(),
+                    base::make_printable(options_.out.string())));
+    return worst_;
+  }
+
+  /// Tables of what tasks have computed, and what is missing.
+  base::ProgramOutcome collect() {
+    if (!fs::exists(out_.path())) {
+      log_.report_message(base::Severity::error, "E553",
+                          fmt::format("no task has begun: {} is not there", options_.out.string()));
+      return base::ProgramOutcome::stopped;
+    }
+    out_.open(archive::LockSharing::shared);
+    std::vector<std::string> missing;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      SweepPoint point = find_point(i, true);
+      if (!point.reused) {
+        missing.push_back(point.folder);
+        continue;
+      }
+      worst_ = std::max(worst_, point.outcome);
+      report_failure(point);
+      sweep_.points.push_back(std::move(point));
+    }
+    write_tables();
+    if (missing.empty()) {
+      finish_sweep();
+      return worst_;
+    }
+    log_.report_message(base::Severity::error, "E553",
+                        missing_runs_text(missing, points_.size(), "point", options_.out));
+    return base::ProgramOutcome::stopped;
+  }
+
+private:
   [[nodiscard]] std::string folder_name(std::size_t i) const {
     const std::size_t digits = std::max<std::size_t>(3, std::to_string(points_.size()).size());
     return fmt::format("{:0{}}", i + 1, digits);
   }
 
-  SweepPoint take_over(std::size_t i) {
-    const std::string digest =
-        archive::compute_deck_digest(deck_.sources, *deck_.model, points_[i]);
-    const std::optional<SweepPoint> known = read_point_record(out_.path() / folder_name(i), digest);
+  [[nodiscard]] SweepPoint find_point(std::size_t i, bool failures) const {
+    const std::optional<SweepPoint> known = solver_.find(points_[i], folder_name(i), failures);
     SweepPoint point = known.value_or(SweepPoint{});
     point.number = i + 1;
     point.folder = folder_name(i);
@@ -176,107 +157,32 @@ private:
     return point;
   }
 
-  void compute(std::size_t i, SweepPoint& point) {
-    try {
-      open_point(point);
-      solve_point(i, point);
-    } catch (const archive::FileFailure& trouble) {
-      point.outcome = base::ProgramOutcome::file_trouble;
-      point.error = fmt::format("{}: {}", trouble.code(), trouble.what());
-    } catch (const std::system_error& trouble) {
-      point.outcome = base::ProgramOutcome::file_trouble;
-      point.error = trouble.what();
-    } catch (const std::exception& trouble) {
-      const bool memory = is_out_of_memory(trouble);
-      point.outcome = memory ? base::ProgramOutcome::not_solvable : base::ProgramOutcome::defect;
-      point.error = memory ? "E466: " + out_of_memory_message()
-                           : fmt::format("internal error: {}", trouble.what());
+  SweepPoint find_or_compute(std::size_t i) {
+    SweepPoint point = find_point(i, false);
+    if (!point.reused) {
+      solver_.compute(points_[i], point);
     }
-    close_point();
+    return point;
   }
 
-  void solve_point(std::size_t i, SweepPoint& point) {
-    RunOptions options = options_;
-    options.quiet = true;
-    // Each point has a profile of its own, from here on.
-    options.recorder = options.profile ? begin_profile() : nullptr;
-    const CheckedDeck deck = read_point(options, i);
-    const RunOutcomeWithResults outcome = deck.model ? solve(options, deck, point) : deck.refusal;
-    point.outcome = outcome.kind;
-    point.error = outcome.error;
-    if (outcome.run) {
-      record(*deck.model, *outcome.run, point);
-      // The digest of what was read just now: a file edited meanwhile is not passed over later.
-      folder_->add_file(
-          point_record_name,
-          point_record_text(sweep_, point,
-                            archive::compute_deck_digest(deck.sources, *deck.model, points_[i])));
-      folder_->commit();
-    } else if (folder_->replaces_earlier_run()) {
-      log_.report_message(base::Severity::note, "E467",
-                          fmt::format("{} still holds the results of an earlier run",
-                                      (out_.path() / point.folder).string()));
-    }
+  void finish_point(const SweepPoint& point) {
+    worst_ = std::max(worst_, point.outcome);
+    report_failure(point);
+    tell(point);
+    ++done_;
   }
 
-  [[nodiscard]] CheckedDeck read_point(const RunOptions& options, std::size_t i) const {
-    const analysis::ScopedProfileInterval span(options.recorder.get(), "DECK", "deck and meshes");
-    return read_and_check_deck(options.deck,
-                               {.defines = options.defines, .sweep_values = points_[i]}, log_,
-                               &deck_.diagnostics);
-  }
-
-  // Made and ended where last_words() knows of it.
-  void open_point(const SweepPoint& point) {
-    const std::scoped_lock lock(current_guard_);
-    folder_.emplace(out_.path() / point.folder);
-  }
-  void close_point() {
-    const std::scoped_lock lock(current_guard_);
-    folder_.reset();
-  }
-
-  // Each point keeps its state in a folder of its own, beside its run folder.
-  RunOutcomeWithResults solve(const RunOptions& options, const CheckedDeck& deck,
-                              const SweepPoint& point) {
-    const CheckpointOrRefusal opened =
-        open_checkpoint(options, deck, out_.path() / (point.folder + ".restart"), log_);
-    if (opened.refusal) {
-      return *opened.refusal;
-    }
-    set_current(opened.checkpoint.get());
-    try {
-      RunOutcomeWithResults outcome =
-          solve_and_write(options, deck, &*folder_, opened.checkpoint.get(), log_);
-      set_current(nullptr);
-      return outcome;
-    } catch (...) {
-      set_current(nullptr);
-      throw;
-    }
-  }
-
-  void set_current(archive::Checkpoint* checkpoint) {
-    const std::scoped_lock lock(current_guard_);
-    current_ = checkpoint;
-  }
-
-  static void record(const model::Model& model, const results::RunResult& run, SweepPoint& point) {
-    point.checks = static_cast<int>(run.checks.size());
-    point.passed = static_cast<int>(std::count_if(run.checks.begin(), run.checks.end(),
-                                                  [](const auto& c) { return c.passed; }));
-    point.warnings = static_cast<int>(run.warnings.size());
-    point.cells = report::collect_sweep_values_of_run(model, run);
-    for (const model::OutputFileRequest& output : model.outputs) {
-      if (output.format == model::OutputFormat::csv &&
-          output.every == model::OutputFrequency::end) {
-        std::vector<results::SweepResultValue>& cells =
-            point.requested[fs::path(output.file).filename().string()];
-        const std::vector<results::SweepResultValue> more =
-            report::collect_requested_end_values(model, output, run);
-        cells.insert(cells.end(), more.begin(), more.end());
+  void finish_sweep() const {
+    std::set<std::string> wanted;
+    for (const SweepPoint& point : sweep_.points) {
+      wanted.insert(point.folder);
+      if (!has_results(point.outcome)) {
+        wanted.insert(point.folder + failed_point_ending);
       }
     }
+    out_.remove_others(wanted);
+    say(fmt::format("{} points; results in {}\n", points_.size(),
+                    base::make_printable(options_.out.string())));
   }
 
   void write_tables() {
@@ -294,64 +200,65 @@ private:
                        report::sweep_page(deck_.sources, model, sweep_));
   }
 
-  // One line for each point: failures to stderr, the others to stdout.
-  void tell(const SweepPoint& point, const SweepPointValues& values) const {
-    const std::string head =
-        fmt::format("{} of {}: {}", point.folder, points_.size(), sweep_point_text(values));
+  void say(const std::string& text) const {
+    if (!options_.quiet) {
+      write_to_stdout(text);
+    }
+  }
+
+  // "003 of 12: delta = 0.042, mu = 0.15"
+  [[nodiscard]] std::string head(const SweepPoint& point) const {
+    return fmt::format("{} of {}: {}", point.folder, points_.size(),
+                       sweep_point_text(points_[point.number - 1]));
+  }
+
+  void report_failure(const SweepPoint& point) const {
     if (point.outcome != base::ProgramOutcome::done) {
       log_.report_message(base::Severity::error, "E550",
-                          fmt::format("point {}: {} ({}): {}", head,
+                          fmt::format("point {}: {} ({}): {}", head(point),
                                       report::sweep_point_status(point),
                                       base::exit_code(point.outcome), point.error));
     }
-    if (options_.quiet) {
-      return;
-    }
-    write_to_stdout(fmt::format("{}: {}{}", head, report::sweep_point_status(point),
-                                point.reused ? " earlier" : ""));
-    tell_result(point);
-    write_to_stdout("\n");
+  }
+
+  void tell(const SweepPoint& point) const {
+    say(fmt::format("{}: {}{}{}\n", head(point), report::sweep_point_status(point),
+                    point.reused ? " earlier" : "", result_text(point)));
     std::fflush(stdout);
   }
 
   // The life, else K1 at the last length.
-  void tell_result(const SweepPoint& point) const {
+  [[nodiscard]] std::string result_text(const SweepPoint& point) const {
     const auto life = std::ranges::find(point.cells, "N", &results::SweepResultValue::quantity);
     if (life != point.cells.end()) {
-      write_to_stdout(fmt::format("  N = {:.7g}", life->value));
-      return;
+      return fmt::format("  N = {:.7g}", life->value);
     }
     const std::string step = results::shown_step_name(*deck_.model, {});
     int last = 0;
     for (const results::SweepResultValue& cell : point.cells) {
       last = std::max(last, cell.increment);
     }
+    std::string text;
     for (const results::SweepResultValue& cell : point.cells) {
       if (cell.quantity == "K1" && cell.step == step && cell.increment == last) {
-        write_to_stdout(fmt::format("  K1 {} = {:.7g}", cell.name, cell.value));
+        text += fmt::format("  K1 {} = {:.7g}", cell.name, cell.value);
       }
     }
+    return text;
   }
 
   // On the watcher's thread, while the point goes on being computed. Its locks are not given back:
-  // nothing more is written.
-  int last_words(int signal) {
+  // nothing more is written. The exit code, where increments of the point are kept.
+  std::optional<int> last_words(int signal) {
     using namespace std::chrono_literals;
-    current_guard_.lock();
-    if (folder_) {
-      folder_->abandon();
-    }
-    std::optional<base::ProgramOutcome> kept;
-    if (current_ != nullptr && current_->writes_increments()) {
-      kept = stop_with_checkpoint(*current_, signal_name(signal), log_);
-    }
+    const std::optional<base::ProgramOutcome> kept = solver_.abandon(signal);
     [[maybe_unused]] const bool whole = tables_guard_.try_lock_for(10s);
     out_.close();
     log_.report_message(
         base::Severity::note, "E551",
         fmt::format("stopped by {}; {} of {} points are finished, run again to go on",
                     signal_name(signal), done_.load(), points_.size()));
-    return kept ? base::exit_code(*kept) : 128 + signal;
+    return kept ? std::optional(base::exit_code(*kept)) : std::nullopt;
   }
 
   const RunOptions& options_;
@@ -359,11 +266,10 @@ private:
   const Log& log_;
   SweepFolder out_;
   std::vector<SweepPointValues> points_;
+  SweepPointSolver solver_;
   results::SweepResult sweep_;
+  base::ProgramOutcome worst_ = base::ProgramOutcome::done;
   std::atomic<std::size_t> done_{0};
-  std::mutex current_guard_;
-  archive::Checkpoint* current_ = nullptr; ///< of the point that is computed; guarded
-  std::optional<RunFolder> folder_;        ///< of the same; guarded where it is made and ended
   std::timed_mutex tables_guard_;
 };
 
@@ -387,7 +293,10 @@ std::vector<SweepPointValues> sweep_points(const model::Model& model) {
 }
 
 base::ProgramOutcome run_sweep(const RunOptions& options, const CheckedDeck& deck, const Log& log) {
-  return SweepRun(options, deck, log).run();
+  SweepRun sweep(options, deck, log);
+  return options.collect ? sweep.collect()
+         : options.array ? sweep.run_task(*options.array)
+                         : sweep.run();
 }
 
 } // namespace spricka::program

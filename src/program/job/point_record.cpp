@@ -62,7 +62,7 @@ std::optional<SweepPoint> point_from(const json& record) {
 
 } // namespace
 
-std::string point_record_text(const results::SweepResult& sweep, const SweepPoint& point,
+std::string point_record_text(const SweepPointValues& values, const SweepPoint& point,
                               const std::string& digest) {
   json record{{"spricka", SPRICKA_VERSION},
               {"digest", digest},
@@ -74,8 +74,8 @@ std::string point_record_text(const results::SweepResult& sweep, const SweepPoin
               {"parameters", json::object()},
               {"cells", to_json(point.cells)},
               {"requested", json::object()}};
-  for (std::size_t p = 0; p < sweep.parameters.size(); ++p) {
-    record["parameters"][sweep.parameters[p]] = point.values[p];
+  for (const auto& [name, value] : values) {
+    record["parameters"][name] = value;
   }
   for (const auto& [file, cells] : point.requested) {
     record["requested"][file] = to_json(cells);
@@ -85,17 +85,17 @@ std::string point_record_text(const results::SweepResult& sweep, const SweepPoin
 
 std::optional<SweepPoint> read_point_record(const std::filesystem::path& folder,
                                             const std::string& digest) {
-  // A point is done when its run folder is whole.
-  if (!std::filesystem::exists(folder / listing_name)) {
-    return std::nullopt;
-  }
   try {
     const json record =
         json::parse(base::read_file(folder / point_record_name, base::largest_number_file));
     if (record.at("digest").get<std::string>() != digest) {
       return std::nullopt;
     }
-    return point_from(record);
+    const std::optional<SweepPoint> point = point_from(record);
+    // A point is done when its run folder is whole.
+    const bool whole =
+        point && (!has_results(point->outcome) || std::filesystem::exists(folder / listing_name));
+    return whole ? point : std::nullopt;
   } catch (const json::exception&) {
     return std::nullopt; // not whole: as good as none
   } catch (const base::UnreadableFile&) {
@@ -103,9 +103,9 @@ std::optional<SweepPoint> read_point_record(const std::filesystem::path& folder,
   }
 }
 
-std::vector<std::pair<std::string, double>> read_point_values(const std::filesystem::path& record) {
+SweepPointValues read_point_values(const std::filesystem::path& record) {
   const json text = json::parse(base::read_file(record, base::largest_number_file), nullptr, false);
-  std::vector<std::pair<std::string, double>> values;
+  SweepPointValues values;
   if (text.is_object() && text.contains("parameters") && text["parameters"].is_object()) {
     for (const auto& [name, value] : text["parameters"].items()) {
       values.emplace_back(name, value.is_number() ? value.get<double>() : 0.0);
@@ -114,7 +114,7 @@ std::vector<std::pair<std::string, double>> read_point_values(const std::filesys
   return values;
 }
 
-std::string sweep_point_text(const std::vector<std::pair<std::string, double>>& point) {
+std::string sweep_point_text(const SweepPointValues& point) {
   std::string text;
   for (const auto& [name, value] : point) {
     text += fmt::format("{}{} = {:.6g}", text.empty() ? "" : ", ", name, value);

@@ -9,7 +9,8 @@
 namespace spricka::program {
 
 int thread_count(const RunOptions& options, const model::Model& model) {
-  const int wanted = options.threads >= 0 ? options.threads : model.control.threads;
+  const int wanted = options.threads >= 0 ? options.threads
+                                          : scheduler_cpu_count().value_or(model.control.threads);
   return wanted > 0 ? wanted : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 

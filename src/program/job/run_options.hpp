@@ -2,11 +2,13 @@
 #pragma once
 #include "base/clock.hpp"
 #include "model/forward.hpp"
+#include "program/job/array_task.hpp"
 #include "program/job/log_format.hpp"
 #include "solve/equation_engine.hpp"
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,7 +24,7 @@ struct RunOptions {
   std::filesystem::path deck;
   std::filesystem::path out; ///< empty: the deck's name with .run, in the working directory
   std::vector<std::pair<std::string, std::string>> defines;
-  int threads = -1; ///< below 0: as $CONTROL says; 0: all cores
+  int threads = -1; ///< below 0: as the scheduler or $CONTROL says; 0: all cores
   solve::EquationEngine engine = solve::EquationEngine::automatic; ///< of the equations
   bool quiet = false;
   bool restart = false;  ///< go on from the deck's own $RESTART WRITE file, if it is there
@@ -30,13 +32,17 @@ struct RunOptions {
   base::Stopwatch since; ///< when the program was started
   bool profile = false;  ///< tell what the run costs, processor by processor
   std::shared_ptr<analysis::ProfileRecorder> recorder = {}; ///< takes it down; null: nobody does
+  bool sweep_only = false;                                  ///< a deck without $SWEEP is refused
+  std::optional<ArrayTask> array; ///< the runs of this task alone; empty: all
+  bool collect = false;           ///< run nothing: tables of what the tasks of an array have run
   bool check_only = false;
   bool exact_forecast = false; ///< check: by the symbolic analysis of the matrices
   bool json = false;           ///< check: the same as JSON
   LogFormat log_format = LogFormat::text;
 };
 
-/// As the command line says, else $CONTROL; 0 means all cores.
+/// As the command line says, else what the scheduler gives a task, else $CONTROL; 0 means all
+/// cores.
 int thread_count(const RunOptions& options, const model::Model& model);
 
 } // namespace spricka::program

@@ -195,18 +195,22 @@ base::ProgramOutcome run_ladder(const SimplerModelRunOptions& options, VariantRu
     result.trouble = variant.reason;
     result.variant = std::move(variant);
   }
+  std::vector<StudyTrial*> chosen; // the deck itself first
+  for (ModelVariantResult& result : ladder.variants) {
+    if (result.variant.text) {
+      chosen.push_back(&result);
+    }
+  }
+  if (runs.is_task()) {
+    return runs.run_share(chosen, options.jobs);
+  }
   const base::ProgramOutcome outcome =
       runs.run_original_deck(ladder.variants.front(), choose_hierarchy_answers);
   if (outcome != base::ProgramOutcome::done) {
     return outcome;
   }
   ladder.answers = runs.requested_answers();
-  std::vector<StudyTrial*> chosen;
-  for (ModelVariantResult& result : ladder.variants) {
-    if (result.variant.text && &result != &ladder.variants.front()) {
-      chosen.push_back(&result);
-    }
-  }
+  chosen.erase(chosen.begin());
   runs.run_other_variants(chosen, options.jobs);
   if (runs.process_runs().stopped()) {
     return base::ProgramOutcome::stopped;

@@ -194,26 +194,50 @@ void add_affordable_trials(const std::vector<DeckVariant>& settings, double budg
   }
 }
 
+// All of them: what one task would find that time is left for, another does not know.
+void add_all_trials(const std::vector<DeckVariant>& settings, Study& study) {
+  for (const DeckVariant& setting : std::span(settings).subspan(1)) {
+    study.trials.push_back({.variant = setting});
+  }
+}
+
+std::vector<StudyTrial*> trials_from(Study& study, std::size_t first) {
+  std::vector<StudyTrial*> trials;
+  for (StudyTrial& trial : std::span(study.trials).subspan(first)) {
+    trials.push_back(&trial);
+  }
+  return trials;
+}
+
 base::ProgramOutcome run_study(const StudyOptions& options, VariantRuns& runs,
                                std::string& summary) {
   Study study;
   const std::vector<DeckVariant> settings =
       plan_study_settings(runs.deck(), options.requests, runs.scratch_folder(), study.notes);
   study.trials.push_back({.variant = settings.front()});
+  if (runs.is_task()) {
+    add_all_trials(settings, study);
+    return runs.run_share(trials_from(study, 0), options.jobs, options.budget);
+  }
   const base::ProgramOutcome outcome =
       runs.run_original_deck(study.trials.front(), collect_answer_requests);
   if (outcome != base::ProgramOutcome::done) {
     return outcome;
   }
   study.answers = runs.requested_answers();
-  add_affordable_trials(settings, options.budget, runs.model().mesh.dim, study);
-  std::vector<StudyTrial*> others;
-  for (StudyTrial& trial : std::span(study.trials).subspan(1)) {
-    others.push_back(&trial);
+  const bool collects = options.deck.collect;
+  if (collects) {
+    add_all_trials(settings, study);
+  } else {
+    add_affordable_trials(settings, options.budget, runs.model().mesh.dim, study);
   }
   // No forecast knows the rounds of a TOL: each has a limit of its own.
-  runs.run_other_variants(others, options.jobs, options.budget);
-  run_calculix(runs, options.budget, study);
+  runs.run_other_variants(trials_from(study, 1), options.jobs, options.budget);
+  if (collects) {
+    study.notes.push_back("without CalculiX: the tasks of an array do not run it");
+  } else {
+    run_calculix(runs, options.budget, study);
+  }
   if (runs.process_runs().stopped()) {
     return base::ProgramOutcome::stopped;
   }

@@ -114,7 +114,8 @@ struct StudyOptions {
   RunOptions deck;                          ///< out empty: the deck's name with .study
   std::vector<ParameterVariation> requests; ///< in place of what is found in the deck
   int jobs = 1;                             ///< runs at once; one alone has an honest CPU time
-  double budget = 600.0;                    ///< [s] CPU of all runs; what would not fit is left out
+  /// [s] CPU of all runs; what would not fit is left out. With --array of each run.
+  double budget = 600.0;
 };
 
 /// Work against precision: runs a deck in many settings, and says what each costs and how right it

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/study/variant_runs.hpp"
 
+#include "archive/deck_digest.hpp"
 #include "base/exit_codes.hpp"
 #include "base/input_file.hpp"
 #include "model/model.hpp"
@@ -15,6 +16,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace spricka::program {
 
@@ -30,15 +32,6 @@ std::string first_trouble(const ChildProcessResult& end) {
          : error != std::string::npos ? line.substr(error)
          : end.signal != 0            ? fmt::format("ended by signal {}", end.signal)
                                       : fmt::format("exit code {}", end.exit_code);
-}
-
-// A run on one thread.
-ChildRun child_of(const DeckVariant& variant, double cpu_seconds) {
-  return {.deck = variant.deck,
-          .out = variant.deck.string() + ".run",
-          .defines = variant.defines,
-          .seconds = cpu_seconds > 0.0 ? std::max(4.0 * cpu_seconds, 60.0) : 0.0,
-          .cpu_seconds = cpu_seconds};
 }
 
 // The results in the folder of a run; empty: it has none.
@@ -60,12 +53,49 @@ StudiedDeck studied_deck(const RunOptions& options, CheckedDeck& ready) {
   return {options.deck, options.defines, std::move(text.value()), &ready};
 }
 
+// What all variants depend on: the deck with its includes, imported files and -D.
+SharedRunOptions sharing_of(const RunOptions& options, const CheckedDeck& ready,
+                            const fs::path& place) {
+  SharedRunOptions sharing{.task = options.array, .collect = options.collect};
+  if (sharing.is_shared()) {
+    sharing.folder = place.string() + ".runs";
+    sharing.digest = archive::compute_deck_digest(ready.sources, *ready.model, {});
+  }
+  return sharing;
+}
+
 } // namespace
 
 VariantRuns::VariantRuns(const RunOptions& options, CheckedDeck& ready, const Log& log)
-    : log_(log), quiet_(options.quiet), deck_(studied_deck(options, ready)),
-      place_(canonical_folder(options.out)), folder_(options.out),
-      runs_(place_, false, [this](int) { folder_.abandon(); }) {}
+    : log_(log), quiet_(options.quiet), task_(options.array.has_value()),
+      deck_(studied_deck(options, ready)), place_(canonical_folder(options.out)),
+      folder_(task_ ? nullptr : std::make_unique<RunFolder>(options.out)),
+      runs_(
+          place_, false,
+          [this](int) {
+            if (folder_) {
+              folder_->abandon();
+            }
+          },
+          sharing_of(options, ready, place_)) {}
+
+// A run on one thread.
+ChildRun VariantRuns::child_of(const DeckVariant& variant, double cpu_seconds) const {
+  return {.deck = variant.deck,
+          .out = runs_.run_folder(variant.deck.stem().string()),
+          .defines = variant.defines,
+          .seconds = cpu_seconds > 0.0 ? std::max(4.0 * cpu_seconds, 60.0) : 0.0,
+          .cpu_seconds = cpu_seconds};
+}
+
+void VariantRuns::tell(const DeckVariant& variant, const ChildProcessResult& end,
+                       std::size_t count) {
+  ++reported_;
+  if (!quiet_) {
+    write_to_stderr(
+        fmt::format("{} of {}: {}, {:.2f} s\n", reported_, count, variant.name, end.cpu));
+  }
+}
 
 bool VariantRuns::read_trial(const ChildRun& child, const ChildProcessResult& end,
                              const AnswerChoice& choose, StudyTrial& trial) {
@@ -92,6 +122,7 @@ bool VariantRuns::read_trial(const ChildRun& child, const ChildProcessResult& en
 base::ProgramOutcome VariantRuns::run_original_deck(StudyTrial& given, const AnswerChoice& choose) {
   base::ProgramOutcome outcome = base::ProgramOutcome::stopped;
   const ChildRun child = child_of(given.variant, 0.0);
+  ++asked_for_;
   runs_.run_all_children({&child, 1}, 1, [&](std::size_t, const ChildProcessResult& end) {
     const bool solved = read_trial(child, end, choose, given);
     outcome = solved
@@ -107,24 +138,57 @@ base::ProgramOutcome VariantRuns::run_original_deck(StudyTrial& given, const Ans
         solved ? "the deck has no answer to compare"
                : fmt::format("the deck itself has no results to compare with: {}", given.trouble));
   });
-  return outcome;
+  return runs_.missing_runs().empty() ? outcome : report_missing_runs();
+}
+
+base::ProgramOutcome VariantRuns::report_missing_runs() const {
+  if (runs_.missing_runs().empty()) {
+    return base::ProgramOutcome::done;
+  }
+  fs::path kept = place_;
+  kept += ".runs";
+  log_.report_message(base::Severity::error, "E553",
+                      missing_runs_text(runs_.missing_runs(), asked_for_, "run", kept));
+  return base::ProgramOutcome::stopped;
 }
 
 void VariantRuns::run_other_variants(const std::vector<StudyTrial*>& trials, int at_once,
                                      double cpu_seconds) {
+  asked_for_ += trials.size();
   std::vector<ChildRun> children;
   children.reserve(trials.size());
   for (const StudyTrial* trial : trials) {
     children.push_back(child_of(trial->variant, cpu_seconds));
   }
-  std::size_t reported = 0;
+  reported_ = 0;
   runs_.run_all_children(children, at_once, [&](std::size_t i, const ChildProcessResult& end) {
     read_trial(children[i], end, {}, *trials[i]);
-    if (!quiet_) {
-      write_to_stderr(fmt::format("{} of {}: {}, {:.2f} s\n", ++reported, trials.size(),
-                                  trials[i]->variant.name, end.cpu));
-    }
+    tell(trials[i]->variant, end, trials.size());
   });
+  for (StudyTrial* const trial : trials) {
+    if (std::ranges::find(runs_.missing_runs(), trial->variant.deck.stem().string()) !=
+        runs_.missing_runs().end()) {
+      trial->trouble = "no task has finished it yet";
+    }
+  }
+}
+
+base::ProgramOutcome VariantRuns::run_share(const std::vector<StudyTrial*>& trials, int at_once,
+                                            double cpu_seconds) {
+  std::vector<ChildRun> children;
+  children.reserve(trials.size());
+  for (const StudyTrial* trial : trials) {
+    children.push_back(child_of(trial->variant, cpu_seconds));
+  }
+  runs_.run_all_children(children, at_once, [&](std::size_t i, const ChildProcessResult& end) {
+    tell(trials[i]->variant, end, trials.size());
+  });
+  if (!runs_.missing_runs().empty()) {
+    log_.report_message(base::Severity::note, "E554",
+                        fmt::format("not finished: {}", fmt::join(runs_.missing_runs(), ", ")));
+    return base::ProgramOutcome::stopped;
+  }
+  return base::ProgramOutcome::done;
 }
 
 base::ProgramOutcome run_deck_variants(
@@ -146,11 +210,12 @@ base::ProgramOutcome run_deck_variants(
     if (runs.process_runs().stopped()) { // the interrupt ends the program
       return base::ProgramOutcome::stopped;
     }
-    if (outcome == base::ProgramOutcome::done) {
-      runs.run_folder().commit();
-      write_to_stdout(fmt::format("{} in {}\n", summary, options.out.string()));
+    if (outcome != base::ProgramOutcome::done || runs.is_task()) {
+      return outcome;
     }
-    return outcome;
+    runs.run_folder().commit();
+    write_to_stdout(fmt::format("{} in {}\n", summary, options.out.string()));
+    return runs.report_missing_runs();
   });
 }
 

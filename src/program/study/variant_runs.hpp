@@ -6,11 +6,12 @@
 #include "program/job/run_options.hpp"
 #include "program/study/deck_answers.hpp"
 #include "program/study/deck_variant.hpp"
-#include "program/trials/child_run.hpp"
+#include "program/trials/deck_runs.hpp"
 #include "results/results.hpp"
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,7 +47,7 @@ public:
   /// The folder that is left at the end, absolute.
   [[nodiscard]] const std::filesystem::path& final_folder() const { return place_; }
   /// The same, to be filled.
-  RunFolder& run_folder() { return folder_; }
+  RunFolder& run_folder() { return *folder_; }
   DeckRuns& process_runs() { return runs_; }
 
   /// Runs the deck itself, which decides by `choose` what is asked for. Where it has no results, or
@@ -59,23 +60,39 @@ public:
   void run_other_variants(const std::vector<StudyTrial*>& trials, int at_once,
                           double cpu_seconds = 0.0);
 
+  /// Whether this process is one task of a job array: it runs its share, and concludes nothing.
+  [[nodiscard]] bool is_task() const { return task_; }
+  /// Of a task: runs its share of all variants, that of the deck itself among them, each with
+  /// `cpu_seconds` at most, and tells of each that has ended.
+  base::ProgramOutcome run_share(const std::vector<StudyTrial*>& trials, int at_once,
+                                 double cpu_seconds = 0.0);
+
+  /// Of a collector: says which runs no task has finished (E553), and gives stopped; else done.
+  [[nodiscard]] base::ProgramOutcome report_missing_runs() const;
+
 private:
+  [[nodiscard]] ChildRun child_of(const DeckVariant& variant, double cpu_seconds) const;
+  void tell(const DeckVariant& variant, const ChildProcessResult& end, std::size_t count);
   /// False: the run has no results. Else `choose`, where there is one, has its say first.
   bool read_trial(const ChildRun& child, const ChildProcessResult& end, const AnswerChoice& choose,
                   StudyTrial& trial);
 
   const Log& log_;
   bool quiet_;
+  bool task_;
+  std::size_t reported_ = 0;  ///< runs that were told of
+  std::size_t asked_for_ = 0; ///< runs, of which a collector may miss some
   StudiedDeck deck_;
   std::filesystem::path place_;
-  RunFolder folder_;
+  std::unique_ptr<RunFolder> folder_; ///< null in a task, which leaves runs and nothing else
   std::vector<AnswerRequest> answers_;
   DeckRuns runs_; ///< last: a signal removes the folder as well
 };
 
 /// Reads the deck and lets `work` run variants of it: without a folder in `given` into one of the
 /// deck's name with `extension`. Where the work is done the folder is put in place and `summary`,
-/// which the work has filled, goes to stdout; a signal ends all and leaves nothing.
+/// which the work has filled, goes to stdout; a signal ends all and leaves nothing. What the tasks
+/// of a job array have run stays in a folder with .runs behind its name.
 base::ProgramOutcome run_deck_variants(
     const RunOptions& given, const char* extension,
     const std::function<base::ProgramOutcome(VariantRuns&, std::string& summary)>& work);

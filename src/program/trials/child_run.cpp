@@ -6,6 +6,7 @@
 #include "base/input_file.hpp"
 #include "base/memory.hpp"
 #include "base/parallel.hpp"
+#include "program/job/array_task.hpp"
 
 #include <algorithm>
 #include <array>
@@ -22,7 +23,6 @@
 #include <poll.h>
 #include <sched.h>
 #include <spawn.h>
-#include <stdlib.h> // NOLINT(modernize-deprecated-headers): mkdtemp is of POSIX
 #include <sys/resource.h>
 #include <sys/utsname.h>
 #include <sys/wait.h>
@@ -123,14 +123,6 @@ struct Listener {
     }
   }
 };
-
-std::string new_folder(const std::filesystem::path& prefix) {
-  std::string name = prefix.string() + ".XXXXXX";
-  if (::mkdtemp(name.data()) == nullptr) {
-    throw std::system_error(errno, std::generic_category(), name);
-  }
-  return name;
-}
 
 // The kernel's name of the processor, where it has one.
 std::string processor_name() {
@@ -253,39 +245,12 @@ bool ChildRunner::stopped() const {
   return stopped_;
 }
 
-DeckRuns::DeckRuns(const std::filesystem::path& prefix, bool keep,
-                   std::function<void(int signal)> stopped_by)
-    : folder_(new_folder(prefix)), keep_(keep),
-      interrupt_([this, last = std::move(stopped_by)](int signal) {
-        runner_.stop();
-        remove();
-        last(signal);
-        return 128 + signal;
-      }) {}
-
-void DeckRuns::remove() const {
-  std::error_code ignored;
-  if (!keep_) {
-    std::filesystem::remove_all(folder_, ignored);
-  }
-}
-
-void DeckRuns::run_all_children(
-    std::span<const ChildRun> runs, int at_once,
-    const std::function<void(std::size_t, const ChildProcessResult&)>& ended) {
-  runner_.run_all_children(runs, at_once, [&](std::size_t i, const ChildProcessResult& end) {
-    ended(i, end);
-    std::error_code ignored;
-    if (!keep_) {
-      std::filesystem::remove_all(runs[i].out, ignored);
-    }
-  });
-}
-
 int core_count() {
   cpu_set_t cores;
   CPU_ZERO(&cores);
-  return sched_getaffinity(0, sizeof cores, &cores) == 0 ? std::max(1, CPU_COUNT(&cores)) : 1;
+  const int own =
+      sched_getaffinity(0, sizeof cores, &cores) == 0 ? std::max(1, CPU_COUNT(&cores)) : 1;
+  return std::min(own, scheduler_cpu_count().value_or(own));
 }
 
 std::string machine_description() {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "program/job/interrupt.hpp"
-
 #include <condition_variable>
 #include <cstddef>
 #include <filesystem>
@@ -44,6 +42,7 @@ struct ChildProcessResult {
   /// had itself, which the system counts as the process's own, it is what was seen while it ran.
   std::size_t peak_memory = 0;
   std::string messages; ///< the end of what it wrote to stderr
+  std::string machine;  ///< of a run that a task of a job array has done; empty: this one
 };
 
 /// Memory as tables have it [MB], of bytes.
@@ -82,37 +81,10 @@ private:
   std::mutex telling_;
 };
 
-/// Runs of decks in a new folder PREFIX.XXXXXX for decks and run folders, which is removed at the
-/// end, whole. A signal ends all that run and removes the folder; then `stopped_by` may do what is
-/// left, and the program ends. Throws std::system_error where no folder can be made.
-class DeckRuns {
-public:
-  /// `keep`: the folder stays at the end.
-  DeckRuns(const std::filesystem::path& prefix, bool keep,
-           std::function<void(int signal)> stopped_by);
-  ~DeckRuns() { remove(); }
-  DeckRuns(const DeckRuns&) = delete;
-  DeckRuns& operator=(const DeckRuns&) = delete;
-  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
-  [[nodiscard]] bool stopped() const { return runner_.stopped(); }
-  /// As ChildRunner has it; the run folder of each goes when `ended` has seen it, unless it is
-  /// kept.
-  void run_all_children(std::span<const ChildRun> runs, int at_once,
-                        const std::function<void(std::size_t, const ChildProcessResult&)>& ended);
-
-private:
-  void remove() const;
-
-  std::filesystem::path folder_;
-  bool keep_;
-  ChildRunner runner_;
-  InterruptHandler interrupt_;
-};
-
 /// What times were measured on: "Intel(R) Xeon(R) CPU @ 2.20GHz, 2 cores, 24 GB".
 std::string machine_description();
 
-/// Cores that this process may use.
+/// Cores that this process may use; not more than the scheduler gives its task.
 int core_count();
 
 /// What was measured: "spricka 0.1.0 (4f1d22c8)", the digits from the bytes of the program's file,

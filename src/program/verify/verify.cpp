@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/verify/verify.hpp"
 
+#include "archive/safe_file.hpp"
 #include "base/clock.hpp"
+#include "base/input_file.hpp"
 #include "base/output_file.hpp"
 #include "base/shipped_files.hpp"
 #include "program/job/failures.hpp"
 #include "program/job/log.hpp"
 #include "program/job/point_record.hpp"
 #include "program/job/restart_run.hpp"
+#include "program/job/run_folder.hpp"
 #include "program/job/standard_streams.hpp"
-#include "program/trials/child_run.hpp"
 #include "program/trials/deck_outcome.hpp"
+#include "program/trials/deck_runs.hpp"
 #include "program/verify/comparison.hpp"
 #include "program/verify/deck_list.hpp"
 #include "program/verify/verification.hpp"
@@ -19,9 +22,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 namespace spricka::program {
@@ -46,6 +51,23 @@ VerifiedDeck verified(const ListedDeck& deck, const ChildProcessResult& end,
     out.said_last = first_error_line(end.messages);
   }
   return out;
+}
+
+// Of all that decks read: they include, import and name files of their folder.
+std::string digest_of_folder(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file() && entry.path().filename() != costs_name) {
+      files.push_back(entry.path());
+    }
+  }
+  std::ranges::sort(files);
+  std::string hashes;
+  for (const fs::path& file : files) {
+    hashes += file.lexically_relative(folder).string() + ' ' +
+              archive::hash_bytes(base::read_file(file, base::largest_mesh_file)) + '\n';
+  }
+  return archive::hash_bytes(hashes);
 }
 
 class VerifyRun {
@@ -80,8 +102,10 @@ public:
     if (!run_decks()) {
       return base::ProgramOutcome::stopped;
     }
-    write();
-    return worst_outcome(verification_);
+    if (!options_.array) {
+      write();
+    }
+    return missing_.empty() ? worst_outcome(verification_) : report_missing();
   }
 
 private:
@@ -115,9 +139,14 @@ private:
   bool run_decks() {
     order_by_cost();
     const base::Stopwatch watch;
-    DeckRuns deck_runs(options_.out / "runs", options_.keep, [](int signal) {
-      write_to_stderr(fmt::format("\nstopped by {}: nothing is written\n", signal_name(signal)));
-    });
+    DeckRuns deck_runs(
+        options_.out / "runs", options_.keep,
+        [this](int signal) {
+          write_to_stderr(
+              fmt::format("\nstopped by {}: {}\n", signal_name(signal),
+                          options_.array ? "what has ended is kept" : "nothing is written"));
+        },
+        sharing());
     std::vector<ChildRun> runs;
     double most = 0.0;
     for (const ListedDeck& deck : all_) {
@@ -125,7 +154,7 @@ private:
     }
     for (const ListedDeck& deck : chosen_) {
       runs.push_back({.deck = deck.file,
-                      .out = deck_runs.folder() / deck.name,
+                      .out = deck_runs.run_folder(deck.name),
                       .defines = {},
                       .threads = 1,
                       .engine = options_.engine,
@@ -138,11 +167,49 @@ private:
           tell(verification_.decks.back(), chosen_[i], watch.wall_time());
         });
     verification_.wall = watch.wall_time();
+    missing_ = deck_runs.missing_runs();
+    if (options_.collect) {
+      take_over_costs();
+    }
     std::ranges::sort(verification_.decks, {}, &VerifiedDeck::name);
     if (options_.keep) {
       write_to_stdout(fmt::format("run folders in {}\n", deck_runs.folder().string()));
     }
     return !deck_runs.stopped();
+  }
+
+  [[nodiscard]] SharedRunOptions sharing() const {
+    SharedRunOptions shared{.task = options_.array, .collect = options_.collect};
+    if (shared.is_shared()) {
+      shared.folder = canonical_folder(options_.out / "runs");
+      shared.digest = digest_of_folder(decks_);
+    }
+    return shared;
+  }
+
+  // Decks took their time wherever tasks have run them.
+  void take_over_costs() {
+    std::set<std::string> machines;
+    verification_.wall = 0.0;
+    for (const VerifiedDeck& deck : verification_.decks) {
+      verification_.wall += deck.wall;
+      machines.insert(deck.machine);
+    }
+    if (!machines.empty()) {
+      verification_.machine = fmt::format("{}", fmt::join(machines, "; "));
+    }
+  }
+
+  [[nodiscard]] base::ProgramOutcome report_missing() const {
+    const Log log(LogFormat::text);
+    if (options_.array) {
+      log.report_message(base::Severity::note, "E554",
+                         fmt::format("not finished: {}", fmt::join(missing_, ", ")));
+    } else {
+      log.report_message(base::Severity::error, "E553",
+                         missing_runs_text(missing_, chosen_.size(), "deck", options_.out));
+    }
+    return base::ProgramOutcome::stopped;
   }
 
   // A line for each deck; on a terminal one more below it, that says how far it is.
@@ -228,7 +295,8 @@ private:
   std::vector<ListedDeck> all_, chosen_;
   Verification verification_;
   std::optional<Verification> before_;
-  double known_done_ = 0.0; ///< of the costs of the decks that have ended [s]
+  std::vector<std::string> missing_; ///< decks whose runs no task has finished
+  double known_done_ = 0.0;          ///< of the costs of the decks that have ended [s]
 };
 
 } // namespace

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/outcome.hpp"
+#include "program/job/array_task.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,10 +22,13 @@ struct VerifyOptions {
   bool costs = false;                         ///< renew the table of costs beside the decks
   bool list = false;                          ///< print what would be run, and run nothing
   bool quiet = false;
+  std::optional<ArrayTask> array; ///< the decks of this task alone, without page and table
+  bool collect = false;           ///< run nothing: page and table of what tasks have run
 };
 
 /// Runs decks against their references and writes verification.html and verification.csv. Returns
-/// the worst end of a deck: check_failed where a tolerance is missed.
+/// the worst end of a deck: check_failed where a tolerance is missed. Tasks of a job array share
+/// the decks in the folder `runs`; whoever collects them gets stopped where some are missing.
 base::ProgramOutcome verify_decks(const VerifyOptions& options);
 
 } // namespace spricka::program
