@@ -13,21 +13,21 @@ from sweeps import FULL, POINTS, PROGRAM, SweepTest, main, sweep_deck
 
 TASKS = 10 if FULL else 3
 
-JOB = f"""#!/bin/bash
+JOB = """#!/bin/bash
 #SBATCH --ntasks=1 --cpus-per-task=1
 export OPENBLAS_NUM_THREADS=1
-exec {PROGRAM} sweep test.deck --out shared --array slurm --quiet
+exec {program} sweep {deck} --out shared --array slurm --quiet
 """
-COLLECT = f"""#!/bin/bash
-exec {PROGRAM} sweep test.deck --out shared --collect --quiet
+COLLECT = """#!/bin/bash
+exec {program} sweep {deck} --out shared --collect --quiet
 """
 
 
 @unittest.skipUnless(is_installed(), "slurm-wlm and munge are not installed, or we are not root")
 class Slurm(SweepTest):
-    def job(self, text, name):
+    def job(self, text, name, deck):
         path = self.folder / name
-        path.write_text(text)
+        path.write_text(text.format(program=PROGRAM, deck=deck))
         return path
 
     def killed(self, slurm, job):
@@ -54,8 +54,8 @@ class Slurm(SweepTest):
             return False
 
     def test_an_array_with_a_task_that_is_killed(self):
-        deck = self.deck(sweep_deck().replace("NX=4 NY=2", "NX=80 NY=40"))
-        array, collect = self.job(JOB, "array.sh"), self.job(COLLECT, "collect.sh")
+        deck = self.deck(sweep_deck().replace("NX=4 NY=2", "NX=40 NY=20"))
+        array, collect = self.job(JOB, "array.sh", deck), self.job(COLLECT, "collect.sh", deck)
         with OneNodeSlurm(self.folder / "slurm") as slurm:
             first = slurm.submit(array, f"--array=1-{TASKS}", cwd=self.folder)
             number = self.killed(slurm, first)
