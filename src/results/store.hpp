@@ -2,6 +2,7 @@
 #pragma once
 #include "results/named_columns.hpp"
 
+#include <filesystem>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -10,8 +11,8 @@
 #include <vector>
 
 /// Files of named arrays and tables in folders (HDF5), as h5py and pandas read them. The same
-/// content always makes the same bytes: no times are kept. The library works in memory only, since
-/// it does not survive a full disk; who writes the bytes to a file takes care of that.
+/// content always makes the same bytes: no times are kept. The library writes in memory
+/// only, since it does not survive a full disk; who writes the bytes to a file takes care of that.
 namespace spricka::results {
 
 /// A file that cannot be written or read, or does not hold what it should.
@@ -74,6 +75,11 @@ public:
   static Store in_memory();
   /// A store to be read, of the bytes of a file, which are copied. Throws StoreError.
   static Store from_bytes(std::string_view bytes);
+
+  /// A store to be read, in a file that stays where it is: what is asked for is read, and nothing
+  /// else, whatever the size of the file. It must not be replaced in place meanwhile. Throws
+  /// StoreError.
+  static Store from_file(const std::filesystem::path& file);
 
   [[nodiscard]] StoreGroup root() const;
   /// Ends the writing: the bytes of the file, which live as long as the store.

@@ -106,6 +106,16 @@ Store Store::from_bytes(std::string_view bytes) {
   return Store(std::make_shared<StoreHandle>(std::move(id), std::move(image)));
 }
 
+Store Store::from_file(const std::filesystem::path& file) {
+  const Hdf5Id access = file_access();
+#if H5_VERSION_GE(1, 10, 7)
+  // Our files are never written in place; many file systems of clusters have no locks.
+  check_status(H5Pset_file_locking(access.get(), false, true), "leave out locks");
+#endif
+  Hdf5Id id(H5Fopen(file.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose, "read its bytes");
+  return Store(std::make_shared<StoreHandle>(std::move(id), std::make_unique<Image>()));
+}
+
 StoreGroup Store::root() const {
   return StoreGroup(std::make_shared<StoreGroup::GroupHandle>(
       Hdf5Id(H5Gopen2(handle_->id.get(), "/", H5P_DEFAULT), H5Gclose, "open the store")));

@@ -109,7 +109,7 @@ void StoreGroup::write(const std::string& name, std::span<const double> values,
                        std::size_t columns) {
   const std::array<hsize_t, 2> extent{values.size() / columns, columns};
   write_array(handle_->id.get(), name, std::span(extent).first(columns > 1 ? 2 : 1),
-              {H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE}, values.data(), is_repetitive(values));
+              {H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE}, values.data(), is_repetitive(values, columns));
 }
 
 void StoreGroup::write(const std::string& name, std::span<const std::int64_t> values,

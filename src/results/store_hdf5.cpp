@@ -56,14 +56,15 @@ std::string text_from_padded_bytes(const char* bytes, std::size_t size) {
   return {bytes, size};
 }
 
-bool is_repetitive(std::span<const double> values) {
+bool is_repetitive(std::span<const double> values, std::size_t columns) {
   std::size_t same = 0;
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    same += std::bit_cast<std::uint64_t>(values[i]) == std::bit_cast<std::uint64_t>(values[i - 1])
-                ? 1U
-                : 0U;
+  for (std::size_t i = columns; i < values.size(); ++i) {
+    same +=
+        std::bit_cast<std::uint64_t>(values[i]) == std::bit_cast<std::uint64_t>(values[i - columns])
+            ? 1U
+            : 0U;
   }
-  return 2 * same > values.size();
+  return values.size() > columns && 3 * same >= values.size() - columns;
 }
 
 void write_array(hid_t group, const std::string& name, std::span<const hsize_t> extent,

@@ -68,9 +68,10 @@ struct ArrayTypes {
 /// A new array; `pays`: its values are worth compressing.
 void write_array(hid_t group, const std::string& name, std::span<const hsize_t> extent,
                  ArrayTypes types, const void* data, bool pays = true);
-/// Whether half of the numbers are the same as the one before: numbers with all their digits hardly
-/// become smaller, and compressing them takes longer than all else.
-bool is_repetitive(std::span<const double> values);
+/// Whether a third of the numbers are the same as those in the row before, as where a component is
+/// zero in the plane: numbers with all their digits hardly become smaller, and compressing them
+/// takes longer than all else.
+bool is_repetitive(std::span<const double> values, std::size_t columns);
 
 struct OpenArray {
   Hdf5Id set;

@@ -7,7 +7,7 @@ import subprocess
 import sys
 
 import numpy as np
-from run_folders import CRACKED, TOP, RestartTest, main, press_fit
+from run_folders import CRACKED, TOP, RestartTest, keeping, main, press_fit
 
 PRESSED = press_fit("BUSH", 0.01, 4, 24)
 
@@ -122,6 +122,48 @@ class ResultsFile(RestartTest):
         first = path.read_bytes()
         self.solve(CRACKED)
         self.assertEqual(path.read_bytes(), first)
+
+    def test_one_length_of_many_is_read_alone(self):
+        """Fields of one length cost a part of the file, and so do those of its restart file."""
+
+        def bytes_read():
+            with open("/proc/self/io", encoding="ascii") as counts:
+                return int(next(line for line in counts if line.startswith("rchar")).split()[1])
+
+        def cost(path, number):
+            before = bytes_read()
+            results = self.reader(path)
+            values = [results.mesh(number)["x"], results.field("u", number, "LOAD"),
+                      results.field("stress", number, "LOAD")]
+            return bytes_read() - before, values
+
+        lengths = "  ".join(f"{1 + 0.03 * i:g}" for i in range(52))
+        deck = CRACKED.replace("  1  1.5  2\n", f"  {lengths}\n").replace("NX=4 NY=2", "NX=12 NY=6")
+        path = self.solve(keeping(deck))
+        part, values = cost(path, 40)
+        self.assertLess(part, 0.05 * path.stat().st_size)
+        increments = sorted((self.folder / "state.rst.d").glob("*.h5"))
+        self.assertEqual(len(increments), 52)
+        kept_part, kept = cost(increments[39], 40)
+        self.assertLess(kept_part, 0.05 * sum(f.stat().st_size for f in increments))
+        for one, other in zip(values, kept):
+            self.assertTrue(np.array_equal(one, other))
+        before = bytes_read()
+        self.assertEqual(len(self.reader(path).k), 52)
+        self.assertLess(bytes_read() - before, 0.01 * path.stat().st_size)
+
+    def test_zeros_of_the_plane_take_no_room(self):
+        """z of nodes and stresses that are zero in the plane: half of what the numbers would take."""
+        import h5py
+
+        deck = CRACKED.replace("NX=4 NY=2", "NX=40 NY=20")
+        with h5py.File(self.solve(deck)) as file:
+            increment = file["increments/0001"]
+            for name, share in (("mesh/x", 0.6), ("steps/LOAD/stress", 0.75)):
+                kept = increment[name]
+                self.assertLess(kept.id.get_storage_size(), share * kept.size * 8, name)
+            # Where numbers have all their digits they lie as they are: any part of them is read alone.
+            self.assertIsNone(increment["steps/LOAD/u"].chunks)
 
     def test_the_reader_as_a_program(self):
         """The program of the module prints what a file holds."""

@@ -3,7 +3,6 @@
 
 #include "archive/deck_digest.hpp"
 #include "base/exit_codes.hpp"
-#include "base/input_file.hpp"
 #include "model/model.hpp"
 #include "program/job/failures.hpp"
 #include "program/job/standard_streams.hpp"
@@ -42,8 +41,7 @@ std::optional<results::RunResult> read_results(const fs::path& folder,
       !fs::exists(folder / results_name)) {
     return std::nullopt;
   }
-  const std::string bytes = base::read_file(folder / results_name, base::largest_mesh_file);
-  return results::read_run(results::Store::from_bytes(bytes).root());
+  return results::read_run(results::Store::from_file(folder / results_name).root());
 }
 
 // The text of a deck that was read; its places are in the same sources.

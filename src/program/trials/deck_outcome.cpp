@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/trials/deck_outcome.hpp"
 
-#include "base/input_file.hpp"
 #include "program/job/point_record.hpp"
 #include "program/job/run_folder.hpp"
 #include "results/store.hpp"
@@ -16,8 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 DeckRunChecks read_results(const fs::path& file) {
-  const std::string bytes = base::read_file(file, base::largest_mesh_file);
-  const results::Store store = results::Store::from_bytes(bytes);
+  const results::Store store = results::Store::from_file(file);
   const results::StoreGroup root = store.root();
   DeckRunChecks outcome{.checks = results::read_checks(root),
                         .title = root.text_attribute("title")};

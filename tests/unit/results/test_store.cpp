@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <random>
 #include <type_traits>
@@ -342,6 +344,38 @@ TEST(Store, arrays_of_any_size) {
                   again.root().read_table("t" + std::to_string(values.size())).columns[0].values),
               values);
   }
+}
+
+// A small array of a large file.
+TEST(Store, a_file_is_read_where_it_is_asked) {
+  const auto bytes_read = [] {
+    std::ifstream counts("/proc/self/io");
+    std::string word;
+    std::size_t count = 0;
+    counts >> word >> count;
+    return count;
+  };
+  Store store = Store::in_memory();
+  StoreGroup root = store.root();
+  const std::vector<double> other(200, 0.5);
+  std::vector<double> small(3000);
+  for (std::size_t i = 0; i < small.size(); ++i) {
+    small[i] = std::sin(static_cast<double>(i));
+    root.write("other" + std::to_string(i), other);
+  }
+  root.write("small", small);
+  const std::filesystem::path file =
+      std::filesystem::path(testing::TempDir()) / "test_store_file.h5";
+  const std::string bytes(store.finish_bytes());
+  std::ofstream(file, std::ios::binary) << bytes;
+  {
+    const std::size_t before = bytes_read();
+    const Store again = Store::from_file(file);
+    EXPECT_EQ(again.root().read_reals("small"), small);
+    EXPECT_LT(bytes_read() - before, bytes.size() / 10);
+  }
+  std::filesystem::remove(file);
+  EXPECT_THROW(Store::from_file(file), StoreError);
 }
 
 TEST(Store, trouble_is_said) {
