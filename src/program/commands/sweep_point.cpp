@@ -42,6 +42,16 @@ void collect_values(const model::Model& model, const results::RunResult& run, Sw
   }
 }
 
+// What a record must agree in to stand for a point. An engine that was asked for may give other
+// last digits than that which the program chooses.
+std::string digest_of(const CheckedDeck& deck, const SweepPointValues& values,
+                      const RunOptions& options) {
+  const std::string digest = archive::compute_deck_digest(deck.sources, *deck.model, values);
+  return options.engine == solve::EquationEngine::automatic
+             ? digest
+             : fmt::format("{} {}", digest, static_cast<int>(options.engine));
+}
+
 // A property of deck and machine, not of a disk or of another process.
 bool is_failure_to_keep(base::ProgramOutcome outcome) {
   return outcome != base::ProgramOutcome::stopped && outcome != base::ProgramOutcome::file_trouble;
@@ -75,7 +85,7 @@ void SweepPointSolver::compute(const SweepPointValues& values, SweepPoint& point
 
 std::optional<SweepPoint> SweepPointSolver::find(const SweepPointValues& values,
                                                  const std::string& folder, bool failures) const {
-  const std::string digest = archive::compute_deck_digest(deck_.sources, *deck_.model, values);
+  const std::string digest = digest_of(deck_, values, options_);
   std::optional<SweepPoint> known = read_point_record(out_ / folder, digest);
   return known || !failures ? known
                             : read_point_record(out_ / (folder + failed_point_ending), digest);
@@ -108,10 +118,8 @@ void SweepPointSolver::solve_point(const SweepPointValues& values, SweepPoint& p
 void SweepPointSolver::keep_failure(const SweepPointValues& values, const SweepPoint& point) const {
   try {
     RunFolder failure(out_ / (point.folder + failed_point_ending));
-    failure.add_file(
-        point_record_name,
-        point_record_text(values, point,
-                          archive::compute_deck_digest(deck_.sources, *deck_.model, values)));
+    failure.add_file(point_record_name,
+                     point_record_text(values, point, digest_of(deck_, values, options_)));
     failure.commit();
   } catch (const std::exception&) {
     // A full disk: the point counts as not tried.
