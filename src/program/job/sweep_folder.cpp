@@ -3,12 +3,13 @@
 
 #include "archive/folder_mark.hpp"
 #include "archive/safe_file.hpp"
-#include "base/output_file.hpp"
+#include "program/job/point_record.hpp"
 #include "program/job/run_folder.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
