@@ -196,6 +196,27 @@ class ManyDecks(SweepTest):
         (folder / "bad.deck").write_text(plate(GOOD.format("1e-2")), encoding="utf-8")
         self.assertIn("5 of 5 decks are missing", self.expect(6, *shared, "--collect").stderr)
 
+    def test_a_task_of_verify_is_stopped_and_goes_on(self):
+        folder = self.decks()
+        slow = plate(GOOD.format("1e-2")).replace("NX=4 NY=2", "NX=300 NY=150")
+        (folder / "slow.deck").write_text(slow, encoding="utf-8")
+        call = ("verify", "--decks", folder, "all", "--out", "shared", "--quiet", "--jobs", 1)
+        child = self.start(*call, "--array", "1/1")
+        kept = self.folder / "shared/runs"
+        self.until((kept / "slow.part").exists, child)
+        child.terminate()
+        _, errors = child.communicate(timeout=60)
+        self.assertEqual(child.returncode, 6, errors)
+        self.assertIn("what has ended is kept", errors)
+        ended = {f.name for f in kept.glob("*.end")}
+        self.assertFalse(kept.joinpath("slow.part").exists())
+        self.assertNotIn("slow.end", ended)
+        self.expect(3, *call, "--array", "1/1")
+        self.expect(3, *call, "--collect")
+        # Nothing but runs and records is left beside page and table.
+        self.assertEqual({f.name for f in (self.folder / "shared").iterdir()},
+                         {"runs", "verification.csv", "verification.html"})
+
     def test_study_and_ladder(self):
         deck = self.deck(plate("$CHECK\n  U.X.MAX(BODY,LOAD) = 1 ABS 10 SOURCE 'a guess'\n"))
         for command in ("study", "ladder"):

@@ -77,6 +77,28 @@ class Slurm(SweepTest):
         self.whole_sweep(deck)
         self.same_sweeps("whole", "shared")
 
+    def test_a_task_that_slurm_stops_goes_on(self):
+        """What scancel --signal=TERM, or the end of a job's time, does: lengths are kept, exit code 6."""
+        deck = self.deck(sweep_deck(2, "$RESTART WRITE='state.rst'\n").replace("NX=4 NY=2", "NX=60 NY=30"))
+        job = self.job(JOB.replace("--quiet", "--quiet --restart"), "array.sh", deck)
+        state = self.folder / "shared/002.restart/state.rst"
+        with OneNodeSlurm(self.folder / "slurm") as slurm:
+            first = slurm.submit(job, "--array=1-2", cwd=self.folder)
+            end = time.monotonic() + 300
+            while not state.exists():
+                self.assertLess(time.monotonic(), end, self.outputs())
+                time.sleep(0.002)
+            slurm.say("scancel", "--batch", "--signal=TERM", f"{first}_2")
+            slurm.wait_for(first)
+            self.assertIn("6:0", slurm.exit_code(first), self.outputs())
+            again = slurm.submit(job, "--array=2", cwd=self.folder)  # one task alone: all that is missing
+            slurm.wait_for(again)
+        self.assertIn("taken over", (self.folder / "shared/002/listing.txt").read_text())
+        self.expect(3, "sweep", deck, "--out", "whole", "--quiet")
+        for name in ("k.csv", "results.h5"):
+            self.assertEqual((self.folder / "shared/002" / name).read_bytes(),
+                             (self.folder / "whole/002" / name).read_bytes())
+
     def outputs(self):
         return "\n".join(f.read_text(errors="replace") for f in sorted(self.folder.glob("slurm-*.out")))
 
