@@ -6,9 +6,11 @@
 #include "solve/factor_report.hpp"
 #include "solve/ordering.hpp"
 #include "solve/row_elimination.hpp"
+#include "solve/unknown_places.hpp"
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -23,6 +25,14 @@ struct CondensationSettings {
   bool out_of_core = false; ///< MUMPS: the factor goes to disk even where it would fit
   /// Where it goes; empty: nowhere. Given by who opens the engine.
   std::string scratch_folder = {};
+  /// Columns that will be solved for, where they are few, known beforehand and of a body in space:
+  /// then iterations may take less than a factor. 0: do not think of it.
+  double solutions = 0.0;
+  /// Cholesky: where the factor takes more it is left to others (engine_failed).
+  double most_flops = std::numeric_limits<double>::infinity();
+  const UnknownPlaces* places = nullptr; ///< of the unknowns; multigrid does nothing without
+  /// [n, k] that will be asked for: what iterates is judged by these and keeps their solutions.
+  const base::Matrix* loads = nullptr;
   std::string engine_reason = {}; ///< for the report: why it is not Cholesky in core
 };
 

@@ -106,7 +106,7 @@ struct SparseCondensation::Impl {
   base::Matrix S;
   int threads = 1; ///< that work on it
 
-  void build(OrderingMethod ordering);
+  void build(const CondensationSettings& settings);
   void analyse_pattern(const base::SymmetricCsc& K, OrderingMethod ordering);
   void factorise();
   void check_pivots();
@@ -150,11 +150,15 @@ void SparseCondensation::Impl::analyse_pattern(const base::SymmetricCsc& K,
                   std::max(16.0 * static_cast<double>(K.row.size()), 8.0 * externals * externals);
 }
 
-void SparseCondensation::Impl::build(OrderingMethod ordering) {
+void SparseCondensation::Impl::build(const CondensationSettings& settings) {
   blas::force_single_blas_thread();
   diagonal = diagonal_of(matrix);
-  analyse_pattern(matrix, ordering);
+  analyse_pattern(matrix, settings.ordering);
   if (report.status != FactorStatus::ok) {
+    return;
+  }
+  if (report.flops > settings.most_flops) {
+    report.status = FactorStatus::engine_failed;
     return;
   }
   // Refused before any of it is asked for: a machine that swaps is no help.
@@ -267,7 +271,7 @@ SparseCondensation::SparseCondensation(base::SymmetricCsc K, std::int64_t extern
   }
   impl_->matrix = std::move(K);
   try {
-    impl_->build(settings.ordering);
+    impl_->build(settings);
   } catch (const std::bad_alloc&) {
     impl_->report.status = FactorStatus::out_of_memory;
   }

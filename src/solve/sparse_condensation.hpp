@@ -20,7 +20,7 @@ public:
                                const CondensationSettings& settings = {},
                                const SparseRightHandSides* rows = nullptr);
   ~SparseCondensation() override;
-  /// K, where the status is out_of_memory: another engine may need less.
+  /// K, where the status is out_of_memory or engine_failed: another engine may need less.
   [[nodiscard]] base::SymmetricCsc give_back_matrix();
 
   [[nodiscard]] const FactorReport& report() const override;

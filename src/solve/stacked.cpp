@@ -63,8 +63,16 @@ TwoLevelCondensation::TwoLevelCondensation(const base::SymmetricCsc& K, std::int
                                            const CondensationSettings& settings,
                                            FactorReport& report)
     : rows_(divide_rows_by_level(K, externals, blocks)) {
+  CondensationSettings own = settings;
+  own.solutions = 0.0; // the blocks on top have made the choice
+  own.loads = nullptr; // their columns have the rows of K
+  UnknownPlaces places;
+  if (settings.places != nullptr) {
+    places = lower_level_places(*settings.places, rows_);
+    own.places = &places;
+  }
   below_ = condense_equations(lower_level_matrix(K, rows_),
-                              static_cast<std::int64_t>(rows_.touched.size()), settings);
+                              static_cast<std::int64_t>(rows_.touched.size()), own);
   report = below_->report();
   EarlyLateRowPartition lists;
   if (early != nullptr) {

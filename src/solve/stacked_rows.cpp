@@ -60,6 +60,20 @@ std::vector<Eigen::Index> upper_level_positions(const CondensedNetBlock& b,
   return place;
 }
 
+UnknownPlaces lower_level_places(const UnknownPlaces& places, const TwoLevelRows& rows) {
+  UnknownPlaces below;
+  below.position = places.position;
+  const auto add = [&](std::int64_t row) {
+    below.node.push_back(places.node[at(row)]);
+    below.axis.push_back(places.axis[at(row)]);
+  };
+  std::ranges::for_each(rows.below, add);
+  for (const Eigen::Index t : rows.touched) {
+    add(rows.top[at(t)]);
+  }
+  return below;
+}
+
 base::SymmetricCsc lower_level_matrix(const base::SymmetricCsc& K, const TwoLevelRows& rows) {
   std::vector<std::int64_t> place(at(K.n), -1);
   std::int64_t next = 0;

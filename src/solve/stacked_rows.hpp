@@ -5,6 +5,7 @@
 #include "solve/dense_block.hpp"
 #include "solve/factor_report.hpp"
 #include "solve/layered_cholesky.hpp"
+#include "solve/unknown_places.hpp"
 
 #include <cstdint>
 #include <span>
@@ -40,6 +41,9 @@ std::vector<Eigen::Index> upper_level_positions(const CondensedNetBlock& block,
 
 /// The sparse matrix of the rows below, then the touched ones.
 base::SymmetricCsc lower_level_matrix(const base::SymmetricCsc& K, const TwoLevelRows& rows);
+
+/// Where its unknowns are, of those of K.
+UnknownPlaces lower_level_places(const UnknownPlaces& places, const TwoLevelRows& rows);
 
 /// What the top costs; `kept`: its early rows have been eliminated before.
 void add_upper_level_cost(const TwoLevelRows& rows, bool kept, FactorReport& report);

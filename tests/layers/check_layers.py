@@ -24,6 +24,7 @@ LIBRARIES = [
     (r"(suitesparse/)?(cholmod|SuiteSparse_config)", r"src/solve/", "src/solve"),
     (r"gsl/", r"src/life/", "src/life"),
     (r"gmsh", r"src/mesher/[^/]*\.cpp$", "src/mesher/*.cpp"),
+    (r"petsc", r"src/engines/multigrid/", "src/engines/multigrid"),
     (r"(hdf5|H5)", r"src/results/", "src/results"),
 ]
 

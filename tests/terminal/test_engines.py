@@ -16,6 +16,7 @@ from program import PROGRAM, SANITIZED, TOP, ProgramTest, environment, main
 
 MODULES = Path(PROGRAM).parents[1] / "libexec/spricka"
 HAS_MUMPS = (MODULES / "spricka-mumps.so").exists()
+HAS_MULTIGRID = (MODULES / "spricka-multigrid.so").exists()
 
 # A solid block on its foot, whose factor is large beside everything else.
 BLOCK = """$DECK VERSION=1 LENGTH=MM FORCE=N TITLE='Block'
@@ -94,15 +95,15 @@ class Engines(ProgramTest):
         result = self.expect(2, "run", "test.deck", "--engine", "mump")
         self.assertIn("mumps", result.stderr)
 
-    def compared(self, name):
+    def compared(self, name, other="mumps"):
         """One deck by Cholesky and by MUMPS: the largest difference of K and G, as part of the largest of the column."""
         deck = TOP / "decks" / f"{name}.deck"
-        for engine in ("cholesky", "mumps"):
+        for engine in ("cholesky", other):
             self.expect(0, "run", deck, "--engine", engine, "--out", engine, "--quiet", "--threads", "2")
-        listing = (self.folder / "mumps/listing.txt").read_text(encoding="utf-8")
-        self.assertRegex(listing, r"CONDENSE .*: MUMPS")
+        listing = (self.folder / other / "listing.txt").read_text(encoding="utf-8")
+        self.assertRegex(listing, rf"CONDENSE .*: .*{other}" if other == "multigrid" else r"CONDENSE .*: MUMPS")
         worst = 0.0
-        ours, words = numbers(self.folder / "mumps/k.csv")
+        ours, words = numbers(self.folder / other / "k.csv")
         theirs, other_words = numbers(self.folder / "cholesky/k.csv")
         self.assertEqual(words, other_words)
         self.assertEqual(ours.keys(), theirs.keys())
@@ -117,6 +118,25 @@ class Engines(ProgramTest):
     @unittest.skipUnless(HAS_MUMPS, "built without MUMPS")
     def test_the_same_K_of_a_crack_in_a_solid_with_contact(self):
         self.assertLess(self.compared("lug_slice_crack_solid"), 1e-10)
+
+    @unittest.skipUnless(HAS_MULTIGRID, "built without PETSc")
+    def test_the_same_K_by_iterations(self):
+        self.assertLess(self.compared("penny_solid", "multigrid"), 1e-6)
+
+    @unittest.skipUnless(HAS_MULTIGRID, "built without PETSc")
+    def test_multigrid_is_for_bodies_in_space(self):
+        result = self.run_copy(PROGRAM, "run", TOP / "decks/kirsch.deck", "--engine", "multigrid", "--quiet")
+        self.assertEqual(result.returncode, 4, result.stderr)
+        self.assertIn("multigrid solves bodies in space only", result.stderr)
+
+    @unittest.skipUnless(HAS_MULTIGRID and "SPRICKA_FULL" in os.environ, "built without PETSc, or SPRICKA_FULL not set")
+    def test_iterations_where_they_take_less(self):
+        deck = self.deck(BLOCK.format(n=20))
+        checked = self.expect(0, "check", deck, "--forecast")
+        self.assertIn("multigrid", checked.stdout)
+        self.expect(0, "run", deck, "--out", "chosen", "--quiet")
+        listing = (self.folder / "chosen/listing.txt").read_text(encoding="utf-8")
+        self.assertRegex(listing, r"CONDENSE .*multigrid, error at most 1e-08.*takes less time than a factor")
 
     @unittest.skipUnless(HAS_MUMPS, "built without MUMPS")
     def test_the_same_growth_with_a_part_that_is_kept(self):

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/bodies/condense_bodies.hpp"
 
+#include "analysis/bodies/locate_unknowns.hpp"
 #include "analysis/bodies/net_work.hpp"
 #include "base/clock.hpp"
 #include "base/parallel.hpp"
+#include "model/model.hpp"
 #include "solve/engine_choice.hpp"
 #include "solve/factor_checks.hpp"
 
@@ -104,6 +106,10 @@ void factorise(const CondensationRequest& request, std::vector<Task>& tasks,
     task.work.assembled = base::steady_clock_seconds();
     solve::CondensationSettings settings = condensation_settings(request);
     settings.threads = threads[i];
+    const solve::UnknownPlaces places = locate_unknowns(request.mesh, map);
+    const base::Matrix loads = rows_of(request.case_load, map.freedom);
+    settings.places = &places;
+    settings.loads = &loads;
     task.net->factor =
         stacked
             ? std::make_shared<solve::Condensation>(K, map.external_count(), blocks,
@@ -217,7 +223,14 @@ void condense_loads(const CondensationRequest& request, SubstructuredBody& body)
 } // namespace
 
 solve::CondensationSettings condensation_settings(const CondensationRequest& request) {
-  return {.engine = request.engine, .besides = contact_solution_memory(request.rows)};
+  // Stress intensity factors need a solution for each place of a front, contact one for each row.
+  constexpr int modes_in_space = 6;
+  const bool few_solutions = fe::rigid_mode_count(request.model) == modes_in_space &&
+                             request.rows.empty() && request.model.contacts.empty() &&
+                             request.model.cracks.empty();
+  return {.engine = request.engine,
+          .besides = contact_solution_memory(request.rows),
+          .solutions = few_solutions ? static_cast<double>(request.model.cases.size()) : 0.0};
 }
 
 double contact_solution_memory(const std::vector<const contact::ConstraintRow*>& rows) {

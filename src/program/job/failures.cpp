@@ -24,6 +24,9 @@ run_reporting_file_failures(const Log& log, const std::function<base::ProgramOut
     log.report_message(base::Severity::error, failure.code(), failure.what());
   } catch (const std::system_error& failure) {
     log.report_message(base::Severity::error, "E530", failure.what());
+  } catch (const std::range_error& failure) { // of an engine that iterates
+    log.report_message(base::Severity::error, "E520", failure.what());
+    return base::ProgramOutcome::not_converged;
   }
   return base::ProgramOutcome::file_trouble;
 }
