@@ -280,7 +280,8 @@ SparseCondensation::SparseCondensation(base::SymmetricCsc K, std::int64_t extern
     impl_->values = FactorValues();
     impl_->S = base::Matrix();
   }
-  if (impl_->report.status != FactorStatus::out_of_memory) {
+  if (impl_->report.status == FactorStatus::ok ||
+      impl_->report.status == FactorStatus::not_positive_definite) {
     impl_->matrix = base::SymmetricCsc();
     impl_->diagonal = {};
   }
