@@ -71,8 +71,7 @@ void NodalStiffness::find_blocks(const base::SymmetricCsc& K) {
       }
     }
     std::ranges::sort(row);
-    const auto repeated = std::ranges::unique(row);
-    column_.insert(column_.end(), row.begin(), repeated.begin());
+    column_.insert(column_.end(), row.begin(), std::unique(row.begin(), row.end()));
     row_start_[at(a) + 1] = static_cast<std::int64_t>(column_.size());
   }
 }
