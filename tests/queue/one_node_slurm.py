@@ -11,7 +11,7 @@ import subprocess
 import time
 from pathlib import Path
 
-NEEDED = ("munged", "slurmctld", "slurmd", "sbatch", "squeue", "scancel", "sinfo")
+NEEDED = ("setpriv", "munged", "slurmctld", "slurmd", "sbatch", "squeue", "scancel", "sinfo")
 SBIN = "/usr/sbin:/sbin"
 
 CONF = """ClusterName=one
@@ -77,7 +77,9 @@ class OneNodeSlurm:
         self.stop()
 
     def _daemon(self, *words):
-        log = open(self.folder / (words[0] + ".out"), "ab")
+        log = open(self.folder / (words[0] + ".out"), "ab")  # noqa: SIM115
+        # They end with us, even if the test is killed.
+        words = ("setpriv", "--pdeathsig", "TERM", *words)
         self.daemons.append(subprocess.Popen(words, cwd=self.folder, env=self.environment, stdin=subprocess.DEVNULL,
                                              stdout=log, stderr=log, start_new_session=True))
         log.close()
