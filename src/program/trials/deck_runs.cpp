@@ -74,7 +74,7 @@ fs::path DeckRuns::run_folder(const std::string& name) const {
 // Decks that are made lie in a folder that has another name in each task, and may name it.
 std::string DeckRuns::digest_of(const ChildRun& run) const {
   std::string text = sharing_.digest;
-  text += '\n' + run.deck.filename().string() + '\n';
+  text += '\n' + run.deck.filename().string() + '\n' + run.engine + '\n';
   text += without(base::read_file(run.deck, base::largest_mesh_file), folder_.string());
   for (const auto& [name, value] : run.defines) {
     text += fmt::format("\n{}={}", name, value);
