@@ -2,6 +2,7 @@
 #include "base/memory.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <fstream>
 #include <limits>
 #include <string>
@@ -25,6 +26,8 @@ std::size_t group_limit(std::size_t most) {
   }
   return most;
 }
+
+std::atomic<std::size_t> processes_alike = 1; // NOLINT: a fact of this process
 
 /// What this process takes now [bytes], as the limits count it.
 struct MemoryInUse {
@@ -51,15 +54,21 @@ std::size_t limit_of(decltype(RLIMIT_AS) resource, std::size_t most) {
   return limited ? std::min(most, static_cast<std::size_t>(limit.rlim_cur)) : most;
 }
 
-std::size_t machine_memory() {
-  return static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) *
-         static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+// Of the machine or the control group, what is this process's.
+std::size_t memory_share() {
+  return group_limit(static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) *
+                     static_cast<std::size_t>(sysconf(_SC_PAGESIZE))) /
+         processes_alike;
 }
 
 } // namespace
 
+void divide_memory_limit(int processes) {
+  processes_alike = static_cast<std::size_t>(std::max(processes, 1));
+}
+
 std::size_t process_memory_limit() {
-  return group_limit(limit_of(RLIMIT_AS, limit_of(RLIMIT_DATA, machine_memory())));
+  return limit_of(RLIMIT_AS, limit_of(RLIMIT_DATA, memory_share()));
 }
 
 double available_memory() {
@@ -68,7 +77,7 @@ double available_memory() {
   const auto left = [](std::size_t limit, std::size_t in_use) {
     return static_cast<double>(limit) - static_cast<double>(in_use);
   };
-  return std::min({left(group_limit(machine_memory()), used.resident),
+  return std::min({left(memory_share(), used.resident),
                    left(limit_of(RLIMIT_AS, unlimited), used.address_space),
                    left(limit_of(RLIMIT_DATA, unlimited), used.data)});
 }

@@ -12,4 +12,8 @@ std::size_t process_memory_limit();
 /// -v), that counts which is taken already, by libraries too.
 double available_memory();
 
+/// From now on that is a share of what the machine or the control group has: this process is one of
+/// so many alike on it.
+void divide_memory_limit(int processes);
+
 } // namespace spricka::base
