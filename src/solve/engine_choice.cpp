@@ -3,6 +3,7 @@
 #include "base/clock.hpp"
 #include "base/memory.hpp"
 #include "solve/engine_module.hpp"
+#include "solve/equation_ranks.hpp"
 #include "solve/scratch_folder.hpp"
 #include "solve/sparse_condensation.hpp"
 #include "solve/unsolved_equations.hpp"
@@ -88,11 +89,11 @@ bool may_another_engine_do(const FactorReport& report) {
 }
 
 /// What a factorisation may take before iterations take less; multigrid looks at the size of K
-/// alone.
+/// alone. Ranks do not iterate: which engine a net has must not hang on which of them has the net.
 double factor_flops_worth_iterating(base::SymmetricCsc& K, std::int64_t externals,
                                     const CondensationSettings& settings) {
   if (settings.engine != EquationEngine::automatic || settings.solutions == 0.0 ||
-      K.n < fewest_unknowns_to_iterate ||
+      K.n < fewest_unknowns_to_iterate || equation_ranks() != nullptr ||
       !why_engine_module_is_missing(EngineModule::multigrid).empty()) {
     return std::numeric_limits<double>::infinity();
   }
@@ -104,16 +105,45 @@ std::string why_iterations(const FactorReport& factor) {
   return fmt::format("takes less time than a factor of {:.2g} operations", factor.flops);
 }
 
+/// Cholesky in core, on the rank that is to do it; K comes back where it has not the memory, or
+/// takes too many operations.
+std::unique_ptr<CondensedEquations> condense_in_core(base::SymmetricCsc& K, std::int64_t externals,
+                                                     const CondensationSettings& settings) {
+  EquationRanks* const ranks = equation_ranks();
+  if (ranks != nullptr && condenses_elsewhere()) {
+    return ranks->condense_elsewhere(K, externals, settings);
+  }
+  const std::int64_t unknowns = K.n;
+  auto own = std::make_unique<SparseCondensation>(std::move(K), externals, settings);
+  if (may_another_engine_do(own->report())) {
+    K = own->give_back_matrix();
+  }
+  if (ranks != nullptr) {
+    ranks->count_own_net(unknowns, own->report());
+  }
+  return own;
+}
+
+/// By a module; MUMPS by all ranks together where the run has several.
+std::unique_ptr<CondensedEquations> condense_by_other_engine(EngineModule module,
+                                                             base::SymmetricCsc& K,
+                                                             std::int64_t externals,
+                                                             const CondensationSettings& settings) {
+  EquationRanks* const ranks = equation_ranks();
+  return ranks != nullptr && module == EngineModule::mumps
+             ? ranks->condense_together(K, externals, settings)
+             : condense_by_module(module, K, externals, settings);
+}
+
 /// Cholesky, or where it does not fit or takes too many operations what needs less.
 std::unique_ptr<CondensedEquations> condense_by_what_fits(base::SymmetricCsc K,
                                                           std::int64_t externals,
                                                           const CondensationSettings& settings) {
-  auto cholesky = std::make_unique<SparseCondensation>(std::move(K), externals, settings);
+  std::unique_ptr<CondensedEquations> cholesky = condense_in_core(K, externals, settings);
   if (cholesky->report().status == FactorStatus::engine_failed) {
     CondensationSettings own = settings;
     own.engine_reason = why_iterations(cholesky->report());
     own.most_flops = std::numeric_limits<double>::infinity();
-    K = cholesky->give_back_matrix();
     cholesky.reset();
     std::unique_ptr<CondensedEquations> next =
         condense_by_module(EngineModule::multigrid, K, externals, own);
@@ -127,7 +157,6 @@ std::unique_ptr<CondensedEquations> condense_by_what_fits(base::SymmetricCsc K,
     return cholesky;
   }
   FactorReport in_core = cholesky->report();
-  K = cholesky->give_back_matrix();
   cholesky.reset();
   base::return_free_memory_to_system();
   for (const EngineModule module : engines_for_less_memory) {
@@ -136,7 +165,7 @@ std::unique_ptr<CondensedEquations> condense_by_what_fits(base::SymmetricCsc K,
     }
     CondensationSettings own = with_scratch_folder(settings, module);
     own.engine_reason = why_not_in_core(in_core);
-    std::unique_ptr<CondensedEquations> next = condense_by_module(module, K, externals, own);
+    std::unique_ptr<CondensedEquations> next = condense_by_other_engine(module, K, externals, own);
     if (!may_another_engine_do(next->report())) {
       return next;
     }
@@ -151,7 +180,7 @@ std::unique_ptr<CondensedEquations> condense_equations(base::SymmetricCsc K, std
                                                        const CondensationSettings& settings) {
   if (settings.engine == EquationEngine::mumps || settings.engine == EquationEngine::multigrid) {
     const EngineModule module = module_of(settings.engine);
-    return condense_by_module(module, K, externals, with_scratch_folder(settings, module));
+    return condense_by_other_engine(module, K, externals, with_scratch_folder(settings, module));
   }
   CondensationSettings own = settings;
   own.most_flops = factor_flops_worth_iterating(K, externals, settings);

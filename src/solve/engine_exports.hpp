@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/sparse.hpp"
+#include "solve/communicator.hpp"
 #include "solve/condensed_equations.hpp"
 
+#include <cstddef>
 #include <cstdint>
 
 /// What a module with an engine defines: a shared object that solve/engine_module.hpp opens. No C++
@@ -26,3 +28,9 @@ spricka_forecast_equations(spricka::base::SymmetricCsc* pattern, std::int64_t ex
                            const spricka::solve::CondensationSettings* settings,
                            const spricka::solve::SparseRightHandSides* rows,
                            spricka::solve::FactorReport* report);
+
+/// Joins the ranks that mpirun has started this process among; the caller owns the result. Null:
+/// `trouble` [size], ended by 0, says why. Of the module with MPI alone, which has the two
+/// functions above as Communicator::condense_together.
+SPRICKA_ENGINE_EXPORT spricka::solve::Communicator* spricka_open_communicator(char* trouble,
+                                                                              std::size_t size);

@@ -38,6 +38,7 @@ struct EngineModuleSlot {
   std::string trouble;
   decltype(&spricka_condense_equations) condense = nullptr;
   decltype(&spricka_forecast_equations) forecast = nullptr;
+  decltype(&spricka_open_communicator) communicate = nullptr;
 };
 
 struct EngineModuleTable {
@@ -79,8 +80,13 @@ std::string open_module(EngineModule module, EngineModuleSlot& slot) {
     return fmt::format("{} is of another spricka ({}, not {}): build or install both together",
                        path.string(), abi == nullptr ? "unknown" : abi(), engine_abi());
   }
-  if (!find_function(library, "spricka_condense_equations", slot.condense) ||
-      !find_function(library, "spricka_forecast_equations", slot.forecast)) {
+  // What works over several ranks is asked through the communicator.
+  const bool complete =
+      module == EngineModule::mumps_over_mpi
+          ? find_function(library, "spricka_open_communicator", slot.communicate)
+          : find_function(library, "spricka_condense_equations", slot.condense) &&
+                find_function(library, "spricka_forecast_equations", slot.forecast);
+  if (!complete) {
     return fmt::format("{} is no engine of spricka", path.string());
   }
   return {};
@@ -154,6 +160,18 @@ FactorReport forecast_by_module(EngineModule module, base::SymmetricCsc& pattern
   FactorReport report;
   opened.forecast(&pattern, externals, &settings, rows, &report);
   return report;
+}
+
+CommunicatorOrTrouble open_communicator() {
+  const EngineModuleSlot& opened = open_engine_module(EngineModule::mumps_over_mpi);
+  CommunicatorOrTrouble out;
+  out.trouble = opened.trouble;
+  if (out.trouble.empty()) {
+    std::array<char, 200> reason{};
+    out.communicator.reset(opened.communicate(reason.data(), reason.size()));
+    out.trouble = reason.data();
+  }
+  return out;
 }
 
 } // namespace spricka::solve

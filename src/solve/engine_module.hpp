@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/sparse.hpp"
+#include "solve/communicator.hpp"
 #include "solve/condensed_equations.hpp"
 
 #include <cstdint>
@@ -32,5 +33,13 @@ std::unique_ptr<CondensedEquations> condense_by_module(EngineModule module, base
 FactorReport forecast_by_module(EngineModule module, base::SymmetricCsc& pattern,
                                 std::int64_t externals, const CondensationSettings& settings,
                                 const SparseRightHandSides* rows);
+
+/// The ranks that mpirun has started this process among, or why they cannot be had.
+struct CommunicatorOrTrouble {
+  std::unique_ptr<Communicator> communicator;
+  std::string trouble;
+};
+/// Joins them; once, before the process starts threads.
+CommunicatorOrTrouble open_communicator();
 
 } // namespace spricka::solve

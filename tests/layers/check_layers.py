@@ -25,6 +25,7 @@ LIBRARIES = [
     (r"gsl/", r"src/life/", "src/life"),
     (r"gmsh", r"src/mesher/[^/]*\.cpp$", "src/mesher/*.cpp"),
     (r"petsc", r"src/engines/multigrid/", "src/engines/multigrid"),
+    (r"mpi\.h", r"src/engines/message_passing/", "src/engines/message_passing"),
     (r"(hdf5|H5)", r"src/results/", "src/results"),
 ]
 

@@ -29,8 +29,9 @@ constexpr double refined_from = 1024.0 * std::numeric_limits<double>::epsilon();
 } // namespace
 
 MumpsCondensation::MumpsCondensation(base::SymmetricCsc& K, std::int64_t externals,
-                                     const solve::CondensationSettings& settings)
-    : externals_(externals) {
+                                     const solve::CondensationSettings& settings,
+                                     solve::CollectiveStep step)
+    : externals_(externals), step_(std::move(step)) {
   report_.engine = solve::EquationEngine::mumps;
   report_.engine_reason = settings.engine_reason;
   report_.besides = settings.besides;
@@ -99,7 +100,7 @@ void MumpsCondensation::analyse(base::SymmetricCsc& K,
                                 const solve::CondensationSettings& settings) {
   const double begun = solve::thread_cpu_seconds();
   report_.memory_left = base::available_memory(); // before any of what is counted below is there
-  const bool done = locals_.emplace(K, externals_, settings.ordering).analyse();
+  const bool done = locals_.emplace(K, externals_, settings.ordering, step_).analyse();
   report_.analysis_cpu = solve::thread_cpu_seconds() - begun;
   if (!done) {
     fail(locals_->mumps().failure());

@@ -19,9 +19,10 @@ namespace spricka::engines {
 class MumpsCondensation final : public solve::CondensedEquations {
 public:
   /// K is moved from; where the status is out_of_memory or engine_failed it is given back if it
-  /// could be. The engine of the settings is not looked at.
+  /// could be. The engine of the settings is not looked at. With `step`, on rank 0, all ranks of
+  /// the run do it together.
   MumpsCondensation(base::SymmetricCsc& K, std::int64_t externals,
-                    const solve::CondensationSettings& settings);
+                    const solve::CondensationSettings& settings, solve::CollectiveStep step = {});
   /// As solve::forecast_equations. The pattern is moved from.
   static solve::FactorReport forecast(base::SymmetricCsc& pattern, std::int64_t externals,
                                       const solve::CondensationSettings& settings,
@@ -51,6 +52,7 @@ private:
   }
 
   std::int64_t externals_ = 0;
+  solve::CollectiveStep step_;
   std::int64_t n_ = 0;
   solve::FactorReport report_;
   base::Matrix S_;

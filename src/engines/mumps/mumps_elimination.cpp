@@ -7,6 +7,7 @@
 #include <new>
 #include <numeric>
 #include <system_error>
+#include <utility>
 
 namespace spricka::engines {
 
@@ -36,9 +37,9 @@ constexpr double block_bytes = 256e6;
 } // namespace
 
 MumpsElimination::MumpsElimination(base::SymmetricCsc& K, std::int64_t externals,
-                                   solve::OrderingMethod ordering)
+                                   solve::OrderingMethod ordering, solve::CollectiveStep step)
     : externals_(externals), order_(places_in_order(K, K.n - externals, ordering)),
-      external_rows_(at(externals)), K_(K, K.n - externals) {
+      external_rows_(at(externals)), K_(K, K.n - externals), mumps_(std::move(step)) {
   DMUMPS_STRUC_C& problem = mumps_.data();
   problem.n = static_cast<MUMPS_INT>(size());
   problem.nnz = K_.entries();

@@ -18,8 +18,10 @@ namespace spricka::engines {
 /// substituted back: between the two nobody else may ask (see MumpsCondensation).
 class MumpsElimination {
 public:
-  /// K is moved from. There must be locals. Throws std::bad_alloc.
-  MumpsElimination(base::SymmetricCsc& K, std::int64_t externals, solve::OrderingMethod ordering);
+  /// K is moved from. There must be locals. With `step`, on rank 0, all ranks of the run do it
+  /// together. Throws std::bad_alloc.
+  MumpsElimination(base::SymmetricCsc& K, std::int64_t externals, solve::OrderingMethod ordering,
+                   solve::CollectiveStep step = {});
 
   /// The symbolic phase: whether it could be done.
   bool analyse() { return mumps_.run(MumpsJob::analysis); }

@@ -3,7 +3,9 @@
 #include "solve/blas.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -12,9 +14,7 @@ namespace spricka::engines {
 namespace {
 
 // Numbers of the manual of MUMPS 5.5.
-constexpr int no_mpi = -987654; // "use MPI_COMM_WORLD": the build without MPI has no other
-constexpr int initialise = -1;
-constexpr int terminate = -2;
+constexpr int all_ranks = -987654; // "use MPI_COMM_WORLD": the build without MPI has no other
 // Errors of INFOG(1).
 constexpr int integer_workspace_too_small = -8;
 constexpr int real_workspace_too_small = -9;
@@ -27,14 +27,20 @@ std::mutex& turn() {
   return mutex;
 }
 
+std::int64_t next_number() {
+  static std::atomic<std::int64_t> next = 0;
+  return next++;
+}
+
 } // namespace
 
-MumpsInstance::MumpsInstance() {
+MumpsInstance::MumpsInstance(solve::CollectiveStep step)
+    : step_(std::move(step)), number_(next_number()) {
   solve::blas::force_single_blas_thread();
   data_.sym = 1; // positive definite
   data_.par = 1;
-  data_.comm_fortran = no_mpi;
-  call(initialise);
+  data_.comm_fortran = all_ranks;
+  call(static_cast<int>(MumpsJob::initialise));
   for (const int stream : {1, 2, 3}) {
     control(stream) = -1; // standard output is ours
   }
@@ -49,13 +55,20 @@ MumpsInstance::MumpsInstance() {
 }
 
 MumpsInstance::~MumpsInstance() {
-  call(terminate);
+  call(static_cast<int>(MumpsJob::terminate));
 }
 
 void MumpsInstance::call(int job) {
-  const std::scoped_lock lock(turn());
-  data_.job = job;
-  dmumps_c(&data_);
+  const auto own_part = [&] {
+    const std::scoped_lock lock(turn());
+    data_.job = job;
+    dmumps_c(&data_);
+  };
+  if (step_) {
+    step_(number_, job, own_part);
+  } else {
+    own_part();
+  }
 }
 
 bool MumpsInstance::run(MumpsJob job) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "solve/communicator.hpp"
 #include "solve/factor_report.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <mutex>
 #include <string>
 
@@ -11,13 +13,21 @@
 namespace spricka::engines {
 
 /// The steps of MUMPS by the numbers of its manual (JOB).
-enum class MumpsJob { analysis = 1, factorisation = 2, solution = 3 };
+enum class MumpsJob {
+  initialise = -1,
+  terminate = -2,
+  analysis = 1,
+  factorisation = 2,
+  solution = 3
+};
 
-/// One problem in MUMPS: symmetric positive definite, on one process, silent, with one thread.
+/// One problem in MUMPS: symmetric positive definite, on one process or, built with MPI, on all
+/// ranks together, each of which has its instance; silent, with one thread.
 /// Calls of all instances take turns, as the library keeps some of its state for itself.
 class MumpsInstance {
 public:
-  MumpsInstance();
+  /// `step`, on rank 0 of several, takes every step: it announces it to the others first.
+  explicit MumpsInstance(solve::CollectiveStep step = {});
   ~MumpsInstance();
   MumpsInstance(const MumpsInstance&) = delete;
   MumpsInstance& operator=(const MumpsInstance&) = delete;
@@ -33,11 +43,18 @@ public:
   }
   /// Of each row in the order of its pivots, counted from 1; once it is analysed.
   [[nodiscard]] const int* places() const { return data_.sym_perm; }
+  /// What the analysis has found that this process will need [bytes].
+  [[nodiscard]] double planned_memory() const {
+    const bool out_of_core = data_.icntl[22 - 1] == 1;
+    return 1e6 * (out_of_core ? data_.info[17 - 1] : data_.info[15 - 1]);
+  }
   [[nodiscard]] DMUMPS_STRUC_C& data() { return data_; }
 
   /// Does it: whether INFOG(1) is no error. A factorisation that finds its estimated workspace too
   /// small is given more, some times.
   bool run(MumpsJob job);
+  /// The same of a rank other than 0, where the run has several: what rank 0 has announced.
+  void take_part(int job) { call(job); }
   /// The factor goes to files in this folder. False: its name is too long for MUMPS.
   bool set_folder(const std::string& folder);
   /// What the last error comes to; the trouble is for messages.
@@ -49,6 +66,8 @@ public:
 
 private:
   void call(int job);
+  solve::CollectiveStep step_;
+  std::int64_t number_; ///< among those of the process
   DMUMPS_STRUC_C data_{};
 };
 

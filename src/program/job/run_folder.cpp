@@ -18,6 +18,7 @@
 #include "report/topics/sensitivity_tables.hpp"
 #include "report/topics/spectrum_tables.hpp"
 #include "sense/load_totals.hpp"
+#include "solve/equation_ranks.hpp"
 
 #include <algorithm>
 #include <array>
@@ -36,6 +37,27 @@ namespace spricka::program {
 namespace fs = std::filesystem;
 
 namespace {
+
+// Where nets were condensed elsewhere than in this process: who did what, and what it took.
+void add_lines_of_ranks(std::vector<results::LogLine>& log) {
+  solve::EquationRanks* const ranks = solve::equation_ranks();
+  if (ranks == nullptr) {
+    return;
+  }
+  int rank = 0;
+  for (const solve::RankWork& work : ranks->work()) {
+    log.push_back(
+        {.processor = fmt::format("RANK {}", rank++),
+         .text = fmt::format(
+             "{}: {} nets{}, {} unknowns; at most {:.0f} MB of memory, forecast {:.0f} MB",
+             work.machine, work.nets,
+             work.nets_of_all > 0 ? fmt::format(" ({} by MUMPS over all ranks)", work.nets_of_all)
+                                  : "",
+             work.unknowns, 1e-6 * work.peak_memory, 1e-6 * work.forecast_memory),
+         .cpu = work.cpu,
+         .wall = 0.0});
+  }
+}
 
 fs::path part_of(const fs::path& folder) {
   fs::path part = folder;
@@ -274,6 +296,7 @@ void RunFolder::write_results(const base::SourceTexts& sources, const model::Mod
   run.wall += watch.wall_time();
   // The listing comes last, as it has the figures of all before.
   run.peak_memory = base::peak_memory();
+  add_lines_of_ranks(run.log);
   add_file(listing_name,
            report::listing_text(sources, model, run, totals) +
                report::imported_geometry_section(geometry, model.units.output_length()));

@@ -2,6 +2,7 @@
 #include "program/job/run_options.hpp"
 
 #include "model/model.hpp"
+#include "solve/equation_ranks.hpp"
 
 #include <algorithm>
 #include <thread>
@@ -11,7 +12,12 @@ namespace spricka::program {
 int thread_count(const RunOptions& options, const model::Model& model) {
   const int wanted = options.threads >= 0 ? options.threads
                                           : scheduler_cpu_count().value_or(model.control.threads);
-  return wanted > 0 ? wanted : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  if (wanted > 0) {
+    return wanted;
+  }
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  const solve::EquationRanks* const ranks = solve::equation_ranks();
+  return std::max(1, ranks == nullptr ? cores : cores / ranks->on_own_machine());
 }
 
 } // namespace spricka::program
