@@ -49,6 +49,10 @@ def first_lost(shown, printed):
     return None
 
 
+# mpirun in a container, where the user is root, and on a machine with fewer cores than ranks.
+MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1"}
+
+
 class Reader:
     """Does what a page says, in a folder that looks like the top of a checkout."""
 
@@ -78,7 +82,7 @@ class Reader:
         text = text.replace("/tmp/", f"{self.folder}/tmp/")
         done = subprocess.run(["bash", "-euc", text], cwd=self.folder, text=True, capture_output=True,
                               timeout=1800 if self.full else 300, check=False,
-                              env={"PATH": f"{self.bin}:/usr/bin:/bin", "HOME": str(self.folder),
+                              env={"PATH": f"{self.bin}:/usr/bin:/bin", "HOME": str(self.folder), **MPI,
                                    "OPENBLAS_NUM_THREADS": "1", "LC_ALL": "C.UTF-8"})
         return done.returncode, done.stdout + done.stderr
 
