@@ -4,8 +4,11 @@
 #include "base/sparse.hpp"
 #include "base/vec.hpp"
 #include "solve/row_elimination.hpp"
+#include "solve/unknown_places.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -174,5 +177,89 @@ inline SparseRightHandSides random_rows(std::int64_t n, int k) {
   }
   return F;
 }
+
+/// A block of nodes joined by springs to all 26 neighbours: an elastic body in space whose rigid
+/// motions are exact. The first layer stands on springs of its own where `ground` says so; the
+/// nodes of the last `external_layers` layers are external.
+struct SpringBlock {
+  std::array<int, 3> sides;
+  double ground = 1.0;
+  int external_layers = 0;
+  double stretch = 1.0; ///< of all distances along x: flat cells
+  bool loose_corner = false;
+
+  [[nodiscard]] std::int64_t nodes() const { return 1LL * sides[0] * sides[1] * sides[2]; }
+  [[nodiscard]] std::int64_t rows() const { return 3 * nodes(); }
+  [[nodiscard]] std::int64_t externals() const {
+    return 3LL * sides[0] * sides[1] * external_layers;
+  }
+  [[nodiscard]] std::array<int, 3> cell(std::int64_t node) const {
+    return {static_cast<int>(node % sides[0]), static_cast<int>(node / sides[0] % sides[1]),
+            static_cast<int>(node / sides[0] / sides[1])};
+  }
+  [[nodiscard]] Eigen::Vector3d place(std::int64_t node) const {
+    const std::array<int, 3> c = cell(node);
+    return {stretch * c[0], 1.0 * c[1], 1.0 * c[2]};
+  }
+  [[nodiscard]] UnknownPlaces places() const {
+    UnknownPlaces places;
+    places.position.resize(3, nodes());
+    for (std::int64_t i = 0; i < rows(); ++i) {
+      places.node.push_back(static_cast<std::int32_t>(i / 3));
+      places.axis.push_back(static_cast<std::int8_t>(i % 3));
+      places.position.col(i / 3) = place(i / 3);
+    }
+    return places;
+  }
+  [[nodiscard]] SymmetricCsc matrix() const {
+    std::map<std::pair<std::int64_t, std::int64_t>, double> entries; // (column, row)
+    for (std::int64_t a = 0; a < nodes(); ++a) {
+      for (int c = 0; c < 3; ++c) {
+        entries[{3 * a + c, 3 * a + c}] += cell(a)[2] == 0 ? ground : 0.0;
+      }
+      const std::int64_t last =
+          std::min<std::int64_t>(nodes(), a + 1LL * sides[0] * sides[1] + sides[0] + 2);
+      for (std::int64_t b = a + 1; b < last; ++b) {
+        if (are_neighbours(a, b) && !(loose_corner && a == 0)) {
+          add_spring(a, b, entries);
+        }
+      }
+    }
+    SymmetricCsc K;
+    K.n = rows();
+    K.start.assign(at(K.n) + 1, 0);
+    for (const auto& [where, value] : entries) {
+      K.row.push_back(where.second);
+      K.value.push_back(value);
+      ++K.start[at(where.first) + 1];
+    }
+    std::partial_sum(K.start.begin(), K.start.end(), K.start.begin());
+    return K;
+  }
+
+private:
+  [[nodiscard]] bool are_neighbours(std::int64_t a, std::int64_t b) const {
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (std::abs(cell(a).at(c) - cell(b).at(c)) > 1) {
+        return false;
+      }
+    }
+    return true;
+  }
+  void add_spring(std::int64_t a, std::int64_t b,
+                  std::map<std::pair<std::int64_t, std::int64_t>, double>& entries) const {
+    const Eigen::Vector3d d = place(b) - place(a);
+    const Eigen::Matrix3d k = d * d.transpose() / std::pow(d.norm(), 3);
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        entries[{3 * a + j, 3 * b + i}] -= k(i, j);
+        if (i >= j) {
+          entries[{3 * a + j, 3 * a + i}] += k(i, j);
+          entries[{3 * b + j, 3 * b + i}] += k(i, j);
+        }
+      }
+    }
+  }
+};
 
 } // namespace spricka::solve::test_nets

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/ready_queue.hpp"
 #include "solve/condense.hpp"
+#include "spring_net.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -12,57 +13,7 @@
 namespace spricka::solve::test_factor_threads {
 namespace {
 
-using base::Matrix;
-using base::SymmetricCsc;
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
-
-/// A cube of side^3 points, each joined to its 26 neighbours by springs that act in three
-/// directions, and to a ground; the points of one face last.
-SymmetricCsc spring_cube(int side, double ground) {
-  const auto number = [&](int x, int y, int z) {
-    return 3 * (x + static_cast<std::int64_t>(side) * (y + static_cast<std::int64_t>(side) * z));
-  };
-  SymmetricCsc K;
-  K.n = 3LL * side * side * side;
-  K.start = {0};
-  for (int point = 0; point < side * side * side; ++point) {
-    const int x = point % side;
-    const int y = point / side % side;
-    const int z = point / side / side;
-    double sum = ground;
-    std::vector<std::int64_t> later;
-    for (int k = 0; k < 27; ++k) {
-      const int nx = x + k % 3 - 1;
-      const int ny = y + k / 3 % 3 - 1;
-      const int nz = z + k / 9 - 1;
-      if (k == 13 || std::min({nx, ny, nz}) < 0 || std::max({nx, ny, nz}) >= side) {
-        continue;
-      }
-      sum += 1.0;
-      if (k > 13) {
-        later.push_back(number(nx, ny, nz));
-      }
-    }
-    for (int c = 0; c < 3; ++c) {
-      K.row.push_back(number(x, y, z) + c);
-      K.value.push_back(sum + 0.3 * c);
-      for (const std::int64_t other : later) {
-        K.row.push_back(other + c);
-        K.value.push_back(-1.0);
-      }
-      K.start.push_back(static_cast<std::int64_t>(K.row.size()));
-    }
-  }
-  return K;
-}
-
-bool same_bits(const Matrix& a, const Matrix& b) {
-  return a.rows() == b.rows() && a.cols() == b.cols() &&
-         std::memcmp(a.data(), b.data(), sizeof(double) * static_cast<std::size_t>(a.size())) == 0;
-}
+using namespace test_nets;
 
 Matrix times(const SymmetricCsc& K, const Matrix& u) {
   Matrix f = Matrix::Zero(u.rows(), u.cols());
@@ -80,9 +31,9 @@ Matrix times(const SymmetricCsc& K, const Matrix& u) {
 
 // Large enough for panels above the subtrees, of which some have several tiles.
 TEST(FactorThreads, GiveTheSameBits) {
-  constexpr int side = 14;
-  const std::int64_t externals = 3LL * side * side;
-  const SymmetricCsc K = spring_cube(side, 0.01);
+  const SpringBlock block{.sides = {14, 14, 14}, .external_layers = 1};
+  const std::int64_t externals = block.externals();
+  const SymmetricCsc K = block.matrix();
   const Matrix f = Matrix::Ones(K.n, 2) + Matrix::Identity(K.n, 2);
   const Condensation one(K, externals, {.threads = 1});
   ASSERT_EQ(one.report().status, FactorStatus::ok);
@@ -98,9 +49,9 @@ TEST(FactorThreads, GiveTheSameBits) {
 
 // K u = f with u of the externals given, and S u_e = what holds them there.
 TEST(FactorThreads, SolveTheEquations) {
-  constexpr int side = 13;
-  const std::int64_t externals = 3LL * side * side;
-  const SymmetricCsc K = spring_cube(side, 0.01);
+  const SpringBlock block{.sides = {13, 13, 13}, .external_layers = 1};
+  const std::int64_t externals = block.externals();
+  const SymmetricCsc K = block.matrix();
   const Condensation factor(K, externals, {.threads = 3});
   Matrix f = Matrix::Zero(K.n, 1);
   f.topRows(K.n - externals).setOnes();
@@ -114,7 +65,7 @@ TEST(FactorThreads, SolveTheEquations) {
 
 // Pieces beside each other stop at pivots of their own: the first of all is named.
 TEST(FactorThreads, NameTheSameBadPivot) {
-  SymmetricCsc K = spring_cube(12, 0.01);
+  SymmetricCsc K = SpringBlock{.sides = {12, 12, 12}}.matrix();
   for (const std::int64_t row : {40, 1800, 3003, 5100}) {
     K.value[at(K.start[at(row)])] = -3.0;
   }
