@@ -4,6 +4,7 @@
 #include "base/memory.hpp"
 #include "solve/engine_module.hpp"
 #include "solve/equation_ranks.hpp"
+#include "solve/multigrid_law.hpp"
 #include "solve/scratch_folder.hpp"
 #include "solve/sparse_condensation.hpp"
 #include "solve/unsolved_equations.hpp"
@@ -88,17 +89,16 @@ bool may_another_engine_do(const FactorReport& report) {
          report.status == FactorStatus::engine_failed;
 }
 
-/// What a factorisation may take before iterations take less; multigrid looks at the size of K
-/// alone. Ranks do not iterate: which engine a net has must not hang on which of them has the net.
-double factor_flops_worth_iterating(base::SymmetricCsc& K, std::int64_t externals,
+/// What a factorisation may take before iterations take less. Ranks do not iterate: which engine a
+/// net has must not hang on which of them has the net.
+double factor_flops_worth_iterating(const base::SymmetricCsc& K, std::int64_t externals,
                                     const CondensationSettings& settings) {
   if (settings.engine != EquationEngine::automatic || settings.solutions == 0.0 ||
       K.n < fewest_unknowns_to_iterate || equation_ranks() != nullptr ||
-      !why_engine_module_is_missing(EngineModule::multigrid).empty()) {
+      !is_engine_module_installed(EngineModule::multigrid)) {
     return std::numeric_limits<double>::infinity();
   }
-  return factor_flops_of_iteration_flop *
-         forecast_by_module(EngineModule::multigrid, K, externals, settings, nullptr).flops;
+  return factor_flops_of_iteration_flop * estimate_multigrid(K, externals, settings, nullptr).flops;
 }
 
 std::string why_iterations(const FactorReport& factor) {
@@ -197,14 +197,10 @@ FactorReport forecast_equations(const base::SymmetricCsc& pattern, std::int64_t 
   FactorReport in_core = SparseCondensation::forecast(pattern, externals, settings, rows);
   in_core.memory_left = base::available_memory();
   in_core.besides = settings.besides;
-  base::SymmetricCsc counted = pattern;
-  if (in_core.flops > factor_flops_worth_iterating(counted, externals, settings)) {
-    FactorReport next =
-        forecast_by_module(EngineModule::multigrid, counted, externals, settings, rows);
-    if (!may_another_engine_do(next)) {
-      next.engine_reason = why_iterations(in_core);
-      return next;
-    }
+  if (in_core.flops > factor_flops_worth_iterating(pattern, externals, settings)) {
+    FactorReport next = estimate_multigrid(pattern, externals, settings, rows);
+    next.engine_reason = why_iterations(in_core);
+    return next;
   }
   if (settings.engine == EquationEngine::cholesky ||
       (in_core.status == FactorStatus::ok && fits(in_core))) {
@@ -247,6 +243,14 @@ void choose_engine_by_law(FactorReport& report, const CondensationSettings& sett
   } else {
     report.engine_reason = fits(report) ? report.trouble : too_much_for_all(report);
   }
+}
+
+double forecast_numeric_seconds(const FactorReport& report, const FlopRate& rate) {
+  if (report.engine == EquationEngine::multigrid) {
+    return factor_flops_of_iteration_flop * report.flops / rate.measured;
+  }
+  return report.factor_entries > 0.0 ? report.flops / rate.at(report.flops / report.factor_entries)
+                                     : 0.0;
 }
 
 std::optional<EquationEngine> engine_of_word(std::string_view word) {

@@ -3,6 +3,7 @@
 #include "base/sparse.hpp"
 #include "solve/condensed_equations.hpp"
 #include "solve/factor_report.hpp"
+#include "solve/rate.hpp"
 #include "solve/row_elimination.hpp"
 
 #include <cstdint>
@@ -32,6 +33,9 @@ FactorReport forecast_equations(const base::SymmetricCsc& pattern, std::int64_t 
 /// The same choice where a law alone has foretold what Cholesky needs: writes into the report which
 /// engine would do it, and what that takes.
 void choose_engine_by_law(FactorReport& report, const CondensationSettings& settings);
+
+/// How long the numeric phase that a report foretells will take [s of one core].
+double forecast_numeric_seconds(const FactorReport& report, const FlopRate& rate);
 
 /// "auto", "cholesky", "mumps", "multigrid"; empty for another word.
 std::optional<EquationEngine> engine_of_word(std::string_view word);

@@ -62,10 +62,14 @@ template <class Function> bool find_function(void* library, const char* name, Fu
   return function != nullptr;
 }
 
+std::filesystem::path path_of(EngineModule module) {
+  return base::find_shipped_file(std::filesystem::path("libexec/spricka") /
+                                 module_files[static_cast<std::size_t>(module)].file);
+}
+
 std::string open_module(EngineModule module, EngineModuleSlot& slot) {
   const EngineModuleFile& about = module_files[static_cast<std::size_t>(module)];
-  const std::filesystem::path path =
-      base::find_shipped_file(std::filesystem::path("libexec/spricka") / about.file);
+  const std::filesystem::path path = path_of(module);
   if (path.empty()) {
     return fmt::format("this spricka was built without {} (there is no libexec/spricka/{}): "
                        "install {} and build it again",
@@ -138,6 +142,10 @@ const char* engine_abi() {
 
 std::string why_engine_module_is_missing(EngineModule module) {
   return open_engine_module(module).trouble;
+}
+
+bool is_engine_module_installed(EngineModule module) {
+  return !path_of(module).empty();
 }
 
 std::unique_ptr<CondensedEquations> condense_by_module(EngineModule module, base::SymmetricCsc& K,

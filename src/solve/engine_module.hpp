@@ -22,6 +22,9 @@ const char* engine_abi();
 /// another build of the same library has brought already.
 std::string why_engine_module_is_missing(EngineModule module);
 
+/// Whether a module is there, looked at from outside: opening it takes address space.
+bool is_engine_module_installed(EngineModule module);
+
 /// As condense_equations, by a module. The status is engine_failed, with the trouble, where it
 /// cannot be used. K is given up; it is as it was only where the status is out_of_memory or
 /// engine_failed, and then not always: see its size.

@@ -163,8 +163,8 @@ class Engines(ProgramTest):
     @unittest.skipUnless(HAS_MUMPS and not SANITIZED, "built without MUMPS, or with a shadow beyond any limit")
     def test_a_disk_without_room(self):
         deck = self.deck(BLOCK.format(n=14))
-        for folder, word in (("/nowhere", "no folder for temporary files"),):
-            result = self.limited(520, "run", deck, "--quiet", TMPDIR=folder)
+        for folder, word in ((str(self.folder / "missing"), "no folder for temporary files"),):
+            result = self.limited(520, "run", deck, "--quiet", "--engine", "mumps", TMPDIR=folder)
             self.assertEqual(result.returncode, 4, result.stderr)
             self.assertIn(word, result.stderr)
         small = self.folder / "small"
@@ -173,7 +173,7 @@ class Engines(ProgramTest):
         if mounted.returncode != 0:
             return  # not root
         try:
-            result = self.limited(520, "run", deck, "--quiet", TMPDIR=str(small))
+            result = self.limited(520, "run", deck, "--quiet", "--engine", "mumps", TMPDIR=str(small))
             self.assertEqual(result.returncode, 4, result.stderr)
             self.assertIn("of disk in", result.stderr)
             self.assertEqual(list(small.iterdir()), [])

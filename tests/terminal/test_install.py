@@ -57,8 +57,10 @@ class Install(ProgramTest):
         files = {str(f.relative_to(self.place)) for f in self.place.rglob("*") if not f.is_dir()}
         manual = {f for f in files if f.startswith("share/doc/spricka/manual/")}
         library = {f for f in files if f.startswith(("lib/", "include/", "share/doc/libspricka"))}
+        engines = {f"libexec/spricka/{f.name}" for f in Path(BUILD).glob("libexec/spricka/*.so")} if LIBRARY else set()
+        self.assertLessEqual(engines, files)
         self.assertEqual(
-            files - manual - library,
+            files - manual - library - engines,
             {
                 "bin/spricka",
                 "libexec/spricka/spricka-mesher",

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engines/multigrid/multigrid_equations.hpp"
 #include "base/index.hpp"
-#include "engines/multigrid/multigrid_forecast.hpp"
 #include "solve/factor_checks.hpp"
+#include "solve/multigrid_law.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -37,7 +37,7 @@ constexpr Eigen::Index most_expected_loads = 8;
 MultigridEquations::MultigridEquations(base::SymmetricCsc& K, std::int64_t externals,
                                        const solve::CondensationSettings& settings)
     : n_(K.n), externals_(externals) {
-  report_ = forecast_multigrid(K, externals, settings, nullptr);
+  report_ = solve::estimate_multigrid(K, externals, settings, nullptr);
   report_.flops = 0.0;
   report_.relative_error = promised_error; // what takes more iterations goes on, or is no answer
   if (report_.status != solve::FactorStatus::ok || !is_possible(K, settings)) {
@@ -101,7 +101,7 @@ IterationResult MultigridEquations::iterate(const base::Vector& b, const Iterati
                                             double& smallest_eigenvalue, base::Vector& u) const {
   const IterationResult result = iteration_->solve(b, goal, smallest_eigenvalue, u);
   const std::scoped_lock lock(record_);
-  report_.flops += result.iterations * flops_of_iteration(report_.factor_entries);
+  report_.flops += result.iterations * solve::flops_of_iteration(report_.factor_entries);
   return result;
 }
 

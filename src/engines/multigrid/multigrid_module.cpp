@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engines/multigrid/multigrid_equations.hpp"
-#include "engines/multigrid/multigrid_forecast.hpp"
 #include "solve/engine_exports.hpp"
 #include "solve/engine_module.hpp"
+#include "solve/multigrid_law.hpp"
 
 const char* spricka_engine_abi() {
   return spricka::solve::engine_abi();
@@ -18,5 +18,5 @@ void spricka_forecast_equations(spricka::base::SymmetricCsc* pattern, std::int64
                                 const spricka::solve::CondensationSettings* settings,
                                 const spricka::solve::SparseRightHandSides* rows,
                                 spricka::solve::FactorReport* report) {
-  *report = spricka::engines::forecast_multigrid(*pattern, externals, *settings, rows);
+  *report = spricka::solve::estimate_multigrid(*pattern, externals, *settings, rows);
 }

@@ -130,6 +130,7 @@ inline constexpr std::array later_codes{
     CodeMeaning{"W506", "K that is not within the tolerance asked for"},
     CodeMeaning{"W507", "a result that is less exact than others of its kind"},
     CodeMeaning{"W508", "a result that is no answer"},
+    CodeMeaning{"W509", "displacements that are less exact than round-off allows"},
     CodeMeaning{"W570", "two ways to the same K part by more than its error bar"},
     CodeMeaning{"W571", "a contact that presses in no step"},
     CodeMeaning{"W572", "a life beyond all use"},

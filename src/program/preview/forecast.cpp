@@ -181,11 +181,9 @@ const solve::FactorReport& CostForecast::report_of(const analysis::CondensationR
   needs.unknowns += net.map.freedom.size();
   needs.flops += report.flops;
   needs.entries += report.factor_entries;
-  needs.seconds +=
-      report.analysis_cpu + element_seconds_ * static_cast<double>(net.elements.size());
-  if (report.factor_entries > 0.0) {
-    needs.seconds += report.flops / settings_.rate.at(report.flops / report.factor_entries);
-  }
+  needs.seconds += report.analysis_cpu +
+                   element_seconds_ * static_cast<double>(net.elements.size()) +
+                   solve::forecast_numeric_seconds(report, settings_.rate);
   if (report.engine != solve::EquationEngine::cholesky || !report.engine_reason.empty()) {
     needs.engines.push_back(describe_engine(piece, report));
   }

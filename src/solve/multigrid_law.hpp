@@ -5,16 +5,16 @@
 
 #include <cstdint>
 
-namespace spricka::engines {
+namespace spricka::solve {
 
-/// As solve::forecast_equations, of MultigridEquations: memory and flops by laws that were measured
+/// As forecast_equations, of the engine multigrid: memory and flops by laws that were measured
 /// on cubes, a slender lug and bodies with cracks. The flops are those of an easy body: what the
 /// iterations will be, only the matrix itself tells.
-solve::FactorReport forecast_multigrid(const base::SymmetricCsc& pattern, std::int64_t externals,
-                                       const solve::CondensationSettings& settings,
-                                       const solve::SparseRightHandSides* rows);
+FactorReport estimate_multigrid(const base::SymmetricCsc& pattern, std::int64_t externals,
+                                const CondensationSettings& settings,
+                                const SparseRightHandSides* rows);
 
 /// Flops of one iteration on a matrix with so many entries in its lower triangle.
 double flops_of_iteration(double entries);
 
-} // namespace spricka::engines
+} // namespace spricka::solve

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engines/multigrid/multigrid_forecast.hpp"
+#include "solve/multigrid_law.hpp"
 #include "base/clock.hpp"
 #include "base/memory.hpp"
 
 #include <algorithm>
 
-namespace spricka::engines {
+namespace spricka::solve {
 
 namespace {
 
@@ -29,14 +29,14 @@ double flops_of_iteration(double entries) {
   return 4.0 * entries * (products_of_cycle + 1.0);
 }
 
-solve::FactorReport forecast_multigrid(const base::SymmetricCsc& pattern, std::int64_t externals,
-                                       const solve::CondensationSettings& settings,
-                                       const solve::SparseRightHandSides* rows) {
+FactorReport estimate_multigrid(const base::SymmetricCsc& pattern, std::int64_t externals,
+                                const CondensationSettings& settings,
+                                const SparseRightHandSides* rows) {
   const auto n = static_cast<double>(pattern.n);
   const auto e = static_cast<double>(externals);
   const auto entries = static_cast<double>(pattern.row.size());
-  solve::FactorReport report;
-  report.engine = solve::EquationEngine::multigrid;
+  FactorReport report;
+  report.engine = EquationEngine::multigrid;
   report.engine_reason = settings.engine_reason;
   report.besides = settings.besides;
   report.factor_entries = entries;
@@ -56,4 +56,4 @@ solve::FactorReport forecast_multigrid(const base::SymmetricCsc& pattern, std::i
   return report;
 }
 
-} // namespace spricka::engines
+} // namespace spricka::solve
