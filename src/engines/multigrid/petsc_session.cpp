@@ -21,10 +21,13 @@ bool mpi_started_here = false;
 
 // MPI complains of a process that ends without.
 void end_petsc() {
-  PetscFinalize();
   int ended = 0;
   MPI_Finalized(&ended);
-  if (mpi_started_here && ended == 0) {
+  if (ended != 0) {
+    return; // a run over several machines has ended it: PETSc may not ask it for anything
+  }
+  PetscFinalize();
+  if (mpi_started_here) {
     MPI_Finalize();
   }
 }
