@@ -9,6 +9,7 @@
 #include "base/messages.hpp"
 #include "deck/read_deck.hpp"
 #include "growth/crack_lines.hpp"
+#include "solve/blas.hpp"
 #include "solve/cholmod_session.hpp"
 #include "solve/factor_checks.hpp"
 #include "solve/ordering.hpp"
@@ -199,6 +200,8 @@ private:
 };
 
 int measure(base::SymmetricCsc K, std::int64_t externals, int repeats) {
+  solve::blas::force_single_blas_thread(); // or its threads would work beside the one that is
+                                           // measured
   const std::int64_t locals = K.n - externals;
   std::vector<std::int64_t> order =
       solve::elimination_order(K, locals, solve::OrderingMethod::automatic);
