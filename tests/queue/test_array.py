@@ -4,8 +4,9 @@ whoever collects gets the files of one process to the byte, and what is missing 
 
 import csv
 import signal
+import unittest
 
-from sweeps import POINTS, PROGRAM, SweepTest, environment, keeping, main, sweep_deck  # noqa: F401
+from sweeps import FULL, POINTS, PROGRAM, SweepTest, environment, keeping, main, sweep_deck  # noqa: F401
 
 from program import plate
 
@@ -196,6 +197,7 @@ class ManyDecks(SweepTest):
         (folder / "bad.deck").write_text(plate(GOOD.format("1e-2")), encoding="utf-8")
         self.assertIn("5 of 5 decks are missing", self.expect(6, *shared, "--collect").stderr)
 
+    @unittest.skipUnless(FULL, "SPRICKA_FULL is not set")
     def test_a_task_of_verify_is_stopped_and_goes_on(self):
         folder = self.decks()
         slow = plate(GOOD.format("1e-2")).replace("NX=4 NY=2", "NX=300 NY=150")
@@ -217,6 +219,7 @@ class ManyDecks(SweepTest):
         self.assertEqual({f.name for f in (self.folder / "shared").iterdir()},
                          {"runs", "verification.csv", "verification.html"})
 
+    @unittest.skipUnless(FULL, "SPRICKA_FULL is not set")
     def test_study_and_ladder(self):
         deck = self.deck(plate("$CHECK\n  U.X.MAX(BODY,LOAD) = 1 ABS 10 SOURCE 'a guess'\n"))
         for command in ("study", "ladder"):

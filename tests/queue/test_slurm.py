@@ -77,6 +77,7 @@ class Slurm(SweepTest):
         self.whole_sweep(deck)
         self.same_sweeps("whole", "shared")
 
+    @unittest.skipUnless(FULL, "SPRICKA_FULL is not set")
     def test_a_task_that_slurm_stops_goes_on(self):
         """What scancel --signal=TERM, or the end of a job's time, does: lengths are kept, exit code 6."""
         deck = self.deck(sweep_deck(3, "$RESTART WRITE='state.rst'\n").replace("NX=4 NY=2", "NX=60 NY=30"))

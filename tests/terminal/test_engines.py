@@ -32,6 +32,8 @@ $STEP NAME=LOAD
 $END
 """
 
+FULL = bool(os.environ.get("SPRICKA_FULL"))
+
 
 def numbers(file):
     """The numbers of a table by column, and its other words."""
@@ -139,6 +141,7 @@ class Engines(ProgramTest):
         self.assertRegex(listing, r"CONDENSE .*multigrid, error at most 1e-08.*takes less time than a factor")
 
     @unittest.skipUnless(HAS_MUMPS, "built without MUMPS")
+    @unittest.skipUnless(FULL, "SPRICKA_FULL is not set")
     def test_the_same_growth_with_a_part_that_is_kept(self):
         self.assertLess(self.compared("lug_single"), 1e-10)
 
