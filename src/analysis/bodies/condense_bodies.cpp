@@ -58,7 +58,8 @@ double likely_cost(std::int64_t unknowns, int dim) {
 // Threads of each net by its part of the cost of all, so that the largest does not keep one thread
 // busy while the others wait.
 std::vector<int> share_threads(const std::vector<double>& cost, int threads) {
-  const double sum = std::accumulate(cost.begin(), cost.end(), 0.0);
+  // Nets without unknowns cost nothing, and may be all there are.
+  const double sum = std::max(1.0, std::accumulate(cost.begin(), cost.end(), 0.0));
   std::vector<int> share;
   share.reserve(cost.size());
   for (const double own : cost) {
