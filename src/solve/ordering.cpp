@@ -199,7 +199,8 @@ std::vector<std::int64_t> elimination_order(const base::SymmetricCsc& K, std::in
       ordering == OrderingMethod::amd
           ? by_amd(C, session)
           : nested_dissection_order(whole_graph(C), beside_externals(K, locals, group), session);
-  const Indices rows = postordered(A, expanded(vertices, group), session);
+  // Rows of a group follow each other in any order: the groups are put in postorder.
+  const Indices rows = expanded(postordered(C, vertices, session), group);
   std::copy(rows.begin(), rows.end(), order.begin());
   return order;
 }
