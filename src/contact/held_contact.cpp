@@ -9,18 +9,26 @@ namespace spricka::contact {
 
 using base::index;
 
+base::Matrix loads_on_rigid_modes(const ContactSystem& system,
+                                  const std::vector<base::Matrix>& load) {
+  base::Matrix on_mode(system.openings_by_rigid_modes().cols(),
+                       load.empty() ? 0 : load.front().cols());
+  for (std::size_t b = 0; b < load.size(); ++b) {
+    const base::Matrix& Q = system.bodies()[b]->rigid_modes();
+    on_mode.middleRows(system.first_mode(b), Q.cols()) = Q.transpose() * load[b];
+  }
+  return on_mode;
+}
+
 ResponseWithoutContact response_without_contact(const ContactSystem& system,
                                                 const std::vector<base::Matrix>& load) {
   const std::vector<const CondensedBody*>& bodies = system.bodies();
   // Loads without contact forces: rigid modes do not move, what acts on them is left in on_mode.
   ResponseWithoutContact out;
-  out.on_mode.resize(system.openings_by_rigid_modes().cols(),
-                     load.empty() ? 0 : load.front().cols());
+  out.on_mode = loads_on_rigid_modes(system, load);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     // Bodies without load are many: what K feels acts on those with a front.
     out.u.push_back(load[b].isZero(0.0) ? load[b] : bodies[b]->displacements_under_forces(load[b]));
-    const base::Matrix& Q = bodies[b]->rigid_modes();
-    out.on_mode.middleRows(system.first_mode(b), Q.cols()) = Q.transpose() * load[b];
   }
   out.opening = system.row_openings(out.u);
   return out;
@@ -48,6 +56,11 @@ FixedActiveSet::solve_response(const base::Matrix& gap, const base::Matrix& on_m
   out.gap = gap + system_.row_compliance_matrix() * out.force +
             system_.openings_by_rigid_modes() * out.mode;
   return out;
+}
+
+double FixedActiveSet::unheld_load(const base::Matrix& on_mode) const {
+  const base::Matrix no_gap = base::Matrix::Zero(index(rows_.size()), on_mode.cols());
+  return held_.response_to_gaps_and_loads(no_gap, on_mode).left_over;
 }
 
 // Contact forces alone are solved for, which act on few unknowns: the factor's fronts without them

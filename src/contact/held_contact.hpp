@@ -17,6 +17,10 @@ struct ResponseWithoutContact {
 ResponseWithoutContact response_without_contact(const ContactSystem& system,
                                                 const std::vector<base::Matrix>& load);
 
+/// What condensed loads [body][m, k] come to on the rigid modes of the bodies. [mode, k]
+base::Matrix loads_on_rigid_modes(const ContactSystem& system,
+                                  const std::vector<base::Matrix>& load);
+
 /// A contact system with some rows held at zero gap, whatever the sign of their forces, and all
 /// others away: linear, factorised once.
 class FixedActiveSet {
@@ -38,6 +42,8 @@ public:
   /// The response to gaps of all rows before they press [row, k] and loads on the modes [mode, k].
   [[nodiscard]] ActiveSetResponse solve_response(const base::Matrix& gap,
                                                  const base::Matrix& on_mode) const;
+  /// The largest load on modes [mode, k] that no held row takes: they would move without bound.
+  [[nodiscard]] double unheld_load(const base::Matrix& on_mode) const;
   /// External displacements [body][m, k] under the loads of a response without contact and what the
   /// held rows answer.
   [[nodiscard]] std::vector<base::Matrix>

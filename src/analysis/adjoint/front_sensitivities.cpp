@@ -45,20 +45,38 @@ void FrontSensitivityAnalysis::prepare() {
   prepared_ = true;
   case_load_ = reduced_case_loads(model_, scene_);
   of_loads_ = K_added_by_load_cases(model_, scene_);
-  for (std::size_t c = 0; c < model_.cracks.size(); ++c) {
+}
+
+// Moved meshes and their K cost as much as a step: they are made once a step has use for them.
+const std::vector<std::unique_ptr<VirtualAxisExtension>>&
+FrontSensitivityAnalysis::axis_extensions() {
+  for (std::size_t c = 0; c < model_.cracks.size() && !extended_; ++c) {
     if (model_.cracks[c].kind == model::CrackDefinitionKind::ellipse) {
       for (const EllipseAxis axis : {EllipseAxis::a, EllipseAxis::c}) {
-        advances_.push_back(
+        extensions_.push_back(
             std::make_unique<VirtualAxisExtension>(model_, scene_, base::CrackId(c), axis));
       }
     }
   }
+  extended_ = true;
+  return extensions_;
 }
 
-void FrontSensitivityAnalysis::add_lengths(const FrozenContactStep& step, const KFunctionals& K,
-                                           std::vector<ParameterPartialDerivatives>& causes,
-                                           results::LoadStepResult& result) const {
-  for (const std::unique_ptr<VirtualAxisExtension>& advance : advances_) {
+void FrontSensitivityAnalysis::add_axes(const FrozenContactStep& step, const KFunctionals& K,
+                                        std::vector<ParameterPartialDerivatives>& causes,
+                                        results::LoadStepResult& result) {
+  if ((step.solver.gap_offset_at_mounting().array() != 0.0).any()) {
+    for (const model::CrackDefinition& crack : model_.cracks) {
+      if (crack.kind == model::CrackDefinitionKind::ellipse) {
+        add_sensitivity_note(fmt::format("no derivative by the axes of {}: parts were mounted on "
+                                         "deformed ones",
+                                         crack.name),
+                             result);
+      }
+    }
+    return;
+  }
+  for (const std::unique_ptr<VirtualAxisExtension>& advance : axis_extensions()) {
     if (const std::string why = advance->why_no_derivative(step); !why.empty()) {
       add_sensitivity_note(
           fmt::format("no derivative by the axes of {}: {}", advance->crack_name(), why), result);
@@ -130,7 +148,14 @@ void FrontSensitivityAnalysis::add_to_fronts(const FrozenContactStep& step, cons
   } else {
     add_modulus_partial_derivatives(of, causes);
   }
-  add_lengths(step, K, causes, result);
+  // Loads of parts that are not mounted yet: known before the axes, which cost most.
+  if (std::string why = step.system.why_no_response(gather_load_or_gap_columns(
+          causes, &ParameterPartialDerivatives::load, step.state.u.size()));
+      !why.empty()) {
+    add_sensitivity_note(why, result);
+    return;
+  }
+  add_axes(step, K, causes, result);
   solve(step, K, causes, result);
 }
 

@@ -25,9 +25,9 @@ public:
 
 private:
   void prepare();
-  void add_lengths(const FrozenContactStep& step, const KFunctionals& K,
-                   std::vector<ParameterPartialDerivatives>& causes,
-                   results::LoadStepResult& result) const;
+  void add_axes(const FrozenContactStep& step, const KFunctionals& K,
+                std::vector<ParameterPartialDerivatives>& causes, results::LoadStepResult& result);
+  [[nodiscard]] const std::vector<std::unique_ptr<VirtualAxisExtension>>& axis_extensions();
   void solve(const FrozenContactStep& step, const KFunctionals& K,
              const std::vector<ParameterPartialDerivatives>& causes,
              results::LoadStepResult& result) const;
@@ -37,7 +37,8 @@ private:
   bool prepared_ = false;
   base::Matrix case_load_; ///< [dim * node, case] with the pull of supports
   base::Matrix of_loads_;  ///< [K, case] what loads add to K themselves
-  std::vector<std::unique_ptr<VirtualAxisExtension>> advances_; ///< of the axes of ellipses
+  std::vector<std::unique_ptr<VirtualAxisExtension>> extensions_; ///< by the axes of ellipses
+  bool extended_ = false;                                         ///< they have been made
 };
 
 } // namespace spricka::analysis

@@ -28,6 +28,16 @@ bool touches(const fe::Body& body, int dim, const base::Matrix& nodal) {
   });
 }
 
+constexpr const char* contradiction = "the closed contacts contradict each other";
+
+double largest_entry(const std::vector<base::Matrix>& loads) {
+  double size = 0.0;
+  for (const base::Matrix& load : loads) {
+    size = std::max(size, load.size() > 0 ? load.cwiseAbs().maxCoeff() : 0.0);
+  }
+  return size;
+}
+
 // The closed rows of the table [row] held; null where no body has externals.
 std::unique_ptr<contact::FixedActiveSet> constrain_rows(const StepSolver& solver,
                                                         const std::vector<bool>& closed) {
@@ -78,6 +88,28 @@ FrozenContactSystem::FrozenContactSystem(const StepSolver& solver, const Discret
                                          const std::vector<bool>& closed)
     : solver_(solver), scene_(scene), bodies_(bodies), held_(constrain_rows(solver, closed)) {}
 
+std::vector<base::Matrix> FrozenContactSystem::external_loads(const CondensedLoads& loads) const {
+  std::vector<base::Matrix> external;
+  for (const std::size_t b : solver_.condensed_body_indices()) {
+    external.push_back(loads.of_body[b].external);
+  }
+  return external;
+}
+
+std::string FrozenContactSystem::why_no_response(base::Matrix loads) const {
+  if (!held_) {
+    return {};
+  }
+  if (!held_->is_consistent()) {
+    return contradiction;
+  }
+  const std::vector<base::Matrix> external =
+      external_loads(condense_loads(scene_, bodies_, std::move(loads)));
+  const base::Matrix on_mode = contact::loads_on_rigid_modes(*solver_.contact_system(), external);
+  const UnheldLoadLimit limit;
+  return held_->unheld_load(on_mode) > limit.part * largest_entry(external) ? limit.why_not : "";
+}
+
 FrozenContactResponse FrozenContactSystem::solve_response(base::Matrix loads,
                                                           const base::Matrix& gaps) const {
   CondensedLoads condensed = condense_loads(scene_, bodies_, std::move(loads));
@@ -91,26 +123,20 @@ FrozenContactResponse FrozenContactSystem::solve_response(CondensedLoads& loads,
                                                           const UnheldLoadLimit& unheld) const {
   FrozenContactResponse out;
   if (held_ && !held_->is_consistent()) {
-    out.why_not = "the closed contacts contradict each other";
+    out.why_not = contradiction;
     return out;
   }
   std::vector<base::Matrix> external(bodies_.size());
   out.force = base::Matrix::Zero(static_cast<Eigen::Index>(scene_.table.size()), loads.columns);
   if (held_) {
     if (loads.free.u.empty()) {
-      for (const std::size_t b : solver_.condensed_body_indices()) {
-        loads.external.push_back(loads.of_body[b].external);
-      }
+      loads.external = external_loads(loads);
       loads.free = contact::response_without_contact(*solver_.contact_system(), loads.external);
     }
     const contact::FixedActiveSet::ActiveSetResponse found = held_->solve_response(
         gaps.cols() > 0 ? base::Matrix(loads.free.opening + gaps) : loads.free.opening,
         loads.free.on_mode);
-    double size = 0.0;
-    for (const base::Matrix& load : loads.external) {
-      size = std::max(size, load.size() > 0 ? load.cwiseAbs().maxCoeff() : 0.0);
-    }
-    if (found.left_over > unheld.part * size) {
+    if (found.left_over > unheld.part * largest_entry(loads.external)) {
       out.why_not = unheld.why_not;
       return out;
     }

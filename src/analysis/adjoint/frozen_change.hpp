@@ -64,10 +64,16 @@ public:
   [[nodiscard]] FrozenContactResponse solve_response(CondensedLoads& loads,
                                                      const base::Matrix& gaps,
                                                      const UnheldLoadLimit& unheld) const;
+  /// Why loads [dim * node, k] have no response, at the cost of what they come to on rigid modes;
+  /// empty: they have one, as far as that tells.
+  [[nodiscard]] std::string why_no_response(base::Matrix loads) const;
   /// The closed rows held; null where no body has externals.
   [[nodiscard]] const contact::FixedActiveSet* fixed_active_set() const { return held_.get(); }
 
 private:
+  /// Of the bodies of the contact system [body][m, k].
+  [[nodiscard]] std::vector<base::Matrix> external_loads(const CondensedLoads& loads) const;
+
   const StepSolver& solver_;
   const Discretisation& scene_;
   const std::vector<SubstructuredBody>& bodies_;
