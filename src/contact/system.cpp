@@ -169,8 +169,8 @@ solve::UniquenessResult ContactSystem::prove_uniqueness(const IncrementProblem& 
 }
 
 ContactSystem::IncrementSolution
-ContactSystem::solve(const IncrementProblem& problem,
-                     const solve::ContactSettings& settings) const {
+ContactSystem::solve_rows(const IncrementProblem& problem,
+                          const solve::ContactSettings& settings) const {
   IncrementSolution solution;
   if (problem.friction.empty()) {
     solution.contact = solve::solve_contact(condense_problem(problem), settings, problem.start);
@@ -182,11 +182,23 @@ ContactSystem::solve(const IncrementProblem& problem,
     solution.touch = std::move(found.touch);
     solution.slides = found.slides;
   }
-  const solve::ContactSolution& s = solution.contact;
-  if (s.status != solve::ContactStatus::solved) {
-    return solution;
+  return solution;
+}
+
+ContactSystem::IncrementSolution
+ContactSystem::solve(const IncrementProblem& problem,
+                     const solve::ContactSettings& settings) const {
+  IncrementSolution solution = solve_rows(problem, settings);
+  if (solution.contact.status == solve::ContactStatus::solved) {
+    add_displacements(problem, solution);
   }
-  // u = S+ (f + G^T lambda) + Q alpha, body by body.
+  return solution;
+}
+
+// u = S+ (f + G^T lambda) + Q alpha, body by body.
+void ContactSystem::add_displacements(const IncrementProblem& problem,
+                                      IncrementSolution& solution) const {
+  const solve::ContactSolution& s = solution.contact;
   std::vector<base::Vector> force = problem.load;
   for (std::size_t b = 0; b < problem.motion.size(); ++b) {
     if (problem.motion[b].size() > 0) {
@@ -207,7 +219,6 @@ ContactSystem::solve(const IncrementProblem& problem,
     }
   }
   solution.resting_force = resting_force(problem.rows, s.lambda);
-  return solution;
 }
 
 } // namespace spricka::contact

@@ -50,6 +50,11 @@ public:
   };
   [[nodiscard]] IncrementSolution solve(const IncrementProblem& problem,
                                         const solve::ContactSettings& settings) const;
+  /// The same without `u` and `resting_force`, which cost a solution of each body.
+  [[nodiscard]] IncrementSolution solve_rows(const IncrementProblem& problem,
+                                             const solve::ContactSettings& settings) const;
+  /// Adds these to a solution of the rows.
+  void add_displacements(const IncrementProblem& problem, IncrementSolution& solution) const;
   /// What is left of a problem once the bodies are condensed: compliances and gaps of its rows.
   [[nodiscard]] solve::ContactProblem condense_problem(const IncrementProblem& problem) const;
 

@@ -32,6 +32,7 @@ without_friction(const Discretisation& scene, const contact::ContactSystem::Incr
   }
   d.gap = Eigen::Map<const base::Vector>(gap.data(), static_cast<Eigen::Index>(gap.size()));
   d.load = of.load;
+  d.motion = of.motion;
   d.load_scale = of.load_scale;
   return d;
 }
@@ -105,8 +106,8 @@ void warn_of_facet_gaps(const Discretisation& scene, const contact::ContactSyste
   }
   // where only friction holds a body there is nothing to compare
   const solve::ContactSolution smooth =
-      problem.friction.empty() ? solution.contact : system.solve(drawn, {}).contact;
-  const solve::ContactSolution other = system.solve(round, {}).contact;
+      problem.friction.empty() ? solution.contact : system.solve_rows(drawn, {}).contact;
+  const solve::ContactSolution other = system.solve_rows(round, {}).contact;
   if (smooth.status != solve::ContactStatus::solved ||
       other.status != solve::ContactStatus::solved) {
     return;
