@@ -31,15 +31,30 @@ struct Spread {
 // Jacobian 2, the radius 2. Where the rim of a set cuts an element its share is no polynomial.
 constexpr std::array<int, 4> constant_degree{0, load_degree, 7, load_degree};
 
-template <int dim>
-FieldAdaptedRule<dim> body_rule(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
-                                const model::Load& load, const FieldMagnitude& scale,
-                                bool cut_by_rim) {
-  if (cut_by_rim || !is_constant(load)) {
-    return body_load_rule<dim>(element, X, load, scale);
+/// The points of an element for a load, and its functions there.
+template <int dim> struct BodyLoadRule {
+  FieldAdaptedRule<dim> rule;
+  /// [point] of a rule that other elements have, too; else empty
+  std::span<const shape::ShapeFunctionValues<dim>> functions;
+
+  [[nodiscard]] shape::ShapeFunctionValues<dim> at(const AnyElement<dim>& element,
+                                                   std::size_t i) const {
+    const shape::Point<dim>& r = rule.points[i].r;
+    return functions.empty() ? shape::ShapeFunctionValues<dim>{element.N(r), element.dN(r)}
+                             : functions[i];
   }
-  const auto usual = shape::quadrature<dim>(element.domain, constant_degree.at(dim));
-  return {{usual.begin(), usual.end()}, 0.0, 0.0, false};
+};
+
+template <int dim>
+BodyLoadRule<dim> body_rule(const AnyElement<dim>& element, const AnyNodeVectors<dim>& X,
+                            const model::Load& load, const FieldMagnitude& scale, bool cut_by_rim) {
+  if (cut_by_rim || !is_constant(load)) {
+    return {body_load_rule<dim>(element, X, load, scale), {}};
+  }
+  const int degree = constant_degree.at(dim);
+  const auto usual = shape::quadrature<dim>(element.domain, degree);
+  return {{{usual.begin(), usual.end()}, 0.0, 0.0, false},
+          shape::shape_functions_at_quadrature_points<dim>(element, degree)};
 }
 
 void for_face_points(const Spread& spread, const FaceDensity& density,
@@ -81,13 +96,16 @@ void for_body_points(const Spread& spread, const BodyDensity& density,
       const AnyNodeVectors<dim> X = element_coordinates(element, mesh, e);
       const ConstitutiveLaw law = constitutive_law(spread.model, mesh, e);
       const CutElementShareFunction* share = shares.find_cut_share_function(e);
-      const FieldAdaptedRule<dim> rule =
+      const BodyLoadRule<dim> own =
           body_rule<dim>(element, X, spread.load, scale, share != nullptr);
+      const FieldAdaptedRule<dim>& rule = own.rule;
       points.clear();
-      for (const auto& point : rule.points) {
-        const Eigen::Matrix<double, dim, dim> J = X.lazyProduct(element.dN(point.r));
+      for (std::size_t i = 0; i < rule.points.size(); ++i) {
+        const auto& point = rule.points[i];
+        const shape::ShapeFunctionValues<dim> functions = own.at(element, i);
+        const Eigen::Matrix<double, dim, dim> J = X.lazyProduct(functions.dN);
         Vec3 x = Vec3::Zero();
-        x.template head<dim>() = X * element.N(point.r);
+        x.template head<dim>() = X * functions.N;
         const double part = share == nullptr ? 1.0 : (*share)(x);
         LoadPoint& at = points.emplace_back();
         at.r.template head<dim>() = point.r;

@@ -87,6 +87,8 @@ shape_functions_at_quadrature_points(const ReferenceElement<dim>& element, int d
   }
   return table;
 }
+template std::span<const ShapeFunctionValues<2>>
+shape_functions_at_quadrature_points(const ReferenceElement<2>&, int);
 template std::span<const ShapeFunctionValues<3>>
 shape_functions_at_quadrature_points(const ReferenceElement<3>&, int);
 

@@ -76,7 +76,7 @@ template <int dim> struct ShapeFunctionValues {
   typename ReferenceElement<dim>::ShapeDerivatives dN;
 };
 /// At the points of quadrature<dim>(element.domain, degree), in their order; computed once for each
-/// element of the library and degree. Compiled for solids.
+/// element of the library and degree. Compiled for both dimensions.
 template <int dim>
 std::span<const ShapeFunctionValues<dim>>
 shape_functions_at_quadrature_points(const ReferenceElement<dim>& element, int degree);
