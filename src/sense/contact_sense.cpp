@@ -180,10 +180,8 @@ private:
     if (rest.empty()) {
       return;
     }
-    const contact::ContactSurface left = contact::make_contact_surface(model_, mesh_, rest);
     const std::vector<double> measure = facet_lengths_or_areas(surface);
     std::vector<double> seen(measure.size(), 0.0);
-    std::vector<double> missed(measure.size(), 0.0);
     double low = 0.0;
     double high = 0.0;
     for (const FacingFacetPart& part : find_facing_facet_parts(surface, auxiliary, measure)) {
@@ -191,19 +189,28 @@ private:
       low = std::min(low, part.gap);
       high = std::max(high, part.gap);
     }
+    double length = 0.0;
+    double unseen = 0.0;
+    for (std::size_t e = 0; e < measure.size(); ++e) {
+      length += measure[e];
+      unseen += measure[e] * std::max(0.0, 1.0 - seen[e]);
+    }
+    if (unseen <= least_missing * length) {
+      return; // whatever lies there
+    }
+    const contact::ContactSurface left = contact::make_contact_surface(model_, mesh_, rest);
+    std::vector<double> missed(measure.size(), 0.0);
     const double near = near_share * std::min(surface.extent, left.extent);
     for (const FacingFacetPart& part : find_facing_facet_parts(surface, left, measure)) {
       if (part.gap > low - near && part.gap < high + near) {
         missed[part.facet] += part.share;
       }
     }
-    double length = 0.0;
     double sum = 0.0;
     base::Vec3 place = base::Vec3::Zero();
     for (std::size_t e = 0; e < measure.size(); ++e) {
       // What also faces the partner is not missed.
       const double part = std::clamp(missed[e], 0.0, std::max(0.0, 1.0 - seen[e]));
-      length += measure[e];
       place = sum == 0.0 && part > 0.1 ? facet_midpoint(surface, e) : place;
       sum += part > 0.1 ? part * measure[e] : 0.0;
     }
