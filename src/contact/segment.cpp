@@ -6,18 +6,12 @@
 
 namespace spricka::contact {
 
-namespace {
-
-struct EdgeBoundingCircle {
-  Vec2 centre;
-  double radius;
-};
-
-// A circle about an edge, to leave out at once what is too far off.
-EdgeBoundingCircle ball_of(const Edge& edge) {
+EdgeBoundingCircle bounding_circle(const Edge& edge) {
   const Vec2 centre = point_on_edge(edge, 0.0);
   return {centre, std::max((edge.x[0] - centre).norm(), (edge.x[1] - centre).norm())};
 }
+
+namespace {
 
 double cross(const Vec2& a, const Vec2& b) {
   return a.x() * b.y() - a.y() * b.x();
@@ -128,12 +122,12 @@ std::vector<MortarSegment> find_mortar_segments(const ContactSurface& contact,
   std::vector<EdgeBoundingCircle> balls;
   balls.reserve(targets.size());
   for (const Edge& edge : targets) {
-    balls.push_back(ball_of(edge));
+    balls.push_back(bounding_circle(edge));
   }
   std::vector<MortarSegment> all;
   std::size_t number = 0;
   for (const Edge& edge : contact.plane.edges) {
-    const EdgeBoundingCircle own = ball_of(edge);
+    const EdgeBoundingCircle own = bounding_circle(edge);
     const auto begin = static_cast<std::ptrdiff_t>(all.size());
     for (std::size_t t = 0; t < targets.size(); ++t) {
       const double reach = own.radius + balls[t].radius + farthest_opposite * contact.extent;

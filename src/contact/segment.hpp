@@ -9,6 +9,13 @@
 /// Mortar segments in the plane: the stretches of contact edges that face one target edge each.
 namespace spricka::contact {
 
+/// A circle about an edge, to leave out at once what is too far off.
+struct EdgeBoundingCircle {
+  Vec2 centre;
+  double radius = 0.0;
+};
+EdgeBoundingCircle bounding_circle(const Edge& edge);
+
 /// Stretches shorter than this in xi carry nothing.
 inline constexpr double shortest_interval = 1e-10;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/slave_places.hpp"
 
+#include "contact/segment.hpp"
 #include "shape/quadrature.hpp"
 
 #include <algorithm>
@@ -73,6 +74,11 @@ double place_on(const ContactSurface& surface, const std::vector<double>& starts
     const EdgeChain& chain = surface.plane.chains[c];
     double before = starts[c];
     for (const Edge& edge : surface.plane.edges_of_chain(chain)) {
+      const EdgeBoundingCircle circle = bounding_circle(edge);
+      if ((x - circle.centre).norm() > circle.radius + least) {
+        before += edge.length;
+        continue;
+      }
       const double xi = nearest_xi(edge, x);
       const Vec2 off = x - point_on_edge(edge, xi);
       if (off.norm() < least) {

@@ -20,16 +20,14 @@ constexpr double boundary_tolerance = 0.05;
 // Points this close to a side, in reference coordinates, lie on it.
 constexpr double on_side = 1e-7;
 
-bool in_box(const model::Mesh& mesh, ElementId e, const Vec3& point) {
-  Vec3 low = mesh.x[mesh.element_nodes(e).front().index()];
-  Vec3 high = low;
+Eigen::AlignedBox3d box_about(const model::Mesh& mesh, ElementId e) {
+  Eigen::AlignedBox3d box;
   for (const base::NodeId n : mesh.element_nodes(e)) {
-    low = low.cwiseMin(mesh.x[n.index()]);
-    high = high.cwiseMax(mesh.x[n.index()]);
+    box.extend(mesh.x[n.index()]);
   }
   // Curved sides bulge beyond their nodes.
-  const double margin = 0.25 * (high - low).maxCoeff();
-  return ((point - low).array() >= -margin).all() && ((high - point).array() >= -margin).all();
+  const Vec3 margin = Vec3::Constant(0.25 * box.sizes().maxCoeff());
+  return {box.min() - margin, box.max() + margin};
 }
 
 // A point beside the reference domain put onto it: shape functions are not asked outside.
@@ -49,11 +47,9 @@ shape::Point<dim> into_domain(const AnyElement<dim>& element, shape::Point<dim> 
   return r;
 }
 
+// Of a point in its box.
 std::optional<ElementHit> hit_in(const model::Mesh& mesh, ElementId e, const Vec3& point) {
   std::optional<ElementHit> found;
-  if (!in_box(mesh, e, point)) {
-    return found;
-  }
   with_any_element(mesh, e, [&]<int dim>(const AnyElement<dim>& element) {
     const shape::Point<dim> x = point.head<dim>();
     if (const auto r = inverse_map<dim>(element, element_coordinates(element, mesh, e), x)) {
@@ -79,18 +75,32 @@ bool have_common_node(const model::Mesh& mesh, ElementId a, ElementId b) {
 std::vector<ElementHit> elements_at_point(const model::Mesh& mesh, const Vec3& point) {
   std::vector<ElementHit> hits;
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
-    if (const std::optional<ElementHit> hit = hit_in(mesh, ElementId(i), point)) {
+    const ElementId e(i);
+    if (!box_about(mesh, e).contains(point)) {
+      continue;
+    }
+    if (const std::optional<ElementHit> hit = hit_in(mesh, e, point)) {
       hits.push_back(*hit);
     }
   }
   return hits;
 }
 
-std::vector<ElementHit> elements_at_point(const model::Mesh& mesh, const Vec3& point,
-                                          std::span<const ElementId> among) {
+ElementBoxes::ElementBoxes(const model::Mesh& mesh, std::span<const ElementId> elements)
+    : mesh_(mesh) {
+  boxes_.reserve(elements.size());
+  for (const ElementId e : elements) {
+    boxes_.push_back({e, box_about(mesh, e)});
+  }
+}
+
+std::vector<ElementHit> ElementBoxes::elements_at(const Vec3& point) const {
   std::vector<ElementHit> hits;
-  for (const ElementId e : among) {
-    if (const std::optional<ElementHit> hit = hit_in(mesh, e, point)) {
+  for (const Box& box : boxes_) {
+    if (!box.around.contains(point)) {
+      continue;
+    }
+    if (const std::optional<ElementHit> hit = hit_in(mesh_, box.element, point)) {
       hits.push_back(*hit);
     }
   }

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 namespace spricka::fe {
 
 /// A place inside an element: reference coordinates r, and how far the point that was looked for
@@ -20,9 +22,24 @@ struct ElementHit {
 /// Elements that hold a point, in mesh order. A point of the true boundary that lies off the mesh
 /// by less than 5 % of an element (the sagitta of an arc) belongs to the elements next to it.
 std::vector<ElementHit> elements_at_point(const model::Mesh& mesh, const base::Vec3& point);
-/// The same among some elements.
-std::vector<ElementHit> elements_at_point(const model::Mesh& mesh, const base::Vec3& point,
-                                          std::span<const base::ElementId> among);
+
+/// Some elements with the boxes that hold them, for many points.
+class ElementBoxes {
+public:
+  /// The mesh must outlive it.
+  ElementBoxes(const model::Mesh& mesh, std::span<const base::ElementId> elements);
+
+  /// elements_at_point() among these.
+  [[nodiscard]] std::vector<ElementHit> elements_at(const base::Vec3& point) const;
+
+private:
+  struct Box {
+    base::ElementId element;
+    Eigen::AlignedBox3d around;
+  };
+  const model::Mesh& mesh_;
+  std::vector<Box> boxes_;
+};
 
 /// Elements at a point that hang together there. Where faces of a crack or two bodies meet there
 /// are several, in mesh order of their first elements.

@@ -47,9 +47,9 @@ std::vector<base::ElementId> patch_elements(const model::Mesh& host, const model
 }
 
 std::vector<fe::PointElementGroup> sides_at(const model::Mesh& cracked, const base::Vec3& x,
-                                            std::span<const base::ElementId> patch) {
+                                            const fe::ElementBoxes& patch) {
   // Nearly always the patch has the place; the whole mesh is searched only where it has not.
-  std::vector<fe::ElementHit> hits = fe::elements_at_point(cracked, x, patch);
+  const std::vector<fe::ElementHit> hits = patch.elements_at(x);
   return fe::group_elements_at_point(cracked,
                                      hits.empty() ? fe::elements_at_point(cracked, x) : hits);
 }
@@ -106,7 +106,7 @@ std::vector<Company> company_of(const std::vector<NodeId>& gone, const model::Me
 
 void add_second_side_nodes(const model::Mesh& host, model::Mesh& cracked) {
   const std::vector<NodeId> gone = gone_nodes(host, cracked);
-  const std::vector<base::ElementId> patch = patch_elements(host, cracked);
+  const fe::ElementBoxes patch(cracked, patch_elements(host, cracked));
   for (const NodeId n : gone) {
     const std::size_t sides = sides_at(cracked, cracked.x[n.index()], patch).size();
     for (std::size_t s = 1; s < sides; ++s) {
@@ -123,7 +123,7 @@ std::vector<RemovedNodePlace> locate_removed_nodes(const model::Mesh& host,
   if (gone.empty()) {
     return {};
   }
-  const std::vector<base::ElementId> patch = patch_elements(host, cracked);
+  const fe::ElementBoxes patch(cracked, patch_elements(host, cracked));
   const std::vector<NodeId> second = second_nodes(host, cracked);
   std::vector<RemovedNodePlace> places;
   for (const NodeId n : gone) {
