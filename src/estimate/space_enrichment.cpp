@@ -46,6 +46,27 @@ SolidEnrichment::SolidEnrichment(const model::Model& model, const model::Mesh& m
 }
 
 base::Vector SolidEnrichment::apply_preconditioner(const base::Vector& r) const {
+  // More steps gain little: what the nodes do is not in K_ee.
+  constexpr int steps = 4;
+  base::Vector x = base::Vector::Zero(r.size());
+  base::Vector left = r;
+  base::Vector s = divide_by_diagonal(left);
+  base::Vector p = s;
+  double size = left.dot(s);
+  for (int i = 0; i < steps && size > 0.0; ++i) {
+    const base::Vector force = stiffness_forces_on_modes(nullptr, &p);
+    const double alpha = size / p.dot(force);
+    x += alpha * p;
+    left -= alpha * force;
+    s = divide_by_diagonal(left);
+    const double next = left.dot(s);
+    p = s + (next / size) * p;
+    size = next;
+  }
+  return x;
+}
+
+base::Vector SolidEnrichment::divide_by_diagonal(const base::Vector& r) const {
   base::Vector y(r.size());
   for (std::size_t m = 0; m < inverse_.size(); ++m) {
     const Eigen::Index at = 3 * static_cast<Eigen::Index>(m);

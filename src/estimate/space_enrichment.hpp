@@ -50,7 +50,9 @@ public:
   /// Both: K_pe x on the nodes [3 * node] and K_ee x on the modes.
   void stiffness_product(const base::Vector& x, base::Vector& on_nodes,
                          base::Vector& on_modes) const;
-  /// The inverse of the 3 by 3 diagonal blocks of K_ee, times r on free ones.
+  /// About K_ee^-1 r on free ones: a few steps of conjugate gradients, which take no solution of
+  /// the nodes. Not linear in r: an iteration that uses it makes each direction conjugate to the
+  /// last.
   [[nodiscard]] base::Vector apply_preconditioner(const base::Vector& r) const;
   /// Zero where held. [freedoms]
   [[nodiscard]] const base::Vector& free_mode_mask() const { return operator_.mode_numbers().free; }
@@ -63,6 +65,8 @@ public:
   void add_tractions(const std::vector<contact::FaceTraction>& tractions, base::Vector& f) const;
 
 private:
+  /// The inverse of the 3 by 3 diagonal blocks of K_ee, times r on free ones.
+  [[nodiscard]] base::Vector divide_by_diagonal(const base::Vector& r) const;
   void add_on_side(const model::Face& face, const base::Vec2& r, const base::Vec3& force,
                    base::Vector& f) const;
   void add_inside(base::ElementId e, const base::Vec3& r, const base::Vec3& force,

@@ -18,28 +18,24 @@ namespace spricka::analysis {
 
 namespace {
 
-// Steps of conjugate gradients on the modes, and what change of any K ends them, of the largest.
+// Steps of conjugate gradients on the modes, and what part of the largest K may be left at the end.
 constexpr int most_steps = 12;
-constexpr double small_change = 4e-2;
+constexpr double left_part = 4e-2;
 // Residuals are multiples of each other to this part of them; so many are remembered.
 constexpr double alike = 1e-9;
 constexpr std::size_t remembered = 8;
 
-// Whether a step changed no K within the body by much.
-bool settled(const Discretisation& scene, const base::Vector& more, const base::Vector& all) {
-  double change = 0.0;
+// The largest K within the body.
+double largest_inside(const Discretisation& scene, const base::Vector& K) {
   double size = 0.0;
   Eigen::Index first = 0;
   for (const mesh::CrackFront& front : scene.cracked.fronts) {
     for (const mesh::FrontPoint& point : front.points) {
-      if (!point.at_surface) {
-        change = std::max(change, more.segment<3>(first).cwiseAbs().maxCoeff());
-        size = std::max(size, all.segment<3>(first).cwiseAbs().maxCoeff());
-      }
+      size = point.at_surface ? size : std::max(size, K.segment<3>(first).cwiseAbs().maxCoeff());
       first += 3;
     }
   }
-  return change <= small_change * size;
+  return size;
 }
 
 crack::SparseLinearFunctionals goal_rows(const model::Model& model, const Discretisation& scene,
@@ -174,19 +170,21 @@ FrontErrorBars::respond(const FrozenContactStep& step, const KFunctionals& K,
   return out;
 }
 
-// Conjugate gradients on the modes with the nodes eliminated.
+// Conjugate gradients on the modes with the nodes eliminated, flexible as their preconditioner is
+// no matrix (Golub and Ye 1999).
 std::optional<FrontErrorBars::ModeSolution> FrontErrorBars::solve(const FrozenContactStep& step,
                                                                   const KFunctionals& K,
                                                                   base::Vector r,
                                                                   base::Vector start) const {
-  const bool from_another = start.size() > 0;
   ModeSolution found{base::Vector::Zero(r.size()), base::Vector::Zero(K.of_displacements().cols())};
-  if (from_another) {
+  std::optional<double> before; // what the last step changed of K
+  if (start.size() > 0) {
     const std::optional<ModeResponse> of_start = respond(step, K, start);
     if (!of_start) {
       return std::nullopt;
     }
     r -= of_start->force;
+    before = largest_inside(scene_, of_start->K);
     found = {std::move(start), of_start->K};
   }
   base::Vector s = enrichment_->apply_preconditioner(r);
@@ -197,18 +195,22 @@ std::optional<FrontErrorBars::ModeSolution> FrontErrorBars::solve(const FrozenCo
     if (!response) {
       return std::nullopt;
     }
-    const double alpha = rs / p.dot(response->force);
+    const double energy = p.dot(response->force);
+    const double alpha = rs / energy;
     const base::Vector more = alpha * response->K;
     found.modes += alpha * p;
     found.eta += more;
-    if ((i > 0 || from_another) && settled(scene_, more, found.eta)) {
+    // What is left if changes go on to fall as the last two did: a geometric series.
+    const double now = largest_inside(scene_, more);
+    const double size = largest_inside(scene_, found.eta);
+    if (before && now * now <= left_part * size * (*before - now)) {
       break;
     }
+    before = now;
     r -= alpha * response->force;
     s = enrichment_->apply_preconditioner(r);
-    const double next = r.dot(s);
-    p = s + (next / rs) * p;
-    rs = next;
+    p = s - (s.dot(response->force) / energy) * p;
+    rs = r.dot(s);
   }
   return found;
 }
