@@ -130,7 +130,7 @@ class OneNodeSlurm:
         while self.say("squeue", "-h", "-j", job, "-t", "PD,R,CG,CF,S,RQ").stdout.strip():
             if time.monotonic() > end:
                 raise RuntimeError(f"job {job} does not end: " + self.say("squeue").stdout)
-            time.sleep(0.1)
+            time.sleep(0.3)  # asking takes as much of the machine as a small point does
 
     def exit_code(self, job):
         """Of a job that has ended, as 'code:signal'."""

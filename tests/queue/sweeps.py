@@ -12,7 +12,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "restart"))
 from run_folders import CRACKED, PROGRAM, RestartTest, contents, environment, keeping, main  # noqa: E402,F401
 
 FULL = bool(os.environ.get("SPRICKA_FULL"))
-POINTS = 200 if FULL else 8
+POINTS = 200 if FULL else 6
 
 
 def sweep_deck(points=POINTS, more=""):

@@ -54,7 +54,7 @@ class Slurm(SweepTest):
             return False
 
     def test_an_array_with_a_task_that_is_killed(self):
-        deck = self.deck(sweep_deck().replace("NX=4 NY=2", "NX=40 NY=20"))
+        deck = self.deck(sweep_deck().replace("NX=4 NY=2", "NX=30 NY=15"))
         array, collect = self.job(JOB, "array.sh", deck), self.job(COLLECT, "collect.sh", deck)
         with OneNodeSlurm(self.folder / "slurm") as slurm:
             first = slurm.submit(array, f"--array=1-{TASKS}", cwd=self.folder)
