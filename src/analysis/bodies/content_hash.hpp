@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "analysis/bodies/condense_bodies.hpp"
+#include "analysis/bodies/condensation_request.hpp"
 
 #include <vector>
 
