@@ -4,11 +4,7 @@
 // Usage: bench_condensation DECK [REPEATS]
 #include "analysis/bodies/condense_bodies.hpp"
 #include "analysis/bodies/whole_stiffness.hpp"
-#include "analysis/scene/make_scene.hpp"
-#include "base/diagnostics.hpp"
-#include "base/messages.hpp"
-#include "deck/read_deck.hpp"
-#include "growth/crack_lines.hpp"
+#include "discretised_deck.hpp"
 #include "solve/rate.hpp"
 
 #include <algorithm>
@@ -40,28 +36,19 @@ void line(const char* what, double analysis, double numeric, double flops) {
 } // namespace
 
 int main(int argc, char** argv) {
-  base::SourceTexts sources;
-  base::Diagnostics diagnostics;
-  const auto model = argc > 1 ? deck::read_deck(argv[1], {}, sources, diagnostics) : std::nullopt;
-  if (!model) {
-    fmt::print(stderr, "usage: bench_condensation DECK [REPEATS]\n{}",
-               base::format_messages(sources, diagnostics));
-    return 2;
-  }
-  const std::vector<double> lengths = growth::growth_loop_crack_lengths(*model);
-  const analysis::CrackRegionPlan plan = analysis::plan_crack_region(*model, lengths, diagnostics);
-  const auto scene = analysis::discretise(*model, lengths.front(), plan, diagnostics);
-  if (!scene) {
-    fmt::print(stderr, "{}", base::format_messages(sources, diagnostics));
-    return 3;
+  const bench::DiscretisedDeck deck(argc > 1 ? argv[1] : nullptr,
+                                    "bench_condensation DECK [REPEATS]");
+  if (deck.exit_code() != 0) {
+    return deck.exit_code();
   }
   analysis::CondensationStatistics nets;
   solve::FactorReport plain;
   const auto total = [](const auto& r) { return r.analysis_cpu + r.numeric_cpu; };
   for (int i = 0; i < (argc > 2 ? std::atoi(argv[2]) : 7); ++i) {
-    const analysis::CondensationStatistics log = condense(*model, *scene);
+    const analysis::CondensationStatistics log = condense(deck.model(), deck.scene());
     const solve::FactorReport report =
-        solve::Condensation(analysis::regularised_global_stiffness(*model, *scene), 0).report();
+        solve::Condensation(analysis::regularised_global_stiffness(deck.model(), deck.scene()), 0)
+            .report();
     nets = i == 0 || total(log) < total(nets) ? log : nets;
     plain = i == 0 || total(report) < total(plain) ? report : plain;
   }

@@ -4,11 +4,7 @@
 // threads, by the measured times of its tasks in the order in which threads would take them. Usage:
 // bench_factor_threads DECK [EXTERNALS]
 #include "analysis/bodies/whole_stiffness.hpp"
-#include "analysis/scene/make_scene.hpp"
-#include "base/diagnostics.hpp"
-#include "base/messages.hpp"
-#include "deck/read_deck.hpp"
-#include "growth/crack_lines.hpp"
+#include "discretised_deck.hpp"
 #include "solve/blas.hpp"
 #include "solve/cholmod_session.hpp"
 #include "solve/factor_checks.hpp"
@@ -260,21 +256,11 @@ int measure(base::SymmetricCsc K, std::int64_t externals, int repeats) {
 } // namespace
 
 int main(int argc, char** argv) {
-  base::SourceTexts sources;
-  base::Diagnostics diagnostics;
-  const auto model = argc > 1 ? deck::read_deck(argv[1], {}, sources, diagnostics) : std::nullopt;
-  if (!model) {
-    fmt::print(stderr, "usage: bench_factor_threads DECK [EXTERNALS [REPEATS]]\n{}",
-               base::format_messages(sources, diagnostics));
-    return 2;
+  const bench::DiscretisedDeck deck(argc > 1 ? argv[1] : nullptr,
+                                    "bench_factor_threads DECK [EXTERNALS [REPEATS]]");
+  if (deck.exit_code() != 0) {
+    return deck.exit_code();
   }
-  const std::vector<double> lengths = growth::growth_loop_crack_lengths(*model);
-  const analysis::CrackRegionPlan plan = analysis::plan_crack_region(*model, lengths, diagnostics);
-  const auto scene = analysis::discretise(*model, lengths.front(), plan, diagnostics);
-  if (!scene) {
-    fmt::print(stderr, "{}", base::format_messages(sources, diagnostics));
-    return 3;
-  }
-  return measure(analysis::regularised_global_stiffness(*model, *scene),
+  return measure(analysis::regularised_global_stiffness(deck.model(), deck.scene()),
                  argc > 2 ? std::atol(argv[2]) : 0, argc > 3 ? std::atoi(argv[3]) : 3);
 }
