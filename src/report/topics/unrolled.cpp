@@ -13,9 +13,23 @@ namespace {
 using std::numbers::pi;
 
 constexpr int parts_of_turn = 180; // of the integral round the axis
+constexpr double past_sides = 1e-9; // of a triangle
 
 double cross(DrawingPoint a, DrawingPoint b, DrawingPoint c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+geometry::BoxTree<2> tree_of(const std::vector<UnrolledSurface::Triangle>& triangles) {
+  std::vector<geometry::Box<2>> boxes;
+  boxes.reserve(triangles.size());
+  for (const UnrolledSurface::Triangle& t : triangles) {
+    geometry::Box<2> box;
+    for (const UnrolledSurface::UnrolledCorner& c : t) {
+      box.extend({{c.at.x, c.at.y}, {c.at.x, c.at.y}});
+    }
+    boxes.push_back(box.grown(2.0 * past_sides * box.diagonal()));
+  }
+  return geometry::BoxTree<2>(boxes);
 }
 
 } // namespace
@@ -47,15 +61,16 @@ UnrolledSurface::UnrolledSurface(const results::ContactResult& contact, bool con
       triangles_.push_back(t);
     }
   }
+  tree_ = std::make_shared<const geometry::BoxTree<2>>(tree_of(triangles_));
 }
 
 std::optional<double> UnrolledSurface::pressure_at(DrawingPoint at) const {
-  constexpr double slack = 1e-9;
-  for (const Triangle& t : triangles_) {
+  for (const std::size_t i : tree_->boxes_containing({at.x, at.y})) {
+    const Triangle& t = triangles_[i];
     const double whole = cross(t[0].at, t[1].at, t[2].at);
     const double b = cross(t[2].at, t[0].at, at) / whole;
     const double c = cross(t[0].at, t[1].at, at) / whole;
-    if (b >= -slack && c >= -slack && b + c <= 1.0 + slack) {
+    if (b >= -past_sides && c >= -past_sides && b + c <= 1.0 + past_sides) {
       return (1.0 - b - c) * t[0].p + b * t[1].p + c * t[2].p;
     }
   }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "geometry/box_tree.hpp"
 #include "report/drawing/svg.hpp"
 #include "results/contact_result.hpp"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -34,6 +36,7 @@ public:
 
 private:
   std::vector<Triangle> triangles_;
+  std::shared_ptr<const geometry::BoxTree<2>> tree_; ///< of the triangles
   double radius_ = 0.0;
   double low_ = 0.0, high_ = 0.0, largest_ = 0.0;
 };
