@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace spricka::base {
 
@@ -38,6 +42,34 @@ template <class Use> void for_each_element(std::size_t count, const Use& use) {
       use(i);
     }
   });
+}
+
+/// Calls take(i, make(i)) for i = 0 .. count - 1 in this order, so that what take() adds up does
+/// not depend on the threads. Of `batch` indices or more what they make is made on the threads of
+/// the caller's share, a batch at a time; make() must write nothing that others read.
+template <class Make, class Take>
+void make_and_take_in_order(std::size_t count, std::size_t batch, const Make& make,
+                            const Take& take) {
+  if (ThreadShare::current() == 1 || count < batch) {
+    for (std::size_t i = 0; i < count; ++i) {
+      take(i, make(i));
+    }
+    return;
+  }
+  constexpr std::size_t portions = 64; // of a batch: enough that many threads end together
+  std::vector<std::invoke_result_t<const Make&, std::size_t>> made(batch);
+  for (std::size_t first = 0; first < count; first += batch) {
+    const std::size_t now = std::min(batch, count - first);
+    parallel_for_ranges(now, (now + portions - 1) / portions,
+                        [&](std::size_t begin, std::size_t end) {
+                          for (std::size_t i = begin; i < end; ++i) {
+                            made[i] = make(first + i);
+                          }
+                        });
+    for (std::size_t i = 0; i < now; ++i) {
+      take(first + i, std::move(made[i]));
+    }
+  }
 }
 
 } // namespace spricka::base

@@ -2,10 +2,12 @@
 #include "contact/make_rows.hpp"
 
 #include "base/index.hpp"
+#include "base/parallel.hpp"
 #include "contact/contiguous_ranges.hpp"
 #include "contact/push_only.hpp"
 #include "contact/row_builder.hpp"
 #include "contact/space/frames.hpp"
+#include "contact/space/opposite.hpp"
 #include "contact/space_dual.hpp"
 
 #include <algorithm>
@@ -42,6 +44,12 @@ struct HatIntegrals {
   std::array<HatMotionIntegrals, 3> motion; ///< along the normal and the tangents
 };
 
+struct ElementContribution {
+  OppositePointsOfElement projection;
+  HatIntegrals sum;        ///< where something lies opposite
+  Eigen::Matrix3d weights; ///< [function, hat]
+};
+
 void set_zero(HatMotionIntegrals::OfHats& of_hats, std::size_t nodes) {
   for (geometry::SidePositions& of_hat : of_hats) {
     of_hat.setZero(3, index(nodes));
@@ -59,20 +67,18 @@ public:
     number_functions();
     auto opposite = std::make_shared<std::vector<std::vector<PairQuadraturePoint>>>();
     opposite->reserve(own_.elements.size());
-    for (const HatElement& element : own_.elements) {
-      const OppositePointsOfElement projection = project(element);
-      opposite->emplace_back(projection.points.begin(), projection.points.end());
-      pair_.unprojected_area += projection.unprojected_area;
-      pair_.trouble = projection.trouble;
-      if (projection.flat_seen > (1.0 + twice) * projection.flat_area) {
-        pair_.trouble = "the surfaces face each other twice at one place (two layers of the master "
-                        "lie within a fifth of the slave's extent)";
-      }
-      if (!pair_.trouble.empty()) {
-        pair_.found = true;
-        return;
-      }
-      add(element, projection);
+    base::make_and_take_in_order(
+        own_.elements.size(), elements_at_a_time,
+        [&](std::size_t e) { return contribution(own_.elements[e], project); },
+        [&](std::size_t e, const ElementContribution& own) {
+          if (pair_.trouble.empty()) {
+            opposite->emplace_back(own.projection.points.begin(), own.projection.points.end());
+            add(own_.elements[e], own);
+          }
+        });
+    if (!pair_.trouble.empty()) {
+      pair_.found = true;
+      return;
     }
     pair_.segments = true;
     pair_.opposite = std::move(opposite);
@@ -129,7 +135,29 @@ private:
     return sum;
   }
 
-  void add(const HatElement& element, const OppositePointsOfElement& projection) {
+  [[nodiscard]] ElementContribution contribution(const HatElement& element,
+                                                 const ElementProjector& project) const {
+    ElementContribution own;
+    own.projection = project(element);
+    if (own.projection.trouble.empty() && !own.projection.points.empty()) {
+      own.sum = integrate(element, own.projection);
+      own.weights = element.node_count() == 3 ? dual_hat_weights(own.sum.moment)
+                                              : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+    }
+    return own;
+  }
+
+  void add(const HatElement& element, const ElementContribution& own) {
+    const OppositePointsOfElement& projection = own.projection;
+    pair_.unprojected_area += projection.unprojected_area;
+    pair_.trouble = projection.trouble;
+    if (projection.flat_seen > (1.0 + twice) * projection.flat_area) {
+      pair_.trouble = "the surfaces face each other twice at one place (two layers of the master "
+                      "lie within a fifth of the slave's extent)";
+    }
+    if (!pair_.trouble.empty()) {
+      return;
+    }
     const std::vector<std::size_t> at = functions_of(element);
     for (std::size_t a = 0; a < at.size(); ++a) {
       functions_[at[a]].whole += projection.whole[index(a)];
@@ -137,12 +165,9 @@ private:
     if (projection.points.empty()) {
       return;
     }
-    const HatIntegrals sum = integrate(element, projection);
-    const Eigen::Matrix3d weights = element.node_count() == 3
-                                        ? dual_hat_weights(sum.moment)
-                                        : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+    const HatIntegrals& sum = own.sum;
     for (std::size_t a = 0; a < at.size(); ++a) {
-      const Eigen::RowVector3d weight = weights.row(index(a));
+      const Eigen::RowVector3d weight = own.weights.row(index(a));
       std::array<ConstraintRowBuilder, 3>& row = rows_[at[a]];
       // (contact.2), and along the tangents (contact.21).
       row[0].gap += weight * sum.gap;

@@ -2,6 +2,7 @@
 #include "contact/pairing.hpp"
 
 #include "base/by_dimension.hpp"
+#include "base/parallel.hpp"
 #include "contact/make_rows.hpp"
 #include "contact/node_pairing.hpp"
 #include "contact/pair_points.hpp"
@@ -77,21 +78,27 @@ struct MetFaces {
 
 MetFaces met_faces(const FacetSurface& surface, const FacetSurface& target) {
   const SurfaceProjector projection(surface, target);
-  std::vector<bool> seen(surface.facets.size(), false);
-  for (const HatElement& t : surface.elements) {
+  const auto is_met = [&](const HatElement& t) {
     const geometry::ElementSide& face = surface.facets[t.facet];
     const Vec2 middle =
         (face.node_local_coordinates(t.node[0]) + face.node_local_coordinates(t.node[1]) +
          face.node_local_coordinates(t.node[2])) /
         3.0;
     const geometry::SidePoint at = face.point(middle);
-    seen[t.facet] = seen[t.facet] ||
-                    projection.project_along_normal(at.x, surface_normal(surface, t.facet, at));
+    return projection.project_along_normal(at.x, surface_normal(surface, t.facet, at)).has_value();
+  };
+  std::vector<std::vector<const HatElement*>> triangles(surface.facets.size());
+  for (const HatElement& t : surface.elements) {
+    triangles[t.facet].push_back(&t);
   }
+  std::vector<char> seen(surface.facets.size(), 0); // of one byte each, for threads
+  base::for_each_element(seen.size(), [&](std::size_t f) {
+    seen[f] = std::ranges::any_of(triangles[f], [&](const HatElement* t) { return is_met(*t); });
+  });
   MetFaces found;
   for (std::size_t f = 0; f < seen.size(); ++f) {
-    found.faces += seen[f] ? 1 : 0;
-    found.area += seen[f] ? surface.facets[f].area() : 0.0;
+    found.faces += seen[f] != 0 ? 1 : 0;
+    found.area += seen[f] != 0 ? surface.facets[f].area() : 0.0;
   }
   return found;
 }

@@ -2,8 +2,10 @@
 #include "contact/slide.hpp"
 
 #include "base/index.hpp"
+#include "base/parallel.hpp"
 #include "contact/make_rows.hpp"
 #include "contact/pair_points.hpp"
+#include "contact/space/opposite.hpp"
 #include "contact/space/surface_projection.hpp"
 
 #include <algorithm>
@@ -108,23 +110,40 @@ public:
     }
     const double least = least_looked_at * largest;
     const ElementProjector drawn = make_target_projector(pair_, ProjectionPointDensity::sampling);
-    for (const HatElement& element : pair_.contact.elements) {
-      const Eigen::Vector3d p = pressures(element);
-      if (p.maxCoeff() <= least) {
-        continue;
-      }
-      for (const PairPoint& at : drawn(element).points) {
-        if (p.dot(at.hat) > least) {
-          add(at, p.dot(at.hat));
-        }
-      }
-    }
+    base::make_and_take_in_order(
+        pair_.contact.elements.size(), elements_at_a_time,
+        [&](std::size_t e) { return measure_element(pair_.contact.elements[e], drawn, least); },
+        [&](std::size_t /*e*/, std::vector<PressedPoint>&& points) {
+          for (PressedPoint& point : points) {
+            add(point);
+          }
+        });
     found_.unsupported_part = found_.thrust > 0.0 ? unsupported_ / found_.thrust : 0.0;
     found_.pressed = size_of_measure(found_.pressed, pair_.contact.facets.front());
     return found_;
   }
 
 private:
+  struct PressedPoint {
+    PairPoint drawn;
+    double way = 0.0; ///< along the surface
+    DisplacedContactPoint place;
+  };
+
+  [[nodiscard]] std::vector<PressedPoint>
+  measure_element(const HatElement& element, const ElementProjector& project, double least) const {
+    std::vector<PressedPoint> found;
+    const Eigen::Vector3d p = pressures(element);
+    if (p.maxCoeff() > least) {
+      for (const PairPoint& at : project(element).points) {
+        if (p.dot(at.hat) > least) {
+          found.push_back(measure_point(at, p.dot(at.hat)));
+        }
+      }
+    }
+    return found;
+  }
+
   // At the nodes of an element; functions that joined another have its pressure.
   [[nodiscard]] Eigen::Vector3d pressures(const HatElement& element) const {
     Eigen::Vector3d p = Eigen::Vector3d::Zero();
@@ -176,37 +195,40 @@ private:
     return found;
   }
 
-  void add(const PairPoint& at, double pressure) {
+  [[nodiscard]] PressedPoint measure_point(const PairPoint& at, double pressure) const {
     const Vec3 relative = relative_motion(at, u_);
     const geometry::SidePoint here = moved_own_.facets[at.facet].point(at.r);
     const std::optional<double> now = gap_now(at, here, relative);
     // A row takes the gap to be the drawn one and the motion along the drawn normal; what is more
     // is of second order, and no row counts it.
     const double counted = at.gap + at.normal.dot(relative);
-    const double thrust = pressure * at.weight;
-    found_.places.push_back(
-        {.x = pair_.rigid ? here.x : moved_other_.facets[at.target].position(at.s),
-         .thrust = thrust,
-         .gap = counted,
-         .unseen = now ? std::optional(*now - counted) : std::nullopt,
-         .normal = at.normal,
-         .relative_motions = relative_motions(at)});
-    found_.thrust += thrust;
+    return {.drawn = at,
+            .way = (relative - at.normal.dot(relative) * at.normal).norm(),
+            .place = {.x = pair_.rigid ? here.x : moved_other_.facets[at.target].position(at.s),
+                      .thrust = pressure * at.weight,
+                      .gap = counted,
+                      .unseen = now ? std::optional(*now - counted) : std::nullopt,
+                      .normal = at.normal,
+                      .relative_motions = relative_motions(at)}};
+  }
+
+  void add(PressedPoint& point) {
+    const PairPoint& at = point.drawn;
+    found_.thrust += point.place.thrust;
     found_.pressed += at.weight / out_of_plane_depth(pair_.contact, pair_.target, at.x.head<2>());
-    // The part of the motion along the surface.
-    const double way = (relative - at.normal.dot(relative) * at.normal).norm();
-    if (way > found_.way) {
-      found_.way = way;
+    if (point.way > found_.way) {
+      found_.way = point.way;
       found_.facet = facet_size(pair_.contact.facets[at.facet]);
       if (!pair_.rigid) {
         found_.facet = std::max(found_.facet, facet_size(pair_.target.facets[at.target]));
       }
     }
-    if (!now) {
-      unsupported_ += thrust;
+    if (point.place.unseen) {
+      found_.misfit = std::max(found_.misfit, std::abs(*point.place.unseen));
     } else {
-      found_.misfit = std::max(found_.misfit, std::abs(*now - counted));
+      unsupported_ += point.place.thrust;
     }
+    found_.places.push_back(std::move(point.place));
   }
 
   const PairConstraints& pair_;

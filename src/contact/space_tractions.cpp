@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/space_tractions.hpp"
 
+#include "base/parallel.hpp"
 #include "contact/make_rows.hpp"
 #include "contact/space/frames.hpp"
+#include "contact/space/opposite.hpp"
 #include "contact/space_dual.hpp"
 #include "model/mesh_side.hpp"
 
@@ -47,12 +49,22 @@ public:
 
   std::vector<UnitFaceTraction> make() {
     const bool target_side = std::ranges::any_of(other_wanted_, [](bool wanted) { return wanted; });
+    std::vector<std::size_t> triangles;
     for (std::size_t t = 0; t < own_.elements.size(); ++t) {
-      if (const HatElement& triangle = own_.elements[t];
-          own_wanted_[triangle.facet] || target_side) {
-        add(triangle, (*pair_.opposite)[t]);
+      if (own_wanted_[own_.elements[t].facet] || target_side) {
+        triangles.push_back(t);
       }
     }
+    base::make_and_take_in_order(
+        triangles.size(), elements_at_a_time,
+        [&](std::size_t i) {
+          return points_of(own_.elements[triangles[i]], (*pair_.opposite)[triangles[i]]);
+        },
+        [&](std::size_t /*i*/, std::vector<TrianglePointForces>&& points) {
+          for (TrianglePointForces& one : points) {
+            points_[one.face].push_back(std::move(one.point));
+          }
+        });
     std::vector<UnitFaceTraction> all;
     for (auto& [face, points] : points_) {
       all.push_back({face, std::move(points)});
@@ -61,8 +73,15 @@ public:
   }
 
 private:
+  struct TrianglePointForces {
+    model::Face face;
+    FacePointRowForces point;
+  };
+
   // Row a of `dual` is the function dual to hat a; its multipliers push with it.
-  void add(const HatElement& triangle, const std::vector<PairQuadraturePoint>& points) {
+  [[nodiscard]] std::vector<TrianglePointForces>
+  points_of(const HatElement& triangle, const std::vector<PairQuadraturePoint>& points) const {
+    std::vector<TrianglePointForces> found;
     Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
     for (const PairQuadraturePoint& p : points) {
       moment += p.weight * p.hat * p.hat.transpose();
@@ -87,17 +106,17 @@ private:
         }
       }
       if (own_wanted_[triangle.facet]) {
-        FacePointRowForces& point =
-            points_[model::face_of_side(own_.facets[triangle.facet])].emplace_back(
-                FacePointRowForces{p.r, forces});
-        for (FacePointRowForces::RowForce& one : point.rows) {
+        TrianglePointForces& own = found.emplace_back(
+            TrianglePointForces{model::face_of_side(own_.facets[triangle.facet]), {p.r, forces}});
+        for (FacePointRowForces::RowForce& one : own.point.rows) {
           one.force = -one.force;
         }
       }
       if (!pair_.rigid && other_wanted_[p.target]) {
-        points_[model::face_of_side(other_.facets[p.target])].push_back({p.s, std::move(forces)});
+        found.push_back({model::face_of_side(other_.facets[p.target]), {p.s, std::move(forces)}});
       }
     }
+    return found;
   }
 
   const PairConstraints& pair_;

@@ -2,8 +2,10 @@
 #include "contact/survey.hpp"
 
 #include "base/by_dimension.hpp"
+#include "base/parallel.hpp"
 #include "contact/rigid_target.hpp"
 #include "contact/segment.hpp"
+#include "contact/space/opposite.hpp"
 #include "contact/space/rigid_round.hpp"
 #include "contact/space/surface_projection.hpp"
 
@@ -118,13 +120,15 @@ template <class Target> GapSurvey survey_faces(const ContactSurface& from, const
   const ElementProjector project = triangle_projector(from, to);
   double area = 0.0;
   std::vector<SurveyedPoint> points;
-  for (const HatElement& element : from.elements) {
-    const OppositePointsOfElement projection = project(element);
-    area += projection.whole.sum();
-    for (const PairPoint& p : projection.points) {
-      points.push_back({p.facet, p.weight, p.gap, std::acos(std::min(1.0, p.turn))});
-    }
-  }
+  base::make_and_take_in_order(
+      from.elements.size(), elements_at_a_time,
+      [&](std::size_t e) { return project(from.elements[e]); },
+      [&](std::size_t /*e*/, const OppositePointsOfElement& projection) {
+        area += projection.whole.sum();
+        for (const PairPoint& p : projection.points) {
+          points.push_back({p.facet, p.weight, p.gap, std::acos(std::min(1.0, p.turn))});
+        }
+      });
   return summarize(from, area, points);
 }
 

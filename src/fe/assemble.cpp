@@ -84,26 +84,10 @@ void for_element_matrices(const model::Model& model, const model::Mesh& mesh,
   const auto matrix_of = [&](base::ElementId e) {
     return element_stiffness<S>(element_coordinates<S>(mesh, e), constitutive_law(model, mesh, e));
   };
-  constexpr std::size_t batch = batch_bytes / sizeof(ElementMatrix<S>);
-  if (base::ThreadShare::current() == 1 || elements.size() < batch) {
-    for (const base::ElementId e : elements) {
-      add(e, matrix_of(e));
-    }
-    return;
-  }
-  constexpr std::size_t portion = 16; // elements that a thread takes at a time
-  std::vector<ElementMatrix<S>> made(batch);
-  for (std::size_t first = 0; first < elements.size(); first += batch) {
-    const auto now = elements.subspan(first, std::min(batch, elements.size() - first));
-    base::parallel_for_ranges(now.size(), portion, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        made[i] = matrix_of(now[i]);
-      }
-    });
-    for (std::size_t i = 0; i < now.size(); ++i) {
-      add(now[i], made[i]);
-    }
-  }
+  base::make_and_take_in_order(
+      elements.size(), batch_bytes / sizeof(ElementMatrix<S>),
+      [&](std::size_t i) { return matrix_of(elements[i]); },
+      [&](std::size_t i, const ElementMatrix<S>& matrix) { add(elements[i], matrix); });
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 /// What stands opposite, in the plane and in space.
@@ -15,5 +16,8 @@ inline double zero_gap_below_round_off(double gap, double largest) {
   constexpr double digits = 8.0 * std::numeric_limits<double>::epsilon();
   return std::abs(gap) <= digits * largest ? 0.0 : gap;
 }
+
+/// Elements of a surface that threads look at before what they found is taken in order.
+inline constexpr std::size_t elements_at_a_time = 256;
 
 } // namespace spricka::contact
