@@ -16,6 +16,7 @@ function(spricka_engine name room)
                       -Wl,--version-script=${PROJECT_SOURCE_DIR}/src/engines/exported_names.txt)
   set_target_properties(${module} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/libexec/spricka
                         LINK_DEPENDS ${PROJECT_SOURCE_DIR}/src/engines/exported_names.txt)
-  install(TARGETS ${module} LIBRARY DESTINATION libexec/spricka COMPONENT engines) # no Debian package has them
+  install(TARGETS ${module} LIBRARY DESTINATION libexec/spricka)
+  set_property(GLOBAL APPEND PROPERTY SPRICKA_ENGINES ${PROJECT_BINARY_DIR}/libexec/spricka/${module}.so)
   add_dependencies(spricka_engines ${module})
 endfunction()

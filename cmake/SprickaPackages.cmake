@@ -29,8 +29,11 @@ set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME spricka)
 set(CPACK_DEBIAN_PROGRAM_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "gmsh, paraview, calculix-ccx")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "gmsh, paraview, calculix-ccx, openmpi-bin")
+# Not by CPACK_DEBIAN_PACKAGE_SHLIBDEPS, which would make libraries of engines a must.
+set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_SOURCE_DIR}/cmake/packages/find_dependencies.cmake)
+set(CPACK_SPRICKA_PROGRAMS ${PROJECT_BINARY_DIR}/bin/spricka ${PROJECT_BINARY_DIR}/libexec/spricka/spricka-mesher)
+get_property(CPACK_SPRICKA_ENGINES GLOBAL PROPERTY SPRICKA_ENGINES)
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
 "contact and stress intensity factors in one solution
 A batch finite-element program for damage tolerance: a text deck describes

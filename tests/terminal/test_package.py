@@ -84,6 +84,13 @@ class Package(unittest.TestCase):
         if "libspricka0" in self.debs:
             self.assertIn("spricka (= ", self.field("libspricka0", "Depends"))
             self.assertIn("libspricka0 (= ", self.field("libspricka-dev", "Depends"))
+        # Engines are there, and nobody must have their libraries.
+        inside = call("dpkg-deb", "-c", self.debs["spricka"])
+        for module, library in (("mumps", "libmumps-seq-"), ("mumps-mpi", "libopenmpi3"), ("multigrid", "libpetsc-real")):
+            if "libspricka0" in self.debs:
+                self.assertIn(f"libexec/spricka/spricka-{module}.so", inside)
+                self.assertIn(library, self.field("spricka", "Suggests"))
+            self.assertNotIn(library, self.field("spricka", "Depends"))
         self.assertGreater(len(self.field("spricka", "Description").splitlines()), 4)
         # apt finds all of them; it only tells what it would do.
         call("apt-get", "install", "--simulate", "--no-install-recommends", *self.debs.values())
