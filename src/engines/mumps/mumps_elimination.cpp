@@ -104,6 +104,9 @@ double MumpsElimination::error_of_known_displacements() {
 
 // What right-hand sides and solutions have in common.
 void MumpsElimination::ask(int what, base::Matrix& X, base::Matrix& external) {
+  if (X.cols() == 0) {
+    return; // MUMPS takes that for a mistake
+  }
   DMUMPS_STRUC_C& problem = mumps_.data();
   problem.rhs = X.data();
   problem.nrhs = static_cast<MUMPS_INT>(X.cols());
