@@ -21,8 +21,9 @@ namespace {
 // Steps of conjugate gradients on the modes, and what part of the largest K may be left at the end.
 constexpr int most_steps = 12;
 constexpr double left_part = 4e-2;
-// Residuals are multiples of each other to this part of them; so many are remembered.
-constexpr double alike = 1e-9;
+// Residuals are multiples of each other to this part of them, as well as an engine that iterates
+// can tell; so many are remembered.
+constexpr double alike = 1e-6;
 constexpr std::size_t remembered = 8;
 
 // The largest K within the body.
