@@ -308,6 +308,8 @@ constexpr std::array control_keys{
             real_key("TOL", number, open_interval(0, 1), "relative tolerance of contact"), "*"),
         "1e-8"),
     with_default(integer_key("THREADS", at_least(0), "0: one for each core"), "0"),
+    with_default(word_key("ENGINE", "AUTO|CHOLESKY|MUMPS|MULTIGRID", "what solves the equations"),
+                 "AUTO"),
     reference_key(
         "SHOW", step,
         "the step that report, pictures and ladder show first; left out: KMAX of a growth, "
@@ -388,7 +390,7 @@ constexpr std::array cards{
              .group = "requests",
              .keys = control_keys,
              .once = true,
-             .doc = "Numerics: contact iterations, threads; and the step that is shown."},
+             .doc = "Numerics: contact iterations, threads, engine; and the step that is shown."},
     CardSpec{.name = "RESTART",
              .group = "requests",
              .keys = restart_keys,

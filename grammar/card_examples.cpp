@@ -371,7 +371,9 @@ constexpr std::array texts{
     CardHelpText{
         "CONTROL",
         "Seldom needed. THREADS never changes a result; the command line's --threads goes first. "
-        "SHOW changes no result either: it names the step whose state the report opens with and "
+        "ENGINE changes the last digits at most; --engine goes first, and the page of the manual "
+        "on engines says what each is for. "
+        "SHOW changes no result: it names the step whose state the report opens with and "
         "whose stresses are kept where no $OUTPUT asks for more.",
         "$CONTROL SHOW=UNLOAD\n"},
     CardHelpText{

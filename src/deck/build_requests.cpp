@@ -120,6 +120,8 @@ void control(DeckContext& c, const CheckedCard& card) {
   c.model.control.max_iterations = card.integer_value("MAXITER");
   c.model.control.tolerance = card.number_value("TOL");
   c.model.control.threads = card.integer_value("THREADS");
+  c.model.control.engine =
+      base::equation_engine_of_word(card.word_value("ENGINE")).value_or(c.model.control.engine);
   if (card.has_key("SHOW")) {
     if (const NameDefinition* const step =
             find_referenced_definition(c, EntityKind::step, card.name_reference("SHOW"))) {

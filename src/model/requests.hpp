@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/equation_engines.hpp"
 #include "base/id.hpp"
 #include "base/quantity.hpp"
 #include "base/source.hpp"
@@ -61,6 +62,7 @@ struct ParameterSweep {
 
 struct SolverControl {
   int max_iterations = 100;
+  base::EquationEngine engine = base::EquationEngine::automatic;
   double tolerance = 1e-8;
   int threads = 0;         ///< 0: as many as there are cores
   base::StepId shown_step; ///< whose state pictures show; invalid: results/shown_step.hpp

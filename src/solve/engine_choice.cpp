@@ -14,7 +14,6 @@
 #include <cstdint>
 #include <limits>
 #include <string>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -72,15 +71,16 @@ std::string too_much_for_all(const FactorReport& in_core) {
 /// Why a further engine is no help either.
 std::string why_not(const FactorReport& report, EngineModule module) {
   if (report.status == FactorStatus::out_of_memory) {
-    return fmt::format("{} would need {}",
-                       module == EngineModule::mumps ? "MUMPS out of core" : "multigrid",
-                       memory_text(report.memory + report.besides));
+    const char* const engine = module == EngineModule::mumps ? "MUMPS out of core" : "multigrid";
+    return report.memory == 0.0 ? fmt::format("{} has no memory to begin", engine)
+                                : fmt::format("{} would need {}", engine,
+                                              memory_text(report.memory + report.besides));
   }
   return report.trouble;
 }
 
 void add_reason(std::string& reasons, const std::string& more) {
-  reasons += (reasons.empty() ? "" : "; ") + more;
+  reasons += (reasons.empty() || more.empty() ? "" : "; ") + more;
 }
 
 // No other engine has what Cholesky has not: a matrix that is singular stays so.
@@ -135,10 +135,14 @@ std::unique_ptr<CondensedEquations> condense_by_other_engine(EngineModule module
              : condense_by_module(module, K, externals, settings);
 }
 
+/// Whether a body is still one for iterations; the reason of the settings says why it is not.
+enum class Iterations { possible, refused };
+
 /// Cholesky, or where it does not fit or takes too many operations what needs less.
-std::unique_ptr<CondensedEquations> condense_by_what_fits(base::SymmetricCsc K,
-                                                          std::int64_t externals,
-                                                          const CondensationSettings& settings) {
+std::unique_ptr<CondensedEquations>
+condense_by_what_fits(base::SymmetricCsc K, std::int64_t externals,
+                      const CondensationSettings& settings,
+                      Iterations iterations = Iterations::possible) {
   std::unique_ptr<CondensedEquations> cholesky = condense_in_core(K, externals, settings);
   if (cholesky->report().status == FactorStatus::engine_failed) {
     CondensationSettings own = settings;
@@ -147,10 +151,16 @@ std::unique_ptr<CondensedEquations> condense_by_what_fits(base::SymmetricCsc K,
     cholesky.reset();
     std::unique_ptr<CondensedEquations> next =
         condense_by_module(EngineModule::multigrid, K, externals, own);
-    // It may find that the body takes more iterations than others do.
-    return !may_another_engine_do(next->report()) || K.n == 0
-               ? std::move(next)
-               : condense_by_what_fits(std::move(K), externals, own);
+    if (!may_another_engine_do(next->report()) || K.n == 0) {
+      return next;
+    }
+    // It has found that the body takes more iterations than others do; or its library is missing,
+    // and that is no news.
+    own.engine_reason = is_engine_module_installed(EngineModule::multigrid)
+                            ? why_not(next->report(), EngineModule::multigrid)
+                            : "";
+    next.reset();
+    return condense_by_what_fits(std::move(K), externals, own, Iterations::refused);
   }
   if (settings.engine == EquationEngine::cholesky ||
       cholesky->report().status != FactorStatus::out_of_memory) {
@@ -163,8 +173,13 @@ std::unique_ptr<CondensedEquations> condense_by_what_fits(base::SymmetricCsc K,
     if (K.n == 0) {
       break; // none has given it back
     }
+    if (module == EngineModule::multigrid && iterations == Iterations::refused) {
+      add_reason(in_core.trouble, settings.engine_reason);
+      continue;
+    }
     CondensationSettings own = with_scratch_folder(settings, module);
-    own.engine_reason = why_not_in_core(in_core);
+    add_reason(own.engine_reason, why_not_in_core(in_core));
+    add_reason(own.engine_reason, in_core.trouble);
     std::unique_ptr<CondensedEquations> next = condense_by_other_engine(module, K, externals, own);
     if (!may_another_engine_do(next->report())) {
       return next;
@@ -197,7 +212,8 @@ FactorReport forecast_equations(const base::SymmetricCsc& pattern, std::int64_t 
   FactorReport in_core = SparseCondensation::forecast(pattern, externals, settings, rows);
   in_core.memory_left = base::available_memory();
   in_core.besides = settings.besides;
-  if (in_core.flops > factor_flops_worth_iterating(pattern, externals, settings)) {
+  if (in_core.flops > factor_flops_worth_iterating(pattern, externals, settings) &&
+      why_engine_module_is_missing(EngineModule::multigrid).empty()) {
     FactorReport next = estimate_multigrid(pattern, externals, settings, rows);
     next.engine_reason = why_iterations(in_core);
     return next;
@@ -253,20 +269,6 @@ double forecast_numeric_seconds(const FactorReport& report, const FlopRate& rate
                                      : 0.0;
 }
 
-std::optional<EquationEngine> engine_of_word(std::string_view word) {
-  constexpr std::array<std::pair<std::string_view, EquationEngine>, 4> engines{
-      {{"auto", EquationEngine::automatic},
-       {"cholesky", EquationEngine::cholesky},
-       {"mumps", EquationEngine::mumps},
-       {"multigrid", EquationEngine::multigrid}}};
-  for (const auto& [name, engine] : engines) {
-    if (name == word) {
-      return engine;
-    }
-  }
-  return {};
-}
-
 std::string engine_text(const FactorReport& report) {
   switch (report.engine) {
   case EquationEngine::mumps:
@@ -282,6 +284,13 @@ std::string engine_text(const FactorReport& report) {
     break;
   }
   return "Cholesky";
+}
+
+std::string explain_engine(const FactorReport& report) {
+  if (report.engine == EquationEngine::cholesky && report.engine_reason.empty()) {
+    return {};
+  }
+  return engine_text(report) + (report.engine_reason.empty() ? "" : ": ") + report.engine_reason;
 }
 
 } // namespace spricka::solve

@@ -8,9 +8,7 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
-#include <string_view>
 
 namespace spricka::solve {
 
@@ -37,10 +35,11 @@ void choose_engine_by_law(FactorReport& report, const CondensationSettings& sett
 /// How long the numeric phase that a report foretells will take [s of one core].
 double forecast_numeric_seconds(const FactorReport& report, const FlopRate& rate);
 
-/// "auto", "cholesky", "mumps", "multigrid"; empty for another word.
-std::optional<EquationEngine> engine_of_word(std::string_view word);
-
 /// What did it, or would: "Cholesky", "MUMPS out of core".
 std::string engine_text(const FactorReport& report);
+
+/// The same and why: "MUMPS out of core: in core would need 388 MB, 338 MB can be had"; empty for
+/// Cholesky in core without a reason, as nearly always.
+std::string explain_engine(const FactorReport& report);
 
 } // namespace spricka::solve

@@ -145,6 +145,14 @@ std::string why_engine_module_is_missing(EngineModule module) {
 }
 
 bool is_engine_module_installed(EngineModule module) {
+  {
+    EngineModuleTable& table = module_table();
+    const std::scoped_lock lock(table.mutex);
+    const EngineModuleSlot& slot = table.slots[static_cast<std::size_t>(module)];
+    if (slot.asked) {
+      return slot.trouble.empty();
+    }
+  }
   return !path_of(module).empty();
 }
 

@@ -22,7 +22,8 @@ const char* engine_abi();
 /// another build of the same library has brought already.
 std::string why_engine_module_is_missing(EngineModule module);
 
-/// Whether a module is there, looked at from outside: opening it takes address space.
+/// Whether a module is there. Until it is opened it is looked at from outside, as opening it takes
+/// address space; the library that it needs may be missing.
 bool is_engine_module_installed(EngineModule module);
 
 /// As condense_equations, by a module. The status is engine_failed, with the trouble, where it

@@ -262,6 +262,7 @@ SparseCondensation::SparseCondensation(base::SymmetricCsc K, std::int64_t extern
                                        const CondensationSettings& settings)
     : impl_(std::make_unique<Impl>()) {
   impl_->report.besides = settings.besides;
+  impl_->report.engine_reason = settings.engine_reason;
   impl_->threads = settings.threads;
   assert(externals >= 0 && externals <= K.n);
   impl_->n = K.n;
@@ -378,6 +379,16 @@ RowCompliance SparseCondensation::compliance_with_externals_held(SparseRightHand
   out.flops = elimination.flops();
   out.W = elimination.compute_compliance(out.condensed, c.threads);
   return out;
+}
+
+double SparseCondensation::compliance_memory(SparseRightHandSides F) const {
+  const Impl& c = *impl_;
+  assert(c.report.status == FactorStatus::ok);
+  c.to_elimination(F);
+  const SupernodalFactor L = c.supernodes();
+  const auto k = static_cast<double>(F.count());
+  const double result = k * (k + static_cast<double>(c.n - c.locals));
+  return RowElimination(L, F).workspace() + sizeof(double) * result;
 }
 
 } // namespace spricka::solve

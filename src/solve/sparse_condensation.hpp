@@ -29,6 +29,8 @@ public:
   [[nodiscard]] base::Matrix solve(const base::Matrix& f,
                                    const ExternalDisplacementSolver& displacement) const override;
   [[nodiscard]] RowCompliance compliance_with_externals_held(SparseRightHandSides F) const override;
+  /// [bytes] that the compliance of these columns takes, forecast; its result included.
+  [[nodiscard]] double compliance_memory(SparseRightHandSides F) const;
 
 private:
   struct Impl;

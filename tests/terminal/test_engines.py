@@ -120,6 +120,11 @@ class Engines(ProgramTest):
         return worst
 
     @unittest.skipUnless(HAS_MUMPS, "built without MUMPS")
+    def test_a_press_fit_without_loads(self):
+        # Its decks check the pressure.
+        self.expect(0, "run", TOP / "decks/press_fit_solid.deck", "--engine", "mumps", "--out", "out", "--quiet")
+
+    @unittest.skipUnless(HAS_MUMPS, "built without MUMPS")
     def test_the_same_K_of_a_crack_in_a_solid_with_contact(self):
         coarser = () if FULL else ("-D", "fine=0.5")
         self.assertLess(self.compared(TOP / "decks/lug_slice_crack_solid.deck", defines=coarser), 1e-10)
@@ -128,6 +133,16 @@ class Engines(ProgramTest):
     def test_the_same_K_by_iterations(self):
         deck = TOP / "decks/penny_solid.deck" if FULL else self.deck(CRACKED_BLOCK)
         self.assertLess(self.compared(deck, "multigrid"), 1e-6)
+
+    @unittest.skipUnless(HAS_MULTIGRID, "built without PETSc")
+    def test_every_command_that_runs_decks_takes_an_engine(self):
+        # In the plane multigrid has nothing to say, so whoever was given it says so.
+        deck = TOP / "decks/edge_crack.deck"
+        for words in (("study", deck, "--vary", "a=1"), ("ladder", deck), ("shell", deck)):
+            with self.subTest(words[0]):
+                result = subprocess.run([PROGRAM, *words, "--engine", "multigrid"], cwd=self.folder, env=environment(),
+                                        input="list K\n", capture_output=True, text=True, timeout=120, check=False)
+                self.assertIn("multigrid solves bodies in space only", result.stdout + result.stderr)
 
     @unittest.skipUnless(HAS_MULTIGRID, "built without PETSc")
     def test_multigrid_is_for_bodies_in_space(self):
@@ -143,6 +158,30 @@ class Engines(ProgramTest):
         self.expect(0, "run", deck, "--out", "chosen", "--quiet")
         listing = (self.folder / "chosen/listing.txt").read_text(encoding="utf-8")
         self.assertRegex(listing, r"CONDENSE .*multigrid, error at most 1e-08.*takes less time than a factor")
+
+    @unittest.skipUnless(HAS_MULTIGRID and "SPRICKA_FULL" in os.environ, "built without PETSc, or SPRICKA_FULL not set")
+    def test_a_net_that_iterations_give_up(self):
+        # Elements a thousand times as wide as they are thick, nearly incompressible.
+        deck = self.deck(BLOCK.format(n=20).replace("LZ=10", "LZ=0.01").replace("NU=0.3", "NU=0.499"))
+        result = self.expect(0, "run", deck, "--out", "handed_on", "--quiet")
+        self.assertRegex(result.stderr, r"W510.*MODEL was solved by Cholesky: .*more than 1000 iterations")
+        listing = (self.folder / "handed_on/listing.txt").read_text(encoding="utf-8")
+        self.assertRegex(listing, r"CONDENSE .*MODEL: Cholesky: .*more than 1000 iterations")
+        import h5py
+
+        with h5py.File(self.folder / "handed_on/results.h5") as results:
+            self.assertRegex(str(results["run/log"][...]), "more than 1000 iterations")
+
+    def test_the_deck_names_an_engine_and_the_command_line_overrules_it(self):
+        deck = self.deck(BLOCK.format(n=2).replace("$STEP", "$CONTROL ENGINE=CHOLESKY\n$STEP"))
+        for words, said in (((), "cholesky for all nets, as $CONTROL asks"), (("--engine", "cholesky"), "cholesky for all nets, as --engine asks"),
+                            (("--engine", "auto"), None)):
+            self.expect(0, "run", deck, "--out", "out", "--quiet", *words)
+            listing = (self.folder / "out/listing.txt").read_text(encoding="utf-8")
+            if said:
+                self.assertIn(said, listing)
+            else:
+                self.assertNotIn("for all nets", listing)
 
     @unittest.skipUnless(HAS_MUMPS, "built without MUMPS")
     @unittest.skipUnless(FULL, "SPRICKA_FULL is not set")

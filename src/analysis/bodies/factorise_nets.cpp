@@ -137,6 +137,11 @@ base::OptionalFailure factorisation_failure(const model::Mesh& mesh, const std::
   case solve::FactorStatus::ok:
     return {};
   case solve::FactorStatus::out_of_memory:
+    if (report.memory == 0.0) {
+      return not_solvable(fmt::format("{}: no memory to begin with its factor ({} unknowns){}",
+                                      body, net.map.size(),
+                                      report.trouble.empty() ? "" : "; " + report.trouble));
+    }
     return not_solvable(fmt::format(
         "{}: its factor needs {:.0f} MB of memory ({} unknowns, {:.2g} entries){}, {:.0f} MB can "
         "be had{}",

@@ -40,12 +40,7 @@ void add_factor_sizes(const fe::DofMap& map, const solve::FactorReport& report,
   work.freedoms = map.size();
   work.externals = map.external_count();
   work.entries = counted(report.factor_entries);
-  if (report.engine != solve::EquationEngine::cholesky) {
-    work.engine = solve::engine_text(report);
-    if (!report.engine_reason.empty()) {
-      work.engine += ": " + report.engine_reason;
-    }
-  }
+  work.engine = solve::explain_engine(report);
   if (!work.reused) {
     work.flops = counted(report.flops);
     work.analysis_cpu = report.analysis_cpu;

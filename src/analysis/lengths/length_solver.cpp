@@ -159,9 +159,14 @@ bool CrackStateSolver::condense(CrackLengthAnalysis& length, LogWriter& log) {
   CondensationStatistics figures;
   const bool condensed = length.condense(figures);
   std::vector<std::string> engines;
+  std::vector<std::string> handed_on;
   for (const results::NetCost& net : figures.nets) {
     if (!net.engine.empty() && !net.reused) {
       engines.push_back(fmt::format("{}: {}", net.name, net.engine));
+      // In core without a word but where another engine has given the net up.
+      if (net.engine.starts_with("Cholesky")) {
+        handed_on.push_back(fmt::format("{} was solved by {}", net.name, net.engine));
+      }
     }
   }
   log.record_net_costs(std::move(figures.nets));
@@ -179,6 +184,10 @@ bool CrackStateSolver::condense(CrackLengthAnalysis& length, LogWriter& log) {
   for (const std::string& concern : figures.inexact) {
     diagnostics_.warning({}, "W509", concern,
                          "what follows from them is no better: K, contact, life");
+  }
+  for (const std::string& news : handed_on) {
+    diagnostics_.note({}, "W510", news,
+                      "the answer is as good; --engine cholesky spares the attempt");
   }
   for (const std::string& engine : engines) {
     log.add_line("CONDENSE", engine);

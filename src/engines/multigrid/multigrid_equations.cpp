@@ -148,10 +148,10 @@ void MultigridEquations::refuse(const IterationResult& result, const base::Vecto
     return;
   }
   report_.status = solve::FactorStatus::engine_failed;
-  report_.trouble = fmt::format(
-      "conjugate gradients with multigrid take more than {} iterations (a part that "
-      "hardly anything holds, or very flat elements): choose --engine cholesky or mumps",
-      most_iterations);
+  report_.trouble =
+      fmt::format("conjugate gradients with multigrid take more than {} iterations (a part that "
+                  "hardly anything holds, or very flat elements)",
+                  most_iterations);
 }
 
 base::Vector MultigridEquations::solve_locals(const base::Vector& b) const {

@@ -193,7 +193,7 @@ base::ProgramOutcome check_points(const RunOptions& options, const CheckedDeck& 
     }
     base::ProgramOutcome outcome = point.refusal.kind;
     if (point.model) {
-      Previewer look(*point.model, 1, options.engine);
+      Previewer look(*point.model, 1, requested_engine(options, *point.model));
       look.look(ForecastMethod::none);
       outcome = verdict(point.sources, look, log);
     }
@@ -245,7 +245,7 @@ base::ProgramOutcome check_deck(const RunOptions& options, const CheckedDeck& de
     solve::reserve_blas_workspace(threads); // as the run does: what is left decides who solves
   } catch (const std::bad_alloc&) {         // the run will say so
   }
-  Previewer look(model, threads, options.engine);
+  Previewer look(model, threads, requested_engine(options, model));
   look.look(options.exact_forecast ? ForecastMethod::analysis : ForecastMethod::law);
   const base::ProgramOutcome own = verdict(deck.sources, look, log);
   results::DeckPreview& preview = look.preview;

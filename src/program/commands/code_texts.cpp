@@ -370,6 +370,9 @@ constexpr std::array advice{
                 "Memory was short, or --engine asked for it. More memory, a coarser mesh or "
                 "--engine cholesky or mumps give an answer within round-off; the error of K is "
                 "about that of the displacements."},
+    CodeMeaning{"W510",
+                "The answer is as good as any. --engine with the name of the engine that has "
+                "solved it spares the time of the attempt."},
     CodeMeaning{"W575",
                 "A crack that is pressed in every step has K2 and K3 at most, and grows by no "
                 "law here. Look at NET of $CRACK and at the direction of the loads."},

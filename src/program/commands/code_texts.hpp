@@ -131,6 +131,7 @@ inline constexpr std::array later_codes{
     CodeMeaning{"W507", "a result that is less exact than others of its kind"},
     CodeMeaning{"W508", "a result that is no answer"},
     CodeMeaning{"W509", "displacements that are less exact than round-off allows"},
+    CodeMeaning{"W510", "a net that one engine began and another solved"},
     CodeMeaning{"W570", "two ways to the same K part by more than its error bar"},
     CodeMeaning{"W571", "a contact that presses in no step"},
     CodeMeaning{"W572", "a life beyond all use"},

@@ -5,7 +5,6 @@
 #include "program/commands/positive.hpp"
 #include "program/commands/run_deck.hpp"
 #include "program/job/standard_streams.hpp"
-#include "solve/engine_choice.hpp"
 
 #include "archive/version.hpp"
 
@@ -68,7 +67,7 @@ void add_verify_options(CLI::App& command, VerifyOptions& options) {
   command.add_option("--jobs", options.at_once, "decks at a time (default: as many as cores)")
       ->check(whole_number_validator())
       ->type_name("NUMBER");
-  add_engine_option(command, [&options](const std::string& word) { options.engine = word; });
+  add_engine_option(command, options.engine);
   add_path_option(command, "--decks", options.decks, "another folder of decks", "FOLDER");
   add_path_option(command, "--markdown", options.markdown,
                   "write the page of the manual, too, and its table beside it, as .csv", "FILE");
@@ -87,9 +86,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
   add_threads_option(command, options.threads,
                      "threads, 0: all cores; no result depends on it (default: what Slurm gives, "
                      "else $CONTROL)");
-  add_engine_option(command, [&options](const std::string& word) {
-    options.engine = *solve::engine_of_word(word);
-  });
+  add_engine_option(command, options.engine);
   command.add_flag("--quiet", options.quiet, "print messages only");
   command.add_flag("--restart", options.restart,
                    "continue from the file that $RESTART WRITE names, if it exists");
@@ -179,8 +176,7 @@ void CommandTree::add_check() {
   add_deck_options(command, run_);
   add_threads_option(command, run_.threads,
                      "threads that the forecast of the run assumes, 0: all cores");
-  add_engine_option(
-      command, [this](const std::string& word) { run_.engine = *solve::engine_of_word(word); });
+  add_engine_option(command, run_.engine);
   command.add_flag("--forecast", run_.exact_forecast,
                    "analyse the matrices: fill, flops and memory exactly, not by a rough law");
   command.add_flag("--json", run_.json, "print what was found as JSON");
@@ -198,6 +194,7 @@ void CommandTree::add_shell() {
           });
   add_deck_options(command, run_);
   add_threads_option(command, run_.threads, "threads, 0: all cores; no result depends on it");
+  add_engine_option(command, run_.engine);
   command.add_flag("--strict", session_.strict,
                    "end with the exit code of the first command that fails");
   command.add_flag("--quiet", run_.quiet, "do not print what each answer cost");

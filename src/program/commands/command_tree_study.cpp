@@ -40,6 +40,7 @@ void add_variant_options(CLI::App& command, RunOptions& options, const std::stri
                   "runs at the same time; CPU times are reliable with 1 only (default)")
       ->check(CLI::Range(1, 64))
       ->type_name("NUMBER");
+  add_engine_option(command, options.engine);
   command.add_flag("--quiet", options.quiet, "do not report each run as it ends");
   add_array_options(command, options.array, options.collect);
 }

@@ -66,11 +66,11 @@ void add_deck_options(CLI::App& command, RunOptions& options) {
   add_mesh_limits(command);
 }
 
-void add_engine_option(CLI::App& command, const std::function<void(const std::string&)>& set) {
+void add_engine_option(CLI::App& command, std::string& engine) {
   command
-      .add_option_function<std::string>(
-          "--engine", set,
-          "what solves the equations (default: auto, by the memory that they need)")
+      .add_option("--engine", engine,
+                  "what solves the equations (default: as $CONTROL says, else auto, by the memory "
+                  "that they need)")
       ->check(one_of_words_validator({"auto", "cholesky", "mumps", "multigrid"}))
       ->type_name("auto|cholesky|mumps|multigrid");
 }

@@ -21,7 +21,7 @@ void add_define_option(CLI::App& command, std::vector<std::pair<std::string, std
                        const std::string& doc);
 
 /// --engine, what solves the equations: its word, which engine_of_word() knows.
-void add_engine_option(CLI::App& command, const std::function<void(const std::string&)>& set);
+void add_engine_option(CLI::App& command, std::string& engine);
 
 /// --threads, a whole number from 0.
 void add_threads_option(CLI::App& command, int& threads, const std::string& doc);

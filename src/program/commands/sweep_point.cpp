@@ -47,9 +47,7 @@ void collect_values(const model::Model& model, const results::RunResult& run, Sw
 std::string digest_of(const CheckedDeck& deck, const SweepPointValues& values,
                       const RunOptions& options) {
   const std::string digest = archive::compute_deck_digest(deck.sources, *deck.model, values);
-  return options.engine == solve::EquationEngine::automatic
-             ? digest
-             : fmt::format("{} {}", digest, static_cast<int>(options.engine));
+  return options.engine.empty() ? digest : digest + ' ' + options.engine;
 }
 
 // A property of deck and machine, not of a disk or of another process.

@@ -110,7 +110,7 @@ Solved solve_deck(const RunOptions& options, const CheckedDeck& deck, RunFolder*
   analysis::SolveOptions solve;
   solve.checkpoint = checkpoint;
   solve.threads = solve::reserve_blas_workspace(thread_count(options, *deck.model));
-  solve.engine = options.engine;
+  solve.engine = requested_engine(options, *deck.model);
   solve.recorder = options.recorder.get();
   Solved out;
   bool first = true;
@@ -133,6 +133,12 @@ Solved solve_deck(const RunOptions& options, const CheckedDeck& deck, RunFolder*
       }
     };
     std::optional<results::RunResult> run = analysis::solve_run(model, solve, own, trouble);
+    if (run && solve.engine != base::EquationEngine::automatic) {
+      run->log.insert(run->log.begin(),
+                      {"CONDENSE", fmt::format("{} for all nets, as {} asks",
+                                               base::equation_engine_word(solve.engine),
+                                               options.engine.empty() ? "$CONTROL" : "--engine")});
+    }
     if (!run && !trouble) {
       trouble = base::OperationFailure{.kind = base::ProgramOutcome::deck_error,
                                        .why = first_error_text(deck.sources, own)};

@@ -20,4 +20,8 @@ int thread_count(const RunOptions& options, const model::Model& model) {
   return std::max(1, ranks == nullptr ? cores : cores / ranks->on_own_machine());
 }
 
+base::EquationEngine requested_engine(const RunOptions& options, const model::Model& model) {
+  return base::equation_engine_of_word(options.engine).value_or(model.control.engine);
+}
+
 } // namespace spricka::program

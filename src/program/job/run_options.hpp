@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/clock.hpp"
+#include "base/equation_engines.hpp"
 #include "model/forward.hpp"
 #include "program/job/array_task.hpp"
 #include "program/job/log_format.hpp"
-#include "solve/equation_engine.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -24,8 +24,8 @@ struct RunOptions {
   std::filesystem::path deck;
   std::filesystem::path out; ///< empty: the deck's name with .run, in the working directory
   std::vector<std::pair<std::string, std::string>> defines;
-  int threads = -1; ///< below 0: as the scheduler or $CONTROL says; 0: all cores
-  solve::EquationEngine engine = solve::EquationEngine::automatic; ///< of the equations
+  int threads = -1;        ///< below 0: as the scheduler or $CONTROL says; 0: all cores
+  std::string engine = {}; ///< of the equations, by its word; empty: as $CONTROL says
   bool quiet = false;
   bool restart = false;  ///< go on from the deck's own $RESTART WRITE file, if it is there
   double seconds = 0.0;  ///< wall time after which no increment is begun; 0: no limit
@@ -44,5 +44,8 @@ struct RunOptions {
 /// As the command line says, else what the scheduler gives a task, else $CONTROL; 0 means all
 /// cores.
 int thread_count(const RunOptions& options, const model::Model& model);
+
+/// As the command line says, else $CONTROL.
+base::EquationEngine requested_engine(const RunOptions& options, const model::Model& model);
 
 } // namespace spricka::program

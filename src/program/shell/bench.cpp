@@ -109,7 +109,8 @@ std::unique_ptr<InteractiveSolver> InteractiveSolver::make(const InteractiveSolv
                                                           .threads = parts.threads,
                                                           .mounted = parts.memory,
                                                           .contact = &parts.contact,
-                                                          .with_paths = &bench->shown_},
+                                                          .with_paths = &bench->shown_,
+                                                          .engine = parts.engine},
                                                          0.0, plan, diagnostics);
   if (!bench->length_) {
     return nullptr;

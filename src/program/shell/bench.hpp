@@ -20,6 +20,7 @@ struct InteractiveSolverInputs {
       nullptr;               ///< of what was mounted at the first length; null: none is kept
   bool fills_memory = false; ///< this is the first length
   int threads = 1;
+  base::EquationEngine engine = base::EquationEngine::automatic;
   std::function<bool()> stopped; ///< asked between the stages of a computation; may be empty
 };
 

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
@@ -198,6 +199,9 @@ ShellReply run_shell_line(ShellSession& session, const ShellHistory& history,
   } catch (const std::system_error& file) {
     trouble =
         base::OperationFailure{.kind = base::ProgramOutcome::file_trouble, .why = file.what()};
+  } catch (const std::range_error& engine) { // that iterates
+    trouble =
+        base::OperationFailure{.kind = base::ProgramOutcome::not_converged, .why = engine.what()};
   }
   if (trouble) {
     reply.outcome = trouble->kind;

@@ -120,14 +120,16 @@ base::OptionalFailure CondensedDeck::make_solver(bool first,
                                                  std::unique_ptr<InteractiveSolver>& solver) {
   base::Diagnostics diagnostics;
   base::OptionalFailure trouble;
-  solver = InteractiveSolver::make({.model = model(),
-                                    .cache = *cache_,
-                                    .contact = *contact_,
-                                    .memory = memory_.get(),
-                                    .fills_memory = first,
-                                    .threads = controls_.threads ? controls_.threads(model()) : 1,
-                                    .stopped = controls_.stopped},
-                                   plan_, diagnostics, trouble);
+  solver = InteractiveSolver::make(
+      {.model = model(),
+       .cache = *cache_,
+       .contact = *contact_,
+       .memory = memory_.get(),
+       .fills_memory = first,
+       .threads = controls_.threads ? controls_.threads(model()) : 1,
+       .engine = controls_.engine ? controls_.engine(model()) : base::EquationEngine::automatic,
+       .stopped = controls_.stopped},
+      plan_, diagnostics, trouble);
   return diagnostics.has_errors()
              ? located_failure(base::ProgramOutcome::deck_error, deck_.sources, diagnostics)
              : trouble;

@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <system_error>
 
@@ -89,6 +90,9 @@ private:
     };
     options.threads = [this](const model::Model& model) {
       return solve::reserve_blas_workspace(thread_count(options_.deck, model));
+    };
+    options.engine = [this](const model::Model& model) {
+      return requested_engine(options_.deck, model);
     };
     const base::Stopwatch watch;
     session_ = std::make_unique<ShellSession>(std::move(options));
@@ -166,6 +170,9 @@ base::ProgramOutcome run_shell(const ShellOptions& options) {
   } catch (const std::system_error& trouble) {
     Log(options.deck.log_format).report_message(base::Severity::error, "E530", trouble.what());
     return base::ProgramOutcome::file_trouble;
+  } catch (const std::range_error& trouble) { // of an engine that iterates
+    Log(options.deck.log_format).report_message(base::Severity::error, "E520", trouble.what());
+    return base::ProgramOutcome::not_converged;
   }
 }
 

@@ -45,12 +45,13 @@ base::OptionalFailure ShellGrowth::grow_over(const model::Model& model,
   path.fronts.begin_growth(use);
   base::Diagnostics diagnostics;
   base::OptionalFailure trouble;
-  std::optional<results::RunResult> run =
-      analysis::solve_run(model,
-                          {.threads = controls_.threads ? controls_.threads(model) : 1,
-                           .checkpoint = &path.fronts,
-                           .stresses = false},
-                          diagnostics, trouble);
+  std::optional<results::RunResult> run = analysis::solve_run(
+      model,
+      {.threads = controls_.threads ? controls_.threads(model) : 1,
+       .engine = controls_.engine ? controls_.engine(model) : base::EquationEngine::automatic,
+       .checkpoint = &path.fronts,
+       .stresses = false},
+      diagnostics, trouble);
   solved_ = path.fronts.solved_count();
   if (run) {
     for (results::CrackLengthResult& increment : run->increments) {

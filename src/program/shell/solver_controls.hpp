@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/equation_engines.hpp"
 #include "model/forward.hpp"
 
 #include <functional>
@@ -8,8 +9,9 @@ namespace spricka::program {
 
 /// What solvers may take of the machine.
 struct SolverThreadsAndStop {
-  std::function<int(const model::Model&)> threads; ///< empty: one
-  std::function<bool()> stopped;                   ///< may be empty
+  std::function<int(const model::Model&)> threads;                 ///< empty: one
+  std::function<base::EquationEngine(const model::Model&)> engine; ///< empty: automatic
+  std::function<bool()> stopped;                                   ///< may be empty
 };
 
 } // namespace spricka::program

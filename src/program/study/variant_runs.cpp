@@ -65,7 +65,7 @@ SharedRunOptions sharing_of(const RunOptions& options, const CheckedDeck& ready,
 } // namespace
 
 VariantRuns::VariantRuns(const RunOptions& options, CheckedDeck& ready, const Log& log)
-    : log_(log), quiet_(options.quiet), task_(options.array.has_value()),
+    : log_(log), quiet_(options.quiet), engine_(options.engine), task_(options.array.has_value()),
       deck_(studied_deck(options, ready)), place_(canonical_folder(options.out)),
       folder_(task_ ? nullptr : std::make_unique<RunFolder>(options.out)),
       runs_(
@@ -82,6 +82,7 @@ ChildRun VariantRuns::child_of(const DeckVariant& variant, double cpu_seconds) c
   return {.deck = variant.deck,
           .out = runs_.run_folder(variant.deck.stem().string()),
           .defines = variant.defines,
+          .engine = engine_,
           .seconds = cpu_seconds > 0.0 ? std::max(4.0 * cpu_seconds, 60.0) : 0.0,
           .cpu_seconds = cpu_seconds};
 }

@@ -79,6 +79,7 @@ private:
 
   const Log& log_;
   bool quiet_;
+  std::string engine_; ///< of the equations; empty: as the decks say
   bool task_;
   std::size_t reported_ = 0;  ///< runs that were told of
   std::size_t asked_for_ = 0; ///< runs, of which a collector may miss some

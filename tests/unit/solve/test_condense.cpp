@@ -2,6 +2,7 @@
 #include "base/dense_solve.hpp"
 #include "base/parallel.hpp"
 #include "solve/condense.hpp"
+#include "solve/engine_choice.hpp"
 #include "solve/rate.hpp"
 #include "spring_net.hpp"
 
@@ -263,6 +264,20 @@ TEST(Condensation, MovesWithItsFactor) {
   EXPECT_TRUE(same_bits(second.recover(f.topRows(4), f), u));
   second = Condensation(K, 4);
   EXPECT_TRUE(same_bits(second.recover(f.topRows(4), f), u));
+}
+
+TEST(Engine, IsKnownByItsWordInDecksAndOnTheCommandLine) {
+  EXPECT_EQ(base::equation_engine_of_word("mumps"), EquationEngine::mumps);
+  EXPECT_EQ(base::equation_engine_of_word("MULTIGRID"), EquationEngine::multigrid);
+  EXPECT_FALSE(base::equation_engine_of_word("mump"));
+  EXPECT_EQ(base::equation_engine_word(EquationEngine::automatic), "auto");
+}
+
+TEST(Engine, IsExplainedWhereThereIsAReason) {
+  const SymmetricCsc K = SpringNet(6, 1.0).matrix();
+  EXPECT_EQ(explain_engine(Condensation(K, 4).report()), "");
+  const Condensation next(K, 4, {.engine_reason = "another has given up"});
+  EXPECT_EQ(explain_engine(next.report()), "Cholesky: another has given up");
 }
 
 } // namespace

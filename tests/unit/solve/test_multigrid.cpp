@@ -148,7 +148,7 @@ TEST_F(Multigrid, RefusesWhatTakesTooLong) {
   const SymmetricCsc whole = K;
   const std::unique_ptr<CondensedEquations> own = condense(K, needle);
   ASSERT_EQ(own->report().status, FactorStatus::engine_failed);
-  EXPECT_NE(own->report().trouble.find("mumps"), std::string::npos);
+  EXPECT_NE(own->report().trouble.find("iterations"), std::string::npos);
   SparseCondensation factor(std::move(K), needle.externals());
   SparseCondensation exact(whole, needle.externals());
   EXPECT_LT((factor.take_schur() - exact.take_schur()).norm(), 1e-12);
