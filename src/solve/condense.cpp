@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/condense.hpp"
+#include "base/clock.hpp"
 #include "solve/blas.hpp"
 #include "solve/engine_choice.hpp"
+#include "solve/equation_ranks.hpp"
 
 #include <cassert>
 #include <new>
@@ -71,8 +73,16 @@ base::Matrix Condensation::solve(const base::Matrix& f,
 
 RowCompliance Condensation::compliance_with_externals_held(SparseRightHandSides F) const {
   assert(report_.status == FactorStatus::ok);
-  return stacked_ ? stacked_->compliance_with_externals_held(F)
-                  : sparse_->compliance_with_externals_held(std::move(F));
+  if (stacked_) {
+    return stacked_->compliance_with_externals_held(F);
+  }
+  EquationRanks* const ranks = equation_ranks();
+  const double resident = ranks == nullptr ? 0.0 : static_cast<double>(base::resident_memory());
+  RowCompliance out = sparse_->compliance_with_externals_held(std::move(F));
+  if (ranks != nullptr) {
+    ranks->count_own_rows(resident, sparse_->report().row_memory);
+  }
+  return out;
 }
 
 } // namespace spricka::solve

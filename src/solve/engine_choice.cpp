@@ -119,9 +119,14 @@ std::unique_ptr<CondensedEquations> condense_in_core(base::SymmetricCsc& K, std:
     K = own->give_back_matrix();
   }
   if (ranks != nullptr) {
-    ranks->count_own_net(unknowns, own->report());
+    ranks->count_own_net(unknowns, own->report(), resident_beside(own->report()));
   }
   return own;
+}
+
+double memory_of(const base::SymmetricCsc& K) {
+  return static_cast<double>(K.start.size() * sizeof(K.start[0]) + K.row.size() * sizeof(K.row[0]) +
+                             K.value.size() * sizeof(K.value[0]));
 }
 
 /// By a module; MUMPS by all ranks together where the run has several.
@@ -130,9 +135,17 @@ std::unique_ptr<CondensedEquations> condense_by_other_engine(EngineModule module
                                                              std::int64_t externals,
                                                              const CondensationSettings& settings) {
   EquationRanks* const ranks = equation_ranks();
-  return ranks != nullptr && module == EngineModule::mumps
-             ? ranks->condense_together(K, externals, settings)
-             : condense_by_module(module, K, externals, settings);
+  if (ranks != nullptr && module == EngineModule::mumps) {
+    return ranks->condense_together(K, externals, settings);
+  }
+  const std::int64_t unknowns = K.n;
+  const bool opened = why_engine_module_is_missing(module).empty(); // its libraries are no forecast
+  const double others = opened ? static_cast<double>(base::resident_memory()) - memory_of(K) : 0.0;
+  std::unique_ptr<CondensedEquations> own = condense_by_module(module, K, externals, settings);
+  if (ranks != nullptr) {
+    ranks->count_own_net(unknowns, own->report(), others);
+  }
+  return own;
 }
 
 /// Whether a body is still one for iterations; the reason of the settings says why it is not.

@@ -80,6 +80,7 @@ public:
       out.W = other.get_matrix();
       out.condensed = other.get_matrix();
       out.flops = other.get<double>();
+      ranks_.count_rows(rank_, other.get<double>());
     });
     return out;
   }
@@ -175,6 +176,10 @@ void for_each_on_ranks(std::span<const double> cost, int threads,
   });
 }
 
+double resident_beside(const FactorReport& report) {
+  return static_cast<double>(base::resident_memory()) - report.kept_memory;
+}
+
 EquationRanks::EquationRanks(Communicator& communicator) : communicator_(communicator) {
   for (int rank = 0; rank < communicator.size(); ++rank) {
     Rank& entry = *ranks_.emplace_back(std::make_unique<Rank>());
@@ -227,6 +232,7 @@ EquationRanks::condense_elsewhere(const base::SymmetricCsc& K, std::int64_t exte
           std::max(of.work.forecast_memory, of.memory_before + of.kept + report.memory);
       of.kept += report.kept_memory;
     }
+    report.engine_reason = settings.engine_reason;
     equations->set_answer(std::move(report), std::move(S));
   });
   return equations;
@@ -243,7 +249,7 @@ EquationRanks::condense_together(base::SymmetricCsc& K, std::int64_t externals,
       });
   const FactorReport& report = equations->report();
   if (report.status == FactorStatus::ok) {
-    count_own_net(unknowns, report);
+    count_own_net(unknowns, report, resident_beside(report));
     for (int rank = 0; rank < count(); ++rank) {
       const std::scoped_lock alone(ranks_[at(rank)]->asking);
       RankWork& work = ranks_[at(rank)]->work;
@@ -269,7 +275,8 @@ void EquationRanks::take_step(std::int64_t matrix, int job, const std::function<
   own_part();
 }
 
-void EquationRanks::count_own_net(std::int64_t unknowns, const FactorReport& report) {
+void EquationRanks::count_own_net(std::int64_t unknowns, const FactorReport& report,
+                                  double others) {
   if (report.status != FactorStatus::ok) {
     return;
   }
@@ -277,11 +284,21 @@ void EquationRanks::count_own_net(std::int64_t unknowns, const FactorReport& rep
   const std::scoped_lock alone(own.asking);
   ++own.work.nets;
   own.work.unknowns += unknowns;
-  // This process has the model too, so what it holds beside the factor is looked up. While it was
-  // made it took more, and contact will.
-  own.work.forecast_memory = std::max(
-      own.work.forecast_memory, static_cast<double>(base::resident_memory()) +
-                                    std::max(report.memory - report.kept_memory, report.besides));
+  // While the factor is made it takes more than what is kept, and contact will.
+  own.work.forecast_memory =
+      std::max(own.work.forecast_memory,
+               others + std::max(report.memory, report.kept_memory + report.besides));
+}
+
+void EquationRanks::count_rows(int rank, double memory) {
+  Rank& of = *ranks_[at(rank)]; // it is being asked
+  of.work.forecast_memory = std::max(of.work.forecast_memory, of.memory_before + of.kept + memory);
+}
+
+void EquationRanks::count_own_rows(double resident, double memory) {
+  Rank& own = *ranks_.front();
+  const std::scoped_lock alone(own.asking);
+  own.work.forecast_memory = std::max(own.work.forecast_memory, resident + memory);
 }
 
 void EquationRanks::release(int rank, std::int64_t number, double kept) {

@@ -52,8 +52,10 @@ public:
   [[nodiscard]] std::unique_ptr<CondensedEquations>
   condense_together(base::SymmetricCsc& K, std::int64_t externals,
                     const CondensationSettings& settings);
-  /// Counts a net that rank 0 has condensed itself.
-  void count_own_net(std::int64_t unknowns, const FactorReport& report);
+  /// Counts a net that rank 0 has condensed itself, beside `others` [bytes] that it held.
+  void count_own_net(std::int64_t unknowns, const FactorReport& report, double others);
+  /// Counts what rank 0 was to take [bytes] for rows of contact, beside the `resident` before.
+  void count_own_rows(double resident, double memory);
 
   /// [rank] what each has done until now.
   [[nodiscard]] std::vector<RankWork> work();
@@ -72,6 +74,7 @@ private:
   void converse(int rank, const std::function<void(RankMessages&)>& talk);
   void take_step(std::int64_t matrix, int job, const std::function<void()>& own_part);
   void release(int rank, std::int64_t number, double kept);
+  void count_rows(int rank, double memory);
 
   Communicator& communicator_;
   std::vector<std::unique_ptr<Rank>> ranks_;
@@ -79,6 +82,9 @@ private:
   std::atomic<std::int64_t> next_ = 0;
   std::atomic<bool> ended_ = false;
 };
+
+/// What this process holds [bytes] beside a factor that has just been made.
+double resident_beside(const FactorReport& report);
 
 /// Those of this process, or null: it works alone, as nearly always.
 EquationRanks* equation_ranks();

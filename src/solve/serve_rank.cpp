@@ -55,23 +55,29 @@ public:
   }
 
   void find_compliance() {
-    const CondensedEquations& of = asked();
+    const SparseCondensation& of = asked();
     SparseRightHandSides F;
     F.start = root_.get_list<std::vector<std::int64_t>>();
     F.row = root_.get_list<std::vector<std::int64_t>>();
     F.value = root_.get_list<std::vector<double>>();
-    answer([&] { return of.compliance_with_externals_held(std::move(F)); },
-           [&](const RowCompliance& found) {
-             root_.put_matrix(found.W);
-             root_.put_matrix(found.condensed);
-             root_.put(found.flops);
-           });
+    double memory = 0.0;
+    answer(
+        [&] {
+          memory = of.compliance_memory(F);
+          return of.compliance_with_externals_held(std::move(F));
+        },
+        [&](const RowCompliance& found) {
+          root_.put_matrix(found.W);
+          root_.put_matrix(found.condensed);
+          root_.put(found.flops);
+          root_.put(memory);
+        });
   }
 
   void release() { factor_.erase(root_.get<std::int64_t>()); }
 
 private:
-  [[nodiscard]] const CondensedEquations& asked() const {
+  [[nodiscard]] const SparseCondensation& asked() const {
     return *factor_.at(root_.get<std::int64_t>());
   }
 
@@ -90,7 +96,7 @@ private:
   }
 
   RankMessages& root_;
-  std::map<std::int64_t, std::unique_ptr<CondensedEquations>> factor_;
+  std::map<std::int64_t, std::unique_ptr<SparseCondensation>> factor_;
 };
 
 } // namespace

@@ -2,6 +2,7 @@
 """The program started by mpirun, where that is installed and the program has the module for it."""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -25,6 +26,7 @@ from run_folders import (  # noqa: E402,F401
 )
 
 PATIENCE = 300
+MEMORY = re.compile(r"at most (\d+) MB of memory, forecast (\d+) MB")
 MPIRUN = shutil.which("mpirun")
 MODULE = Path(PROGRAM).resolve().parents[1] / "libexec/spricka/spricka-mumps-mpi.so"
 MISSING = "" if MPIRUN and MODULE.exists() else "mpirun or the module for MPI is not there"
@@ -87,6 +89,14 @@ class RankTest(RestartTest):
         """RANK n: of the processor log."""
         listing = (self.folder / folder / "listing.txt").read_text(encoding="utf-8")
         return [line for line in listing.splitlines() if line.strip().startswith("RANK ")]
+
+    def check_memory_of_ranks(self, folder):
+        """The largest memory of every rank within 30 % of the forecast."""
+        lines = self.lines_of_ranks(folder)
+        self.assertTrue(lines)
+        for line in lines:
+            peak, forecast = map(int, MEMORY.search(line).groups())
+            self.assertLess(abs(peak - forecast), 0.3 * forecast, line)
 
     def copy_deck(self, name):
         for file in [f"{name}.deck", *(f.name for f in (TOP / "decks").glob("*.inc")),

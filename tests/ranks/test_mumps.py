@@ -72,7 +72,17 @@ class Mumps(RankTest):
         # Both are users of MPI: who ends it first must not leave the other with calls that abort the run.
         if not MODULE.with_name("spricka-multigrid.so").exists():
             self.skipTest("built without PETSc")
-        self.run_ranks(0, 2, "run", self.deck(BLOCK), "--out", "iterated.run", "--quiet", "--engine", "multigrid")
+        n = 14 if FULL else 8
+        deck = self.deck(BLOCK.replace("NX=4 NY=4 NZ=4", f"NX={n} NY={n} NZ={n}"))
+        self.run_ranks(0, 2, "run", deck, "--out", "iterated.run", "--quiet", "--engine", "multigrid")
+        self.check_memory_of_ranks("iterated.run")
+        self.run_ranks(0, 2, "run", deck, "--out", "mumps.run", "--quiet", "--engine", "mumps")
+        self.check_memory_of_ranks("mumps.run")
+
+    def test_bodies_in_contact_without_loads(self):
+        deck = self.copy_deck("press_fit_solid")
+        self.run_ranks(0, 2, "run", deck, "--out", "fit.run", "--quiet", "--engine", "mumps")
+        self.check_memory_of_ranks("fit.run")
 
 
 if __name__ == "__main__":

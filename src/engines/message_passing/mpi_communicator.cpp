@@ -114,14 +114,15 @@ void MpiCommunicator::join_step(std::int64_t matrix, int job) {
   }
   MumpsInstance& part = *parts_.at(matrix);
   part.take_part(job);
-  if (static_cast<MumpsJob>(job) == MumpsJob::factorisation) {
-    // What its estimate was, in or out of core as rank 0 has chosen.
-    double all = 0.0;
-    for (const auto& [number, held] : parts_) {
-      all += held->planned_memory();
-    }
-    memory_of_steps_ = std::max(memory_of_steps_, all);
+  // What the factors have allocated and keep, and beside them the solution.
+  double all = 0.0;
+  for (const auto& [number, held] : parts_) {
+    all += held->memory_of_factorisation();
   }
+  if (static_cast<MumpsJob>(job) == MumpsJob::solution) {
+    all += std::max(0.0, part.memory_of_solution() - part.memory_of_factorisation());
+  }
+  memory_of_steps_ = std::max(memory_of_steps_, all);
 }
 
 void MpiCommunicator::abort(int exit_code) {

@@ -236,6 +236,9 @@ MumpsCondensation::compliance_with_externals_held(solve::SparseRightHandSides F)
     const std::scoped_lock lock(in_use_);
     out = locals_->compliance_of_rows(F);
     out.flops = solution_flops(F.count());
+    report_.row_memory = number * static_cast<double>(n_ * locals_->block_width(F.count())) +
+                         std::max(0.0, locals_->mumps().memory_of_solution() -
+                                           locals_->mumps().memory_of_factorisation());
     return out;
   }
   out.W = base::Matrix::Zero(F.count(), F.count());

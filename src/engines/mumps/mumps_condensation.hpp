@@ -54,7 +54,7 @@ private:
   std::int64_t externals_ = 0;
   solve::CollectiveStep step_;
   std::int64_t n_ = 0;
-  solve::FactorReport report_;
+  mutable solve::FactorReport report_; ///< with what the last rows took
   base::Matrix S_;
   mutable std::mutex in_use_; ///< from the elimination of right-hand sides to their solution
   mutable std::optional<MumpsElimination> locals_; ///< empty where there are none

@@ -43,11 +43,10 @@ public:
   }
   /// Of each row in the order of its pivots, counted from 1; once it is analysed.
   [[nodiscard]] const int* places() const { return data_.sym_perm; }
-  /// What the analysis has found that this process will need [bytes].
-  [[nodiscard]] double planned_memory() const {
-    const bool out_of_core = data_.icntl[22 - 1] == 1;
-    return 1e6 * (out_of_core ? data_.info[17 - 1] : data_.info[15 - 1]);
-  }
+  /// What the factorisation has allocated in this process [bytes], by its own count; 0 before it.
+  [[nodiscard]] double memory_of_factorisation() const { return 1e6 * data_.info[16 - 1]; }
+  /// The same of the last solution, with the factor where that is in memory.
+  [[nodiscard]] double memory_of_solution() const { return 1e6 * data_.info[26 - 1]; }
   [[nodiscard]] DMUMPS_STRUC_C& data() { return data_; }
 
   /// Does it: whether INFOG(1) is no error. A factorisation that finds its estimated workspace too
