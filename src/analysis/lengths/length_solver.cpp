@@ -111,13 +111,15 @@ std::optional<results::CrackLengthResult> CrackStateSolver::solve(const CrackSta
   // Each round but the last makes a pair of one crack at least: there are no more rounds than
   // cracks and one.
   do {
-    if (!condense(*length, log)) {
+    std::vector<std::string> news;
+    if (!condense(*length, log, news)) {
       return std::nullopt;
     }
     report_stage("condensed");
     increment = {};
     increment.a = a > 0.0 ? a : base::restore_short_decimal(first);
-    increment.notes = results::make_plain_notes(cut.notes);
+    news.insert(news.begin(), cut.notes.begin(), cut.notes.end());
+    increment.notes = results::make_plain_notes(news);
     StepSequence steps({.model = model_,
                         .options = options_,
                         .pictured = request.pictured,
@@ -155,17 +157,17 @@ std::optional<results::CrackLengthResult> CrackStateSolver::solve(const CrackSta
   return increment;
 }
 
-bool CrackStateSolver::condense(CrackLengthAnalysis& length, LogWriter& log) {
+bool CrackStateSolver::condense(CrackLengthAnalysis& length, LogWriter& log,
+                                std::vector<std::string>& news) {
   CondensationStatistics figures;
   const bool condensed = length.condense(figures);
   std::vector<std::string> engines;
-  std::vector<std::string> handed_on;
   for (const results::NetCost& net : figures.nets) {
     if (!net.engine.empty() && !net.reused) {
       engines.push_back(fmt::format("{}: {}", net.name, net.engine));
       // In core without a word but where another engine has given the net up.
       if (net.engine.starts_with("Cholesky")) {
-        handed_on.push_back(fmt::format("{} was solved by {}", net.name, net.engine));
+        news.push_back(fmt::format("{} was solved by {}", net.name, net.engine));
       }
     }
   }
@@ -185,8 +187,8 @@ bool CrackStateSolver::condense(CrackLengthAnalysis& length, LogWriter& log) {
     diagnostics_.warning({}, "W509", concern,
                          "what follows from them is no better: K, contact, life");
   }
-  for (const std::string& news : handed_on) {
-    diagnostics_.note({}, "W510", news,
+  for (const std::string& given_up : news) {
+    diagnostics_.note({}, "W510", given_up,
                       "the answer is as good; --engine cholesky spares the attempt");
   }
   for (const std::string& engine : engines) {

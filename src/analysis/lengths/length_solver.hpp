@@ -82,7 +82,8 @@ public:
 
 private:
   [[nodiscard]] CrackLengthContext parts();
-  bool condense(CrackLengthAnalysis& length, LogWriter& log);
+  /// `news`: of nets that one engine has given up and another solved, for the reader.
+  bool condense(CrackLengthAnalysis& length, LogWriter& log, std::vector<std::string>& news);
   void close_faces(const std::vector<std::size_t>& lines, CrackLengthAnalysis& length,
                    LogWriter& log);
   /// Tells that a stage of the increment is done.

@@ -49,7 +49,7 @@ std::string failure_remedy(const base::OperationFailure& answer) {
     return "with friction more SUBSTEPS or a smaller MU; spricka help E520 says more";
   }
   using Remedy = std::pair<std::string_view, std::string_view>;
-  static constexpr std::array<Remedy, 13> remedies{
+  static constexpr std::array<Remedy, 14> remedies{
       {{"next to nothing holds",
         "hold it by a support ($FREEDOM), friction (MU=) or a contact that it runs against"},
        {"slides", "more friction, more pressure or less load, or a support: $FREEDOM"},
@@ -62,6 +62,7 @@ std::string failure_remedy(const base::OperationFailure& answer) {
        {"singular", "add a support ($FREEDOM), or join the parts"},
        {"mechanism", "add a support ($FREEDOM), or join the parts"},
        {"TMPDIR", "the page of the manual on engines has what they keep on disk"},
+       {"cannot be loaded", "install that library, or take another --engine"},
        {"iterations", "choose --engine cholesky or mumps"},
        {"memory",
         "take fewer or coarser elements or, where rows of contact take it, MULTIPLIER=CORNER on "
