@@ -96,7 +96,7 @@ ElementBoxes::ElementBoxes(const model::Mesh& mesh, std::span<const ElementId> e
 
 std::vector<ElementHit> ElementBoxes::elements_at(const Vec3& point) const {
   std::vector<ElementHit> hits;
-  for (const Box& box : boxes_) {
+  for (const ElementBox& box : boxes_) {
     if (!box.around.contains(point)) {
       continue;
     }

@@ -33,12 +33,12 @@ public:
   [[nodiscard]] std::vector<ElementHit> elements_at(const base::Vec3& point) const;
 
 private:
-  struct Box {
+  struct ElementBox {
     base::ElementId element;
     Eigen::AlignedBox3d around;
   };
   const model::Mesh& mesh_;
-  std::vector<Box> boxes_;
+  std::vector<ElementBox> boxes_;
 };
 
 /// Elements at a point that hang together there. Where faces of a crack or two bodies meet there

@@ -12,7 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int parts_of_turn = 180; // of the integral round the axis
+constexpr int parts_of_turn = 180;  // of the integral round the axis
 constexpr double past_sides = 1e-9; // of a triangle
 
 double cross(DrawingPoint a, DrawingPoint b, DrawingPoint c) {
