@@ -109,11 +109,19 @@ private:
   const FrontIntegralDomains& fields_;
 };
 
+bool acts_nothing(const FrontLoads& loads) {
+  return loads.loads.empty() &&
+         std::ranges::all_of(loads.contact, [](const FacePointForces& on_face) {
+           return std::ranges::all_of(on_face.points,
+                                      [](const auto& point) { return point.force.isZero(0.0); });
+         });
+}
+
 InteractionConfigurationalForces<3> all_forces(const FrontContext& set,
                                                const FrontIntegralDomains& extensions,
                                                const base::Vector& u, const FrontLoads& loads) {
   InteractionConfigurationalForces<3> forces(set.mesh.node_count());
-  if (u.isZero(0.0) && loads.loads.empty()) {
+  if (u.isZero(0.0) && acts_nothing(loads)) {
     return forces; // as at the end of many a load cycle
   }
   const FrontAuxiliaryFields fields(set, extensions);

@@ -7,7 +7,7 @@ import unittest
 
 from mpi_runs import CRACKED, MISSING, RankTest, keeping, main
 
-LENGTHS = "  ".join(f"{1 + 0.05 * i:g}" for i in range(18))
+LENGTHS = "  ".join(f"{1 + 0.05 * i:g}" for i in range(24))
 # Slow enough to be met at work; parts of a body, so that each rank has some.
 LONG = keeping(CRACKED.replace("  1  1.5  2\n", f"  {LENGTHS}\n").replace("NX=4 NY=2", "NX=40 NY=20"))
 
