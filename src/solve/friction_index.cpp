@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/friction_index.hpp"
 #include "base/index.hpp"
+#include "solve/blas.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -16,18 +16,24 @@ namespace {
 constexpr double singular = 1e-11; ///< a pivot below this part of the largest tells nothing
 
 /// Sign of a determinant; 0 where round-off could have made it.
-int determinant_sign(const base::Matrix& J) {
-  if (J.rows() == 0) {
+int determinant_sign(base::Matrix J) {
+  const auto n = static_cast<int>(J.rows());
+  if (n == 0) {
     return 1;
   }
-  const Eigen::PartialPivLU<base::Matrix> lu(J);
-  const base::Vector pivots = lu.matrixLU().diagonal();
+  std::vector<int> swapped; // [row] with which one, counted from 1
+  if (!blas::factorise_lu(n, blas::as_matrix_block(J), swapped)) {
+    return 0;
+  }
+  const base::Vector pivots = J.diagonal();
   if (!(pivots.cwiseAbs().minCoeff() > singular * pivots.cwiseAbs().maxCoeff())) {
     return 0;
   }
-  const auto negative = (pivots.array() < 0.0).count();
-  const int order = lu.permutationP().determinant() < 0 ? -1 : 1;
-  return negative % 2 == 0 ? order : -order;
+  auto signs = (pivots.array() < 0.0).count();
+  for (int i = 0; i < n; ++i) {
+    signs += swapped[at(i)] != i + 1 ? 1 : 0;
+  }
+  return signs % 2 == 0 ? 1 : -1;
 }
 
 /// The derivative of the conditions of an answer by its forces and motions: columns are forces,
