@@ -66,22 +66,24 @@ double FixedActiveSet::unheld_load(const base::Matrix& on_mode) const {
 // Contact forces alone are solved for, which act on few unknowns: the factor's fronts without them
 // are passed over.
 std::vector<base::Matrix>
-FixedActiveSet::external_displacements(const ResponseWithoutContact& free,
-                                       const ActiveSetResponse& response) const {
+external_displacements(const ContactSystem& system, const ResponseWithoutContact& free,
+                       const FixedActiveSet::ActiveSetResponse& response) {
   std::vector<base::Matrix> force;
   for (const base::Matrix& u : free.u) {
     force.emplace_back(base::Matrix::Zero(u.rows(), u.cols()));
   }
-  for (const std::size_t row : rows_) {
-    system_.add_row_force(row, response.force.row(index(row)), force);
+  for (Eigen::Index row = 0; row < response.force.rows(); ++row) {
+    if ((response.force.row(row).array() != 0.0).any()) {
+      system.add_row_force(base::at(row), response.force.row(row), force);
+    }
   }
   std::vector<base::Matrix> u = free.u;
   for (std::size_t b = 0; b < force.size(); ++b) {
-    const base::Matrix& Q = system_.bodies()[b]->rigid_modes();
+    const base::Matrix& Q = system.bodies()[b]->rigid_modes();
     if (!force[b].isZero(0.0)) {
-      u[b] += system_.bodies()[b]->displacements_under_forces(force[b]);
+      u[b] += system.bodies()[b]->displacements_under_forces(force[b]);
     }
-    u[b] += Q * response.mode.middleRows(system_.first_mode(b), Q.cols());
+    u[b] += Q * response.mode.middleRows(system.first_mode(b), Q.cols());
   }
   return u;
 }

@@ -44,12 +44,6 @@ public:
                                                  const base::Matrix& on_mode) const;
   /// The largest load on modes [mode, k] that no held row takes: they would move without bound.
   [[nodiscard]] double unheld_load(const base::Matrix& on_mode) const;
-  /// External displacements [body][m, k] under the loads of a response without contact and what the
-  /// held rows answer.
-  [[nodiscard]] std::vector<base::Matrix>
-  external_displacements(const ResponseWithoutContact& free,
-                         const ActiveSetResponse& response) const;
-
   /// Pivots of single rows of the system [candidate]: of a row that is not held the gap that a unit
   /// of its own force opens, of a held one the force that a unit of its gap takes (manual,
   /// solve.29). Zero where there is none: redundant rows. Only where is_consistent().
@@ -60,5 +54,11 @@ private:
   std::vector<std::size_t> rows_;
   solve::ClosedRowsSolver held_;
 };
+
+/// External displacements [body][m, k] under the loads of a response without contact and what held
+/// rows answer, of each column its own.
+std::vector<base::Matrix> external_displacements(const ContactSystem& system,
+                                                 const ResponseWithoutContact& free,
+                                                 const FixedActiveSet::ActiveSetResponse& response);
 
 } // namespace spricka::contact

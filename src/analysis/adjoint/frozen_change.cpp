@@ -118,39 +118,97 @@ FrozenContactResponse FrozenContactSystem::solve_response(base::Matrix loads,
   return out;
 }
 
-FrozenContactResponse FrozenContactSystem::solve_response(CondensedLoads& loads,
-                                                          const base::Matrix& gaps,
-                                                          const UnheldLoadLimit& unheld) const {
-  FrozenContactResponse out;
-  if (held_ && !held_->is_consistent()) {
-    out.why_not = contradiction;
-    return out;
+void FrozenContactSystem::respond_without_contact(CondensedLoads& loads) const {
+  if (loads.free.u.empty()) {
+    loads.external = external_loads(loads);
+    loads.free = contact::response_without_contact(*solver_.contact_system(), loads.external);
   }
+}
+
+base::Matrix
+FrozenContactSystem::displacements(const CondensedLoads& loads,
+                                   const contact::FixedActiveSet::ActiveSetResponse* answer) const {
   std::vector<base::Matrix> external(bodies_.size());
-  out.force = base::Matrix::Zero(static_cast<Eigen::Index>(scene_.table.size()), loads.columns);
-  if (held_) {
-    if (loads.free.u.empty()) {
-      loads.external = external_loads(loads);
-      loads.free = contact::response_without_contact(*solver_.contact_system(), loads.external);
-    }
-    const contact::FixedActiveSet::ActiveSetResponse found = held_->solve_response(
-        gaps.cols() > 0 ? base::Matrix(loads.free.opening + gaps) : loads.free.opening,
-        loads.free.on_mode);
-    if (found.left_over > unheld.part * largest_entry(loads.external)) {
-      out.why_not = unheld.why_not;
-      return out;
-    }
-    out.force = found.force;
-    std::vector<base::Matrix> u = held_->external_displacements(loads.free, found);
+  if (answer != nullptr) {
+    std::vector<base::Matrix> u =
+        contact::external_displacements(*solver_.contact_system(), loads.free, *answer);
     for (std::size_t i = 0; i < u.size(); ++i) {
       external[solver_.condensed_body_indices()[i]] = std::move(u[i]);
     }
   }
-  out.u = base::Matrix::Zero(loads.freedoms, loads.columns);
+  base::Matrix u = base::Matrix::Zero(loads.freedoms, loads.columns);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     // A change of displacements: constants of ties have no part in it.
-    recover_body_displacements(bodies_[b], external[b], loads.of_body[b], 0.0, out.u);
+    recover_body_displacements(bodies_[b], external[b], loads.of_body[b], 0.0, u);
   }
+  return u;
+}
+
+FrozenContactResponse FrozenContactSystem::solve_response(CondensedLoads& loads,
+                                                          const base::Matrix& gaps,
+                                                          const UnheldLoadLimit& unheld) const {
+  FrozenContactResponse out;
+  if (!held_) {
+    out.force = base::Matrix::Zero(static_cast<Eigen::Index>(scene_.table.size()), loads.columns);
+    out.u = displacements(loads, nullptr);
+    return out;
+  }
+  if (!held_->is_consistent()) {
+    out.why_not = contradiction;
+    return out;
+  }
+  respond_without_contact(loads);
+  const contact::FixedActiveSet::ActiveSetResponse found = held_->solve_response(
+      gaps.cols() > 0 ? base::Matrix(loads.free.opening + gaps) : loads.free.opening,
+      loads.free.on_mode);
+  if (found.left_over > unheld.part * largest_entry(loads.external)) {
+    out.why_not = unheld.why_not;
+    return out;
+  }
+  out.u = displacements(loads, &found);
+  out.force = found.force;
+  return out;
+}
+
+FrozenStepResponses
+FrozenContactSystem::solve_responses(const std::vector<const FrozenContactSystem*>& steps,
+                                     base::Matrix loads) {
+  const FrozenContactSystem& any = *steps.front();
+  const auto count = static_cast<Eigen::Index>(steps.size());
+  CondensedLoads condensed = condense_loads(any.scene_, any.bodies_, std::move(loads));
+  FrozenStepResponses out;
+  out.failed.assign(steps.size(), false);
+  out.force = base::Matrix::Zero(static_cast<Eigen::Index>(any.scene_.table.size()), count);
+  if (!any.held_) {
+    out.u = any.displacements(condensed, nullptr);
+    return out;
+  }
+  any.respond_without_contact(condensed);
+  const contact::ResponseWithoutContact& free = condensed.free;
+  contact::FixedActiveSet::ActiveSetResponse all;
+  all.force = base::Matrix::Zero(free.opening.rows(), count);
+  all.mode = base::Matrix::Zero(free.on_mode.rows(), count);
+  const UnheldLoadLimit unheld;
+  for (Eigen::Index s = 0; s < count; ++s) {
+    const contact::FixedActiveSet& held = *steps[static_cast<std::size_t>(s)]->held_;
+    const bool consistent = held.is_consistent();
+    contact::FixedActiveSet::ActiveSetResponse found;
+    if (consistent) {
+      found = held.solve_response(free.opening.col(s), free.on_mode.col(s));
+    }
+    double load = 0.0;
+    for (const base::Matrix& external : condensed.external) {
+      load = std::max(load, external.size() > 0 ? external.col(s).cwiseAbs().maxCoeff() : 0.0);
+    }
+    if (!consistent || found.left_over > unheld.part * load) {
+      out.failed[static_cast<std::size_t>(s)] = true;
+      continue;
+    }
+    all.force.col(s) = found.force;
+    all.mode.col(s) = found.mode;
+  }
+  out.u = any.displacements(condensed, &all);
+  out.force = all.force;
   return out;
 }
 

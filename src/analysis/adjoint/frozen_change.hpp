@@ -50,6 +50,13 @@ struct FrozenContactResponse {
   std::string why_not;                  ///< empty: there is one
 };
 
+/// The same to loads at the ends of several steps, each answered by its own closed rows.
+struct FrozenStepResponses {
+  base::Matrix u;           ///< [dim * node, step]
+  base::Matrix force;       ///< [row of the table, step]
+  std::vector<bool> failed; ///< [step] there is none: the closed rows give way
+};
+
 /// All must outlive it.
 class FrozenContactSystem {
 public:
@@ -64,6 +71,10 @@ public:
   [[nodiscard]] FrozenContactResponse solve_response(CondensedLoads& loads,
                                                      const base::Matrix& gaps,
                                                      const UnheldLoadLimit& unheld) const;
+  /// The responses to loads [dim * node, step] by the systems [step] of one crack length, for which
+  /// the factors are read once.
+  [[nodiscard]] static FrozenStepResponses
+  solve_responses(const std::vector<const FrozenContactSystem*>& steps, base::Matrix loads);
   /// Why loads [dim * node, k] have no response, at the cost of what they come to on rigid modes;
   /// empty: they have one, as far as that tells.
   [[nodiscard]] std::string why_no_response(base::Matrix loads) const;
@@ -73,6 +84,12 @@ public:
 private:
   /// Of the bodies of the contact system [body][m, k].
   [[nodiscard]] std::vector<base::Matrix> external_loads(const CondensedLoads& loads) const;
+  /// Makes what loads do without contact, unless they have it.
+  void respond_without_contact(CondensedLoads& loads) const;
+  /// Displacements [dim * node, k] by loads and what contacts answer; null: there are none.
+  [[nodiscard]] base::Matrix
+  displacements(const CondensedLoads& loads,
+                const contact::FixedActiveSet::ActiveSetResponse* answer) const;
 
   const StepSolver& solver_;
   const Discretisation& scene_;

@@ -110,28 +110,52 @@ const StressIntensityAdjoints& CrackLengthAnalysis::solve_adjoints(const StepSol
   return processors_->adjoints.solve_adjoint_of_last_step(solver);
 }
 
-bool CrackLengthAnalysis::add_error_bars_and_sensitivities(const StepSolver& solver,
-                                                           const StepState& state,
-                                                           bool sensitivities,
-                                                           results::LoadStepResult& result,
-                                                           const ProcessorEndCallback& ended) {
+bool CrackLengthAnalysis::begin_error_bars(const StepSolver& solver, const StepState& state,
+                                           bool sensitivities, results::LoadStepResult& result,
+                                           const ProcessorEndCallback& ended) {
   if (scene_.cracked.fronts.empty()) {
     return true;
   }
   if (!scene_.has_tips()) {
-    processors_->fronts.add_to_fronts(solver, state, sensitivities, result);
-    return ended("ESTIMATE", sensitivities ? "error bars and derivatives of K" : "error bars of K");
+    return processors_->fronts.begin_bars(solver, state, sensitivities, result, ended);
   }
   const StressIntensityAdjoints& of_K = solve_adjoints(solver);
   if (!ended("ADJOINT", fmt::format("{} tips", scene_.cracked.fronts.size()))) {
     return false;
   }
   processors_->bars.add_to_tips(state, of_K, processors_->adjoints.fixed_active_set(), result);
-  if (!ended("ESTIMATE", "error bars of K") || !sensitivities) {
-    return !sensitivities;
+  if (!ended("ESTIMATE", "error bars of K")) {
+    return false;
+  }
+  if (!sensitivities) {
+    return true;
   }
   processors_->sensitivities.add_to_tips(solver, state, processors_->adjoints, result);
   return ended("SENSITIVITY", "loads, fits, moduli, lengths");
+}
+
+CrackLengthAnalysis::WaitingBars CrackLengthAnalysis::waiting_bars() const {
+  const FrontErrorsAndSensitivities& fronts = processors_->fronts;
+  return fronts.unfinished_steps() == 0 ? WaitingBars::none
+         : fronts.is_full()             ? WaitingBars::full
+                                        : WaitingBars::some;
+}
+
+void CrackLengthAnalysis::finish_error_bars(const std::vector<results::LoadStepResult*>& steps) {
+  processors_->fronts.finish_bars(steps);
+}
+
+bool CrackLengthAnalysis::add_error_bars_and_sensitivities(const StepSolver& solver,
+                                                           const StepState& state,
+                                                           bool sensitivities,
+                                                           results::LoadStepResult& result,
+                                                           const ProcessorEndCallback& ended) {
+  const bool goes_on = begin_error_bars(solver, state, sensitivities, result, ended);
+  if (waiting_bars() == WaitingBars::none) {
+    return goes_on;
+  }
+  finish_error_bars({&result});
+  return goes_on && ended("ESTIMATE", "error bars of K");
 }
 
 void CrackLengthAnalysis::add_net_errors(const std::vector<double>& energy,

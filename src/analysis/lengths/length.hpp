@@ -80,13 +80,18 @@ public:
 
   /// ADJOINT: of K at the end of the step that `solver` solved last, in the plane.
   const StressIntensityAdjoints& solve_adjoints(const StepSolver& solver);
-  /// Told as a processor ends, by its name and what it did; false: go no further.
-  using ProcessorEndCallback =
-      std::function<bool(const std::string& processor, const std::string& did)>;
   /// ADJOINT, ESTIMATE and SENSITIVITY: error bars and derivatives of K at the end of the step that
   /// `solver` solved last, in the plane by adjoints, in space by direct solutions; nothing without
-  /// a crack. What the bars allow is taken out of K. Without `sensitivities` bars alone. False:
-  /// `ended` went no further.
+  /// a crack. What the bars allow is taken out of K. Without `sensitivities` bars alone. In space
+  /// bars wait for finish_error_bars(). False: `ended` went no further.
+  bool begin_error_bars(const StepSolver& solver, const StepState& state, bool sensitivities,
+                        results::LoadStepResult& result, const ProcessorEndCallback& ended);
+  /// Whether bars that wait should be finished before the next step: none, some, or too many.
+  enum class WaitingBars { none, some, full };
+  [[nodiscard]] WaitingBars waiting_bars() const;
+  /// ESTIMATE in space: bars of the steps that wait, in their order.
+  void finish_error_bars(const std::vector<results::LoadStepResult*>& steps);
+  /// Both for a single step.
   bool add_error_bars_and_sensitivities(const StepSolver& solver, const StepState& state,
                                         bool sensitivities, results::LoadStepResult& result,
                                         const ProcessorEndCallback& ended);

@@ -90,9 +90,13 @@ base::OptionalFailure StepSequence::solve(results::CrackLengthResult& increment,
     if (repeated_.earlier_step(s) != nullptr) {
       copy_step(s, increment);
     } else if (solve_step(s, increment) == Continuation::end) {
+      if (trouble_) { // what was found so far counts
+        finish_error_bars(increment);
+      }
       return trouble_;
     }
   }
+  finish_error_bars(increment);
   repeated_.drop_extra_stresses(increment.steps);
   add_stresses_of_most_loaded_step(increment);
   if (!trouble_) {
@@ -102,6 +106,7 @@ base::OptionalFailure StepSequence::solve(results::CrackLengthResult& increment,
 }
 
 void StepSequence::copy_step(std::size_t s, results::CrackLengthResult& increment) {
+  finish_error_bars(increment); // of the step that is copied
   const std::vector<model::Step>& steps = context_.model.steps;
   repeated_.copy_step(s, *solver_, increment.steps);
   show(increment);
@@ -113,7 +118,6 @@ void StepSequence::copy_step(std::size_t s, results::CrackLengthResult& incremen
 
 StepSequence::Continuation StepSequence::solve_step(std::size_t s,
                                                     results::CrackLengthResult& increment) {
-  const model::Step& step = context_.model.steps[s];
   const std::optional<StepState> state = solve_contact(s);
   if (!state) {
     return Continuation::end;
@@ -127,20 +131,20 @@ StepSequence::Continuation StepSequence::solve_step(std::size_t s,
   if (!recover_step(s, *state, increment)) {
     return Continuation::end;
   }
-  add_error_bars(s, *state, context_.sensitivities && touching_.empty(), increment.steps.back());
-  if (!touching_.empty()) {
-    return Continuation::next_step;
+  begin_error_bars(s, *state, context_.sensitivities && touching_.empty(), increment.steps.back());
+  unfinished_.push_back({.step = s, .overlaps = !touching_.empty()});
+  if (touching_.empty()) {
+    if (context_.pictured.most_loaded) {
+      unfinished_.back().energy = state->energy;
+    }
+    add_stresses(s, *state, increment.steps.back());
+    if (trouble_) {
+      return Continuation::end;
+    }
   }
-  if (context_.pictured.most_loaded && results::most_loaded_step(increment) == s) {
-    energy_ = state->energy;
+  if (length_.waiting_bars() != CrackLengthAnalysis::WaitingBars::some) {
+    finish_error_bars(increment);
   }
-  add_stresses(s, *state, increment.steps.back());
-  if (trouble_) {
-    return Continuation::end;
-  }
-  show(increment);
-  ++solved_;
-  report_stage(fmt::format("step {}", step.name));
   return Continuation::next_step;
 }
 
@@ -197,17 +201,50 @@ bool StepSequence::recover_step(std::size_t s, const StepState& state,
   return true;
 }
 
-void StepSequence::add_error_bars(std::size_t s, const StepState& state, bool sensitivities,
-                                  results::LoadStepResult& result) {
+void StepSequence::begin_error_bars(std::size_t s, const StepState& state, bool sensitivities,
+                                    results::LoadStepResult& result) {
   if (context_.bars) {
-    length_.add_error_bars_and_sensitivities(
-        *solver_, state, sensitivities, result,
-        [&](const std::string& processor, const std::string& did) {
-          context_.log.add_line(processor,
-                                fmt::format("step {}: {}", context_.model.steps[s].name, did));
-          return true;
-        });
+    length_.begin_error_bars(*solver_, state, sensitivities, result,
+                             [&](const std::string& processor, const std::string& did) {
+                               context_.log.add_line(
+                                   processor,
+                                   fmt::format("step {}: {}", context_.model.steps[s].name, did));
+                               return true;
+                             });
   }
+}
+
+// Of the steps that wait: together they cost less.
+void StepSequence::finish_error_bars(results::CrackLengthResult& increment) {
+  if (length_.waiting_bars() != CrackLengthAnalysis::WaitingBars::none) {
+    std::vector<results::LoadStepResult*> waiting;
+    std::vector<std::string> names;
+    for (const UnfinishedStep& unfinished : unfinished_) {
+      waiting.push_back(&increment.steps[unfinished.step]);
+      names.push_back(waiting.back()->step);
+    }
+    length_.finish_error_bars(waiting);
+    context_.log.add_line("ESTIMATE", fmt::format("{} {}: error bars of K",
+                                                  names.size() == 1 ? "step" : "steps",
+                                                  fmt::join(names, ", ")));
+  }
+  const std::vector<UnfinishedStep> finished = std::exchange(unfinished_, {});
+  for (const UnfinishedStep& step : finished) {
+    end_step(step, increment);
+  }
+}
+
+void StepSequence::end_step(const UnfinishedStep& step,
+                            const results::CrackLengthResult& increment) {
+  if (step.overlaps || trouble_) {
+    return;
+  }
+  if (context_.pictured.most_loaded && results::most_loaded_step(increment) == step.step) {
+    energy_ = step.energy;
+  }
+  show(increment);
+  ++solved_;
+  report_stage(fmt::format("step {}", context_.model.steps[step.step].name));
 }
 
 void StepSequence::add_stresses(std::size_t s, const StepState& state,

@@ -56,8 +56,11 @@ private:
   Continuation solve_step(std::size_t s, results::CrackLengthResult& increment);
   std::optional<StepState> solve_contact(std::size_t s);
   bool recover_step(std::size_t s, const StepState& state, results::CrackLengthResult& increment);
-  void add_error_bars(std::size_t s, const StepState& state, bool sensitivities,
-                      results::LoadStepResult& result);
+  void begin_error_bars(std::size_t s, const StepState& state, bool sensitivities,
+                        results::LoadStepResult& result);
+  void finish_error_bars(results::CrackLengthResult& increment);
+  struct UnfinishedStep;
+  void end_step(const UnfinishedStep& step, const results::CrackLengthResult& increment);
   void add_stresses(std::size_t s, const StepState& state, results::LoadStepResult& result);
   void recover_stresses(std::size_t s, const std::vector<double>& energy,
                         results::LoadStepResult& result);
@@ -74,6 +77,13 @@ private:
   RepeatedSteps repeated_;
   CyclicLoadHistorySolver history_;
   std::vector<std::size_t> touching_;
+  /// A step whose bars wait.
+  struct UnfinishedStep {
+    std::size_t step = 0;
+    bool overlaps = false;           ///< faces of cracks do, so that there are no pictures
+    std::vector<double> energy = {}; ///< [element] of strain; empty: not asked for
+  };
+  std::vector<UnfinishedStep> unfinished_;
   std::vector<double> energy_; ///< [element] of the most loaded step so far
   std::optional<LoadHistoryKResult> followed_;
   base::OptionalFailure trouble_;

@@ -195,8 +195,8 @@ TEST(ContactSystem, PivotsOfHeldRowsAreInversesOfThoseOfOpenOnes) {
   ASSERT_TRUE(fixed.is_consistent());
   const std::vector<base::Matrix> load{force, on_other};
   const contact::ResponseWithoutContact free = contact::response_without_contact(system, load);
-  const std::vector<base::Matrix> moved =
-      fixed.external_displacements(free, fixed.solve_response(free.opening, free.on_mode));
+  const std::vector<base::Matrix> moved = contact::external_displacements(
+      system, free, fixed.solve_response(free.opening, free.on_mode));
   EXPECT_NEAR(system.row_opening(2, {moved[0].col(0), moved[1].col(0)}), fixed.row_pivots({2})[0],
               1e-12);
 }
