@@ -54,7 +54,9 @@ base::Vector SolidEnrichment::apply_preconditioner(const base::Vector& r) const 
   base::Vector p = s;
   double size = left.dot(s);
   for (int i = 0; i < steps && size > 0.0; ++i) {
-    const base::Vector force = stiffness_forces_on_modes(nullptr, &p);
+    base::Vector force = base::Vector::Zero(p.size());
+    operator_.add_forces({nullptr, &p}, {nullptr, &force}, ModeStiffnessRule::reduced);
+    force = force.cwiseProduct(free_mode_mask());
     const double alpha = size / p.dot(force);
     x += alpha * p;
     left -= alpha * force;

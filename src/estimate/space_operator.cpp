@@ -23,8 +23,11 @@ namespace blas = solve::blas;
 constexpr Eigen::Index lanes = operator_lanes;
 
 // Of straight tetrahedra exact; quarter points make rational functions of the others.
-constexpr int rule_degree(base::ElementType type) {
-  return type == base::ElementType::tet10 ? 5 : 7;
+constexpr int rule_degree(base::ElementType type, ModeStiffnessRule rule) {
+  return type == base::ElementType::tet10 || rule == ModeStiffnessRule::reduced ? 5 : 7;
+}
+bool has_reduced_rule(base::ElementType type) {
+  return rule_degree(type, ModeStiffnessRule::reduced) < rule_degree(type, ModeStiffnessRule::full);
 }
 
 /// The functions of an element type, nodes before modes, at the points of its rule.
@@ -37,20 +40,24 @@ struct FunctionTable {
   [[nodiscard]] Eigen::Index functions() const { return nodes + modes; }
   [[nodiscard]] Eigen::Index points() const { return static_cast<Eigen::Index>(rule.size()); }
 
-  static const FunctionTable& of(base::ElementType type) {
-    static const FunctionTable tet = make(base::ElementType::tet10);
-    static const FunctionTable penta = make(base::ElementType::pentac15);
-    static const FunctionTable hexa = make(base::ElementType::hexec20);
-    return type == base::ElementType::tet10      ? tet
-           : type == base::ElementType::pentac15 ? penta
-                                                 : hexa;
+  static const FunctionTable& of(base::ElementType type, ModeStiffnessRule rule) {
+    using base::ElementType;
+    static const FunctionTable tet = make(ElementType::tet10, ModeStiffnessRule::full);
+    static const FunctionTable penta = make(ElementType::pentac15, ModeStiffnessRule::full);
+    static const FunctionTable hexa = make(ElementType::hexec20, ModeStiffnessRule::full);
+    static const FunctionTable few_penta = make(ElementType::pentac15, ModeStiffnessRule::reduced);
+    static const FunctionTable few_hexa = make(ElementType::hexec20, ModeStiffnessRule::reduced);
+    const bool full = rule == ModeStiffnessRule::full;
+    return type == ElementType::tet10      ? tet
+           : type == ElementType::pentac15 ? (full ? penta : few_penta)
+                                           : (full ? hexa : few_hexa);
   }
 
 private:
-  static FunctionTable make(base::ElementType type) {
+  static FunctionTable make(base::ElementType type, ModeStiffnessRule degree) {
     FunctionTable table;
     const fe::AnyElement<3>& element = shape::reference_element<3>(type);
-    const auto rule = shape::quadrature<3>(element.domain, rule_degree(type));
+    const auto rule = shape::quadrature<3>(element.domain, rule_degree(type, degree));
     table.rule.assign(rule.begin(), rule.end());
     const SolidModes& modes = SolidModes::for_type(type);
     table.nodes = element.nodes;
@@ -64,6 +71,11 @@ private:
     return table;
   }
 };
+
+const FunctionTable& table_of(const model::Mesh& mesh, ModeStiffnessRule rule,
+                              const ElementBlock& block) {
+  return FunctionTable::of(mesh.type[block.elements.front().index()], rule);
+}
 
 /// Functions that take part: a run of those of a table.
 struct FunctionRange {
@@ -79,21 +91,27 @@ blas::ConstMatrixBlock slopes_of(const FunctionTable& table, const FunctionRange
   return {table.slopes.data() + run.first, static_cast<int>(table.functions())};
 }
 
-// Jacobians of a block at the points of its rule.
-void add_geometry(const model::Model& model, const model::Mesh& mesh, ElementBlock& block) {
-  const FunctionTable& table = FunctionTable::of(mesh.type[block.elements.front().index()]);
-  const auto width = static_cast<std::size_t>(lanes);
-  const auto points = static_cast<std::size_t>(table.points());
-  block.lambda.assign(width, 0.0);
-  block.mu.assign(width, 0.0);
-  block.volume.assign(width * points, 0.0);
-  block.inverse.assign(9 * width * points, 0.0);
+void set_constants(const model::Model& model, const model::Mesh& mesh, ElementBlock& block) {
+  block.lambda.assign(static_cast<std::size_t>(lanes), 0.0);
+  block.mu = block.lambda;
   for (std::size_t b = 0; b < block.elements.size(); ++b) {
-    const base::ElementId e = block.elements[b];
-    const fe::ConstitutiveLaw law = fe::constitutive_law(model, mesh, e);
+    const fe::ConstitutiveLaw law = fe::constitutive_law(model, mesh, block.elements[b]);
     block.lambda[b] = law.lambda;
     block.mu[b] = law.mu;
-    const std::span<const base::NodeId> nodes = mesh.element_nodes(e);
+  }
+}
+
+// Jacobians of a block at the points of a rule.
+BlockGeometry geometry_of(const model::Mesh& mesh, const ElementBlock& block,
+                          ModeStiffnessRule rule) {
+  const FunctionTable& table = table_of(mesh, rule, block);
+  const auto width = static_cast<std::size_t>(lanes);
+  const auto points = static_cast<std::size_t>(table.points());
+  BlockGeometry geometry;
+  geometry.volume.assign(width * points, 0.0);
+  geometry.inverse.assign(9 * width * points, 0.0);
+  for (std::size_t b = 0; b < block.elements.size(); ++b) {
+    const std::span<const base::NodeId> nodes = mesh.element_nodes(block.elements[b]);
     Eigen::Matrix3Xd X(3, table.nodes);
     for (Eigen::Index n = 0; n < table.nodes; ++n) {
       X.col(n) = mesh.x[nodes[static_cast<std::size_t>(n)].index()];
@@ -102,54 +120,19 @@ void add_geometry(const model::Model& model, const model::Mesh& mesh, ElementBlo
     for (std::size_t p = 0; p < points; ++p) {
       const Eigen::Matrix3d at = J.middleCols<3>(3 * static_cast<Eigen::Index>(p));
       const Eigen::Matrix3d inverse = at.inverse();
-      block.volume[width * p + b] = table.rule[p].weight * at.determinant();
+      geometry.volume[width * p + b] = table.rule[p].weight * at.determinant();
       for (std::size_t k = 0; k < 9; ++k) {
-        block.inverse[width * (9 * p + k) + b] =
+        geometry.inverse[width * (9 * p + k) + b] =
             inverse(static_cast<Eigen::Index>(k / 3), static_cast<Eigen::Index>(k % 3));
       }
     }
   }
+  return geometry;
 }
 
 /// One component after the other: a number for each lane.
 using Lanes = Eigen::Array<double, lanes, 1>;
 using LanesIn = Eigen::Map<const Lanes>;
-using LanesOut = Eigen::Map<Lanes>;
-
-// Of gradients G = dU/dr in reference coordinates the forces weight det D(G J^-1) J^-T, in place.
-// [component][lane] by [point][coordinate]
-void gradients_to_forces(const ElementBlock& block, base::Matrix& G) {
-  const LanesIn lambda(block.lambda.data());
-  const LanesIn mu(block.mu.data());
-  std::array<Lanes, 9> H; // [component, coordinate]
-  for (Eigen::Index p = 0; p < G.cols() / 3; ++p) {
-    const auto at = [&](std::size_t component, std::size_t coordinate) {
-      return LanesOut(G.data() + (3 * p + static_cast<Eigen::Index>(coordinate)) * G.rows() +
-                      static_cast<Eigen::Index>(component) * lanes);
-    };
-    const auto inverse = [&](std::size_t reference, std::size_t coordinate) {
-      return LanesIn(block.inverse.data() +
-                     (9 * p + static_cast<Eigen::Index>(3 * reference + coordinate)) * lanes);
-    };
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        H[3 * i + k] =
-            at(i, 0) * inverse(0, k) + at(i, 1) * inverse(1, k) + at(i, 2) * inverse(2, k);
-      }
-    }
-    const LanesIn volume(block.volume.data() + p * lanes);
-    const Lanes m = mu * volume;
-    const Lanes pressure = lambda * volume * (H[0] + H[4] + H[8]);
-    const std::array<Lanes, 6> s{pressure + 2.0 * m * H[0], m * (H[1] + H[3]),
-                                 m * (H[2] + H[6]),         pressure + 2.0 * m * H[4],
-                                 m * (H[5] + H[7]),         pressure + 2.0 * m * H[8]};
-    for (std::size_t j = 0; j < 3; ++j) {
-      at(0, j) = s[0] * inverse(j, 0) + s[1] * inverse(j, 1) + s[2] * inverse(j, 2);
-      at(1, j) = s[1] * inverse(j, 0) + s[3] * inverse(j, 1) + s[4] * inverse(j, 2);
-      at(2, j) = s[2] * inverse(j, 0) + s[4] * inverse(j, 1) + s[5] * inverse(j, 2);
-    }
-  }
-}
 
 // Displacements of an element's functions and forces on them: [3 * lane + component, function].
 class BlockVectors {
@@ -236,13 +219,19 @@ SolidModeStiffness::SolidModeStiffness(const model::Model& model, const model::M
   }
   base::parallel_for_ranges(blocks_.size(), 4, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      add_geometry(model, mesh, blocks_[i]);
+      ElementBlock& block = blocks_[i];
+      set_constants(model, mesh, block);
+      block.full = geometry_of(mesh, block, ModeStiffnessRule::full);
+      if (has_reduced_rule(mesh.type[block.elements.front().index()])) {
+        block.reduced = geometry_of(mesh, block, ModeStiffnessRule::reduced);
+      }
     }
   });
 }
 
 void SolidModeStiffness::add_forces(const NodalAndModeDisplacements& motion,
-                                    const NodalAndModeForces& forces) const {
+                                    const NodalAndModeForces& forces,
+                                    ModeStiffnessRule rule) const {
   // Forces of several blocks side by side, then added in the order of the blocks.
   constexpr std::size_t batch = 512;
   constexpr std::size_t portion = 8;
@@ -253,12 +242,12 @@ void SolidModeStiffness::add_forces(const NodalAndModeDisplacements& motion,
       base::Matrix Z;
       base::Matrix G;
       for (std::size_t i = begin; i < end; ++i) {
-        make_forces(blocks_[first + i], motion, forces, Z, G, made[i]);
+        make_forces(blocks_[first + i], {motion, forces, rule}, Z, G, made[i]);
       }
     });
     for (std::size_t i = 0; i < count; ++i) {
       const ElementBlock& block = blocks_[first + i];
-      const FunctionTable& table = FunctionTable::of(mesh_.type[block.elements.front().index()]);
+      const FunctionTable& table = table_of(mesh_, ModeStiffnessRule::full, block);
       BlockVectors(mesh_, numbers_, block, table)
           .scatter(made[i], run_of(table, forces.nodes != nullptr, forces.modes != nullptr),
                    forces);
@@ -267,20 +256,24 @@ void SolidModeStiffness::add_forces(const NodalAndModeDisplacements& motion,
 }
 
 // The forces F of one block [3 * lane + component, function]; Z, G: workspace.
-void SolidModeStiffness::make_forces(const ElementBlock& block,
-                                     const NodalAndModeDisplacements& motion,
-                                     const NodalAndModeForces& wanted, base::Matrix& Z,
-                                     base::Matrix& G, base::Matrix& F) const {
-  const FunctionTable& table = FunctionTable::of(mesh_.type[block.elements.front().index()]);
-  const FunctionRange from = run_of(table, motion.nodes != nullptr, motion.modes != nullptr);
-  const FunctionRange to = run_of(table, wanted.nodes != nullptr, wanted.modes != nullptr);
+void SolidModeStiffness::make_forces(const ElementBlock& block, const ForceRequest& asked,
+                                     base::Matrix& Z, base::Matrix& G, base::Matrix& F) const {
+  const FunctionTable& table = table_of(mesh_, asked.rule, block);
+  const FunctionRange from =
+      run_of(table, asked.motion.nodes != nullptr, asked.motion.modes != nullptr);
+  const FunctionRange to =
+      run_of(table, asked.wanted.nodes != nullptr, asked.wanted.modes != nullptr);
   const int rows = 3 * static_cast<int>(lanes);
   const int columns = 3 * static_cast<int>(table.points());
-  BlockVectors(mesh_, numbers_, block, table).gather(motion, from, Z);
+  BlockVectors(mesh_, numbers_, block, table).gather(asked.motion, from, Z);
   G.resize(rows, columns);
   blas::gemm({.m = rows, .n = columns, .k = static_cast<int>(from.count)}, blas::as_matrix_block(Z),
              slopes_of(table, from), blas::as_matrix_block(G));
-  gradients_to_forces(block, G);
+  gradients_to_forces(block,
+                      asked.rule == ModeStiffnessRule::full || block.reduced.volume.empty()
+                          ? block.full
+                          : block.reduced,
+                      G);
   F.resize(rows, to.count);
   blas::gemm({.m = rows,
               .n = static_cast<int>(to.count),
@@ -303,13 +296,13 @@ std::vector<Eigen::Matrix3d> SolidModeStiffness::diagonal_blocks() const {
 
 void SolidModeStiffness::add_diagonal(const ElementBlock& block,
                                       std::vector<Eigen::Matrix3d>& diagonal) const {
-  const FunctionTable& table = FunctionTable::of(mesh_.type[block.elements.front().index()]);
+  const FunctionTable& table = table_of(mesh_, ModeStiffnessRule::full, block);
   for (Eigen::Index m = 0; m < table.modes; ++m) {
     std::array<Lanes, 6> sum; // of volume times slopes' products
     sum.fill(Lanes::Zero());
     for (Eigen::Index p = 0; p < table.points(); ++p) {
       const auto inverse = [&](Eigen::Index j, std::size_t c) {
-        return LanesIn(block.inverse.data() +
+        return LanesIn(block.full.inverse.data() +
                        (9 * p + 3 * j + static_cast<Eigen::Index>(c)) * lanes);
       };
       const auto own = table.slopes.block<1, 3>(table.nodes + m, 3 * p);
@@ -317,7 +310,7 @@ void SolidModeStiffness::add_diagonal(const ElementBlock& block,
       for (std::size_t c = 0; c < 3; ++c) {
         slope[c] = own[0] * inverse(0, c) + own[1] * inverse(1, c) + own[2] * inverse(2, c);
       }
-      const LanesIn volume(block.volume.data() + p * lanes);
+      const LanesIn volume(block.full.volume.data() + p * lanes);
       std::size_t k = 0;
       for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t j = i; j < 3; ++j) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/vec.hpp"
+#include "estimate/element_block.hpp"
 #include "estimate/space_numbers.hpp"
 #include "model/forward.hpp"
 #include "model/mesh.hpp"
@@ -14,17 +15,9 @@
 /// the functions in reference coordinates, the same for all elements of a type.
 namespace spricka::estimate {
 
-/// Elements that go together.
-inline constexpr Eigen::Index operator_lanes = 32;
-
-/// Some elements of one type: entries of all of them next to each other, zero where a block has
-/// fewer than lanes.
-struct ElementBlock {
-  std::vector<base::ElementId> elements;
-  std::vector<double> lambda, mu; ///< [lane] Lame's constants
-  std::vector<double> volume;     ///< [point][lane] weight times determinant
-  std::vector<double> inverse;    ///< [point][reference coordinate][coordinate][lane] of Jacobians
-};
+/// Points at which the stiffness of modes is integrated: as many as curved elements need, or fewer
+/// where an approximation serves.
+enum class ModeStiffnessRule { full, reduced };
 
 class SolidModeStiffness {
 public:
@@ -45,15 +38,21 @@ public:
   };
   /// Adds the elastic forces of nodal and mode displacements to the vectors asked for, which have
   /// their sizes already.
-  void add_forces(const NodalAndModeDisplacements& motion, const NodalAndModeForces& forces) const;
+  void add_forces(const NodalAndModeDisplacements& motion, const NodalAndModeForces& forces,
+                  ModeStiffnessRule rule = ModeStiffnessRule::full) const;
 
   /// The 3 by 3 blocks on the diagonal of K_ee. [mode]
   [[nodiscard]] std::vector<Eigen::Matrix3d> diagonal_blocks() const;
 
 private:
-  void make_forces(const ElementBlock& block, const NodalAndModeDisplacements& motion,
-                   const NodalAndModeForces& wanted, base::Matrix& Z, base::Matrix& G,
-                   base::Matrix& F) const;
+  /// What blocks are asked for.
+  struct ForceRequest {
+    const NodalAndModeDisplacements& motion;
+    const NodalAndModeForces& wanted;
+    ModeStiffnessRule rule;
+  };
+  void make_forces(const ElementBlock& block, const ForceRequest& asked, base::Matrix& Z,
+                   base::Matrix& G, base::Matrix& F) const;
   void add_diagonal(const ElementBlock& block, std::vector<Eigen::Matrix3d>& diagonal) const;
 
   const model::Mesh& mesh_;

@@ -166,6 +166,20 @@ TEST_P(SpaceOperatorOf, RestsUnderRigidMotions) {
   EXPECT_LT(all(&rigid, nullptr).norm(), 1e-12 * all(&v, nullptr).norm());
 }
 
+// As a preconditioner it must have no motion without energy, and none with too much.
+TEST_P(SpaceOperatorOf, IsNearByFewerPoints) {
+  for (Eigen::Index shift = 0; shift < 5; ++shift) {
+    base::Vector motion(x.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      motion[i] = rough(i + 31 * shift);
+    }
+    base::Vector f = base::Vector::Zero(x.size());
+    op.add_forces({nullptr, &motion}, {nullptr, &f}, ModeStiffnessRule::reduced);
+    const double energy = motion.dot(all(nullptr, &motion).tail(x.size()));
+    EXPECT_NEAR(motion.dot(f), energy, 0.1 * energy);
+  }
+}
+
 TEST_P(SpaceOperatorOf, HasItsDiagonal) {
   const std::vector<Eigen::Matrix3d> diagonal = op.diagonal_blocks();
   ASSERT_EQ(static_cast<Eigen::Index>(3 * diagonal.size()), block.modal());
