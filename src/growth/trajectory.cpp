@@ -190,20 +190,31 @@ double GrowthTrajectory::tip_rate(std::size_t tip, std::size_t i, double s,
 // Each load by its part of K_max, as K_min in the rate of a cycle.
 base::PiecewiseLinear GrowthTrajectory::K_over_path(std::size_t tip,
                                                     const StationWeights& weights) const {
-  std::set<double> knots;
-  for (std::size_t k = weights.first; k < weights.first + weights.points; ++k) {
-    const std::vector<double>& here = stations_[k].tips[tip].K_over_path.knots();
-    knots.insert(here.begin(), here.end());
+  const auto path = [&](std::size_t k) -> const base::PiecewiseLinear& {
+    return stations_[k].tips[tip].K_over_path;
+  };
+  // Mostly the loads of a spectrum, the same at all stations.
+  std::vector<double> t = path(weights.first).knots();
+  bool alike = true;
+  for (std::size_t k = 1; k < weights.points && alike; ++k) {
+    alike = path(weights.first + k).knots() == t;
+  }
+  if (!alike) {
+    std::set<double> knots;
+    for (std::size_t k = 0; k < weights.points; ++k) {
+      const std::vector<double>& here = path(weights.first + k).knots();
+      knots.insert(here.begin(), here.end());
+    }
+    t.assign(knots.begin(), knots.end());
   }
   const bool by_part = !ln_K_max_[tip].empty();
   const double largest = by_part ? K_max(tip, weights) : 1.0;
-  std::vector<double> t(knots.begin(), knots.end());
   std::vector<double> K;
   K.reserve(t.size());
-  for (const double load : t) {
+  for (std::size_t j = 0; j < t.size(); ++j) {
     K.push_back(largest * interpolate(weights, [&](std::size_t k) {
-                  const TipStation& station = stations_[k].tips[tip];
-                  return station.K_over_path(load) / (by_part ? station.K_max : 1.0);
+                  const double here = alike ? path(k).value_at_knot(j) : path(k)(t[j]);
+                  return here / (by_part ? stations_[k].tips[tip].K_max : 1.0);
                 }));
   }
   return base::PiecewiseLinear::through(std::move(t), std::move(K));
