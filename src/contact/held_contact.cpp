@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/held_contact.hpp"
 #include "base/index.hpp"
+#include "solve/blas.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -8,6 +9,17 @@
 namespace spricka::contact {
 
 using base::index;
+
+base::Matrix openings_by_forces(const ContactSystem& system, const base::Matrix& force) {
+  const base::Matrix& W = system.row_compliance_matrix();
+  base::Matrix gap(W.rows(), force.cols());
+  solve::blas::gemm({.m = static_cast<int>(W.rows()),
+                     .n = static_cast<int>(force.cols()),
+                     .k = static_cast<int>(W.cols())},
+                    solve::blas::as_matrix_block(W), solve::blas::as_matrix_block(force),
+                    solve::blas::as_matrix_block(gap));
+  return gap;
+}
 
 base::Matrix loads_on_rigid_modes(const ContactSystem& system,
                                   const std::vector<base::Matrix>& load) {
@@ -35,7 +47,13 @@ ResponseWithoutContact response_without_contact(const ContactSystem& system,
 }
 
 FixedActiveSet::FixedActiveSet(const ContactSystem& system, std::vector<std::size_t> rows)
-    : system_(system), rows_(std::move(rows)), held_(system.make_equality_problem(rows_)) {}
+    : system_(system), rows_(std::move(rows)),
+      held_(system.make_equality_problem(rows_), [this](const base::Matrix& lambda) {
+        base::Matrix force =
+            base::Matrix::Zero(system_.row_compliance_matrix().cols(), lambda.cols());
+        force(rows_, Eigen::all) = lambda;
+        return base::Matrix(openings_by_forces(system_, force)(rows_, Eigen::all));
+      }) {}
 
 FixedActiveSet::ActiveSetResponse
 FixedActiveSet::solve_response(const base::Matrix& gap, const base::Matrix& on_mode) const {
@@ -52,15 +70,18 @@ FixedActiveSet::solve_response(const base::Matrix& gap, const base::Matrix& on_m
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     out.force.row(index(rows_[i])) = found.lambda.row(index(i));
   }
-  // Of all rows of the system: those that are away open or overlap as they like.
-  out.gap = gap + system_.row_compliance_matrix() * out.force +
-            system_.openings_by_rigid_modes() * out.mode;
   return out;
 }
 
+// Of all rows of the system: those that are away open or overlap as they like.
+base::Matrix FixedActiveSet::gaps_after(const base::Matrix& gap,
+                                        const ActiveSetResponse& response) const {
+  return gap + openings_by_forces(system_, response.force) +
+         system_.openings_by_rigid_modes() * response.mode;
+}
+
 double FixedActiveSet::unheld_load(const base::Matrix& on_mode) const {
-  const base::Matrix no_gap = base::Matrix::Zero(index(rows_.size()), on_mode.cols());
-  return held_.response_to_gaps_and_loads(no_gap, on_mode).left_over;
+  return held_.uncontrollable_load(on_mode);
 }
 
 // Contact forces alone are solved for, which act on few unknowns: the factor's fronts without them
@@ -109,12 +130,13 @@ base::Vector FixedActiveSet::row_pivots(const std::vector<std::size_t>& candidat
     }
   }
   const ActiveSetResponse response = solve_response(gap, on_mode);
+  const base::Matrix after = gaps_after(gap, response);
   base::Vector pivot(count);
   for (std::size_t c = 0; c < candidates.size(); ++c) {
     const auto at = index(c);
     const auto row = index(candidates[c]);
     // A held row meets a positive gap by pulling: the pivot is the other sign.
-    pivot[at] = is_held[c] ? -response.force(row, at) : response.gap(row, at);
+    pivot[at] = is_held[c] ? -response.force(row, at) : after(row, at);
   }
   return pivot;
 }

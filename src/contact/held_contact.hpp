@@ -21,6 +21,9 @@ ResponseWithoutContact response_without_contact(const ContactSystem& system,
 base::Matrix loads_on_rigid_modes(const ContactSystem& system,
                                   const std::vector<base::Matrix>& load);
 
+/// What forces of the rows [row, k] open these by, rigid modes at rest. [row, k]
+base::Matrix openings_by_forces(const ContactSystem& system, const base::Matrix& force);
+
 /// A contact system with some rows held at zero gap, whatever the sign of their forces, and all
 /// others away: linear, factorised once.
 class FixedActiveSet {
@@ -36,12 +39,14 @@ public:
   struct ActiveSetResponse {
     base::Matrix force;     ///< [row, k] zero where not held
     base::Matrix mode;      ///< [mode, k]
-    base::Matrix gap;       ///< [row, k]
     double left_over = 0.0; ///< largest load on motions that open no held row: they rest
   };
   /// The response to gaps of all rows before they press [row, k] and loads on the modes [mode, k].
   [[nodiscard]] ActiveSetResponse solve_response(const base::Matrix& gap,
                                                  const base::Matrix& on_mode) const;
+  /// The gaps of all rows [row, k] after a response to gaps before.
+  [[nodiscard]] base::Matrix gaps_after(const base::Matrix& gap,
+                                        const ActiveSetResponse& response) const;
   /// The largest load on modes [mode, k] that no held row takes: they would move without bound.
   [[nodiscard]] double unheld_load(const base::Matrix& on_mode) const;
   /// Pivots of single rows of the system [candidate]: of a row that is not held the gap that a unit

@@ -11,13 +11,21 @@ namespace spricka::solve {
 
 using base::index;
 
-ClosedRowsSolver::ClosedRowsSolver(ContactProblem rows)
-    : rows_(std::move(rows)), split_(split_controllable_modes(rows_.B, rows_.opening_scale)),
+ClosedRowsSolver::ClosedRowsSolver(ContactProblem rows, RowOpenings openings)
+    : rows_(std::move(rows)), openings_(std::move(openings)),
+      split_(split_controllable_modes(rows_.B, rows_.opening_scale)),
       held_(restrict_to_controllable_modes(rows_, split_)), factor_(held_) {
   blas::force_single_blas_thread();
   std::vector<int> all(static_cast<std::size_t>(held_.rows()));
   std::iota(all.begin(), all.end(), 0);
   ok_ = factor_.factorise(std::move(all));
+  rows_.W.resize(0, 0); // as large as its factor
+}
+
+double ClosedRowsSolver::uncontrollable_load(const base::Matrix& h) const {
+  return split_.uncontrollable.cols() > 0 && h.cols() > 0
+             ? (split_.uncontrollable.transpose() * h).cwiseAbs().maxCoeff()
+             : 0.0;
 }
 
 ClosedRowsSolver::ClosedRowsResponse
@@ -25,15 +33,16 @@ ClosedRowsSolver::response_to_gaps_and_loads(const base::Matrix& b, const base::
   blas::force_single_blas_thread();
   ClosedRowsResponse out;
   out.lambda = base::Matrix::Zero(b.rows(), b.cols());
-  if (split_.uncontrollable.cols() > 0 && h.cols() > 0) {
-    out.left_over = (split_.uncontrollable.transpose() * h).cwiseAbs().maxCoeff();
-  }
+  out.left_over = uncontrollable_load(h);
   base::Matrix a = base::Matrix::Zero(held_.mode_count(), b.cols());
   const base::Matrix load = split_.controllable.transpose() * h;
   const std::vector<int>& A = factor_.rows();
   // once more with what the first solution leaves over
   for (int turn = 0; turn < 2; ++turn) {
-    const base::Matrix left = b + rows_.W * out.lambda + held_.B * a;
+    base::Matrix left = b + held_.B * a;
+    if (turn > 0) {
+      left += openings_(out.lambda);
+    }
     base::Matrix top(index(A.size()), b.cols());
     for (std::size_t r = 0; r < A.size(); ++r) {
       top.row(index(r)) = -left.row(A[r]);

@@ -5,14 +5,19 @@
 #include "solve/held_problem.hpp"
 #include "solve/mode_split.hpp"
 
+#include <functional>
+
 namespace spricka::solve {
 
 /// Contact rows that are held whatever the sign of their forces, factorised once (manual,
 /// sensitivity.3): W lambda + B alpha = -b, B^T lambda = -h.
 class ClosedRowsSolver {
 public:
-  /// W and B of `rows` for all its rows; its b and h are left aside.
-  explicit ClosedRowsSolver(ContactProblem rows);
+  /// What forces of the rows [n, k] open them by: W lambda [n, k].
+  using RowOpenings = std::function<base::Matrix(const base::Matrix&)>;
+  /// W and B of `rows` for all its rows; its b and h are left aside. W is not kept, its products
+  /// are those of `openings`.
+  ClosedRowsSolver(ContactProblem rows, RowOpenings openings);
   ClosedRowsSolver(const ClosedRowsSolver&) = delete;
   ClosedRowsSolver& operator=(const ClosedRowsSolver&) = delete;
 
@@ -27,9 +32,12 @@ public:
   /// The response to gaps b [n, k] and loads h [m, k] on the modes; only where is_solvable().
   [[nodiscard]] ClosedRowsResponse response_to_gaps_and_loads(const base::Matrix& b,
                                                               const base::Matrix& h) const;
+  /// The largest of loads h [m, k] on uncontrollable motions.
+  [[nodiscard]] double uncontrollable_load(const base::Matrix& h) const;
 
 private:
   ContactProblem rows_;
+  RowOpenings openings_;
   ModeSplit split_;
   ControllableProblem held_;
   BorderedFactor factor_;

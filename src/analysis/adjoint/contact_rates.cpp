@@ -76,8 +76,10 @@ FrozenContact::closed_rows_after(const LoadAndGapRates& rates, Eigen::Index k, d
 std::vector<std::array<double, 2>>
 FrozenContact::linear_ranges(const contact::FixedActiveSet& held,
                              const LoadAndGapRates& rates) const {
+  const base::Matrix before = rates.gap + rates.free.opening;
   const contact::FixedActiveSet::ActiveSetResponse rate =
-      held.solve_response(rates.gap + rates.free.opening, rates.free.on_mode);
+      held.solve_response(before, rates.free.on_mode);
+  const base::Matrix gap = held.gaps_after(before, rate);
   constexpr double never = std::numeric_limits<double>::infinity();
   std::vector<std::array<double, 2>> out(static_cast<std::size_t>(rates.gap.cols()),
                                          {-never, never});
@@ -86,7 +88,7 @@ FrozenContact::linear_ranges(const contact::FixedActiveSet& held,
       continue;
     }
     const Eigen::RowVectorXd by =
-        (row.closed ? rate.force : rate.gap).row(static_cast<Eigen::Index>(row.row));
+        (row.closed ? rate.force : gap).row(static_cast<Eigen::Index>(row.row));
     // A force or gap that falls at this rate is used up at (sensitivity.11).
     const double value = row.closed ? row.force : row.gap;
     for (Eigen::Index k = 0; k < by.size(); ++k) {

@@ -145,9 +145,9 @@ double to_go(const Discretisation& scene, const StepState& state, std::size_t ro
 // A column for each line: gaps that open its rows, or forces that close them, each as if it were
 // alone (estimate.13).
 struct Trials {
-  base::Matrix alone; ///< [row of the table, line]
-  base::Matrix gaps;  ///< [row of the table, line] of lines that open
-  base::Matrix loads; ///< [dim * node, line] of lines that close
+  base::Matrix alone;  ///< [row of the table, line]
+  base::Matrix gaps;   ///< [row of the table, line] of lines that open
+  base::Matrix forces; ///< [row of the table, line] of lines that close
 };
 
 Trials trials_of(const Discretisation& scene, const FrozenContactStep& step,
@@ -160,7 +160,7 @@ Trials trials_of(const Discretisation& scene, const FrozenContactStep& step,
   const Eigen::Index count = index(lines.size());
   Trials trials{.alone = base::Matrix::Zero(index(scene.table.size()), count),
                 .gaps = base::Matrix::Zero(index(scene.table.size()), count),
-                .loads = base::Matrix::Zero(step.state.u.size(), count)};
+                .forces = base::Matrix::Zero(index(scene.table.size()), count)};
   Eigen::Index i = 0;
   for (Eigen::Index l = 0; l < count; ++l) {
     const RowLine& line = lines[static_cast<std::size_t>(l)];
@@ -174,10 +174,8 @@ Trials trials_of(const Discretisation& scene, const FrozenContactStep& step,
       trials.alone(index(row), l) = line.closed ? alone : -alone;
       if (line.closed) {
         trials.gaps(index(row), l) = alone;
-        continue;
-      }
-      for (const contact::RowEntry& entry : scene.contact_row(row).entries) {
-        trials.loads.col(l).segment<3>(3 * index(entry.node.index())) -= alone * entry.weight;
+      } else {
+        trials.forces(index(row), l) = -alone;
       }
     }
   }
@@ -213,7 +211,7 @@ ContactEdgeKChange contact_edge_K_changes(const Discretisation& scene,
     return changes;
   }
   const Trials trials = trials_of(scene, step, lines);
-  const FrozenContactResponse answer = step.system.solve_response(trials.loads, trials.gaps);
+  const FrozenContactResponse answer = step.system.solve_row_response(trials.gaps, trials.forces);
   if (!answer.why_not.empty()) {
     return changes;
   }

@@ -170,6 +170,40 @@ FrozenContactResponse FrozenContactSystem::solve_response(CondensedLoads& loads,
   return out;
 }
 
+// What forces of rows open is known from the compliances of the rows: one back-substitution gives
+// the displacements by all forces.
+FrozenContactResponse FrozenContactSystem::solve_row_response(const base::Matrix& gaps,
+                                                              const base::Matrix& forces) const {
+  FrozenContactResponse out;
+  if (!held_->is_consistent()) {
+    out.why_not = contradiction;
+    return out;
+  }
+  const contact::ContactSystem& system = *solver_.contact_system();
+  CondensedLoads none = condense_loads(
+      scene_, bodies_,
+      base::Matrix::Zero(scene_.cracked.mesh.dim *
+                             static_cast<Eigen::Index>(scene_.cracked.mesh.node_count()),
+                         forces.cols()));
+  none.external = external_loads(none);
+  none.free.u = none.external;
+  contact::FixedActiveSet::ActiveSetResponse found =
+      held_->solve_response(gaps + contact::openings_by_forces(system, forces),
+                            system.openings_by_rigid_modes().transpose() * forces);
+  for (Eigen::Index row = 0; row < forces.rows(); ++row) {
+    system.add_row_force(static_cast<std::size_t>(row), forces.row(row), none.external);
+  }
+  const UnheldLoadLimit unheld;
+  if (found.left_over > unheld.part * largest_entry(none.external)) {
+    out.why_not = unheld.why_not;
+    return out;
+  }
+  out.force = found.force;
+  found.force += forces;
+  out.u = displacements(none, &found);
+  return out;
+}
+
 FrozenStepResponses
 FrozenContactSystem::solve_responses(const std::vector<const FrozenContactSystem*>& steps,
                                      base::Matrix loads) {

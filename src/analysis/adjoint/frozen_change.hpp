@@ -71,6 +71,9 @@ public:
   [[nodiscard]] FrozenContactResponse solve_response(CondensedLoads& loads,
                                                      const base::Matrix& gaps,
                                                      const UnheldLoadLimit& unheld) const;
+  /// The response to gaps and to given forces of rows that are open [row, k].
+  [[nodiscard]] FrozenContactResponse solve_row_response(const base::Matrix& gaps,
+                                                         const base::Matrix& forces) const;
   /// The responses to loads [dim * node, step] by the systems [step] of one crack length, for which
   /// the factors are read once.
   [[nodiscard]] static FrozenStepResponses
