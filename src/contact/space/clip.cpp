@@ -12,6 +12,13 @@ double left_of(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
+// Whether the smallest boxes round two triangles have no point in common.
+bool boxes_are_apart(const PlaneTriangle& a, const PlaneTriangle& b) {
+  const auto low = [](const PlaneTriangle& t) { return t[0].cwiseMin(t[1]).cwiseMin(t[2]); };
+  const auto high = [](const PlaneTriangle& t) { return t[0].cwiseMax(t[1]).cwiseMax(t[2]); };
+  return (low(a).array() > high(b).array()).any() || (low(b).array() > high(a).array()).any();
+}
+
 } // namespace
 
 double twice_area(const PlaneTriangle& t) {
@@ -19,6 +26,9 @@ double twice_area(const PlaneTriangle& t) {
 }
 
 std::vector<Vec2> intersect_triangles(const PlaneTriangle& a, const PlaneTriangle& b) {
+  if (boxes_are_apart(a, b)) {
+    return {};
+  }
   std::vector<Vec2> polygon(a.begin(), a.end());
   std::vector<Vec2> cut;
   for (std::size_t i = 0; i < b.size() && !polygon.empty(); ++i) {

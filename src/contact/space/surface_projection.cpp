@@ -177,29 +177,52 @@ std::optional<PairPoint> SurfaceProjector::project_along_normal(const Vec3& x,
   }
 }
 
+std::optional<SurfaceProjector::TriangleOnLine>
+SurfaceProjector::meet_plane_of(std::size_t triangle, const Vec3& x, const Vec3& n) const {
+  const std::array<Vec3, 3>& y = corner_[triangle];
+  Eigen::Matrix3d J;
+  J << y[1] - y[0], y[2] - y[0], -n;
+  const Vec3 b = J.inverse() * (x - y[0]);
+  if (!b.allFinite()) {
+    return std::nullopt;
+  }
+  return TriangleOnLine{triangle, {1.0 - b[0] - b[1], b[0], b[1]}, b[2]};
+}
+
 std::optional<PairPoint> SurfaceProjector::look_as_far(const Vec3& x, const Vec3& n,
                                                        double far) const {
   constexpr double near = 0.3; // of a triangle's size: the curved face may be met beside it
   constexpr double on = 1e-6;  // of a face's reference coordinates
   const Vec3 up = far * n.cwiseAbs() + Vec3::Constant(near * size_);
   std::optional<PairPoint> found;
-  for (const std::size_t t : tree_.boxes_intersecting({x - up, x + up})) {
-    const std::array<Vec3, 3>& y = corner_[t];
-    Eigen::Matrix3d J;
-    J << y[1] - y[0], y[2] - y[0], -n;
-    const Vec3 b = J.inverse() * (x - y[0]);
-    if (!b.allFinite() || std::min({b[0], b[1], 1.0 - b[0] - b[1]}) < -near) {
-      continue;
-    }
-    const std::array<Vec2, 3> s = places_of(target_, target_.elements[t]);
+  const auto look_at = [&](const TriangleOnLine& at) {
+    const std::array<Vec2, 3> s = places_of(target_, target_.elements[at.triangle]);
     PairPoint point;
-    point.target = target_.elements[t].facet;
+    point.target = target_.elements[at.triangle].facet;
     point.x = x;
     point.normal = n;
-    point.s = mixed(s, {1.0 - b[0] - b[1], b[0], b[1]});
+    point.s = mixed(s, at.share);
     if (meet(point.target, point) && target_.facets[point.target].distance_outside(point.s) <= on &&
         (!found || std::abs(point.gap) < std::abs(found->gap))) {
       found = point;
+    }
+  };
+  std::vector<TriangleOnLine> beside;
+  for (const std::size_t t : tree_.boxes_intersecting({x - up, x + up})) {
+    const std::optional<TriangleOnLine> at = meet_plane_of(t, x, n);
+    if (!at || at->share.minCoeff() < -near) {
+      continue;
+    }
+    if (at->share.minCoeff() < 0.0) {
+      beside.push_back(*at);
+    } else {
+      look_at(*at);
+    }
+  }
+  for (const TriangleOnLine& at : beside) {
+    // Next to what was found they go on where it ends.
+    if (!found || std::abs(at.gap) < std::abs(found->gap) - near * size_) {
+      look_at(at);
     }
   }
   return found;

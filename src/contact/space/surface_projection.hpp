@@ -29,9 +29,17 @@ public:
 
 private:
   struct Frame;
+  /// Where a line meets the plane of a triangle of the target.
+  struct TriangleOnLine {
+    std::size_t triangle = 0;
+    Eigen::Vector3d share; ///< of the corners; one below 0: beside the triangle
+    double gap = 0.0;      ///< along the line [length]
+  };
   void see_target(const Frame& frame, std::size_t target,
                   OppositePointsOfElement& projection) const;
   [[nodiscard]] bool meet(std::size_t face, PairPoint& point) const;
+  [[nodiscard]] std::optional<TriangleOnLine> meet_plane_of(std::size_t triangle, const Vec3& x,
+                                                            const Vec3& n) const;
   /// look(), no farther than `far` either way.
   [[nodiscard]] std::optional<PairPoint> look_as_far(const Vec3& x, const Vec3& n,
                                                      double far) const;
