@@ -14,6 +14,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace spricka::contact {
@@ -102,18 +103,26 @@ template <class Target> GapSurvey survey_edges(const ContactSurface& from, const
     length += edge.length;
   }
   std::vector<SurveyedPoint> points;
+  std::vector<FacingFacetPart> parts;
   for (const MortarSegment& s : find_mortar_segments(from, to)) {
     const Edge& edge = from.plane.edges[s.contact_edge];
+    // Coordinates of an edge run from -1 to 1: half the stretch is its part of the edge.
+    parts.push_back(
+        {.facet = s.contact_edge,
+         .measure = 0.5 * (s.to - s.from) * facet_length_or_area(from.facets[s.contact_edge])});
     for (std::size_t i = 0; i < sample_r.size(); ++i) {
       const double xi = 0.5 * ((s.to + s.from) + (s.to - s.from) * sample_r[i]);
       if (std::optional<SurveyedPoint> point = survey_point(from, to, s, xi)) {
         point->facet = s.contact_edge;
         point->weight = 0.5 * (s.to - s.from) * sample_w[i] * edge_tangent(edge, xi).norm();
         points.push_back(*point);
+        parts.back().gap = sample_r[i] == 0.0 ? point->gap : parts.back().gap;
       }
     }
   }
-  return summarize(from, length, points);
+  GapSurvey found = summarize(from, length, points);
+  found.parts = std::move(parts);
+  return found;
 }
 
 template <class Target> GapSurvey survey_faces(const ContactSurface& from, const Target& to) {
@@ -129,7 +138,11 @@ template <class Target> GapSurvey survey_faces(const ContactSurface& from, const
           points.push_back({p.facet, p.weight, p.gap, std::acos(std::min(1.0, p.turn))});
         }
       });
-  return summarize(from, area, points);
+  GapSurvey found = summarize(from, area, points);
+  for (const SurveyedPoint& p : points) {
+    found.parts.push_back({p.facet, p.weight, p.gap});
+  }
+  return found;
 }
 
 template <class Target>

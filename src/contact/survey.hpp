@@ -3,8 +3,16 @@
 #include "contact/surface.hpp"
 
 #include <cstddef>
+#include <vector>
 
 namespace spricka::contact {
+
+/// A part of a facet that sees another surface.
+struct FacingFacetPart {
+  std::size_t facet = 0;
+  double measure = 0.0; ///< its length or area
+  double gap = 0.0;     ///< [length]; of a part of an edge in its middle
+};
 
 /// What one surface sees of another along its normals, whatever gap a deck declares.
 struct GapSurvey {
@@ -16,6 +24,7 @@ struct GapSurvey {
   double gap_high = 0.0;   ///< largest
   double gap_mean = 0.0;   ///< over the part that faces
   double angle_high = 0.0; ///< largest angle between one normal and the other reversed [rad]
+  std::vector<FacingFacetPart> parts; ///< facet by facet
 
   /// Part of the surface that sees nothing, 0 to 1.
   [[nodiscard]] double unpaired_fraction() const {

@@ -92,8 +92,10 @@ private:
         slave_smaller ? contact::survey_gaps(slave, master) : contact::survey_gaps(master, slave);
     look_at_gap(contact, seen, faceting_error(slave) + faceting_error(master),
                 slave_smaller ? slave : master);
-    look_for_missing(contact, slave, contact.slave, master, contact.master);
-    look_for_missing(contact, master, contact.master, slave, contact.slave);
+    look_for_missing(contact, {slave, contact.slave, slave_smaller ? &seen : nullptr},
+                     {master, contact.master});
+    look_for_missing(contact, {master, contact.master, slave_smaller ? nullptr : &seen},
+                     {slave, contact.slave});
   }
 
   // Of the smaller surface: how the declared fit goes with the drawing, and with the size.
@@ -164,13 +166,20 @@ private:
     }
   }
 
+  // A surface of a contact, and what it sees of the other where that is known.
+  struct ContactSide {
+    const contact::ContactSurface& surface;
+    base::FaceSetId set;
+    const contact::GapSurvey* seen = nullptr;
+  };
+
   // Faces of other bodies that lie next to a part of a surface that sees nothing of its partner.
-  void look_for_missing(const model::Contact& contact, const contact::ContactSurface& surface,
-                        base::FaceSetId own, const contact::ContactSurface& auxiliary,
-                        base::FaceSetId other) {
+  void look_for_missing(const model::Contact& contact, const ContactSide& own,
+                        const ContactSide& other) {
+    const contact::ContactSurface& surface = own.surface;
     std::vector<model::Face> rest;
-    const std::vector<bool> mine = bodies_of(own);
-    const std::vector<bool> theirs = bodies_of(other);
+    const std::vector<bool> mine = bodies_of(own.set);
+    const std::vector<bool> theirs = bodies_of(other.set);
     for (const model::Face& face : rim_) {
       const std::size_t b = body_[face.element.index()];
       if (theirs[b] && !mine[b] && !in_a_contact(face)) {
@@ -184,8 +193,10 @@ private:
     std::vector<double> seen(measure.size(), 0.0);
     double low = 0.0;
     double high = 0.0;
-    for (const FacingFacetPart& part : find_facing_facet_parts(surface, auxiliary, measure)) {
-      seen[part.facet] += part.share;
+    for (const contact::FacingFacetPart& part :
+         own.seen != nullptr ? own.seen->parts
+                             : contact::survey_gaps(surface, other.surface).parts) {
+      seen[part.facet] += part.measure / measure[part.facet];
       low = std::min(low, part.gap);
       high = std::max(high, part.gap);
     }
@@ -201,9 +212,9 @@ private:
     const contact::ContactSurface left = contact::make_contact_surface(model_, mesh_, rest);
     std::vector<double> missed(measure.size(), 0.0);
     const double near = near_share * std::min(surface.extent, left.extent);
-    for (const FacingFacetPart& part : find_facing_facet_parts(surface, left, measure)) {
+    for (const contact::FacingFacetPart& part : contact::survey_gaps(surface, left).parts) {
       if (part.gap > low - near && part.gap < high + near) {
-        missed[part.facet] += part.share;
+        missed[part.facet] += part.measure / measure[part.facet];
       }
     }
     double sum = 0.0;
@@ -220,8 +231,9 @@ private:
           contact.span, "W443",
           fmt::format("contact {}: {:.0f} % of {} see nothing of {}, though its body lies "
                       "next to it there, from {} on",
-                      contact.name, 100.0 * sum / length, mesh_.set_with_id(own).name,
-                      mesh_.set_with_id(other).name, base::format_coordinates(place, mesh_.dim)),
+                      contact.name, 100.0 * sum / length, mesh_.set_with_id(own.set).name,
+                      mesh_.set_with_id(other.set).name,
+                      base::format_coordinates(place, mesh_.dim)),
           "faces are missing in the set: there the bodies do not hold each other off");
     }
   }

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sense/surface_measures.hpp"
 
-#include "base/by_dimension.hpp"
-#include "contact/segment.hpp"
-#include "contact/space/surface_projection.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -75,41 +71,6 @@ double error_of_faces(const contact::FacetSurface& surface) {
   return most;
 }
 
-double gap_at(const contact::ContactSurface& surface, const contact::Edge& edge,
-              const contact::ContactSurface& target, const contact::MortarSegment& s) {
-  const double xi = 0.5 * (s.from + s.to);
-  const base::Vec2 x = contact::point_on_edge(edge, xi);
-  const base::Vec2 n = contact::surface_normal(surface, edge, xi);
-  const contact::Edge& other = target.plane.edges[s.target_edge];
-  const std::optional<double> eta = contact::ray_intersection(other, x, n);
-  return eta ? (contact::point_on_edge(other, *eta) - x).dot(n) : 0.0;
-}
-
-std::vector<FacingFacetPart> parts_of_edges(const contact::ContactSurface& surface,
-                                            const contact::ContactSurface& target,
-                                            const std::vector<double>& /*measure*/) {
-  std::vector<FacingFacetPart> parts;
-  for (const contact::MortarSegment& s : contact::find_mortar_segments(surface, target)) {
-    // Coordinates of an edge run from -1 to 1: half the stretch is its part of the edge.
-    parts.push_back({s.contact_edge, 0.5 * (s.to - s.from),
-                     gap_at(surface, surface.plane.edges[s.contact_edge], target, s)});
-  }
-  return parts;
-}
-
-std::vector<FacingFacetPart> parts_of_faces(const contact::ContactSurface& surface,
-                                            const contact::ContactSurface& target,
-                                            const std::vector<double>& measure) {
-  std::vector<FacingFacetPart> parts;
-  const contact::SurfaceProjector projection(surface, target);
-  for (const contact::HatElement& t : surface.elements) {
-    for (const contact::PairPoint& p : projection.project_triangle(t).points) {
-      parts.push_back({t.facet, p.weight / measure[t.facet], p.gap});
-    }
-  }
-  return parts;
-}
-
 } // namespace
 
 double faceting_error(const contact::ContactSurface& surface) {
@@ -128,13 +89,6 @@ std::optional<double> round_surface_radius(const contact::ContactSurface& surfac
 
 double surface_radius_or_half_extent(const contact::ContactSurface& surface) {
   return round_surface_radius(surface).value_or(0.5 * surface.extent);
-}
-
-std::vector<FacingFacetPart> find_facing_facet_parts(const contact::ContactSurface& surface,
-                                                     const contact::ContactSurface& target,
-                                                     const std::vector<double>& measure) {
-  constexpr base::ByDimension parts{parts_of_edges, parts_of_faces};
-  return parts.at(surface.dim)(surface, target, measure);
 }
 
 std::vector<double> facet_lengths_or_areas(const contact::ContactSurface& surface) {

@@ -23,15 +23,4 @@ std::vector<double> facet_lengths_or_areas(const contact::ContactSurface& surfac
 /// The place at the middle of a facet's local coordinates, of an edge in the plane at xi = 0.
 base::Vec3 facet_midpoint(const contact::ContactSurface& surface, std::size_t facet);
 
-/// A part of a facet that sees another surface, as a share of it.
-struct FacingFacetPart {
-  std::size_t facet = 0;
-  double share = 0.0;
-  double gap = 0.0;
-};
-/// What of `surface` sees `target`; `measure` are the measures of its facets.
-std::vector<FacingFacetPart> find_facing_facet_parts(const contact::ContactSurface& surface,
-                                                     const contact::ContactSurface& target,
-                                                     const std::vector<double>& measure);
-
 } // namespace spricka::sense
