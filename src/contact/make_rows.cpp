@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/make_rows.hpp"
 
-#include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "contact/contiguous_ranges.hpp"
 #include "contact/push_only.hpp"
-#include "contact/row_builder.hpp"
-#include "contact/space/frames.hpp"
 #include "contact/space/opposite.hpp"
-#include "contact/space_dual.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,11 +13,7 @@
 #include <numeric>
 #include <utility>
 
-#include <Eigen/Geometry>
-
 namespace spricka::contact {
-
-using base::index;
 
 namespace {
 
@@ -29,53 +21,37 @@ constexpr double weak_cover = 0.2; // of a function: less of it joins a neighbou
 constexpr double no_cover = 1e-9;  // round-off
 constexpr double twice = 1e-6;     // of an element: more than all of it
 
-// Integrals of an element's hats times what the two surfaces move along one direction.
-struct HatMotionIntegrals {
-  using OfHats = std::array<geometry::SidePositions, 3>; ///< [hat] by node of the facet
-  OfHats own;
-  std::vector<OfHats> target;
-};
-
-struct HatIntegrals {
-  Eigen::Matrix3d moment = Eigen::Matrix3d::Zero(); ///< hat times hat
-  Eigen::Vector3d gap = Eigen::Vector3d::Zero();
-  Eigen::Vector3d round_gap = Eigen::Vector3d::Zero();
-  std::vector<std::size_t> targets;         ///< facets met
-  std::array<HatMotionIntegrals, 3> motion; ///< along the normal and the tangents
-};
-
-struct ElementContribution {
-  OppositePointsOfElement projection;
-  HatIntegrals sum;        ///< where something lies opposite
-  Eigen::Matrix3d weights; ///< [function, hat]
-};
-
-void set_zero(HatMotionIntegrals::OfHats& of_hats, std::size_t nodes) {
-  for (geometry::SidePositions& of_hat : of_hats) {
-    of_hat.setZero(3, index(nodes));
-  }
+// Why rows cannot be made of what an element has opposite; empty: they can.
+std::string trouble_of(const OppositePointsOfElement& projection) {
+  return projection.trouble.empty() && projection.flat_seen > (1.0 + twice) * projection.flat_area
+             ? "the surfaces face each other twice at one place (two layers of the master lie "
+               "within a fifth of the slave's extent)"
+             : projection.trouble;
 }
 
 class MortarRows {
 public:
   MortarRows(PairConstraints& pair, const MortarRowOptions& options)
-      : pair_(pair), own_(pair.contact), other_(pair.target), options_(options),
-        functions_(pair.functions), frames_(own_),
-        directions_(options.tangents ? frames_.count() : 1) {}
+      : pair_(pair), options_(options), functions_(pair.functions), sums_(pair, options) {}
 
   void make(const ElementProjector& project) {
-    number_functions();
+    const std::vector<HatElement>& elements = pair_.contact.elements;
     auto opposite = std::make_shared<std::vector<std::vector<PairQuadraturePoint>>>();
-    opposite->reserve(own_.elements.size());
+    opposite->reserve(elements.size());
     base::make_and_take_in_order(
-        own_.elements.size(), elements_at_a_time,
-        [&](std::size_t e) { return contribution(own_.elements[e], project); },
+        elements.size(), elements_at_a_time,
+        [&](std::size_t e) { return sums_.contribution(elements[e], project); },
         [&](std::size_t e, const ElementContribution& own) {
           if (pair_.trouble.empty()) {
             opposite->emplace_back(own.projection.points.begin(), own.projection.points.end());
-            add(own_.elements[e], own);
+            pair_.unprojected_area += own.projection.unprojected_area;
+            pair_.trouble = trouble_of(own.projection);
+            if (pair_.trouble.empty()) {
+              sums_.add(elements[e], own);
+            }
           }
         });
+    name_functions();
     if (!pair_.trouble.empty()) {
       pair_.found = true;
       return;
@@ -89,136 +65,29 @@ public:
   }
 
 private:
-  void number_functions() {
-    for (const SmoothPartNode& key : smooth_part_nodes(own_)) {
-      place_[key] = functions_.size();
-      functions_.push_back({.node = key.second, .part = key.first, .held = {}});
+  void name_functions() {
+    functions_.resize(sums_.functions().size());
+    for (const auto& [key, i] : sums_.places()) {
+      functions_[i] = {.node = key.second, .part = key.first, .held = {}};
     }
-    rows_.resize(functions_.size());
-    beside_.resize(functions_.size());
-  }
-
-  [[nodiscard]] HatIntegrals integrate(const HatElement& element,
-                                       const OppositePointsOfElement& projection) const {
-    HatIntegrals sum;
-    const geometry::ElementSide& facet = own_.facets[element.facet];
-    for (std::size_t k = 0; k < directions_; ++k) {
-      set_zero(sum.motion[k].own, facet.nodes.size());
-    }
-    const bool rigid = other_.facets.empty();
-    for (const PairPoint& p : projection.points) {
-      if (!rigid && (sum.targets.empty() || sum.targets.back() != p.target)) {
-        sum.targets.push_back(p.target);
-        for (std::size_t k = 0; k < directions_; ++k) {
-          set_zero(sum.motion[k].target.emplace_back(), other_.facets[p.target].nodes.size());
-        }
-      }
-      const geometry::SideValues N = facet.N(p.r);
-      const geometry::SideValues M =
-          rigid ? geometry::SideValues() : other_.facets[p.target].N(p.s);
-      const std::array<Vec3, 3> along = frames_.at(own_.part[element.facet], p.normal);
-      const Eigen::Vector3d w = p.weight * p.hat;
-      sum.moment += w * p.hat.transpose();
-      sum.gap += options_.declared_gap.value_or(p.gap) * w;
-      sum.round_gap += options_.declared_gap.value_or(p.round_gap) * w;
-      for (std::size_t k = 0; k < directions_; ++k) {
-        HatMotionIntegrals& motion = sum.motion[k];
-        for (std::size_t h = 0; h < element.node_count(); ++h) {
-          const Vec3 push = w[index(h)] * along[k];
-          motion.own[h] -= push * N.transpose();
-          if (!rigid) {
-            motion.target.back()[h] += push * M.transpose();
-          }
-        }
-      }
-    }
-    return sum;
-  }
-
-  [[nodiscard]] ElementContribution contribution(const HatElement& element,
-                                                 const ElementProjector& project) const {
-    ElementContribution own;
-    own.projection = project(element);
-    if (own.projection.trouble.empty() && !own.projection.points.empty()) {
-      own.sum = integrate(element, own.projection);
-      own.weights = element.node_count() == 3 ? dual_hat_weights(own.sum.moment)
-                                              : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
-    }
-    return own;
-  }
-
-  void add(const HatElement& element, const ElementContribution& own) {
-    const OppositePointsOfElement& projection = own.projection;
-    pair_.unprojected_area += projection.unprojected_area;
-    pair_.trouble = projection.trouble;
-    if (projection.flat_seen > (1.0 + twice) * projection.flat_area) {
-      pair_.trouble = "the surfaces face each other twice at one place (two layers of the master "
-                      "lie within a fifth of the slave's extent)";
-    }
-    if (!pair_.trouble.empty()) {
-      return;
-    }
-    const std::vector<std::size_t> at = functions_of(element);
-    for (std::size_t a = 0; a < at.size(); ++a) {
-      functions_[at[a]].whole += projection.whole[index(a)];
-    }
-    if (projection.points.empty()) {
-      return;
-    }
-    const HatIntegrals& sum = own.sum;
-    for (std::size_t a = 0; a < at.size(); ++a) {
-      const Eigen::RowVector3d weight = own.weights.row(index(a));
-      std::array<ConstraintRowBuilder, 3>& row = rows_[at[a]];
-      // (contact.2), and along the tangents (contact.21).
-      row[0].gap += weight * sum.gap;
-      row[0].round_gap += weight * sum.round_gap;
-      const double area = weight * sum.moment.rowwise().sum();
-      for (std::size_t k = 0; k < directions_; ++k) {
-        row[k].area += area;
-        add_motion(element, sum, k, weight, row[k]);
-      }
-      for (const std::size_t b : at) {
-        if (b != at[a]) {
-          beside_[at[a]].push_back(b);
-        }
-      }
+    for (std::size_t i = 0; i < functions_.size(); ++i) {
+      functions_[i].whole = sums_.functions()[i].whole;
+      functions_[i].area = row_of(i)[0].area;
     }
   }
 
-  [[nodiscard]] std::vector<std::size_t> functions_of(const HatElement& element) const {
-    std::vector<std::size_t> at;
-    for (std::size_t i = 0; i < element.node_count(); ++i) {
-      at.push_back(place_.at(own_.part_node(element, i)));
-    }
-    return at;
-  }
-
-  void add_motion(const HatElement& element, const HatIntegrals& sum, std::size_t k,
-                  const Eigen::RowVector3d& weight, ConstraintRowBuilder& row) const {
-    const auto add_nodes = [&](const std::vector<base::NodeId>& nodes, const auto& of_hat) {
-      for (std::size_t i = 0; i < nodes.size(); ++i) {
-        Vec3 motion = weight[0] * of_hat[0].col(index(i)) + weight[1] * of_hat[1].col(index(i));
-        if (element.node_count() == 3) {
-          motion += weight[2] * of_hat[2].col(index(i));
-        }
-        row.add_contribution(nodes[i], motion);
-      }
-    };
-    add_nodes(own_.facets[element.facet].nodes, sum.motion[k].own);
-    for (std::size_t t = 0; t < sum.targets.size(); ++t) {
-      add_nodes(other_.facets[sum.targets[t]].nodes, sum.motion[k].target[t]);
-    }
+  [[nodiscard]] std::array<ConstraintRowBuilder, 3>& row_of(std::size_t i) {
+    return sums_.functions()[i].row;
   }
 
   // A sliver of cover makes a row that weighs next to nothing: its function joins a neighbour's.
   // What none can take must hold, but for round-off.
   void join_weak_ones() {
-    root_.resize(rows_.size());
+    root_.resize(functions_.size());
     std::iota(root_.begin(), root_.end(), std::size_t{0});
     std::vector<std::size_t> weak;
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      const double area = rows_[i][0].area;
-      functions_[i].area = area;
+    for (std::size_t i = 0; i < functions_.size(); ++i) {
+      const double area = functions_[i].area;
       covered_.push_back(area > 0.0 ? area / functions_[i].whole : 0.0);
       if (area > 0.0 && covered_[i] < weak_cover) {
         weak.push_back(i);
@@ -234,8 +103,8 @@ private:
       if (taker != i) {
         join(i, taker);
         ++pair_.merged;
-      } else if (rows_[i][0].area <= no_cover * functions_[i].whole) {
-        rows_[i] = {};
+      } else if (row_of(i)[0].area <= no_cover * functions_[i].whole) {
+        row_of(i) = {};
       }
     }
   }
@@ -267,12 +136,12 @@ private:
     if (well_covered(links.last[i])) {
       return *links.last[i];
     }
-    return next && *next > i && rows_[*next][0].area > 0.0 ? *next : i;
+    return next && *next > i && functions_[*next].area > 0.0 ? *next : i;
   }
 
   [[nodiscard]] std::size_t best_covered(std::size_t i) const {
     std::size_t best = i;
-    for (const std::size_t b : beside_[i]) {
+    for (const std::size_t b : sums_.functions()[i].beside) {
       if (covered_[b] > covered_[best]) {
         best = b;
       }
@@ -283,64 +152,141 @@ private:
   // The row of a function goes to another's, or to that which has it.
   void join(std::size_t i, std::size_t taker) {
     root_[i] = root_[taker];
-    for (std::size_t k = 0; k < rows_[i].size(); ++k) {
-      rows_[root_[i]][k].add_contribution(rows_[i][k]);
+    for (std::size_t k = 0; k < row_of(i).size(); ++k) {
+      row_of(root_[i])[k].add_contribution(row_of(i)[k]);
     }
-    rows_[i] = {};
+    row_of(i) = {};
   }
 
   // Nodes of a crack's front belong to both faces: their own rows would ask nothing.
   void join_front() {
-    for (const auto& [key, i] : place_) {
+    for (const auto& [key, i] : sums_.places()) {
       const auto behind = options_.at_front.find(key.second);
       if (behind == options_.at_front.end()) {
         continue;
       }
-      if (const auto taker = place_.find({key.first, behind->second}); taker != place_.end()) {
+      if (const auto taker = sums_.places().find({key.first, behind->second});
+          taker != sums_.places().end()) {
         join(i, taker->second);
       }
-      rows_[i] = {};
+      row_of(i) = {};
     }
   }
 
   void append() {
-    std::vector<int> row_of(rows_.size(), -1);
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      if (!(rows_[i][0].area > 0.0)) {
+    std::vector<int> numbers(functions_.size(), -1);
+    for (std::size_t i = 0; i < functions_.size(); ++i) {
+      if (!(row_of(i)[0].area > 0.0)) {
         continue;
       }
-      row_of[i] = static_cast<int>(pair_.normal.size());
+      numbers[i] = static_cast<int>(pair_.normal.size());
       const base::NodeId node = functions_[i].node;
-      for (std::size_t k = 1; k < directions_; ++k) {
-        pair_.tangent.push_back(rows_[i][k].make_row(node, row_of[i], static_cast<int>(k)));
+      for (std::size_t k = 1; k < sums_.direction_count(); ++k) {
+        pair_.tangent.push_back(row_of(i)[k].make_row(node, numbers[i], static_cast<int>(k)));
       }
-      pair_.normal.push_back(rows_[i][0].make_row(node));
+      pair_.normal.push_back(row_of(i)[0].make_row(node));
     }
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
+    for (std::size_t i = 0; i < functions_.size(); ++i) {
       std::size_t taker = root_[i];
       while (root_[taker] != taker) { // along a curve slivers are handed on
         taker = root_[taker];
       }
-      functions_[i].row = row_of[taker];
+      functions_[i].row = numbers[taker];
       functions_[i].joined = taker != i;
     }
   }
 
   PairConstraints& pair_;
-  const FacetSurface& own_;
-  const FacetSurface& other_;
   const MortarRowOptions& options_;
   std::vector<MultiplierFunction>& functions_; ///< of the pair
-  SurfaceFrames frames_;
-  std::size_t directions_; ///< 1, or with tangents 2 in the plane and 3 in space
-  std::map<SmoothPartNode, std::size_t> place_;
-  std::vector<std::array<ConstraintRowBuilder, 3>> rows_; ///< [function] along normal and tangents
-  std::vector<std::vector<std::size_t>> beside_;          ///< [function] those of covered elements
-  std::vector<double> covered_;                           ///< [function] part of its whole area
-  std::vector<std::size_t> root_;                         ///< [function] whose row has it
+  MortarSums sums_;
+  std::vector<double> covered_;   ///< [function] part of its whole area
+  std::vector<std::size_t> root_; ///< [function] whose row has it
 };
 
+// Whether some function has a row of a selection. [row]
+bool has_row_in(const std::vector<bool>& rows, const PairConstraints& pair,
+                const std::vector<std::size_t>& functions) {
+  return std::ranges::any_of(functions, [&](std::size_t i) {
+    const int row = pair.functions[i].row;
+    return row >= 0 && rows[static_cast<std::size_t>(row)];
+  });
+}
+
+// Puts sums in the place of chosen rows. [row]
+void replace_rows(PairConstraints& pair, const MortarSums& sums, const std::vector<bool>& chosen) {
+  std::map<int, std::array<ConstraintRowBuilder, 3>> rows;
+  for (const bool joined : {false, true}) { // as rows are joined: what has the row comes first
+    for (std::size_t i = 0; i < pair.functions.size(); ++i) {
+      MultiplierFunction& function = pair.functions[i];
+      if (function.joined != joined || !has_row_in(chosen, pair, {i})) {
+        continue;
+      }
+      const FunctionSums& own = sums.functions()[i];
+      function.area = own.row[0].area;
+      function.whole = own.whole;
+      for (std::size_t k = 0; k < own.row.size(); ++k) {
+        rows[function.row][k].add_contribution(own.row[k]);
+      }
+    }
+  }
+  for (const auto& [r, row] : rows) {
+    ConstraintRow& normal = pair.normal[static_cast<std::size_t>(r)];
+    normal = row[0].make_row(normal.node);
+  }
+  for (ConstraintRow& tangent : pair.tangent) {
+    if (const auto row = rows.find(tangent.normal); row != rows.end()) {
+      tangent = row->second[static_cast<std::size_t>(tangent.along)].make_row(
+          tangent.node, tangent.normal, tangent.along);
+    }
+  }
+}
+
 } // namespace
+
+bool renew_mortar_rows(PairConstraints& pair, const ElementProjector& project,
+                       const MortarRowOptions& options, const std::vector<bool>& changed) {
+  const std::vector<HatElement>& elements = pair.contact.elements;
+  MortarSums sums(pair, options);
+  std::vector<bool> rows(pair.normal.size(), false);
+  std::vector<std::size_t> without_row;
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    for (const std::size_t i :
+         changed[e] ? sums.functions_of(elements[e]) : std::vector<std::size_t>()) {
+      if (const int row = pair.functions[i].row; row >= 0) {
+        rows[static_cast<std::size_t>(row)] = true;
+      } else {
+        without_row.push_back(i);
+      }
+    }
+  }
+  std::vector<std::size_t> some; // all elements of the functions that have these rows
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    if (changed[e] || has_row_in(rows, pair, sums.functions_of(elements[e]))) {
+      some.push_back(e);
+    }
+  }
+  auto opposite = std::make_shared<std::vector<std::vector<PairQuadraturePoint>>>(*pair.opposite);
+  bool good = true;
+  base::make_and_take_in_order(
+      some.size(), elements_at_a_time,
+      [&](std::size_t i) { return sums.contribution(elements[some[i]], project); },
+      [&](std::size_t i, const ElementContribution& own) {
+        good = good && trouble_of(own.projection).empty();
+        if (good) {
+          (*opposite)[some[i]].assign(own.projection.points.begin(), own.projection.points.end());
+          sums.add(elements[some[i]], own);
+        }
+      });
+  good = good && std::ranges::none_of(without_row, [&](std::size_t i) {
+           return sums.functions()[i].row[0].area > no_cover * sums.functions()[i].whole;
+         });
+  if (good) {
+    replace_rows(pair, sums, rows);
+    pair.opposite = std::move(opposite);
+  }
+  return good;
+}
 
 void fill_mortar_rows(PairConstraints& pair, const ElementProjector& project,
                       const MortarRowOptions& options) {

@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "contact/constraint.hpp"
-#include "contact/space/pair_point.hpp"
+#include "contact/mortar_sums.hpp"
 
 #include <cstddef>
-#include <map>
-#include <optional>
 #include <vector>
 
 /// From integration points to constraint rows.
 namespace spricka::contact {
-
-/// [node of a crack's front] the node behind it.
-using NodesBehindFront = std::map<base::NodeId, base::NodeId>;
-
-/// What the rows of a SEGMENT pair are made with.
-struct MortarRowOptions {
-  std::optional<double> declared_gap; ///< in the place of the measured ones [length]
-  bool tangents = false;              ///< rows along the surface for each normal one
-  /// Functions of nodes at a crack's front, where the faces cannot part, go to the nodes behind it.
-  NodesBehindFront at_front = {};
-};
 
 /// Fills the rows of a SEGMENT pair whose two surfaces stand in `pair` from what the elements of
 /// the contact surface meet (make_target_projector()). The pressure is a sum of hats on these
@@ -31,6 +17,13 @@ struct MortarRowOptions {
 /// other twice, or normals miss what they face, `trouble` says so and there are no rows.
 void fill_mortar_rows(PairConstraints& pair, const ElementProjector& project,
                       const MortarRowOptions& options);
+
+/// Integrates anew the rows of a SEGMENT pair to which some elements of the contact surface add
+/// [element], where nodes of the two surfaces have been moved a little since. Which functions have
+/// rows, and whose they joined, stays as it is. False, and nothing is changed: other functions
+/// would get rows, or `trouble` would say why there are none.
+bool renew_mortar_rows(PairConstraints& pair, const ElementProjector& project,
+                       const MortarRowOptions& options, const std::vector<bool>& changed);
 
 /// Places among the pair's functions of the nodes of each facet of its contact surface, or of its
 /// corners where only these have functions.

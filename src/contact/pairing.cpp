@@ -163,23 +163,81 @@ MultiplierSideChoice choose_node_side(const model::Mesh& mesh, const ContactSurf
              : MultiplierSideChoice{false, "slave side: node pairs"};
 }
 
+bool has_tangents(const model::Contact& contact) {
+  return contact.type == model::ContactType::bonded || contact.mu > 0.0;
+}
+
 void add_rows(PairConstraints& pair, const model::Contact& contact) {
-  const bool tangents = contact.type == model::ContactType::bonded || contact.mu > 0.0;
   if (contact.pairing == model::PairingMethod::node) {
-    fill_node_pair_rows(pair, contact.gap, tangents);
+    fill_node_pair_rows(pair, contact.gap, has_tangents(contact));
   } else {
     if (contact.multiplier == model::MultiplierNodes::corners) {
       pair.contact.elements = corner_triangles(pair.contact);
     }
     fill_mortar_rows(pair, make_target_projector(pair),
-                     {.declared_gap = contact.gap, .tangents = tangents});
+                     {.declared_gap = contact.gap, .tangents = has_tangents(contact)});
   }
   if (pair.found) {
     pair.sharp_ends = find_singular_edges(pair);
   }
 }
 
+// [facet] whether one of its nodes has moved.
+std::vector<bool> moved_facets(const ContactSurface& surface, const std::vector<bool>& moved) {
+  std::vector<bool> facets;
+  for (const geometry::ElementSide& facet : surface.facets) {
+    facets.push_back(std::ranges::any_of(
+        facet.nodes, [&](base::NodeId node) -> bool { return moved[node.index()]; }));
+  }
+  return facets;
+}
+
+// The same faces where the nodes of a mesh are.
+void take_places(const model::Mesh& mesh, ContactSurface& surface) {
+  for (geometry::ElementSide& facet : surface.facets) {
+    for (std::size_t i = 0; i < facet.nodes.size(); ++i) {
+      facet.X.col(static_cast<Eigen::Index>(i)) = mesh.x[facet.nodes[i].index()];
+    }
+  }
+}
+
+// [element] of the contact surface: whether it or what it has opposite has changed.
+std::vector<bool> changed_elements(const PairConstraints& pair, const std::vector<bool>& moved) {
+  const std::vector<bool> own = moved_facets(pair.contact, moved);
+  const std::vector<bool> other = moved_facets(pair.target, moved);
+  const SurfaceProjector projection(pair.contact, pair.target);
+  std::vector<bool> changed;
+  for (std::size_t e = 0; e < pair.contact.elements.size(); ++e) {
+    const HatElement& element = pair.contact.elements[e];
+    changed.push_back(own[element.facet] ||
+                      std::ranges::any_of((*pair.opposite)[e],
+                                          [&](const PairQuadraturePoint& point) -> bool {
+                                            return !other.empty() && other[point.target];
+                                          }) ||
+                      projection.faces_any_of(element, other));
+  }
+  return changed;
+}
+
 } // namespace
+
+PairConstraints build_moved_pair_constraints(const model::Model& model, const model::Mesh& mesh,
+                                             const model::Contact& contact,
+                                             const PairConstraints& pair,
+                                             const std::vector<bool>& moved) {
+  // In the plane segments would begin and end elsewhere.
+  if (!pair.segments || !pair.contact.plane.edges.empty()) {
+    return build_pair_constraints(model, mesh, contact);
+  }
+  PairConstraints renewed = pair;
+  take_places(mesh, renewed.contact);
+  take_places(mesh, renewed.target);
+  return renew_mortar_rows(renewed, make_target_projector(renewed),
+                           {.declared_gap = contact.gap, .tangents = has_tangents(contact)},
+                           changed_elements(renewed, moved))
+             ? renewed
+             : build_pair_constraints(model, mesh, contact);
+}
 
 PairConstraints build_pair_constraints(const model::Model& model, const model::Mesh& mesh,
                                        const model::Contact& contact) {

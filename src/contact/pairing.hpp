@@ -17,6 +17,14 @@ namespace spricka::contact {
 PairConstraints build_pair_constraints(const model::Model& model, const model::Mesh& mesh,
                                        const model::Contact& contact);
 
+/// The same on a mesh some nodes of which have been moved a little [node] since the rows of `pair`
+/// were built: rows of faces between nodes at rest, and places where a surface ends, are taken from
+/// there, and so is the side that carries the multipliers.
+PairConstraints build_moved_pair_constraints(const model::Model& model, const model::Mesh& mesh,
+                                             const model::Contact& contact,
+                                             const PairConstraints& pair,
+                                             const std::vector<bool>& moved);
+
 /// Nodes of both surfaces of a pair: their freedoms must be external.
 std::vector<base::NodeId> pair_surface_nodes(const model::Mesh& mesh,
                                              const model::Contact& contact);

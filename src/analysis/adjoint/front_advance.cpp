@@ -250,9 +250,13 @@ void VirtualAxisExtension::move() {
 }
 
 void VirtualAxisExtension::move_pairs() {
+  std::vector<bool> moved; // [node]
+  for (const Vec3& velocity : velocity_) {
+    moved.push_back(!velocity.isZero(0.0));
+  }
   const auto moves = [&](const contact::ConstraintRow& row) {
-    return std::ranges::any_of(row.entries, [&](const contact::RowEntry& entry) {
-      return !velocity_[entry.node.index()].isZero(0.0);
+    return std::ranges::any_of(row.entries, [&](const contact::RowEntry& entry) -> bool {
+      return moved[entry.node.index()];
     });
   };
   moved_.pairs = scene_.pairs;
@@ -268,7 +272,8 @@ void VirtualAxisExtension::move_pairs() {
       continue; // between the faces of a crack
     }
     contact::PairConstraints& pair = moved_.pairs[c];
-    pair = contact::build_pair_constraints(model_, moved_.cracked.mesh, model_.contacts[c]);
+    pair = contact::build_moved_pair_constraints(model_, moved_.cracked.mesh, model_.contacts[c],
+                                                 scene_.pairs[c], moved);
     apply_supports_to_rows(pair, scene_.cls);
     const auto same_row = [](const auto& own, const auto& other) { return own.node == other.node; };
     if (!std::ranges::equal(pair.normal, scene_.pairs[c].normal, same_row) ||

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/space/surface_projection.hpp"
 
-#include "contact/space/clip.hpp"
 #include "contact/space/opposite.hpp"
 #include "shape/quadrature.hpp"
 
@@ -114,22 +113,31 @@ bool SurfaceProjector::meet(std::size_t face, PairPoint& point) const {
          std::abs(g) <= reach_;
 }
 
-void SurfaceProjector::see_target(const Frame& frame, std::size_t target,
-                                  OppositePointsOfElement& projection) const {
+std::optional<SurfaceProjector::FlatView> SurfaceProjector::project_flat(const Frame& frame,
+                                                                         std::size_t target) const {
   const std::array<Vec3, 3>& y = corner_[target];
   const std::array<double, 3> height{frame.height(y[0]), frame.height(y[1]), frame.height(y[2])};
   const auto [low, high] = std::ranges::minmax(height);
   if (low > reach_ || high < -reach_) {
-    return;
+    return std::nullopt;
   }
   // Seen from the contact surface a target that looks back runs clockwise.
   const PlaneTriangle flat{frame.flat_place(y[0]), frame.flat_place(y[2]), frame.flat_place(y[1])};
   // Nor does what is seen almost along itself: the side of a plug from its end.
   const double true_area2 = (y[1] - y[0]).cross(y[2] - y[0]).norm();
   if (twice_area(flat) <= std::max(least_piece * frame.area2, steepest * true_area2)) {
+    return std::nullopt;
+  }
+  return FlatView{flat, intersect_triangles(frame.flat, flat)};
+}
+
+void SurfaceProjector::see_target(const Frame& frame, std::size_t target,
+                                  OppositePointsOfElement& projection) const {
+  const std::optional<FlatView> view = project_flat(frame, target);
+  if (!view || view->seen.empty()) {
     return;
   }
-  const std::vector<Vec2> polygon = intersect_triangles(frame.flat, flat);
+  const auto& [flat, polygon] = *view;
   const HatElement& t = target_.elements[target];
   const std::array<Vec2, 3> s = places_of(target_, {t.facet, {t.node[0], t.node[2], t.node[1]}});
   for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
@@ -236,15 +244,31 @@ OppositePointsOfElement SurfaceProjector::project_triangle(const HatElement& tri
                               [&](const Vec3& hat, const Vec2& r, double weight) {
                                 projection.whole += weight * frame.face.area_vector(r).norm() * hat;
                               });
-  // The prism over the triangle, as far as a target may lie off.
+  for (const std::size_t t : tree_.boxes_intersecting(prism(frame))) {
+    see_target(frame, t, projection);
+  }
+  return projection;
+}
+
+bool SurfaceProjector::faces_any_of(const HatElement& triangle,
+                                    const std::vector<bool>& faces) const {
+  const Frame frame(contact_, triangle);
+  return std::ranges::any_of(tree_.boxes_intersecting(prism(frame)), [&](std::size_t t) {
+    if (!faces[target_.elements[t].facet]) {
+      return false;
+    }
+    const std::optional<FlatView> view = project_flat(frame, t);
+    return view && !view->seen.empty();
+  });
+}
+
+// The box round the prism over a triangle, as far as a target may lie off.
+geometry::Box<3> SurfaceProjector::prism(const Frame& frame) const {
   const Vec3 up = reach_ * frame.n.cwiseAbs();
   geometry::Box<3> box = geometry::Box<3>::around(frame.x);
   box.low -= up;
   box.high += up;
-  for (const std::size_t t : tree_.boxes_intersecting(box)) {
-    see_target(frame, t, projection);
-  }
-  return projection;
+  return box;
 }
 
 } // namespace spricka::contact

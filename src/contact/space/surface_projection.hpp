@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "contact/space/clip.hpp"
 #include "contact/space/pair_point.hpp"
 #include "geometry/box_tree.hpp"
 
@@ -23,6 +24,8 @@ public:
   /// that look the other way, projected onto its plane and clipped; a degree 5 rule on each piece,
   /// its points on the curved faces; the target is met along the contact surface's normal.
   [[nodiscard]] OppositePointsOfElement project_triangle(const HatElement& triangle) const;
+  /// Whether one of some faces of the target [face] lies opposite a triangle, seen as flat ones.
+  [[nodiscard]] bool faces_any_of(const HatElement& triangle, const std::vector<bool>& faces) const;
   /// The target's nearest point on the line through x along the unit vector n, which leaves the
   /// contact surface; only target, s, gap, turn, x and normal are given.
   [[nodiscard]] std::optional<PairPoint> project_along_normal(const Vec3& x, const Vec3& n) const;
@@ -35,6 +38,14 @@ private:
     Eigen::Vector3d share; ///< of the corners; one below 0: beside the triangle
     double gap = 0.0;      ///< along the line [length]
   };
+  /// A triangle of the target on the plane of one of the contact surface.
+  struct FlatView {
+    PlaneTriangle flat;
+    std::vector<Vec2> seen; ///< the polygon that both have in common
+  };
+  [[nodiscard]] geometry::Box<3> prism(const Frame& frame) const;
+  /// Nothing: it is too far off, or looks another way.
+  [[nodiscard]] std::optional<FlatView> project_flat(const Frame& frame, std::size_t target) const;
   void see_target(const Frame& frame, std::size_t target,
                   OppositePointsOfElement& projection) const;
   [[nodiscard]] bool meet(std::size_t face, PairPoint& point) const;
