@@ -156,8 +156,12 @@ OppositePointsOfElement sample_triangle(const ContactSurface& own, const Surface
   visit_hat_quadrature_points(face, triangle.node, triangle_sampling_degree,
                               [&](const Vec3& hat, const Vec2& r, double weight) {
                                 const geometry::SidePoint here = face.point(r);
-                                if (std::optional<PairPoint> met = target.project_along_normal(
-                                        here.x, surface_normal(own, triangle.facet, here))) {
+                                const Vec3 n = surface_normal(own, triangle.facet, here);
+                                std::optional<PairPoint> met =
+                                    found.points.empty() ? target.project_along_normal(here.x, n)
+                                                         : target.project_along_normal(
+                                                               here.x, n, found.points.back());
+                                if (met) {
                                   met->facet = triangle.facet;
                                   met->hat = hat;
                                   met->r = r;

@@ -164,7 +164,7 @@ private:
     }
     if (projection_) {
       const std::optional<PairPoint> met =
-          projection_->project_along_normal(here.x, here.area_vector().normalized());
+          projection_->project_along_normal(here.x, here.area_vector().normalized(), drawn);
       return met ? std::optional(met->gap) : std::nullopt;
     }
     return gap_to_edges(moved_other_.plane.edges, here.x.head<2>(), here.normal().head<2>(),

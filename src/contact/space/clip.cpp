@@ -26,11 +26,15 @@ double twice_area(const PlaneTriangle& t) {
 }
 
 std::vector<Vec2> intersect_triangles(const PlaneTriangle& a, const PlaneTriangle& b) {
+  constexpr std::size_t most_corners = 6;
   if (boxes_are_apart(a, b)) {
     return {};
   }
-  std::vector<Vec2> polygon(a.begin(), a.end());
+  std::vector<Vec2> polygon;
   std::vector<Vec2> cut;
+  polygon.reserve(most_corners);
+  cut.reserve(most_corners);
+  polygon.assign(a.begin(), a.end());
   for (std::size_t i = 0; i < b.size() && !polygon.empty(); ++i) {
     const Vec2& from = b[i];
     const Vec2& to = b[(i + 1) % b.size()];

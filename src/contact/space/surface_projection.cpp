@@ -185,6 +185,26 @@ std::optional<PairPoint> SurfaceProjector::project_along_normal(const Vec3& x,
   }
 }
 
+std::optional<PairPoint>
+SurfaceProjector::project_along_normal(const Vec3& x, const Vec3& n,
+                                       const PairQuadraturePoint& neighbour) const {
+  const std::optional<PairPoint> met = meet_face(x, n, neighbour.target, neighbour.s);
+  return met && std::abs(met->gap) <= size_ ? met : project_along_normal(x, n);
+}
+
+std::optional<PairPoint> SurfaceProjector::meet_face(const Vec3& x, const Vec3& n, std::size_t face,
+                                                     const Vec2& s) const {
+  constexpr double on = 1e-6; // of its reference coordinates
+  PairPoint point;
+  point.target = face;
+  point.x = x;
+  point.normal = n;
+  point.s = s;
+  return meet(face, point) && target_.facets[face].distance_outside(point.s) <= on
+             ? std::optional(point)
+             : std::nullopt;
+}
+
 std::optional<SurfaceProjector::TriangleOnLine>
 SurfaceProjector::meet_plane_of(std::size_t triangle, const Vec3& x, const Vec3& n) const {
   const std::array<Vec3, 3>& y = corner_[triangle];
@@ -200,19 +220,14 @@ SurfaceProjector::meet_plane_of(std::size_t triangle, const Vec3& x, const Vec3&
 std::optional<PairPoint> SurfaceProjector::look_as_far(const Vec3& x, const Vec3& n,
                                                        double far) const {
   constexpr double near = 0.3; // of a triangle's size: the curved face may be met beside it
-  constexpr double on = 1e-6;  // of a face's reference coordinates
   const Vec3 up = far * n.cwiseAbs() + Vec3::Constant(near * size_);
   std::optional<PairPoint> found;
   const auto look_at = [&](const TriangleOnLine& at) {
-    const std::array<Vec2, 3> s = places_of(target_, target_.elements[at.triangle]);
-    PairPoint point;
-    point.target = target_.elements[at.triangle].facet;
-    point.x = x;
-    point.normal = n;
-    point.s = mixed(s, at.share);
-    if (meet(point.target, point) && target_.facets[point.target].distance_outside(point.s) <= on &&
-        (!found || std::abs(point.gap) < std::abs(found->gap))) {
-      found = point;
+    const HatElement& triangle = target_.elements[at.triangle];
+    const std::optional<PairPoint> met =
+        meet_face(x, n, triangle.facet, mixed(places_of(target_, triangle), at.share));
+    if (met && (!found || std::abs(met->gap) < std::abs(found->gap))) {
+      found = met;
     }
   };
   std::vector<TriangleOnLine> beside;

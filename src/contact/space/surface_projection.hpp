@@ -29,6 +29,9 @@ public:
   /// The target's nearest point on the line through x along the unit vector n, which leaves the
   /// contact surface; only target, s, gap, turn, x and normal are given.
   [[nodiscard]] std::optional<PairPoint> project_along_normal(const Vec3& x, const Vec3& n) const;
+  /// The same with the face first that a point beside it, or the same one before, has met.
+  [[nodiscard]] std::optional<PairPoint>
+  project_along_normal(const Vec3& x, const Vec3& n, const PairQuadraturePoint& neighbour) const;
 
 private:
   struct Frame;
@@ -49,6 +52,9 @@ private:
   void see_target(const Frame& frame, std::size_t target,
                   OppositePointsOfElement& projection) const;
   [[nodiscard]] bool meet(std::size_t face, PairPoint& point) const;
+  /// The point of a face on the line through x along n, sought from s on; none beside the face.
+  [[nodiscard]] std::optional<PairPoint> meet_face(const Vec3& x, const Vec3& n, std::size_t face,
+                                                   const Vec2& s) const;
   [[nodiscard]] std::optional<TriangleOnLine> meet_plane_of(std::size_t triangle, const Vec3& x,
                                                             const Vec3& n) const;
   /// look(), no farther than `far` either way.
