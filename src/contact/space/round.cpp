@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/space/round.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>
@@ -30,33 +31,38 @@ AboutAxis about(const AnalyticShape& round, const Vec3& x) {
   return at;
 }
 
-} // namespace
+// Distance from a shape, positive outside, and its gradient.
+struct DistanceAndGradient {
+  double distance = 0.0;
+  Vec3 gradient = Vec3::Zero();
+};
 
-double signed_distance(const AnalyticShape& round, const Vec3& x) {
+DistanceAndGradient distance_and_gradient(const AnalyticShape& round, const Vec3& x) {
   switch (round.kind) {
   case AnalyticShapeKind::plane:
-    return (x - round.point).dot(round.axis);
-  case AnalyticShapeKind::sphere:
-    return (x - round.point).norm() - round.radius;
+    return {(x - round.point).dot(round.axis), round.axis};
+  case AnalyticShapeKind::sphere: {
+    const Vec3 d = x - round.point;
+    return {d.norm() - round.radius, d.normalized()};
+  }
   case AnalyticShapeKind::cylinder:
   case AnalyticShapeKind::cone:
     break;
   }
   const AboutAxis at = about(round, x);
-  return (at.radius - round.radius - round.slope * at.along) / std::hypot(1.0, round.slope);
+  const double slant = std::sqrt(1.0 + round.slope * round.slope);
+  return {(at.radius - round.radius - round.slope * at.along) / slant,
+          (at.radial - round.slope * round.axis) / slant};
+}
+
+} // namespace
+
+double signed_distance(const AnalyticShape& round, const Vec3& x) {
+  return distance_and_gradient(round, x).distance;
 }
 
 Vec3 distance_gradient(const AnalyticShape& round, const Vec3& x) {
-  switch (round.kind) {
-  case AnalyticShapeKind::plane:
-    return round.axis;
-  case AnalyticShapeKind::sphere:
-    return (x - round.point).normalized();
-  case AnalyticShapeKind::cylinder:
-  case AnalyticShapeKind::cone:
-    break;
-  }
-  return (about(round, x).radial - round.slope * round.axis) / std::hypot(1.0, round.slope);
+  return distance_and_gradient(round, x).gradient;
 }
 
 Vec3 outer_normal(const AnalyticShape& round, const Vec3& x) {
@@ -66,16 +72,21 @@ Vec3 outer_normal(const AnalyticShape& round, const Vec3& x) {
 std::optional<double> distance_along_direction(const AnalyticShape& round, const Vec3& x,
                                                const Vec3& n) {
   constexpr int most_steps = 20;
+  // Of the radius: what is left after a step is about its square, below round-off.
+  constexpr double last_step = 1e-8;
+  constexpr double round_off = 1e-15; // of places
   double g = 0.0;
   for (int i = 0; i < most_steps; ++i) {
     const Vec3 y = x + g * n;
-    const double along = distance_gradient(round, y).dot(n);
+    const DistanceAndGradient at = distance_and_gradient(round, y);
+    const double along = at.gradient.dot(n);
     if (std::abs(along) < 0.5) {
       return std::nullopt;
     }
-    const double step = signed_distance(round, y) / along;
+    const double step = at.distance / along;
     g -= step;
-    if (std::abs(step) <= 1e-15 * (std::abs(round.radius) + y.norm())) {
+    if (round.kind == AnalyticShapeKind::plane ||
+        std::abs(step) <= std::max(last_step * std::abs(round.radius), round_off * y.norm())) {
       break;
     }
   }

@@ -84,13 +84,14 @@ SurfaceProjector::SurfaceProjector(const FacetSurface& contact, const FacetSurfa
 
 bool SurfaceProjector::meet(std::size_t face, PairPoint& point) const {
   constexpr int most_steps = 12;
+  // In local coordinates: what is left after a step is about its square, below round-off.
+  constexpr double last_step = 1e-9;
   constexpr double beyond = 0.3; // of a face's own size: rays beside it meet its continuation
   const geometry::ElementSide& target = target_.facets[face];
   double g = 0.0;
-  geometry::SidePoint y = target.point(point.s);
-  double last = std::numeric_limits<double>::infinity();
-  double size = last;
-  for (int i = 0; i < most_steps; ++i) {
+  double size = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < most_steps && !(size < last_step); ++i) {
+    const geometry::SidePoint y = target.point(point.s);
     Eigen::Matrix3d J;
     J << y.tangents, -point.normal;
     const Vec3 step = J.inverse() * (point.x + g * point.normal - y.x);
@@ -99,14 +100,9 @@ bool SurfaceProjector::meet(std::size_t face, PairPoint& point) const {
     }
     point.s += step.head<2>();
     g += step[2];
-    y = target.point(point.s);
-    last = size;
     size = step.head<2>().norm();
-    if (size < 1e-14 || (size < 1e-10 && size >= last)) {
-      break;
-    }
   }
-  const Vec3 back = y.area_vector();
+  const Vec3 back = target.area_vector(point.s);
   point.turn = -back.normalized().dot(point.normal);
   point.gap = zero_gap_below_round_off(g, point.x.cwiseAbs().maxCoeff());
   return size < 1e-6 && target.distance_outside(point.s) <= beyond && point.turn > 0.0 &&
