@@ -2,15 +2,12 @@
 #include "report/drawing/vtu_grid.hpp"
 
 #include "model/property_points.hpp"
-
-#include <zlib.h>
+#include "report/drawing/deflater.hpp"
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cerrno>
 #include <cstring>
-#include <system_error>
 #include <utility>
 
 namespace spricka::report {
@@ -66,46 +63,13 @@ void add_cells(VtuDocument& document, const model::Mesh& mesh, const VtuGridPoin
   document.add_line("      </Cells>");
 }
 
-class Deflater {
-public:
-  explicit Deflater(bool measured) {
-    good(deflateInit2(&stream_, Z_BEST_SPEED, Z_DEFLATED, 15, 8,
-                      measured ? Z_RLE : Z_DEFAULT_STRATEGY) == Z_OK);
-    buffer_.resize(deflateBound(&stream_, block_size));
-  }
-  ~Deflater() { deflateEnd(&stream_); }
-  Deflater(const Deflater&) = delete;
-  Deflater& operator=(const Deflater&) = delete;
-
-  /// One block by itself; valid until the next.
-  std::string_view pack(std::string_view block) {
-    good(deflateReset(&stream_) == Z_OK);
-    // zlib does not change what it reads
-    stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(block.data())); // NOLINT
-    stream_.avail_in = static_cast<uInt>(block.size());
-    stream_.next_out = reinterpret_cast<Bytef*>(buffer_.data());
-    stream_.avail_out = static_cast<uInt>(buffer_.size());
-    good(deflate(&stream_, Z_FINISH) == Z_STREAM_END);
-    return std::string_view(buffer_).substr(0, buffer_.size() - stream_.avail_out);
-  }
-
-private:
-  static void good(bool done) {
-    if (!done) {
-      throw std::system_error(ENOMEM, std::generic_category(), "zlib");
-    }
-  }
-  z_stream stream_{};
-  std::string buffer_;
-};
-
 } // namespace
 
 std::string compress_array(std::string_view data, bool measured) {
   const std::size_t blocks = (data.size() + block_size - 1) / block_size;
   std::string packed;
   std::string sizes;
-  Deflater deflater(measured);
+  Deflater deflater(measured ? RepetitionSearch::runs : RepetitionSearch::quick, block_size);
   for (std::size_t b = 0; b < blocks; ++b) {
     const std::string_view block = deflater.pack(data.substr(b * block_size, block_size));
     append_word(sizes, block.size());

@@ -16,8 +16,7 @@
 namespace spricka::report {
 
 /// One array as VTK wants it: number of blocks, block size, size of the last block if it is not
-/// full, compressed sizes, compressed blocks. Measured numbers have nothing that comes again but
-/// runs of zeros: looking for more takes twice the time and gains a twentieth.
+/// full, compressed sizes, compressed blocks. Of measured numbers runs alone are looked for.
 std::string compress_array(std::string_view data, bool measured);
 
 /// The head that names the arrays and the data they point to.

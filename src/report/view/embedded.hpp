@@ -6,10 +6,9 @@
 /// (cmake/embed_texts.cmake).
 namespace spricka::report::embedded {
 
-extern const std::string_view three_library; ///< three.js as Debian ships it
-extern const std::string_view line_geometry; ///< its lines of several pixels, in three parts
-extern const std::string_view line_material;
-extern const std::string_view line_segments;
+/// three.js as Debian ships it, and its lines of several pixels, as packed_text() makes them
+/// (pack_library.cpp).
+extern const std::string_view packed_library;
 
 extern const std::string_view data_script;
 extern const std::string_view surface_script;

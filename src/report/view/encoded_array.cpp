@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/view/encoded_array.hpp"
 
+#include "report/view/packed_text.hpp"
+
 #include <nlohmann/json.hpp>
-#include <zlib.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <limits>
-#include <system_error>
+#include <string>
 
 namespace spricka::report {
 namespace {
@@ -28,37 +28,6 @@ std::string bytes_of(const std::vector<std::uint32_t>& values, unsigned width) {
 }
 
 } // namespace
-
-std::string base64_text(std::string_view bytes) {
-  constexpr std::string_view letters =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t word = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      word = (word << 8U) | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += k <= count ? letters[(word >> (18U - 6U * k)) & 63U] : '=';
-    }
-  }
-  return text;
-}
-
-std::string packed_text(std::string_view text) {
-  uLongf size = compressBound(static_cast<uLong>(text.size()));
-  std::string packed(size, '\0');
-  // zlib reads and writes bytes
-  if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
-                reinterpret_cast<const Bytef*>(text.data()), static_cast<uLong>(text.size()),
-                Z_DEFAULT_COMPRESSION) != Z_OK) {
-    throw std::system_error(ENOMEM, std::generic_category(), "zlib");
-  }
-  packed.resize(size);
-  return base64_text(packed);
-}
 
 nlohmann::ordered_json encode_numbers(const std::vector<double>& values) {
   double low = std::numeric_limits<double>::infinity();

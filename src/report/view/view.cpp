@@ -3,7 +3,7 @@
 
 #include "report/drawing/table.hpp"
 #include "report/view/embedded.hpp"
-#include "report/view/encoded_array.hpp"
+#include "report/view/packed_text.hpp"
 #include "report/view/view_data.hpp"
 
 #include <fmt/format.h>
@@ -22,9 +22,9 @@ std::string own_script(std::initializer_list<std::string_view> parts) {
   return text + "})();\n</script>\n";
 }
 
-/// What scripts find by its id and unpack; its letters can end no element.
-std::string packed_element(std::string_view id, std::string_view text) {
-  return fmt::format("<script type=\"text/plain\" id=\"{}\">{}</script>\n", id, packed_text(text));
+/// What scripts find by its id and unpack; the letters of packed text can end no element.
+std::string packed_element(std::string_view id, std::string_view packed) {
+  return fmt::format("<script type=\"text/plain\" id=\"{}\">{}</script>\n", id, packed);
 }
 
 } // namespace
@@ -42,14 +42,9 @@ std::string view_section(const model::Model& model, const results::RunResult& ru
   if (!data.left_out.empty()) {
     html += fmt::format("<p class=\"note\">{}</p>\n", escape_xml(data.left_out));
   }
-  html += packed_element("view-data", data.json);
-  std::string library;
-  for (const std::string_view part : {embedded::three_library, embedded::line_geometry,
-                                      embedded::line_material, embedded::line_segments}) {
-    (library += part) += '\n';
-  }
+  html += packed_element("view-data", packed_text(data.json, RepetitionSearch::runs));
   html += "<!-- three.js, the drawing library of the view: MIT licence, threejs.org/license -->\n";
-  html += packed_element("view-library", library);
+  html += packed_element("view-library", embedded::packed_library);
   html += own_script({embedded::data_script, embedded::surface_script, embedded::camera_script,
                       embedded::colours_script, embedded::scene_script, embedded::panel_script,
                       embedded::readings_script, embedded::view_script});

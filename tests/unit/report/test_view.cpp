@@ -3,6 +3,7 @@
 #include "report/report.hpp"
 #include "report/view/encoded_array.hpp"
 #include "report/view/merged_surface.hpp"
+#include "report/view/packed_text.hpp"
 #include "report/view/view.hpp"
 #include "report/view/view_data.hpp"
 #include "sample.hpp"
