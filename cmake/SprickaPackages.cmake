@@ -33,6 +33,9 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "gmsh, paraview, calculix-ccx, openmpi
 # Not by CPACK_DEBIAN_PACKAGE_SHLIBDEPS, which would make libraries of engines a must.
 set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_SOURCE_DIR}/cmake/packages/find_dependencies.cmake)
 set(CPACK_SPRICKA_PROGRAMS ${PROJECT_BINARY_DIR}/bin/spricka ${PROJECT_BINARY_DIR}/libexec/spricka/spricka-mesher)
+if(TARGET spricka_mesher_module)
+  list(APPEND CPACK_SPRICKA_PROGRAMS ${PROJECT_BINARY_DIR}/libexec/spricka/spricka-mesher.so)
+endif()
 get_property(CPACK_SPRICKA_ENGINES GLOBAL PROPERTY SPRICKA_ENGINES)
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
 "contact and stress intensity factors in one solution
