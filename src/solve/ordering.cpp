@@ -205,7 +205,8 @@ std::vector<std::int64_t> elimination_order(const base::SymmetricCsc& K, std::in
   return order;
 }
 
-base::SymmetricCsc reorder(const base::SymmetricCsc& K, const std::vector<std::int64_t>& order) {
+base::SymmetricCsc reorder(const base::SymmetricCsc& K, const std::vector<std::int64_t>& order,
+                           std::int64_t full_column) {
   std::vector<std::int64_t> position(at(K.n));
   for (std::int64_t k = 0; k < K.n; ++k) {
     position[at(order[at(k)])] = k;
@@ -215,23 +216,32 @@ base::SymmetricCsc reorder(const base::SymmetricCsc& K, const std::vector<std::i
   A.start.assign(at(K.n) + 1, 0);
   const auto for_entries = [&](const auto& use) {
     for (std::int64_t j = 0; j < K.n; ++j) {
+      const std::int64_t own = position[at(j)];
       for (std::int64_t p = K.start[at(j)]; p < K.start[at(j) + 1]; ++p) {
-        const auto [column, row] = std::minmax(position[at(j)], position[at(K.row[at(p)])]);
-        use(column, row, p);
+        const std::int64_t other = position[at(K.row[at(p)])];
+        use(std::min(own, other), std::max(own, other), p);
       }
     }
   };
   for_entries([&](std::int64_t column, std::int64_t, std::int64_t) { ++A.start[at(column) + 1]; });
-  for (std::int64_t j = 0; j < K.n; ++j) {
-    A.start[at(j) + 1] += A.start[at(j)];
+  if (full_column < K.n) {
+    A.start[at(full_column) + 1] = K.n - full_column;
   }
-  A.row.resize(K.row.size());
-  A.value.resize(K.row.size());
+  std::partial_sum(A.start.begin(), A.start.end(), A.start.begin());
+  const bool valued = !K.value.empty();
+  A.row.resize(at(A.start.back()));
+  A.value.resize(valued ? A.row.size() : 0);
   std::vector<std::int64_t> next(A.start.begin(), A.start.end() - 1);
+  for (std::int64_t row = full_column; row < K.n; ++row) {
+    A.row[at(next[at(full_column)] + row - full_column)] = row;
+  }
   for_entries([&](std::int64_t column, std::int64_t row, std::int64_t p) {
-    const std::int64_t to = next[at(column)]++;
+    const std::int64_t to =
+        column == full_column ? next[at(column)] + row - full_column : next[at(column)]++;
     A.row[at(to)] = row;
-    A.value[at(to)] = K.value[at(p)];
+    if (valued) {
+      A.value[at(to)] = K.value[at(p)];
+    }
   });
   return A;
 }

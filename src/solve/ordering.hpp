@@ -20,7 +20,10 @@ std::vector<std::int64_t> elimination_order(const base::SymmetricCsc& K, std::in
                                             OrderingMethod ordering);
 
 /// K with its rows and columns in another order ([n] row of K at each position), each entry in the
-/// column that comes first there; rows of a column as they come.
-base::SymmetricCsc reorder(const base::SymmetricCsc& K, const std::vector<std::int64_t>& order);
+/// column that comes first there; rows of a column as they come. From its diagonal on the column at
+/// the place `full_column` has all rows, zeros where K has no entry; none has where it is n.
+/// Without values in K the pattern alone.
+base::SymmetricCsc reorder(const base::SymmetricCsc& K, const std::vector<std::int64_t>& order,
+                           std::int64_t full_column);
 
 } // namespace spricka::solve

@@ -50,27 +50,6 @@ private:
   cholmod_factor* factor_ = nullptr;
 };
 
-/// The pattern of K with the first external column full: then the block of externals is full from
-/// its first column on and becomes one supernode.
-base::SymmetricCsc pattern_with_full_externals(const base::SymmetricCsc& K, std::int64_t locals) {
-  base::SymmetricCsc A;
-  A.n = K.n;
-  A.start.reserve(K.start.size());
-  A.row.reserve(K.row.size() + at(K.n - locals));
-  A.start.push_back(0);
-  for (std::int64_t j = 0; j < K.n; ++j) {
-    if (j == locals) {
-      for (std::int64_t i = j; i < K.n; ++i) {
-        A.row.push_back(i);
-      }
-    } else {
-      A.row.insert(A.row.end(), K.row.begin() + K.start[at(j)], K.row.begin() + K.start[at(j) + 1]);
-    }
-    A.start.push_back(static_cast<std::int64_t>(A.row.size()));
-  }
-  return A;
-}
-
 std::vector<double> diagonal_of(const base::SymmetricCsc& K) {
   std::vector<double> diagonal(at(K.n));
   for (std::int64_t j = 0; j < K.n; ++j) {
@@ -79,16 +58,17 @@ std::vector<double> diagonal_of(const base::SymmetricCsc& K) {
   return diagonal;
 }
 
-Factor analyse(const base::SymmetricCsc& A, std::vector<std::int64_t>& order,
-               CholmodSession& session) {
+/// A: in the order of elimination, rows of a column in any order.
+Factor analyse(const base::SymmetricCsc& A, CholmodSession& session) {
   // Locals have been postordered already, and externals must stay last.
   session->supernodal = CHOLMOD_SUPERNODAL;
   session->nmethods = 1;
-  session->method[0].ordering = CHOLMOD_GIVEN;
+  session->method[0].ordering = CHOLMOD_NATURAL;
   session->postorder = 0;
   session->final_ll = 1;
   cholmod_sparse view = cholmod_lower_view(A.n, A.start.data(), A.row.data(), nullptr);
-  return Factor(cholmod_l_analyze_p(&view, order.data(), nullptr, 0, session.get()));
+  view.sorted = 0;
+  return Factor(cholmod_l_analyze_p(&view, nullptr, nullptr, 0, session.get()));
 }
 
 } // namespace
@@ -97,10 +77,13 @@ struct SparseCondensation::Impl {
   FactorReport report;
   std::int64_t n = 0;
   std::int64_t locals = 0;
-  base::SymmetricCsc matrix;       ///< K until its entries are in the factor
+  base::SymmetricCsc matrix;       ///< K until its factorisation is certain to begin
   std::vector<double> diagonal;    ///< of K
   std::vector<std::int64_t> order; ///< [n] row of K at each position of the elimination
-  Factor factor;                   ///< its symbolic part
+  /// K in this order until its entries are in the factor. The first external column is full: then
+  /// the block of externals is from its first column on and becomes one supernode.
+  base::SymmetricCsc ordered;
+  Factor factor; ///< its symbolic part
   std::optional<FactorPanels> panels;
   FactorValues values;
   base::Matrix S;
@@ -134,7 +117,8 @@ void SparseCondensation::Impl::analyse_pattern(const base::SymmetricCsc& K,
   const double started = thread_cpu_seconds();
   CholmodSession session;
   order = elimination_order(K, locals, ordering);
-  factor = analyse(pattern_with_full_externals(K, locals), order, session);
+  ordered = reorder(K, order, locals);
+  factor = analyse(ordered, session);
   report.analysis_cpu = thread_cpu_seconds() - started;
   if (factor.get() == nullptr) {
     report.status = FactorStatus::out_of_memory;
@@ -161,8 +145,10 @@ void SparseCondensation::Impl::build(const CondensationSettings& settings) {
     report.status = FactorStatus::engine_failed;
     return;
   }
-  // Refused before any of it is asked for: a machine that swaps is no help.
-  report.memory_left = base::available_memory();
+  // Refused before any more of it is asked for: a machine that swaps is no help.
+  const double there =
+      16.0 * static_cast<double>(matrix.row.size()); // of what report.memory counts
+  report.memory_left = base::available_memory() + there;
   if (report.memory + report.besides > report.memory_left) {
     report.status = FactorStatus::out_of_memory;
     return;
@@ -182,12 +168,12 @@ void SparseCondensation::Impl::factorise() {
   const double started = thread_cpu_seconds();
   // Asked for while K is still there to be given back; used from the first panel on.
   values.resize(factor->xsize);
-  const base::SymmetricCsc A = reorder(matrix, order);
   matrix = base::SymmetricCsc();
   panels.emplace(supernodes());
-  SupernodalCholesky factorisation(*panels, values.get(), A);
+  SupernodalCholesky factorisation(*panels, values.get(), ordered);
   report.numeric_cpu = thread_cpu_seconds() - started;
   const std::int64_t bad = factorisation.factorise(threads);
+  ordered = base::SymmetricCsc();
   report.numeric_cpu += factorisation.cpu_seconds();
   if (bad < n) {
     report.status = FactorStatus::not_positive_definite;
@@ -278,6 +264,7 @@ SparseCondensation::SparseCondensation(base::SymmetricCsc K, std::int64_t extern
   }
   if (impl_->report.status != FactorStatus::ok) {
     impl_->factor = Factor();
+    impl_->ordered = base::SymmetricCsc();
     impl_->values = FactorValues();
     impl_->S = base::Matrix();
   }

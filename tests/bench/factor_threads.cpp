@@ -222,7 +222,7 @@ int measure(base::SymmetricCsc K, std::int64_t externals, int repeats) {
                                   .value = values.data()};
   const double flops = session->fl;
   const solve::FactorPanels panels(L);
-  const base::SymmetricCsc A = solve::reorder(K, order);
+  const base::SymmetricCsc A = solve::reorder(K, order, K.n);
   double own = 0.0;
   double cholmod = 0.0;
   std::unique_ptr<solve::SupernodalCholesky> best;
