@@ -7,6 +7,7 @@
 #include "model/loads.hpp"
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace spricka::fe {
@@ -122,34 +123,51 @@ void for_body_points(const Spread& spread, const BodyDensity& density,
   }
 }
 
-// A total spreads evenly over area or volume.
-void for_total_points(const Spread& spread, const LoadPointVisitor& visit) {
-  double total = 0.0;
-  const Vec3 F = load_value(spread.load, Vec3::Zero());
-  // A density of 1, put into the first component, adds up to the area or volume (fe.18).
-  const auto add = [&](const auto& /*where*/, std::span<const LoadPoint> points) {
-    for (const LoadPoint& p : points) {
-      total += p.force.x();
-    }
-  };
-  const bool on_faces = spread.load.faces.valid();
-  if (on_faces) {
+// A total spreads evenly over the area: a density of 1, put into the first component, adds up to it
+// (fe.18).
+void for_total_on_faces(const Spread& spread, const Vec3& total,
+                        const LoadPointVisitor::FaceVisit& visit) {
+  double area = 0.0;
+  for_face_points(
+      spread, [](const Vec3& /*x*/, const Vec3& a) { return Vec3(a.norm(), 0.0, 0.0); },
+      [&](const model::Face& /*face*/, std::span<const LoadPoint> points) {
+        for (const LoadPoint& p : points) {
+          area += p.force.x();
+        }
+      });
+  if (area > 0.0) {
     for_face_points(
-        spread, [](const Vec3& /*x*/, const Vec3& a) { return Vec3(a.norm(), 0.0, 0.0); }, add);
-  } else {
-    for_body_points(
-        spread, [](const Vec3& /*x*/) { return Vec3(1.0, 0.0, 0.0); }, add);
+        spread, [&](const Vec3& /*x*/, const Vec3& a) { return Vec3((a.norm() / area) * total); },
+        visit);
   }
-  if (!(total > 0.0)) {
+}
+
+// The same over the volume of a body. Its points are many: they are found once and kept.
+void for_total_on_body(const Spread& spread, const Vec3& total,
+                       const LoadPointVisitor::BodyVisit& visit) {
+  double volume = 0.0;
+  std::vector<LoadPoint> kept;
+  std::vector<std::pair<base::ElementId, std::size_t>> counts; // of points, of each element
+  for_body_points(
+      spread, [](const Vec3& /*x*/) { return Vec3(1.0, 0.0, 0.0); },
+      [&](base::ElementId e, std::span<const LoadPoint> points) {
+        counts.emplace_back(e, points.size());
+        for (const LoadPoint& p : points) {
+          volume += p.force.x();
+          kept.push_back(p);
+        }
+      });
+  if (!(volume > 0.0)) {
     return;
   }
-  if (on_faces) {
-    for_face_points(
-        spread, [&](const Vec3& /*x*/, const Vec3& a) { return Vec3((a.norm() / total) * F); },
-        visit.on_face);
-  } else {
-    for_body_points(
-        spread, [&](const Vec3& /*x*/) { return Vec3(F / total); }, visit.on_body);
+  const Vec3 density = total / volume;
+  for (LoadPoint& p : kept) {
+    p.force = p.force.x() * density;
+  }
+  const LoadPoint* begin = kept.data();
+  for (const auto& [e, count] : counts) {
+    visit(e, {begin, count});
+    begin += count;
   }
 }
 
@@ -160,7 +178,11 @@ void for_load_points(const model::Model& model, const model::Mesh& mesh, const m
   const Spread spread{model, mesh, load, missed};
   switch (load.type) {
   case model::LoadType::resultant:
-    for_total_points({model, mesh, load, nullptr}, visit);
+    if (const Vec3 total = load_value(load, Vec3::Zero()); load.faces.valid()) {
+      for_total_on_faces({model, mesh, load, nullptr}, total, visit.on_face);
+    } else {
+      for_total_on_body({model, mesh, load, nullptr}, total, visit.on_body);
+    }
     return;
   case model::LoadType::traction:
     for_face_points(
