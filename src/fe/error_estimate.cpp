@@ -105,6 +105,7 @@ void sample(const model::Model& model, const DisplacementTemperatureField& field
         s.stress = element.at(point.r);
         s.extent.template topLeftCorner<S::dim, S::dim>() =
             jacobian<S>(element.X, point.r).J * reference_lengths<S>().asDiagonal();
+        s.longest = s.extent.colwise().norm().sum();
       }
     });
   });

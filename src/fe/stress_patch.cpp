@@ -44,7 +44,7 @@ FittedStressPolynomial::FittedStressPolynomial(std::span<const StressSample* con
   // About their centre and in units of their spread samples leave well conditioned equations on
   // stretched elements as well.
   choose_axes(samples);
-  base::with_dimension(dim, [&](auto known) { fit<term_count(known, 2)>(samples); });
+  base::with_dimension(dim, [&](auto known) { fit<known>(samples); });
 }
 
 void FittedStressPolynomial::choose_axes(std::span<const StressSample* const> samples) {
@@ -56,14 +56,25 @@ void FittedStressPolynomial::choose_axes(std::span<const StressSample* const> sa
   for (const StressSample* s : samples) {
     spread += share * (s->x - centre_) * (s->x - centre_).transpose();
   }
-  // An axis along which the samples spread too little stays zero, and with it all terms in it.
-  const auto along = [&](const base::Vec3& axis, double square, int row) {
-    // Mean width of the elements along the axis.
+  double longest = 0.0; // mean
+  for (const StressSample* s : samples) {
+    longest += share * s->longest;
+  }
+  // Whether samples spread enough for the mean width of their elements along an axis; mostly they
+  // do for the largest width that there could be.
+  const auto is_wide = [&](const base::Vec3& axis, double spread_along) {
+    if (spread_along > least_spread * longest) {
+      return true;
+    }
     double extent = 0.0;
     for (const StressSample* s : samples) {
       extent += share * (s->extent.transpose() * axis).lpNorm<1>();
     }
-    if (square > 0.0 && std::sqrt(square) > least_spread * extent) {
+    return spread_along > least_spread * extent;
+  };
+  // An axis along which the samples spread too little stays zero, and with it all terms in it.
+  const auto along = [&](const base::Vec3& axis, double square, int row) {
+    if (square > 0.0 && is_wide(axis, std::sqrt(square))) {
       axes_.row(row) = axis.transpose() / std::sqrt(square);
     }
   };
@@ -74,30 +85,31 @@ void FittedStressPolynomial::choose_axes(std::span<const StressSample* const> sa
   }
 }
 
+template <int dim>
 FittedStressPolynomial::Terms FittedStressPolynomial::terms(const base::Vec3& x) const {
   const base::Vec3 d = axes_ * (x - centre_);
   Terms t = Terms::Zero();
   int k = 0;
   t[k++] = 1.0;
-  for (int i = 0; i < dim_; ++i) {
+  for (int i = 0; i < dim; ++i) {
     t[k++] = d[i];
   }
-  for (int i = 0; i < dim_ * (dim_ - 1) / 2; ++i) {
-    t[k++] = d[i] * d[(i + 1) % dim_];
+  for (int i = 0; i < dim * (dim - 1) / 2; ++i) {
+    t[k++] = d[i] * d[(i + 1) % dim];
   }
-  for (int i = 0; i < dim_; ++i) {
+  for (int i = 0; i < dim; ++i) {
     t[k++] = d[i] * d[i];
   }
   return t;
 }
 
-// Normal equations by Cholesky's method in the order of the terms, of which no degree has more than
-// `some` in this space.
-template <int some> void FittedStressPolynomial::fit(std::span<const StressSample* const> samples) {
+// Normal equations by Cholesky's method in the order of the terms.
+template <int dim> void FittedStressPolynomial::fit(std::span<const StressSample* const> samples) {
+  constexpr int some = term_count(dim, 2); // no degree has more
   Eigen::Matrix<double, some, some> A = Eigen::Matrix<double, some, some>::Zero();
   Eigen::Matrix<double, some, 6> b = Eigen::Matrix<double, some, 6>::Zero();
   for (const StressSample* s : samples) {
-    const Eigen::Matrix<double, some, 1> t = terms(s->x).head<some>();
+    const Eigen::Matrix<double, some, 1> t = terms<dim>(s->x).template head<some>();
     A.noalias() += t * t.transpose();
     b.noalias() += t * s->stress.transpose();
   }
@@ -132,9 +144,9 @@ template <int some> void FittedStressPolynomial::fit(std::span<const StressSampl
 }
 
 Stress FittedStressPolynomial::at(const base::Vec3& x) const {
-  const Terms t = terms(x); // coefficients are zero where no term is
   return base::with_dimension(dim_, [&](auto known) {
     constexpr int count = term_count(known, 2);
+    const Terms t = terms<known>(x); // coefficients are zero where no term is
     return Stress(coefficient_.leftCols<count>() * t.head<count>());
   });
 }

@@ -13,6 +13,7 @@ struct StressSample {
   Stress stress = Stress::Zero();
   /// The element's extent: the ways through it along its reference coordinates, columns.
   Eigen::Matrix3d extent = Eigen::Matrix3d::Zero();
+  double longest = 0.0; ///< the lengths of these ways together: no width of the element is larger
 };
 
 /// Polynomials of degree 1 or 2 in x for the six stresses, fitted to samples by least squares along
@@ -33,8 +34,8 @@ private:
   using Terms = Eigen::Matrix<double, most, 1>;
 
   void choose_axes(std::span<const StressSample* const> samples);
-  [[nodiscard]] Terms terms(const base::Vec3& x) const;
-  template <int some> void fit(std::span<const StressSample* const> samples);
+  template <int dim> [[nodiscard]] Terms terms(const base::Vec3& x) const;
+  template <int dim> void fit(std::span<const StressSample* const> samples);
 
   base::Vec3 centre_ = base::Vec3::Zero();
   Eigen::Matrix3d axes_ = Eigen::Matrix3d::Zero(); ///< rows: axes over the spread along them, or 0
