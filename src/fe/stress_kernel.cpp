@@ -16,7 +16,7 @@ ElementStressEvaluator<S>::ElementStressEvaluator(const model::Model& model,
 template <shape::ElementShape S>
 Stress ElementStressEvaluator<S>::stress_from_map(const Jacobian<S>& at,
                                                   const shape::Point<S::dim>& r) const {
-  const Eigen::Matrix<double, S::dim, S::dim> H = U * at.dNdx;
+  const Eigen::Matrix<double, S::dim, S::dim> H = U.lazyProduct(at.dNdx); // as in jacobian.cpp
   const double ring = hoop_strain(H, r);
   // (fe.24).
   const double pressure = law.lambda * change.at(r, H.trace() + ring) - thermal.at(r);
