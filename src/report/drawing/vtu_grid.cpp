@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/drawing/vtu_grid.hpp"
 
+#include "base/deflater.hpp"
 #include "model/property_points.hpp"
-#include "report/drawing/deflater.hpp"
 
 #include <algorithm>
 #include <array>
@@ -69,7 +69,8 @@ std::string compress_array(std::string_view data, bool measured) {
   const std::size_t blocks = (data.size() + block_size - 1) / block_size;
   std::string packed;
   std::string sizes;
-  Deflater deflater(measured ? RepetitionSearch::runs : RepetitionSearch::quick, block_size);
+  base::Deflater deflater(measured ? base::RepetitionSearch::runs : base::RepetitionSearch::quick,
+                          block_size);
   for (std::size_t b = 0; b < blocks; ++b) {
     const std::string_view block = deflater.pack(data.substr(b * block_size, block_size));
     append_word(sizes, block.size());

@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
     source << "#include \"report/view/embedded.hpp\"\n\n"
               "namespace spricka::report::embedded {\n\n"
               "const std::string_view packed_library = \""
-           << spricka::report::packed_text(library, spricka::report::RepetitionSearch::thorough)
+           << spricka::report::packed_text(library, spricka::base::RepetitionSearch::thorough)
            << "\";\n\n} // namespace spricka::report::embedded\n";
     return source.flush() ? 0 : 1;
   } catch (const std::exception& e) {

@@ -24,8 +24,8 @@ std::string base64_text(std::string_view bytes) {
   return text;
 }
 
-std::string packed_text(std::string_view text, RepetitionSearch search) {
-  return base64_text(Deflater(search, text.size()).pack(text));
+std::string packed_text(std::string_view text, base::RepetitionSearch search) {
+  return base64_text(base::Deflater(search, text.size()).pack(text));
 }
 
 } // namespace spricka::report

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "report/drawing/deflater.hpp"
+#include "base/deflater.hpp"
 
 #include <string>
 #include <string_view>
@@ -13,6 +13,6 @@ std::string base64_text(std::string_view bytes);
 
 /// Text packed by zlib, as base64: DecompressionStream of a browser unpacks it. Throws
 /// std::system_error without memory.
-std::string packed_text(std::string_view text, RepetitionSearch search);
+std::string packed_text(std::string_view text, base::RepetitionSearch search);
 
 } // namespace spricka::report

@@ -42,7 +42,7 @@ std::string view_section(const model::Model& model, const results::RunResult& ru
   if (!data.left_out.empty()) {
     html += fmt::format("<p class=\"note\">{}</p>\n", escape_xml(data.left_out));
   }
-  html += packed_element("view-data", packed_text(data.json, RepetitionSearch::runs));
+  html += packed_element("view-data", packed_text(data.json, base::RepetitionSearch::runs));
   html += "<!-- three.js, the drawing library of the view: MIT licence, threejs.org/license -->\n";
   html += packed_element("view-library", embedded::packed_library);
   html += own_script({embedded::data_script, embedded::surface_script, embedded::camera_script,

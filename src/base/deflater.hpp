@@ -7,7 +7,7 @@
 
 struct z_stream_s; // of zlib
 
-namespace spricka::report {
+namespace spricka::base {
 
 /// What zlib looks for in what it packs, besides letters that are more frequent than others.
 enum class RepetitionSearch {
@@ -35,4 +35,4 @@ private:
   std::string buffer_;
 };
 
-} // namespace spricka::report
+} // namespace spricka::base

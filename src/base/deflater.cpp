@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/drawing/deflater.hpp"
+#include "base/deflater.hpp"
 
 #include <zlib.h>
 
 #include <cerrno>
 #include <system_error>
 
-namespace spricka::report {
+namespace spricka::base {
 namespace {
 
 void demand_success(bool done) {
@@ -44,4 +44,4 @@ std::string_view Deflater::pack(std::string_view block) {
   return std::string_view(buffer_).substr(0, buffer_.size() - stream_->avail_out);
 }
 
-} // namespace spricka::report
+} // namespace spricka::base
