@@ -11,19 +11,22 @@ namespace {
 
 using Builder = IntensityFunctionalBuilder<FrontAuxiliaryFields>;
 
-// What `make` takes from the builder of a front; zero rows [dim * count, K] without a domain.
+// What `make` takes from the builder of a front; nothing without a domain.
 template <class Make>
-SparseLinearFunctionals made_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                  const mesh::CrackFront& front, const FrontIntegralDomains& fields,
-                                  std::size_t count, const Make& make) {
-  if (fields.empty()) {
-    const int dim = cracked.mesh.dim;
-    return {dim * static_cast<Eigen::Index>(count), KLayout(front.points.size(), dim).count()};
-  }
+auto made_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
+               const mesh::CrackFront& front, const FrontIntegralDomains& fields,
+               const Make& make) {
   const FrontContext set = make_front_context(model, cracked, front, fields);
   const FrontAuxiliaryFields source(set, fields);
-  Builder builder({source, front, fields.points});
+  const Builder builder({source, front, fields.points});
   return make(builder);
+}
+
+// Of so many functions, all zero.
+SparseLinearFunctionals zero_rows(const mesh::CrackedMesh& cracked, const mesh::CrackFront& front,
+                                  std::size_t count) {
+  const int dim = cracked.mesh.dim;
+  return {dim * static_cast<Eigen::Index>(count), KLayout(front.points.size(), dim).count()};
 }
 
 } // namespace
@@ -36,17 +39,21 @@ SparseLinearFunctionals front_intensity_functionals(const model::Model& model,
   if (front.is_tip() && !domains.empty()) {
     return tip_intensity_functionals(model, cracked, front, domains.points.front(), state);
   }
-  return made_rows(model, cracked, front, domains, cracked.mesh.node_count(),
-                   [](Builder& builder) { return builder.displacement_functionals(); });
+  return supplemented_intensity_functionals(model, cracked, front, domains, {}).of_nodes;
 }
 
-SparseLinearFunctionals supplementary_K_functionals(const model::Model& model,
-                                                    const mesh::CrackedMesh& cracked,
-                                                    const mesh::CrackFront& front,
-                                                    const FrontIntegralDomains& fields,
-                                                    const SupplementaryFunctions& others) {
-  return made_rows(model, cracked, front, fields, static_cast<std::size_t>(others.count),
-                   [&](Builder& builder) { return builder.supplementary_functionals(others); });
+IntensityFunctionals supplemented_intensity_functionals(const model::Model& model,
+                                                        const mesh::CrackedMesh& cracked,
+                                                        const mesh::CrackFront& front,
+                                                        const FrontIntegralDomains& fields,
+                                                        const SupplementaryFunctions& others) {
+  if (fields.empty()) {
+    return {zero_rows(cracked, front, cracked.mesh.node_count()),
+            zero_rows(cracked, front, static_cast<std::size_t>(others.count))};
+  }
+  return made_rows(model, cracked, front, fields, [&](const Builder& builder) {
+    return builder.displacement_functionals(others);
+  });
 }
 
 SparseLinearFunctionals face_force_front_functionals(const model::Model& model,
@@ -58,8 +65,11 @@ SparseLinearFunctionals face_force_front_functionals(const model::Model& model,
   for (const FacePointForces& place : places) {
     count += place.points.size();
   }
-  return made_rows(model, cracked, front, fields, count,
-                   [&](Builder& builder) { return builder.face_force_functionals(places); });
+  if (fields.empty()) {
+    return zero_rows(cracked, front, count);
+  }
+  return made_rows(model, cracked, front, fields,
+                   [&](const Builder& builder) { return builder.face_force_functionals(places); });
 }
 
 } // namespace spricka::crack

@@ -16,13 +16,13 @@ front_intensity_functionals(const model::Model& model, const mesh::CrackedMesh& 
                             const mesh::CrackFront& front, const FrontIntegralDomains& domains,
                             model::CrackTipPlaneState state = model::CrackTipPlaneState::automatic);
 
-/// K as functions of what multiplies other functions, 3 * function + direction: the same functional
-/// as front_intensity_functionals. [3 * count, 3 * points]
-SparseLinearFunctionals supplementary_K_functionals(const model::Model& model,
-                                                    const mesh::CrackedMesh& cracked,
-                                                    const mesh::CrackFront& front,
-                                                    const FrontIntegralDomains& fields,
-                                                    const SupplementaryFunctions& others);
+/// The same along a front in space, and K as functions of what multiplies other functions, 3 *
+/// function + direction, by the same functional: the domains are visited once for both.
+IntensityFunctionals supplemented_intensity_functionals(const model::Model& model,
+                                                        const mesh::CrackedMesh& cracked,
+                                                        const mesh::CrackFront& front,
+                                                        const FrontIntegralDomains& fields,
+                                                        const SupplementaryFunctions& others);
 
 /// What forces at the points of `places`, one after another, add to K; the forces that these have
 /// do not matter. [3 * point of a side, 3 * points]

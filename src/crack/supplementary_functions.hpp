@@ -26,4 +26,10 @@ struct SupplementaryFunctions {
   std::function<Eigen::MatrixX3d(base::ElementType, const base::Vec3&)> slopes;
 };
 
+/// K as functions of nodal displacements and of what multiplies other functions.
+struct IntensityFunctionals {
+  SparseLinearFunctionals of_nodes;  ///< [dim * node, K]
+  SparseLinearFunctionals of_others; ///< [dim * count, K]
+};
+
 } // namespace spricka::crack

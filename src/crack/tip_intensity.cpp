@@ -169,7 +169,8 @@ SparseLinearFunctionals tip_intensity_functionals(const model::Model& model,
   const TipAuxiliaryFields source(set, fields);
   return restated(set, state) *
          IntensityFunctionalBuilder<TipAuxiliaryFields>({source, front, {fields}})
-             .displacement_functionals();
+             .displacement_functionals()
+             .of_nodes;
 }
 
 std::vector<KFunctionalQuadraturePoint> K_functional_at_quadrature_points(

@@ -39,7 +39,7 @@ bool hangs_on_an_edge(const ContactEdgeKChange& edges, Eigen::Index first,
 FrontErrorBars::FrontErrorBars(const model::Model& model, const Discretisation& scene)
     : ErrorBarsBase(model, scene) {}
 
-void FrontErrorBars::prepare() {
+void FrontErrorBars::prepare(const KFunctionals& K) {
   prepared_ = true;
   why_not_ = estimate::solid_enrichment_obstacle(model_, scene_.cracked.mesh);
   for (const contact::PairConstraints& pair : scene_.pairs) {
@@ -50,7 +50,7 @@ void FrontErrorBars::prepare() {
   if (!why_not_.empty()) {
     return;
   }
-  modes_ = std::make_unique<CubicModeSolver>(model_, scene_);
+  modes_ = std::make_unique<CubicModeSolver>(model_, scene_, K);
 }
 
 base::Vector FrontErrorBars::load(const StepState& state) {
@@ -73,7 +73,7 @@ UnfinishedFrontBars FrontErrorBars::begin(const FrozenContactStep& step,
                                           std::shared_ptr<const FrozenContactSystem> system,
                                           const KFunctionals& K) {
   if (!prepared_) {
-    prepare();
+    prepare(K);
   }
   UnfinishedFrontBars bars;
   bars.why_not = why_not_.empty() && step.contact.rubs ? depends_on_history : why_not_;

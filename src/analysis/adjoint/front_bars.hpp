@@ -38,7 +38,7 @@ public:
               const std::vector<results::LoadStepResult*>& results);
 
 private:
-  void prepare();
+  void prepare(const KFunctionals& K);
   /// Loads of a step and pressures of its contacts on the modes.
   [[nodiscard]] base::Vector load(const StepState& state);
   void estimate_bars(const UnfinishedFrontBars& step, const base::Vector& eta, std::size_t f,

@@ -2,7 +2,6 @@
 #include "analysis/adjoint/mode_solver.hpp"
 
 #include "base/index.hpp"
-#include "base/parallel.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -34,8 +33,8 @@ double largest_inside(const Discretisation& scene, const base::Vector& K) {
   return size;
 }
 
-crack::SparseLinearFunctionals goal_rows(const model::Model& model, const Discretisation& scene,
-                                         const estimate::SolidEnrichment& enrichment) {
+crack::SparseLinearFunctionals goal_rows(const estimate::SolidEnrichment& enrichment,
+                                         const KFunctionals& K) {
   crack::SupplementaryFunctions others;
   others.count = enrichment.freedoms() / 3;
   others.of_element = [&](base::ElementId e) { return enrichment.element_modes(e); };
@@ -43,28 +42,7 @@ crack::SparseLinearFunctionals goal_rows(const model::Model& model, const Discre
   others.slopes = [](base::ElementType type, const base::Vec3& r) {
     return estimate::SolidModes::for_type(type).dpsi(r);
   };
-  const crack::KLayout layout = scene.k_layout();
-  std::vector<Eigen::Triplet<double>> entries;
-  std::size_t first = 0;
-  std::vector<crack::SparseLinearFunctionals> of_front(scene.cracked.fronts.size());
-  base::parallel_for_ranges(of_front.size(), 1, [&](std::size_t f, std::size_t) {
-    of_front[f] = crack::supplementary_K_functionals(model, scene.cracked, scene.cracked.fronts[f],
-                                                     scene.domains[f], others);
-  });
-  for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {
-    const mesh::CrackFront& front = scene.cracked.fronts[f];
-    const crack::SparseLinearFunctionals& own = of_front[f];
-    for (Eigen::Index c = 0; c < own.cols(); ++c) {
-      for (crack::SparseLinearFunctionals::InnerIterator it(own, c); it; ++it) {
-        entries.emplace_back(it.row(), layout.first_mode_index(first) + c,
-                             it.value() * enrichment.free_mode_mask()[it.row()]);
-      }
-    }
-    first += front.points.size();
-  }
-  crack::SparseLinearFunctionals rows(enrichment.freedoms(), layout.count());
-  rows.setFromTriplets(entries.begin(), entries.end());
-  return rows;
+  return enrichment.free_mode_mask().asDiagonal() * K.of_supplementary(others);
 }
 
 } // namespace
@@ -77,9 +55,10 @@ struct CubicModeSolver::Iteration {
   std::optional<double> before; ///< what the last step changed of K
 };
 
-CubicModeSolver::CubicModeSolver(const model::Model& model, const Discretisation& scene)
+CubicModeSolver::CubicModeSolver(const model::Model& model, const Discretisation& scene,
+                                 const KFunctionals& K)
     : scene_(scene), enrichment_(model, scene.cracked.mesh, scene.cls, *scene.ties),
-      goals_(goal_rows(model, scene, enrichment_)) {}
+      goals_(goal_rows(enrichment_, K)) {}
 
 std::vector<std::optional<base::Vector>>
 CubicModeSolver::K_changes(const std::vector<const ModeLoad*>& steps, const KFunctionals& K) {

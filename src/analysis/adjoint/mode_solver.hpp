@@ -22,8 +22,8 @@ struct ModeLoad {
 /// nodes eliminated, for several steps at once (manual, estimate.20 to 24).
 class CubicModeSolver {
 public:
-  /// Both must outlive it.
-  CubicModeSolver(const model::Model& model, const Discretisation& scene);
+  /// The model and the scene must outlive it; `K`: of the scene.
+  CubicModeSolver(const model::Model& model, const Discretisation& scene, const KFunctionals& K);
 
   [[nodiscard]] const estimate::SolidEnrichment& enrichment() const { return enrichment_; }
   /// By how much K at the ends of steps changes [step][K], of each by its own closed rows; empty:

@@ -87,6 +87,33 @@ void add_K_by_tractions(const model::Model& model, const Discretisation& scene, 
   of_row.middleRows(scene.k_layout().first_mode_index(point), product.rows()) += product;
 }
 
+// Columns of all fronts [size, K of a front] side by side, as in KLayout.
+crack::SparseLinearFunctionals join_fronts(std::vector<crack::SparseLinearFunctionals> of_front,
+                                           Eigen::Index size) {
+  if (of_front.size() == 1) {
+    return std::move(of_front.front());
+  }
+  Eigen::Index columns = 0;
+  Eigen::Index entries = 0;
+  for (const crack::SparseLinearFunctionals& own : of_front) {
+    columns += own.cols();
+    entries += own.nonZeros();
+  }
+  crack::SparseLinearFunctionals rows(size, columns);
+  rows.reserve(entries);
+  Eigen::Index column = 0;
+  for (const crack::SparseLinearFunctionals& own : of_front) {
+    for (Eigen::Index c = 0; c < own.cols(); ++c, ++column) {
+      rows.startVec(column);
+      for (crack::SparseLinearFunctionals::InnerIterator it(own, c); it; ++it) {
+        rows.insertBack(it.row(), column) = it.value();
+      }
+    }
+  }
+  rows.finalize();
+  return rows;
+}
+
 } // namespace
 
 crack::SparseLinearFunctionals front_displacement_K_functionals(const model::Model& model,
@@ -99,27 +126,29 @@ crack::SparseLinearFunctionals front_displacement_K_functionals(const model::Mod
 
 crack::SparseLinearFunctionals displacement_K_functionals(const model::Model& model,
                                                           const Discretisation& scene) {
-  std::vector<Eigen::Triplet<double>> entries;
-  const crack::KLayout layout = scene.k_layout();
-  std::size_t first = 0;
   std::vector<crack::SparseLinearFunctionals> of_front(scene.cracked.fronts.size());
   base::parallel_for_ranges(of_front.size(), 1, [&](std::size_t f, std::size_t) {
     of_front[f] = front_displacement_K_functionals(model, scene, f);
   });
-  for (std::size_t f = 0; f < scene.cracked.fronts.size(); ++f) {
-    const crack::SparseLinearFunctionals& own = of_front[f];
-    for (Eigen::Index c = 0; c < own.cols(); ++c) {
-      for (crack::SparseLinearFunctionals::InnerIterator it(own, c); it; ++it) {
-        entries.emplace_back(it.row(), layout.first_mode_index(first) + c, it.value());
-      }
-    }
-    first += scene.cracked.fronts[f].points.size();
-  }
-  crack::SparseLinearFunctionals rows(static_cast<Eigen::Index>(scene.cracked.mesh.node_count()) *
-                                          scene.cracked.mesh.dim,
-                                      layout.count());
-  rows.setFromTriplets(entries.begin(), entries.end());
-  return rows;
+  return join_fronts(std::move(of_front),
+                     static_cast<Eigen::Index>(scene.cracked.mesh.node_count()) *
+                         scene.cracked.mesh.dim);
+}
+
+crack::IntensityFunctionals
+supplemented_K_functionals(const model::Model& model, const Discretisation& scene,
+                           const crack::SupplementaryFunctions& others) {
+  std::vector<crack::SparseLinearFunctionals> of_nodes(scene.cracked.fronts.size());
+  std::vector<crack::SparseLinearFunctionals> of_others(scene.cracked.fronts.size());
+  base::parallel_for_ranges(of_nodes.size(), 1, [&](std::size_t f, std::size_t) {
+    crack::IntensityFunctionals own = crack::supplemented_intensity_functionals(
+        model, scene.cracked, scene.cracked.fronts[f], scene.domains[f], others);
+    of_nodes[f] = std::move(own.of_nodes);
+    of_others[f] = std::move(own.of_others);
+  });
+  return {join_fronts(std::move(of_nodes),
+                      3 * static_cast<Eigen::Index>(scene.cracked.mesh.node_count())),
+          join_fronts(std::move(of_others), 3 * others.count)};
 }
 
 base::Matrix contact_force_K_functionals(const model::Model& model, const Discretisation& scene) {

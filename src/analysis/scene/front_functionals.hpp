@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 /// K of the fronts of a scene as linear functions, by its KLayout: rows^T u, what contact forces
@@ -19,6 +20,12 @@ crack::SparseLinearFunctionals front_displacement_K_functionals(const model::Mod
 /// K as functions of displacements. [dim * node, K]
 crack::SparseLinearFunctionals displacement_K_functionals(const model::Model& model,
                                                           const Discretisation& scene);
+
+/// The same, and K as functions of what multiplies other functions than those of the nodes, 3 *
+/// function + direction; of fronts in space.
+crack::IntensityFunctionals supplemented_K_functionals(const model::Model& model,
+                                                       const Discretisation& scene,
+                                                       const crack::SupplementaryFunctions& others);
 
 /// What a unit of each row of the table adds to K by its traction on sides that domains move
 /// (crack_space.9), in the plane by its forces between faces of cracks (crack.33). [K, row]
@@ -37,6 +44,16 @@ public:
       of_displacements_ = displacement_K_functionals(model_, scene_);
     }
     return *of_displacements_;
+  }
+  /// Of what multiplies other functions [3 * count, K], not kept; in the same visit of the domains
+  /// as of_displacements(), if nobody has asked for that.
+  [[nodiscard]] crack::SparseLinearFunctionals
+  of_supplementary(const crack::SupplementaryFunctions& others) const {
+    crack::IntensityFunctionals both = supplemented_K_functionals(model_, scene_, others);
+    if (!of_displacements_) {
+      of_displacements_ = std::move(both.of_nodes);
+    }
+    return std::move(both.of_others);
   }
   /// [K, row of the table]
   [[nodiscard]] const base::Matrix& of_contact_forces() const {
