@@ -3,6 +3,7 @@
 #include "crack/energy_momentum.hpp"
 #include "crack/williams.hpp"
 
+#include <array>
 #include <cstddef>
 
 /// Displacements at a point of a body, and those that the solution is combined with.
@@ -28,11 +29,6 @@ template <int dim> struct GradientStressState {
 
   /// Volume change, the part round the axis included.
   [[nodiscard]] double dilatation() const { return H.trace() + hoop; }
-  /// Work density of this state's stress on the strain of another, the part round the axis included
-  /// [stress].
-  [[nodiscard]] double work_density_on(const GradientStressState& other) const {
-    return sigma.cwiseProduct(other.H).sum() + sigma_hoop * other.hoop;
-  }
 };
 
 /// An auxiliary field at a point off the front. About an axis it is carried round with the section,
@@ -41,5 +37,74 @@ template <int dim> struct AuxiliaryField : GradientStressState<dim> {
   /// Of its stress [stress/length] (crack.38, crack_space.5).
   shape::Point<dim> divergence = shape::Point<dim>::Zero();
 };
+
+/// A number of each auxiliary field, 1 and on, worked on at once, and vectors and tensors of them:
+/// by component and by column.
+template <int dim> using OfFields = Eigen::Array<double, auxiliary_field_count<dim> - 1, 1>;
+template <int dim> using VectorOfFields = std::array<OfFields<dim>, dim>;
+template <int dim> using TensorOfFields = std::array<VectorOfFields<dim>, dim>;
+
+/// Gradients and stresses at a point, one of each auxiliary field, as in GradientStressState.
+template <int dim> struct GradientStressStates {
+  TensorOfFields<dim> H, sigma;
+  OfFields<dim> hoop = OfFields<dim>::Zero();
+  OfFields<dim> sigma_hoop = OfFields<dim>::Zero();
+};
+
+/// All auxiliary fields at a point off the front.
+template <int dim> struct AuxiliaryFields : GradientStressStates<dim> {
+  VectorOfFields<dim> divergence; ///< as in AuxiliaryField
+
+  /// Puts in one of them, 1 and on.
+  void set(std::size_t auxiliary, const AuxiliaryField<dim>& v) {
+    const auto k = static_cast<Eigen::Index>(auxiliary - 1);
+    for (std::size_t i = 0; i < dim; ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      divergence[i][k] = v.divergence[row];
+      for (std::size_t j = 0; j < dim; ++j) {
+        const auto column = static_cast<Eigen::Index>(j);
+        this->H[j][i][k] = v.H(row, column);
+        this->sigma[j][i][k] = v.sigma(row, column);
+      }
+    }
+    this->hoop[k] = v.hoop;
+    this->sigma_hoop[k] = v.sigma_hoop;
+  }
+};
+
+/// Work density of the stress of a displacement on the strains of the auxiliary fields, the part
+/// round the axis included [stress].
+template <int dim>
+OfFields<dim> work_densities(const GradientStressState<dim>& u,
+                             const GradientStressStates<dim>& fields) {
+  OfFields<dim> work = u.sigma_hoop * fields.hoop;
+  for (std::size_t j = 0; j < dim; ++j) {
+    for (std::size_t i = 0; i < dim; ++i) {
+      work += u.sigma(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) * fields.H[j][i];
+    }
+  }
+  return work;
+}
+
+/// Energy-momentum of the work of a displacement and each auxiliary field on each other, H_v^T
+/// sigma_u + H_u^T sigma_v - `work` I [stress] (crack.10); `work`: work_densities of both.
+template <int dim>
+TensorOfFields<dim> interaction_energy_momentum(const GradientStressState<dim>& u,
+                                                const GradientStressStates<dim>& fields,
+                                                const OfFields<dim>& work) {
+  TensorOfFields<dim> T;
+  for (std::size_t j = 0; j < dim; ++j) {
+    for (std::size_t i = 0; i < dim; ++i) {
+      T[j][i] = OfFields<dim>::Zero();
+      for (std::size_t m = 0; m < dim; ++m) {
+        const auto row = static_cast<Eigen::Index>(m);
+        T[j][i] += u.sigma(row, static_cast<Eigen::Index>(j)) * fields.H[i][m] +
+                   u.H(row, static_cast<Eigen::Index>(i)) * fields.sigma[j][m];
+      }
+    }
+    T[j][j] -= work;
+  }
+  return T;
+}
 
 } // namespace spricka::crack

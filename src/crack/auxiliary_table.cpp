@@ -23,7 +23,8 @@ base::Vec3 places_of(const model::Mesh& mesh, base::ElementId e) {
 } // namespace
 
 AuxiliaryFieldTable::AuxiliaryFieldTable(const FrontContext& set,
-                                         const FrontIntegralDomains& fields)
+                                         const FrontIntegralDomains& fields,
+                                         AuxiliaryFieldReading reading)
     : body_(set.body), elements_(fields.elements()) {
   if (elements_.empty()) {
     return;
@@ -32,22 +33,24 @@ AuxiliaryFieldTable::AuxiliaryFieldTable(const FrontContext& set,
   slot_.assign(elements_.back().index() - first_ + 1, 0);
   std::size_t points = 0;
   for (const base::ElementId e : elements_) {
-    const shape::ReferenceDomain domain =
-        shape::reference_element<3>(set.mesh.type[e.index()]).domain;
-    points += shape::quadrature<3>(domain, fields.degree.at(e)).size();
-  }
-  fields_.reserve(points);
-  for (const base::ElementId e : elements_) {
     slot_[e.index() - first_] = start_.size();
-    start_.push_back(fields_.size());
+    start_.push_back(points);
     degree_.push_back(fields.degree.at(e));
     places_.push_back(places_of(set.mesh, e));
     const fe::AnyElement<3>& element = shape::reference_element<3>(set.mesh.type[e.index()]);
-    const fe::AnyNodeVectors<3> X = fe::element_coordinates(element, set.mesh, e);
     functions_.push_back(shape::shape_functions_at_quadrature_points<3>(element, degree_.back()));
-    for (const shape::ShapeFunctionValues<3>& functions : functions_.back()) {
-      const FrontAxesDerivatives axes(set.axes.locate_point(X * functions.N));
-      fields_.push_back(front_auxiliary_values(axes, set.body));
+    points += functions_.back().size();
+  }
+  if (reading == AuxiliaryFieldReading::once) {
+    return;
+  }
+  fields_.reserve(points);
+  for (std::size_t i = 0; i < elements_.size(); ++i) {
+    const base::ElementId e = elements_[i];
+    const fe::AnyElement<3>& element = shape::reference_element<3>(set.mesh.type[e.index()]);
+    const fe::AnyNodeVectors<3> X = fe::element_coordinates(element, set.mesh, e);
+    for (const shape::ShapeFunctionValues<3>& functions : functions_[i]) {
+      fields_.push_back(auxiliary_values_at(set, X * functions.N));
     }
   }
 }
@@ -64,12 +67,13 @@ bool AuxiliaryFieldTable::is_valid_for(const FrontContext& set) const {
 std::shared_ptr<const AuxiliaryFieldTable>
 cached_auxiliary_table(const FrontContext& set, const FrontIntegralDomains& fields) {
   if (!fields.auxiliary_cache) {
-    return std::make_shared<const AuxiliaryFieldTable>(set, fields);
+    return std::make_shared<const AuxiliaryFieldTable>(set, fields, AuxiliaryFieldReading::once);
   }
   const std::lock_guard<std::mutex> guard(fields.auxiliary_cache->mutex);
   std::shared_ptr<const AuxiliaryFieldTable>& table = fields.auxiliary_cache->table;
   if (!table || !table->is_valid_for(set)) {
-    table = std::make_shared<const AuxiliaryFieldTable>(set, fields);
+    table =
+        std::make_shared<const AuxiliaryFieldTable>(set, fields, AuxiliaryFieldReading::repeatedly);
   }
   return table;
 }

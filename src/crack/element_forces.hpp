@@ -59,18 +59,24 @@ public:
     for (const base::NodeId n : mesh().element_nodes(e_)) {
       typename InteractionConfigurationalForces<dim>::OfNode& sum = out[n];
       for (std::size_t k = 0; k < sum.size(); ++k) {
-        sum[k] += P.col(i).template segment<dim>(of_field(k));
+        for (Eigen::Index c = 0; c < dim; ++c) {
+          sum[k][c] += P(row(k, c), i);
+        }
       }
       ++i;
     }
   }
 
 private:
-  /// Vectors of all auxiliary fields, one below the other; with what fills whole registers.
-  static constexpr Eigen::Index rows =
-      (dim * static_cast<Eigen::Index>(auxiliary_field_count<dim>) + 3) / 4 * 4;
-  static Eigen::Index of_field(std::size_t k) { return dim * static_cast<Eigen::Index>(k); }
-  /// [of field, node]
+  /// Components of vectors: those of the solution with itself, and each component with all
+  /// auxiliary fields side by side; both and all together fill whole registers.
+  static constexpr Eigen::Index fields = OfFields<dim>::SizeAtCompileTime;
+  static constexpr Eigen::Index own_rows = (dim + 1) / 2 * 2;
+  static constexpr Eigen::Index rows = (own_rows + dim * fields + 3) / 4 * 4;
+  static Eigen::Index row(std::size_t k, Eigen::Index component) {
+    return k == 0 ? component : own_rows + fields * component + static_cast<Eigen::Index>(k) - 1;
+  }
+  /// [row, node]
   using OfNodes = Eigen::Matrix<double, rows, Eigen::Dynamic, 0, rows, shape::most_nodes<dim>>;
   /// The gradients of the shape functions, and these themselves. [node, dim + 1]
   using GradientsAndFunctions =
@@ -92,25 +98,15 @@ private:
     const ThermoelasticState<dim>& met = heat_.met(own, x);
     // T by column, and c, what N_n itself is multiplied with.
     Eigen::Matrix<double, rows, dim + 1> terms = Eigen::Matrix<double, rows, dim + 1>::Zero();
-    for (std::size_t k = 0; k < auxiliary_field_count<dim>; ++k) {
-      AxisymmetricEnergyMomentum<dim> M;
-      Vector c;
-      if (k == 0) {
-        M = own_momentum(own);
-        c = own.heated_dilatation * own.beta_grad_T;
-      } else {
-        const AuxiliaryField<dim> v = source_.auxiliary_field(e_, number, x, k, elasticity_);
-        M = momentum_of_both(met, v);
-        c = v.dilatation() * met.beta_grad_T;
-        c += met.nodal.transpose() * v.divergence;
-      }
-      // About an axis the way outwards (crack.37).
-      c += source_.context().hoop_body_force(M.hoop, x);
-      if (strained) {
-        terms.template block<dim, dim>(of_field(k), 0) = M.T;
-      }
-      terms.template block<dim, 1>(of_field(k), dim) = c;
+    const AxisymmetricEnergyMomentum<dim> M = own_momentum(own);
+    if (strained) {
+      terms.template topLeftCorner<dim, dim>() = M.T;
     }
+    // About an axis the way outwards (crack.37).
+    terms.template topRightCorner<dim, 1>() =
+        own.heated_dilatation * own.beta_grad_T + source_.context().hoop_body_force(M.hoop, x);
+    set_interaction_terms(met, source_.auxiliary_fields(e_, number, x, elasticity_), x, strained,
+                          terms);
     GradientsAndFunctions by_node(element_.nodes, dim + 1);
     by_node << at.dNdx, N;
     base::add_outer_products(weight, terms, by_node, P);
@@ -145,12 +141,36 @@ private:
             round - 0.5 * (u.sigma.cwiseProduct(u.strained).sum() + round - thermal)};
   }
 
-  // (crack.10), with the components round the axis.
-  static AxisymmetricEnergyMomentum<dim> momentum_of_both(const ThermoelasticState<dim>& u,
-                                                          const AuxiliaryField<dim>& v) {
-    Tensor<dim> T = energy_momentum<dim>({u.H, u.sigma}, {v.H, v.sigma});
-    T.diagonal().array() -= u.sigma_hoop * v.hoop;
-    return {T, u.sigma_hoop * v.hoop + v.sigma_hoop * u.hoop - u.work_density_on(v)};
+  // The same of the solution and the auxiliary fields (crack.10), by column, and what N_n itself is
+  // multiplied with.
+  void set_interaction_terms(const ThermoelasticState<dim>& u, const AuxiliaryFields<dim>& v,
+                             const Vector& x, bool strained,
+                             Eigen::Matrix<double, rows, dim + 1>& terms) const {
+    const OfFields<dim> work = work_densities<dim>(u, v);
+    if (strained) {
+      const TensorOfFields<dim> T = interaction_energy_momentum<dim>(u, v, work);
+      for (Eigen::Index j = 0; j < dim; ++j) {
+        for (Eigen::Index i = 0; i < dim; ++i) {
+          terms.template block<fields, 1>(row(1, i), j) =
+              T[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)].matrix();
+        }
+      }
+    }
+    OfFields<dim> dilatation = v.hoop;
+    for (std::size_t i = 0; i < dim; ++i) {
+      dilatation += v.H[i][i];
+    }
+    const OfFields<dim> hoop = u.sigma_hoop * v.hoop + u.hoop * v.sigma_hoop - work;
+    for (Eigen::Index i = 0; i < dim; ++i) {
+      OfFields<dim> c = u.beta_grad_T[i] * dilatation;
+      for (Eigen::Index m = 0; m < dim; ++m) {
+        c += u.nodal(m, i) * v.divergence[static_cast<std::size_t>(m)];
+      }
+      for (Eigen::Index k = 0; k < fields; ++k) { // about an axis the way outwards (crack.37)
+        c[k] += source_.context().hoop_body_force(hoop[k], x)[i];
+      }
+      terms.template block<fields, 1>(row(1, i), dim) = c.matrix();
+    }
   }
 
   // - q b . u,k (crack.19) and the same of the auxiliary fields (crack.23), at points of the load's
@@ -167,7 +187,9 @@ private:
         const Vector c =
             weight * at.det * source_.context().relative_depth(x) * (H.transpose() * b);
         for (int n = 0; n < element_.nodes; ++n) {
-          P.col(n).template segment<dim>(of_field(k)) -= N[n] * c;
+          for (Eigen::Index i = 0; i < dim; ++i) {
+            P(row(k, i), n) -= N[n] * c[i];
+          }
         }
       }
     };

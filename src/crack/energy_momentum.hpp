@@ -30,13 +30,4 @@ template <int dim> Tensor<dim> energy_momentum(const GradientAndStress<dim>& u, 
   return T;
 }
 
-/// That of the work of two displacements on each other, H_v^T sigma_u + H_u^T sigma_v -
-/// (sigma_u : H_v) I [stress] (crack.10).
-template <int dim>
-Tensor<dim> energy_momentum(const GradientAndStress<dim>& u, const GradientAndStress<dim>& v) {
-  Tensor<dim> T = v.H.transpose() * u.sigma + u.H.transpose() * v.sigma;
-  T.diagonal().array() -= u.sigma.cwiseProduct(v.H).sum();
-  return T;
-}
-
 } // namespace spricka::crack

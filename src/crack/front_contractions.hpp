@@ -152,13 +152,9 @@ public:
         motions[j].q = moved[j].second * at.N;
         motions[j].hoop_strain = source_.context().hoop_strain(motions[j].q, at.x);
       }
-      for (std::size_t k = 0; k < auxiliary_fields_.size(); ++k) {
-        const AuxiliaryField<dim> v =
-            source_.auxiliary_field(e, at.number, at.x, auxiliary_fields_[k], elasticity);
-        for (std::size_t j = 0; j < moved.size(); ++j) {
-          set_weight_tensor(elasticity, v, motions[j], weight, auxiliary_fields_.size() * j + k,
-                            at.tensors);
-        }
+      const AuxiliaryFields<dim> v = source_.auxiliary_fields(e, at.number, at.x, elasticity);
+      for (std::size_t j = 0; j < moved.size(); ++j) {
+        set_weight_tensors(elasticity, v, motions[j], weight, j, at.tensors);
       }
       visit(at);
       ++at.number;
@@ -169,6 +165,7 @@ private:
   using Vector = shape::Point<dim>;
 
   [[nodiscard]] const model::Mesh& mesh() const { return source_.context().mesh; }
+  static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
   // How a point of the front moves a point of an element.
   struct MotionAtPoint {
@@ -178,22 +175,43 @@ private:
   };
 
   // What the gradient H of a displacement is contracted with: s(A - (div q) H_v) + sigma_v (grad
-  // q)^T + div sigma_v (x) q, A = H_v grad q, with the components round an axis (crack.37). D is
-  // symmetric, so s(u) : A = H_u : s(A).
+  // q)^T + div sigma_v (x) q, A = H_v grad q, with the components round an axis (crack.37), of all
+  // auxiliary fields at once; those of the modes come first. D is symmetric, so s(u) : A = H_u :
+  // s(A).
   template <class Elasticity>
-  static void set_weight_tensor(const Elasticity& elasticity, const AuxiliaryField<dim>& v,
-                                const MotionAtPoint& motion, double weight, std::size_t number,
-                                GradientWeightTensors<dim>& tensors) {
+  void set_weight_tensors(const Elasticity& elasticity, const AuxiliaryFields<dim>& v,
+                          const MotionAtPoint& motion, double weight, std::size_t place,
+                          GradientWeightTensors<dim>& tensors) const {
     const Tensor<dim>& grad = motion.gradient;
     const double round = motion.hoop_strain;
     const double div = grad.trace() + round;
-    const GradientStressState<dim> A =
-        elasticity.state_from_gradient(v.H * grad - div * v.H, (round - div) * v.hoop);
-    const auto at = static_cast<Eigen::Index>(number);
-    const Tensor<dim> M =
-        A.sigma + v.sigma * grad.transpose() + v.divergence * motion.q.transpose();
-    tensors.M.template middleRows<dim>(dim * at) = weight * M;
-    tensors.hoop[at] = weight * (A.sigma_hoop + v.sigma_hoop * round);
+    GradientStressStates<dim> A;
+    for (std::size_t j = 0; j < dim; ++j) {
+      for (std::size_t i = 0; i < dim; ++i) {
+        A.H[j][i] = -div * v.H[j][i];
+        for (std::size_t m = 0; m < dim; ++m) {
+          A.H[j][i] += grad(index(m), index(j)) * v.H[m][i];
+        }
+      }
+    }
+    A.hoop = (round - div) * v.hoop;
+    elasticity.set_stress(A);
+    const Eigen::Index count = index(auxiliary_fields_.size());
+    const Eigen::Index first = count * index(place);
+    for (std::size_t j = 0; j < dim; ++j) {
+      for (std::size_t i = 0; i < dim; ++i) {
+        OfFields<dim> M = A.sigma[j][i] + motion.q[index(j)] * v.divergence[i];
+        for (std::size_t m = 0; m < dim; ++m) {
+          M += grad(index(j), index(m)) * v.sigma[m][i];
+        }
+        M *= weight;
+        for (Eigen::Index k = 0; k < count; ++k) {
+          tensors.M(dim * (first + k) + index(i), index(j)) = M[k];
+        }
+      }
+    }
+    tensors.hoop.segment(first, count) =
+        (weight * (A.sigma_hoop + round * v.sigma_hoop)).matrix().head(count);
   }
 
   const Source& source_;

@@ -50,11 +50,11 @@ public:
   }
   /// The body, which is one in all domains.
   [[nodiscard]] const FrontBody& elasticity(base::ElementId /*e*/) const { return set_.body; }
-  /// Auxiliary field 1 to 4 at a point of the rule.
-  [[nodiscard]] AuxiliaryField<3> auxiliary_field(base::ElementId e, std::size_t number,
-                                                  const base::Vec3& /*x*/, std::size_t auxiliary,
-                                                  const FrontBody& /*body*/) const {
-    return table().at(e, number, auxiliary);
+  /// The auxiliary fields at a point of the rule.
+  [[nodiscard]] AuxiliaryFields<3> auxiliary_fields(base::ElementId e, std::size_t number,
+                                                    const base::Vec3& x,
+                                                    const FrontBody& /*body*/) const {
+    return table().at(set_, e, number, x);
   }
   [[nodiscard]] Place locate_in_element(const base::Vec3& x) const {
     return Place(set_.axes.locate_point(x));

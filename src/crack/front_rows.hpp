@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "crack/front_forces.hpp"
+#include "crack/front_extension.hpp"
+#include "crack/front_loads.hpp"
 #include "crack/k_layout.hpp"
 #include "crack/supplementary_functions.hpp"
 #include "model/cracks.hpp"

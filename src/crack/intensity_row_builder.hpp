@@ -119,13 +119,9 @@ private:
   // Of other functions in an element at the points of its rule; null: it has none.
   [[nodiscard]] const SupplementarySlopes::AtPoints*
   slopes_in_element(base::ElementId e, SupplementarySlopes& slopes) const {
-    if constexpr (dim == 3) {
-      if (slopes.count(e) > 0) {
-        return &slopes.in_element(mesh().type[e.index()], source_.quadrature_degree(e),
-                                  source_.element_quadrature(e));
-      }
-    }
-    return nullptr;
+    return slopes.count(e) == 0
+               ? nullptr
+               : &slopes.in_element<dim>(mesh().type[e.index()], source_.element_quadrature(e));
   }
 
   // A point of a side with the tractions of the auxiliary fields, as K takes them.
@@ -153,14 +149,13 @@ private:
       at.N = own.N(point.r);
       at.slopes.resize(count + others, dim);
       at.slopes.topRows(count) = surface_gradients<dim>(own, point.r);
-      if constexpr (dim == 3) {
-        if (others > 0) {
-          const auto number = static_cast<std::size_t>(&point - rule.data());
-          const Tensor<dim> inverse = element_jacobian(side.face, point.r).inverse();
-          at.slopes.bottomRows(others) =
-              slopes.on_side(mesh().type[own.element.index()], side.face.side, rule)[number]
-                  .lazyProduct(inverse);
-        }
+      if (others > 0) {
+        const auto number = static_cast<std::size_t>(&point - rule.data());
+        const Tensor<dim> inverse = element_jacobian(side.face, point.r).inverse();
+        at.slopes.bottomRows(others) =
+            slopes.on_side(mesh().type[own.element.index()], side.face.side, rule)[number]
+                .template leftCols<dim>()
+                .lazyProduct(inverse);
       }
       const Vector x = (own.X * at.N).template head<dim>();
       const Vector area = (point.weight * source_.context().relative_depth(x)) *
@@ -235,7 +230,8 @@ private:
     const base::ElementType type = mesh().type[face.element.index()];
     const fe::AnyElement<dim>& element = shape::reference_element<dim>(type);
     const fe::AnyNodeVectors<dim> X = fe::element_coordinates(element, mesh(), face.element);
-    return X.lazyProduct(element.dN(shape::side_to_solid_point(type, face.side, r)));
+    return X.lazyProduct(
+        element.dN(shape::side_to_solid_point(type, face.side, r).template head<dim>()));
   }
 
   void add_places(const FacePointForces& on, UpperOrLowerFace side, Eigen::Index first,

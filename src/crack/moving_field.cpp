@@ -34,20 +34,14 @@ FrontAxesDerivatives::FrontAxesDerivatives(const FrontCoordinates& at) : section
 
 namespace {
 
-// A value of each auxiliary field, worked on at once, and vectors and tensors of them: by component
-// and by column.
-using OfFields = Eigen::Array<double, auxiliary_field_count<3> - 1, 1>;
-using VectorOfFields = std::array<OfFields, 3>;
-using TensorOfFields = std::array<VectorOfFields, 3>;
-
 struct SectionFields {
-  VectorOfFields w, w_y, w_z, w_yy, w_yz, w_zz;
+  VectorOfFields<3> w, w_y, w_z, w_yy, w_yz, w_zz;
 };
 
 SectionFields section_fields(const SectionPolarPoint& at, const FrontBody& body) {
   SectionFields all;
   const SectionBody section = body.plane_strain_section();
-  for (Eigen::Index k = 0; k < OfFields::SizeAtCompileTime; ++k) {
+  for (Eigen::Index k = 0; k < OfFields<3>::SizeAtCompileTime; ++k) {
     const SectionField f = section_field(static_cast<std::size_t>(k) + 1, at, section);
     for (std::size_t i = 0; i < 3; ++i) {
       const auto c = static_cast<Eigen::Index>(i);
@@ -63,8 +57,8 @@ SectionFields section_fields(const SectionPolarPoint& at, const FrontBody& body)
 }
 
 // Q v.
-VectorOfFields turned(const Tensor<3>& Q, const VectorOfFields& v) {
-  VectorOfFields out;
+VectorOfFields<3> turned(const Tensor<3>& Q, const VectorOfFields<3>& v) {
+  VectorOfFields<3> out;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     out[i] = Q(row, 0) * v[0] + Q(row, 1) * v[1] + Q(row, 2) * v[2];
@@ -75,10 +69,10 @@ VectorOfFields turned(const Tensor<3>& Q, const VectorOfFields& v) {
 // With slopes of the coordinates: y (x) slopes.y + z (x) slopes.z + s (x) slopes.s.
 struct Across {
   using Slopes = FrontAxesDerivatives::CoordinateGradients;
-  VectorOfFields y, z, s;
+  VectorOfFields<3> y, z, s;
 
-  [[nodiscard]] TensorOfFields with(const Slopes& slopes) const {
-    TensorOfFields sum;
+  [[nodiscard]] TensorOfFields<3> with(const Slopes& slopes) const {
+    TensorOfFields<3> sum;
     for (std::size_t j = 0; j < 3; ++j) {
       const auto c = static_cast<Eigen::Index>(j);
       for (std::size_t i = 0; i < 3; ++i) {
@@ -88,9 +82,9 @@ struct Across {
     return sum;
   }
   // Of two with slopes of their own.
-  [[nodiscard]] TensorOfFields with(const Slopes& slopes, const Across& more,
-                                    const Slopes& of_more) const {
-    TensorOfFields sum;
+  [[nodiscard]] TensorOfFields<3> with(const Slopes& slopes, const Across& more,
+                                       const Slopes& of_more) const {
+    TensorOfFields<3> sum;
     for (std::size_t j = 0; j < 3; ++j) {
       const auto c = static_cast<Eigen::Index>(j);
       for (std::size_t i = 0; i < 3; ++i) {
@@ -103,9 +97,9 @@ struct Across {
 };
 
 // Adds the stress of A times g.
-void add_stress_times(const FrontBody& body, const TensorOfFields& A, const Vec3& g,
-                      VectorOfFields& sum) {
-  const OfFields pressure = body.lambda * (A[0][0] + A[1][1] + A[2][2]);
+void add_stress_times(const FrontBody& body, const TensorOfFields<3>& A, const Vec3& g,
+                      VectorOfFields<3>& sum) {
+  const OfFields<3> pressure = body.lambda * (A[0][0] + A[1][1] + A[2][2]);
   const Vec3 shear = body.mu * g;
   for (std::size_t i = 0; i < 3; ++i) {
     sum[i] += pressure * g[static_cast<Eigen::Index>(i)] + (A[0][i] + A[i][0]) * shear[0] +
@@ -134,35 +128,35 @@ FrontAuxiliaryValues front_auxiliary_values(const FrontAxesDerivatives& axes,
   const SectionFields w = section_fields(axes.section, body);
   // As in the gradient, with the slopes of the coordinates or with derivatives of them.
   const Across across{turned(axes.Q, w.w_y), turned(axes.Q, w.w_z), turned(axes.dQ, w.w)};
-  const TensorOfFields H = across.with(axes.grad);
+  const TensorOfFields<3> H = across.with(axes.grad);
   // Derivatives of H by s, y and z (crack_space.5).
-  const VectorOfFields mixed = turned(axes.Q, w.w_yz);
-  const VectorOfFields turned_y = turned(axes.dQ, w.w_y);
-  const VectorOfFields turned_z = turned(axes.dQ, w.w_z);
+  const VectorOfFields<3> mixed = turned(axes.Q, w.w_yz);
+  const VectorOfFields<3> turned_y = turned(axes.dQ, w.w_y);
+  const VectorOfFields<3> turned_z = turned(axes.dQ, w.w_z);
   const Across by_s{turned_y, turned_z, turned(axes.ddQ, w.w)};
   const Across by_y{turned(axes.Q, w.w_yy), mixed, turned_y};
   const Across by_z{mixed, turned(axes.Q, w.w_zz), turned_z};
-  VectorOfFields divergence{OfFields::Zero(), OfFields::Zero(), OfFields::Zero()};
+  VectorOfFields<3> divergence{OfFields<3>::Zero(), OfFields<3>::Zero(), OfFields<3>::Zero()};
   add_stress_times(body, by_s.with(axes.grad, across, axes.by_s), axes.grad.s, divergence);
   add_stress_times(body, by_y.with(axes.grad, across, axes.by_y), axes.grad.y, divergence);
   add_stress_times(body, by_z.with(axes.grad, across, axes.by_z), axes.grad.z, divergence);
-  FrontAuxiliaryValues values;
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const auto field = static_cast<Eigen::Index>(k);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto row = static_cast<Eigen::Index>(i);
-      values[k].divergence[row] = divergence[i][field];
-      for (std::size_t j = 0; j < 3; ++j) {
-        values[k].H(row, static_cast<Eigen::Index>(j)) = H[j][i][field];
-      }
-    }
-  }
-  return values;
+  return {H, divergence};
 }
 
 AuxiliaryField<3> front_auxiliary_field(std::size_t auxiliary, const FrontAxesDerivatives& axes,
                                         const FrontBody& body) {
-  return make_auxiliary_field(front_auxiliary_values(axes, body)[auxiliary - 1], body);
+  const FrontAuxiliaryValues all = front_auxiliary_values(axes, body);
+  const auto k = static_cast<Eigen::Index>(auxiliary - 1);
+  AuxiliaryField<3> w;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    w.divergence[row] = all.divergence[i][k];
+    for (std::size_t j = 0; j < 3; ++j) {
+      w.H(row, static_cast<Eigen::Index>(j)) = all.H[j][i][k];
+    }
+  }
+  w.sigma = isotropic_stress(body, w.H);
+  return w;
 }
 
 } // namespace spricka::crack

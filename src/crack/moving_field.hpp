@@ -3,7 +3,6 @@
 #include "crack/auxiliary_field.hpp"
 #include "crack/front_axes.hpp"
 
-#include <array>
 #include <cstddef>
 
 /// Fields of plane strain and of antiplane shear, carried along a front by its axes.
@@ -20,6 +19,8 @@ struct FrontBody {
   /// With the stress of a gradient; nothing is round an axis.
   [[nodiscard]] GradientStressState<3> state_from_gradient(const Tensor<3>& H,
                                                            double hoop = 0.0) const;
+  /// Sets the stresses of gradients.
+  void set_stress(GradientStressStates<3>& of) const;
 };
 
 /// Of auxiliary field 1 to 4 in the section across a front.
@@ -42,13 +43,11 @@ struct FrontAxesDerivatives {
   explicit FrontAxesDerivatives(const FrontCoordinates& at);
 };
 
-/// What an auxiliary field at a place is made of by the elasticity there.
-struct AuxiliaryValues {
-  Tensor<3> H;
-  base::Vec3 divergence;
+/// What the auxiliary fields 1 to 4 at a place are made of by the elasticity there.
+struct FrontAuxiliaryValues {
+  TensorOfFields<3> H;
+  VectorOfFields<3> divergence;
 };
-/// Of the auxiliary fields 1 to 4.
-using FrontAuxiliaryValues = std::array<AuxiliaryValues, auxiliary_field_count<3> - 1>;
 
 /// The auxiliary fields, w = w1 m + w2 b + w3 t, carried along a front that turns: their gradients
 /// with the turning of the axes in them, and the divergence of their stress at a place
@@ -78,14 +77,24 @@ inline Tensor<3> isotropic_stress(const FrontBody& body, const Tensor<3>& A) {
   return sigma;
 }
 
-/// The field of these values, with its stress.
-inline AuxiliaryField<3> make_auxiliary_field(const AuxiliaryValues& values,
-                                              const FrontBody& body) {
-  AuxiliaryField<3> w;
+/// The fields of these values, with their stresses.
+inline AuxiliaryFields<3> make_auxiliary_fields(const FrontAuxiliaryValues& values,
+                                                const FrontBody& body) {
+  AuxiliaryFields<3> w;
   w.H = values.H;
-  w.sigma = isotropic_stress(body, w.H);
   w.divergence = values.divergence;
+  body.set_stress(w);
   return w;
+}
+
+inline void FrontBody::set_stress(GradientStressStates<3>& of) const {
+  const OfFields<3> pressure = lambda * (of.H[0][0] + of.H[1][1] + of.H[2][2]);
+  for (std::size_t j = 0; j < 3; ++j) {
+    for (std::size_t i = 0; i < j; ++i) {
+      of.sigma[j][i] = of.sigma[i][j] = mu * (of.H[j][i] + of.H[i][j]);
+    }
+    of.sigma[j][j] = mu * (of.H[j][j] + of.H[j][j]) + pressure;
+  }
 }
 
 inline GradientStressState<3> FrontBody::state_from_gradient(const Tensor<3>& H,

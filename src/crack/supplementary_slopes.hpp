@@ -25,12 +25,15 @@ public:
   [[nodiscard]] Eigen::Index count(base::ElementId e) const {
     return others_.count == 0 ? 0 : static_cast<Eigen::Index>(others_.of_element(e).size());
   }
-  /// At the points of a rule over elements of a type, the one of its degree.
-  const AtPoints& in_element(base::ElementType type, int degree,
-                             std::span<const shape::QuadraturePoint<3>> rule) {
-    AtPoints& table = in_element_[{type, degree}];
+  /// At the points of a rule over elements of a type.
+  template <int dim>
+  const AtPoints& in_element(base::ElementType type,
+                             std::span<const shape::QuadraturePoint<dim>> rule) {
+    AtPoints& table = in_element_[{type, rule.data()}];
     for (std::size_t p = table.size(); p < rule.size(); ++p) {
-      table.push_back(others_.slopes(type, rule[p].r));
+      base::Vec3 r = base::Vec3::Zero();
+      r.head<dim>() = rule[p].r;
+      table.push_back(others_.slopes(type, r));
     }
     return table;
   }
@@ -46,8 +49,8 @@ public:
 
 private:
   const SupplementaryFunctions& others_;
-  std::map<std::pair<base::ElementType, int>, AtPoints> in_element_; ///< [type, degree]
-  std::map<std::pair<base::ElementType, int>, AtPoints> on_side_;    ///< [type, side]
+  std::map<std::pair<base::ElementType, const void*>, AtPoints> in_element_; ///< [type, rule]
+  std::map<std::pair<base::ElementType, int>, AtPoints> on_side_;            ///< [type, side]
 };
 
 } // namespace spricka::crack

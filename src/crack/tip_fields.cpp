@@ -63,6 +63,20 @@ GradientStressState<2> SectionElasticity::state_from_gradient(const Tensor<2>& H
   return state;
 }
 
+void SectionElasticity::set_stress(GradientStressStates<2>& of) const {
+  for (Eigen::Index k = 0; k < of.hoop.size(); ++k) {
+    Tensor<2> H;
+    H << of.H[0][0][k], of.H[1][0][k], of.H[0][1][k], of.H[1][1][k];
+    const GradientStressState<2> state = state_from_gradient(H, of.hoop[k]);
+    for (std::size_t j = 0; j < 2; ++j) {
+      for (std::size_t i = 0; i < 2; ++i) {
+        of.sigma[j][i][k] = state.sigma(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+      }
+    }
+    of.sigma_hoop[k] = state.sigma_hoop;
+  }
+}
+
 TipAuxiliaryFields::TipAuxiliaryFields(const TipContext& set,
                                        const std::vector<VirtualExtensionField>& fields)
     : set_(set), strained_(all_of_domains(fields, &VirtualExtensionField::elements)) {
@@ -113,8 +127,17 @@ shape::ShapeFunctionValues<2> TipAuxiliaryFields::shape_functions(base::ElementI
   return {element.N(r), element.dN(r)};
 }
 
-AuxiliaryField<2> TipAuxiliaryFields::auxiliary_field(base::ElementId /*e*/, std::size_t /*number*/,
-                                                      const base::Vec2& x, std::size_t auxiliary,
+AuxiliaryFields<2> TipAuxiliaryFields::auxiliary_fields(base::ElementId /*e*/,
+                                                        std::size_t /*number*/, const base::Vec2& x,
+                                                        const SectionElasticity& k) const {
+  AuxiliaryFields<2> all;
+  for (std::size_t auxiliary = 1; auxiliary < auxiliary_field_count<2>; ++auxiliary) {
+    all.set(auxiliary, auxiliary_field(x, auxiliary, k));
+  }
+  return all;
+}
+
+AuxiliaryField<2> TipAuxiliaryFields::auxiliary_field(const base::Vec2& x, std::size_t auxiliary,
                                                       const SectionElasticity& k) const {
   const PolarCoordinates at = polar_coordinates(set_.tip, x);
   const Tensor<2> H = auxiliary_field_gradient(set_, at, auxiliary);

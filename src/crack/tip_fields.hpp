@@ -20,6 +20,8 @@ struct SectionElasticity {
       : D(set.elasticity(e)), law(fe::constitutive_law(set.model, set.mesh, e)) {}
   /// With the stress of a gradient.
   [[nodiscard]] GradientStressState<2> state_from_gradient(const Tensor<2>& H, double hoop) const;
+  /// Sets the stresses of gradients.
+  void set_stress(GradientStressStates<2>& of) const;
 };
 
 /// A point as seen from the tip; on a face with the unit tangent of that.
@@ -65,11 +67,11 @@ public:
   [[nodiscard]] shape::ShapeFunctionValues<2> shape_functions(base::ElementId e, std::size_t number,
                                                               const base::Vec2& r) const;
   [[nodiscard]] SectionElasticity elasticity(base::ElementId e) const { return {set_, e}; }
-  /// Auxiliary field 1 to 3 at a point x of an element, off the tip, stress by the element's own
+  /// The auxiliary fields at a point x of an element, off the tip, stress by the element's own
   /// elasticity; the divergence is zero in the plane (crack.39). `number`: of the point.
-  [[nodiscard]] AuxiliaryField<2> auxiliary_field(base::ElementId e, std::size_t number,
-                                                  const base::Vec2& x, std::size_t auxiliary,
-                                                  const SectionElasticity& k) const;
+  [[nodiscard]] AuxiliaryFields<2> auxiliary_fields(base::ElementId e, std::size_t number,
+                                                    const base::Vec2& x,
+                                                    const SectionElasticity& k) const;
   [[nodiscard]] Place locate_in_element(const base::Vec2& x) const {
     return {polar_coordinates(set_.tip, x), x};
   }
@@ -99,6 +101,9 @@ public:
                                               const base::Vec2& area) const;
 
 private:
+  [[nodiscard]] AuxiliaryField<2> auxiliary_field(const base::Vec2& x, std::size_t auxiliary,
+                                                  const SectionElasticity& k) const;
+
   const TipContext& set_;
   std::vector<base::ElementId> strained_;
   std::vector<base::ElementId> rigid_;

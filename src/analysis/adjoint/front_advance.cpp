@@ -245,6 +245,10 @@ void VirtualAxisExtension::move() {
     moved_.domains[f] =
         crack::build_front_domains(moved_.cracked, moved, domain_ring_counts(model_, crack_),
                                    find_domain_exclusions(model_, scene_, front));
+    const auto cases = static_cast<Eigen::Index>(model_.cases.size());
+    if (!loads_act_on_domains(model_, moved_, base::Vector::Ones(cases))) {
+      moved_.domains[f].auxiliary_cache.reset(); // read once, by the rows of K
+    }
     keep_shares(scene_.domains[f], moved_.domains[f]);
   }
 }

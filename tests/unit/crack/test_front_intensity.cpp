@@ -7,7 +7,10 @@
 #include "tests/unit/crack/front_tube.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <span>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -245,6 +248,38 @@ TEST_F(PressedPenny, RowsGiveTheSameK) {
     EXPECT_NEAR(of_u[layout.at(i, 2)] + of_f[layout.at(i, 2)], result[i].K2, 1e-11);
     EXPECT_NEAR(of_u[layout.at(i, 3)] + of_f[layout.at(i, 3)], result[i].K3, 1e-11);
   }
+}
+
+// Functions beside those of nodes that are the same as these have the same rows.
+TEST_F(PressedPenny, RowsOfOtherFunctionsAreThoseOfNodes) {
+  const model::Mesh& mesh = tube.cracked.mesh;
+  std::vector<std::int32_t> numbers; // of the node of an element, from mesh.first on
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    for (const base::NodeId n : mesh.element_nodes(base::ElementId(e))) {
+      numbers.push_back(static_cast<std::int32_t>(n.index()));
+    }
+  }
+  const std::vector<double> signs(shape::most_nodes<3>, -1.0);
+  crack::SupplementaryFunctions others;
+  others.count = static_cast<Eigen::Index>(mesh.node_count());
+  others.of_element = [&](base::ElementId e) {
+    return std::span<const std::int32_t>(numbers.data() + mesh.first[e.index()],
+                                         mesh.element_nodes(e).size());
+  };
+  others.signs = [&](base::ElementId e) {
+    return std::span<const double>(signs.data(), mesh.element_nodes(e).size());
+  };
+  others.slopes = [](base::ElementType type, const Vec3& r) -> Eigen::MatrixX3d {
+    return -shape::reference_element<3>(type).dN(r);
+  };
+  const crack::FrontIntegralDomains fields = tube.fields();
+  const crack::IntensityFunctionals both = crack::supplemented_intensity_functionals(
+      tube.model, tube.cracked, tube.front(), fields, others);
+  const auto rows =
+      crack::front_intensity_functionals(tube.model, tube.cracked, tube.front(), fields);
+  EXPECT_EQ((both.of_nodes - rows).norm(), 0.0);
+  EXPECT_GT(rows.norm(), 0.0);
+  EXPECT_LT((both.of_others - rows).norm(), 1e-12 * rows.norm());
 }
 
 TEST(FrontInvariance, OfRotationAndUnits) {
