@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace spricka::analysis {
 
@@ -90,8 +91,10 @@ void add_K_by_tractions(const model::Model& model, const Discretisation& scene, 
 // Columns of all fronts [size, K of a front] side by side, as in KLayout.
 crack::SparseLinearFunctionals join_fronts(std::vector<crack::SparseLinearFunctionals> of_front,
                                            Eigen::Index size) {
+  crack::SparseLinearFunctionals rows;
   if (of_front.size() == 1) {
-    return std::move(of_front.front());
+    rows.swap(of_front.front()); // it has no constructor that moves
+    return rows;
   }
   Eigen::Index columns = 0;
   Eigen::Index entries = 0;
@@ -99,7 +102,7 @@ crack::SparseLinearFunctionals join_fronts(std::vector<crack::SparseLinearFuncti
     columns += own.cols();
     entries += own.nonZeros();
   }
-  crack::SparseLinearFunctionals rows(size, columns);
+  rows.resize(size, columns);
   rows.reserve(entries);
   Eigen::Index column = 0;
   for (const crack::SparseLinearFunctionals& own : of_front) {
@@ -143,8 +146,8 @@ supplemented_K_functionals(const model::Model& model, const Discretisation& scen
   base::parallel_for_ranges(of_nodes.size(), 1, [&](std::size_t f, std::size_t) {
     crack::IntensityFunctionals own = crack::supplemented_intensity_functionals(
         model, scene.cracked, scene.cracked.fronts[f], scene.domains[f], others);
-    of_nodes[f] = std::move(own.of_nodes);
-    of_others[f] = std::move(own.of_others);
+    of_nodes[f].swap(own.of_nodes);
+    of_others[f].swap(own.of_others);
   });
   return {join_fronts(std::move(of_nodes),
                       3 * static_cast<Eigen::Index>(scene.cracked.mesh.node_count())),

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <optional>
-#include <utility>
 #include <vector>
 
 /// K of the fronts of a scene as linear functions, by its KLayout: rows^T u, what contact forces
@@ -51,9 +50,11 @@ public:
   of_supplementary(const crack::SupplementaryFunctions& others) const {
     crack::IntensityFunctionals both = supplemented_K_functionals(model_, scene_, others);
     if (!of_displacements_) {
-      of_displacements_ = std::move(both.of_nodes);
+      of_displacements_.emplace().swap(both.of_nodes);
     }
-    return std::move(both.of_others);
+    crack::SparseLinearFunctionals rows;
+    rows.swap(both.of_others);
+    return rows;
   }
   /// [K, row of the table]
   [[nodiscard]] const base::Matrix& of_contact_forces() const {
